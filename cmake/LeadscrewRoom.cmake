@@ -1,0 +1,80 @@
+# The house is built of rooms: folders of src/leadscrew/, each a library and a namespace of its own. What a room may include
+# is what it declares, and nothing else is on its include path: every room is shown to the compiler through a folder that
+# holds a link to that room alone, so that an include against the order does not compile.
+
+set(LEADSCREW_ROOM_VIEWS ${CMAKE_BINARY_DIR}/rooms)
+
+# What every target of the project is compiled with. Contraction is off so that the same input gives the same bits on every
+# processor, with fused multiply-add or without.
+function(leadscrew_compile_options TARGET)
+  target_compile_features(${TARGET} PUBLIC cxx_std_20)
+  set_target_properties(${TARGET} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${TARGET} PRIVATE -Wno-restrict)  # GCC bug 105651: false alarms in std::string
+  endif()
+endfunction()
+
+# leadscrew_use(TARGET ROOM…): link these rooms and see their headers; no others.
+function(leadscrew_use TARGET)
+  foreach(room ${ARGN})
+    target_link_libraries(${TARGET} PRIVATE leadscrew_${room})
+    target_include_directories(${TARGET} PRIVATE ${LEADSCREW_ROOM_VIEWS}/${room})
+  endforeach()
+endfunction()
+
+# leadscrew_room(NAME [EDGE] [DEPENDS room…] [HEADERS header-only-library…]): a room of the house. EDGE rooms lie outside the
+# core: they may throw, start threads and use the host's libraries.
+function(leadscrew_room NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 room "EDGE" "" "DEPENDS;HEADERS")
+  set(target leadscrew_${NAME})
+  set(view ${LEADSCREW_ROOM_VIEWS}/${NAME}/leadscrew)
+  file(MAKE_DIRECTORY ${view})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${view}/${NAME} SYMBOLIC)
+
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
+  if(NOT sources)
+    # A room of headers is still a library, so that each of its headers is compiled on its own.
+    set(sources ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
+    set(text "")
+    foreach(header ${headers})
+      get_filename_component(file ${header} NAME)
+      string(APPEND text "#include <leadscrew/${NAME}/${file}>\n")
+    endforeach()
+    file(CONFIGURE OUTPUT ${sources} CONTENT "${text}")
+  endif()
+
+  add_library(${target} STATIC ${sources})
+  add_library(leadscrew::${NAME} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${NAME} POSITION_INDEPENDENT_CODE ON)
+  leadscrew_compile_options(${target})
+  target_include_directories(${target} PRIVATE ${LEADSCREW_ROOM_VIEWS}/${NAME}
+    INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  foreach(dependency ${room_DEPENDS})
+    if(NOT TARGET leadscrew_${dependency})
+      message(FATAL_ERROR "room ${NAME} depends on ${dependency}, which does not stand above it")
+    endif()
+    target_link_libraries(${target} PUBLIC leadscrew_${dependency})
+    target_include_directories(${target} PRIVATE ${LEADSCREW_ROOM_VIEWS}/${dependency})
+  endforeach()
+  foreach(header expected ${room_HEADERS})
+    target_link_libraries(${target} PUBLIC leadscrew_header_${header})
+  endforeach()
+  if(NOT room_EDGE)
+    target_compile_options(${target} PRIVATE -fno-exceptions)
+    set_property(GLOBAL APPEND PROPERTY LEADSCREW_CORE_ROOMS ${NAME})
+  endif()
+  if(LEADSCREW_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Fat objects hold machine code as well: the installed archives work with any compiler, and tests link fast.
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-flto=auto;-ffat-lto-objects>)
+  endif()
+endfunction()
+
+# Link-time optimisation where speed is the point: the command and the benchmarks.
+function(leadscrew_link_time_optimisation TARGET)
+  if(LEADSCREW_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-flto=auto>)
+    target_link_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-flto=auto>)
+  endif()
+endfunction()
