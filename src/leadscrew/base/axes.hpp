@@ -1,0 +1,52 @@
+#pragma once
+// The nine axes of RS274/NGC and arrays indexed by them.
+//
+// Axis coordinates are millimetres for the linear axes X Y Z U V W and degrees for the rotary axes A B C, in every door
+// of the house: a programmed A45 is 45 in the word that leaves, bit for bit. Angles inside formulas are radians.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace leadscrew::base {
+
+enum class Axis : std::uint8_t { X, Y, Z, A, B, C, U, V, W };
+
+inline constexpr std::size_t axis_count = 9;
+
+inline constexpr std::array<Axis, axis_count> all_axes = {Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B,
+                                                          Axis::C, Axis::U, Axis::V, Axis::W};
+
+constexpr std::size_t index(Axis axis) {
+  return static_cast<std::size_t>(axis);
+}
+
+constexpr char letter(Axis axis) {
+  return "XYZABCUVW"[index(axis)];
+}
+
+constexpr bool is_rotary(Axis axis) {
+  return axis == Axis::A || axis == Axis::B || axis == Axis::C;
+}
+
+/// One value for each axis; by default mm for linear and degrees for rotary axes.
+using AxisVector = std::array<double, axis_count>;
+
+/// A set of axes.
+class AxisSet {
+ public:
+  constexpr AxisSet() = default;
+
+  constexpr bool contains(Axis axis) const { return (bits_ >> index(axis)) & 1u; }
+  constexpr void insert(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ | (1u << index(axis))); }
+  constexpr void erase(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ & ~(1u << index(axis))); }
+  constexpr bool empty() const { return bits_ == 0; }
+  constexpr std::uint16_t bits() const { return bits_; }
+
+  friend constexpr bool operator==(AxisSet, AxisSet) = default;
+
+ private:
+  std::uint16_t bits_ = 0;
+};
+
+}  // namespace leadscrew::base

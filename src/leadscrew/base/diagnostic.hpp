@@ -1,0 +1,30 @@
+#pragma once
+// What went wrong, where, and what would be right: the one form in which every room reports a problem.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::base {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+/// A place in a text. Lines and columns count from 1, columns in bytes; 0 means "not known".
+struct Place {
+  std::string file;
+  std::int64_t line = 0;
+  std::int64_t column = 0;
+};
+
+/// Printed as `part.ngc:12:7: error: arc radius differs by 0.31 mm at its ends [arc-radius]`, the line and a caret
+/// under it.
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string_view code;  ///< stable name such as "arc-radius"; refers to static storage
+  std::string message;    ///< what was found, with the values
+  std::string hint;       ///< what would be right; may be empty
+  Place place;
+  std::string source;  ///< the line of text the place is in, or the part of it around the column; may be empty
+};
+
+}  // namespace leadscrew::base

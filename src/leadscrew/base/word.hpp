@@ -1,0 +1,28 @@
+#pragma once
+// The reference word: what leaves for the axes at every servo period.
+
+#include <cstdint>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/line.hpp>
+#include <leadscrew/base/time.hpp>
+
+namespace leadscrew::base {
+
+/// What the plan does at the instant of a word.
+enum class MotionState : std::uint8_t {
+  rest,      ///< standing still: before the start, in a dwell, after the end
+  changing,  ///< the speed along the path changes
+  constant,  ///< the plan says constant speed along the path
+};
+
+/// One servo period.
+struct Word {
+  Tick tick{};
+  AxisVector position{};   ///< axis positions, mm or degrees
+  double path_length = 0;  ///< travelled since the program's start, mm (degrees where only rotary axes move)
+  double feed = 0;         ///< speed along the path, mm/s (degrees/s where only rotary axes move)
+  Line line{};             ///< source line of the block in motion
+  MotionState state = MotionState::rest;
+};
+
+}  // namespace leadscrew::base
