@@ -1,0 +1,64 @@
+#pragma once
+// The circular arc and the helix: a circle in two coordinates, straight in all others.
+//
+//     ^ second        q_first  = c_first  + x cos θ − y sin θ        θ = sweep · s / length
+//     |  .-""-. start q_second = c_second + x sin θ + y cos θ        (x, y) = start − centre
+//     | /   c--x
+//     | \     /y      so that q′ = ω R n(θ), q″ = −ω² R …, with ω = sweep / length
+//     +----------> first
+
+#include <cstddef>
+#include <leadscrew/geometry/point.hpp>
+
+namespace leadscrew::geometry {
+
+class Arc {
+ public:
+  /// Turns the start about the centre (in the coordinates `first` and `second`) through an angle `sweep` (radians,
+  /// counterclockwise from first to second positive, not 0) while the other coordinates go straight to the end. The end
+  /// should lie on the circle; what it is off (a few units in the last place, by rounding) is spread evenly along the
+  /// arc. length > 0.
+  Arc(const Point& start, const Point& end, std::size_t first, std::size_t second, double center_first,
+      double center_second, numeric::DoubleDouble sweep, double length);
+
+  double length() const { return length_; }
+  const Point& start() const { return start_; }
+  const Point& end() const { return end_; }
+
+  Point evaluate(numeric::DoubleDouble s) const;
+  PointJet jets(double s) const;
+
+  std::size_t first() const { return first_; }
+  std::size_t second() const { return second_; }
+  double radius() const { return radius_; }         ///< mm
+  double angle_rate() const { return rate_.hi; }    ///< ω = dθ/ds, rad per unit of length, signed
+  const Slopes& slopes() const { return slopes_; }  ///< of the straight coordinates
+
+  /// Length of a circular arc's or helix' way: radius·|sweep| in the plane and `rise` across it.
+  static double way(double radius, numeric::DoubleDouble sweep, double rise);
+
+ private:
+  struct Turned {
+    numeric::DoubleDouble first, second;
+  };
+  Turned turned(numeric::DoubleDouble s) const;
+
+  Point start_;
+  Point end_;
+  std::size_t first_;
+  std::size_t second_;
+  double center_first_;
+  double center_second_;
+  numeric::DoubleDouble x_, y_;  ///< start − centre
+  double radius_;
+  double length_;
+  numeric::DoubleDouble rate_;
+  double defect_first_ = 0, defect_second_ = 0;  ///< end minus where the turn ends, per unit of length
+  Slopes slopes_;
+};
+
+/// Angle of an arc from `from` to `to` (both seen from the centre), with `turns` begun turns, counterclockwise positive
+/// (as gcode::Move::turns): in (0, 2π]·sign plus the whole turns. Coinciding ends make whole turns.
+numeric::DoubleDouble sweep_angle(double from_first, double from_second, double to_first, double to_second, int turns);
+
+}  // namespace leadscrew::geometry

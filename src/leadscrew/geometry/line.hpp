@@ -1,0 +1,29 @@
+#pragma once
+// The straight segment.
+
+#include <leadscrew/geometry/point.hpp>
+
+namespace leadscrew::geometry {
+
+class Line {
+ public:
+  /// From start to end, by a length > 0 of the caller's choice.
+  Line(const Point& start, const Point& end, double length)
+      : start_(start), end_(end), length_(length), slopes_(start, end, length) {}
+
+  double length() const { return length_; }
+  const Point& start() const { return start_; }
+  const Point& end() const { return end_; }
+  const Slopes& slopes() const { return slopes_; }
+
+  Point evaluate(numeric::DoubleDouble s) const;
+  PointJet jets(double s) const;
+
+ private:
+  Point start_;
+  Point end_;
+  double length_;
+  Slopes slopes_;
+};
+
+}  // namespace leadscrew::geometry
