@@ -1,0 +1,79 @@
+#include <charconv>
+#include <cmath>
+#include <leadscrew/machine/machine.hpp>
+#include <string_view>
+#include <utility>
+
+namespace leadscrew::machine {
+
+namespace {
+
+std::string text(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return {buffer, end.ptr};
+}
+
+base::Diagnostic problem(std::string_view code, std::string message, std::string hint) {
+  return {base::Severity::error, code, std::move(message), std::move(hint), {}, {}};
+}
+
+void check_limit(std::vector<base::Diagnostic>& problems, char axis, std::string_view what, double value) {
+  if (value > 0 && std::isfinite(value)) return;
+  problems.push_back(problem("machine-limit",
+                             std::string("axis ") + axis + ": " + std::string(what) + " is " + text(value),
+                             "give a number above 0"));
+}
+
+}  // namespace
+
+Machine mill3() {
+  Machine machine;
+  machine.name = "mill3";
+  const AxisLimits limits{
+      .travel_min = -500, .travel_max = 500, .velocity = 200, .acceleration = 1000, .jerk = 20000, .blu = 0.001};
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) machine.axes[base::index(axis)] = limits;
+  return machine;
+}
+
+std::vector<base::Diagnostic> validate(const Machine& machine) {
+  std::vector<base::Diagnostic> problems;
+  if (machine.kinematics != "cartesian") {
+    problems.push_back(
+        problem("machine-kinematics", "kinematics \"" + machine.kinematics + "\" is not known", "known: cartesian"));
+  }
+  if (!base::is_valid(machine.period)) {
+    problems.push_back(problem(
+        "machine-period", "a servo period of " + text(static_cast<double>(machine.period.nanoseconds) / 1e3) + " us",
+        "between 10 and 20000 us"));
+  }
+  if (!(machine.tolerance >= 0 && std::isfinite(machine.tolerance))) {
+    problems.push_back(problem("machine-tolerance", "tolerance is " + text(machine.tolerance), "0 or more"));
+  }
+  if (!(machine.chord_error > 0 && std::isfinite(machine.chord_error))) {
+    problems.push_back(problem("machine-chord-error", "chord error is " + text(machine.chord_error), "above 0"));
+  }
+  bool any = false;
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    any = true;
+    const AxisLimits& limits = machine.limits(axis);
+    const char name = base::letter(axis);
+    if (!(limits.travel_min < limits.travel_max) || !std::isfinite(limits.travel_min) ||
+        !std::isfinite(limits.travel_max)) {
+      problems.push_back(problem(
+          "machine-travel",
+          std::string("axis ") + name + ": travel from " + text(limits.travel_min) + " to " + text(limits.travel_max),
+          "the first must be the smaller"));
+    }
+    check_limit(problems, name, "the greatest velocity", limits.velocity);
+    check_limit(problems, name, "the greatest acceleration", limits.acceleration);
+    check_limit(problems, name, "the greatest jerk", limits.jerk);
+    check_limit(problems, name, "the basic length unit", limits.blu);
+  }
+  if (!any)
+    problems.push_back(problem("machine-axes", "the machine has no axis", "give at least one, such as [axis.X]"));
+  return problems;
+}
+
+}  // namespace leadscrew::machine

@@ -1,0 +1,46 @@
+#pragma once
+// The machine as data: which axes it has, how far, how fast and how abruptly each may move, its basic length unit, its
+// servo period and its tolerances. Nothing here reads a file; the command turns machine files into this.
+
+#include <array>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/time.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace leadscrew::machine {
+
+/// What one axis can do. Linear axes in mm, rotary axes in degrees; time in seconds.
+struct AxisLimits {
+  double travel_min = 0;    ///< mm or degrees, machine coordinates
+  double travel_max = 0;    ///< mm or degrees, machine coordinates; > travel_min
+  double velocity = 0;      ///< mm/s or degrees/s; > 0
+  double acceleration = 0;  ///< mm/s² or degrees/s²; > 0
+  double jerk = 0;          ///< mm/s³ or degrees/s³; > 0
+  double blu = 0;           ///< basic length unit, mm or degrees; > 0
+
+  friend bool operator==(const AxisLimits&, const AxisLimits&) = default;
+};
+
+struct Machine {
+  std::string name;
+  std::string kinematics = "cartesian";  ///< "cartesian": each axis is one coordinate of the program
+  base::Period period;
+  double tolerance = 0.01;                                       ///< mm; of G64 without P; ≥ 0
+  double chord_error = 0.001;                                    ///< mm; > 0
+  std::array<std::optional<AxisLimits>, base::axis_count> axes;  ///< an axis the machine lacks is empty
+
+  bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
+  /// Limits of an axis the machine has.
+  const AxisLimits& limits(base::Axis axis) const { return *axes[base::index(axis)]; }
+};
+
+/// The built-in three-axis mill.
+Machine mill3();
+
+/// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`.
+std::vector<base::Diagnostic> validate(const Machine& machine);
+
+}  // namespace leadscrew::machine

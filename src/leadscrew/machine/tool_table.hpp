@@ -1,0 +1,37 @@
+#pragma once
+// The tools a machine holds: offsets that G43 adds and the pockets they stand in.
+
+#include <algorithm>
+#include <leadscrew/base/axes.hpp>
+#include <string>
+#include <vector>
+
+namespace leadscrew::machine {
+
+struct Tool {
+  int number = 0;             ///< T; > 0
+  int pocket = 0;             ///< P; ≥ 0
+  base::AxisVector offset{};  ///< tool length offset of each axis, mm or degrees
+  double diameter = 0;        ///< D, mm; ≥ 0
+  std::string remark;
+
+  friend bool operator==(const Tool&, const Tool&) = default;
+};
+
+class ToolTable {
+ public:
+  ToolTable() = default;
+  explicit ToolTable(std::vector<Tool> tools) : tools_(std::move(tools)) {}
+
+  /// The tool of this number, or nothing.
+  const Tool* find(int number) const {
+    const auto tool = std::find_if(tools_.begin(), tools_.end(), [&](const Tool& t) { return t.number == number; });
+    return tool == tools_.end() ? nullptr : &*tool;
+  }
+  const std::vector<Tool>& tools() const { return tools_; }
+
+ private:
+  std::vector<Tool> tools_;
+};
+
+}  // namespace leadscrew::machine
