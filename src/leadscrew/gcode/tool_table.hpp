@@ -1,0 +1,20 @@
+#pragma once
+// LinuxCNC's tool-table format: one tool a line, letters with numbers (`T1 P1 D3.175 Z+0.511 ;remark`).
+
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/machine/tool_table.hpp>
+#include <string_view>
+#include <vector>
+
+namespace leadscrew::gcode {
+
+struct ToolTableText {
+  machine::ToolTable table;
+  std::vector<base::Diagnostic> diagnostics;  ///< every problem of the text; errors make the table unusable
+};
+
+/// Reads a tool table. T is required, > 0 and unique; P, D, and an offset for each of the nine axes are optional, mm or
+/// degrees; what follows ';' is a remark. Unknown letters are errors.
+ToolTableText read_tool_table(std::string_view text, std::string_view file);
+
+}  // namespace leadscrew::gcode
