@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <leadscrew/toolpath/builder.hpp>
+#include <numbers>
+
+namespace {
+
+using namespace leadscrew;
+using gcode::Move;
+using toolpath::Builder;
+using toolpath::Piece;
+
+Move line_to(base::AxisVector end, gcode::Feed feed = {gcode::Feed::Mode::units_per_second, 10}) {
+  Move move;
+  move.end = end;
+  move.feed = feed;
+  return move;
+}
+
+Piece only_piece(const Move& move) {
+  Builder builder;
+  builder.push(move);
+  builder.finish();
+  const auto element = builder.pop();
+  EXPECT_TRUE(element && std::holds_alternative<Piece>(*element));
+  EXPECT_FALSE(builder.pop());
+  return std::get<Piece>(*element);
+}
+
+TEST(FeedLength, IsThatOfTheToolTipWhereItMoves) {
+  EXPECT_DOUBLE_EQ(toolpath::feed_length(line_to({3, 4, 0, 90, 0, 0, 7, 0, 0})), 5);
+}
+
+TEST(FeedLength, IsThatOfTheSecondaryAxesWhereTheTipStands) {
+  EXPECT_DOUBLE_EQ(toolpath::feed_length(line_to({0, 0, 0, 90, 0, 0, 6, 8, 0})), 10);
+}
+
+TEST(FeedLength, IsInDegreesWhereOnlyRotaryAxesMove) {
+  EXPECT_DOUBLE_EQ(toolpath::feed_length(line_to({0, 0, 0, 30, 40, 0, 0, 0, 0})), 50);
+}
+
+TEST(Builder, MakesRapidsWithoutAFeed) {
+  EXPECT_EQ(only_piece(line_to({1}, {})).feed, INFINITY);
+}
+
+TEST(Builder, TurnsInverseTimeIntoSpeed) {
+  EXPECT_DOUBLE_EQ(only_piece(line_to({3, 4}, {gcode::Feed::Mode::per_second, 2})).feed, 10);
+}
+
+TEST(Builder, PassesOverMovesOfNoLength) {
+  Builder builder;
+  builder.push(line_to({}));
+  EXPECT_FALSE(builder.pop());
+}
+
+TEST(Builder, KeepsDwellsAndEventsInTheirPlace) {
+  Builder builder;
+  builder.push(line_to({1}));
+  Move dwell;
+  dwell.kind = Move::Kind::dwell;
+  dwell.start = dwell.end = {1};
+  dwell.dwell_seconds = 0.5;
+  builder.push(dwell);
+  Move event;
+  event.kind = Move::Kind::event;
+  event.event = {base::Event::Kind::spindle_stop, 0, base::Line{3}};
+  builder.push(event);
+  EXPECT_TRUE(std::holds_alternative<Piece>(*builder.pop()));
+  const auto second = builder.pop();
+  ASSERT_TRUE(std::holds_alternative<toolpath::Dwell>(*second));
+  EXPECT_EQ(std::get<toolpath::Dwell>(*second).seconds, 0.5);
+  EXPECT_EQ(std::get<toolpath::Dwell>(*second).position[0], 1);
+  EXPECT_EQ(std::get<base::Event>(*builder.pop()).kind, base::Event::Kind::spindle_stop);
+}
+
+Move quarter(gcode::Plane plane) {
+  // From 10 on the plane's first axis, counterclockwise to 10 on its second, about the origin, rising by 5.
+  Move move;
+  move.kind = Move::Kind::arc;
+  move.plane = plane;
+  move.turns = 1;
+  move.start[base::index(first_axis(plane))] = 10;
+  move.end[base::index(second_axis(plane))] = 10;
+  move.end[base::index(normal_axis(plane))] = 5;
+  move.feed = {gcode::Feed::Mode::units_per_second, 10};
+  return move;
+}
+
+class InEveryPlane : public testing::TestWithParam<gcode::Plane> {};
+
+TEST_P(InEveryPlane, AHelixPassesThroughItsMiddle) {
+  const auto plane = GetParam();
+  const Piece piece = only_piece(quarter(plane));
+  const double length = std::hypot(5 * std::numbers::pi, 5);
+  EXPECT_NEAR(geometry::length(piece.curve), length, 1e-12);
+  const auto middle = geometry::evaluate(piece.curve, geometry::length(piece.curve) / 2);
+  EXPECT_NEAR(middle[base::index(first_axis(plane))], 10 * std::numbers::sqrt2 / 2, 1e-13);
+  EXPECT_NEAR(middle[base::index(second_axis(plane))], 10 * std::numbers::sqrt2 / 2, 1e-13);
+  EXPECT_NEAR(middle[base::index(normal_axis(plane))], 2.5, 1e-13);
+}
+
+TEST_P(InEveryPlane, PlaneAxesAreRightHanded) {
+  const auto plane = GetParam();
+  const int a = static_cast<int>(base::index(first_axis(plane))), b = static_cast<int>(base::index(second_axis(plane))),
+            c = static_cast<int>(base::index(normal_axis(plane)));
+  EXPECT_EQ((a + 1) % 3, b);
+  EXPECT_EQ((b + 1) % 3, c);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planes, InEveryPlane, testing::Values(gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ));
+
+}  // namespace
