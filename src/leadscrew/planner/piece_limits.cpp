@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <leadscrew/planner/piece_limits.hpp>
+#include <limits>
+
+namespace leadscrew::planner {
+
+namespace {
+
+using base::Axis;
+
+/// Bounds along the path from the axes that go straight; `skip`: those that do not.
+PathLimits straight_limits(const geometry::Slopes& slopes, const machine::Machine& machine, base::AxisSet skip,
+                           double feed) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  PathLimits limits{feed, none, none};
+  for (const Axis axis : base::all_axes) {
+    const double rate = std::abs(slopes.rate(base::index(axis)));
+    if (rate == 0 || skip.contains(axis)) continue;
+    const machine::AxisLimits& of_axis = machine.limits(axis);
+    limits.velocity = std::min(limits.velocity, of_axis.velocity / rate);
+    limits.acceleration = std::min(limits.acceleration, of_axis.acceleration / rate);
+    limits.jerk = std::min(limits.jerk, of_axis.jerk / rate);
+  }
+  return limits;
+}
+
+/// What an arc's motion must keep: bounds of the straight axes and the feed, and of the plane, divided by the amplitude
+/// g.
+struct ArcBounds {
+  PathLimits straight;
+  PathLimits plane;
+  double curvature = 0;  ///< |ω|, rad per unit of length
+};
+
+/// Value over bound, the largest on the way.
+struct Excess {
+  double velocity = 0, acceleration = 0, jerk = 0;
+
+  /// Slowing time by this factor brings every ratio to 1 or below: v, a, j fall with its first, second and third power.
+  double time_factor() const { return std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)}); }
+};
+
+/// The greatest of g-less in-plane jerk squared, (j − ω²v³)² + (3ωva)², is bounded over a stretch in which v and |a|
+/// stay between their values at its ends.
+double jerk_bound(double curvature, double v0, double v1, double a0, double a1, double jerk) {
+  const double w = curvature, a = std::max(std::abs(a0), std::abs(a1)), v = std::max(v0, v1);
+  const double radial = std::max(std::abs(jerk - w * w * v0 * v0 * v0), std::abs(jerk - w * w * v1 * v1 * v1));
+  return std::hypot(radial, 3 * w * v * a);
+}
+
+/// Proven worst case of a motion on an arc. The braking half mirrors the first in time (a changes its sign, j does
+/// not), which leaves every magnitude as it is. The first three phases are cut into stretches and bounded on each.
+Excess worst_case(const ArcBounds& bounds, const RestToRest& motion) {
+  constexpr int stretches = 12;
+  const double w = bounds.curvature, peak = motion.peak_speed();
+  double acceleration = w * peak * peak, jerk = w * w * peak * peak * peak;  // cruising
+  double v = 0, a = 0;
+  const std::array<std::array<double, 2>, 3> phases = {
+      {{motion.jerk, motion.jerk_time}, {0, motion.acceleration_time}, {-motion.jerk, motion.jerk_time}}};
+  for (const auto& [j, duration] : phases) {
+    if (duration == 0) continue;
+    const double v_begin = v, a_begin = a;
+    for (int k = 1; k <= stretches; ++k) {
+      const double tau = duration * k / stretches;
+      const double a_next = a_begin + j * tau, v_next = v_begin + tau * (a_begin + j * tau / 2);
+      acceleration = std::max(acceleration, std::hypot(w * v_next * v_next, std::max(a, a_next)));
+      jerk = std::max(jerk, jerk_bound(w, v, v_next, a, a_next, j));
+      v = v_next;
+      a = a_next;
+    }
+  }
+  const PathLimits &straight = bounds.straight, &plane = bounds.plane;
+  return {std::max(peak / straight.velocity, peak / plane.velocity),
+          std::max(motion.peak_acceleration() / straight.acceleration, acceleration / plane.acceleration),
+          std::max(motion.jerk / straight.jerk, jerk / plane.jerk)};
+}
+
+RestToRest slowed(const RestToRest& motion, double factor) {
+  return {motion.jerk / (factor * factor * factor), motion.jerk_time * factor, motion.acceleration_time * factor,
+          motion.cruise_time * factor};
+}
+
+/// The candidate's motion, its time scaled so that the worst case just meets the bounds.
+RestToRest admissible(double length, const ArcBounds& bounds, const PathLimits& candidate) {
+  const RestToRest motion = rest_to_rest(length, candidate);
+  return slowed(motion, worst_case(bounds, motion).time_factor());
+}
+
+/// Coordinate search over the logarithms of the three bounds, with steps that halve.
+RestToRest fastest(double length, const ArcBounds& bounds) {
+  const PathLimits &straight = bounds.straight, &plane = bounds.plane;
+  const double w = bounds.curvature;
+  PathLimits best{std::min({straight.velocity, plane.velocity, 0.9 * std::sqrt(plane.acceleration / w),
+                            0.9 * std::cbrt(plane.jerk / (w * w))}),
+                  0.9 * std::min(straight.acceleration, plane.acceleration), 0.9 * std::min(straight.jerk, plane.jerk)};
+  RestToRest motion = admissible(length, bounds, best);
+  constexpr std::array<double PathLimits::*, 3> coordinates = {&PathLimits::velocity, &PathLimits::acceleration,
+                                                               &PathLimits::jerk};
+  double step = 1.4;
+  for (int round = 0; round < 8; ++round) {
+    bool better = false;
+    for (const auto coordinate : coordinates) {
+      for (const double factor : {step, 1 / step}) {
+        PathLimits candidate = best;
+        candidate.*coordinate *= factor;
+        const RestToRest tried = admissible(length, bounds, candidate);
+        if (tried.duration() >= motion.duration()) continue;
+        best = candidate;
+        motion = tried;
+        better = true;
+      }
+    }
+    if (!better) step = std::sqrt(step);
+  }
+  return motion;
+}
+
+RestToRest plan(const geometry::Line& line, double feed, const machine::Machine& machine) {
+  base::AxisSet none;
+  return rest_to_rest(line.length(), straight_limits(line.slopes(), machine, none, feed));
+}
+
+RestToRest plan(const geometry::Arc& arc, double feed, const machine::Machine& machine) {
+  const Axis first = base::all_axes[arc.first()], second = base::all_axes[arc.second()];
+  const machine::AxisLimits &one = machine.limits(first), &other = machine.limits(second);
+  ArcBounds bounds;
+  base::AxisSet plane;
+  plane.insert(first);
+  plane.insert(second);
+  bounds.straight = straight_limits(arc.slopes(), machine, plane, feed);
+  bounds.curvature = std::abs(arc.angle_rate());
+  const double amplitude = arc.radius() * bounds.curvature;
+  bounds.plane = {std::min(one.velocity, other.velocity) / amplitude,
+                  std::min(one.acceleration, other.acceleration) / amplitude,
+                  std::min(one.jerk, other.jerk) / amplitude};
+  return fastest(arc.length(), bounds);
+}
+
+}  // namespace
+
+RestToRest plan_piece(const toolpath::Piece& piece, const machine::Machine& machine) {
+  return std::visit([&](const auto& curve) { return plan(curve, piece.feed, machine); }, piece.curve);
+}
+
+}  // namespace leadscrew::planner

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <leadscrew/planner/piece_limits.hpp>
+#include <leadscrew/planner/planner.hpp>
+#include <numbers>
+#include <optional>
+
+namespace {
+
+using leadscrew::base::Axis;
+using leadscrew::base::index;
+using leadscrew::geometry::Arc;
+using leadscrew::geometry::Line;
+using leadscrew::geometry::Point;
+using leadscrew::machine::AxisLimits;
+using leadscrew::machine::Machine;
+using leadscrew::planner::Chunk;
+using leadscrew::planner::LimitRatios;
+using leadscrew::planner::Planner;
+using leadscrew::toolpath::Piece;
+
+double logarithmic(double low, double high) {
+  return low * std::pow(high / low, *rc::gen::inRange(0, 1000001) / 1e6);
+}
+
+Machine random_machine() {
+  Machine machine = leadscrew::machine::mill3();
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::A}) {
+    machine.axes[index(axis)] =
+        AxisLimits{-1e6, 1e6, logarithmic(5, 500), logarithmic(30, 3e4), logarithmic(500, 3e6), 0.001};
+  }
+  return machine;
+}
+
+Piece random_helix() {
+  Point start{}, end{};
+  const double radius = logarithmic(0.001, 300),
+               angle = logarithmic(0.001, 40) * (*rc::gen::arbitrary<bool>() ? 1 : -1);
+  const double phase = *rc::gen::inRange(0, 6283) / 1000.0, rise = *rc::gen::inRange(-100, 101) / 50.0 * radius;
+  const std::size_t first = *rc::gen::inRange<std::size_t>(0, 3), second = (first + 1) % 3, normal = (first + 2) % 3;
+  start[first] = radius * std::cos(phase);
+  start[second] = radius * std::sin(phase);
+  end[first] = radius * std::cos(phase + angle);
+  end[second] = radius * std::sin(phase + angle);
+  end[normal] = rise;
+  end[index(Axis::A)] = *rc::gen::inRange(-90, 91);
+  const double feed = *rc::gen::inRange(0, 5) == 0 ? INFINITY : logarithmic(0.5, 500);
+  return {Arc(start, end, first, second, 0, 0, angle, Arc::way(radius, angle, rise)), feed, {}};
+}
+
+/// The largest value over limit of any axis, looked for much more finely than the planner looks, with formulas written
+/// out here.
+double brute_force_ratio(const Chunk& chunk, const Machine& machine) {
+  double worst = 0;
+  for (const auto& segment : chunk.segments) {
+    const double duration = segment.duration.value();
+    for (int k = 0; k <= 2000; ++k) {
+      const double t = duration * k / 2000;
+      const double s = segment.s0.value() + t * (segment.v0.value() + t * (segment.c2 + t * segment.c3));
+      const double v = segment.v0.value() + t * (2 * segment.c2 + t * 3 * segment.c3);
+      const double a = 2 * segment.c2 + t * 6 * segment.c3, j = 6 * segment.c3;
+      const auto jets = leadscrew::geometry::jets(chunk.pieces[0].curve, s);
+      for (const Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::A}) {
+        const auto& q = jets[index(axis)];
+        const AxisLimits& limits = machine.limits(axis);
+        worst = std::max({worst, std::abs(q.first * v) / limits.velocity,
+                          std::abs(q.second * v * v + q.first * a) / limits.acceleration,
+                          std::abs(q.third * v * v * v + 3 * q.second * v * a + q.first * j) / limits.jerk});
+      }
+      worst = std::max(worst, v / chunk.pieces[0].feed);
+    }
+  }
+  return worst;
+}
+
+Chunk planned(const Piece& piece, const Machine& machine) {
+  Planner planner(machine, leadscrew::geometry::start(piece.curve));
+  planner.push(piece);
+  return *planner.pop();
+}
+
+RC_GTEST_PROP(PieceLimits, NoHelixExceedsAnyLimitAnywhere, ()) {
+  const Machine machine = random_machine();
+  RC_ASSERT(brute_force_ratio(planned(random_helix(), machine), machine) <= 1 + 1e-9);
+}
+
+RC_GTEST_PROP(PieceLimits, LinesMeetOneLimitExactly, ()) {
+  const Machine machine = random_machine();
+  Point start{}, end{};
+  for (const std::size_t i : {0, 1, 2, 3}) end[i] = *rc::gen::inRange(-100000, 100001) / 1000.0;
+  const double length = std::hypot(end[0], end[1], end[2]);
+  RC_PRE(length > 0);
+  const Piece piece{Line(start, end, length), logarithmic(0.5, 500), {}};
+  const double worst = brute_force_ratio(planned(piece, machine), machine);
+  RC_ASSERT(worst <= 1 + 1e-9);
+  RC_ASSERT(worst >= 1 - 1e-9);  // the jerk limit of one axis is in force, or it would not be the fastest
+}
+
+RC_GTEST_PROP(PieceLimits, PlanRatiosAgreeWithBruteForce, ()) {
+  const Machine machine = random_machine();
+  const Piece piece = random_helix();
+  const Chunk chunk = planned(piece, machine);
+  LimitRatios ratios{};
+  leadscrew::planner::raise_limit_ratios(chunk, machine, ratios);
+  double worst = 0;
+  for (const auto& axis : ratios) worst = std::max({worst, axis.velocity, axis.acceleration, axis.jerk});
+  double fine = 0;
+  Chunk without_feed = chunk;
+  without_feed.pieces[0].feed = INFINITY;
+  fine = brute_force_ratio(without_feed, machine);
+  RC_ASSERT(worst <= fine * (1 + 1e-9) + 1e-12);
+  RC_ASSERT(worst >= fine * (1 - 2e-3));
+}
+
+TEST(PieceLimits, FullCircleIsNotFarFromTheOptimum) {
+  // R = 10 mm; the jerk-limited optimum along the circle is 0.783 s at 100 mm/s and 6.328 s at 10 mm/s.
+  const Machine machine = leadscrew::machine::mill3();
+  Point start{};
+  start[0] = 10;
+  const auto sweep = leadscrew::geometry::sweep_angle(10, 0, 10, 0, 1);
+  const Arc circle(start, start, 0, 1, 0, 0, sweep, Arc::way(10, sweep, 0));
+  const double fast = leadscrew::planner::plan_piece({circle, 100, {}}, machine).duration();
+  const double slow = leadscrew::planner::plan_piece({circle, 10, {}}, machine).duration();
+  EXPECT_GE(fast, 0.783 * 0.998);
+  EXPECT_LE(fast, 0.783 * 1.10);
+  EXPECT_GE(slow, 6.328 * 0.998);
+  EXPECT_LE(slow, 6.328 * 1.002);
+  std::printf("full circle R10: F100 %.4f s, F10 %.4f s\n", fast, slow);
+}
+
+}  // namespace
