@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/pipeline/program.hpp>
+#include <utility>
+
+namespace leadscrew::pipeline {
+
+using base::MotionState;
+
+Program::Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+                 gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
+    : machine_(machine),
+      reader_(std::move(source), machine, tools, options, std::move(diagnostics)),
+      planner_(machine, options.start),
+      interpolator_(machine.period, options.start) {}
+
+bool Program::prepare() {
+  if (ended_) return false;
+  while (interpolator_.wants_chunk()) {
+    if (plan_next()) continue;
+    // The plan has ended: the word at its end, at rest, is the last.
+    ended_ = true;
+    return true;
+  }
+  return true;
+}
+
+base::Word Program::cycle() {
+  const base::Word word = interpolator_.next();
+  account(word);
+  return word;
+}
+
+std::int64_t Program::errors() const {
+  return reader_.errors() + (reader_.source_failure() ? 1 : 0);
+}
+
+bool Program::plan_next() {
+  std::optional<planner::Chunk> chunk = planner_.pop();
+  while (!chunk && reading_) {
+    gcode::Move move;
+    reading_ = reader_.next(move);
+    if (reading_) {
+      account(move);
+      builder_.push(move);
+    } else {
+      builder_.finish();
+    }
+    summary_.blocks = reader_.blocks();
+    while (const std::optional<toolpath::Element> element = builder_.pop()) planner_.push(*element);
+    if (!reading_) planner_.finish();
+    chunk = planner_.pop();
+  }
+  if (!chunk) return false;
+  chunk_ = std::move(*chunk);
+  planner::raise_limit_ratios(chunk_, machine_, summary_.plan);
+  summary_.length_mm += chunk_.length;
+  if (events_) {
+    for (const base::Event& event : chunk_.events) events_(event);
+  }
+  interpolator_.load(chunk_);
+  return true;
+}
+
+void Program::account(const gcode::Move& move) {
+  if (move.kind == gcode::Move::Kind::dwell) summary_.dwell_s += move.dwell_seconds;
+  if (move.kind != gcode::Move::Kind::line && move.kind != gcode::Move::Kind::arc) return;
+  ++summary_.moves;
+  summary_.tolerance_mm = std::max(summary_.tolerance_mm, move.tolerance);
+  const double value = move.feed.value;
+  switch (move.feed.mode) {
+    case gcode::Feed::Mode::units_per_second:
+      summary_.feed_programmed_max = std::max(summary_.feed_programmed_max, value);
+      break;
+    case gcode::Feed::Mode::per_second:
+      summary_.feed_programmed_max = std::max(summary_.feed_programmed_max, value * toolpath::feed_length(move));
+      break;
+    case gcode::Feed::Mode::rapid:
+      break;
+  }
+}
+
+void Program::account(const base::Word& word) {
+  summary_.words = base::count(word.tick);
+  summary_.time_s = base::seconds(word.tick, machine_.period);
+  const bool both_constant = before_ && before_->state == MotionState::constant && word.state == MotionState::constant;
+  if (both_constant && before_->line == word.line && before_->feed == word.feed) {
+    const double speed = (word.path_length - before_->path_length) / machine_.period.seconds();
+    summary_.ripple = std::max(summary_.ripple, std::abs(speed / word.feed - 1));
+  }
+  before_ = word;
+}
+
+}  // namespace leadscrew::pipeline

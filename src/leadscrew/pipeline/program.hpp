@@ -1,0 +1,83 @@
+#pragma once
+// The rooms joined into one: the text of a part program goes in, words come out, one a call, in constant memory.
+//
+//   text ─gcode::Reader─▶ moves ─toolpath::Builder─▶ path ─planner::Planner─▶ motion ─interpolator::Interpolator─▶
+//   words
+
+#include <cstdint>
+#include <functional>
+#include <leadscrew/base/event.hpp>
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/interpolator/interpolator.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/machine/tool_table.hpp>
+#include <leadscrew/planner/planner.hpp>
+#include <leadscrew/toolpath/builder.hpp>
+#include <optional>
+
+namespace leadscrew::pipeline {
+
+/// What the motion was, up to the last word made.
+struct Summary {
+  std::int64_t blocks = 0;  ///< read
+  std::int64_t moves = 0;   ///< travelled: lines and arcs
+  std::int64_t words = 0;   ///< servo periods
+  double time_s = 0;        ///< words · period
+  double dwell_s = 0;
+  double length_mm = 0;
+  double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
+  double tolerance_mm = 0;         ///< the largest that applied
+  double ripple = 0;  ///< largest relative departure of path length per period where the plan says constant speed
+  planner::LimitRatios plan{};  ///< analytically, from the motion
+};
+
+/// Called for each event as the chunk that follows it begins.
+using EventSink = std::function<void(const base::Event&)>;
+
+/// A program that has an error must not be moved: read it whole first (gcode::Reader), then run it. The machine and the
+/// tool table must outlive the program.
+///
+///     while (program.prepare()) send(program.cycle());
+class Program {
+ public:
+  Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+          gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics);
+
+  Program(const Program&) = delete;  // the interpolator looks into the chunk that is kept here
+  Program& operator=(const Program&) = delete;
+
+  void on_event(EventSink sink) { events_ = std::move(sink); }
+
+  /// Reads and plans as far as the next word needs; false when the last word (at rest, at the end) has been made. The
+  /// first word is that of t = 0, at rest at the start; a program that moves nothing has that one word.
+  bool prepare();
+
+  /// The next word; prepare() must have said true.
+  base::Word cycle();
+
+  const Summary& summary() const { return summary_; }
+  /// Diagnostics of severity error so far; a source that failed counts.
+  std::int64_t errors() const;
+  /// Set when the source failed while reading.
+  const std::optional<base::Diagnostic>& source_failure() const { return reader_.source_failure(); }
+
+ private:
+  bool plan_next();
+  void account(const gcode::Move& move);
+  void account(const base::Word& word);
+
+  const machine::Machine& machine_;
+  gcode::Reader reader_;
+  toolpath::Builder builder_;
+  planner::Planner planner_;
+  interpolator::Interpolator interpolator_;
+  planner::Chunk chunk_;
+  EventSink events_;
+  bool reading_ = true;
+  bool ended_ = false;
+  std::optional<base::Word> before_;
+  Summary summary_;
+};
+
+}  // namespace leadscrew::pipeline
