@@ -9,7 +9,8 @@ set(LEADSCREW_ROOM_VIEWS ${CMAKE_BINARY_DIR}/rooms)
 function(leadscrew_compile_options TARGET)
   target_compile_features(${TARGET} PUBLIC cxx_std_20)
   set_target_properties(${TARGET} PROPERTIES CXX_EXTENSIONS OFF)
-  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
+    -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${TARGET} PRIVATE -Wno-restrict)  # GCC bug 105651: false alarms in std::string
   endif()
@@ -51,6 +52,7 @@ function(leadscrew_room NAME)
   leadscrew_compile_options(${target})
   target_include_directories(${target} PRIVATE ${LEADSCREW_ROOM_VIEWS}/${NAME}
     INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(${target} PROPERTIES LEADSCREW_DEPENDS "${room_DEPENDS}")
   foreach(dependency ${room_DEPENDS})
     if(NOT TARGET leadscrew_${dependency})
       message(FATAL_ERROR "room ${NAME} depends on ${dependency}, which does not stand above it")

@@ -30,18 +30,18 @@ class Arc {
 
   std::size_t first() const { return first_; }
   std::size_t second() const { return second_; }
-  double radius() const { return radius_; }         ///< mm
-  double angle_rate() const { return rate_.hi; }    ///< ω = dθ/ds, rad per unit of length, signed
-  const Slopes& slopes() const { return slopes_; }  ///< of the straight coordinates
+  double radius() const { return radius_; }             ///< mm
+  double angle_rate() const { return rate_.hi.value; }  ///< ω = dθ/ds, rad per unit of length, signed
+  const Slopes& slopes() const { return slopes_; }      ///< of the straight coordinates
 
   /// Length of a circular arc's or helix' way: radius·|sweep| in the plane and `rise` across it.
   static double way(double radius, numeric::DoubleDouble sweep, double rise);
 
  private:
   struct Turned {
-    numeric::DoubleDouble first, second;
+    double first = 0, second = 0;
   };
-  Turned turned(numeric::DoubleDouble s) const;
+  Turned turned(const Way& s) const;
 
   Point start_;
   Point end_;
@@ -49,10 +49,10 @@ class Arc {
   std::size_t second_;
   double center_first_;
   double center_second_;
-  numeric::DoubleDouble x_, y_;  ///< start − centre
+  Rate x_, y_;  ///< start − centre
   double radius_;
   double length_;
-  numeric::DoubleDouble rate_;
+  Rate rate_;
   double defect_first_ = 0, defect_second_ = 0;  ///< end minus where the turn ends, per unit of length
   Slopes slopes_;
 };

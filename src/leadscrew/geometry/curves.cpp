@@ -9,7 +9,7 @@ Point Line::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
   Point position = start_;
-  slopes_.add(position, s);
+  slopes_.add(position, Way(s));
   return position;
 }
 
@@ -34,35 +34,45 @@ Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t se
       center_second_(center_second),
       x_(numeric::two_sum(start[first], -center_first)),
       y_(numeric::two_sum(start[second], -center_second)),
-      radius_(std::hypot(x_.hi, y_.hi)),
+      radius_(std::hypot(x_.hi.value, y_.hi.value)),
       length_(length),
       rate_(sweep / DoubleDouble(length)) {
   Point straight_end = end;
   straight_end[first] = start[first];
   straight_end[second] = start[second];
   slopes_ = Slopes(start, straight_end, length);
-  const Turned at_end = turned(length);
-  defect_first_ = (DoubleDouble(end[first]) - at_end.first).value() / length;
-  defect_second_ = (DoubleDouble(end[second]) - at_end.second).value() / length;
+  const Turned at_end = turned(Way(length));
+  defect_first_ = (end[first] - at_end.first) / length;
+  defect_second_ = (end[second] - at_end.second) / length;
 }
 
-Arc::Turned Arc::turned(DoubleDouble s) const {
-  // θ = hi + lo; sin and cos of hi come from the library, lo turns them by the first-order rule (lo² < 1e-32).
-  const DoubleDouble angle = rate_ * s;
-  const double sine = std::sin(angle.hi), cosine = std::cos(angle.hi);
-  const DoubleDouble sin_angle{sine, cosine * angle.lo};
-  const DoubleDouble cos_angle{cosine, -sine * angle.lo};
-  return {x_ * cos_angle - y_ * sin_angle + center_first_, x_ * sin_angle + y_ * cos_angle + center_second_};
+Arc::Turned Arc::turned(const Way& s) const {
+  // θ = angle.hi + angle.lo. Sine and cosine of the greater part come from the library; what the smaller adds, and all
+  // that is below a unit in the last place of the products, is gathered in `small` and enters with the last rounding.
+  const DoubleDouble angle = rate_.times(s);
+  const numeric::Split sine = std::sin(angle.hi), cosine = std::cos(angle.hi);
+  const auto sum = [&](double center, const DoubleDouble& a, const DoubleDouble& b, double small) {
+    const DoubleDouble in_circle = numeric::two_sum(a.hi, b.hi);
+    const DoubleDouble absolute = numeric::two_sum(center, in_circle.hi);
+    return absolute.hi + (absolute.lo + (in_circle.lo + (a.lo + b.lo + small)));
+  };
+  const DoubleDouble x_cosine = numeric::two_product(x_.hi, cosine), x_sine = numeric::two_product(x_.hi, sine);
+  const DoubleDouble y_cosine = numeric::two_product(y_.hi, cosine), y_sine = numeric::two_product(y_.hi, sine);
+  const double small_first = x_.lo * cosine.value - y_.lo * sine.value - angle.lo * (x_sine.hi + y_cosine.hi);
+  const double small_second = x_.lo * sine.value + y_.lo * cosine.value + angle.lo * (x_cosine.hi - y_sine.hi);
+  return {sum(center_first_, x_cosine, -y_sine, small_first + defect_first_ * s.hi.value),
+          sum(center_second_, x_sine, y_cosine, small_second + defect_second_ * s.hi.value)};
 }
 
 Point Arc::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
+  const Way way(s);
   Point position = start_;
-  slopes_.add(position, s);
-  const Turned in_plane = turned(s);
-  position[first_] = (in_plane.first + defect_first_ * s.hi).value();
-  position[second_] = (in_plane.second + defect_second_ * s.hi).value();
+  slopes_.add(position, way);
+  const Turned in_plane = turned(way);
+  position[first_] = in_plane.first;
+  position[second_] = in_plane.second;
   return position;
 }
 
@@ -70,9 +80,9 @@ PointJet Arc::jets(double s) const {
   PointJet jet;
   for (std::size_t i = 0; i < start_.size(); ++i) jet[i].value = start_[i];
   slopes_.add(jet, s);
-  const double w = rate_.hi;
+  const double w = angle_rate();
   const double sine = std::sin(w * s), cosine = std::cos(w * s);
-  const double x = x_.hi * cosine - y_.hi * sine, y = x_.hi * sine + y_.hi * cosine;
+  const double x = x_.hi.value * cosine - y_.hi.value * sine, y = x_.hi.value * sine + y_.hi.value * cosine;
   jet[first_] = {center_first_ + x + defect_first_ * s, -w * y + defect_first_, -w * w * x, w * w * w * y};
   jet[second_] = {center_second_ + y + defect_second_ * s, w * x + defect_second_, -w * w * y, -w * w * w * x};
   return jet;

@@ -11,6 +11,28 @@ namespace leadscrew::geometry {
 using Point = base::AxisVector;
 using PointJet = std::array<numeric::Jet, base::axis_count>;
 
+/// A path length as the cycle has it: in double-double, its greater part split for the products to come.
+struct Way {
+  numeric::Split hi;
+  double lo = 0;
+
+  explicit Way(numeric::DoubleDouble s) : hi(s.hi), lo(s.lo) {}
+};
+
+/// rate · s, the rate in double-double too.
+struct Rate {
+  numeric::Split hi;
+  double lo = 0;
+
+  Rate() = default;
+  explicit Rate(numeric::DoubleDouble rate) : hi(rate.hi), lo(rate.lo) {}
+
+  numeric::DoubleDouble times(const Way& s) const {
+    const numeric::DoubleDouble product = numeric::two_product(hi, s.hi);
+    return {product.hi, product.lo + (hi.value * s.lo + lo * s.hi.value)};
+  }
+};
+
 /// Straight motion of the coordinates that change: q_i = start_i + rate_i·s, rates in double-double so that the end is
 /// met.
 class Slopes {
@@ -20,37 +42,39 @@ class Slopes {
   Slopes(const Point& start, const Point& end, double length) {
     for (std::size_t i = 0; i < start.size(); ++i) {
       if (start[i] == end[i]) continue;
-      rates_[count_++] = {i, numeric::two_sum(end[i], -start[i]) / numeric::DoubleDouble(length)};
+      rates_[count_++] = {i, Rate(numeric::two_sum(end[i], -start[i]) / numeric::DoubleDouble(length))};
     }
   }
 
-  void add(Point& position, numeric::DoubleDouble s) const {
+  void add(Point& position, const Way& s) const {
     for (std::size_t k = 0; k < count_; ++k) {
-      const auto& [i, rate] = rates_[k];
-      position[i] = (rate * s + position[i]).value();
+      const std::size_t i = rates_[k].coordinate;
+      const numeric::DoubleDouble way = rates_[k].rate.times(s);
+      const numeric::DoubleDouble sum = numeric::two_sum(position[i], way.hi);
+      position[i] = sum.hi + (sum.lo + way.lo);
     }
   }
   void add(PointJet& jet, double s) const {
     for (std::size_t k = 0; k < count_; ++k) {
-      const auto& [i, rate] = rates_[k];
-      jet[i].value += rate.hi * s;
-      jet[i].first += rate.hi;
+      const std::size_t i = rates_[k].coordinate;
+      jet[i].value += rates_[k].rate.hi.value * s;
+      jet[i].first += rates_[k].rate.hi.value;
     }
   }
   /// Rate of one coordinate, per unit of length.
   double rate(std::size_t coordinate) const {
     for (std::size_t k = 0; k < count_; ++k) {
-      if (rates_[k].coordinate == coordinate) return rates_[k].rate.hi;
+      if (rates_[k].coordinate == coordinate) return rates_[k].rate.hi.value;
     }
     return 0;
   }
 
  private:
-  struct Rate {
+  struct Coordinate {
     std::size_t coordinate = 0;
-    numeric::DoubleDouble rate;
+    Rate rate;
   };
-  std::array<Rate, base::axis_count> rates_{};
+  std::array<Coordinate, base::axis_count> rates_{};
   std::size_t count_ = 0;
 };
 

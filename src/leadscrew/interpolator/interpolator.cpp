@@ -14,13 +14,40 @@ DoubleDouble time_of(base::Tick tick, base::Period period) {
   return nanosecond * static_cast<double>(base::count(tick) * period.nanoseconds);
 }
 
-DoubleDouble path_length(const planner::Segment& segment, DoubleDouble tau) {
-  DoubleDouble s = segment.c3;
-  if (segment.c5 != 0 || segment.c4 != 0) s = (tau * segment.c5 + segment.c4) * tau + segment.c3;
-  if (s.hi == 0 && segment.c2 == 0) return segment.v0 * tau + segment.s0;
-  s = s * tau + segment.c2;
-  s = s * tau + segment.v0;
-  return s * tau + segment.s0;
+struct Along {
+  DoubleDouble s;
+  double speed = 0;
+};
+
+/// The polynomial of the segment at τ by Horner's rule, the rounding error of every step carried along and added at the end
+/// (Graillat, Langlois, Louvet, "Compensated Horner scheme"): as good as twice the precision, for less than its price.
+Along along(const planner::Segment& segment, DoubleDouble tau) {
+  const numeric::Split t = tau.hi;
+  double value = 0, error = 0, speed = 0;
+  const auto step = [&](double coefficient) {
+    const DoubleDouble product = numeric::two_product(numeric::Split(value), t);
+    const DoubleDouble sum = numeric::two_sum(product.hi, coefficient);
+    speed = speed * t.value + value;
+    error = error * t.value + (product.lo + sum.lo);
+    value = sum.hi;
+  };
+  if (segment.c5 != 0 || segment.c4 != 0) {
+    value = segment.c5;
+    step(segment.c4);
+    step(segment.c3);
+  } else {
+    value = segment.c3;
+  }
+  if (value != 0 || segment.c2 != 0) {
+    step(segment.c2);
+    step(segment.v0.hi);
+  } else {
+    value = segment.v0.hi;
+  }
+  error += segment.v0.lo;
+  step(segment.s0.hi);
+  error += segment.s0.lo;
+  return {numeric::two_sum(value, error + tau.lo * speed), speed};
 }
 
 }  // namespace
@@ -38,6 +65,8 @@ void Interpolator::load(const planner::Chunk& chunk) {
   end_ = begin_ + chunk.duration;
   chunk_ = &chunk;
   segment_ = 0;
+  segment_begin_ = begin_;
+  segment_end_ = chunk.segments.size() > 1 ? begin_ + chunk.segments[1].begin : end_;
   rest_ = chunk.rest;
   line_ = chunk.rest_line;
 }
@@ -54,26 +83,29 @@ base::Word Interpolator::next() {
     word.path_length = length_after_;
     return word;
   }
-  const planner::Segment& segment = segment_at(now - begin_);
+  const planner::Segment& segment = segment_at(now);
   word.state = segment.state;
   word.path_length = length_before_;
   if (segment.state == base::MotionState::rest) {
     word.position = rest_;
     return word;
   }
-  const DoubleDouble tau = now - begin_ - segment.begin;
-  const DoubleDouble s = path_length(segment, tau);
+  const auto [s, speed] = along(segment, now - segment_begin_);
   const toolpath::Piece& piece = chunk_->pieces[segment.piece];
   word.position = geometry::evaluate(piece.curve, s);
   word.path_length += s.value();
-  word.feed = planner::evaluate(segment, tau.value()).speed;
+  word.feed = speed;
   word.line = piece.line;
   return word;
 }
 
 const planner::Segment& Interpolator::segment_at(DoubleDouble time) {
   const auto& segments = chunk_->segments;
-  while (segment_ + 1 < segments.size() && segments[segment_ + 1].begin <= time) ++segment_;
+  while (segment_end_ <= time && segment_ + 1 < segments.size()) {
+    ++segment_;
+    segment_begin_ = segment_end_;
+    segment_end_ = segment_ + 1 < segments.size() ? begin_ + segments[segment_ + 1].begin : end_;
+  }
   return segments[segment_];
 }
 

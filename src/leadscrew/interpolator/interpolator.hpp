@@ -39,11 +39,13 @@ class Interpolator {
   base::Tick tick_{};
   const planner::Chunk* chunk_ = nullptr;
   std::size_t segment_ = 0;
-  numeric::DoubleDouble now_;    ///< time of the next word, seconds
-  numeric::DoubleDouble begin_;  ///< of the chunk, seconds
-  numeric::DoubleDouble end_;    ///< of the chunk, seconds
-  double length_before_ = 0;     ///< travelled before the chunk
-  double length_after_ = 0;      ///< travelled when the chunk has ended
+  numeric::DoubleDouble now_;            ///< time of the next word, seconds
+  numeric::DoubleDouble begin_;          ///< of the chunk, seconds
+  numeric::DoubleDouble end_;            ///< of the chunk, seconds
+  numeric::DoubleDouble segment_begin_;  ///< seconds
+  numeric::DoubleDouble segment_end_;    ///< seconds
+  double length_before_ = 0;             ///< travelled before the chunk
+  double length_after_ = 0;              ///< travelled when the chunk has ended
   base::AxisVector rest_;
   base::Line line_{};
 };

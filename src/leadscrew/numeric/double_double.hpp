@@ -33,20 +33,27 @@ constexpr DoubleDouble quick_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// a · b exactly, unless it overflows or |a| or |b| exceeds 2⁹⁹⁶.
-constexpr DoubleDouble two_product(double a, double b) {
-  const double product = a * b;
+/// A double beside its two halves of at most 26 bits each (Veltkamp), for products with several partners. |value| < 2⁹⁹⁶.
+struct Split {
+  double value = 0;
+  double high = 0;
+  double low = 0;
+
+  constexpr Split() = default;
+  constexpr Split(double x) : value(x) {  // NOLINT: a double is one
+    const double scaled = 134217729.0 * x;  // 2²⁷ + 1
+    high = scaled - (scaled - x);
+    low = x - high;
+  }
+};
+
+/// a · b exactly, unless it overflows.
+constexpr DoubleDouble two_product(const Split& a, const Split& b) {
+  const double product = a.value * b.value;
 #ifdef __FMA__
-  return {product, __builtin_fma(a, b, -product)};
+  return {product, __builtin_fma(a.value, b.value, -product)};
 #else
-  constexpr double splitter = 134217729.0;  // 2²⁷ + 1
-  const double a_scaled = splitter * a;
-  const double a_high = a_scaled - (a_scaled - a);
-  const double a_low = a - a_high;
-  const double b_scaled = splitter * b;
-  const double b_high = b_scaled - (b_scaled - b);
-  const double b_low = b - b_high;
-  return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
+  return {product, ((a.high * b.high - product) + a.high * b.low + a.low * b.high) + a.low * b.low};
 #endif
 }
 
