@@ -1,0 +1,38 @@
+cmake_minimum_required(VERSION 3.25)
+# A room compiles an include of itself and of what it declares, and of nothing else.
+string(REPLACE "," ";" rooms "${ROOMS}")
+string(REPLACE "," ";" declared "${DECLARED}")
+file(STRINGS ${PATHS} paths)
+list(TRANSFORM paths PREPEND -I)
+file(MAKE_DIRECTORY ${SCRATCH})
+
+# Does a source that includes nothing but this header compile?
+function(try HEADER STATUS ERRORS)
+  file(WRITE ${SCRATCH}/include.cpp "#include <leadscrew/${HEADER}>\n")
+  execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only ${paths} ${SCRATCH}/include.cpp
+    RESULT_VARIABLE status ERROR_VARIABLE errors)
+  set(${STATUS} "${status}" PARENT_SCOPE)
+  set(${ERRORS} "${errors}" PARENT_SCOPE)
+endfunction()
+
+foreach(room ${rooms})
+  file(GLOB headers RELATIVE ${SOURCES} ${SOURCES}/${room}/*.hpp)
+  set(usable FALSE)
+  foreach(header ${headers})
+    try(${header} status errors)
+    if(room STREQUAL ROOM OR room IN_LIST declared)
+      # A header may look further up the house than this room does; one that serves is enough.
+      if(status EQUAL 0)
+        set(usable TRUE)
+        break()
+      endif()
+    elseif(status EQUAL 0)
+      message(SEND_ERROR "${ROOM} does not declare ${room}, yet ${header} compiles in it")
+    elseif(NOT errors MATCHES "leadscrew/${header}.*(No such file|not found)")
+      message(SEND_ERROR "${header} fails in ${ROOM} for another reason:\n${errors}")
+    endif()
+  endforeach()
+  if((room STREQUAL ROOM OR room IN_LIST declared) AND NOT usable)
+    message(SEND_ERROR "${ROOM} declares ${room} but can include none of its headers:\n${errors}")
+  endif()
+endforeach()
