@@ -71,7 +71,7 @@ base::Period affordable_period(double seconds) {
   return {std::clamp<std::int64_t>(static_cast<std::int64_t>(period * 1e9), 10'000, 20'000'000)};
 }
 
-RC_GTEST_PROP(RandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
+void keep_every_limit_and_every_point() {
   const std::string text = RandomProgram::make();
   machine::Machine machine = random_machine();
   RC_LOG() << text;
@@ -91,6 +91,9 @@ RC_GTEST_PROP(RandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
     RC_ASSERT(outcome->verdict.violation_count == 0);
   }
 }
+
+RC_GTEST_PROP(RandomPrograms, KeepEveryLimitAndEveryPoint, ()) { keep_every_limit_and_every_point(); }
+RC_GTEST_PROP(LongRandomPrograms, KeepEveryLimitAndEveryPoint, ()) { keep_every_limit_and_every_point(); }
 
 RC_GTEST_PROP(RandomPrograms, GiveTheSameBitsEveryTime, ()) {
   const std::string text = RandomProgram::make();

@@ -8,8 +8,8 @@
 
 namespace leadscrew::gcode {
 
-/// The plane of arcs: its two axes, in the order in which a counterclockwise arc turns the first towards the second, as seen
-/// from the positive end of the third.
+/// The plane of arcs: its two axes, in the order in which a counterclockwise arc turns the first towards the second, as
+/// seen from the positive end of the third.
 enum class Plane : std::uint8_t { XY, ZX, YZ };  // G17, G18, G19
 
 constexpr base::Axis first_axis(Plane plane) {
@@ -29,8 +29,8 @@ enum class PathMode : std::uint8_t {
   blend,       ///< G64: within the tolerance of the path
 };
 
-/// How fast along the path. Path length is that of X Y Z together; of U V W where X Y Z stand still; of A B C (degrees) where
-/// all linear axes stand still (RS274/NGC 2.1.2.5, LinuxCNC "feed rate").
+/// How fast along the path. Path length is that of X Y Z together; of U V W where X Y Z stand still; of A B C (degrees)
+/// where all linear axes stand still (RS274/NGC 2.1.2.5, LinuxCNC "feed rate").
 struct Feed {
   enum class Mode : std::uint8_t {
     rapid,             ///< G0: axis limits only; value unused
@@ -51,21 +51,22 @@ struct Move {
 
   Kind kind = Kind::line;
   PathMode path_mode = PathMode::blend;
-  Plane plane = Plane::XY;      ///< of an arc
-  base::Line line{};            ///< source line
-  base::AxisVector start{};     ///< machine coordinates, mm or degrees; the end of the move before
-  base::AxisVector end{};       ///< machine coordinates, mm or degrees
+  Plane plane = Plane::XY;   ///< of an arc
+  base::Line line{};         ///< source line
+  base::AxisVector start{};  ///< machine coordinates, mm or degrees; the end of the move before
+  base::AxisVector end{};    ///< machine coordinates, mm or degrees
   Feed feed;
-  double tolerance = 0;         ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
+  double tolerance = 0;            ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
   double naive_cam_tolerance = 0;  ///< mm; Q of G64, or P where Q was not given; 0 unless path_mode is blend
 
-  /// Arc: machine coordinates of the centre along first_axis and second_axis, mm. Both ends lie on the circle around it to
-  /// within a few units in the last place: a programmed centre that is off by less than the tolerance has been moved to the
-  /// perpendicular bisector of the ends by the reader.
+  /// Arc: machine coordinates of the centre along first_axis and second_axis, mm. Both ends lie on the circle around it
+  /// to within a few units in the last place: a programmed centre that is off by less than the tolerance has been moved
+  /// to the perpendicular bisector of the ends by the reader.
   double center_first = 0;
   double center_second = 0;
-  /// Arc: number of turns begun, counterclockwise (G3) positive: ±1 for an arc of up to one turn, ±n for n − 1 whole turns
-  /// and an arc of up to one turn, P words of LinuxCNC. An arc whose ends coincide in the plane makes |turns| whole turns.
+  /// Arc: number of turns begun, counterclockwise (G3) positive: ±1 for an arc of up to one turn, ±n for n − 1 whole
+  /// turns and an arc of up to one turn, P words of LinuxCNC. An arc whose ends coincide in the plane makes |turns|
+  /// whole turns.
   int turns = 0;
 
   double dwell_seconds = 0;  ///< ≥ 0

@@ -1,5 +1,23 @@
 #pragma once
-// From the text of a part program to moves (RS274/NGC, as NIST IR 6556 defines it and LinuxCNC extends it).
+// From the text of a part program to moves: RS274/NGC as NIST IR 6556 defines it and LinuxCNC extends it.
+//
+//     bytes ─LineSource─▶ lines ─BlockReader─▶ blocks ─Interpreter─▶ moves
+//                                 └ ExpressionReader, Parameters     └ Frame, arcs, DrillCycle
+//
+// Read are: all words, comments, block delete, %, numbered and named parameters, expressions (expression.hpp); G0-G4,
+// G10 L2 L20, G17-G21, G28(.1), G30(.1), G40, G43(.1), G49, G53-G59.3, G61(.1), G64, G80-G83, G85, G90-G92.3, G93, G94,
+// G97-G99; M0-M9, M30; F, S, T. Everything else is a diagnostic: unsupported-code, unsupported-o-word, unknown-code. A
+// program begins in mm, XY, absolute, with centres of arcs relative, G64, G94, G98, G54 and no motion in force.
+//
+// Arcs: where the distances of the programmed centre to both ends differ, by at most 2√2·0.01 mm (2√2·0.001 inch under
+// G20) or 0.1 % of the greater and 100 times that, the centre moves to the nearest point of the perpendicular bisector
+// of the ends. An arc beyond half a turn whose ends nearly meet, so that this would move the centre by more than 0.001
+// mm and twice the difference, keeps its centre and is followed by a line of the length of the difference (arc.hpp).
+//
+// A diagnostic's `source` is the line of its place, with as many bytes as the text has, so that the caret stands at its
+// column; lines of more than 200 bytes are cut there, and a column beyond 180 of such a line has no `source`. An axis
+// that leaves its travel is reported once until it is back, and no block moves meanwhile; an axis that the machine
+// lacks is reported once. After 100 errors reading stops.
 
 #include <cstdint>
 #include <functional>
@@ -26,16 +44,17 @@ ByteSource text_source(std::string_view text);
 using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
 
 struct ReaderOptions {
-  std::string file;                  ///< name for diagnostics
-  base::AxisVector start{};          ///< machine coordinates, mm or degrees, where the program begins
-  bool block_delete = true;          ///< skip blocks that begin with '/'
+  std::string file;                   ///< name for diagnostics
+  base::AxisVector start{};           ///< machine coordinates, mm or degrees, where the program begins
+  bool block_delete = true;           ///< skip blocks that begin with '/'
   std::optional<PathMode> path_mode;  ///< overrides G61, G61.1 and G64
   std::optional<double> tolerance;    ///< mm; overrides P of G64; ≥ 0
 };
 
-/// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a diagnostic and
-/// no move, and reading goes on, so that one pass reports every problem of a program; whoever moves a machine first reads the
-/// whole program and moves only if it has no error. The machine and the tool table must outlive the reader.
+/// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
+/// diagnostic and no move, and reading goes on, so that one pass reports every problem of a program; whoever moves a
+/// machine first reads the whole program and moves only if it has no error. The machine and the tool table must outlive
+/// the reader.
 class Reader {
  public:
   Reader(ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools, ReaderOptions options,

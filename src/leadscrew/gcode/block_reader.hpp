@@ -1,0 +1,44 @@
+#pragma once
+// From a line of text to a block: words, comments, parameter settings, modal groups (NIST IR 6556, 3.3 and 3.4).
+
+#include <leadscrew/gcode/block.hpp>
+#include <leadscrew/gcode/expression.hpp>
+#include <leadscrew/gcode/line_source.hpp>
+#include <vector>
+
+namespace leadscrew::gcode {
+
+class BlockReader {
+ public:
+  BlockReader(Parameters& parameters, const Frame& frame, Reporter& reporter, bool block_delete)
+      : parameters_(parameters),
+        reporter_(reporter),
+        values_(parameters, frame, reporter),
+        block_delete_(block_delete) {}
+
+  /// Reads the line and then sets its parameters; false where it holds no word. Problems are reported; the words before
+  /// them are in the block.
+  bool read(const TextLine& line, Block& block);
+
+ private:
+  struct Assignment {
+    ExpressionReader::ParameterName name;
+    double value = 0;
+    std::int64_t column = 0;
+  };
+
+  bool word(const char*& p, unsigned letter, Block& block);
+  bool g_word(double value, std::uint32_t column, Block& block);
+  bool m_word(double value, std::uint32_t column, Block& block);
+  bool assignment(const char*& p);
+  bool comment(const char*& p);
+  void assign();
+
+  Parameters& parameters_;
+  Reporter& reporter_;
+  ExpressionReader values_;
+  std::vector<Assignment> assignments_;
+  bool block_delete_;
+};
+
+}  // namespace leadscrew::gcode

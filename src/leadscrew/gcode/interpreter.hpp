@@ -1,0 +1,164 @@
+#pragma once
+// What blocks mean: the modal state of the program, and the moves and events each block makes of it, in the order of
+// execution of NIST IR 6556, 3.8:
+//
+//     feed mode · F · S · T · M6 · M3 M4 M5 · M7 M8 M9 · G4 · plane · units · tool length · coordinate system · path
+//     control · distance mode · retract mode · G10 G28 G30 G92 · motion · M0 M1 M2 M30
+//
+// So an F word is read in the units that held before its block.
+
+#include <array>
+#include <cstdint>
+#include <leadscrew/gcode/arc.hpp>
+#include <leadscrew/gcode/block.hpp>
+#include <leadscrew/gcode/drill_cycle.hpp>
+#include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/gcode/move.hpp>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/gcode/reporter.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::gcode {
+
+class Interpreter {
+ public:
+  Interpreter(const machine::Machine& machine, const machine::ToolTable& tools, const ReaderOptions& options,
+              Parameters& parameters, Frame& frame, Reporter& reporter);
+
+  /// What became of a block on the short way.
+  enum class Plain { no, no_move, move };
+
+  /// The short way for nearly all blocks there are: axis words and F, with G0 or G1 or neither. The caller passes a
+  /// block without problems.
+  Plain execute_plain(const Block& block, base::Line line, Move& move);
+
+  /// Executes any block. If it or its reading had a problem it makes no move, but what is known of it takes effect, so
+  /// that one problem does not make others of the blocks behind it.
+  void execute(const Block& block, base::Line line);
+
+  /// The next move of the block executed last; false after its last.
+  bool next(Move& move);
+
+  /// The program ends here, without saying so.
+  void end(base::Line line);
+  bool ended() const { return ended_; }
+
+ private:
+  enum class Distance : std::uint8_t { absolute, incremental };
+  enum class FeedMode : std::uint8_t { per_minute, inverse_time };
+  enum class Retract : std::uint8_t { initial_level, r_level };  // G98, G99
+
+  // check.cpp: what can be said of a block before any of it is executed.
+  void check(const Block& block);
+  GCode motion_of(const Block& block);
+  std::uint32_t words_used(const Block& block) const;
+  void check_words(const Block& block);
+  void check_axes(const Block& block);
+  void check_presence(const Block& block);
+  Plane plane_after(const Block& block) const;
+  Distance distance_after(const Block& block) const;
+
+  // interpreter.cpp: modes and events.
+  void set_feed(const Block& block);
+  void assume_feed();
+  void set_spindle_and_tool(const Block& block);
+  void set_coolant(const Block& block);
+  void dwell(const Block& block);
+  void set_modes(const Block& block);
+  void set_path_control(const Block& block);
+  void stop(const Block& block);
+  void emit_event(base::Event::Kind kind, double value = 0);
+  Move& emit(Move::Kind kind);
+  void prepare(Move& move, Move::Kind kind) const;
+
+  // offsets.cpp: where the program's coordinates lie.
+  void set_tool_length(const Block& block);
+  void select_system(int number);
+  void set_system(const Block& block);
+  void set_shift(const Block& block);
+  void go_home(const Block& block, int first_parameter);
+  void set_home(int first_parameter);
+  void nonmodal(const Block& block);
+
+  // motion.cpp
+  base::AxisVector target_of(const Block& block) const;
+  void move(const Block& block);
+  void line_to(const Block& block, const base::AxisVector& target, const Feed& feed);
+  void arc(const Block& block);
+  bool arc_center(const Block& block, PlanePoint start, PlanePoint& center);
+  bool report_circle(const Block& block, const ArcCircle& circle);
+  void drill(const Block& block);
+  bool plan_levels(const Block& block, DrillCycle::Plan& plan);
+  bool feed_of(const Block& block, const base::AxisVector& target, Feed& feed);
+  bool inside_travel(const Block& block, const base::AxisVector& target);
+  /// Finds the axes that are outside, where the position was changed without a check.
+  void note_outside();
+  /// Whether the block fails because an axis is outside; says so unless that has been said.
+  bool fails_outside(const Block& block);
+  bool axis_inside(base::Axis axis, double value, std::uint32_t column);
+  bool bulge_inside(const Block& block, base::Axis axis, double low, double high);
+  void report_travel(base::Axis axis, double value, std::uint32_t column);
+  std::uint32_t motion_column(const Block& block) const;
+  bool error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
+    return reporter_.error(code, column, std::move(message), std::move(hint));
+  }
+
+  const machine::Machine& machine_;
+  const machine::ToolTable& tools_;
+  const ReaderOptions& options_;
+  Parameters& parameters_;
+  Frame& frame_;
+  Reporter& reporter_;
+
+  // Modal state.
+  GCode motion_ = 800;
+  Plane plane_ = Plane::XY;
+  Distance distance_ = Distance::absolute;
+  Distance arc_distance_ = Distance::incremental;
+  FeedMode feed_mode_ = FeedMode::per_minute;
+  Retract retract_ = Retract::initial_level;
+  PathMode path_mode_ = PathMode::blend;  // of the program
+  double tolerance_ = 0;                  // mm, of the program
+  std::optional<double> naive_cam_tolerance_;
+  bool feed_known_ = false;
+  double linear_feed_ = 0;   // mm/s
+  double angular_feed_ = 0;  // degrees/s
+  double spindle_speed_ = 0;
+  std::optional<int> selected_tool_;
+  int loaded_tool_ = 0;
+  int system_ = 1;
+  // What holds for the canned cycles since the last other motion: mm, dwell in seconds.
+  struct CycleSeries {
+    double initial_level = 0;
+    std::optional<double> r, bottom, dwell, peck;
+  };
+  std::optional<CycleSeries> series_;
+
+  // What moves carry of it, overridden where the options say so.
+  PathMode effective_mode_ = PathMode::blend;
+  double effective_tolerance_ = 0;
+  double effective_naive_cam_tolerance_ = 0;
+
+  // Travel, with room for the rounding of inches; an axis the machine lacks has all there is.
+  base::AxisVector travel_low_{};
+  base::AxisVector travel_high_{};
+  base::AxisSet outside_;           // axes whose position is outside
+  base::AxisSet reported_outside_;  // those of them that have been reported
+  base::AxisSet reported_lacking_;
+  std::uint32_t machine_letters_ = 0;
+
+  // The block in execution.
+  GCode to_do_ = -1;  // its motion; −1 for none
+  base::Line line_{};
+  std::array<Move, 16> outbox_;
+  std::size_t outbox_size_ = 0;
+  std::size_t outbox_next_ = 0;
+  DrillCycle cycle_;
+  Feed cycle_feed_;
+  std::optional<base::Event::Kind> stop_;
+  bool ended_ = false;
+};
+
+}  // namespace leadscrew::gcode

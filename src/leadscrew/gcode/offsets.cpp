@@ -1,0 +1,161 @@
+#include <leadscrew/gcode/interpreter.hpp>
+#include <leadscrew/gcode/number.hpp>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+// Calls f(axis, value of its word in mm or degrees) for each axis word.
+template <class F>
+void for_each_axis_word(const Block& block, const Frame& frame, F&& f) {
+  for (const base::Axis axis : base::all_axes) {
+    const char letter = base::letter(axis);
+    if (block.has(letter)) f(axis, block[letter] * frame.unit(axis));
+  }
+}
+
+}  // namespace
+
+void Interpreter::set_tool_length(const Block& block) {
+  if (!block.has(Group::tool_length)) return;
+  const GCode code = block.code(Group::tool_length);
+  base::AxisVector offset{};
+  if (code == 431) {
+    offset = frame_.tool();
+    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { offset[base::index(axis)] = value; });
+  } else if (code == 430) {
+    std::optional<int> number = loaded_tool_;
+    if (block.has('H')) number = as_integer(block['H']);
+    if (!number || *number < 0) {
+      error("bad-value", block.column_of('H'), "the tool number is " + text(block['H']),
+            "H must be an integer of 0 or more");
+      return;
+    }
+    const machine::Tool* const tool = *number == 0 ? nullptr : tools_.find(*number);
+    if (*number != 0 && !tool) {
+      error("unknown-tool", block.has('H') ? block.column_of('H') : block.column_of(Group::tool_length),
+            "tool " + std::to_string(*number) + " is not in the tool table", "give a tool table that holds it");
+      return;
+    }
+    if (tool) offset = tool->offset;
+  }
+  frame_.set_tool(offset);
+}
+
+void Interpreter::select_system(int number) {
+  system_ = number;
+  parameters_.set(Parameters::current_system, number);
+  frame_.set_system(parameters_.system(number));
+}
+
+// G10 L2 sets a system, G10 L20 sets it so that the tool stands at the coordinates given.
+void Interpreter::set_system(const Block& block) {
+  if (!block.has('L') || !block.has('P')) return;
+  const std::optional<int> kind = as_integer(block['L']);
+  if (kind == 1 || kind == 10 || kind == 11) {
+    error("unsupported-code", block.column_of('L'), "G10 L" + std::to_string(*kind) + " is not supported",
+          "set tools in the tool table; L2 and L20 are supported");
+    return;
+  }
+  if (kind != 2 && kind != 20) {
+    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), "L2 or L20");
+    return;
+  }
+  const std::optional<int> which = as_integer(block['P']);
+  if (!which || *which < 0 || *which > 9) {
+    error("bad-value", block.column_of('P'), "there is no coordinate system P" + text(block['P']),
+          "0 for the one in force, 1 to 9 for G54 to G59.3");
+    return;
+  }
+  const int number = *which == 0 ? system_ : *which;
+  CoordinateSystem system = parameters_.system(number);
+  if (kind == 2) {
+    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { system.origin[base::index(axis)] = value; });
+    if (block.has('R')) system.rotation = block['R'];
+  } else if (block.has('R')) {
+    error("unused-word", block.column_of('R'), "G10 L20 does not take R", "R belongs to G10 L2");
+    return;
+  } else {
+    Frame there = frame_;
+    there.set_system(system);
+    base::AxisVector program = there.to_program(frame_.position);
+    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { program[base::index(axis)] = value; });
+    const base::AxisVector reached = there.to_machine(program);
+    for (const base::Axis axis : base::all_axes) {
+      const std::size_t i = base::index(axis);
+      const bool in_plane = axis == base::Axis::X || axis == base::Axis::Y;
+      const bool given =
+          block.has(base::letter(axis)) || (in_plane && there.is_rotated() && (block.has('X') || block.has('Y')));
+      if (given) system.origin[i] += frame_.position[i] - reached[i];
+    }
+  }
+  parameters_.set_system(number, system);
+  if (number == system_) frame_.set_system(system);
+}
+
+void Interpreter::set_shift(const Block& block) {
+  const GCode code = block.code(Group::nonmodal);
+  base::AxisVector shift{};
+  if (code == 920) {
+    shift = frame_.shift();
+    const base::AxisVector program = frame_.to_program(frame_.position);
+    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) {
+      const std::size_t i = base::index(axis);
+      shift[i] += program[i] - value;
+    });
+    parameters_.set_axes(Parameters::g92_shift, shift);
+  } else if (code == 921) {
+    parameters_.set_axes(Parameters::g92_shift, shift);
+  } else if (code == 923) {
+    shift = parameters_.axes(Parameters::g92_shift);
+  }
+  parameters_.set(Parameters::g92_active, code == 920 || code == 923);
+  frame_.set_shift(shift);
+}
+
+// By the point of the axis words, if there are any, to the stored place; with axis words, those axes only (LinuxCNC).
+void Interpreter::go_home(const Block& block, int first_parameter) {
+  const base::AxisVector home = parameters_.axes(first_parameter);
+  const bool all = !(block.words & axis_letter_bits);
+  if (!all) line_to(block, target_of(block), Feed{});
+  base::AxisVector target = frame_.position;
+  for (const base::Axis axis : base::all_axes) {
+    if (machine_.has(axis) && (all || block.has(base::letter(axis))))
+      target[base::index(axis)] = home[base::index(axis)];
+  }
+  line_to(block, target, Feed{});
+}
+
+void Interpreter::set_home(int first_parameter) {
+  parameters_.set_axes(first_parameter, frame_.position);
+}
+
+void Interpreter::nonmodal(const Block& block) {
+  switch (block.code(Group::nonmodal)) {
+    case 100:
+      set_system(block);
+      break;
+    case 280:
+      go_home(block, Parameters::g28_home);
+      break;
+    case 281:
+      set_home(Parameters::g28_home);
+      break;
+    case 300:
+      go_home(block, Parameters::g30_home);
+      break;
+    case 301:
+      set_home(Parameters::g30_home);
+      break;
+    case 920:
+    case 921:
+    case 922:
+    case 923:
+      set_shift(block);
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <leadscrew/gcode/reporter.hpp>
+#include <utility>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+constexpr std::int64_t most_errors = 100;
+constexpr std::int64_t most_warnings = 100;
+constexpr std::size_t longest_source = 200;      // bytes of a line that a diagnostic carries
+constexpr std::int64_t last_shown_column = 180;  // further to the right, the beginning of the line says nothing
+
+constexpr unsigned char byte(char c) {
+  return static_cast<unsigned char>(c);
+}
+constexpr bool continues_character(char c) {
+  return (byte(c) & 0xC0) == 0x80;
+}
+
+// Length of the UTF-8 character that begins at i, or 0. Overlong forms and surrogates are not told apart from others of
+// their length where the second byte alone shows them.
+std::size_t utf8_length(std::string_view text, std::size_t i) {
+  const unsigned char lead = byte(text[i]);
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xC2 ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
+  if (length == 0 || i + length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if (!continues_character(text[i + k])) return 0;
+  }
+  if (length < 3) return length;
+  const unsigned char second = byte(text[i + 1]);
+  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
+  const bool beyond = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
+  return overlong || beyond ? 0 : length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (std::size_t i = 0; i < result.size();) {
+    const std::size_t length = utf8_length(result, i);
+    if (length == 0) result[i] = '?';
+    if (length == 1 && (byte(result[i]) < 0x20 || byte(result[i]) == 0x7F)) result[i] = ' ';
+    i += std::max<std::size_t>(length, 1);
+  }
+  return result;
+}
+
+std::string shown(char c) {
+  if (byte(c) >= 0x20 && byte(c) < 0x7F) return {'\'', c, '\''};
+  constexpr char digits[] = "0123456789ABCDEF";
+  return std::string("byte 0x") + digits[byte(c) >> 4] + digits[byte(c) & 15];
+}
+
+Reporter::Reporter(std::string file, DiagnosticSink sink) : file_(std::move(file)), sink_(std::move(sink)) {}
+
+std::string Reporter::source_of(std::int64_t column) const {
+  std::string_view line(line_.begin, static_cast<std::size_t>(line_.end - line_.begin));
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (line.size() > longest_source) {
+    if (column > last_shown_column) return {};
+    std::size_t length = longest_source;
+    while (length > 0 && continues_character(line[length])) --length;
+    line = line.substr(0, length);
+  }
+  return printable(line);
+}
+
+void Reporter::send(base::Severity severity, std::string_view code, base::Place place, std::string message,
+                    std::string hint, std::string source) {
+  if (sink_) sink_({severity, code, std::move(message), std::move(hint), std::move(place), std::move(source)});
+}
+
+void Reporter::report(base::Severity severity, std::string_view code, base::Place place, std::string message,
+                      std::string hint) {
+  if (severity == base::Severity::error) ++errors_;
+  send(severity, code, std::move(place), std::move(message), std::move(hint), {});
+}
+
+bool Reporter::error(std::string_view code, std::int64_t column, std::string message, std::string hint) {
+  failed_ = true;
+  if (muted_ || enough_) return false;
+  ++errors_;
+  send(base::Severity::error, code, {file_, line_.number, column}, std::move(message), std::move(hint),
+       source_of(column));
+  if (errors_ < most_errors) return false;
+  enough_ = true;
+  ++errors_;
+  send(base::Severity::error, "too-many-problems", {file_, line_.number, column},
+       "reading stops after " + std::to_string(most_errors) + " errors", "is this a part program?", source_of(column));
+  return false;
+}
+
+void Reporter::warning(std::string_view code, std::int64_t column, std::string message, std::string hint) {
+  if (muted_ || enough_ || ++warnings_ > most_warnings) return;
+  send(base::Severity::warning, code, {file_, line_.number, column}, std::move(message), std::move(hint),
+       source_of(column));
+}
+
+}  // namespace leadscrew::gcode

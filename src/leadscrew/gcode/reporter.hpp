@@ -1,0 +1,65 @@
+#pragma once
+// Diagnostics of the line being read: their places, their number, and an end to them.
+
+#include <cstdint>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/gcode/line_source.hpp>
+#include <leadscrew/gcode/reader.hpp>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::gcode {
+
+class Reporter {
+ public:
+  Reporter(std::string file, DiagnosticSink sink);
+
+  void begin(const TextLine& line) {
+    line_ = line;
+    failed_ = false;
+    muted_ = false;
+  }
+
+  /// Reports an error at a column, counted in bytes from 1, and returns false.
+  bool error(std::string_view code, std::int64_t column, std::string message, std::string hint);
+  void warning(std::string_view code, std::int64_t column, std::string message, std::string hint);
+  /// Says something about the text as a whole.
+  void report(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint);
+
+  /// Makes the block fail for a cause that has been reported before, and returns false.
+  bool fail() {
+    failed_ = true;
+    return false;
+  }
+  /// Keeps what follows from a reported problem from being reported as problems of their own, until the next line.
+  void mute() { muted_ = true; }
+
+  bool muted() const { return muted_; }
+  bool failed() const { return failed_; }  ///< the line has an error
+  bool enough() const { return enough_; }  ///< so many errors that nobody reads on
+  std::int64_t errors() const { return errors_; }
+  const std::string& file() const { return file_; }
+  std::int64_t column(const char* p) const { return p - line_.begin + 1; }
+
+ private:
+  void send(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint,
+            std::string source);
+  std::string source_of(std::int64_t column) const;
+
+  std::string file_;
+  DiagnosticSink sink_;
+  TextLine line_;
+  std::int64_t errors_ = 0;
+  std::int64_t warnings_ = 0;
+  bool failed_ = false;
+  bool muted_ = false;
+  bool enough_ = false;
+};
+
+/// A character as messages show it: 'X', or its code where it has no shape.
+std::string shown(char c);
+
+/// The text with control characters replaced by blanks, and what is not UTF-8 by '?': as many bytes as before.
+std::string printable(std::string_view text);
+
+}  // namespace leadscrew::gcode

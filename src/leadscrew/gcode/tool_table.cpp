@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/gcode/block.hpp>
+#include <leadscrew/gcode/expression.hpp>
+#include <leadscrew/gcode/line_source.hpp>
+#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/reporter.hpp>
+#include <leadscrew/gcode/tool_table.hpp>
+#include <unordered_set>
+#include <utility>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+class ToolLine {
+ public:
+  explicit ToolLine(Reporter& reporter) : reporter_(reporter) {}
+
+  // Reads one line; nothing if there is no tool in it, or a problem.
+  std::optional<machine::Tool> read(const TextLine& line) {
+    tool_ = {};
+    seen_ = 0;
+    const char* p = line.begin;
+    for (skip_blanks(p); *p != '\n' && *p != ';'; skip_blanks(p)) {
+      if (!entry(p)) return std::nullopt;
+    }
+    if (*p == ';') remark(p + 1, line.end);
+    if (seen_ == 0) return std::nullopt;
+    if (!has('T')) {
+      reporter_.error("missing-word", 1, "the tool has no number", "give T");
+      return std::nullopt;
+    }
+    return reporter_.failed() ? std::nullopt : std::optional<machine::Tool>(tool_);
+  }
+
+  std::uint32_t number_column() const { return number_column_; }
+
+ private:
+  bool has(char letter) const { return seen_ & letter_bit(letter); }
+
+  bool entry(const char*& p) {
+    const std::int64_t column = reporter_.column(p);
+    const char letter = upper(*p);
+    constexpr std::uint32_t known = axis_letter_bits | letter_bit('T') | letter_bit('P') | letter_bit('D');
+    if (letter < 'A' || letter > 'Z' || !(known & letter_bit(letter))) {
+      return reporter_.error("bad-character", column, shown(*p) + " stands where T, P, D or an axis should",
+                             "T1 P1 D3.175 Z0.511 ;remark");
+    }
+    ++p;
+    skip_blanks(p);
+    const bool negative = *p == '-';
+    if (negative || *p == '+') ++p;
+    double value = 0;
+    const char* const end = scan_decimal(p, value);
+    if (end == p || !(value <= 1e9)) {
+      return reporter_.error("bad-number", column, std::string("no number follows ") + letter, "a number up to 1e9");
+    }
+    p = end;
+    if (*p != '\n' && *p != ';' && !is_blank(*p) && !(('A' <= upper(*p)) && (upper(*p) <= 'Z'))) {
+      return reporter_.error("bad-number", column, "the number of " + std::string(1, letter) + " ends in " + shown(*p),
+                             "digits with at most one decimal point");
+    }
+    if (has(letter)) {
+      return reporter_.error("repeated-word", column, std::string(1, letter) + " stands in this line already", "once");
+    }
+    seen_ |= letter_bit(letter);
+    return set(letter, negative ? -value : value, column);
+  }
+
+  bool set(char letter, double value, std::int64_t column) {
+    const std::optional<int> integer = as_integer(value);
+    const auto refuse = [&](const char* hint) {
+      return reporter_.error("bad-value", column, std::string(1, letter) + " is " + text(value), hint);
+    };
+    switch (letter) {
+      case 'T':
+        if (!integer || *integer < 1) return refuse("the number of a tool is an integer above 0");
+        tool_.number = *integer;
+        number_column_ = static_cast<std::uint32_t>(column);
+        return true;
+      case 'P':
+        if (!integer || *integer < 0) return refuse("the pocket is an integer of 0 or more");
+        tool_.pocket = *integer;
+        return true;
+      case 'D':
+        if (value < 0) return refuse("the diameter is 0 or more");
+        tool_.diameter = value;
+        return true;
+      default:
+        tool_.offset[base::index(axis_of_letter(static_cast<unsigned>(letter - 'A')))] = value;
+        return true;
+    }
+  }
+
+  void remark(const char* first, const char* last) {
+    while (first != last && is_blank(*first)) ++first;
+    while (last != first && is_blank(last[-1])) --last;
+    tool_.remark.assign(first, last);
+  }
+
+  Reporter& reporter_;
+  machine::Tool tool_;
+  std::uint32_t seen_ = 0;
+  std::uint32_t number_column_ = 1;
+};
+
+}  // namespace
+
+ToolTableText read_tool_table(std::string_view text, std::string_view file) {
+  ToolTableText result;
+  Reporter reporter(std::string(file), [&](const base::Diagnostic& d) { result.diagnostics.push_back(d); });
+  LineSource lines(text_source(text));
+  ToolLine reader(reporter);
+  std::vector<machine::Tool> tools;
+  std::unordered_set<int> numbers;
+  for (TextLine line; !reporter.enough() && lines.next(line);) {
+    reporter.begin(line);
+    if (line.too_long) {
+      reporter.error("line-too-long", static_cast<std::int64_t>(longest_line) + 1,
+                     "this line is longer than " + std::to_string(longest_line) + " bytes", "is this a tool table?");
+      continue;
+    }
+    std::optional<machine::Tool> tool = reader.read(line);
+    if (!tool) continue;
+    if (!numbers.insert(tool->number).second) {
+      reporter.error("repeated-tool", reader.number_column(),
+                     "tool " + std::to_string(tool->number) + " stands in this table already",
+                     "one line for each tool");
+      continue;
+    }
+    tools.push_back(std::move(*tool));
+  }
+  result.table = machine::ToolTable(std::move(tools));
+  return result;
+}
+
+}  // namespace leadscrew::gcode

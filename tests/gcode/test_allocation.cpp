@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "reading.hpp"
+
+namespace {
+std::atomic<std::int64_t> allocations{0};
+}
+
+// Counts what the whole test program allocates; the default array and sized forms end here as well.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace leadscrew::gcode {
+namespace {
+
+std::int64_t allocations_of(std::string_view block, int count) {
+  std::string text = "G64 P0.01\nG0 Z10\nF60 #1=2\n";
+  for (int i = 0; i < count; ++i) text += block;
+  text += "M2\n";
+  const machine::Machine machine = nine_axes();
+  const machine::ToolTable tools;
+  Reader reader(text_source(text), machine, tools, {}, [](const base::Diagnostic& d) { ADD_FAILURE() << d.message; });
+  Move move;
+  EXPECT_TRUE(reader.next(move));
+  const std::int64_t before = allocations;
+  while (reader.next(move)) continue;
+  return allocations - before;
+}
+
+TEST(Memory, IsNotAllocatedForBlocks) {
+  const char* const blocks[] = {
+      "G1 X1 Y2\nX2\n",
+      "G2 X5 Y0 R7\nG3 X10 Y0 R7\nI-5\n",
+      "G81 X1 Y1 Z-1 R1\nX2\n",
+      "S100 M3 M8\nG4 P1 (remark)\n",
+      "G0 X[SIN[#1 * 3] + #1] Y 1 . 5\n",
+      "#1=[#1 + 0.001]\n",
+      "G10 L2 P2 X1\nG55 G0 X1\nG92 X1\nG92.1\nG54\n",
+  };
+  for (const char* block : blocks) {
+    const std::int64_t few = allocations_of(block, 10), many = allocations_of(block, 1000);
+    EXPECT_EQ(few, many) << block;
+  }
+}
+
+}  // namespace
+}  // namespace leadscrew::gcode

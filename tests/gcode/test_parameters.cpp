@@ -1,0 +1,58 @@
+#include "reading.hpp"
+
+namespace leadscrew::gcode {
+namespace {
+
+double last_x(std::string_view text, const Conditions& conditions = {}) {
+  return at(read_well(text, conditions).lines().back().end, base::Axis::X);
+}
+
+TEST(Parameters, AreSetAfterTheBlockHasBeenRead) {
+  EXPECT_EQ(last_x("#3=15\n#3=6 G0 X#3\nM2\n"), 15);
+  EXPECT_EQ(last_x("#3=15\n#3=6 G0 X#3\nX#3\nM2\n"), 6);
+  EXPECT_EQ(last_x("#1=1\n#1=[#1+1] #2=[#1*10]\nG0 X[#1+#2]\nM2\n"), 12);
+}
+
+TEST(Parameters, TakeTheLastOfTwoSettings) {
+  EXPECT_EQ(last_x("#1=1 #1=2\nG0 X#1\nM2\n"), 2);
+}
+
+TEST(Parameters, HaveLocalAndGlobalNames) {
+  EXPECT_EQ(last_x("#<a b>=3 #<_Global>=4\nG0 X[#<AB>+#<_global>]\nM2\n"), 7);
+}
+
+TEST(Parameters, TellThePosition) {
+  EXPECT_EQ(last_x("G0 X10 Y4\nG92 X3\nG0 X[#5420+#5421]\nM2\n"), 14);  // X3 + 4 of the program is 14 of the machine
+  EXPECT_EQ(last_x("G20\nG0 Y2\nG0 X#5421\nM2\n"), 2 * 25.4);
+  EXPECT_EQ(last_x("G20 G0 A45\nG21 G0 X#5423\nM2\n"), 45);
+}
+
+TEST(Parameters, TellTheCoordinateSystem) {
+  EXPECT_EQ(last_x("G59.1\nG0 X#5220\nM2\n"), 7);
+  EXPECT_EQ(last_x("G10 L2 P2 Y12\nG0 X#5242\nM2\n"), 12);
+  EXPECT_EQ(last_x("G10 L2 P3 R30\nG0 X#5270\nM2\n"), 30);
+}
+
+TEST(Parameters, TellTheShiftOfG92) {
+  EXPECT_EQ(last_x("G92 X-7\nG0 X[#5211 + 10 * #5210]\nM2\n"), 24);
+  EXPECT_EQ(last_x("G92 X-7\nG92.2\nG0 X[#5211 + 10 * #5210]\nM2\n"), 7);
+}
+
+TEST(Parameters, SetOriginsWhenTheSystemIsSelected) {
+  EXPECT_EQ(last_x("#5241=100\nG55 G0 X1\nM2\n"), 101);
+  EXPECT_EQ(last_x("#5221=100\nG0 X1\nM2\n"), 1);
+}
+
+TEST(Parameters, SetThePlacesOfG28AndG30) {
+  EXPECT_EQ(last_x("#5161=30\nG28\nM2\n"), 30);
+  EXPECT_EQ(last_x("#5181=-30\nG30\nM2\n"), -30);
+}
+
+TEST(Parameters, HaveABoundedNumberOfNames) {
+  std::string text;
+  for (int i = 0; i < 10'001; ++i) text += "#<n" + std::to_string(i) + ">=1\n";
+  EXPECT_EQ(read(text + "M2\n").problems(), "10001:1 too-many-parameters; ");
+}
+
+}  // namespace
+}  // namespace leadscrew::gcode

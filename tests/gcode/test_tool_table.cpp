@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include <leadscrew/gcode/tool_table.hpp>
+#include <string>
+
+namespace leadscrew::gcode {
+namespace {
+
+std::string problems(const ToolTableText& text) {
+  std::string result;
+  for (const base::Diagnostic& d : text.diagnostics) {
+    result += std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + std::string(d.code) + "; ";
+  }
+  return result;
+}
+
+TEST(ToolTable, ReadsToolsWithTheirOffsets) {
+  const ToolTableText text = read_tool_table(
+      "; remark alone\n\nT1 P2 D3.175 Z+0.511 ; 1/8 end mill \r\nt10 p0 x-1 Y2.5 a3 B4 c5 u6 v7 w8 d0\nT3", "tool.tbl");
+  EXPECT_EQ(problems(text), "");
+  ASSERT_EQ(text.table.tools().size(), 3u);
+  EXPECT_EQ(
+      text.table.tools()[0],
+      (machine::Tool{.number = 1, .pocket = 2, .offset = {0, 0, 0.511}, .diameter = 3.175, .remark = "1/8 end mill"}));
+  const machine::Tool* const tool = text.table.find(10);
+  ASSERT_TRUE(tool);
+  EXPECT_EQ(tool->offset, (base::AxisVector{-1, 2.5, 0, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(text.table.find(4), nullptr);
+}
+
+TEST(ToolTable, OfNothingIsEmpty) {
+  const ToolTableText text = read_tool_table("", "tool.tbl");
+  EXPECT_EQ(problems(text), "");
+  EXPECT_TRUE(text.table.tools().empty());
+}
+
+TEST(ToolTable, ReportsEveryProblemAtItsPlace) {
+  const struct {
+    const char* text;
+    const char* problems;
+  } rows[] = {
+      {"P1 Z1", "1:1 missing-word; "},     {"T1\nT2 P1\nT1 Z5", "3:1 repeated-tool; "},
+      {"T0", "1:1 bad-value; "},           {"T1.5", "1:1 bad-value; "},
+      {"T1 P-1", "1:4 bad-value; "},       {"T1 D-1", "1:4 bad-value; "},
+      {"T1 K5", "1:4 bad-character; "},    {"T1 ?", "1:4 bad-character; "},
+      {"T1 Z", "1:4 bad-number; "},        {"T1 Z1.2.3", "1:4 bad-number; "},
+      {"T1 Z1 Z2", "1:7 repeated-word; "}, {"T1 K5\nT2\n\nP3", "1:4 bad-character; 4:1 missing-word; "},
+  };
+  for (const auto& row : rows) EXPECT_EQ(problems(read_tool_table(row.text, "tool.tbl")), row.problems) << row.text;
+  EXPECT_EQ(read_tool_table("T0", "tool.tbl").diagnostics.at(0).place.file, "tool.tbl");
+}
+
+TEST(ToolTable, KeepsToolsOutThatHaveAProblem) {
+  EXPECT_TRUE(read_tool_table("T1 Z", "tool.tbl").table.tools().empty());
+}
+
+}  // namespace
+}  // namespace leadscrew::gcode
