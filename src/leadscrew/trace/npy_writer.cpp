@@ -1,0 +1,73 @@
+// Words as a NumPy array file: magic, version 1.0, length of the header, the header as a Python literal, then the
+// numbers. Format: NumPy Enhancement Proposal 1, and numpy/lib/format.py.
+
+#include <leadscrew/trace/words.hpp>
+
+#include <bit>
+#include <cstring>
+
+namespace leadscrew::trace {
+namespace {
+
+constexpr std::size_t block_bytes = 64 * 1024;
+constexpr std::size_t header_bytes = 128;  // a multiple of 64 that has room for any number of rows
+
+void append_little_endian(std::string& bytes, double value) {
+  auto bits = std::bit_cast<std::uint64_t>(value);
+  char text[8];
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(text, &bits, sizeof text);
+  } else {
+    for (char& byte : text) {
+      byte = static_cast<char>(bits & 0xff);
+      bits >>= 8;
+    }
+  }
+  bytes.append(text, sizeof text);
+}
+
+int columns(base::AxisSet axes) {
+  return 4 + std::popcount(axes.bits());
+}
+
+}  // namespace
+
+NpyWriter::NpyWriter(ByteSink sink, base::AxisSet axes, base::Period period)
+    : sink_(std::move(sink)), axes_(axes), period_(period) {
+  rows_.reserve(block_bytes + 8 * (4 + base::axis_count));
+  rows_ = header();
+}
+
+std::string NpyWriter::header() const {
+  std::string text("\x93NUMPY\x01\x00", 8);
+  text += static_cast<char>(header_bytes - 10);
+  text += '\0';
+  text += "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(rows_written_) + ", " +
+          std::to_string(columns(axes_)) + "), }";
+  text.resize(header_bytes - 1, ' ');
+  text += '\n';
+  return text;
+}
+
+base::Result<void> NpyWriter::write(const base::Word& word) {
+  if (!state_) return state_;
+  append_little_endian(rows_, base::seconds(word.tick, period_));
+  append_little_endian(rows_, static_cast<double>(base::number(word.line)));
+  append_little_endian(rows_, word.path_length);
+  append_little_endian(rows_, word.feed);
+  for (const base::Axis axis : base::all_axes) {
+    if (axes_.contains(axis)) append_little_endian(rows_, word.position[base::index(axis)]);
+  }
+  ++rows_written_;
+  return rows_.size() < block_bytes ? state_ : finish();
+}
+
+base::Result<void> NpyWriter::finish() {
+  if (state_ && !rows_.empty()) {
+    state_ = sink_(rows_);
+    rows_.clear();
+  }
+  return state_;
+}
+
+}  // namespace leadscrew::trace

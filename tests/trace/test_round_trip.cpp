@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <leadscrew/trace/words.hpp>
+
+#include "support.hpp"
+
+namespace leadscrew::trace {
+namespace {
+
+using namespace testing;
+
+base::AxisSet axes_from(std::uint16_t bits) {
+  base::AxisSet axes;
+  for (const base::Axis axis : base::all_axes) {
+    if ((bits >> base::index(axis)) & 1) axes.insert(axis);
+  }
+  if (axes.empty()) axes.insert(base::Axis::X);
+  return axes;
+}
+
+std::vector<base::Word> any_words(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto finite = [&] {
+    while (true) {
+      const double value = std::bit_cast<double>(random());
+      if (std::isfinite(value)) return value;
+    }
+  };
+  std::vector<base::Word> words(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    words[i].tick = base::Tick{static_cast<std::int64_t>(i)};
+    words[i].line = base::Line{static_cast<std::int64_t>(random() >> 12)};
+    words[i].feed = finite();
+    words[i].path_length = finite();
+    for (double& q : words[i].position) q = random() % 4 == 0 ? std::round(finite()) : finite();
+  }
+  return words;
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+void expect_same(const std::vector<base::Word>& words, TraceReader& reader, base::AxisSet axes, base::Period period) {
+  RC_ASSERT(reader.axes() == axes);
+  for (const base::Word& word : words) {
+    const auto row = reader.next();
+    RC_ASSERT(row && *row);
+    RC_ASSERT(same_bits((*row)->t, base::seconds(word.tick, period)));
+    RC_ASSERT((*row)->line == base::number(word.line));
+    for (const base::Axis axis : base::all_axes) {
+      const std::size_t i = base::index(axis);
+      RC_ASSERT(same_bits((*row)->position[i], axes.contains(axis) ? word.position[i] : 0.0));
+    }
+  }
+  const auto end = reader.next();
+  RC_ASSERT(end && !*end);
+}
+
+RC_GTEST_PROP(RoundTrip, CsvGivesEveryBitBack, (std::uint64_t seed, std::uint16_t axis_bits, std::uint8_t piece)) {
+  const base::AxisSet axes = axes_from(axis_bits);
+  const base::Period period{10'000 + static_cast<std::int64_t>(seed % 1'000'000)};
+  const auto words = any_words(seed % 200, seed);
+  std::string text;
+  CsvWriter writer(into(text), axes, period);
+  for (const base::Word& word : words) RC_ASSERT(writer.write(word).has_value());
+  RC_ASSERT(writer.finish().has_value());
+  auto reader = TraceReader::open(from(text, piece + 1u), "trace.csv", axes);
+  RC_ASSERT(reader.has_value());
+  expect_same(words, *reader, axes, period);
+}
+
+std::string npy(const std::vector<base::Word>& words, base::AxisSet axes, base::Period period) {
+  std::string bytes;
+  NpyWriter writer(into(bytes), axes, period);
+  for (const base::Word& word : words) (void)writer.write(word);
+  (void)writer.finish();
+  return writer.header() + bytes.substr(writer.header().size());
+}
+
+RC_GTEST_PROP(RoundTrip, NpyGivesEveryBitBack, (std::uint64_t seed, std::uint16_t axis_bits, std::uint8_t piece)) {
+  const base::AxisSet axes = axes_from(axis_bits);
+  const auto words = any_words(seed % 200, seed);
+  auto reader = TraceReader::open(from(npy(words, axes, millisecond), piece + 1u), "trace.npy", axes);
+  RC_ASSERT(reader.has_value());
+  expect_same(words, *reader, axes, millisecond);
+}
+
+TEST(RoundTrip, SurvivesManyBlocksOfTheSink) {
+  const auto words = random_train(20000, 3);
+  const base::AxisSet axes = axes_of(machine::mill3());
+  for (const bool binary : {false, true}) {
+    std::string text;
+    if (binary) {
+      text = npy(words, axes, millisecond);
+    } else {
+      CsvWriter writer(into(text), axes, millisecond);
+      for (const base::Word& word : words) ASSERT_TRUE(writer.write(word));
+      ASSERT_TRUE(writer.finish());
+    }
+    auto reader = TraceReader::open(from(text), "trace", axes);
+    ASSERT_TRUE(reader);
+    std::size_t count = 0;
+    while (true) {
+      const auto row = reader->next();
+      ASSERT_TRUE(row);
+      if (!*row) break;
+      ASSERT_TRUE(same_bits((*row)->position[1], words[count++].position[1]));
+    }
+    EXPECT_EQ(count, words.size());
+  }
+}
+
+TEST(CsvWriter, WritesTheContractsColumns) {
+  std::string text;
+  CsvWriter writer(into(text), axes_of(machine::mill3()), millisecond);
+  base::Word word;
+  word.tick = base::Tick{2};
+  word.line = base::Line{7};
+  word.path_length = 1.5;
+  word.feed = 0.1;
+  word.position = {1, -2, 0.25};
+  ASSERT_TRUE(writer.write(word));
+  ASSERT_TRUE(writer.finish());
+  EXPECT_EQ(text, "t,line,s,feed,X,Y,Z\n0.002,7,1.5,0.10000000000000001,1,-2,0.25\n");
+}
+
+TEST(NpyWriter, HeaderIsThatOfTheFormat) {
+  std::string bytes;
+  NpyWriter writer(into(bytes), axes_of(machine::mill3()), millisecond);
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(writer.write({}));
+  ASSERT_TRUE(writer.finish());
+  std::string expected("\x93NUMPY\x01\x00\x76\x00", 10);
+  expected += "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 7), }";
+  expected += std::string(127 - expected.size(), ' ') + "\n";
+  EXPECT_EQ(writer.header(), expected);
+  EXPECT_EQ(writer.header().size() % 64, 0u);
+  EXPECT_EQ(bytes.size(), 128u + 3 * 7 * 8);
+}
+
+TEST(NpyWriter, NumpyReadsIt) {
+  if (std::system("python3 -c 'import numpy' >/dev/null 2>&1") != 0) GTEST_SKIP() << "no numpy here";
+  const auto file = std::filesystem::temp_directory_path() / "leadscrew_test_trace.npy";
+  auto words = random_train(1000, 5);
+  std::ofstream(file, std::ios::binary) << npy(words, axes_of(machine::mill3()), millisecond);
+  char script[400];
+  std::snprintf(script, sizeof script,
+                "python3 -c \"import numpy; a = numpy.load('%s'); assert a.shape == (1000, 7); assert a[999, 4] == "
+                "float.fromhex('%a'); assert a[999, 0] == 0.999\"",
+                file.c_str(), words[999].position[0]);
+  EXPECT_EQ(std::system(script), 0);
+  std::filesystem::remove(file);
+}
+
+TEST(Writers, PassOnWhatTheSinkSays) {
+  const auto words = random_train(5000, 1);
+  const base::AxisSet axes = axes_of(machine::mill3());
+  for (const std::size_t room : {0, 100, 70000, 200000}) {
+    CsvWriter csv(failing_after(room), axes, millisecond);
+    NpyWriter binary(failing_after(room), axes, millisecond);
+    for (const base::Word& word : words) {
+      (void)csv.write(word);
+      (void)binary.write(word);
+    }
+    const auto a = csv.finish(), b = binary.finish();
+    ASSERT_FALSE(a);
+    ASSERT_FALSE(b);
+    EXPECT_EQ(a.error().code, "disk-full");
+    EXPECT_FALSE(csv.write(words[0]));
+    EXPECT_FALSE(binary.write(words[0]));
+    EXPECT_FALSE(csv.finish());
+  }
+}
+
+}  // namespace
+}  // namespace leadscrew::trace
