@@ -23,6 +23,7 @@ struct Channel {
   std::optional<double> upper, lower;  ///< limits, in recorded units
   std::string_view limit_name;
   bool always_show_limits = true;
+  bool limit_binds_rapids = true;  ///< false for the programmed feed
 };
 
 struct Range {
@@ -121,7 +122,9 @@ std::string peak(const Channel& channel, Range data) {
   const double greatest = std::max(std::fabs(data.least), std::fabs(data.greatest));
   std::string text = "peak " + readable(greatest * channel.per_unit, 4);
   if (channel.upper && *channel.upper > 0) {
-    text += " of " + readable(*channel.upper * channel.per_unit, 4) + " · " + percent(greatest / *channel.upper);
+    const std::string limit = readable(*channel.upper * channel.per_unit, 4);
+    text += channel.limit_binds_rapids ? " of " + limit + " · " + percent(greatest / *channel.upper)
+                                       : ", rapids included; programmed up to " + limit;
   }
   return text;
 }
@@ -268,6 +271,7 @@ void put_time_section(std::string& page, const PageContent& content) {
   if (content.report.feed_programmed_max > 0) {
     feed.upper = content.report.feed_programmed_max;
     feed.limit_name = "greatest F";
+    feed.limit_binds_rapids = false;
   }
   charts.put_chart(feed, "large");
   charts.put_time_ticks();
