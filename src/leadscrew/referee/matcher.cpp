@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <leadscrew/referee/matcher.hpp>
+
+namespace leadscrew::referee {
+
+namespace {
+
+constexpr std::size_t first_ring_size = 16;
+constexpr std::size_t most_pieces = 16384;         // looked ahead while the trace follows the program
+constexpr std::size_t most_pieces_departed = 256;  // and while it does not
+constexpr double search_factor = 16;               // of the least cost, while it does not
+constexpr double slack = 0.25;                     // of the tolerance: candidates that much beyond it are kept
+constexpr double same_distance = 1e-9;             // mm; rounding is below
+
+}  // namespace
+
+Matcher::Matcher(PieceSource& source, const Metric& metric, double excuse)
+    : source_(source), metric_(metric), excuse_(excuse), slots_(first_ring_size) {}
+
+bool Matcher::pull() {
+  if (program_ended_) return false;
+  if (count_ == slots_.size()) {
+    std::vector<Slot> larger(2 * slots_.size());
+    for (std::size_t i = 0; i < count_; ++i) larger[i] = slot(i);
+    slots_ = std::move(larger);
+    front_ = 0;
+  }
+  Slot& added = slot(count_);
+  if (!source_.next(added.piece)) {
+    program_ended_ = true;
+    return false;
+  }
+  added.now.alive = false;
+  ++count_;
+  return true;
+}
+
+void Matcher::drop_front() {
+  front_ = (front_ + 1) & (slots_.size() - 1);
+  --count_;
+}
+
+Passage Matcher::begin(const Point& word) {
+  word_ = word;
+  chord_ = chord_between(metric_, word, word);
+  if (!pull()) {
+    Piece& point = slot(count_++).piece;  // a program that moves nothing: the path is where it stands
+    point = {};
+    point.from = point.to = source_.any_move() ? source_.start() : word;
+    point.tolerance = source_.start_tolerance();
+    point.feed.value = std::numeric_limits<double>::infinity();
+  }
+  Slot& first = slot(0);
+  start_ = first.piece.from;
+  end_ = first.piece.to;
+  first.now = {};
+  first.now.alive = true;
+  first.now.cost = metric_.distance(word, start_);
+  first.now.margin = first.now.cost - first.piece.tolerance;
+  last_alive_ = 0;
+  return follow();
+}
+
+Passage Matcher::observe(const Point& word) {
+  chord_ = chord_between(metric_, word_, word);
+  word_ = word;
+  return departed_ ? depart() : follow();
+}
+
+/// Path between two words departs from their chord by `distance`.
+void Matcher::pass_over(double distance, double tolerance, base::Line line, Candidate& candidate) const {
+  const double skip = std::max(0.0, distance - excuse_);
+  const double margin = skip - tolerance;
+  candidate.cost = std::max(candidate.cost, skip);
+  candidate.margin = std::max(candidate.margin, margin);
+  if (margin > candidate.skip_margin) {
+    candidate.skip = skip;
+    candidate.skip_margin = margin;
+    candidate.skip_line = line;
+  }
+}
+
+/// The arc from the candidate's place to another, `distance` from the chord, was passed over between two words.
+void Matcher::pass_arc(const Piece& piece, double to, double distance, Candidate& candidate) const {
+  const double from = candidate.place;
+  if (!(to > from)) return;
+  // The arc's points lie within its sagitta of its own chord, and that within the distance of its ends.
+  const double bound = greatest_sagitta(piece, from, to) + std::max(candidate.distance, distance) - excuse_;
+  if (bound <= std::max(0.0, candidate.cost) &&
+      bound - piece.tolerance <= std::max(-piece.tolerance, candidate.margin)) {
+    return;
+  }
+  pass_over(farthest_from_chord(metric_, piece, from, to, chord_), piece.tolerance, piece.line, candidate);
+}
+
+/// The better of the piece's own candidate and of the one that comes from before it, taken to the word.
+Matcher::Candidate Matcher::candidate_on(const Slot& slot, const Candidate& carried) {
+  const Piece& piece = slot.piece;
+  const Nearest nearest = nearest_on(metric_, piece, word_);
+  const auto arrive = [&](Candidate candidate, double place, double distance) {
+    if (piece.arc) pass_arc(piece, place, distance, candidate);
+    candidate.place = place;
+    candidate.distance = distance;
+    candidate.cost = std::max(candidate.cost, distance);
+    candidate.margin = std::max(candidate.margin, distance - piece.tolerance);
+    return candidate;
+  };
+  Candidate best;
+  if (carried.alive) best = arrive(carried, nearest.place, nearest.distance);
+  if (slot.now.alive) {
+    const bool onward = nearest.place >= slot.now.place;
+    const double place = onward ? nearest.place : slot.now.place;
+    const double distance = onward ? nearest.distance : metric_.distance(word_, point_at(metric_, piece, place));
+    const Candidate own = arrive(slot.now, place, distance);
+    if (!best.alive || own.margin < best.margin) best = own;
+  }
+  return best;
+}
+
+/// Takes the better of the candidate from before piece i and of its own past the end of the piece; it dies of a margin
+/// beyond `most`.
+void Matcher::pass_to_end(std::size_t i, double most, Candidate& candidate) {
+  const Slot& here = slot(i);
+  const Piece& piece = here.piece;
+  const double tolerance = i + 1 < count_ ? std::max(piece.tolerance, slot(i + 1).piece.tolerance) : piece.tolerance;
+  const double distance = distance_to_chord(metric_, chord_, piece.to);
+  if (distance - excuse_ - tolerance > most) {
+    candidate.alive = false;
+    return;
+  }
+  if (here.now.alive && (!candidate.alive || here.now.margin < candidate.margin)) candidate = here.now;
+  if (piece.arc) pass_arc(piece, piece.span, distance, candidate);
+  pass_over(distance, tolerance, piece.line, candidate);
+  candidate.place = 0;
+  candidate.distance = distance;
+  candidate.alive = candidate.margin <= most;
+}
+
+/// Computes every candidate after the chord; returns the slot of the best.
+std::size_t Matcher::step(const Reach& reach) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  Candidate carried;
+  next_alive_ = 0;
+  next_last_ = 0;
+  stepped_ = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (i > last_alive_ && !carried.alive) break;
+    Slot& here = slot(i);
+    stepped_ = i + 1;
+    here.next.alive = false;
+    if (!carried.alive && !here.now.alive) continue;
+    here.next = candidate_on(here, carried);
+    if (here.next.margin < least) {
+      least = here.next.margin;
+      best = i;
+    }
+    here.next.alive = here.next.margin <= reach.keep + slack * here.piece.tolerance;
+    if (here.next.alive) {
+      ++next_alive_;
+      next_last_ = i;
+    }
+    const double nearest_carry = std::min(here.now.alive ? here.now.margin : std::numeric_limits<double>::infinity(),
+                                          carried.alive ? carried.margin : std::numeric_limits<double>::infinity());
+    const double most = reach.carry + slack * here.piece.tolerance;
+    if (nearest_carry > most) {
+      carried.alive = false;
+      continue;
+    }
+    if (i + 1 == count_ && count_ < reach.pieces) pull();
+    pass_to_end(i, most, carried);
+  }
+  return best;
+}
+
+/// Makes the step's candidates the present ones.
+void Matcher::adopt() {
+  for (std::size_t i = 0; i < stepped_; ++i) slot(i).now = slot(i).next;
+  std::size_t dead = 0;
+  while (dead < next_last_ && !slot(dead).now.alive) ++dead;
+  for (std::size_t i = 0; i < dead; ++i) drop_front();
+  last_alive_ = next_last_ - dead;
+}
+
+Passage Matcher::follow() {
+  const std::size_t best = step({nanometre, nanometre, most_pieces});
+  if (slot(best).next.margin > nanometre) {
+    least_margin_ = slot(best).next.margin;
+    return depart();
+  }
+  Passage result = passage(next_last_);
+  adopt();
+  if (next_alive_ == 1) {
+    Candidate& only = slot(0).now;
+    deviation_ = std::max(deviation_, only.cost);
+    only.cost = 0;
+    only.margin = none;
+  } else if (count_ == most_pieces) {
+    drop_front();
+    --last_alive_;
+  }
+  return result;
+}
+
+/// The best candidate ahead of the trace's departure, or the return to the path.
+Passage Matcher::depart() {
+  std::size_t best = step({least_margin_, search_factor * least_margin_, most_pieces_departed});
+  double least = slot(best).next.margin;
+  if (!departed_ || least > least_margin_) {
+    best = step({search_factor * least, search_factor * least, most_pieces_departed});
+    least = slot(best).next.margin;
+  }
+  departed_ = true;
+  least_margin_ = least;
+  const Slot& chosen = slot(best);
+  const bool on_path = chosen.next.distance - chosen.piece.tolerance <= nanometre;
+  Passage result = passage(best);
+  if (!on_path) {
+    // At a corner the block that is not followed is the one that begins there.
+    const bool at_corner = best + 1 < stepped_ && slot(best + 1).next.alive &&
+                           slot(best + 1).next.distance <= chosen.next.distance + same_distance;
+    const base::Line line = slot(at_corner ? best + 1 : best).piece.line;
+    result.deviation = Finding{line, chosen.next.distance, chosen.piece.tolerance};
+    for (std::size_t i = 0; i < best; ++i) slot(i).next.alive = false;
+    adopt();
+    return result;
+  }
+  settle(best, result);
+  return result;
+}
+
+/// The trace is on the path again: its departure is judged, and candidates as good as the best start afresh.
+void Matcher::settle(std::size_t best, Passage& result) {
+  const Candidate winner = slot(best).next;
+  deviation_ = std::max(deviation_, winner.cost);
+  if (winner.skip_margin > nanometre) {
+    result.skipped = Finding{winner.skip_line, winner.skip, winner.skip - winner.skip_margin};
+  }
+  next_last_ = best;
+  for (std::size_t i = 0; i < stepped_; ++i) {
+    Slot& here = slot(i);
+    Candidate& next = here.next;
+    next.alive =
+        next.alive && next.margin <= winner.margin + nanometre && next.distance - here.piece.tolerance <= nanometre;
+    if (!next.alive) continue;
+    next_last_ = i;
+    next.cost = next.distance;
+    next.margin = next.distance - here.piece.tolerance;
+    next.skip = 0;
+    next.skip_margin = none;
+  }
+  departed_ = false;
+  adopt();
+}
+
+/// What lies between the word before, which may lie on any piece from the first, and this one, which may lie on any to
+/// `last`.
+Passage Matcher::passage(std::size_t last) {
+  Passage result;
+  result.feed = slot(0).piece.feed;
+  std::size_t nearest = last;
+  double distance = std::numeric_limits<double>::infinity();
+  bool one_block = true;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const Slot& here = slot(i);
+    const ProgrammedFeed& feed = here.piece.feed;
+    result.feed.value = feed.axes == result.feed.axes ? std::max(result.feed.value, feed.value)
+                                                      : std::numeric_limits<double>::infinity();
+    one_block = one_block && here.piece.block == slot(0).piece.block;
+    if (here.next.alive && here.next.distance < distance - same_distance) {
+      distance = here.next.distance;
+      nearest = i;
+    }
+  }
+  const Slot& matched = slot(nearest);
+  result.line = matched.piece.line;
+  const double angle = matched.piece.arc ? matched.piece.angle_before + matched.next.place : 0;
+  if (one_block && matched.piece.arc && matched.piece.block == matched_block_) {
+    result.arc = &matched.piece;
+    result.turn = std::abs(angle - matched_angle_);
+  }
+  matched_block_ = matched.piece.block;
+  matched_angle_ = angle;
+  return result;
+}
+
+std::optional<Finding> Matcher::conclude() {
+  chord_ = chord_between(metric_, word_, word_);
+  excuse_ = 0;
+  Candidate carried;
+  Candidate before_end;
+  while (count_ > 0) {
+    if (count_ == 1) pull();
+    const Slot& here = slot(0);
+    before_end = carried;
+    if (here.now.alive && (!carried.alive || here.now.margin < carried.margin)) before_end = here.now;
+    end_ = here.piece.to;
+    if (here.piece.arc) pass_arc(here.piece, here.piece.span, metric_.distance(word_, end_), before_end);
+    pass_to_end(0, std::numeric_limits<double>::infinity(), carried);
+    drop_front();
+  }
+  deviation_ = std::max(deviation_, carried.cost);
+  if (before_end.skip_margin > nanometre) {
+    return Finding{before_end.skip_line, before_end.skip, before_end.skip - before_end.skip_margin};
+  }
+  return std::nullopt;
+}
+
+}  // namespace leadscrew::referee

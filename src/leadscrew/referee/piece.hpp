@@ -1,0 +1,80 @@
+#pragma once
+// The referee's own geometry: what a block asks for, as lines and as arcs of at most a quarter turn.
+//
+// A place on a piece is a distance along a line (mm) or an angle from an arc's start (radians, never negative). Arcs
+// are cut at quarter turns so that each piece has one nearest point to anything near it, and so that a circle milled
+// three times is twelve pieces one after the other and no angle is ever ambiguous:
+//
+//     p(φ) = c + a cos φ ± a⊥ sin φ   in the plane,   a = start − c,   0 ≤ φ ≤ Δ ≤ π/2
+//     p(φ) = l + m φ                  in every other axis
+
+#include <cstdint>
+#include <leadscrew/base/line.hpp>
+#include <leadscrew/gcode/move.hpp>
+#include <leadscrew/referee/metric.hpp>
+
+namespace leadscrew::referee {
+
+/// The axes in whose length a block's feed is told; the first that move (RS274/NGC 2.1.2.5).
+enum class FeedAxes : std::uint8_t { xyz, uvw, abc };
+
+/// Programmed feed along a block.
+struct ProgrammedFeed {
+  FeedAxes axes = FeedAxes::xyz;
+  double value = 0;  ///< mm/s or degrees/s; infinite for a rapid
+};
+
+struct Piece {
+  bool arc = false;
+  bool helix = false;      ///< an arc on which other axes than the plane's move
+  base::Line line{};       ///< source line
+  std::int64_t block = 0;  ///< counts the program's lines and arcs
+  double tolerance = 0;    ///< mm
+  ProgrammedFeed feed;
+  Point from{};     ///< mm
+  Point to{};       ///< mm
+  Point slope{};    ///< line: unit direction; arc: m, mm per radian, 0 in the plane
+  double span = 0;  ///< line: length, mm; arc: Δ, radians
+
+  std::uint8_t first = 0, second = 0;          ///< arc: coordinates of the plane
+  double center_first = 0, center_second = 0;  ///< arc: mm
+  double radial_first = 0, radial_second = 0;  ///< arc: a, mm
+  double side = 1;                             ///< arc: 1 counterclockwise, −1 clockwise
+  double radius = 0, radius_slope = 0;         ///< arc: |a|, and its change per radian, which is rounding
+  double squared_slope = 0;                    ///< arc: |m|²
+  double angle_before = 0;                     ///< arc: from the block's start to the piece's, radians
+};
+
+/// The nearest place of a piece to a point, and how far it is.
+struct Nearest {
+  double place = 0;
+  double distance = 0;  ///< mm
+};
+
+Nearest nearest_on_arc(const Metric& metric, const Piece& piece, const Point& point);
+
+inline Nearest nearest_on(const Metric& metric, const Piece& piece, const Point& point) {
+  if (piece.arc) return nearest_on_arc(metric, piece, point);
+  double place = 0;
+  for (std::size_t i = 0; i < metric.dimensions(); ++i) place += (point[i] - piece.from[i]) * piece.slope[i];
+  if (place <= 0) return {0, metric.distance(point, piece.from)};
+  if (place >= piece.span) return {piece.span, metric.distance(point, piece.to)};
+  double sum = 0;
+  for (std::size_t i = 0; i < metric.dimensions(); ++i) {
+    const double offset = point[i] - piece.from[i] - place * piece.slope[i];
+    sum += offset * offset;
+  }
+  return {place, std::sqrt(sum)};
+}
+
+Point point_at(const Metric& metric, const Piece& piece, double place);
+
+/// The farthest that an arc departs from its own chord between two places, at most: |p''| Δφ²/8 = RΔφ²/8.
+inline double greatest_sagitta(const Piece& piece, double from, double to) {
+  return piece.radius * (to - from) * (to - from) / 8;
+}
+
+/// The largest distance to the chord of an arc's points strictly between two places.
+double farthest_from_chord(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord);
+
+}  // namespace leadscrew::referee

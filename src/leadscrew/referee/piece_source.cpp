@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <leadscrew/referee/piece_source.hpp>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace leadscrew::referee {
+
+namespace {
+
+constexpr std::array linear_axes = {base::Axis::X, base::Axis::Y, base::Axis::Z};
+constexpr std::array parallel_axes = {base::Axis::U, base::Axis::V, base::Axis::W};
+constexpr std::array rotary_axes = {base::Axis::A, base::Axis::B, base::Axis::C};
+
+double length_over(std::span<const base::Axis> axes, const gcode::Move& move) {
+  double sum = 0;
+  for (const base::Axis axis : axes) {
+    const double step = move.end[base::index(axis)] - move.start[base::index(axis)];
+    sum += step * step;
+  }
+  return std::sqrt(sum);
+}
+
+/// The ends of an arc in its plane, seen from the centre.
+struct ArcEnds {
+  double start_first, start_second, end_first, end_second, chord_first, chord_second;
+
+  explicit ArcEnds(const gcode::Move& move) {
+    const std::size_t first = base::index(gcode::first_axis(move.plane));
+    const std::size_t second = base::index(gcode::second_axis(move.plane));
+    start_first = move.start[first] - move.center_first;
+    start_second = move.start[second] - move.center_second;
+    end_first = move.end[first] - move.center_first;
+    end_second = move.end[second] - move.center_second;
+    chord_first = move.end[first] - move.start[first];
+    chord_second = move.end[second] - move.start[second];
+  }
+
+  double start_radius() const { return std::hypot(start_first, start_second); }
+  double end_radius() const { return std::hypot(end_first, end_second); }
+};
+
+/// Radians turned, positive. Ends closer than the rounding of their coordinates coincide.
+double sweep_of(const gcode::Move& move, const ArcEnds& ends) {
+  const double whole = 2 * std::numbers::pi * (std::abs(move.turns) - 1);
+  const double side = move.turns > 0 ? 1 : -1;
+  const double size = ends.start_radius() + std::hypot(move.center_first, move.center_second);
+  if (std::hypot(ends.chord_first, ends.chord_second) <= 8 * std::numeric_limits<double>::epsilon() * size) {
+    return whole + 2 * std::numbers::pi;
+  }
+  const double across = side * (ends.start_first * ends.chord_second - ends.start_second * ends.chord_first);
+  const double along = ends.start_first * ends.end_first + ends.start_second * ends.end_second;
+  const double angle = std::atan2(across, along);
+  return whole + (angle > 0 ? angle : angle + 2 * std::numbers::pi);
+}
+
+}  // namespace
+
+double PieceSource::greatest_feed() const {
+  return greatest_linear_feed_ > 0 ? greatest_linear_feed_ : greatest_rotary_feed_;
+}
+
+ProgrammedFeed PieceSource::feed_of(const gcode::Move& move) const {
+  ProgrammedFeed feed;
+  double length = length_over(linear_axes, move);
+  if (move.kind == gcode::Move::Kind::arc && whole_.arc) {
+    const std::size_t normal = base::index(gcode::normal_axis(move.plane));
+    length = std::hypot(whole_.radius * sweep_, move.end[normal] - move.start[normal]);
+  } else if (length == 0) {
+    feed.axes = FeedAxes::uvw;
+    length = length_over(parallel_axes, move);
+    if (length == 0) {
+      feed.axes = FeedAxes::abc;
+      length = length_over(rotary_axes, move);
+    }
+  }
+  switch (move.feed.mode) {
+    case gcode::Feed::Mode::rapid:
+      feed.value = std::numeric_limits<double>::infinity();
+      break;
+    case gcode::Feed::Mode::units_per_second:
+      feed.value = move.feed.value;
+      break;
+    case gcode::Feed::Mode::per_second:
+      feed.value = move.feed.value * length;
+      break;
+  }
+  return feed;
+}
+
+void PieceSource::begin(const gcode::Move& move) {
+  whole_ = {};
+  whole_.line = move.line;
+  whole_.block = block_;
+  whole_.tolerance = move.path_mode == gcode::PathMode::blend ? move.tolerance : 0;
+  whole_.from = metric_.point(move.start);
+  whole_.to = metric_.point(move.end);
+  if (block_ == 0) {
+    start_ = whole_.from;
+    start_tolerance_ = whole_.tolerance;
+  }
+  end_ = whole_.to;
+  end_tolerance_ = whole_.tolerance;
+  end_line_ = move.line;
+  ++block_;
+  largest_tolerance_ = std::max(largest_tolerance_, whole_.tolerance);
+  next_piece_ = 0;
+  pieces_ = 0;
+  if (move.kind != gcode::Move::Kind::arc || !begin_arc(move)) begin_line();
+  whole_.feed = feed_of(move);
+  if (whole_.feed.value < std::numeric_limits<double>::infinity()) {
+    double& greatest = whole_.feed.axes == FeedAxes::abc ? greatest_rotary_feed_ : greatest_linear_feed_;
+    greatest = std::max(greatest, whole_.feed.value);
+  }
+}
+
+void PieceSource::begin_line() {
+  const double length = metric_.distance(whole_.from, whole_.to);
+  if (!(length > 0)) return;
+  whole_.span = length;
+  for (std::size_t i = 0; i < metric_.dimensions(); ++i) whole_.slope[i] = (whole_.to[i] - whole_.from[i]) / length;
+  pieces_ = 1;
+}
+
+bool PieceSource::begin_arc(const gcode::Move& move) {
+  const std::size_t first = metric_.coordinate(gcode::first_axis(move.plane));
+  const std::size_t second = metric_.coordinate(gcode::second_axis(move.plane));
+  const ArcEnds ends(move);
+  if (first == metric_.dimensions() || second == metric_.dimensions() || move.turns == 0 ||
+      !(ends.start_radius() > 0)) {
+    return false;
+  }
+  whole_.arc = true;
+  whole_.first = static_cast<std::uint8_t>(first);
+  whole_.second = static_cast<std::uint8_t>(second);
+  whole_.center_first = move.center_first;
+  whole_.center_second = move.center_second;
+  whole_.radial_first = ends.start_first;
+  whole_.radial_second = ends.start_second;
+  whole_.side = move.turns > 0 ? 1 : -1;
+  whole_.radius = ends.start_radius();
+  sweep_ = sweep_of(move, ends);
+  whole_.radius_slope = (ends.end_radius() - whole_.radius) / sweep_;
+  for (std::size_t i = 0; i < metric_.dimensions(); ++i) {
+    if (i != first && i != second) whole_.slope[i] = (whole_.to[i] - whole_.from[i]) / sweep_;
+  }
+  whole_.squared_slope = metric_.dot(whole_.slope, whole_.slope);
+  whole_.helix = whole_.squared_slope > 0;
+  pieces_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(sweep_ / (std::numbers::pi / 2) - 1e-9)));
+  return true;
+}
+
+bool PieceSource::read() {
+  gcode::Move move;
+  while (moves_(move)) {
+    if (move.kind != gcode::Move::Kind::line && move.kind != gcode::Move::Kind::arc) continue;
+    begin(move);
+    if (pieces_ > 0) return true;
+  }
+  return false;
+}
+
+bool PieceSource::next(Piece& piece) {
+  if (next_piece_ == pieces_ && !read()) return false;
+  piece = whole_;
+  const std::int64_t number = next_piece_++;
+  if (!whole_.arc) return true;
+  const double share = sweep_ / static_cast<double>(pieces_);
+  const double from = share * static_cast<double>(number);
+  piece.angle_before = from;
+  piece.span = share;
+  if (number > 0) {
+    piece.from = point_at(metric_, whole_, from);
+    piece.radial_first = piece.from[piece.first] - piece.center_first;
+    piece.radial_second = piece.from[piece.second] - piece.center_second;
+    piece.radius = std::hypot(piece.radial_first, piece.radial_second);
+  }
+  if (number + 1 < pieces_) piece.to = point_at(metric_, whole_, share * static_cast<double>(number + 1));
+  return true;
+}
+
+}  // namespace leadscrew::referee

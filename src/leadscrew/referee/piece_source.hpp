@@ -1,0 +1,48 @@
+#pragma once
+// Moves in, pieces out, one at a time.
+
+#include <leadscrew/referee/piece.hpp>
+#include <leadscrew/referee/referee.hpp>
+
+namespace leadscrew::referee {
+
+class PieceSource {
+ public:
+  PieceSource(MoveSource moves, const Metric& metric) : moves_(std::move(moves)), metric_(metric) {}
+
+  /// The next piece that has a length; false at the program's end.
+  bool next(Piece& piece);
+
+  /// Where the program begins, and where the moves read so far end; valid once a move was read.
+  bool any_move() const { return block_ > 0; }
+  const Point& start() const { return start_; }
+  const Point& end() const { return end_; }
+  double start_tolerance() const { return start_tolerance_; }  ///< mm; of the first move
+  double end_tolerance() const { return end_tolerance_; }      ///< mm; of the last move read
+  base::Line end_line() const { return end_line_; }
+  double largest_tolerance() const { return largest_tolerance_; }  ///< mm; of the moves read
+  double greatest_feed() const;                                    ///< mm/s; degrees/s where no linear axis is fed
+
+ private:
+  bool read();
+  void begin(const gcode::Move& move);
+  bool begin_arc(const gcode::Move& move);
+  void begin_line();
+  ProgrammedFeed feed_of(const gcode::Move& move) const;
+
+  MoveSource moves_;
+  const Metric& metric_;
+  std::int64_t block_ = 0;
+  Point start_{}, end_{};
+  double start_tolerance_ = 0, end_tolerance_ = 0, largest_tolerance_ = 0;
+  base::Line end_line_{};
+  double greatest_linear_feed_ = 0, greatest_rotary_feed_ = 0;
+
+  // The block that is being cut into pieces.
+  Piece whole_;              // of an arc: the block as one, however many turns
+  std::int64_t pieces_ = 0;  // it is cut into
+  std::int64_t next_piece_ = 0;
+  double sweep_ = 0;  // of an arc: radians, positive
+};
+
+}  // namespace leadscrew::referee

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/referee/derivatives.hpp>
+#include <leadscrew/referee/docket.hpp>
+#include <leadscrew/referee/feed_check.hpp>
+#include <leadscrew/referee/matcher.hpp>
+#include <leadscrew/referee/metric.hpp>
+#include <leadscrew/referee/piece_source.hpp>
+#include <leadscrew/referee/referee.hpp>
+
+namespace leadscrew::referee {
+
+class Referee::Implementation {
+ public:
+  Implementation(MoveSource moves, const machine::Machine& machine, base::Period period)
+      : metric_(machine),
+        period_(period),
+        source_(std::move(moves), metric_),
+        matcher_(source_, metric_, metric_.acceleration() * period.seconds() * period.seconds() / 8),
+        derivatives_(machine, period),
+        feed_(metric_, period) {}
+
+  void observe(const base::AxisVector& position) {
+    if (!std::all_of(position.begin(), position.end(), [](double q) { return std::isfinite(q); })) {
+      docket_.add(time(), line_, "not a number", 0, 0);
+      observe_finite(position_);
+      return;
+    }
+    observe_finite(position);
+  }
+
+  Verdict conclude() {
+    Verdict verdict;
+    if (words_ == 0) {
+      docket_.add(0, {}, "no words", 0, 0);
+      docket_.conclude(verdict);
+      return verdict;
+    }
+    const double end_time = seconds(words_ - 1);
+    verdict.time_s = end_time;
+    if (const auto skipped = matcher_.conclude()) add_rare(end_time, "skipped path", *skipped);
+    verdict.deviation_mm = matcher_.deviation();
+    verdict.end_error_mm = metric_.distance(metric_.point(position_), matcher_.path_end());
+    if (verdict.end_error_mm > source_.end_tolerance() + nanometre) {
+      add_rare(end_time, "end", {source_.end_line(), verdict.end_error_mm, source_.end_tolerance()});
+    }
+    verdict.start_error_mm = start_error_;
+    verdict.tolerance_mm = source_.largest_tolerance();
+    verdict.feed_programmed_max = source_.greatest_feed();
+    verdict.feed_max_ratio = feed_.greatest_ratio();
+    derivatives_.conclude(line_, verdict, docket_);
+    docket_.conclude(verdict);
+    return verdict;
+  }
+
+ private:
+  double seconds(std::int64_t words) const { return base::seconds(base::Tick{words}, period_); }
+  double time() const { return seconds(words_); }
+
+  void add_rare(double t, const char* what, const Finding& finding) {
+    docket_.add_rare(t, finding.line, what, finding.value, finding.limit);
+  }
+
+  void observe_finite(const base::AxisVector& position) {
+    const Point point = metric_.point(position);
+    const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point);
+    line_ = passage.line;
+    if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
+    if (const auto& departed = passage.deviation) {
+      docket_.add(time(), departed->line, "deviation", departed->value, departed->limit);
+    }
+    derivatives_.observe(position, line_);
+    feed_.observe(position, passage, time(), docket_);
+    position_ = position;
+    ++words_;
+  }
+
+  Passage begin(const Point& point) {
+    const Passage passage = matcher_.begin(point);
+    start_error_ = metric_.distance(point, matcher_.path_start());
+    if (start_error_ > source_.start_tolerance() + nanometre) {
+      add_rare(0, "start", {passage.line, start_error_, source_.start_tolerance()});
+    }
+    return passage;
+  }
+
+  Metric metric_;
+  base::Period period_;
+  PieceSource source_;
+  Matcher matcher_;
+  Derivatives derivatives_;
+  FeedCheck feed_;
+  Docket docket_;
+  std::int64_t words_ = 0;
+  base::AxisVector position_{};
+  base::Line line_{};
+  double start_error_ = 0;
+};
+
+Referee::Referee(MoveSource moves, const machine::Machine& machine, base::Period period)
+    : implementation_(std::make_unique<Implementation>(std::move(moves), machine, period)) {}
+Referee::~Referee() = default;
+Referee::Referee(Referee&&) noexcept = default;
+Referee& Referee::operator=(Referee&&) noexcept = default;
+
+void Referee::observe(const base::AxisVector& position) {
+  implementation_->observe(position);
+}
+
+Verdict Referee::conclude() {
+  return implementation_->conclude();
+}
+
+}  // namespace leadscrew::referee

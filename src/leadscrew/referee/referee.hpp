@@ -1,0 +1,94 @@
+#pragma once
+// The referee: judges a train of words against the program and the machine it was made for. It shares no code with the
+// rooms that make motion; it reads the program's moves and has formulas of its own for lines and arcs.
+//
+// Limits: first, second and third differences of each axis, as if the machine stood still before the first word and
+// after the last (derivatives.hpp).
+//
+// Deviation: the distance between words and programmed path in both directions, matched in order: of each word to the
+// path, and of the path between two matches to the chord between the two words, less a·T²/8, by which a motion within
+// acceleration a may leave its chord (matcher.hpp). Length is Euclid's over all axes, a rotary axis at a radius of
+// 50 mm.
+//
+// Ends: the first word at the program's start, the last at its end.
+//
+// Feed: the way from word to word against the programmed feed (feed_check.hpp).
+//
+//     words    ●──●──●──●         ●──●     the word at ▲ is too far from the path: "deviation"
+//                        ╲  ●  ╱
+//                           ▲
+//     path     ──────────┐     ┌─────      both lower corners are too far from every chord: "skipped path"
+//                        └─────┘
+//
+// A trace is a set of samples: what happened between two words and left no sign in them cannot be judged. At 1 ms and
+// 1 m/s² that is an eighth of a micrometre.
+
+#include <cstdint>
+#include <functional>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/line.hpp>
+#include <leadscrew/base/time.hpp>
+#include <leadscrew/gcode/move.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace leadscrew::referee {
+
+/// Largest value over limit, from differences of words less their rounding bound 8·ulp(max |q|)/Tᵏ.
+struct AxisVerdict {
+  base::Axis axis{};
+  double velocity_ratio = 0;
+  double acceleration_ratio = 0;
+  double jerk_ratio = 0;
+};
+
+struct Violation {
+  double t = 0;       ///< seconds
+  base::Line line{};  ///< source line of the block the word was matched to
+  std::string what;   ///< such as "X jerk", "deviation", "feed"
+  double value = 0;   ///< mm, degrees and seconds
+  double limit = 0;
+};
+
+struct Verdict {
+  double time_s = 0;
+  double deviation_mm =
+      0;  ///< largest distance between words and programmed geometry, matched monotonically, both ways
+  double tolerance_mm = 0;         ///< the largest tolerance that applied
+  double start_error_mm = 0;       ///< distance of the first word from the program's start
+  double end_error_mm = 0;         ///< distance of the last word from the program's end
+  double feed_programmed_max = 0;  ///< mm/s
+  double feed_max_ratio = 0;       ///< speed over programmed feed, largest
+  std::vector<AxisVerdict> axes;   ///< for each axis the machine has
+  std::int64_t violation_count = 0;
+  std::vector<Violation> violations;  ///< the first 1000: beyond 0.1 % of a limit, or beyond the tolerance and 1 nm
+
+  bool objects() const { return violation_count > 0; }
+};
+
+/// Gives the program's moves one after the other; false at its end. Events and dwells are passed over.
+using MoveSource = std::function<bool(gcode::Move&)>;
+
+/// Judges words as they come; memory does not grow with the program or the trace. The machine must outlive the referee.
+class Referee {
+ public:
+  Referee(MoveSource moves, const machine::Machine& machine, base::Period period);
+  ~Referee();
+  Referee(Referee&&) noexcept;
+  Referee& operator=(Referee&&) noexcept;
+
+  /// The next word: axis positions one period after the word before.
+  void observe(const base::AxisVector& position);
+
+  /// After the last word: what remains of the program has not been visited.
+  Verdict conclude();
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace leadscrew::referee
