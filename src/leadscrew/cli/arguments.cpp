@@ -1,0 +1,290 @@
+// The one file that includes CLI11, which is slow to compile.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/nearest.hpp>
+#include <set>
+#include <stdexcept>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr std::string_view exit_statuses =
+    "Exit status: 0 done, 1 a limit or tolerance was not kept or the referee objects, 2 usage,\n"
+    "  3 program or machine file rejected, 4 input/output, 130 interrupted; of several programs the greatest.";
+
+constexpr std::string_view main_examples =
+    "Examples:\n"
+    "  leadscrew run part.ngc                     plan it for the built-in mill, show time and limits\n"
+    "  leadscrew check part.ngc                   only read it\n"
+    "  leadscrew run --help                       every option of run\n";
+
+constexpr std::string_view run_examples =
+    "Examples:\n"
+    "  leadscrew run part.ngc\n"
+    "  leadscrew run part.ngc --machine machines/heavy3.toml --trace part.csv --report part.html\n"
+    "  leadscrew run *.ngc --out results          results/NAME.csv and results/NAME.html of each\n"
+    "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
+    "\n"
+    "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
+    "every call that makes a word, the two looks at the clock included.\n";
+
+constexpr std::string_view check_examples =
+    "Examples:\n"
+    "  leadscrew check part.ngc\n"
+    "  leadscrew check *.ngc --machine machines/mill5.toml --json\n";
+
+constexpr std::string_view verify_examples =
+    "Examples:\n"
+    "  leadscrew verify part.csv part.ngc\n"
+    "  leadscrew verify other-controller.csv part.ngc --machine machines/heavy3.toml --period 1ms --json\n"
+    "\n"
+    "TRACE is CSV with columns t and axis letters, or NPY. Without --period its rows must be evenly spaced in t.\n";
+
+/// A command line that makes no sense; what() says why.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Options as text, before their values are looked at.
+struct Texts {
+  std::optional<std::string> period, mode, tolerance, start, color;
+};
+
+std::string shell_quoted(std::string_view text) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string command_line(int count, const char* const* values) {
+  std::string line = "leadscrew";
+  for (int i = 1; i < count; ++i) line += " " + shell_quoted(values[i]);
+  return line;
+}
+
+void add_common(CLI::App& command, Arguments& arguments, Texts& texts) {
+  command.add_option("--machine", arguments.machine, "Machine file (TOML), or the built-in mill3 (default)")
+      ->type_name("FILE");
+  command.add_option("--tools", arguments.tools, "Tool table, in LinuxCNC's format")->type_name("FILE");
+  command.add_option("--start", texts.start, "Where the program begins, machine coordinates (default: 0)")
+      ->type_name("X0,Y0,...");
+  command.add_flag("--json", arguments.json, "One JSON object on standard output, nothing else there");
+  command.add_flag("--quiet", arguments.quiet, "No summary and no progress bar");
+  command.add_option("--color", texts.color, "auto, always or never; NO_COLOR is heeded")->type_name("WHEN");
+}
+
+void add_motion(CLI::App& command, Arguments&, Texts& texts) {
+  command.add_option("--mode", texts.mode, "exact-stop or blend, in place of G61, G61.1 and G64")->type_name("MODE");
+  command.add_option("--tolerance", texts.tolerance, "In place of P of G64 and the machine's, mm")->type_name("MM");
+}
+
+CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& texts) {
+  CLI::App* run = app.add_subcommand("run", "Plan and interpolate; summary, report, traces");
+  run->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
+  add_common(*run, arguments, texts);
+  run->add_option("--period", texts.period, "Servo period, such as 1ms or 250us, in place of the machine's")
+      ->type_name("TIME");
+  add_motion(*run, arguments, texts);
+  run->add_option("--trace", arguments.trace, "Write the words: .csv or .npy")->type_name("FILE");
+  run->add_option("--report", arguments.report, "Write one self-contained page")->type_name("FILE.html");
+  run->add_option("--out", arguments.out, "Write DIR/NAME.csv and DIR/NAME.html of each program")->type_name("DIR");
+  run->footer(std::string(run_examples));
+  return run;
+}
+
+CLI::App* add_check(CLI::App& app, Arguments& arguments, Texts& texts) {
+  CLI::App* check = app.add_subcommand("check", "Read only: diagnostics");
+  check->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
+  add_common(*check, arguments, texts);
+  check->footer(std::string(check_examples));
+  return check;
+}
+
+CLI::App* add_verify(CLI::App& app, Arguments& arguments, Texts& texts) {
+  CLI::App* verify = app.add_subcommand("verify", "The referee: any trace against its program and machine");
+  verify->add_option("TRACE", arguments.judged_trace, "Trace, .csv or .npy; - is standard input")
+      ->required()
+      ->type_name("");
+  verify->add_option("PROGRAM", arguments.programs, "Its part program; - is standard input")
+      ->required()
+      ->expected(1)
+      ->type_name("");
+  add_common(*verify, arguments, texts);
+  verify->add_option("--period", texts.period, "Time between rows, such as 1ms, in place of what t says")
+      ->type_name("TIME");
+  add_motion(*verify, arguments, texts);
+  verify->footer(std::string(verify_examples));
+  return verify;
+}
+
+template <class T>
+T value_of(std::string_view option, const std::string& text, Parsed<T> parsed) {
+  if (!parsed) throw UsageError(fmt::format("{} {}: {}", option, text, parsed.error()));
+  return std::move(*parsed);
+}
+
+gcode::PathMode path_mode(const std::string& text) {
+  if (text == "exact-stop") return gcode::PathMode::exact_stop;
+  if (text == "blend") return gcode::PathMode::blend;
+  throw UsageError(fmt::format("--mode {}: is neither exact-stop nor blend", text));
+}
+
+ColorChoice color_choice(const std::string& text) {
+  if (text == "auto") return ColorChoice::automatic;
+  if (text == "always") return ColorChoice::always;
+  if (text == "never") return ColorChoice::never;
+  throw UsageError(fmt::format("--color {}: is none of auto, always, never", text));
+}
+
+void take_values(const Texts& texts, Arguments& arguments) {
+  if (texts.period) arguments.period = value_of("--period", *texts.period, parse_period(*texts.period));
+  if (texts.mode) arguments.mode = path_mode(*texts.mode);
+  if (texts.tolerance)
+    arguments.tolerance = value_of("--tolerance", *texts.tolerance, parse_tolerance(*texts.tolerance));
+  if (texts.start) arguments.start = value_of("--start", *texts.start, parse_axis_values(*texts.start));
+  if (texts.color) arguments.color = color_choice(*texts.color);
+}
+
+void check_outputs(const Arguments& arguments) {
+  const bool several = arguments.programs.size() > 1;
+  if (several && arguments.trace)
+    throw UsageError("--trace is for one program; with several, --out DIR writes a trace of each");
+  if (several && arguments.report)
+    throw UsageError("--report is for one program; with several, --out DIR writes a report of each");
+  if (arguments.trace && arguments.trace == arguments.report)
+    throw UsageError("--trace and --report name the same file");
+}
+
+void check_standard_input(const Arguments& arguments) {
+  const auto from_programs = std::count(arguments.programs.begin(), arguments.programs.end(), "-");
+  if (from_programs + (arguments.judged_trace == "-" ? 1 : 0) > 1)
+    throw UsageError("standard input (-) can be read only once");
+}
+
+void check_names(const Arguments& arguments) {
+  if (!arguments.out) return;
+  std::set<std::string> stems;
+  for (const std::string& program : arguments.programs) {
+    const std::string stem = std::filesystem::path(program).stem();
+    if (!stems.insert(stem).second) {
+      throw UsageError(fmt::format("--out: two programs are named {}, so their files would be too", stem));
+    }
+  }
+}
+
+std::vector<std::string> names_of_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  const auto meant = nearest(word, views);
+  return meant ? fmt::format("; did you mean {}?", *meant) : "";
+}
+
+/// What CLI11 could not place: options nobody knows, or words too many.
+std::string unexpected(const CLI::App& command) {
+  const std::vector<std::string> rest = command.remaining();
+  const auto option =
+      std::find_if(rest.begin(), rest.end(), [](auto& word) { return word.size() > 1 && word[0] == '-'; });
+  if (option == rest.end()) return fmt::format("\"{}\" is one word too many", rest.empty() ? "" : rest.front());
+  const std::string name = option->substr(0, option->find('='));
+  return fmt::format("no option {}{}", name, did_you_mean(name, names_of_options(command)));
+}
+
+Answer usage(const std::string& where, const std::string& message) {
+  return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
+}
+
+/// The first word must be a command; CLI11 would say less.
+std::optional<Answer> check_command(int count, const char* const* values) {
+  const std::vector<std::string> known = {"run", "check", "verify"};
+  if (count < 2) return usage("leadscrew", "no command; there are run, check and verify");
+  const std::string word = values[1];
+  if (word.empty() || word[0] != '-') {
+    if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
+    const std::string meant = did_you_mean(word, known);
+    return usage("leadscrew",
+                 fmt::format("no command \"{}\"{}", word, meant.empty() ? "; there are run, check and verify" : meant));
+  }
+  const std::vector<std::string> options = {"--help", "--version"};
+  const bool known_option = word == "-h" || std::find(options.begin(), options.end(), word) != options.end();
+  if (known_option) return std::nullopt;
+  return usage("leadscrew", fmt::format("no option {} before the command{}", word, did_you_mean(word, options)));
+}
+
+class Parser {
+ public:
+  Parser() {
+    app_.set_version_flag("--version", std::string("leadscrew ") + LEADSCREW_VERSION);
+    app_.set_help_flag("-h,--help", "This text");
+    app_.require_subcommand(1);
+    app_.footer(std::string(main_examples) + "\n" + std::string(exit_statuses));
+    commands_ = {add_run(app_, arguments_, texts_), add_check(app_, arguments_, texts_),
+                 add_verify(app_, arguments_, texts_)};
+  }
+
+  std::variant<Arguments, Answer> parse(int count, const char* const* values) {
+    try {
+      app_.parse(count, values);
+      arguments_.command = app_.got_subcommand(commands_[0])   ? Arguments::Command::run
+                           : app_.got_subcommand(commands_[1]) ? Arguments::Command::check
+                                                               : Arguments::Command::verify;
+      arguments_.command_line = command_line(count, values);
+      take_values(texts_, arguments_);
+      check_standard_input(arguments_);
+      check_outputs(arguments_);
+      check_names(arguments_);
+      return arguments_;
+    } catch (const CLI::CallForHelp&) {
+      return Answer{Status::done, command().help()};
+    } catch (const CLI::CallForVersion&) {
+      return Answer{Status::done, app_.version() + "\n"};
+    } catch (const CLI::ExtrasError&) {
+      return usage(name(), unexpected(command()));
+    } catch (const CLI::ParseError& error) {
+      return usage(name(), error.what());
+    } catch (const UsageError& error) {
+      return usage(name(), error.what());
+    }
+  }
+
+ private:
+  /// The command that was being parsed.
+  const CLI::App& command() const {
+    const auto found = std::find_if(commands_.begin(), commands_.end(), [](const CLI::App* c) { return c->parsed(); });
+    return found == commands_.end() ? app_ : **found;
+  }
+  std::string name() const { return &command() == &app_ ? "leadscrew" : "leadscrew " + command().get_name(); }
+
+  Arguments arguments_;
+  Texts texts_;
+  CLI::App app_{"CNC part programs into motion.", "leadscrew"};
+  std::array<CLI::App*, 3> commands_{};
+};
+
+}  // namespace
+
+std::variant<Arguments, Answer> parse_arguments(int count, const char* const* values) {
+  if (auto answer = check_command(count, values)) return std::move(*answer);
+  return Parser().parse(count, values);
+}
+
+}  // namespace leadscrew::cli

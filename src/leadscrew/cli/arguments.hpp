@@ -1,0 +1,43 @@
+#pragma once
+// What the command line asks for.
+
+#include <leadscrew/base/time.hpp>
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/cli/status.hpp>
+#include <leadscrew/gcode/move.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace leadscrew::cli {
+
+struct Arguments {
+  enum class Command { run, check, verify };
+
+  Command command = Command::run;
+  std::vector<std::string> programs;   ///< one or more; of verify one
+  std::string judged_trace;            ///< of verify
+  std::optional<std::string> machine;  ///< file, or the name of a built-in machine
+  std::optional<std::string> tools;    ///< file
+  std::vector<AxisValue> start;        ///< machine coordinates, mm or degrees; axes not named start at zero
+  std::optional<base::Period> period;
+  std::optional<gcode::PathMode> mode;
+  std::optional<double> tolerance;  ///< mm
+  std::optional<std::string> trace, report, out;
+  bool json = false;
+  bool quiet = false;
+  ColorChoice color = ColorChoice::automatic;
+  std::string command_line;  ///< as a shell would take it
+};
+
+/// Instead of arguments: a text for standard output (help, version), or for standard error when the status is usage.
+struct Answer {
+  Status status = Status::done;
+  std::string text;
+};
+
+std::variant<Arguments, Answer> parse_arguments(int count, const char* const* values);
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,80 @@
+#include <cerrno>
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/check.hpp>
+#include <leadscrew/cli/command.hpp>
+#include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/run.hpp>
+#include <leadscrew/cli/verify.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+/// A file that is opened must not become standard output because that was closed: reading from and writing to what
+/// stands in its place fail.
+void occupy_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
+    // open() takes the lowest free number, which is this one.
+    static_cast<void>(::open("/dev/null", descriptor == STDOUT_FILENO ? O_RDONLY : O_WRONLY));
+  }
+}
+
+Status answer(const Answer& answer) {
+  Console console(ColorChoice::automatic, true);
+  if (answer.status == Status::done) return write_output(console, answer.text);
+  console.error_text(answer.text);
+  return answer.status;
+}
+
+std::string_view schema_of(Arguments::Command command) {
+  switch (command) {
+    case Arguments::Command::run:
+      return run_schema;
+    case Arguments::Command::check:
+      return check_schema;
+    case Arguments::Command::verify:
+      return verify_schema;
+  }
+  return run_schema;
+}
+
+/// No machine, no tools: nothing is known of any program. A usage error leaves standard output empty.
+Status end_without_job(const Arguments& arguments, const DiagnosticLog& log, Console& console) {
+  if (!arguments.json || log.status() == Status::usage || log.status() == Status::interrupted) return log.status();
+  std::vector<Json> objects;
+  for (const std::string& program : arguments.programs) {
+    objects.push_back(json_of_rejected(schema_of(arguments.command), program, {}, log));
+  }
+  return worse(log.status(), write_output(console, json_text(schema_of(arguments.command), std::move(objects))));
+}
+
+Status perform(const Arguments& arguments) {
+  Console console(arguments.color, arguments.quiet);
+  DiagnosticLog log(console);
+  const auto job = prepare_job(arguments, log);
+  if (!job) return end_without_job(arguments, log, console);
+  switch (arguments.command) {
+    case Arguments::Command::run:
+      return run(*job, console);
+    case Arguments::Command::check:
+      return check(*job, console);
+    case Arguments::Command::verify:
+      return verify(*job, console);
+  }
+  return Status::usage;
+}
+
+}  // namespace
+
+int command(int count, const char* const* values) {
+  occupy_standard_descriptors();
+  watch_signals();
+  const auto parsed = parse_arguments(count, values);
+  const auto* arguments = std::get_if<Arguments>(&parsed);
+  return static_cast<int>(arguments != nullptr ? perform(*arguments) : answer(std::get<Answer>(parsed)));
+}
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,96 @@
+#include <sys/ioctl.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/descriptor.hpp>
+#include <leadscrew/cli/diagnostic_text.hpp>
+#include <leadscrew/cli/progress_text.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+std::string_view sequence(Tone tone) {
+  switch (tone) {
+    case Tone::strong:
+      return "\033[1m";
+    case Tone::error:
+      return "\033[1;31m";
+    case Tone::warning:
+      return "\033[1;35m";
+    case Tone::note:
+      return "\033[1;36m";
+    case Tone::good:
+      return "\033[32m";
+    case Tone::faint:
+      return "\033[2m";
+  }
+  return "";
+}
+
+std::string_view environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+Style style_of(int descriptor, ColorChoice color) {
+  if (color != ColorChoice::automatic) return {color == ColorChoice::always};
+  const bool wanted = environment("NO_COLOR").empty() && environment("TERM") != "dumb";
+  return {wanted && ::isatty(descriptor) == 1};
+}
+
+int terminal_width() {
+  winsize size = {};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+}  // namespace
+
+std::string Style::operator()(Tone tone, std::string_view text) const {
+  if (!colored) return std::string(text);
+  return std::string(sequence(tone)).append(text).append("\033[0m");
+}
+
+Console::Console(ColorChoice color, bool quiet)
+    : output_style_(style_of(STDOUT_FILENO, color)),
+      error_style_(style_of(STDERR_FILENO, color)),
+      shows_progress_(!quiet && ::isatty(STDERR_FILENO) == 1 && environment("TERM") != "dumb") {}
+
+base::Result<void> Console::output(std::string_view text) {
+  clear_progress();
+  return write_all(STDOUT_FILENO, text, "standard output");
+}
+
+void Console::diagnostic(const base::Diagnostic& diagnostic) {
+  error_text(diagnostic_text(diagnostic, error_style_));
+}
+
+void Console::error_text(std::string_view text) {
+  clear_progress();
+  // There is nowhere to say that standard error cannot be written.
+  static_cast<void>(write_all(STDERR_FILENO, text, "standard error"));
+}
+
+void Console::begin_progress() {
+  begun_ = drawn_at_ = Clock::now();
+}
+
+void Console::progress(const Progress& progress) {
+  if (!shows_progress_) return;
+  const auto now = Clock::now();
+  if (now - drawn_at_ < std::chrono::milliseconds(100)) return;
+  drawn_at_ = now;
+  const double elapsed = std::chrono::duration<double>(now - begun_).count();
+  const std::string text = "\r" + progress_text(progress, elapsed, terminal_width() - 1) + "\033[K";
+  drawn_ = true;
+  static_cast<void>(write_all(STDERR_FILENO, text, "standard error"));
+}
+
+void Console::clear_progress() {
+  if (!drawn_) return;
+  drawn_ = false;
+  static_cast<void>(write_all(STDERR_FILENO, "\r\033[K", "standard error"));
+}
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,37 @@
+#pragma once
+// The diagnostics of one program: shown as they come, kept for JSON and the report.
+
+#include <cstdint>
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/status.hpp>
+#include <vector>
+
+namespace leadscrew::cli {
+
+class DiagnosticLog {
+ public:
+  explicit DiagnosticLog(Console& console) : console_(console) {}
+
+  void add(const base::Diagnostic& diagnostic) {
+    // Whoever pressed ^C knows.
+    const bool silent = diagnostic.code == "interrupted";
+    if (!silent) console_.diagnostic(diagnostic);
+    errors_ += diagnostic.severity == base::Severity::error ? 1 : 0;
+    warnings_ += diagnostic.severity == base::Severity::warning ? 1 : 0;
+    status_ = worse(status_, status_of(diagnostic));
+    all_.push_back(diagnostic);
+  }
+
+  std::int64_t errors() const { return errors_; }
+  std::int64_t warnings() const { return warnings_; }
+  const std::vector<base::Diagnostic>& all() const { return all_; }
+  Status status() const { return status_; }
+
+ private:
+  Console& console_;
+  std::vector<base::Diagnostic> all_;  ///< the reader ends a program with too many
+  std::int64_t errors_ = 0, warnings_ = 0;
+  Status status_ = Status::done;
+};
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,41 @@
+#pragma once
+// What one program's run, check or verification found: what the summary and JSON show.
+
+#include <cstdint>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/time.hpp>
+#include <leadscrew/cli/cycle_times.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/referee/referee.hpp>
+#include <string>
+#include <vector>
+
+namespace leadscrew::cli {
+
+/// Where the time of the computer went, in seconds of the steady clock.
+struct Effort {
+  double read = 0;   ///< the program, whole, for its diagnostics
+  double plan = 0;   ///< all calls that prepare words
+  double words = 0;  ///< all calls that make words
+  CycleTimes cycles;
+};
+
+struct RunFigures {
+  pipeline::Summary summary;
+  referee::Verdict verdict;
+  Effort effort;
+  std::vector<std::string> files;  ///< written
+
+  /// Did the motion keep what it must, by plan and by referee?
+  bool kept() const;
+};
+
+struct VerifyFigures {
+  std::string trace;
+  base::Period period;
+  referee::Verdict verdict;
+};
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,18 @@
+#pragma once
+// ^C and its relatives. Signals only raise a flag; whoever works for long looks at it, cleans up and leaves. System
+// calls that wait return early (EINTR), so that the flag is seen there too.
+
+#include <leadscrew/base/diagnostic.hpp>
+
+namespace leadscrew::cli {
+
+/// SIGINT and SIGTERM raise the flag, and SIGHUP unless it was ignored. Closed pipes and full disks become errors of
+/// write() instead of signals.
+void watch_signals();
+
+bool interrupted();
+
+/// What ends a command once interrupted() is true.
+base::Diagnostic interruption();
+
+}  // namespace leadscrew::cli

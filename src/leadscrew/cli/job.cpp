@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <leadscrew/cli/job.hpp>
+#include <leadscrew/cli/machine_file.hpp>
+#include <leadscrew/gcode/tool_table.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr std::string_view built_in = "mill3";
+
+machine::Machine read_machine_file(const std::string& path, DiagnosticLog& log) {
+  const auto text = read_whole(path);
+  if (!text) {
+    base::Diagnostic problem = text.error();
+    if (problem.code == "io-open" && problem.hint.empty()) problem.hint = "give a machine file; built in is mill3";
+    log.add(problem);
+    return {};
+  }
+  MachineFile file = read_machine(*text, path);
+  for (const base::Diagnostic& problem : file.diagnostics) log.add(problem);
+  return file.machine;
+}
+
+machine::ToolTable read_tools(const std::string& path, DiagnosticLog& log) {
+  const auto text = read_whole(path);
+  if (!text) {
+    log.add(text.error());
+    return {};
+  }
+  gcode::ToolTableText tools = gcode::read_tool_table(*text, path);
+  for (const base::Diagnostic& problem : tools.diagnostics) log.add(problem);
+  return tools.table;
+}
+
+void usage(DiagnosticLog& log, std::string message, std::string hint) {
+  log.add({base::Severity::error, "usage", std::move(message), std::move(hint), {}, {}});
+}
+
+std::string axis_letters(const machine::Machine& machine) {
+  std::string letters;
+  for (const base::Axis axis : base::all_axes) {
+    if (machine.has(axis)) letters += fmt::format("{}{}", letters.empty() ? "" : " ", base::letter(axis));
+  }
+  return letters;
+}
+
+void take_start(const AxisValue& given, Job& job, DiagnosticLog& log) {
+  const auto [axis, value] = given;
+  const char letter = base::letter(axis);
+  if (!job.machine.has(axis)) {
+    return usage(log, fmt::format("--start {}{}: machine {} has no axis {}", letter, value, job.machine.name, letter),
+                 fmt::format("it has {}", axis_letters(job.machine)));
+  }
+  const machine::AxisLimits& limits = job.machine.limits(axis);
+  if (value < limits.travel_min || value > limits.travel_max) {
+    return usage(log, fmt::format("--start {}{}: outside the travel of axis {}", letter, value, letter),
+                 fmt::format("from {} to {}", limits.travel_min, limits.travel_max));
+  }
+  job.start[base::index(axis)] = value;
+}
+
+bool is_motion(const gcode::Move& move) {
+  return move.kind == gcode::Move::Kind::line || move.kind == gcode::Move::Kind::arc;
+}
+
+}  // namespace
+
+gcode::ReaderOptions Job::reader_options(const std::string& file) const {
+  gcode::ReaderOptions options;
+  options.file = file;
+  options.start = start;
+  options.path_mode = arguments.mode;
+  options.tolerance = arguments.tolerance;
+  return options;
+}
+
+std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
+  Job job{arguments, machine::mill3(), {}, {}};
+  if (arguments.machine && *arguments.machine != built_in) job.machine = read_machine_file(*arguments.machine, log);
+  if (arguments.tools) job.tools = read_tools(*arguments.tools, log);
+  if (log.errors() > 0) return std::nullopt;
+  if (arguments.period) job.machine.period = *arguments.period;
+  for (const AxisValue& value : arguments.start) take_start(value, job, log);
+  if (log.errors() > 0) return std::nullopt;
+  return job;
+}
+
+Reading read_program(const InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
+  constexpr std::int64_t moves_between_looks = 4096;
+  const auto begin = std::chrono::steady_clock::now();
+  Progress progress{.work = "reading", .total = file.size()};
+  console.begin_progress();
+  gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file.name()),
+                       [&](const base::Diagnostic& problem) { log.add(problem); });
+  Reading reading;
+  gcode::Move move;
+  for (std::int64_t count = 1; reader.next(move); ++count) {
+    if (is_motion(move)) ++reading.moves;
+    if (count % moves_between_looks == 0) console.progress(progress);
+  }
+  console.clear_progress();
+  if (reader.source_failure()) log.add(*reader.source_failure());
+  reading.blocks = reader.blocks();
+  reading.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return reading;
+}
+
+gcode::Reader silent_reader(const InputFile& file, const Job& job) {
+  return gcode::Reader(file.source(), job.machine, job.tools, job.reader_options(file.name()), nullptr);
+}
+
+}  // namespace leadscrew::cli

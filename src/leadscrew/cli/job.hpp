@@ -1,0 +1,40 @@
+#pragma once
+// What every program of one command line has in common: the machine, the tools, and how programs are read.
+
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/diagnostic_log.hpp>
+#include <leadscrew/cli/input_file.hpp>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/machine/tool_table.hpp>
+#include <optional>
+#include <string>
+
+namespace leadscrew::cli {
+
+struct Job {
+  Arguments arguments;
+  machine::Machine machine;  ///< with the period of the command line
+  machine::ToolTable tools;
+  base::AxisVector start{};  ///< machine coordinates, mm or degrees
+
+  gcode::ReaderOptions reader_options(const std::string& file) const;
+};
+
+/// Opens the machine file and the tool table. Nothing if the log now has errors.
+std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log);
+
+/// What reading a whole program tells before anything moves.
+struct Reading {
+  std::int64_t blocks = 0;
+  std::int64_t moves = 0;  ///< lines and arcs
+  double seconds = 0;      ///< that reading took
+};
+
+/// Reads the program whole; its problems, and those of its file, go to the log.
+Reading read_program(const InputFile& file, const Job& job, Console& console, DiagnosticLog& log);
+
+/// A reader over the file that says nothing: for programs that have been read whole.
+gcode::Reader silent_reader(const InputFile& file, const Job& job);
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,31 @@
+#pragma once
+// Results as JSON, by the schemas of the command-line contract.
+
+#include <leadscrew/cli/diagnostic_log.hpp>
+#include <leadscrew/cli/figures.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace leadscrew::cli {
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr std::string_view run_schema = "leadscrew.run/1";
+inline constexpr std::string_view check_schema = "leadscrew.check/1";
+inline constexpr std::string_view verify_schema = "leadscrew.verify/1";
+
+/// For what got no further than its diagnostics: {schema, program, machine, diagnostics}. `machine` may be empty.
+Json json_of_rejected(std::string_view schema, const std::string& program, const std::string& machine,
+                      const DiagnosticLog& log);
+
+Json json_of_run(const std::string& program, const Job& job, const RunFigures& figures, const DiagnosticLog& log);
+Json json_of_check(const std::string& program, const Job& job, const Reading& reading, const DiagnosticLog& log);
+Json json_of_verify(const std::string& program, const Job& job, const VerifyFigures& figures, const DiagnosticLog& log);
+
+/// The one object that goes to standard output: that of the program, or of several {schema, programs: […]}.
+std::string json_text(std::string_view schema, std::vector<Json> objects);
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,109 @@
+#include <sys/stat.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/output_file.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+/// A hidden name in the folder of the target, unlike any other this process or another uses.
+std::string temporary_name(const std::string& target) {
+  static std::atomic<int> serial{0};
+  const auto folder = std::filesystem::path(target).parent_path();
+  return folder / (".leadscrew-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp");
+}
+
+/// Where links lead, so that a link stays and the file behind it is replaced.
+std::string resolved(const std::string& path) {
+  std::error_code error;
+  const auto target = std::filesystem::canonical(path, error);
+  return error ? path : target.string();
+}
+
+}  // namespace
+
+base::Result<OutputFile> OutputFile::create(const std::string& path, Access access) {
+  OutputFile file;
+  file.path_ = path;
+  struct stat existing = {};
+  const bool exists = ::stat(path.c_str(), &existing) == 0;
+  if (exists && S_ISDIR(existing.st_mode)) {
+    return base::failure(system_failure("io-open", "cannot write", path, EISDIR));
+  }
+  if (exists && !S_ISREG(existing.st_mode)) {
+    auto opened = open_descriptor(path, O_WRONLY, "cannot write");
+    if (!opened) return base::failure(opened.error());
+    file.descriptor_ = std::move(*opened);
+    if (access == Access::rewritable && ::lseek(file.descriptor_.number(), 0, SEEK_CUR) < 0) {
+      return base::failure(system_failure("io-open", "cannot hold this format", path, errno));
+    }
+    return file;
+  }
+  file.target_ = exists ? resolved(path) : path;
+  if (auto opened = file.open_temporary(); !opened) return base::failure(opened.error());
+  if (exists) ::fchmod(file.descriptor_.number(), existing.st_mode & 0777);
+  return file;
+}
+
+base::Result<void> OutputFile::open_temporary() {
+  while (true) {
+    const std::string name = temporary_name(target_);
+    const int number = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (number >= 0) {
+      descriptor_ = Descriptor(number);
+      temporary_ = name;
+      return {};
+    }
+    if (interrupted()) return base::failure(interruption());
+    if (errno != EINTR && errno != EEXIST) {
+      return base::failure(system_failure("io-open", "cannot write", path_, errno));
+    }
+  }
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : descriptor_(std::move(other.descriptor_)),
+      path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})) {}
+
+OutputFile::~OutputFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+base::Result<void> OutputFile::write(std::string_view bytes) {
+  return write_all(descriptor_.number(), bytes, path_);
+}
+
+base::Result<void> OutputFile::rewrite_start(std::string_view bytes) {
+  if (::lseek(descriptor_.number(), 0, SEEK_SET) < 0) {
+    return base::failure(system_failure("io-write", "cannot write", path_, errno));
+  }
+  return write(bytes);
+}
+
+trace::ByteSink OutputFile::sink() {
+  return [this](std::string_view bytes) { return write(bytes); };
+}
+
+base::Result<void> OutputFile::close() {
+  if (::close(descriptor_.release()) == 0 || errno == EINTR) return {};
+  return base::failure(system_failure("io-write", "cannot write", path_, errno));
+}
+
+base::Result<void> OutputFile::publish() {
+  if (temporary_.empty()) return {};
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    return base::failure(system_failure("io-write", "cannot write", path_, errno));
+  }
+  temporary_.clear();
+  return {};
+}
+
+}  // namespace leadscrew::cli

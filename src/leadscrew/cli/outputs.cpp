@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <leadscrew/cli/outputs.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+base::AxisSet axes_of(const machine::Machine& machine) {
+  base::AxisSet axes;
+  for (const base::Axis axis : base::all_axes) {
+    if (machine.has(axis)) axes.insert(axis);
+  }
+  return axes;
+}
+
+std::string extension(const std::string& path) {
+  std::string text = std::filesystem::path(path).extension();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// /dev/null, a pipe: what exists and is no regular file.
+bool is_special(const std::string& path) {
+  struct stat status = {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+tl::unexpected<base::Diagnostic> usage(std::string message, std::string hint) {
+  return base::failure({base::Severity::error, "usage", std::move(message), std::move(hint), {}, {}});
+}
+
+base::Result<void> make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return base::failure(system_failure("io-open", "cannot make the folder", folder, error.value()));
+  return {};
+}
+
+base::Result<std::unique_ptr<OutputFile>> create(const std::string& path, OutputFile::Access access) {
+  auto file = OutputFile::create(path, access);
+  if (!file) return base::failure(file.error());
+  return std::make_unique<OutputFile>(std::move(*file));
+}
+
+}  // namespace
+
+OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
+  OutputPaths paths{arguments.trace, arguments.report};
+  if (!arguments.out) return paths;
+  const std::string stem = program == "-" ? "stdin" : std::filesystem::path(program).stem().string();
+  const std::string base = (std::filesystem::path(*arguments.out) / stem).string();
+  if (!paths.trace) paths.trace = base + ".csv";
+  if (!paths.report) paths.report = base + ".html";
+  return paths;
+}
+
+base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program) {
+  for (const auto& path : {paths.trace, paths.report}) {
+    if (path && program.is_same(*path)) {
+      return usage(fmt::format("{} is the program itself", *path), "choose another name for what is written");
+    }
+  }
+  if (!paths.trace || is_special(*paths.trace)) return {};
+  const std::string ending = extension(*paths.trace);
+  if (ending == ".csv" || ending == ".npy") return {};
+  return usage(fmt::format("--trace {}: ends in neither .csv nor .npy", *paths.trace), "the ending says the format");
+}
+
+base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
+  Outputs outputs(job);
+  if (job.arguments.out) {
+    if (auto made = make_folder(*job.arguments.out); !made) return base::failure(made.error());
+  }
+  if (paths.trace) {
+    if (auto opened = outputs.open_trace(*paths.trace); !opened) return base::failure(opened.error());
+  }
+  if (paths.report) {
+    auto file = create(*paths.report, OutputFile::Access::sequential);
+    if (!file) return base::failure(file.error());
+    outputs.report_ = std::move(*file);
+    outputs.recording_.emplace(job.machine, job.machine.period);
+  }
+  return outputs;
+}
+
+base::Result<void> Outputs::open_trace(const std::string& path) {
+  const bool is_npy = extension(path) == ".npy";
+  auto file = create(path, is_npy ? OutputFile::Access::rewritable : OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  trace_ = std::move(*file);
+  const base::AxisSet axes = axes_of(job_->machine);
+  if (is_npy) {
+    writer_.emplace<trace::NpyWriter>(trace_->sink(), axes, job_->machine.period);
+  } else {
+    writer_.emplace<trace::CsvWriter>(trace_->sink(), axes, job_->machine.period);
+  }
+  return {};
+}
+
+base::Result<void> Outputs::write(const base::Word& word) {
+  if (recording_) recording_->observe(word);
+  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->write(word);
+  if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) return npy->write(word);
+  return {};
+}
+
+base::Result<void> Outputs::write_report(const trace::Report& report) {
+  return trace::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink());
+}
+
+base::Result<void> Outputs::finish_trace() {
+  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->finish();
+  auto* npy = std::get_if<trace::NpyWriter>(&writer_);
+  if (npy == nullptr) return {};
+  if (auto finished = npy->finish(); !finished) return finished;
+  return trace_->rewrite_start(npy->header());
+}
+
+base::Result<std::vector<std::string>> Outputs::publish() {
+  if (auto finished = finish_trace(); !finished) return base::failure(finished.error());
+  std::vector<std::string> paths;
+  for (OutputFile* file : {trace_.get(), report_.get()}) {
+    if (file == nullptr) continue;
+    if (auto closed = file->close(); !closed) return base::failure(closed.error());
+  }
+  for (OutputFile* file : {trace_.get(), report_.get()}) {
+    if (file == nullptr) continue;
+    if (auto published = file->publish(); !published) return base::failure(published.error());
+    paths.push_back(file->path());
+  }
+  return paths;
+}
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,57 @@
+#pragma once
+// The files of one run: a trace, a report. They appear together when all is done, or not at all.
+
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <leadscrew/cli/output_file.hpp>
+#include <leadscrew/trace/recording.hpp>
+#include <leadscrew/trace/report.hpp>
+#include <leadscrew/trace/words.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace leadscrew::cli {
+
+/// Which files a run was asked to write.
+struct OutputPaths {
+  std::optional<std::string> trace, report;
+};
+
+/// --trace and --report, or DIR/NAME.csv and DIR/NAME.html where --out stands for them. `program`: path, "-" is
+/// standard input.
+OutputPaths output_paths(const Arguments& arguments, const std::string& program);
+
+/// What is wrong with these paths before anything is done: a name that is neither .csv nor .npy, or that of the program
+/// itself.
+base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program);
+
+class Outputs {
+ public:
+  /// Opens what was asked for; makes the folder of --out. The job must outlive the outputs.
+  static base::Result<Outputs> open(const OutputPaths& paths, const Job& job);
+
+  base::Result<void> write(const base::Word& word);
+
+  /// What a report is made of; nothing where none was asked for.
+  const trace::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
+  base::Result<void> write_report(const trace::Report& report);
+  /// Ends the trace and gives all files their names; returns these.
+  base::Result<std::vector<std::string>> publish();
+
+ private:
+  using Writer = std::variant<std::monostate, trace::CsvWriter, trace::NpyWriter>;
+
+  explicit Outputs(const Job& job) : job_(&job) {}
+  base::Result<void> open_trace(const std::string& path);
+  base::Result<void> finish_trace();
+
+  const Job* job_;
+  std::unique_ptr<OutputFile> trace_, report_;  ///< their sinks refer to them
+  Writer writer_;
+  std::optional<trace::Recording> recording_;
+};
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,30 @@
+#pragma once
+// The same work for each program of the command line, and what it found on standard output.
+
+#include <functional>
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <leadscrew/cli/status.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::cli {
+
+struct ProgramResult {
+  Status status = Status::done;
+  nlohmann::ordered_json json;
+  std::string summary;  ///< may be empty
+};
+
+using ProgramWork = std::function<ProgramResult(const std::string& program)>;
+
+/// Works on one program after the other, whatever becomes of those before; only an interruption, or a standard output
+/// that cannot be written, ends the row. Returns the greatest status.
+Status for_each_program(const Job& job, Console& console, std::string_view schema, const ProgramWork& work);
+
+/// Writes to standard output. Says why if it cannot, but keeps silent where a reader has closed the pipe.
+Status write_output(Console& console, std::string_view text);
+
+}  // namespace leadscrew::cli

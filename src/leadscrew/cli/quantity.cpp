@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <leadscrew/cli/quantity.hpp>
+#include <optional>
+
+namespace leadscrew::cli {
+
+namespace {
+
+auto wrong(std::string message) {
+  return tl::unexpected<std::string>(std::move(message));
+}
+
+std::optional<base::Axis> axis_of(char letter) {
+  const char upper = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  for (const base::Axis axis : base::all_axes) {
+    if (base::letter(axis) == upper) return axis;
+  }
+  return std::nullopt;
+}
+
+Parsed<AxisValue> parse_axis_value(std::string_view text) {
+  if (text.empty()) return wrong("an axis is missing between commas");
+  const auto axis = axis_of(text.front());
+  if (!axis) return wrong(fmt::format("'{}' does not begin with an axis (X Y Z A B C U V W)", text));
+  const auto value = parse_number(text.substr(1));
+  if (!value) return wrong(fmt::format("'{}': {}", text, value.error()));
+  return AxisValue{*axis, *value};
+}
+
+}  // namespace
+
+Parsed<double> parse_number(std::string_view text) {
+  const std::string_view digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+    return wrong("is not a number");
+  return value;
+}
+
+Parsed<base::Period> parse_period(std::string_view text) {
+  const auto unit_begin = std::find_if(text.begin(), text.end(), [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
+  });
+  const auto digits = static_cast<std::size_t>(unit_begin - text.begin());
+  const std::string_view unit = text.substr(digits);
+  double nanoseconds = 0;
+  if (unit == "ms")
+    nanoseconds = 1e6;
+  else if (unit == "us" || unit == "µs" || unit == "μs")
+    nanoseconds = 1e3;
+  else if (unit == "ns")
+    nanoseconds = 1;
+  else
+    return wrong("needs a number and a unit, such as 1ms or 250us");
+  const auto value = parse_number(text.substr(0, digits));
+  if (!value) return wrong("needs a number and a unit, such as 1ms or 250us");
+  nanoseconds *= *value;
+  if (!(nanoseconds >= 10e3 && nanoseconds <= 20e6)) return wrong("lies outside 10us to 20ms");
+  const double whole = std::round(nanoseconds);
+  if (std::abs(nanoseconds - whole) > 1e-6) return wrong("is not a whole number of nanoseconds");
+  return base::Period{static_cast<std::int64_t>(whole)};
+}
+
+Parsed<double> parse_tolerance(std::string_view text) {
+  const auto value = parse_number(text);
+  if (!value) return wrong("needs a number of millimetres, such as 0.01");
+  if (*value < 0) return wrong("is below 0");
+  return value;
+}
+
+Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text) {
+  std::vector<AxisValue> values;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const auto value = parse_axis_value(text.substr(0, comma));
+    if (!value) return wrong(value.error());
+    const bool twice =
+        std::any_of(values.begin(), values.end(), [&](auto& other) { return other.first == value->first; });
+    if (twice) return wrong(fmt::format("axis {} is given twice", base::letter(value->first)));
+    values.push_back(*value);
+    if (comma == std::string_view::npos) return values;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::string period_text(base::Period period) {
+  const auto nanoseconds = static_cast<double>(period.nanoseconds);
+  return period.nanoseconds >= 1'000'000 ? fmt::format("{} ms", nanoseconds / 1e6)
+                                         : fmt::format("{} us", nanoseconds / 1e3);
+}
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,141 @@
+#include <chrono>
+#include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/report_form.hpp>
+#include <leadscrew/cli/run.hpp>
+#include <leadscrew/cli/summary_text.hpp>
+#include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/referee/referee.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t words_between_looks = 1024;
+
+double seconds(Clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+/// Times what prepares and what makes each word.
+class StopWatch {
+ public:
+  template <class Work>
+  auto prepare(Work&& work) {
+    const auto begin = Clock::now();
+    auto result = work();
+    planning_ += Clock::now() - begin;
+    return result;
+  }
+
+  template <class Work>
+  auto cycle(Work&& work) {
+    const auto begin = Clock::now();
+    auto result = work();
+    const auto duration = Clock::now() - begin;
+    cycling_ += duration;
+    cycles_.observe(std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count());
+    return result;
+  }
+
+  Effort effort(double read_seconds) const { return {read_seconds, seconds(planning_), seconds(cycling_), cycles_}; }
+
+ private:
+  Clock::duration planning_{}, cycling_{};
+  CycleTimes cycles_;
+};
+
+class ProgramRun {
+ public:
+  ProgramRun(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
+      : program_(program), job_(job), console_(console), log_(log) {}
+
+  /// Nothing where the log says why.
+  std::optional<RunFigures> execute() {
+    const auto file = InputFile::open(program_);
+    if (!file) return failed(file.error());
+    const OutputPaths paths = output_paths(job_.arguments, program_);
+    if (auto sound = check_paths(paths, *file); !sound) return failed(sound.error());
+    const Reading reading = read_program(*file, job_, console_, log_);
+    if (log_.errors() > 0) return std::nullopt;
+    auto figures = move(*file, paths, reading);
+    console_.clear_progress();
+    if (!figures) return failed(figures.error());
+    return std::move(*figures);
+  }
+
+ private:
+  std::nullopt_t failed(const base::Diagnostic& problem) {
+    log_.add(problem);
+    return std::nullopt;
+  }
+
+  base::Result<RunFigures> move(const InputFile& file, const OutputPaths& paths, const Reading& reading) {
+    auto outputs = Outputs::open(paths, job_);
+    if (!outputs) return base::failure(outputs.error());
+    auto figures = make_words(file, *outputs, reading);
+    if (!figures) return figures;
+    if (auto same = file.unchanged(); !same) return base::failure(same.error());
+    if (outputs->recording() != nullptr) {
+      const auto report = report_of(file, job_, *figures, log_, *outputs->recording());
+      if (!report) return base::failure(report.error());
+      if (auto written = outputs->write_report(*report); !written) return base::failure(written.error());
+    }
+    if (interrupted()) return base::failure(interruption());
+    auto files = outputs->publish();
+    if (!files) return base::failure(files.error());
+    figures->files = std::move(*files);
+    return figures;
+  }
+
+  base::Result<RunFigures> make_words(const InputFile& file, Outputs& outputs, const Reading& reading) {
+    Progress progress{.work = "moving", .total = file.size()};
+    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
+                              nullptr);
+    gcode::Reader reader = silent_reader(file, job_);
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
+    StopWatch watch;
+    console_.begin_progress();
+    while (watch.prepare([&] { return program.prepare(); })) {
+      const base::Word word = watch.cycle([&] { return program.cycle(); });
+      referee.observe(word.position);
+      if (auto written = outputs.write(word); !written) return base::failure(written.error());
+      if (base::count(word.tick) % words_between_looks != 0) continue;
+      if (interrupted()) return base::failure(interruption());
+      progress.words = base::count(word.tick);
+      progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
+      console_.progress(progress);
+    }
+    if (program.source_failure()) return base::failure(*program.source_failure());
+    referee::Verdict verdict = referee.conclude();
+    if (reader.source_failure()) return base::failure(*reader.source_failure());
+    return RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds), {}};
+  }
+
+  std::string program_;
+  const Job& job_;
+  Console& console_;
+  DiagnosticLog& log_;
+};
+
+ProgramResult run_program(const std::string& program, const Job& job, Console& console) {
+  DiagnosticLog log(console);
+  const std::string name = program == "-" ? "<stdin>" : program;
+  const auto figures = ProgramRun(program, job, console, log).execute();
+  if (!figures) return {log.status(), json_of_rejected(run_schema, name, job.machine.name, log), {}};
+  return {figures->kept() ? Status::done : Status::not_kept, json_of_run(name, job, *figures, log),
+          run_summary(name, job, *figures, console.output_style())};
+}
+
+}  // namespace
+
+Status run(const Job& job, Console& console) {
+  return for_each_program(job, console, run_schema,
+                          [&](const std::string& program) { return run_program(program, job, console); });
+}
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,30 @@
+#pragma once
+// What the command says to the shell that started it.
+
+#include <leadscrew/base/diagnostic.hpp>
+
+namespace leadscrew::cli {
+
+/// Exit status. Of several programs the greatest counts.
+enum class Status : int {
+  done = 0,
+  not_kept = 1,      ///< a limit or tolerance was not kept, or the referee objects
+  usage = 2,         ///< the command line makes no sense
+  rejected = 3,      ///< a program, machine file, tool table or trace has errors
+  input_output = 4,  ///< a file cannot be opened, read on or written
+  interrupted = 130,
+};
+
+constexpr Status worse(Status a, Status b) {
+  return static_cast<int>(a) > static_cast<int>(b) ? a : b;
+}
+
+/// The status of a command that ended with this diagnostic: codes that begin with "io-" are those of files.
+inline Status status_of(const base::Diagnostic& diagnostic) {
+  if (diagnostic.severity != base::Severity::error) return Status::done;
+  if (diagnostic.code == "interrupted") return Status::interrupted;
+  if (diagnostic.code == "usage") return Status::usage;
+  return diagnostic.code.substr(0, 3) == "io-" ? Status::input_output : Status::rejected;
+}
+
+}  // namespace leadscrew::cli

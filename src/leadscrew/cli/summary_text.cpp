@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <leadscrew/cli/diagnostic_text.hpp>
+#include <leadscrew/cli/progress_text.hpp>
+#include <leadscrew/cli/summary_text.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr std::size_t most_violations = 5;
+
+/// A ratio as a percentage of the limit, red where the limit is passed by more than 0.1 %.
+std::string percent(double ratio, const Style& style) {
+  const std::string text = fmt::format("{:8.1f} %", ratio * 100);
+  return ratio > 1.001 ? style(Tone::error, text) : text;
+}
+
+std::string seconds_text(double seconds) {
+  return seconds < 60 ? fmt::format("{:.4f} s", seconds) : fmt::format("{:.3f} s ({})", seconds, clock_text(seconds));
+}
+
+std::string counted(std::int64_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string row(std::string_view name, const std::string& value) {
+  return fmt::format("  {:<10} {}\n", name, value);
+}
+
+std::string heading(const std::string& program, const std::string& machine, base::Period period, const Style& style) {
+  return fmt::format("{} on {}, period {}\n", style(Tone::strong, printable(program)), printable(machine),
+                     period_text(period));
+}
+
+std::string deviation_text(double deviation, double tolerance) {
+  return fmt::format("{:.3g} mm, tolerance {:g} mm", deviation, tolerance);
+}
+
+std::string feed_text(double programmed_mm_s, double max_ratio) {
+  if (programmed_mm_s == 0) return "rapids only";
+  return fmt::format("programmed up to {:g} mm/min, reached {:.1f} % of it", programmed_mm_s * 60, max_ratio * 100);
+}
+
+std::string axis_table(const referee::Verdict& verdict, const planner::LimitRatios* plan, const Style& style) {
+  std::string text = style(
+      Tone::faint, plan == nullptr
+                       ? "  axis    velocity   accel.     jerk    of its limit"
+                       : "  axis    velocity   accel.     jerk    of its limit; by plan:  velocity   accel.     jerk");
+  text += '\n';
+  for (const referee::AxisVerdict& axis : verdict.axes) {
+    text += fmt::format("  {:<4} {}{}{}", base::letter(axis.axis), percent(axis.velocity_ratio, style),
+                        percent(axis.acceleration_ratio, style), percent(axis.jerk_ratio, style));
+    if (plan != nullptr) {
+      const planner::AxisRatios& ratios = (*plan)[base::index(axis.axis)];
+      text += fmt::format("{:24}{}{}{}", "", percent(ratios.velocity, style), percent(ratios.acceleration, style),
+                          percent(ratios.jerk, style));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string violations_text(const referee::Verdict& verdict, const Style& style) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(verdict.violations.size(), most_violations); ++i) {
+    const referee::Violation& violation = verdict.violations[i];
+    text += fmt::format("  {} t = {:.4f} s, line {}: {} is {:.6g}, limit {:.6g}\n", style(Tone::error, "!"),
+                        violation.t, base::number(violation.line), violation.what, violation.value, violation.limit);
+  }
+  const auto shown = static_cast<std::int64_t>(std::min(verdict.violations.size(), most_violations));
+  if (verdict.violation_count > shown) text += fmt::format("  … and {} more\n", verdict.violation_count - shown);
+  return text;
+}
+
+std::string verdict_text(bool kept, const Style& style) {
+  return "  " +
+         (kept ? style(Tone::good, "kept: every limit and the tolerance")
+               : style(Tone::error, "NOT kept: a limit or the tolerance")) +
+         "\n";
+}
+
+}  // namespace
+
+std::string run_summary(const std::string& program, const Job& job, const RunFigures& figures, const Style& style) {
+  const pipeline::Summary& summary = figures.summary;
+  const referee::Verdict& verdict = figures.verdict;
+  std::string time = seconds_text(summary.time_s);
+  if (summary.dwell_s > 0) time += fmt::format(", {:g} s of it dwell", summary.dwell_s);
+  std::string text = heading(program, job.machine.name, job.machine.period, style);
+  text += row("time", time);
+  text += row("length", fmt::format("{:.3f} mm: {}, {}", summary.length_mm, counted(summary.blocks, "block"),
+                                    counted(summary.moves, "move")));
+  text += row("words", fmt::format("{}", summary.words));
+  text += row("feed", feed_text(summary.feed_programmed_max, verdict.feed_max_ratio));
+  text += row("deviation", deviation_text(verdict.deviation_mm, summary.tolerance_mm));
+  text += axis_table(verdict, &summary.plan, style);
+  text += violations_text(verdict, style);
+  text += verdict_text(figures.kept(), style);
+  for (const std::string& file : figures.files) text += row("wrote", printable(file));
+  return text;
+}
+
+std::string check_summary(const std::string& program, const Reading& reading, const DiagnosticLog& log,
+                          const Style& style) {
+  const std::string problems = log.errors() > 0
+                                   ? style(Tone::error, fmt::format("{}, {}", counted(log.errors(), "error"),
+                                                                    counted(log.warnings(), "warning")))
+                               : log.warnings() > 0 ? style(Tone::warning, counted(log.warnings(), "warning"))
+                                                    : style(Tone::good, "no problem");
+  return fmt::format("{}: {}, {}: {}\n", style(Tone::strong, printable(program)), counted(reading.blocks, "block"),
+                     counted(reading.moves, "move"), problems);
+}
+
+std::string verify_summary(const std::string& program, const Job& job, const VerifyFigures& figures,
+                           const Style& style) {
+  const referee::Verdict& verdict = figures.verdict;
+  std::string text = heading(figures.trace + " against " + program, job.machine.name, figures.period, style);
+  text += row("time", seconds_text(verdict.time_s));
+  text += row("feed", feed_text(verdict.feed_programmed_max, verdict.feed_max_ratio));
+  text += row("deviation", deviation_text(verdict.deviation_mm, verdict.tolerance_mm));
+  text += row("ends", fmt::format("{:.3g} mm off at the start, {:.3g} mm at the end", verdict.start_error_mm,
+                                  verdict.end_error_mm));
+  text += axis_table(verdict, nullptr, style);
+  text += violations_text(verdict, style);
+  text += verdict_text(!verdict.objects(), style);
+  return text;
+}
+
+}  // namespace leadscrew::cli

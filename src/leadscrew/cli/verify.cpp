@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/summary_text.hpp>
+#include <leadscrew/cli/trace_period.hpp>
+#include <leadscrew/cli/verify.hpp>
+#include <leadscrew/referee/referee.hpp>
+#include <leadscrew/trace/words.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr std::int64_t rows_between_looks = 1024;
+
+base::AxisSet axes_of(const machine::Machine& machine) {
+  base::AxisSet axes;
+  for (const base::Axis axis : base::all_axes) {
+    if (machine.has(axis)) axes.insert(axis);
+  }
+  return axes;
+}
+
+class Verification {
+ public:
+  Verification(const Job& job, Console& console, DiagnosticLog& log)
+      : job_(job), machine_(job.machine), console_(console), log_(log) {}
+
+  /// Nothing where the log says why.
+  std::optional<VerifyFigures> execute(const std::string& trace, const std::string& program) {
+    const auto trace_file = InputFile::open(trace);
+    if (!trace_file) log_.add(trace_file.error());
+    const auto program_file = InputFile::open(program);
+    if (!program_file) log_.add(program_file.error());
+    if (log_.errors() > 0) return std::nullopt;
+    read_program(*program_file, job_, console_, log_);
+    if (log_.errors() > 0) return std::nullopt;
+    auto figures = judge(*trace_file, *program_file);
+    console_.clear_progress();
+    if (figures) return std::move(*figures);
+    log_.add(figures.error());
+    return std::nullopt;
+  }
+
+ private:
+  base::Result<VerifyFigures> judge(const InputFile& trace, const InputFile& program) {
+    const auto period = job_.arguments.period ? base::Result<base::Period>(*job_.arguments.period)
+                                              : trace_period(trace, axes_of(machine_), machine_.period);
+    if (!period) return base::failure(period.error());
+    machine_.period = *period;
+    auto verdict = verdict_on(trace, program);
+    if (!verdict) return base::failure(verdict.error());
+    for (const InputFile* file : {&trace, &program}) {
+      if (auto same = file->unchanged(); !same) return base::failure(same.error());
+    }
+    return VerifyFigures{trace.name(), *period, std::move(*verdict)};
+  }
+
+  base::Result<referee::Verdict> verdict_on(const InputFile& trace, const InputFile& program) {
+    Progress progress{.work = "judging", .total = trace.size()};
+    auto rows = trace::TraceReader::open(trace.source(&progress.bytes), trace.name(), axes_of(machine_));
+    if (!rows) return base::failure(rows.error());
+    note_absent_axes(rows->axes(), trace.name());
+    gcode::Reader reader = silent_reader(program, job_);
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine_, machine_.period);
+    console_.begin_progress();
+    while (true) {
+      const auto row = rows->next();
+      if (!row) return base::failure(row.error());
+      if (!*row) break;
+      referee.observe(completed((*row)->position, rows->axes()));
+      if (++progress.words % rows_between_looks != 0) continue;
+      progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
+      console_.progress(progress);
+    }
+    referee::Verdict verdict = referee.conclude();
+    if (reader.source_failure()) return base::failure(*reader.source_failure());
+    return verdict;
+  }
+
+  /// Axes without a column stand where the program begins.
+  base::AxisVector completed(base::AxisVector position, base::AxisSet given) const {
+    for (const base::Axis axis : base::all_axes) {
+      if (!given.contains(axis)) position[base::index(axis)] = job_.start[base::index(axis)];
+    }
+    return position;
+  }
+
+  void note_absent_axes(base::AxisSet given, const std::string& trace) {
+    for (const base::Axis axis : base::all_axes) {
+      if (!machine_.has(axis) || given.contains(axis)) continue;
+      log_.add({base::Severity::note,
+                "trace-axis",
+                fmt::format("no column {}", base::letter(axis)),
+                "taken to stand still where the program begins",
+                {.file = trace},
+                {}});
+    }
+  }
+
+  const Job& job_;
+  machine::Machine machine_;  ///< with the trace's period
+  Console& console_;
+  DiagnosticLog& log_;
+};
+
+ProgramResult verify_program(const std::string& program, const Job& job, Console& console) {
+  DiagnosticLog log(console);
+  const std::string name = program == "-" ? "<stdin>" : program;
+  const auto figures = Verification(job, console, log).execute(job.arguments.judged_trace, program);
+  if (!figures) return {log.status(), json_of_rejected(verify_schema, name, job.machine.name, log), {}};
+  return {figures->verdict.objects() ? Status::not_kept : Status::done, json_of_verify(name, job, *figures, log),
+          verify_summary(name, job, *figures, console.output_style())};
+}
+
+}  // namespace
+
+Status verify(const Job& job, Console& console) {
+  return for_each_program(job, console, verify_schema,
+                          [&](const std::string& program) { return verify_program(program, job, console); });
+}
+
+}  // namespace leadscrew::cli
