@@ -109,11 +109,11 @@ std::string file_text(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The built-in mill with rotary axes added, for the examples that need them.
+/// The built-in mill with rotary axes added, as in machines/mill6.toml.
 machine::Machine mill_with_rotary_axes() {
   machine::Machine machine = machine::mill3();
   for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::C}) {
-    machine.axes[base::index(axis)] = machine::AxisLimits{-36000, 36000, 120, 600, 12000, 0.001};
+    machine.axes[base::index(axis)] = machine::AxisLimits{-36000, 36000, 90, 500, 5000, 0.001};
   }
   return machine;
 }

@@ -30,7 +30,7 @@ constexpr std::string_view run_examples =
     "Examples:\n"
     "  leadscrew run part.ngc\n"
     "  leadscrew run part.ngc --machine machines/heavy3.toml --trace part.csv --report part.html\n"
-    "  leadscrew run *.ngc --out results          results/NAME.csv and results/NAME.html of each\n"
+    "  leadscrew run *.ngc --out results          results/NAME.csv, .html and .svg of each\n"
     "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
     "\n"
     "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
@@ -39,7 +39,7 @@ constexpr std::string_view run_examples =
 constexpr std::string_view check_examples =
     "Examples:\n"
     "  leadscrew check part.ngc\n"
-    "  leadscrew check *.ngc --machine machines/mill5.toml --json\n";
+    "  leadscrew check *.ngc --machine machines/mill6.toml --json\n";
 
 constexpr std::string_view verify_examples =
     "Examples:\n"
@@ -79,7 +79,9 @@ void add_common(CLI::App& command, Arguments& arguments, Texts& texts) {
   command.add_option("--machine", arguments.machine, "Machine file (TOML), or the built-in mill3 (default)")
       ->type_name("FILE");
   command.add_option("--tools", arguments.tools, "Tool table, in LinuxCNC's format")->type_name("FILE");
-  command.add_option("--start", texts.start, "Where the program begins, machine coordinates (default: 0)")
+  command
+      .add_option("--start", texts.start,
+                  "Where the program begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)")
       ->type_name("X0,Y0,...");
   command.add_flag("--json", arguments.json, "One JSON object on standard output, nothing else there");
   command.add_flag("--quiet", arguments.quiet, "No summary and no progress bar");
@@ -92,7 +94,7 @@ void add_motion(CLI::App& command, Arguments&, Texts& texts) {
 }
 
 CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& texts) {
-  CLI::App* run = app.add_subcommand("run", "Plan and interpolate; summary, report, traces");
+  CLI::App* run = app.add_subcommand("run", "Plan and interpolate; summary, report, picture, traces");
   run->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
   add_common(*run, arguments, texts);
   run->add_option("--period", texts.period, "Servo period, such as 1ms or 250us, in place of the machine's")
@@ -100,7 +102,8 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& texts) {
   add_motion(*run, arguments, texts);
   run->add_option("--trace", arguments.trace, "Write the words: .csv or .npy")->type_name("FILE");
   run->add_option("--report", arguments.report, "Write one self-contained page")->type_name("FILE.html");
-  run->add_option("--out", arguments.out, "Write DIR/NAME.csv and DIR/NAME.html of each program")->type_name("DIR");
+  run->add_option("--picture", arguments.picture, "Write the path alone, coloured by speed")->type_name("FILE.svg");
+  run->add_option("--out", arguments.out, "Write DIR/NAME.csv, .html and .svg of each program")->type_name("DIR");
   run->footer(std::string(run_examples));
   return run;
 }
@@ -159,13 +162,18 @@ void take_values(const Texts& texts, Arguments& arguments) {
 }
 
 void check_outputs(const Arguments& arguments) {
-  const bool several = arguments.programs.size() > 1;
-  if (several && arguments.trace)
-    throw UsageError("--trace is for one program; with several, --out DIR writes a trace of each");
-  if (several && arguments.report)
-    throw UsageError("--report is for one program; with several, --out DIR writes a report of each");
-  if (arguments.trace && arguments.trace == arguments.report)
-    throw UsageError("--trace and --report name the same file");
+  const std::array<std::pair<const char*, const std::optional<std::string>*>, 3> outputs = {
+      {{"--trace", &arguments.trace}, {"--report", &arguments.report}, {"--picture", &arguments.picture}}};
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto& [option, path] = outputs[i];
+    if (!*path) continue;
+    if (arguments.programs.size() > 1)
+      throw UsageError(fmt::format("{} is for one program; with several, --out DIR writes the files of each", option));
+    for (std::size_t k = 0; k < i; ++k) {
+      if (*outputs[k].second == *path)
+        throw UsageError(fmt::format("{} and {} name the same file", outputs[k].first, option));
+    }
+  }
 }
 
 void check_standard_input(const Arguments& arguments) {

@@ -25,7 +25,7 @@ struct Arguments {
   std::optional<base::Period> period;
   std::optional<gcode::PathMode> mode;
   std::optional<double> tolerance;  ///< mm
-  std::optional<std::string> trace, report, out;
+  std::optional<std::string> trace, report, picture, out;
   bool json = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;

@@ -50,17 +50,18 @@ base::Result<std::unique_ptr<OutputFile>> create(const std::string& path, Output
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
-  OutputPaths paths{arguments.trace, arguments.report};
+  OutputPaths paths{arguments.trace, arguments.report, arguments.picture};
   if (!arguments.out) return paths;
   const std::string stem = program == "-" ? "stdin" : std::filesystem::path(program).stem().string();
   const std::string base = (std::filesystem::path(*arguments.out) / stem).string();
   if (!paths.trace) paths.trace = base + ".csv";
   if (!paths.report) paths.report = base + ".html";
+  if (!paths.picture) paths.picture = base + ".svg";
   return paths;
 }
 
 base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program) {
-  for (const auto& path : {paths.trace, paths.report}) {
+  for (const auto& path : paths.all()) {
     if (path && program.is_same(*path)) {
       return usage(fmt::format("{} is the program itself", *path), "choose another name for what is written");
     }
@@ -79,11 +80,12 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   if (paths.trace) {
     if (auto opened = outputs.open_trace(*paths.trace); !opened) return base::failure(opened.error());
   }
-  if (paths.report) {
-    auto file = create(*paths.report, OutputFile::Access::sequential);
+  for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_), {&paths.picture, &outputs.picture_}}) {
+    if (!*path) continue;
+    auto file = create(**path, OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());
-    outputs.report_ = std::move(*file);
-    outputs.recording_.emplace(job.machine, job.machine.period);
+    *output = std::move(*file);
+    if (!outputs.recording_) outputs.recording_.emplace(job.machine, job.machine.period);
   }
   return outputs;
 }
@@ -109,8 +111,13 @@ base::Result<void> Outputs::write(const base::Word& word) {
   return {};
 }
 
-base::Result<void> Outputs::write_report(const trace::Report& report) {
-  return trace::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink());
+base::Result<void> Outputs::write_pages(const trace::Report& report) {
+  if (report_) {
+    auto written = trace::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink());
+    if (!written) return written;
+  }
+  if (picture_) return trace::write_path_svg(report.title, *recording_, picture_->sink());
+  return {};
 }
 
 base::Result<void> Outputs::finish_trace() {
@@ -124,11 +131,11 @@ base::Result<void> Outputs::finish_trace() {
 base::Result<std::vector<std::string>> Outputs::publish() {
   if (auto finished = finish_trace(); !finished) return base::failure(finished.error());
   std::vector<std::string> paths;
-  for (OutputFile* file : {trace_.get(), report_.get()}) {
+  for (OutputFile* file : files()) {
     if (file == nullptr) continue;
     if (auto closed = file->close(); !closed) return base::failure(closed.error());
   }
-  for (OutputFile* file : {trace_.get(), report_.get()}) {
+  for (OutputFile* file : files()) {
     if (file == nullptr) continue;
     if (auto published = file->publish(); !published) return base::failure(published.error());
     paths.push_back(file->path());

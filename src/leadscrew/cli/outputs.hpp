@@ -1,6 +1,7 @@
 #pragma once
-// The files of one run: a trace, a report. They appear together when all is done, or not at all.
+// The files of one run: a trace, a report, a picture. They appear together when all is done, or not at all.
 
+#include <array>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/output_file.hpp>
@@ -17,11 +18,13 @@ namespace leadscrew::cli {
 
 /// Which files a run was asked to write.
 struct OutputPaths {
-  std::optional<std::string> trace, report;
+  std::optional<std::string> trace, report, picture;
+
+  std::array<std::optional<std::string>, 3> all() const { return {trace, report, picture}; }
 };
 
-/// --trace and --report, or DIR/NAME.csv and DIR/NAME.html where --out stands for them. `program`: path, "-" is
-/// standard input.
+/// --trace, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them. `program`: path, "-"
+/// is standard input.
 OutputPaths output_paths(const Arguments& arguments, const std::string& program);
 
 /// What is wrong with these paths before anything is done: a name that is neither .csv nor .npy, or that of the program
@@ -35,9 +38,10 @@ class Outputs {
 
   base::Result<void> write(const base::Word& word);
 
-  /// What a report is made of; nothing where none was asked for.
+  /// What a report and a picture are made of; nothing where none was asked for.
   const trace::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
-  base::Result<void> write_report(const trace::Report& report);
+  /// Writes the report and the picture, whichever was asked for.
+  base::Result<void> write_pages(const trace::Report& report);
   /// Ends the trace and gives all files their names; returns these.
   base::Result<std::vector<std::string>> publish();
 
@@ -47,9 +51,10 @@ class Outputs {
   explicit Outputs(const Job& job) : job_(&job) {}
   base::Result<void> open_trace(const std::string& path);
   base::Result<void> finish_trace();
+  std::array<OutputFile*, 3> files() const { return {trace_.get(), report_.get(), picture_.get()}; }
 
   const Job* job_;
-  std::unique_ptr<OutputFile> trace_, report_;  ///< their sinks refer to them
+  std::unique_ptr<OutputFile> trace_, report_, picture_;  ///< their sinks refer to them
   Writer writer_;
   std::optional<trace::Recording> recording_;
 };

@@ -23,8 +23,13 @@ std::optional<base::Axis> axis_of(char letter) {
   return std::nullopt;
 }
 
-Parsed<AxisValue> parse_axis_value(std::string_view text) {
+/// `place`: how many values stand before this one; a number without a letter is for the axis of that place.
+Parsed<AxisValue> parse_axis_value(std::string_view text, std::size_t place) {
   if (text.empty()) return wrong("an axis is missing between commas");
+  if (const auto number = parse_number(text)) {
+    if (place >= base::axis_count) return wrong("more values than there are axes");
+    return AxisValue{base::all_axes[place], *number};
+  }
   const auto axis = axis_of(text.front());
   if (!axis) return wrong(fmt::format("'{}' does not begin with an axis (X Y Z A B C U V W)", text));
   const auto value = parse_number(text.substr(1));
@@ -78,7 +83,7 @@ Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text) {
   std::vector<AxisValue> values;
   while (true) {
     const std::size_t comma = text.find(',');
-    const auto value = parse_axis_value(text.substr(0, comma));
+    const auto value = parse_axis_value(text.substr(0, comma), values.size());
     if (!value) return wrong(value.error());
     const bool twice =
         std::any_of(values.begin(), values.end(), [&](auto& other) { return other.first == value->first; });

@@ -83,7 +83,7 @@ class ProgramRun {
     if (outputs->recording() != nullptr) {
       const auto report = report_of(file, job_, *figures, log_, *outputs->recording());
       if (!report) return base::failure(report.error());
-      if (auto written = outputs->write_report(*report); !written) return base::failure(written.error());
+      if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
     }
     if (interrupted()) return base::failure(interruption());
     auto files = outputs->publish();
