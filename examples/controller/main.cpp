@@ -16,12 +16,15 @@ static void complain(const base::Diagnostic& diagnostic) {
 int main(int argc, char** argv) {
   std::FILE* file = argc == 2 ? std::fopen(argv[1], "rb") : nullptr;
   if (!file) return std::fprintf(stderr, "usage: controller PROGRAM\n"), 2;
-  const gcode::ByteSource source = [&](std::span<char> bytes) { return std::fread(bytes.data(), 1, bytes.size(), file); };
+  const gcode::ByteSource source = [&](std::span<char> bytes) {
+    return std::fread(bytes.data(), 1, bytes.size(), file);
+  };
 
   const machine::Machine mill = machine::mill3();
   const machine::ToolTable tools;
   gcode::Reader check(source, mill, tools, {}, complain);  // read it whole before anything moves
-  for (gcode::Move move; check.next(move);) {}
+  for (gcode::Move move; check.next(move);) {
+  }
   if (check.errors() > 0) return 3;
 
   std::rewind(file);

@@ -40,13 +40,22 @@ class RandomProgram {
  private:
   void block() {
     switch (*rc::gen::inRange(0, 10)) {
-      case 0: return line("G0");
-      case 1: return dwell();
-      case 2: return feed();
-      case 3: return plane();
-      case 4: case 5: case 6: return arc();
-      case 7: return inverse_time();
-      default: return line("G1");
+      case 0:
+        return line("G0");
+      case 1:
+        return dwell();
+      case 2:
+        return feed();
+      case 3:
+        return plane();
+      case 4:
+      case 5:
+      case 6:
+        return arc();
+      case 7:
+        return inverse_time();
+      default:
+        return line("G1");
     }
   }
 
@@ -76,9 +85,7 @@ class RandomProgram {
     text_ += '\n';
   }
 
-  void feed() {
-    text_ += 'F' + std::to_string(*rc::gen::inRange(30, 12000)) + '\n';
-  }
+  void feed() { text_ += 'F' + std::to_string(*rc::gen::inRange(30, 12000)) + '\n'; }
 
   void plane() {
     plane_ = *rc::gen::inRange<std::size_t>(0, 3);
@@ -91,12 +98,14 @@ class RandomProgram {
       at_[axis] = rounded(at_[axis] + 1 + size());
       word("XYZ"[axis], at_[axis]);
     }
-    text_ += " F" + std::to_string(*rc::gen::inRange(5, 200)) + "\nG94 F" + std::to_string(*rc::gen::inRange(60, 9000)) + '\n';
+    text_ += " F" + std::to_string(*rc::gen::inRange(5, 200)) + "\nG94 F" +
+             std::to_string(*rc::gen::inRange(60, 9000)) + '\n';
   }
 
   /// An arc from here through some angle about a centre not far away, its end rounded as a CAM rounds it.
   void arc() {
-    const std::size_t first = std::array<std::size_t, 3>{0, 2, 1}[plane_], second = std::array<std::size_t, 3>{1, 0, 2}[plane_];
+    const std::size_t first = std::array<std::size_t, 3>{0, 2, 1}[plane_],
+                      second = std::array<std::size_t, 3>{1, 0, 2}[plane_];
     const std::size_t normal = 3 - first - second;
     const double radius = std::max(0.02, size()), from = *rc::gen::inRange(0, 6283) / 1000.0;
     const double i = rounded(radius * std::cos(from)), j = rounded(radius * std::sin(from));

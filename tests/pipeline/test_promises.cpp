@@ -9,7 +9,8 @@
 #include <leadscrew/referee/referee.hpp>
 #include "random_program.hpp"
 
-// The promises of the whole, judged by the referee: limits, geometry and end points on random programs and on the examples.
+// The promises of the whole, judged by the referee: limits, geometry and end points on random programs and on the
+// examples.
 
 namespace {
 
@@ -92,8 +93,12 @@ void keep_every_limit_and_every_point() {
   }
 }
 
-RC_GTEST_PROP(RandomPrograms, KeepEveryLimitAndEveryPoint, ()) { keep_every_limit_and_every_point(); }
-RC_GTEST_PROP(LongRandomPrograms, KeepEveryLimitAndEveryPoint, ()) { keep_every_limit_and_every_point(); }
+RC_GTEST_PROP(RandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
+  keep_every_limit_and_every_point();
+}
+RC_GTEST_PROP(LongRandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
+  keep_every_limit_and_every_point();
+}
 
 RC_GTEST_PROP(RandomPrograms, GiveTheSameBitsEveryTime, ()) {
   const std::string text = RandomProgram::make();
@@ -170,8 +175,8 @@ INSTANTIATE_TEST_SUITE_P(Figures, SquareProgram,
 TEST(Program, HandsOverEventsInOrderAndCountsDwells) {
   const machine::Machine machine = machine::mill3();
   const machine::ToolTable tools;
-  pipeline::Program program(gcode::text_source("G21 G90 S1000 M3\nG1 X1 F600\nG4 P0.25\nM8\nX2\nM5 M9\nM2\n"), machine, tools,
-                            {}, [](const base::Diagnostic&) {});
+  pipeline::Program program(gcode::text_source("G21 G90 S1000 M3\nG1 X1 F600\nG4 P0.25\nM8\nX2\nM5 M9\nM2\n"), machine,
+                            tools, {}, [](const base::Diagnostic&) {});
   std::vector<base::Event::Kind> kinds;
   program.on_event([&](const base::Event& event) { kinds.push_back(event.kind); });
   while (program.prepare()) program.cycle();
@@ -187,7 +192,8 @@ TEST(Program, HandsOverEventsInOrderAndCountsDwells) {
 TEST(Program, OfNothingMakesOneWordAtTheStart) {
   const machine::Machine machine = machine::mill3();
   const machine::ToolTable tools;
-  pipeline::Program program(gcode::text_source("M2\n"), machine, tools, {.start = {1, 2, 3}}, [](const base::Diagnostic&) {});
+  pipeline::Program program(gcode::text_source("M2\n"), machine, tools, {.start = {1, 2, 3}},
+                            [](const base::Diagnostic&) {});
   ASSERT_TRUE(program.prepare());
   EXPECT_EQ(program.cycle().position, (base::AxisVector{1, 2, 3}));
   EXPECT_FALSE(program.prepare());

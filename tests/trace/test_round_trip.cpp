@@ -149,10 +149,11 @@ TEST(NpyWriter, NumpyReadsIt) {
   auto words = random_train(1000, 5);
   std::ofstream(file, std::ios::binary) << npy(words, axes_of(machine::mill3()), millisecond);
   char script[400];
-  std::snprintf(script, sizeof script,
-                "/usr/bin/python3 -c \"import numpy; a = numpy.load('%s'); assert a.shape == (1000, 7); assert a[999, 4] == "
-                "float.fromhex('%a'); assert a[999, 0] == 0.999\"",
-                file.c_str(), words[999].position[0]);
+  std::snprintf(
+      script, sizeof script,
+      "/usr/bin/python3 -c \"import numpy; a = numpy.load('%s'); assert a.shape == (1000, 7); assert a[999, 4] == "
+      "float.fromhex('%a'); assert a[999, 0] == 0.999\"",
+      file.c_str(), words[999].position[0]);
   EXPECT_EQ(std::system(script), 0);
   std::filesystem::remove(file);
 }

@@ -19,8 +19,9 @@ struct Along {
   double speed = 0;
 };
 
-/// The polynomial of the segment at τ by Horner's rule, the rounding error of every step carried along and added at the end
-/// (Graillat, Langlois, Louvet, "Compensated Horner scheme"): as good as twice the precision, for less than its price.
+/// The polynomial of the segment at τ by Horner's rule, the rounding error of every step carried along and added at the
+/// end (Graillat, Langlois, Louvet, "Compensated Horner scheme"): as good as twice the precision, for less than its
+/// price.
 Along along(const planner::Segment& segment, DoubleDouble tau) {
   const numeric::Split t = tau.hi;
   double value = 0, error = 0, speed = 0;

@@ -33,14 +33,15 @@ constexpr DoubleDouble quick_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// A double beside its two halves of at most 26 bits each (Veltkamp), for products with several partners. |value| < 2⁹⁹⁶.
+/// A double beside its two halves of at most 26 bits each (Veltkamp), for products with several partners. |value| <
+/// 2⁹⁹⁶.
 struct Split {
   double value = 0;
   double high = 0;
   double low = 0;
 
   constexpr Split() = default;
-  constexpr Split(double x) : value(x) {  // NOLINT: a double is one
+  constexpr Split(double x) : value(x) {    // NOLINT: a double is one
     const double scaled = 134217729.0 * x;  // 2²⁷ + 1
     high = scaled - (scaled - x);
     low = x - high;

@@ -33,8 +33,8 @@ class Phases {
 
   DoubleDouble duration() const { return begin_; }
 
-  /// Rounding has left the way a few units in the last place off the length: spread that evenly over time. The speed that
-  /// this takes goes to the lesser part of v0, so that a motion from rest is seen to begin at speed 0.
+  /// Rounding has left the way a few units in the last place off the length: spread that evenly over time. The speed
+  /// that this takes goes to the lesser part of v0, so that a motion from rest is seen to begin at speed 0.
   std::vector<Segment> take(double length) {
     const DoubleDouble defect_rate = (DoubleDouble(length) - s_) / begin_;
     for (Segment& segment : segments_) {
