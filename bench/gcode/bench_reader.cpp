@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <percentiles.hpp>
 #include <string>
 
 namespace {
@@ -55,33 +56,37 @@ void read(benchmark::State& state, const std::string& text) {
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(text.size()));
 }
 
-// G1 X12.345 Y-6.789 F1200
-void BM_LinesWithFeed(benchmark::State& state) {
-  read(state, program([](Walk& w, int) { return "G1 X" + w.step() + " Y" + w.step() + " F1200\n"; }));
+std::string lines_with_feed() {  // G1 X12.345 Y-6.789 F1200
+  return program([](Walk& w, int) { return "G1 X" + w.step() + " Y" + w.step() + " F1200\n"; });
 }
-// X1.2 Y3.4
-void BM_ShortLines(benchmark::State& state) {
-  read(state, program([](Walk& w, int) { return "X" + w.step() + " Y" + w.step() + "\n"; }));
+std::string short_lines() {  // X1.2 Y3.4
+  return program([](Walk& w, int) { return "X" + w.step() + " Y" + w.step() + "\n"; });
 }
-// N10 G01 X12.345 Y-6.789 Z1.234
-void BM_NumberedLinesInSpace(benchmark::State& state) {
-  read(state, program([](Walk& w, int i) {
-         return "N" + std::to_string(i) + " G01 X" + w.step() + " Y" + w.step() + " Z" + w.step() + "\n";
-       }));
+std::string numbered_lines() {  // N10 G01 X12.345 Y-6.789 Z1.234
+  return program([](Walk& w, int i) {
+    return "N" + std::to_string(i) + " G01 X" + w.step() + " Y" + w.step() + " Z" + w.step() + "\n";
+  });
 }
-// Half turns there and back
-void BM_Arcs(benchmark::State& state) {
-  read(state, program([](Walk&, int i) { return i % 2 ? "G2 X0 Y0 I-5 J0\n" : "G3 X10 Y0 I5 J0\n"; }));
+std::string arcs() {  // half turns there and back
+  return program([](Walk&, int i) { return i % 2 ? "G2 X0 Y0 I-5 J0\n" : "G3 X10 Y0 I5 J0\n"; });
 }
-// #1=[#1+0.001] G1 X[10*SIN[#1]]
-void BM_Expressions(benchmark::State& state) {
-  read(state, "#1=0\n" + program([](Walk&, int) { return "#1=[#1+0.001] G1 X[10*SIN[#1]]\n"; }));
+std::string expressions() {
+  return "#1=0\n" + program([](Walk&, int) { return "#1=[#1+0.001] G1 X[10*SIN[#1]]\n"; });
 }
 
-BENCHMARK(BM_LinesWithFeed)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_ShortLines)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_NumberedLinesInSpace)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Arcs)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Expressions)->Unit(benchmark::kMillisecond);
+void read_made(benchmark::State& state, std::string (*make)()) {
+  read(state, make());
+}
+
+benchmark::internal::Benchmark* add(const char* name, std::string (*make)()) {
+  return leadscrew::bench::with_percentiles(
+      benchmark::RegisterBenchmark(name, read_made, make)->Unit(benchmark::kMillisecond)->Iterations(1));
+}
+
+auto* const with_feed = add("read/G1 X Y F", lines_with_feed);
+auto* const short_ones = add("read/X Y", short_lines);
+auto* const numbered = add("read/N G01 X Y Z", numbered_lines);
+auto* const round = add("read/arcs", arcs);
+auto* const computed = add("read/expressions", expressions);
 
 }  // namespace
