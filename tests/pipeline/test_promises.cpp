@@ -90,6 +90,7 @@ void keep_every_limit_and_every_point() {
     RC_ASSERT(outcome->verdict.start_error_mm == 0);
     RC_ASSERT(outcome->verdict.end_error_mm <= 1e-9);
     RC_ASSERT(outcome->verdict.violation_count == 0);
+    RC_ASSERT(outcome->summary.bound_s <= outcome->summary.time_s * (1 + 1e-6));
   }
 }
 

@@ -92,7 +92,7 @@ Json json_of_run(const std::string& program, const Job& job, const RunFigures& f
           {"length_mm", summary.length_mm},
           {"time_s", summary.time_s},
           {"dwell_s", summary.dwell_s},
-          {"bound_s", nullptr},
+          {"bound_s", summary.bound_s},
           {"deviation_mm", verdict.deviation_mm},
           {"tolerance_mm", summary.tolerance_mm},
           {"feed",

@@ -87,6 +87,7 @@ base::Result<trace::Report> report_of(const InputFile& file, const Job& job, con
   report.command = job.arguments.command_line;
   report.time_s = summary.time_s;
   report.dwell_s = summary.dwell_s;
+  report.bound_s = summary.bound_s;
   report.length_mm = summary.length_mm;
   report.blocks = summary.blocks;
   report.moves = summary.moves;

@@ -88,6 +88,7 @@ std::string run_summary(const std::string& program, const Job& job, const RunFig
   const referee::Verdict& verdict = figures.verdict;
   std::string time = seconds_text(summary.time_s);
   if (summary.dwell_s > 0) time += fmt::format(", {:g} s of it dwell", summary.dwell_s);
+  time += fmt::format("; at least {} without a limit of jerk", seconds_text(summary.bound_s));
   std::string text = heading(program, job.machine.name, job.machine.period, style);
   text += row("time", time);
   text += row("length", fmt::format("{:.3f} mm: {}, {}", summary.length_mm, counted(summary.blocks, "block"),

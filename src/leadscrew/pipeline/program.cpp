@@ -12,6 +12,7 @@ Program::Program(gcode::ByteSource source, const machine::Machine& machine, cons
     : machine_(machine),
       reader_(std::move(source), machine, tools, options, std::move(diagnostics)),
       planner_(machine, options.start),
+      bound_(machine),
       interpolator_(machine.period, options.start) {}
 
 bool Program::prepare() {
@@ -47,8 +48,15 @@ bool Program::plan_next() {
       builder_.finish();
     }
     summary_.blocks = reader_.blocks();
-    while (const std::optional<toolpath::Element> element = builder_.pop()) planner_.push(*element);
-    if (!reading_) planner_.finish();
+    while (const std::optional<toolpath::Element> element = builder_.pop()) {
+      planner_.push(*element);
+      bound_.push(*element);
+    }
+    if (!reading_) {
+      planner_.finish();
+      bound_.finish();
+      summary_.bound_s = bound_.seconds();
+    }
     chunk = planner_.pop();
   }
   if (!chunk) return false;

@@ -13,6 +13,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <leadscrew/planner/planner.hpp>
+#include <leadscrew/planner/time_bound.hpp>
 #include <leadscrew/toolpath/builder.hpp>
 #include <optional>
 
@@ -25,6 +26,7 @@ struct Summary {
   std::int64_t words = 0;   ///< servo periods
   double time_s = 0;        ///< words · period
   double dwell_s = 0;
+  double bound_s = 0;  ///< the least time without a jerk limit (planner::TimeBound); known at the end
   double length_mm = 0;
   double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
   double tolerance_mm = 0;         ///< the largest that applied
@@ -71,6 +73,7 @@ class Program {
   gcode::Reader reader_;
   toolpath::Builder builder_;
   planner::Planner planner_;
+  planner::TimeBound bound_;
   interpolator::Interpolator interpolator_;
   planner::Chunk chunk_;
   EventSink events_;

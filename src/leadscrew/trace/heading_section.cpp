@@ -114,7 +114,8 @@ void put_heading(std::string& page, const PageContent& content) {
   put_verdict(page, content);
   const double feed = greatest_feed(content.recording);
   put(page, "<dl class=\"figures\">\n");
-  put_figure(page, "Time", readable_time(report.time_s), "of which dwell " + readable_time(report.dwell_s));
+  put_figure(page, "Time", readable_time(report.time_s),
+             "dwell " + readable_time(report.dwell_s) + "; without jerk limit " + readable_time(report.bound_s));
   put_figure(page, "Path length", readable(report.length_mm, 7) + " mm", counted(report.moves, "move", "moves"));
   put_figure(page, "Deviation", readable_distance(report.deviation_mm),
              "tolerance " + readable_distance(report.tolerance_mm));

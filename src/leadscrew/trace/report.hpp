@@ -25,6 +25,7 @@ struct Report {
   std::string version;  ///< of Leadscrew
   std::string command;  ///< the command line that makes this report again
   double time_s = 0, dwell_s = 0;
+  double bound_s = 0;  ///< the least time on this path within velocity, acceleration and feed, without a limit of jerk
   double length_mm = 0;
   std::int64_t blocks = 0, moves = 0, words = 0;
   double deviation_mm = 0, tolerance_mm = 0;

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/planner/time_bound.hpp>
+#include <limits>
+
+namespace leadscrew::planner {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_waiting = 1024;  // intervals
+constexpr double finest_turn = 0.01;        // rad, of an arc between knots
+constexpr int fewest_intervals = 32;        // of an arc
+constexpr double first_interval = 1e-3;     // of the longest, at an arc's ends
+constexpr double grading = 0.1;             // of the distance from the nearer end
+constexpr double granted_kink = 1e-6;       // of a unit tangent: less is taken as smooth, which keeps the bound a bound
+
+bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& entering) {
+  double largest = 0, difference = 0;
+  for (std::size_t i = 0; i < leaving.size(); ++i) {
+    largest = std::max({largest, std::abs(leaving[i].first), std::abs(entering[i].first)});
+    difference = std::max(difference, std::abs(leaving[i].first - entering[i].first));
+  }
+  return difference <= granted_kink * largest;
+}
+
+}  // namespace
+
+void TimeBound::push(const toolpath::Element& element) {
+  if (const auto* dwell = std::get_if<toolpath::Dwell>(&element)) {
+    stop();
+    seconds_ += dwell->seconds;
+    return;
+  }
+  const auto* piece = std::get_if<toolpath::Piece>(&element);
+  if (!piece) return;
+  if (!is_smooth(leaving_, geometry::jets(piece->curve, 0))) stop();
+  if (const auto* arc = std::get_if<geometry::Arc>(&piece->curve)) {
+    add_curved(*arc, piece->feed);
+  } else {
+    add_straight(std::get<geometry::Line>(piece->curve), piece->feed);
+  }
+  leaving_ = geometry::jets(piece->curve, geometry::length(piece->curve));
+}
+
+void TimeBound::finish() {
+  stop();
+}
+
+void TimeBound::add_straight(const geometry::Line& line, double feed) {
+  const geometry::PointJet jet = line.jets(0);
+  Interval interval;
+  interval.length = line.length();
+  interval.x_max = interval.x_end_max = velocity_limit(jet, feed);
+  interval.straight_b = infinity;
+  for (const base::Axis axis : base::all_axes) {
+    const double rate = std::abs(jet[base::index(axis)].first);
+    if (rate > 0) interval.straight_b = std::min(interval.straight_b, machine_.limits(axis).acceleration / rate);
+  }
+  add(interval);
+}
+
+void TimeBound::add_curved(const geometry::Arc& arc, double feed) {
+  const double length = arc.length();
+  const double longest = std::min(length / fewest_intervals, finest_turn / std::abs(arc.angle_rate()));
+  double s = 0;
+  geometry::PointJet here = arc.jets(0);
+  while (s < length) {
+    // Knots crowd towards the ends, where the motion may come from rest or go to it.
+    const double to_end = length - s;
+    const double graded = std::max(first_interval * longest, grading * std::min(s, to_end));
+    const double step = std::min(longest, graded);
+    const double s_next = to_end < 1.5 * step ? length : s + step;
+    const geometry::PointJet next = arc.jets(s_next);
+    Interval interval;
+    interval.length = s_next - s;
+    interval.x_max = velocity_limit(here, feed);
+    interval.x_end_max = velocity_limit(next, feed);
+    add_rows(arc.jets((s + s_next) / 2), interval);
+    add(interval);
+    here = next;
+    s = s_next;
+  }
+}
+
+double TimeBound::velocity_limit(const geometry::PointJet& jet, double feed) const {
+  double speed = feed;
+  for (const base::Axis axis : base::all_axes) {
+    const double rate = std::abs(jet[base::index(axis)].first);
+    if (rate > 0) speed = std::min(speed, machine_.limits(axis).velocity / rate);
+  }
+  return speed * speed;
+}
+
+/// |q″(x + hb) + q′b| ≤ a, in the middle of an interval of length h.
+void TimeBound::add_rows(const geometry::PointJet& middle, Interval& interval) const {
+  for (const base::Axis axis : base::all_axes) {
+    const numeric::Jet& q = middle[base::index(axis)];
+    if (q.first == 0 && q.second == 0) continue;
+    const double by_b = q.first + interval.length * q.second;
+    interval.rows[interval.row_count++] = {q.second, by_b, machine_.limits(axis).acceleration};
+  }
+}
+
+void TimeBound::add(const Interval& interval) {
+  waiting_.push_back(interval);
+  if (waiting_.size() == most_waiting) settle(most_waiting / 2, infinity);
+}
+
+void TimeBound::stop() {
+  settle(waiting_.size(), 0);
+  x_begin_ = 0;
+  leaving_ = {};
+}
+
+void TimeBound::settle(std::size_t count, double x_beyond) {
+  double reach = x_beyond;
+  for (std::size_t i = waiting_.size(); i-- > 0;) reach = waiting_[i].reach = greatest_start(waiting_[i], reach);
+  double x = x_begin_;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Interval& interval = waiting_[i];
+    const double x_end_most = i + 1 < waiting_.size() ? waiting_[i + 1].reach : x_beyond;
+    x = std::min(x, interval.reach);
+    const double x_end = std::min(greatest_end(interval, x), x_end_most);
+    seconds_ += duration(interval, x, x_end);
+    x = x_end;
+  }
+  x_begin_ = x;
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+/// Each row bounds b from above and from below by straight lines in x, c + m·x; so do the speeds allowed at the end.
+/// The greatest x is where the first pair of an upper and a lower line crosses.
+double TimeBound::greatest_start(const Interval& interval, double x_end) {
+  const double x_end_most = std::min(x_end, interval.x_end_max);
+  if (interval.row_count == 0) return std::min(interval.x_max, x_end_most + 2 * interval.straight_b * interval.length);
+  struct Straight {
+    double c = 0, m = 0;
+  };
+  std::array<Straight, base::axis_count + 1> upper, lower;
+  std::size_t count = 0;
+  double x = interval.x_max;
+  for (std::size_t i = 0; i < interval.row_count; ++i) {
+    const Row& row = interval.rows[i];
+    if (row.by_b == 0) {
+      x = std::min(x, row.limit / std::abs(row.by_x));
+      continue;
+    }
+    const double limit = row.limit / std::abs(row.by_b), slope = -row.by_x / row.by_b;
+    upper[count] = {limit, slope};
+    lower[count] = {-limit, slope};
+    ++count;
+  }
+  const double per_b = 1 / (2 * interval.length);
+  lower[count] = {0, -per_b};
+  if (x_end_most < infinity) {
+    upper[count] = {x_end_most * per_b, -per_b};
+    ++count;
+  }
+  for (std::size_t u = 0; u < count; ++u) {
+    for (std::size_t l = 0; l < count; ++l) {
+      const double closing = lower[l].m - upper[u].m;
+      if (closing > 0) x = std::min(x, (upper[u].c - lower[l].c) / closing);
+    }
+  }
+  return std::max(x, 0.0);
+}
+
+double TimeBound::greatest_end(const Interval& interval, double x_begin) {
+  if (interval.row_count == 0) {
+    return std::min(interval.x_end_max, x_begin + 2 * interval.straight_b * interval.length);
+  }
+  double b = infinity;
+  for (std::size_t i = 0; i < interval.row_count; ++i) {
+    const Row& row = interval.rows[i];
+    if (row.by_b == 0) continue;
+    b = std::min(b, row.limit / std::abs(row.by_b) - row.by_x / row.by_b * x_begin);
+  }
+  return std::clamp(x_begin + 2 * interval.length * b, 0.0, interval.x_end_max);
+}
+
+/// On a straight interval speed rises to a peak below the limit, stays there, and falls; else b is constant.
+double TimeBound::duration(const Interval& interval, double x_begin, double x_end) {
+  const double v_begin = std::sqrt(x_begin), v_end = std::sqrt(x_end);
+  if (interval.row_count > 0) return 2 * interval.length / (v_begin + v_end);
+  const double b = interval.straight_b;
+  const double peak = std::min(interval.x_max, (x_begin + x_end) / 2 + b * interval.length);
+  const double cruise = std::max(0.0, interval.length - (2 * peak - x_begin - x_end) / (2 * b));
+  const double v_peak = std::sqrt(peak);
+  return std::max(0.0, 2 * v_peak - v_begin - v_end) / b + cruise / v_peak;
+}
+
+}  // namespace leadscrew::planner

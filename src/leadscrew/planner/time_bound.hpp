@@ -1,0 +1,70 @@
+#pragma once
+// How far from physics: the least time in which the path can be travelled with the axes' velocities and accelerations
+// and the programmed feed inside their limits, jerk not asked. No controller that stays on the path can be faster.
+//
+// The unknown is x(s) = ṡ², b = x′/2 = s̈, so that for each axis q̇² = q′²x and q̈ = q″x + q′b (Bobrow et al., 1985; Pham
+// & Pham, "A new approach to time-optimal path parameterization based on reachability analysis", 2018):
+//
+//     x ≤ min(F², (v/q′)²)          |q″x + q′b| ≤ a
+//
+//   backward  K_i = the greatest x at knot i from which knot i+1 can be reached with x ≤ K_{i+1}
+//   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x_i, at most K_{i+1}
+//
+// with b constant between knots and the limits kept at both ends of each interval. On lines that is exact with one
+// interval; arcs are cut finely enough for 1e-4 of the time.
+
+#include <array>
+#include <cstddef>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/toolpath/path.hpp>
+#include <vector>
+
+namespace leadscrew::planner {
+
+/// Streaming, in bounded memory: where the path goes on without a stop for longer than is kept, what lies beyond is
+/// taken as passable at full speed, which keeps the result a lower bound. The machine must outlive this.
+class TimeBound {
+ public:
+  explicit TimeBound(const machine::Machine& machine) : machine_(machine) {}
+
+  void push(const toolpath::Element& element);
+  /// No more elements will come.
+  void finish();
+
+  /// Of what lies before the last stop seen, dwells included; of all after finish(). Seconds.
+  double seconds() const { return seconds_; }
+
+ private:
+  /// |by_x·x + by_b·b| ≤ limit.
+  struct Row {
+    double by_x = 0, by_b = 0, limit = 0;
+  };
+  /// From one knot to the next. `x` stands for x at the first of them.
+  struct Interval {
+    double length = 0;                             ///< > 0
+    double x_max = 0, x_end_max = 0;               ///< by feed and velocities, at its two knots
+    std::array<Row, 2 * base::axis_count> rows{};  ///< accelerations at its beginning and its end, in x and b
+    std::size_t row_count = 0;                     ///< 0: straight
+    double straight_b = 0;                         ///< straight: the greatest |b|, which may change its sign inside
+    double reach = 0;                              ///< K
+  };
+
+  void add_straight(const geometry::Line& line, double feed);
+  void add_curved(const geometry::Arc& arc, double feed);
+  void add(const Interval& interval);
+  void stop();
+  void settle(std::size_t count, double x_beyond);
+  static double greatest_start(const Interval& interval, double x_end);
+  static double greatest_end(const Interval& interval, double x_begin);
+  static double duration(const Interval& interval, double x_begin, double x_end);
+  double velocity_limit(const geometry::PointJet& jet, double feed) const;
+  void add_rows(const geometry::PointJet& middle, Interval& interval) const;
+
+  const machine::Machine& machine_;
+  std::vector<Interval> waiting_;
+  geometry::PointJet leaving_{};  ///< at the end of the last piece
+  double x_begin_ = 0;            ///< x where what is waiting begins
+  double seconds_ = 0;
+};
+
+}  // namespace leadscrew::planner
