@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <leadscrew/cli/arguments.hpp>
@@ -162,17 +161,11 @@ void take_values(const Texts& texts, Arguments& arguments) {
 }
 
 void check_outputs(const Arguments& arguments) {
-  const std::array<std::pair<const char*, const std::optional<std::string>*>, 3> outputs = {
-      {{"--trace", &arguments.trace}, {"--report", &arguments.report}, {"--picture", &arguments.picture}}};
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const auto& [option, path] = outputs[i];
+  if (arguments.programs.size() < 2) return;
+  for (const auto& [option, path] :
+       {std::pair("--trace", &arguments.trace), {"--report", &arguments.report}, {"--picture", &arguments.picture}}) {
     if (!*path) continue;
-    if (arguments.programs.size() > 1)
-      throw UsageError(fmt::format("{} is for one program; with several, --out DIR writes the files of each", option));
-    for (std::size_t k = 0; k < i; ++k) {
-      if (*outputs[k].second == *path)
-        throw UsageError(fmt::format("{} and {} name the same file", outputs[k].first, option));
-    }
+    throw UsageError(fmt::format("{} is for one program; with several, --out DIR writes the files of each", option));
   }
 }
 

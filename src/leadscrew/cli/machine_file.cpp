@@ -250,7 +250,8 @@ class MachineReader {
       // An axis was meant, and what is wrong with it has been said.
       if (problem.code == "machine-axes" && has_axis_) continue;
       if (problem.code == "machine-kinematics") improve_kinematics(problem);
-      report(problem.code, position_of(problem), std::move(problem.message), std::move(problem.hint));
+      const Position position = position_of(problem);  // reads the message, which is given away below
+      report(problem.code, position, std::move(problem.message), std::move(problem.hint));
     }
   }
 

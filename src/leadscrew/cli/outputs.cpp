@@ -47,6 +47,13 @@ base::Result<std::unique_ptr<OutputFile>> create(const std::string& path, Output
   return std::make_unique<OutputFile>(std::move(*file));
 }
 
+/// The path by which two spellings of one file are equal.
+std::filesystem::path normal(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path known = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+  return error ? std::filesystem::path(path).lexically_normal() : known;
+}
+
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
@@ -64,6 +71,13 @@ base::Result<void> check_paths(const OutputPaths& paths, const InputFile& progra
   for (const auto& path : paths.all()) {
     if (path && program.is_same(*path)) {
       return usage(fmt::format("{} is the program itself", *path), "choose another name for what is written");
+    }
+  }
+  const auto all = paths.all();
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!all[i] || !all[k] || is_special(*all[i]) || normal(*all[i]) != normal(*all[k])) continue;
+      return usage(fmt::format("{} and {} name the same file", *all[k], *all[i]), "give each output a name of its own");
     }
   }
   if (!paths.trace || is_special(*paths.trace)) return {};

@@ -1,0 +1,235 @@
+// Files that vanish, change or cannot be written, and runs that are broken off: the status says so and nothing is left.
+
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace leadscrew::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Some seconds of work when its words are written.
+constexpr int long_blocks = 200'000;
+
+/// A trace has been begun.
+bool is_moving(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    std::error_code gone;
+    if (entry.path().filename().string().starts_with(".leadscrew-") && entry.file_size(gone) > 0 && !gone) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> run_with_every_output(const std::string& program) {
+  return {"run", program, "--trace", "t.csv", "--report", "r.html", "--picture", "p.svg"};
+}
+
+TEST(Inputs, ThatDoNotExistAreInputOutput) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  folder.write("t.csv", "t,X\n0,0\n");
+  const std::vector<std::vector<std::string>> commands = {
+      {"run", "none", "--trace", "made.csv"}, {"check", "none"},
+      {"verify", "none", "part.ngc"},         {"verify", "t.csv", "none"},
+      {"run", "part.ngc", "--tools", "none"}, {"run", "part.ngc", "--machine", "none", "--trace", "made.csv"}};
+  for (const auto& command : commands) {
+    const auto outcome = leadscrew(folder, command);
+    EXPECT_EQ(outcome.status, 4);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(contains(outcome.errors, "none: error: cannot open: ")) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, " [io-open]\n")) << outcome.errors;
+  }
+  EXPECT_EQ(folder.names(), (Names{"part.ngc", "t.csv"}));
+}
+
+TEST(Inputs, ThatAreFoldersAreInputOutput) {
+  const Folder folder;
+  for (const char* command : {"run", "check"}) {
+    const auto outcome = leadscrew(folder, {command, "."});
+    EXPECT_EQ(outcome.status, 4);
+    EXPECT_TRUE(contains(outcome.errors, ".: error: is a directory [io-open]\n")) << outcome.errors;
+  }
+}
+
+TEST(Inputs, ThatAreRemovedWhileTheyAreReadAreReadToTheirEnd) {
+  const Folder folder, quiet_folder;
+  const std::string program = long_program(20'000);
+  quiet_folder.write("part.ngc", program);
+  ASSERT_EQ(leadscrew(quiet_folder, {"run", "part.ngc", "--trace", "t.csv"}).status, 0);
+  folder.write("part.ngc", program);
+  Running running(folder, {"run", "part.ngc", "--trace", "t.csv"});
+  ASSERT_TRUE(eventually([&] { return is_moving(folder.path()) || running.has_ended(); }));
+  ASSERT_TRUE(running.stop());
+  ASSERT_TRUE(is_moving(folder.path()));
+  fs::remove(folder.path() / "part.ngc");
+  running.resume();
+  EXPECT_EQ(running.wait().status, 0);
+  EXPECT_EQ(folder.names(), Names{"t.csv"});
+  EXPECT_TRUE(folder.read("t.csv") == quiet_folder.read("t.csv"));
+}
+
+/// Does something to the program in the middle of a run that would write every file.
+Outcome disturbed_run(const Folder& folder, const std::function<void(const fs::path&)>& disturb) {
+  folder.write("part.ngc", long_program(20'000));
+  Running running(folder, run_with_every_output("part.ngc"));
+  EXPECT_TRUE(eventually([&] { return is_moving(folder.path()) || running.has_ended(); }));
+  EXPECT_TRUE(running.stop() && is_moving(folder.path()));
+  disturb(folder.path() / "part.ngc");
+  running.resume();
+  return running.wait();
+}
+
+TEST(Inputs, ThatShrinkWhileTheyAreReadAreInputOutput) {
+  const Folder folder;
+  const auto run = disturbed_run(folder, [](const fs::path& program) { fs::resize_file(program, 100); });
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.errors, "part.ngc: error: ends at byte ")) << run.errors;
+  EXPECT_TRUE(contains(run.errors, " [io-read]\n")) << run.errors;
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
+TEST(Inputs, ThatAreWrittenOverWhileTheyAreReadAreInputOutput) {
+  const Folder folder;
+  const auto run = disturbed_run(folder, [](const fs::path& program) {
+    std::fstream file(program, std::ios::in | std::ios::out);
+    file.seekp(-5, std::ios::end) << "(";
+  });
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.errors, " [io-read]\n")) << run.errors;
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
+TEST(Inputs, ThatGrowWhileTheyAreReadAreInputOutput) {
+  const Folder folder;
+  const auto run =
+      disturbed_run(folder, [](const fs::path& program) { std::ofstream(program, std::ios::app) << "G0 X400\n"; });
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.errors, " [io-read]\n")) << run.errors;
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
+TEST(FullDisk, EndsARunThatWritesToIt) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  for (const char* option : {"--trace", "--report", "--picture"}) {
+    std::vector<std::string> arguments = {"run", "part.ngc", option, "/dev/full"};
+    for (const char* other : {"--trace", "--report", "--picture"}) {
+      if (std::string_view(other) == option) continue;
+      arguments.emplace_back(other);
+      arguments.emplace_back(std::string_view(other) == "--trace" ? "other.csv" : std::string("other") + other);
+    }
+    const auto run = leadscrew(folder, arguments);
+    EXPECT_EQ(run.status, 4) << option;
+    EXPECT_EQ(run.output, "") << option;
+    EXPECT_EQ(run.errors, "/dev/full: error: cannot write: No space left on device [io-write]\n") << option;
+    EXPECT_EQ(folder.names(), Names{"part.ngc"}) << option;
+  }
+}
+
+TEST(FullDisk, UnderStandardOutputIsInputOutput) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  folder.write("bad.ngc", "G123\n");
+  ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--trace", "t.csv"}).status, 0);
+  const std::vector<std::vector<std::string>> commands = {{"run", "part.ngc"},
+                                                          {"run", "part.ngc", "--json"},
+                                                          {"check", "part.ngc"},
+                                                          {"verify", "t.csv", "part.ngc"},
+                                                          {"--help"},
+                                                          {"run", "--help"},
+                                                          {"--version"},
+                                                          {"check", "bad.ngc", "--json"}};
+  for (const auto& command : commands) {
+    const auto outcome = leadscrew(folder, command, {.output = "/dev/full"});
+    EXPECT_EQ(outcome.status, 4) << command[0];
+    EXPECT_TRUE(contains(outcome.errors, "No space left on device [io-write]\n")) << outcome.errors;
+  }
+}
+
+TEST(FullDisk, MetInTheMiddleLeavesNothing) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  for (const char* trace : {"t.csv", "t.npy"}) {
+    const auto run =
+        leadscrew(folder, {"run", "part.ngc", "--trace", trace, "--report", "r.html"}, {.largest_file = rlim_t{65536}});
+    EXPECT_EQ(run.status, 4);
+    EXPECT_EQ(run.signal, 0);
+    EXPECT_EQ(run.errors, std::string(trace) + ": error: cannot write: File too large [io-write]\n");
+    EXPECT_EQ(folder.names(), Names{"part.ngc"});
+  }
+}
+
+TEST(FullDisk, LeavesTheFileThatWouldHaveBeenReplaced) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  folder.write("t.csv", "older");
+  const auto run = leadscrew(folder, {"run", "part.ngc", "--trace", "t.csv"}, {.largest_file = rlim_t{65536}});
+  EXPECT_EQ(run.status, 4);
+  EXPECT_EQ(folder.read("t.csv"), "older");
+  EXPECT_EQ(folder.names(), (Names{"part.ngc", "t.csv"}));
+}
+
+TEST(Outputs, InFoldersThatDoNotExistAreInputOutput) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  for (const char* option : {"--trace", "--report", "--picture"}) {
+    const auto run = leadscrew(folder, {"run", "part.ngc", option, "none/made.csv"});
+    EXPECT_EQ(run.status, 4);
+    EXPECT_TRUE(contains(run.errors, "none/made.csv: error: cannot write: ")) << run.errors;
+    EXPECT_EQ(folder.names(), Names{"part.ngc"});
+  }
+}
+
+class Interruption : public ::testing::TestWithParam<int> {};
+
+TEST_P(Interruption, InTheMiddleOfARunLeavesNothing) {
+  const Folder folder;
+  folder.write("part.ngc", long_program(long_blocks));
+  auto arguments = run_with_every_output("part.ngc");
+  arguments.emplace_back("--json");
+  Running running(folder, arguments);
+  ASSERT_TRUE(eventually([&] { return is_moving(folder.path()) || running.has_ended(); }));
+  ASSERT_FALSE(running.has_ended());
+  running.send(GetParam());
+  const auto run = running.wait();
+  EXPECT_EQ(run.status, 130);
+  EXPECT_EQ(run.signal, 0);
+  EXPECT_EQ(run.output, "");
+  EXPECT_EQ(run.errors, "");
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
+TEST_P(Interruption, KeepsWhatEarlierProgramsHaveWritten) {
+  const Folder folder;
+  folder.write("a.ngc", square);
+  folder.write("b.ngc", long_program(long_blocks));
+  folder.write("c.ngc", square);
+  Running running(folder, {"run", "a.ngc", "b.ngc", "c.ngc", "--out", "made"});
+  const fs::path made = folder.path() / "made";
+  ASSERT_TRUE(eventually([&] { return (fs::exists(made / "a.csv") && is_moving(made)) || running.has_ended(); }));
+  ASSERT_FALSE(running.has_ended());
+  running.send(GetParam());
+  EXPECT_EQ(running.wait().status, 130);
+  EXPECT_EQ(folder.names(), (Names{"a.ngc", "b.ngc", "c.ngc", "made", "made/a.csv", "made/a.html", "made/a.svg"}));
+}
+
+TEST_P(Interruption, EndsWaitingForStandardInput) {
+  const Folder folder;
+  for (const char* command : {"run", "check"}) {
+    Running running(folder, {command, "-"}, {.input = "G21\n", .input_stays_open = true});
+    ASSERT_TRUE(eventually([&] { return running.is_reading() || running.has_ended(); }));
+    // Again and again: a signal just before read() begins is seen only when read() ends.
+    EXPECT_TRUE(eventually([&] {
+      if (!running.has_ended()) running.send(GetParam());
+      return running.has_ended();
+    }));
+    EXPECT_EQ(running.wait().status, 130);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Interruption, ::testing::Values(SIGINT, SIGTERM),
+                         [](const auto& signal) { return signal.param == SIGINT ? "Int" : "Term"; });
+
+}  // namespace
+}  // namespace leadscrew::cli::testing
