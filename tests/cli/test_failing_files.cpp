@@ -43,6 +43,20 @@ TEST(Inputs, ThatDoNotExistAreInputOutput) {
   EXPECT_EQ(folder.names(), (Names{"part.ngc", "t.csv"}));
 }
 
+TEST(Outputs, ThatAreLinksStayLinks) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  folder.write("there.csv", "old");
+  fs::create_symlink("there.csv", folder.path() / "link.csv");
+  fs::create_symlink("not-yet.csv", folder.path() / "dangling.csv");
+  for (const auto& [link, target] : {std::pair("link.csv", "there.csv"), {"dangling.csv", "not-yet.csv"}}) {
+    EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--trace", link}).status, 0);
+    EXPECT_TRUE(fs::is_symlink(folder.path() / link));
+    EXPECT_FALSE(fs::is_symlink(folder.path() / target));
+    EXPECT_TRUE(folder.read(target).starts_with("t,line,s,feed,X,Y,Z\n"));
+  }
+}
+
 TEST(Inputs, ThatAreFoldersAreInputOutput) {
   const Folder folder;
   for (const char* command : {"run", "check"}) {

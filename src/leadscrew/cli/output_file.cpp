@@ -19,11 +19,20 @@ std::string temporary_name(const std::string& target) {
   return folder / (".leadscrew-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp");
 }
 
-/// Where links lead, so that a link stays and the file behind it is replaced.
+/// Where links lead, so that a link stays and the file behind it is replaced, or made where there is none yet.
 std::string resolved(const std::string& path) {
   std::error_code error;
-  const auto target = std::filesystem::canonical(path, error);
-  return error ? path : target.string();
+  std::filesystem::path target = path;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(target, error); ++links) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, error);
+  }
+  return target.string();
+}
+
+/// Replacing the file that standard output goes to would lose what is printed there.
+bool is_standard_output(const struct stat& file) {
+  struct stat output = {};
+  return ::fstat(STDOUT_FILENO, &output) == 0 && output.st_dev == file.st_dev && output.st_ino == file.st_ino;
 }
 
 }  // namespace
@@ -45,7 +54,10 @@ base::Result<OutputFile> OutputFile::create(const std::string& path, Access acce
     }
     return file;
   }
-  file.target_ = exists ? resolved(path) : path;
+  if (exists && is_standard_output(existing)) {
+    return base::failure(system_failure("io-open", "cannot write to the file of standard output", path, EBUSY));
+  }
+  file.target_ = resolved(path);
   if (auto opened = file.open_temporary(); !opened) return base::failure(opened.error());
   if (exists) ::fchmod(file.descriptor_.number(), existing.st_mode & 0777);
   return file;
