@@ -68,7 +68,7 @@ function(leadscrew_room NAME)
     set_property(GLOBAL APPEND PROPERTY LEADSCREW_CORE_ROOMS ${NAME})
   endif()
   if(LEADSCREW_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Fat objects hold machine code as well: the installed archives work with any compiler, and tests link fast.
+    # Fat objects hold machine code as well: the installed archives work with any compiler.
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-flto=auto;-ffat-lto-objects>)
   endif()
 endfunction()

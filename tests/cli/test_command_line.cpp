@@ -31,7 +31,7 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{{"check", "part.ngc", "--jsn"}, "did you mean --json?"},
            Misuse{{"check", "part.ngc", "--trace", "made.csv"}, "no option --trace"},
            Misuse{{"verify", "t.csv"}, "PROGRAM"},
-           Misuse{{"verify", "t.csv", "part.ngc", "more"}, "PROGRAM"},
+           Misuse{{"verify", "t.csv", "part.ngc", "more"}, "\"more\" is one word too many"},
            Misuse{{"run", "part.ngc", "--period", "1"}, "such as 1ms or 250us"},
            Misuse{{"run", "part.ngc", "--period", "fast"}, "such as 1ms or 250us"},
            Misuse{{"run", "part.ngc", "--period", "9us"}, "outside 10us to 20ms"},

@@ -64,6 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMachine{"StringForNumber", replaced("= 200", "= \"200\""), 8, "machine-type", "a string"},
         BadMachine{"NumberForString", replaced("\"other\"", "3"), 1, "machine-type", "an integer"},
         BadMachine{"NumberForTravel", replaced("[-500, 500]", "500"), 7, "machine-type", "an integer"},
+        BadMachine{"OneNumberForTravel", replaced("[-500, 500]", "[500]"), 7, "machine-type", "a list, but not of two"},
         BadMachine{"TravelBackwards", replaced("[-500, 500]", "[500, -500]"), 7, "machine-travel", "axis X"},
         BadMachine{"VelocityZero", replaced("= 200", "= 0"), 8, "machine-limit", "axis X"},
         BadMachine{"AccelerationNegative", replaced("= 1000\nmax_jerk", "= -1\nmax_jerk"), 9, "machine-limit",

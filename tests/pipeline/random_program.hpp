@@ -107,10 +107,13 @@ class RandomProgram {
     const std::size_t first = std::array<std::size_t, 3>{0, 2, 1}[plane_],
                       second = std::array<std::size_t, 3>{1, 0, 2}[plane_];
     const std::size_t normal = 3 - first - second;
-    const double radius = std::max(0.02, size()), from = *rc::gen::inRange(0, 6283) / 1000.0;
+    const bool is_flat = *rc::gen::inRange(0, 6) == 0;
+    const double radius = is_flat ? logarithmic(300, 9e4) : std::max(0.02, size());
+    const double from = *rc::gen::inRange(0, 6283) / 1000.0;
     const double i = rounded(radius * std::cos(from)), j = rounded(radius * std::sin(from));
-    const bool clockwise = *rc::gen::arbitrary<bool>(), whole = *rc::gen::inRange(0, 5) == 0;
-    const double sweep = *rc::gen::inRange(300, 6000) / 1000.0;
+    const bool clockwise = *rc::gen::arbitrary<bool>(), whole = !is_flat && *rc::gen::inRange(0, 5) == 0;
+    const double sweep =
+        is_flat ? *rc::gen::inRange(300, 6000) / 100.0 / radius : *rc::gen::inRange(300, 6000) / 1000.0;
     text_ += clockwise ? "G2" : "G3";
     if (!whole) {
       const double begin = std::atan2(-j, -i), angle = begin + (clockwise ? -sweep : sweep), r = std::hypot(i, j);
@@ -129,7 +132,7 @@ class RandomProgram {
     }
     word("IJK"[first], i);
     word("IJK"[second], j);
-    if (*rc::gen::inRange(0, 4) == 0) text_ += " P" + std::to_string(*rc::gen::inRange(1, 4));
+    if (!is_flat && *rc::gen::inRange(0, 4) == 0) text_ += " P" + std::to_string(*rc::gen::inRange(1, 4));
     text_ += '\n';
   }
 

@@ -14,14 +14,6 @@ namespace leadscrew::trace::testing {
 
 inline constexpr base::Period millisecond{1'000'000};
 
-inline base::AxisSet axes_of(const machine::Machine& machine) {
-  base::AxisSet axes;
-  for (const base::Axis axis : base::all_axes) {
-    if (machine.has(axis)) axes.insert(axis);
-  }
-  return axes;
-}
-
 inline ByteSink into(std::string& text) {
   return [&text](std::string_view bytes) -> base::Result<void> {
     text += bytes;

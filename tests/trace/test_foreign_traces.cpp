@@ -11,7 +11,7 @@ namespace {
 using namespace testing;
 
 base::AxisSet xyz() {
-  return axes_of(machine::mill3());
+  return machine::mill3().axis_set();
 }
 
 /// All rows, or what is wrong.

@@ -217,7 +217,7 @@ RC_GTEST_PROP(Thinning, StaysWithinItsTolerance, (std::uint64_t seed, std::uint1
   std::vector<PathPoint> points;
   for (const base::Word& word : words) points.push_back({word.position, word.feed});
   const double tolerance = std::ldexp(1e-4, static_cast<int>(seed % 12));
-  thin(points, axes_of(machine), {tolerance, 1e9});
+  thin(points, machine.axis_set(), {tolerance, 1e9});
   double worst = 0;
   std::size_t segment = 0, begin = 0;
   for (std::size_t i = 1; i < words.size(); ++i) {

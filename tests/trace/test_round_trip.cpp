@@ -94,7 +94,7 @@ RC_GTEST_PROP(RoundTrip, NpyGivesEveryBitBack, (std::uint64_t seed, std::uint16_
 
 TEST(RoundTrip, SurvivesManyBlocksOfTheSink) {
   const auto words = random_train(20000, 3);
-  const base::AxisSet axes = axes_of(machine::mill3());
+  const base::AxisSet axes = machine::mill3().axis_set();
   for (const bool binary : {false, true}) {
     std::string text;
     if (binary) {
@@ -119,7 +119,7 @@ TEST(RoundTrip, SurvivesManyBlocksOfTheSink) {
 
 TEST(CsvWriter, WritesTheContractsColumns) {
   std::string text;
-  CsvWriter writer(into(text), axes_of(machine::mill3()), millisecond);
+  CsvWriter writer(into(text), machine::mill3().axis_set(), millisecond);
   base::Word word;
   word.tick = base::Tick{2};
   word.line = base::Line{7};
@@ -133,7 +133,7 @@ TEST(CsvWriter, WritesTheContractsColumns) {
 
 TEST(NpyWriter, HeaderIsThatOfTheFormat) {
   std::string bytes;
-  NpyWriter writer(into(bytes), axes_of(machine::mill3()), millisecond);
+  NpyWriter writer(into(bytes), machine::mill3().axis_set(), millisecond);
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(writer.write({}));
   ASSERT_TRUE(writer.finish());
   std::string expected("\x93NUMPY\x01\x00\x76\x00", 10);
@@ -147,7 +147,7 @@ TEST(NpyWriter, HeaderIsThatOfTheFormat) {
 TEST(NpyWriter, NumpyReadsIt) {
   const auto file = std::filesystem::temp_directory_path() / "leadscrew_test_trace.npy";
   auto words = random_train(1000, 5);
-  std::ofstream(file, std::ios::binary) << npy(words, axes_of(machine::mill3()), millisecond);
+  std::ofstream(file, std::ios::binary) << npy(words, machine::mill3().axis_set(), millisecond);
   char script[400];
   std::snprintf(
       script, sizeof script,
@@ -160,7 +160,7 @@ TEST(NpyWriter, NumpyReadsIt) {
 
 TEST(Writers, PassOnWhatTheSinkSays) {
   const auto words = random_train(5000, 1);
-  const base::AxisSet axes = axes_of(machine::mill3());
+  const base::AxisSet axes = machine::mill3().axis_set();
   for (const std::size_t room : {0, 100, 70000, 200000}) {
     CsvWriter csv(failing_after(room), axes, millisecond);
     NpyWriter binary(failing_after(room), axes, millisecond);

@@ -9,6 +9,11 @@ namespace leadscrew::base {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
+/// "note", "warning" or "error".
+constexpr std::string_view name(Severity severity) {
+  return severity == Severity::note ? "note" : severity == Severity::warning ? "warning" : "error";
+}
+
 /// A place in a text. Lines and columns count from 1, columns in bytes; 0 means "not known".
 struct Place {
   std::string file;

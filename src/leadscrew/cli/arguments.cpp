@@ -55,6 +55,7 @@ struct UsageError : std::runtime_error {
 /// Options as text, before their values are looked at.
 struct Texts {
   std::optional<std::string> period, mode, tolerance, start, color;
+  std::string judged_program;  ///< of verify, one
 };
 
 std::string shell_quoted(std::string_view text) {
@@ -120,9 +121,8 @@ CLI::App* add_verify(CLI::App& app, Arguments& arguments, Texts& texts) {
   verify->add_option("TRACE", arguments.judged_trace, "Trace, .csv or .npy; - is standard input")
       ->required()
       ->type_name("");
-  verify->add_option("PROGRAM", arguments.programs, "Its part program; - is standard input")
+  verify->add_option("PROGRAM", texts.judged_program, "Its part program; - is standard input")
       ->required()
-      ->expected(1)
       ->type_name("");
   add_common(*verify, arguments, texts);
   verify->add_option("--period", texts.period, "Time between rows, such as 1ms, in place of what t says")
@@ -249,6 +249,7 @@ class Parser {
                            : app_.got_subcommand(commands_[1]) ? Arguments::Command::check
                                                                : Arguments::Command::verify;
       arguments_.command_line = command_line(count, values);
+      if (arguments_.command == Arguments::Command::verify) arguments_.programs = {texts_.judged_program};
       take_values(texts_, arguments_);
       check_standard_input(arguments_);
       check_outputs(arguments_);

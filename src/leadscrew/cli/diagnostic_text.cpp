@@ -88,18 +88,6 @@ Tone tone_of(base::Severity severity) {
 
 }  // namespace
 
-std::string_view severity_name(base::Severity severity) {
-  switch (severity) {
-    case base::Severity::note:
-      return "note";
-    case base::Severity::warning:
-      return "warning";
-    case base::Severity::error:
-      return "error";
-  }
-  return "error";
-}
-
 std::string printable(std::string_view text) {
   std::string shown;
   for (std::size_t i = 0; i < text.size();) {
@@ -118,7 +106,7 @@ std::string printable(std::string_view text) {
 
 std::string diagnostic_text(const base::Diagnostic& diagnostic, const Style& style) {
   std::string text = style(Tone::strong, place_text(diagnostic.place));
-  text += style(tone_of(diagnostic.severity), fmt::format("{}:", severity_name(diagnostic.severity)));
+  text += style(tone_of(diagnostic.severity), fmt::format("{}:", base::name(diagnostic.severity)));
   text += fmt::format(" {}", printable(diagnostic.message));
   if (!diagnostic.code.empty()) text += style(Tone::faint, fmt::format(" [{}]", diagnostic.code));
   text += '\n';

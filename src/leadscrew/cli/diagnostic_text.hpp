@@ -15,8 +15,6 @@ namespace leadscrew::cli {
 
 std::string diagnostic_text(const base::Diagnostic& diagnostic, const Style& style);
 
-std::string_view severity_name(base::Severity severity);
-
 /// Bytes that a terminal would obey instead of show, and what is not UTF-8, become '?'; tabs stay.
 std::string printable(std::string_view text);
 

@@ -11,7 +11,7 @@ Json object_of(const base::Diagnostic& diagnostic) {
           {"line", diagnostic.place.line},
           {"column", diagnostic.place.column},
           {"code", diagnostic.code},
-          {"severity", severity_name(diagnostic.severity)},
+          {"severity", base::name(diagnostic.severity)},
           {"message", diagnostic.message},
           {"hint", diagnostic.hint}};
 }

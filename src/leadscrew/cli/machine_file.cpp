@@ -176,7 +176,9 @@ class MachineReader {
     const bool is_pair = pair != nullptr && pair->size() == 2 && (*pair)[0].is_number() && (*pair)[1].is_number();
     if (!is_pair) {
       report("machine-type", node->source().begin,
-             fmt::format("{} is {}, not a list of two numbers", key, type_text(*node)), "such as [-500, 500]");
+             pair != nullptr ? fmt::format("{} is a list, but not of two numbers", key)
+                             : fmt::format("{} is {}, not a list of two numbers", key, type_text(*node)),
+             "such as [-500, 500]");
       return;
     }
     positions_[section + "." + std::string(key)] = node->source().begin;

@@ -10,14 +10,6 @@ namespace leadscrew::cli {
 
 namespace {
 
-base::AxisSet axes_of(const machine::Machine& machine) {
-  base::AxisSet axes;
-  for (const base::Axis axis : base::all_axes) {
-    if (machine.has(axis)) axes.insert(axis);
-  }
-  return axes;
-}
-
 std::string extension(const std::string& path) {
   std::string text = std::filesystem::path(path).extension();
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -109,7 +101,7 @@ base::Result<void> Outputs::open_trace(const std::string& path) {
   auto file = create(path, is_npy ? OutputFile::Access::rewritable : OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   trace_ = std::move(*file);
-  const base::AxisSet axes = axes_of(job_->machine);
+  const base::AxisSet axes = job_->machine.axis_set();
   if (is_npy) {
     writer_.emplace<trace::NpyWriter>(trace_->sink(), axes, job_->machine.period);
   } else {

@@ -14,14 +14,6 @@ namespace {
 
 constexpr std::int64_t rows_between_looks = 1024;
 
-base::AxisSet axes_of(const machine::Machine& machine) {
-  base::AxisSet axes;
-  for (const base::Axis axis : base::all_axes) {
-    if (machine.has(axis)) axes.insert(axis);
-  }
-  return axes;
-}
-
 class Verification {
  public:
   Verification(const Job& job, Console& console, DiagnosticLog& log)
@@ -46,7 +38,7 @@ class Verification {
  private:
   base::Result<VerifyFigures> judge(const InputFile& trace, const InputFile& program) {
     const auto period = job_.arguments.period ? base::Result<base::Period>(*job_.arguments.period)
-                                              : trace_period(trace, axes_of(machine_), machine_.period);
+                                              : trace_period(trace, machine_.axis_set(), machine_.period);
     if (!period) return base::failure(period.error());
     machine_.period = *period;
     auto verdict = verdict_on(trace, program);
@@ -59,7 +51,7 @@ class Verification {
 
   base::Result<referee::Verdict> verdict_on(const InputFile& trace, const InputFile& program) {
     Progress progress{.work = "judging", .total = trace.size()};
-    auto rows = trace::TraceReader::open(trace.source(&progress.bytes), trace.name(), axes_of(machine_));
+    auto rows = trace::TraceReader::open(trace.source(&progress.bytes), trace.name(), machine_.axis_set());
     if (!rows) return base::failure(rows.error());
     note_absent_axes(rows->axes(), trace.name());
     gcode::Reader reader = silent_reader(program, job_);

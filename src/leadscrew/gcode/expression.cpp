@@ -10,7 +10,7 @@ namespace leadscrew::gcode {
 namespace {
 
 constexpr int deepest = 64;            // brackets within brackets
-constexpr double equal_within = 1e-6;  // EQ and NE
+constexpr double equal_within = 1e-4;  // EQ and NE, as LinuxCNC has it
 constexpr std::size_t longest_name = 255;
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 

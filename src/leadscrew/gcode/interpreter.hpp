@@ -131,6 +131,7 @@ class Interpreter {
   int system_ = 1;
   // What holds for the canned cycles since the last other motion: mm, dwell in seconds.
   struct CycleSeries {
+    int code = 0;
     double initial_level = 0;
     std::optional<double> r, bottom, dwell, peck;
   };

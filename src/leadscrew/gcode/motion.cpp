@@ -352,6 +352,7 @@ void Interpreter::drill(const Block& block) {
   }
 
   if (!series_) series_ = CycleSeries{.initial_level = plan.start[drill]};
+  if (series_->code != plan.code) series_ = CycleSeries{.code = plan.code, .initial_level = series_->initial_level};
   const bool levels = plan_levels(block, plan);
   const std::optional<int> repeats = as_integer(block.value_or('L', 1));
   if (!repeats || *repeats < 1 || *repeats > most_steps) {

@@ -49,19 +49,27 @@ Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t se
 Arc::Turned Arc::turned(const Way& s) const {
   // θ = angle.hi + angle.lo. Sine and cosine of the greater part come from the library; what the smaller adds, and all
   // that is below a unit in the last place of the products, is gathered in `small` and enters with the last rounding.
+  //
+  // Through small angles a rounding error of cos θ would count R times over, however short the arc: there the way from
+  // the start is x(cos θ − 1) − y sin θ, with cos θ − 1 = −2 sin²(θ/2), whose errors are of the chord's size.
   const DoubleDouble angle = rate_.times(s);
-  const numeric::Split sine = std::sin(angle.hi), cosine = std::cos(angle.hi);
-  const auto sum = [&](double center, const DoubleDouble& a, const DoubleDouble& b, double small) {
-    const DoubleDouble in_circle = numeric::two_sum(a.hi, b.hi);
-    const DoubleDouble absolute = numeric::two_sum(center, in_circle.hi);
-    return absolute.hi + (absolute.lo + (in_circle.lo + (a.lo + b.lo + small)));
+  const bool is_small = std::abs(angle.hi) < 0.5;
+  const double half = is_small ? std::sin(angle.hi / 2) : 0;
+  const numeric::Split sine = std::sin(angle.hi), cosine = is_small ? -2 * half * half : std::cos(angle.hi);
+  const double origin_first = is_small ? start_[first_] : center_first_;
+  const double origin_second = is_small ? start_[second_] : center_second_;
+  const auto sum = [](double origin, const DoubleDouble& a, const DoubleDouble& b, double small) {
+    const DoubleDouble turned = numeric::two_sum(a.hi, b.hi);
+    const DoubleDouble absolute = numeric::two_sum(origin, turned.hi);
+    return absolute.hi + (absolute.lo + (turned.lo + (a.lo + b.lo + small)));
   };
   const DoubleDouble x_cosine = numeric::two_product(x_.hi, cosine), x_sine = numeric::two_product(x_.hi, sine);
   const DoubleDouble y_cosine = numeric::two_product(y_.hi, cosine), y_sine = numeric::two_product(y_.hi, sine);
-  const double small_first = x_.lo * cosine.value - y_.lo * sine.value - angle.lo * (x_sine.hi + y_cosine.hi);
-  const double small_second = x_.lo * sine.value + y_.lo * cosine.value + angle.lo * (x_cosine.hi - y_sine.hi);
-  return {sum(center_first_, x_cosine, -y_sine, small_first + defect_first_ * s.hi.value),
-          sum(center_second_, x_sine, y_cosine, small_second + defect_second_ * s.hi.value)};
+  const double x = x_.hi.value, y = y_.hi.value, whole_cosine = is_small ? 1 + cosine.value : cosine.value;
+  const double small_first = x_.lo * cosine.value - y_.lo * sine.value - angle.lo * (x_sine.hi + y * whole_cosine);
+  const double small_second = x_.lo * sine.value + y_.lo * cosine.value + angle.lo * (x * whole_cosine - y_sine.hi);
+  return {sum(origin_first, x_cosine, -y_sine, small_first + defect_first_ * s.hi.value),
+          sum(origin_second, x_sine, y_cosine, small_second + defect_second_ * s.hi.value)};
 }
 
 Point Arc::evaluate(DoubleDouble s) const {

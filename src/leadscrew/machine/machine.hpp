@@ -33,6 +33,13 @@ struct Machine {
   std::array<std::optional<AxisLimits>, base::axis_count> axes;  ///< an axis the machine lacks is empty
 
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
+  base::AxisSet axis_set() const {
+    base::AxisSet set;
+    for (const base::Axis axis : base::all_axes) {
+      if (has(axis)) set.insert(axis);
+    }
+    return set;
+  }
   /// Limits of an axis the machine has.
   const AxisLimits& limits(base::Axis axis) const { return *axes[base::index(axis)]; }
 };

@@ -14,8 +14,8 @@ constexpr double same_distance = 1e-9;             // mm; rounding is below
 
 }  // namespace
 
-Matcher::Matcher(PieceSource& source, const Metric& metric, double excuse)
-    : source_(source), metric_(metric), excuse_(excuse), slots_(first_ring_size) {}
+Matcher::Matcher(PieceSource& source, const Metric& metric)
+    : source_(source), metric_(metric), slots_(first_ring_size) {}
 
 bool Matcher::pull() {
   if (program_ended_) return false;
@@ -61,7 +61,8 @@ Passage Matcher::begin(const Point& word) {
   return follow();
 }
 
-Passage Matcher::observe(const Point& word) {
+Passage Matcher::observe(const Point& word, double excuse) {
+  excuse_ = excuse;
   chord_ = chord_between(metric_, word_, word);
   word_ = word;
   return departed_ ? depart() : follow();

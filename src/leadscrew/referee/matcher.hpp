@@ -11,7 +11,7 @@
 //                       ▲ excused
 //
 // A motion whose acceleration is at most a leaves the chord of a period T by no more: f'' is bounded and f = 0 at both
-// ends. Whatever lies farther was skipped.
+// ends. Whatever lies farther was skipped. How large a can have been is for excuse.hpp to say.
 //
 // Every piece of the path holds at most one candidate: the place matched to the latest word if that word is on this
 // piece, and the largest distance that led there. From word to word,
@@ -56,12 +56,12 @@ struct Passage {
 
 class Matcher {
  public:
-  /// `excuse` is a·T²/8, mm.
-  Matcher(PieceSource& source, const Metric& metric, double excuse);
+  Matcher(PieceSource& source, const Metric& metric);
 
   /// Returns where the first word is matched to.
   Passage begin(const Point& word);
-  Passage observe(const Point& word);
+  /// `excuse`: how far from the chord to this word the motion may have been unseen (SamplingExcuse), mm.
+  Passage observe(const Point& word, double excuse);
 
   /// The rest of the program, seen from the last word; what of it lies beyond its tolerance, the very end apart.
   std::optional<Finding> conclude();

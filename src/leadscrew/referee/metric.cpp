@@ -3,18 +3,16 @@
 namespace leadscrew::referee {
 
 Metric::Metric(const machine::Machine& machine) {
-  double sum = 0;
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     axes_[dimensions_] = axis;
     scale_[dimensions_] = base::is_rotary(axis) ? millimetres_per_degree : 1;
-    const double acceleration = machine.limits(axis).acceleration * scale_[dimensions_];
-    sum += acceleration * acceleration;
+    acceleration_[dimensions_] = machine.limits(axis).acceleration * scale_[dimensions_];
+    jerk_[dimensions_] = machine.limits(axis).jerk * scale_[dimensions_];
     ++dimensions_;
   }
   coordinate_.fill(dimensions_);
   for (std::size_t i = 0; i < dimensions_; ++i) coordinate_[base::index(axes_[i])] = i;
-  acceleration_ = std::sqrt(sum);
 }
 
 Chord chord_between(const Metric& metric, const Point& from, const Point& to) {

@@ -35,8 +35,9 @@ class Metric {
     return result;
   }
 
-  /// Length over the axes of the machine's acceleration limits, mm/s².
-  double acceleration() const { return acceleration_; }
+  /// Limits along a coordinate, mm/s² and mm/s³.
+  double acceleration(std::size_t coordinate) const { return acceleration_[coordinate]; }
+  double jerk(std::size_t coordinate) const { return jerk_[coordinate]; }
 
   double dot(const Point& a, const Point& b) const {
     double sum = 0;
@@ -55,7 +56,7 @@ class Metric {
   std::array<base::Axis, base::axis_count> axes_{};
   std::array<double, base::axis_count> scale_{};
   std::array<std::size_t, base::axis_count> coordinate_{};
-  double acceleration_ = 0;
+  std::array<double, base::axis_count> acceleration_{}, jerk_{};
 };
 
 /// What the machine went along between two words, as far as the words tell: the straight line between them.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <leadscrew/referee/derivatives.hpp>
 #include <leadscrew/referee/docket.hpp>
+#include <leadscrew/referee/excuse.hpp>
 #include <leadscrew/referee/feed_check.hpp>
 #include <leadscrew/referee/matcher.hpp>
 #include <leadscrew/referee/metric.hpp>
@@ -16,7 +17,8 @@ class Referee::Implementation {
       : metric_(machine),
         period_(period),
         source_(std::move(moves), metric_),
-        matcher_(source_, metric_, metric_.acceleration() * period.seconds() * period.seconds() / 8),
+        matcher_(source_, metric_),
+        excuse_(metric_, period.seconds()),
         derivatives_(machine, period),
         feed_(metric_, period) {}
 
@@ -63,7 +65,7 @@ class Referee::Implementation {
 
   void observe_finite(const base::AxisVector& position) {
     const Point point = metric_.point(position);
-    const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point);
+    const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point, excuse_.observe(point));
     line_ = passage.line;
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
     if (const auto& departed = passage.deviation) {
@@ -77,6 +79,7 @@ class Referee::Implementation {
 
   Passage begin(const Point& point) {
     const Passage passage = matcher_.begin(point);
+    excuse_.begin(point);
     start_error_ = metric_.distance(point, matcher_.path_start());
     if (start_error_ > source_.start_tolerance() + nanometre) {
       add_rare(0, "start", {passage.line, start_error_, source_.start_tolerance()});
@@ -88,6 +91,7 @@ class Referee::Implementation {
   base::Period period_;
   PieceSource source_;
   Matcher matcher_;
+  SamplingExcuse excuse_;
   Derivatives derivatives_;
   FeedCheck feed_;
   Docket docket_;

@@ -16,14 +16,6 @@ namespace {
 constexpr int orders = 4;  // position, velocity, acceleration, jerk
 constexpr std::size_t most_points = 20000;
 
-base::AxisSet axes_of(const machine::Machine& machine) {
-  base::AxisSet axes;
-  for (const base::Axis axis : base::all_axes) {
-    if (machine.has(axis)) axes.insert(axis);
-  }
-  return axes;
-}
-
 /// The path as it comes, thinned to a tolerance that doubles whenever the points run out.
 class BoundedPath {
  public:
@@ -94,7 +86,10 @@ struct AxisDifferences {
 class Recording::Implementation {
  public:
   Implementation(const machine::Machine& machine, base::Period period)
-      : period_(period), axes_(differences_of(machine)), envelope_(1 + orders * axes_.size()), path_(axes_of(machine)) {
+      : period_(period),
+        axes_(differences_of(machine)),
+        envelope_(1 + orders * axes_.size()),
+        path_(machine.axis_set()) {
     for (std::size_t k = 1; k < orders; ++k) per_period_[k] = per_period_[k - 1] / period.seconds();
   }
 

@@ -58,25 +58,13 @@ void put_nearest(std::string& page, const PageContent& content) {
   put(page, "</tbody></table></div></div>\n");
 }
 
-std::string_view severity_name(base::Severity severity) {
-  switch (severity) {
-    case base::Severity::note:
-      return "note";
-    case base::Severity::warning:
-      return "warning";
-    case base::Severity::error:
-      return "error";
-  }
-  return "error";
-}
-
 void put_diagnostic(std::string& page, const base::Diagnostic& diagnostic) {
   const base::Place& place = diagnostic.place;
   put(page, "<li><pre>", escaped(place.file));
   if (place.line > 0) put(page, ":", std::to_string(place.line));
   if (place.column > 0) put(page, ":", std::to_string(place.column));
-  put(page, place.file.empty() && place.line == 0 ? "" : ": ", "<b class=\"", severity_name(diagnostic.severity), "\">",
-      severity_name(diagnostic.severity), ":</b> ", escaped(diagnostic.message, 1000), " [", escaped(diagnostic.code),
+  put(page, place.file.empty() && place.line == 0 ? "" : ": ", "<b class=\"", base::name(diagnostic.severity), "\">",
+      base::name(diagnostic.severity), ":</b> ", escaped(diagnostic.message, 1000), " [", escaped(diagnostic.code),
       "]");
   if (!diagnostic.source.empty()) {
     put(page, "\n  ", escaped(diagnostic.source));
