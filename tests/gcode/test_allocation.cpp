@@ -1,27 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "allocations.hpp"
 #include "reading.hpp"
-
-namespace {
-std::atomic<std::int64_t> allocations{0};
-}
-
-// Counts what the whole test program allocates; the default array and sized forms end here as well.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace leadscrew::gcode {
 namespace {
@@ -35,9 +15,9 @@ std::int64_t allocations_of(std::string_view block, int count) {
   Reader reader(text_source(text), machine, tools, {}, [](const base::Diagnostic& d) { ADD_FAILURE() << d.message; });
   Move move;
   EXPECT_TRUE(reader.next(move));
-  const std::int64_t before = allocations;
+  const std::int64_t before = testing_support::allocations();
   while (reader.next(move)) continue;
-  return allocations - before;
+  return testing_support::allocations() - before;
 }
 
 TEST(Memory, IsNotAllocatedForBlocks) {
