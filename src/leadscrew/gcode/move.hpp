@@ -5,6 +5,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/line.hpp>
+#include <vector>
 
 namespace leadscrew::gcode {
 
@@ -41,10 +42,29 @@ struct Feed {
   double value = 0;
 };
 
+/// A control point of a NURBS curve.
+struct ControlPoint {
+  base::AxisVector position{};  ///< machine coordinates, mm or degrees
+  double weight = 1;            ///< > 0
+
+  friend bool operator==(const ControlPoint&, const ControlPoint&) = default;
+};
+
+/// A rational B-spline curve C(u) = Σ w_i N_i,p(u) P_i / Σ w_i N_i,p(u), knots[p] ≤ u ≤ knots[n] for n control points
+/// (Piegl and Tiller, "The NURBS Book", eq. 4.1).
+struct NurbsCurve {
+  int degree = 0;                    ///< p, 1 … 5
+  std::vector<ControlPoint> points;  ///< n > p
+  std::vector<double> knots;         ///< n + p + 1, not decreasing; no inner one more than p times
+
+  friend bool operator==(const NurbsCurve&, const NurbsCurve&) = default;
+};
+
 struct Move {
   enum class Kind : std::uint8_t {
     line,   ///< straight in all axes, from start to end
     arc,    ///< circular in the plane's axes, straight in all others (a helix where the normal axis moves)
+    nurbs,  ///< along `curve`, in all axes
     dwell,  ///< G4: stand still for dwell_seconds
     event,  ///< `event` happens here
   };
@@ -68,6 +88,8 @@ struct Move {
   /// turns and an arc of up to one turn, P words of LinuxCNC. An arc whose ends coincide in the plane makes |turns|
   /// whole turns.
   int turns = 0;
+
+  NurbsCurve curve;  ///< of a nurbs; begins at start and ends at end; knots[p] < knots[n]
 
   double dwell_seconds = 0;  ///< ≥ 0
   base::Event event;
