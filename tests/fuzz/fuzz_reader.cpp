@@ -12,6 +12,8 @@
 #include <leadscrew/machine/machine.hpp>
 #include <string_view>
 
+#include "curve_promises.hpp"
+
 namespace {
 
 using namespace leadscrew;
@@ -74,6 +76,13 @@ Summary read(gcode::ByteSource source, const machine::Machine& machine, const ma
       const double to = std::hypot(move.end[i] - move.center_first, move.end[k] - move.center_second);
       expect(move.turns != 0 && from > 0);
       expect(std::fabs(from - to) <= 1e-12 * (1000 + from));
+    }
+    expect(gcode::keeps_promises_of_curve(move));
+    if (move.kind == gcode::Move::Kind::nurbs) {
+      // The definition takes time by the square of the number of points.
+      expect(move.curve.points.size() > 50 || gcode::curve_is_inside(move, machine, 30));
+      for (const gcode::ControlPoint& point : move.curve.points) summary.sum += point.weight + point.position[0];
+      for (const double knot : move.curve.knots) summary.sum += knot;
     }
     if (move.kind == gcode::Move::Kind::line || move.kind == gcode::Move::Kind::arc) {
       expect((move.feed.mode == gcode::Feed::Mode::rapid) || move.feed.value > 0);

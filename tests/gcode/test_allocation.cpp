@@ -28,6 +28,9 @@ TEST(Memory, IsNotAllocatedForBlocks) {
       "S100 M3 M8\nG4 P1 (remark)\n",
       "G0 X[SIN[#1 * 3] + #1] Y 1 . 5\n",
       "#1=[#1 + 0.001]\n",
+      "G1 X0 Y0\nG5 I1 J1 P1 Q1 X9 Y2\nP1 Q1 X5\nG5.1 X0 I1\nG1 X1\n",
+      "G0 X0 Y0\nG5.2 X1 Y1\nX2 Y0 P3\nX9 Y9\nG5.3\n",
+      "G0 X0 Y0\nG6.2 P3 K0 R2\nK0 X5\nK0 Y3\nK1\nK1\nK1\nM8\n",
       "G10 L2 P2 X1\nG55 G0 X1\nG92 X1\nG92.1\nG54\n",
   };
   for (const char* block : blocks) {

@@ -74,7 +74,7 @@ TEST(Diagnostics, StandAtTheirLineAndColumn) {
       {"G12", "1:1 unknown-code; "},
       {"M77", "1:1 unknown-code; "},
       {"M3.5", "1:1 unknown-code; "},
-      {"G1 X1 F60 G5.1", "1:11 unsupported-code; "},
+      {"G1 X1 F60 G8", "1:11 unsupported-code; "},
       {"G41 D1", "1:1 unsupported-code; "},
       {"G95", "1:1 unsupported-code; "},
       {"G38.2 X1", "1:1 unsupported-code; "},

@@ -29,14 +29,27 @@ void expect_same(const Reading& a, const Reading& b) {
     RC_ASSERT(a.moves[i].line == b.moves[i].line);
     RC_ASSERT(a.moves[i].end == b.moves[i].end);
     RC_ASSERT(a.moves[i].event == b.moves[i].event);
+    RC_ASSERT(a.moves[i].curve == b.moves[i].curve);
   }
   RC_ASSERT(a.problems() == b.problems());
   RC_ASSERT(a.blocks == b.blocks);
 }
 
 std::string some_program() {
-  const std::vector<std::string> lines = {"G0 X1 Y2", "x-3.25\r", "",     "G1 F100 Z[1+#5420]", "(remark)", "G2 X5 R70",
-                                          "Q1",       "M3 S1000", "#1=5", "G81 X1 Z-2 R1",      "G0 X#1"};
+  const std::vector<std::string> lines = {"G0 X1 Y2",
+                                          "x-3.25\r",
+                                          "",
+                                          "G1 F100 Z[1+#5420]",
+                                          "(remark)",
+                                          "G2 X5 R70",
+                                          "Q1",
+                                          "M3 S1000",
+                                          "#1=5",
+                                          "G81 X1 Z-2 R1",
+                                          "G0 X#1",
+                                          "G5 I1 J1 P2 Q3 X9",
+                                          "G5.2 X1 Y1\nX2 Y2 P3\nG5.3",
+                                          "G6.2 P2 K0\nK0 X5\nK1\nK1"};
   std::string text;
   for (const auto& line : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(lines))) text += line + "\n";
   return text + *rc::gen::element<std::string>("", "M2", "M2\n", " ");

@@ -148,7 +148,9 @@ TEST(Words, PassThroughThousandsOfTinyBlocksInOnePeriod) {
   for (int k = 1; k <= 5000; ++k) {
     geometry::Point next = at;
     next[0] = k * 1e-12;
-    path.push_back(line_piece(at, next, 50, k));
+    toolpath::Piece piece = line_piece(at, next, 50, k);
+    piece.stop = true;
+    path.push_back(piece);
     at = next;
   }
   const auto train = words(plan(path, mill()), base::Period{20'000'000});

@@ -110,4 +110,59 @@ TEST_P(InEveryPlane, PlaneAxesAreRightHanded) {
 
 INSTANTIATE_TEST_SUITE_P(Planes, InEveryPlane, testing::Values(gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ));
 
+std::vector<Piece> pieces(const Move& move) {
+  Builder builder;
+  builder.push(move);
+  builder.finish();
+  std::vector<Piece> pieces;
+  while (const auto element = builder.pop()) pieces.push_back(std::get<Piece>(*element));
+  return pieces;
+}
+
+Move corner_of_splines() {
+  // Two straight cubics, 3 and 4 long, at a right angle.
+  Move move;
+  move.kind = Move::Kind::nurbs;
+  move.line = base::Line{7};
+  move.feed = {gcode::Feed::Mode::units_per_second, 10};
+  move.curve.degree = 3;
+  move.curve.knots = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2};
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}, {3, 4}}) {
+    move.curve.points.push_back({{static_cast<double>(x), static_cast<double>(y)}, 1});
+  }
+  move.start = move.curve.points.front().position;
+  move.end = move.curve.points.back().position;
+  return move;
+}
+
+TEST(Builder, CutsASplineIntoSmoothPieces) {
+  const Move move = corner_of_splines();
+  const std::vector<Piece> made = pieces(move);
+  ASSERT_EQ(made.size(), 2u);
+  EXPECT_EQ(geometry::start(made[0].curve), move.start);
+  EXPECT_EQ(geometry::end(made[0].curve), geometry::start(made[1].curve));
+  EXPECT_EQ(geometry::end(made[1].curve), move.end);
+  for (const Piece& piece : made) {
+    EXPECT_EQ(piece.feed, 10);
+    EXPECT_EQ(piece.line, base::Line{7});
+  }
+}
+
+TEST(FeedLength, OfASplineIsThatOfAllItsPieces) {
+  EXPECT_NEAR(toolpath::feed_length(corner_of_splines()), 7, 1e-12);
+}
+
+TEST(Builder, TurnsInverseTimeOfASplineIntoSpeedAlongTheWhole) {
+  Move move = corner_of_splines();
+  move.feed = {gcode::Feed::Mode::per_second, 2};
+  for (const Piece& piece : pieces(move)) EXPECT_NEAR(piece.feed, 14, 1e-12);
+}
+
+TEST(Builder, PassesOverASplineThatStandsStill) {
+  Move move = corner_of_splines();
+  for (auto& point : move.curve.points) point.position = {1, 2};
+  EXPECT_TRUE(pieces(move).empty());
+  EXPECT_EQ(toolpath::feed_length(move), 0);
+}
+
 }  // namespace

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/nearest.hpp>
+#include <leadscrew/study/studies.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -47,6 +48,12 @@ constexpr std::string_view verify_examples =
     "\n"
     "TRACE is CSV with columns t and axis letters, or NPY. Without --period its rows must be evenly spaced in t.\n";
 
+constexpr std::string_view study_examples =
+    "Examples:\n"
+    "  leadscrew study list                       what there is\n"
+    "  leadscrew study butterfly\n"
+    "  leadscrew study feed-fluctuation --json    rows of what, published, ours, unit, verdict and why\n";
+
 /// A command line that makes no sense; what() says why.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -54,7 +61,7 @@ struct UsageError : std::runtime_error {
 
 /// Options as text, before their values are looked at.
 struct Texts {
-  std::optional<std::string> period, mode, tolerance, start, color;
+  std::optional<std::string> period, mode, tolerance, start, color, interpolator;
   std::string judged_program;  ///< of verify, one
 };
 
@@ -75,6 +82,12 @@ std::string command_line(int count, const char* const* values) {
   return line;
 }
 
+void add_output(CLI::App& command, Arguments& arguments, Texts& texts) {
+  command.add_flag("--json", arguments.json, "One JSON object on standard output, nothing else there");
+  command.add_flag("--quiet", arguments.quiet, "No summary and no progress bar");
+  command.add_option("--color", texts.color, "auto, always or never; NO_COLOR is heeded")->type_name("WHEN");
+}
+
 void add_common(CLI::App& command, Arguments& arguments, Texts& texts) {
   command.add_option("--machine", arguments.machine, "Machine file (TOML), or the built-in mill3 (default)")
       ->type_name("FILE");
@@ -83,9 +96,7 @@ void add_common(CLI::App& command, Arguments& arguments, Texts& texts) {
       .add_option("--start", texts.start,
                   "Where the program begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)")
       ->type_name("X0,Y0,...");
-  command.add_flag("--json", arguments.json, "One JSON object on standard output, nothing else there");
-  command.add_flag("--quiet", arguments.quiet, "No summary and no progress bar");
-  command.add_option("--color", texts.color, "auto, always or never; NO_COLOR is heeded")->type_name("WHEN");
+  add_output(command, arguments, texts);
 }
 
 void add_motion(CLI::App& command, Arguments&, Texts& texts) {
@@ -100,6 +111,9 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& texts) {
   run->add_option("--period", texts.period, "Servo period, such as 1ms or 250us, in place of the machine's")
       ->type_name("TIME");
   add_motion(*run, arguments, texts);
+  run->add_option("--interpolator", texts.interpolator,
+                  "Parameter steps along curves: arc-length (default), taylor1, taylor2, newton or uniform")
+      ->type_name("RULE");
   run->add_option("--trace", arguments.trace, "Write the words: .csv or .npy")->type_name("FILE");
   run->add_option("--report", arguments.report, "Write one self-contained page")->type_name("FILE.html");
   run->add_option("--picture", arguments.picture, "Write the path alone, coloured by speed")->type_name("FILE.svg");
@@ -132,6 +146,14 @@ CLI::App* add_verify(CLI::App& app, Arguments& arguments, Texts& texts) {
   return verify;
 }
 
+CLI::App* add_study(CLI::App& app, Arguments& arguments, Texts& texts) {
+  CLI::App* study = app.add_subcommand("study", "Published tables and figures made again, ours beside them");
+  study->add_option("NAME", arguments.study, "Which; list says what there is")->required()->type_name("");
+  add_output(*study, arguments, texts);
+  study->footer(std::string(study_examples));
+  return study;
+}
+
 template <class T>
 T value_of(std::string_view option, const std::string& text, Parsed<T> parsed) {
   if (!parsed) throw UsageError(fmt::format("{} {}: {}", option, text, parsed.error()));
@@ -151,12 +173,22 @@ ColorChoice color_choice(const std::string& text) {
   throw UsageError(fmt::format("--color {}: is none of auto, always, never", text));
 }
 
+interpolator::StepRule step_rule(const std::string& text) {
+  std::string known;
+  for (const interpolator::StepRule rule : interpolator::all_step_rules) {
+    if (text == interpolator::name(rule)) return rule;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", interpolator::name(rule));
+  }
+  throw UsageError(fmt::format("--interpolator {}: is none of {}", text, known));
+}
+
 void take_values(const Texts& texts, Arguments& arguments) {
   if (texts.period) arguments.period = value_of("--period", *texts.period, parse_period(*texts.period));
   if (texts.mode) arguments.mode = path_mode(*texts.mode);
   if (texts.tolerance)
     arguments.tolerance = value_of("--tolerance", *texts.tolerance, parse_tolerance(*texts.tolerance));
   if (texts.start) arguments.start = value_of("--start", *texts.start, parse_axis_values(*texts.start));
+  if (texts.interpolator) arguments.interpolator = step_rule(*texts.interpolator);
   if (texts.color) arguments.color = color_choice(*texts.color);
 }
 
@@ -200,6 +232,16 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return meant ? fmt::format("; did you mean {}?", *meant) : "";
 }
 
+void check_study(const Arguments& arguments) {
+  if (arguments.command != Arguments::Command::study) return;
+  std::vector<std::string> known = {"list"};
+  for (const study::Study& study : study::studies()) known.emplace_back(study.name);
+  if (std::find(known.begin(), known.end(), arguments.study) != known.end()) return;
+  const std::string meant = did_you_mean(arguments.study, known);
+  throw UsageError(fmt::format("no study \"{}\"{}", arguments.study,
+                               meant.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : meant));
+}
+
 /// What CLI11 could not place: options nobody knows, or words too many.
 std::string unexpected(const CLI::App& command) {
   const std::vector<std::string> rest = command.remaining();
@@ -214,16 +256,17 @@ Answer usage(const std::string& where, const std::string& message) {
   return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
 }
 
+constexpr std::string_view commands_there_are = "; there are run, check and verify for programs, and study";
+
 /// The first word must be a command; CLI11 would say less.
 std::optional<Answer> check_command(int count, const char* const* values) {
-  const std::vector<std::string> known = {"run", "check", "verify"};
-  if (count < 2) return usage("leadscrew", "no command; there are run, check and verify");
+  const std::vector<std::string> known = {"run", "check", "verify", "study"};
+  if (count < 2) return usage("leadscrew", fmt::format("no command{}", commands_there_are));
   const std::string word = values[1];
   if (word.empty() || word[0] != '-') {
     if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
     const std::string meant = did_you_mean(word, known);
-    return usage("leadscrew",
-                 fmt::format("no command \"{}\"{}", word, meant.empty() ? "; there are run, check and verify" : meant));
+    return usage("leadscrew", fmt::format("no command \"{}\"{}", word, meant.empty() ? commands_there_are : meant));
   }
   const std::vector<std::string> options = {"--help", "--version"};
   const bool known_option = word == "-h" || std::find(options.begin(), options.end(), word) != options.end();
@@ -239,7 +282,7 @@ class Parser {
     app_.require_subcommand(1);
     app_.footer(std::string(main_examples) + "\n" + std::string(exit_statuses));
     commands_ = {add_run(app_, arguments_, texts_), add_check(app_, arguments_, texts_),
-                 add_verify(app_, arguments_, texts_)};
+                 add_verify(app_, arguments_, texts_), add_study(app_, arguments_, texts_)};
   }
 
   std::variant<Arguments, Answer> parse(int count, const char* const* values) {
@@ -247,10 +290,12 @@ class Parser {
       app_.parse(count, values);
       arguments_.command = app_.got_subcommand(commands_[0])   ? Arguments::Command::run
                            : app_.got_subcommand(commands_[1]) ? Arguments::Command::check
-                                                               : Arguments::Command::verify;
+                           : app_.got_subcommand(commands_[2]) ? Arguments::Command::verify
+                                                               : Arguments::Command::study;
       arguments_.command_line = command_line(count, values);
       if (arguments_.command == Arguments::Command::verify) arguments_.programs = {texts_.judged_program};
       take_values(texts_, arguments_);
+      check_study(arguments_);
       check_standard_input(arguments_);
       check_outputs(arguments_);
       check_names(arguments_);
@@ -279,7 +324,7 @@ class Parser {
   Arguments arguments_;
   Texts texts_;
   CLI::App app_{"CNC part programs into motion.", "leadscrew"};
-  std::array<CLI::App*, 3> commands_{};
+  std::array<CLI::App*, 4> commands_{};
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/cli/status.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/interpolator/parameter_steps.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,17 +15,19 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Command { run, check, verify };
+  enum class Command { run, check, verify, study };
 
   Command command = Command::run;
   std::vector<std::string> programs;   ///< one or more; of verify one
   std::string judged_trace;            ///< of verify
+  std::string study;                   ///< of study: the name of one that there is, or "list"
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine
   std::optional<std::string> tools;    ///< file
   std::vector<AxisValue> start;        ///< machine coordinates, mm or degrees; axes not named start at zero
   std::optional<base::Period> period;
   std::optional<gcode::PathMode> mode;
-  std::optional<double> tolerance;  ///< mm
+  std::optional<double> tolerance;                                           ///< mm
+  interpolator::StepRule interpolator = interpolator::StepRule::arc_length;  ///< parameter steps along curves
   std::optional<std::string> trace, report, picture, out;
   bool json = false;
   bool quiet = false;

@@ -6,6 +6,7 @@
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/run.hpp>
+#include <leadscrew/cli/study.hpp>
 #include <leadscrew/cli/verify.hpp>
 
 namespace leadscrew::cli {
@@ -37,6 +38,8 @@ std::string_view schema_of(Arguments::Command command) {
       return check_schema;
     case Arguments::Command::verify:
       return verify_schema;
+    case Arguments::Command::study:
+      break;  // works on no program
   }
   return run_schema;
 }
@@ -53,6 +56,7 @@ Status end_without_job(const Arguments& arguments, const DiagnosticLog& log, Con
 
 Status perform(const Arguments& arguments) {
   Console console(arguments.color, arguments.quiet);
+  if (arguments.command == Arguments::Command::study) return study(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
   if (!job) return end_without_job(arguments, log, console);
@@ -63,6 +67,8 @@ Status perform(const Arguments& arguments) {
       return check(*job, console);
     case Arguments::Command::verify:
       return verify(*job, console);
+    case Arguments::Command::study:
+      break;
   }
   return Status::usage;
 }

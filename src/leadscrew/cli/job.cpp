@@ -63,7 +63,7 @@ void take_start(const AxisValue& given, Job& job, DiagnosticLog& log) {
 }
 
 bool is_motion(const gcode::Move& move) {
-  return move.kind == gcode::Move::Kind::line || move.kind == gcode::Move::Kind::arc;
+  return move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event;
 }
 
 }  // namespace

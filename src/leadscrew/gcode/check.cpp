@@ -17,19 +17,19 @@ const char* users_of(char letter) {
     case 'H':
       return "H belongs to G43";
     case 'I':
-      return "I belongs to G2 and G3 in G17 and G18";
+      return "I belongs to G2 and G3 in G17 and G18, G5 and G5.1";
     case 'J':
-      return "J belongs to G2 and G3 in G17 and G19";
+      return "J belongs to G2 and G3 in G17 and G19, G5 and G5.1";
     case 'K':
-      return "K belongs to G2 and G3 in G18 and G19";
+      return "K belongs to G2 and G3 in G18 and G19, and G6.2";
     case 'L':
-      return "L belongs to G10 and the canned cycles";
+      return "L belongs to G5.2, G10 and the canned cycles";
     case 'P':
-      return "P belongs to G2, G3, G4, G10, G64 and G82";
+      return "P belongs to G2 to G5, G5.2, G6.2, G10, G64 and G82";
     case 'Q':
-      return "Q belongs to G64 and G83";
+      return "Q belongs to G5, G64 and G83";
     case 'R':
-      return "R belongs to G2, G3, G10 L2 and the canned cycles";
+      return "R belongs to G2, G3, G6.2, G10 L2 and the canned cycles";
     default:
       return "no supported code takes it";
   }
@@ -44,6 +44,22 @@ bool takes_axes(const Block& block) {
 constexpr std::uint32_t offset_letters(Plane plane) {
   return (plane == Plane::YZ ? 0 : letter_bit('I')) | (plane == Plane::ZX ? 0 : letter_bit('J')) |
          (plane == Plane::XY ? 0 : letter_bit('K'));
+}
+
+// The letters of curves that are not axes. P of G6.2 stands where the curve begins.
+constexpr std::uint32_t curve_letters(GCode motion, bool begins) {
+  switch (motion) {
+    case cubic_spline:
+      return letter_bit('I') | letter_bit('J') | letter_bit('P') | letter_bit('Q');
+    case quadratic_spline:
+      return letter_bit('I') | letter_bit('J');
+    case nurbs_begin:
+      return letter_bit('P') | letter_bit('L');
+    case nurbs_with_knots:
+      return letter_bit('K') | letter_bit('R') | (begins ? letter_bit('P') : 0);
+    default:
+      return 0;
+  }
 }
 
 }  // namespace
@@ -67,6 +83,7 @@ Interpreter::Distance Interpreter::distance_after(const Block& block) const {
 }
 
 void Interpreter::check(const Block& block) {
+  check_curve(block);
   to_do_ = motion_of(block);
   check_words(block);
   check_axes(block);
@@ -106,8 +123,26 @@ GCode Interpreter::motion_of(const Block& block) {
     }
     return motion_;
   }
-  const bool arc_words = block.words & (offset_letters(plane_after(block)) | letter_bit('R'));
-  return is_arc(motion_) && arc_words && block.code(Group::nonmodal) != 100 ? motion_ : GCode{-1};
+  return moves_without_axes(block) && block.code(Group::nonmodal) != 100 ? motion_ : GCode{-1};
+}
+
+bool Interpreter::moves_without_axes(const Block& block) const {
+  if (is_arc(motion_)) return block.words & (offset_letters(plane_after(block)) | letter_bit('R'));
+  if (motion_ == cubic_spline || motion_ == quadratic_spline) return block.has('I') || block.has('J');
+  return motion_ == nurbs_with_knots && (block.has('K') || block.has('R'));
+}
+
+// Between the first block of a curve and the last there is nothing but its points, their feed, and remarks.
+void Interpreter::check_curve(const Block& block) {
+  if (draft_.code < 0) return;
+  const bool by_itself = draft_.code == nurbs_begin &&
+                         (block.code(Group::motion) == nurbs_begin || block.code(Group::motion) == nurbs_end);
+  const bool motion = block.has(Group::motion) && !by_itself;
+  const bool other_words = block.words & (letter_bit('S') | letter_bit('T'));
+  if (!motion && !other_words && !(block.g_groups & ~bit(Group::motion)) && !block.m_groups) return;
+  curve_error("unfinished-curve", motion ? block.column_of(Group::motion) : block.first_column, unfinished_message(),
+              unfinished_hint());
+  if (motion || block.has_m(4)) abandon_curve();
 }
 
 std::uint32_t Interpreter::words_used(const Block& block) const {
@@ -119,6 +154,7 @@ std::uint32_t Interpreter::words_used(const Block& block) const {
   if (block.code(Group::path) == 640) used |= letter_bit('P') | letter_bit('Q');
   if (is_arc(to_do_)) used |= letter_bit('P') | letter_bit('R') | offset_letters(plane_after(block));
   if (is_drill_cycle(to_do_)) used |= letter_bit('R') | letter_bit('L');
+  if (is_curve(to_do_)) used |= curve_letters(to_do_, block.has(Group::motion));
   if (to_do_ == 820) used |= letter_bit('P');
   if (to_do_ == 830) used |= letter_bit('Q');
   return used;
@@ -136,7 +172,8 @@ void Interpreter::check_words(const Block& block) {
   }
   if (!block.has('P')) return;
   const int takers = (block.code(Group::nonmodal) == 40) + (block.code(Group::nonmodal) == 100) +
-                     (block.code(Group::path) == 640) + is_arc(to_do_) + (to_do_ == 820);
+                     (block.code(Group::path) == 640) + is_arc(to_do_) + (to_do_ == 820) +
+                     ((curve_letters(to_do_, block.has(Group::motion)) & letter_bit('P')) != 0);
   if (takers > 1) {
     error("ambiguous-word", block.column_of('P'), "more than one code of this block takes P",
           "put them into two blocks");

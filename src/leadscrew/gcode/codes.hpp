@@ -45,24 +45,25 @@ struct CodeGroup {
 };
 
 inline constexpr CodeGroup g_codes[] = {
-    {0, Group::motion},        {10, Group::motion},        {20, Group::motion},        {30, Group::motion},
-    {800, Group::motion},      {810, Group::motion},       {820, Group::motion},       {830, Group::motion},
-    {850, Group::motion},      {40, Group::nonmodal},      {100, Group::nonmodal},     {280, Group::nonmodal},
-    {281, Group::nonmodal},    {300, Group::nonmodal},     {301, Group::nonmodal},     {530, Group::nonmodal},
-    {920, Group::nonmodal},    {921, Group::nonmodal},     {922, Group::nonmodal},     {923, Group::nonmodal},
-    {170, Group::plane},       {180, Group::plane},        {190, Group::plane},        {900, Group::distance},
-    {910, Group::distance},    {901, Group::arc_distance}, {911, Group::arc_distance}, {930, Group::feed_mode},
-    {940, Group::feed_mode},   {200, Group::units},        {210, Group::units},        {400, Group::cutter_radius},
-    {430, Group::tool_length}, {431, Group::tool_length},  {490, Group::tool_length},  {980, Group::retract},
-    {990, Group::retract},     {540, Group::system},       {550, Group::system},       {560, Group::system},
-    {570, Group::system},      {580, Group::system},       {590, Group::system},       {591, Group::system},
-    {592, Group::system},      {593, Group::system},       {610, Group::path},         {611, Group::path},
-    {640, Group::path},        {970, Group::spindle_mode},
+    {0, Group::motion},          {10, Group::motion},       {20, Group::motion},        {30, Group::motion},
+    {800, Group::motion},        {810, Group::motion},      {820, Group::motion},       {830, Group::motion},
+    {850, Group::motion},        {50, Group::motion},       {51, Group::motion},        {52, Group::motion},
+    {53, Group::motion},         {62, Group::motion},       {40, Group::nonmodal},      {100, Group::nonmodal},
+    {280, Group::nonmodal},      {281, Group::nonmodal},    {300, Group::nonmodal},     {301, Group::nonmodal},
+    {530, Group::nonmodal},      {920, Group::nonmodal},    {921, Group::nonmodal},     {922, Group::nonmodal},
+    {923, Group::nonmodal},      {170, Group::plane},       {180, Group::plane},        {190, Group::plane},
+    {900, Group::distance},      {910, Group::distance},    {901, Group::arc_distance}, {911, Group::arc_distance},
+    {930, Group::feed_mode},     {940, Group::feed_mode},   {200, Group::units},        {210, Group::units},
+    {400, Group::cutter_radius}, {430, Group::tool_length}, {431, Group::tool_length},  {490, Group::tool_length},
+    {980, Group::retract},       {990, Group::retract},     {540, Group::system},       {550, Group::system},
+    {560, Group::system},        {570, Group::system},      {580, Group::system},       {590, Group::system},
+    {591, Group::system},        {592, Group::system},      {593, Group::system},       {610, Group::path},
+    {611, Group::path},          {640, Group::path},        {970, Group::spindle_mode},
 };
 
-inline constexpr GCode unsupported_g_codes[] = {50,  51,  52,  53,  60,  61,  62,  70,  80,  171, 181, 191, 330, 331,
-                                                382, 383, 384, 385, 410, 411, 420, 421, 432, 520, 700, 710, 711, 712,
-                                                720, 721, 722, 730, 740, 760, 840, 860, 870, 880, 890, 950, 960};
+inline constexpr GCode unsupported_g_codes[] = {60,  61,  70,  80,  171, 181, 191, 330, 331, 382, 383, 384,
+                                                385, 410, 411, 420, 421, 432, 520, 700, 710, 711, 712, 720,
+                                                721, 722, 730, 740, 760, 840, 860, 870, 880, 890, 950, 960};
 
 constexpr std::array<Group, 1000> make_g_groups() {
   std::array<Group, 1000> groups{};
@@ -114,6 +115,16 @@ constexpr bool is_drill_cycle(GCode motion) {
 }
 constexpr bool is_arc(GCode motion) {
   return motion == 20 || motion == 30;
+}
+
+/// Curves: G5 and G5.1 stand in one block; G5.2 up to G5.3, and G6.2, in many.
+inline constexpr GCode cubic_spline = 50;
+inline constexpr GCode quadratic_spline = 51;
+inline constexpr GCode nurbs_begin = 52;
+inline constexpr GCode nurbs_end = 53;
+inline constexpr GCode nurbs_with_knots = 62;
+constexpr bool is_curve(GCode motion) {
+  return (cubic_spline <= motion && motion <= nurbs_end) || motion == nurbs_with_knots;
 }
 
 /// "G38.2"

@@ -39,6 +39,7 @@ void Interpreter::execute(const Block& block, base::Line line) {
   line_ = line;
   outbox_size_ = outbox_next_ = 0;
   if (reporter_.failed()) reporter_.mute();
+  if (reporter_.errors() != draft_.errors) draft_.spoiled = true;
   if (!block.complete) {
     // The words that were lost may have said what the next blocks rely on.
     assume_feed();
@@ -56,7 +57,9 @@ void Interpreter::execute(const Block& block, base::Line line) {
   move(block);
   stop(block);
 
+  draft_.errors = reporter_.errors();
   if (!reporter_.failed()) return;
+  draft_.spoiled = true;
   outbox_size_ = 0;
   if (cycle_.active()) frame_.position = cycle_.end();
   cycle_ = {};
@@ -70,7 +73,7 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
   const GCode motion = block.g_groups ? block.g[index(Group::motion)] : motion_;
   if ((block.words & ~plain_words) || (block.g_groups & ~bit(Group::motion)) || block.m_groups || motion > 10 ||
       (axes & ~machine_letters_) || axes == 0 || feed_mode_ != FeedMode::per_minute || frame_.is_rotated() ||
-      (block.has('F') && !(block['F'] > 0)) || (motion == 10 && !feed_known_ && !block.has('F'))) {
+      (block.has('F') && !(block['F'] > 0)) || (motion == 10 && !feed_known_ && !block.has('F')) || draft_.code >= 0) {
     return Plain::no;
   }
   // One pass over the axis words: no state changes before all of them are known to be inside.
@@ -105,6 +108,7 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
   move.naive_cam_tolerance = effective_naive_cam_tolerance_;
   move.center_first = move.center_second = 0;
   move.turns = 0;
+  move.curve.clear();
   move.dwell_seconds = 0;
   move.event = {};
   frame_.position = move.end;
@@ -113,7 +117,8 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
 
 bool Interpreter::next(Move& move) {
   if (outbox_next_ < outbox_size_) {
-    move = outbox_[outbox_next_++];
+    // The memory of a curve comes back for the next.
+    std::swap(move, outbox_[outbox_next_++]);
     return true;
   }
   while (cycle_.active()) {
@@ -139,13 +144,21 @@ bool Interpreter::next(Move& move) {
 
 void Interpreter::end(base::Line line) {
   line_ = line;
+  if (draft_.code >= 0 && !draft_.spoiled && reporter_.errors() == draft_.errors) {
+    reporter_.report(base::Severity::error, "unfinished-curve", {reporter_.file(), base::number(line), 1},
+                     unfinished_message(), unfinished_hint());
+  }
+  abandon_curve();
   outbox_size_ = outbox_next_ = 0;
   stop_ = base::Event::Kind::program_end;
   ended_ = true;
 }
 
 void Interpreter::prepare(Move& move, Move::Kind kind) const {
+  NurbsCurve memory = std::move(move.curve);
+  memory.clear();
   move = Move{};
+  move.curve = std::move(memory);
   move.kind = kind;
   move.path_mode = effective_mode_;
   move.plane = plane_;

@@ -45,6 +45,13 @@ class Interpreter {
   void end(base::Line line);
   bool ended() const { return ended_; }
 
+  /// The circle of an arc, its radius in mm, and its turns as in Move.
+  struct ArcPlan {
+    ArcCircle circle;
+    double radius = 0;
+    int turns = 1;
+  };
+
  private:
   enum class Distance : std::uint8_t { absolute, incremental };
   enum class FeedMode : std::uint8_t { per_minute, inverse_time };
@@ -53,6 +60,8 @@ class Interpreter {
   // check.cpp: what can be said of a block before any of it is executed.
   void check(const Block& block);
   GCode motion_of(const Block& block);
+  bool moves_without_axes(const Block& block) const;
+  void check_curve(const Block& block);
   std::uint32_t words_used(const Block& block) const;
   void check_words(const Block& block);
   void check_axes(const Block& block);
@@ -83,15 +92,25 @@ class Interpreter {
   void nonmodal(const Block& block);
 
   // motion.cpp
-  base::AxisVector target_of(const Block& block) const;
+  /// Where the axis words lead, seen from a place: the coordinates of that place where there is none.
+  base::AxisVector target_of(const Block& block, const base::AxisVector& from) const;
+  base::AxisVector target_of(const Block& block) const { return target_of(block, frame_.position); }
+  bool is_linear(const base::AxisVector& target) const;
   void move(const Block& block);
   void line_to(const Block& block, const base::AxisVector& target, const Feed& feed);
   void arc(const Block& block);
   bool arc_center(const Block& block, PlanePoint start, PlanePoint& center);
   bool report_circle(const Block& block, const ArcCircle& circle);
+  bool plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan);
+  void arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan);
   void drill(const Block& block);
+  bool can_drill(const Block& block);
+  void plan_repeats(const Block& block, DrillCycle::Plan& plan);
+  void plan_dwell(const Block& block, DrillCycle::Plan& plan);
+  void plan_pecks(const Block& block, DrillCycle::Plan& plan);
   bool plan_levels(const Block& block, DrillCycle::Plan& plan);
-  bool feed_of(const Block& block, const base::AxisVector& target, Feed& feed);
+  /// The feed of a move of linear axes, or of rotary ones only; `given`: its F word has been read.
+  bool feed_of(const Block& block, bool linear, bool given, Feed& feed);
   bool inside_travel(const Block& block, const base::AxisVector& target);
   /// Finds the axes that are outside, where the position was changed without a check.
   void note_outside();
@@ -101,6 +120,29 @@ class Interpreter {
   bool bulge_inside(const Block& block, base::Axis axis, double low, double high);
   void report_travel(base::Axis axis, double value, std::uint32_t column);
   std::uint32_t motion_column(const Block& block) const;
+
+  // curves.cpp
+  void curve(const Block& block);
+  void spline(const Block& block);
+  bool spline_offset(const Block& block, char first, char second, PlanePoint& offset);
+  bool first_offset(const Block& block, PlanePoint& offset);
+  void begin_curve(const Block& block);
+  void add_to_nurbs(const Block& block);
+  void end_nurbs(const Block& block);
+  void begin_nurbs_with_knots(const Block& block);
+  void add_to_nurbs_with_knots(const Block& block);
+  void set_order(const Block& block, char letter, int least);
+  void add_point(const Block& block, const base::AxisVector& position, char weight_letter);
+  void add_knot(const Block& block, bool all_points);
+  void finish_curve(const Block& block);
+  bool join_start(const Block& block);
+  void follow_curve(const Block& block, const Feed& feed, base::Line line);
+  bool is_linear_curve() const;
+  void curve_inside(const Block& block);
+  void abandon_curve();
+  std::string unfinished_message() const;
+  std::string unfinished_hint() const;
+  bool curve_error(std::string_view code, std::uint32_t column, std::string message, std::string hint);
   bool error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
     return reporter_.error(code, column, std::move(message), std::move(hint));
   }
@@ -136,6 +178,22 @@ class Interpreter {
     std::optional<double> r, bottom, dwell, peck;
   };
   std::optional<CycleSeries> series_;
+
+  // The curve being read, block by block. Once a problem of it has been reported, it is only followed to its end.
+  struct Draft {
+    GCode code = -1;       // G5.2 or G6.2; −1 where no curve is open
+    bool spoiled = false;  // it makes no move; what else seems wrong with its shape may follow from what has been said
+    bool feed_given = false;
+    std::int64_t errors = 0;  // of the text, when the last of its blocks had been read
+    base::Line line{};
+    std::uint32_t order = 0;
+    std::size_t last_knots = 0;  // G6.2: behind the last point
+    base::AxisVector last_point{};
+  };
+  Draft draft_;
+  NurbsCurve curve_;
+  // Of G5, for the next one: from its end, as seen from there, mm along X and Y of the machine.
+  std::optional<PlanePoint> tangent_;
 
   // What moves carry of it, overridden where the options say so.
   PathMode effective_mode_ = PathMode::blend;

@@ -20,6 +20,16 @@ PlanePoint in_plane(const base::AxisVector& position, Plane plane) {
   return {position[base::index(first_axis(plane))], position[base::index(second_axis(plane))]};
 }
 
+// Along the helix, in X, Y and Z.
+double arc_length(PlanePoint start, const Interpreter::ArcPlan& plan, const Move& arc) {
+  const int direction = plan.turns > 0 ? 1 : -1;
+  const PlanePoint center = plan.circle.center;
+  const double angle = sweep(start, plan.circle.end, center, direction) +
+                       (std::abs(plan.turns) - 1) * sweep(start, start, center, direction);
+  const std::size_t normal = base::index(normal_axis(arc.plane));
+  return std::hypot(plan.radius * angle, arc.end[normal] - arc.start[normal]);
+}
+
 // I, J and K go with X, Y and Z.
 constexpr char offset_letter(base::Axis axis) {
   return static_cast<char>('I' + base::index(axis));
@@ -99,13 +109,13 @@ bool Interpreter::bulge_inside(const Block& block, base::Axis axis, double low, 
   return false;
 }
 
-base::AxisVector Interpreter::target_of(const Block& block) const {
-  base::AxisVector target = frame_.position;
+base::AxisVector Interpreter::target_of(const Block& block, const base::AxisVector& from) const {
+  base::AxisVector target = from;
   const std::uint32_t axes = block.words & axis_letter_bits & machine_letters_;
   const bool in_machine = block.code(Group::nonmodal) == 530;
   const bool rotated = frame_.is_rotated() && !in_machine && (axes & (letter_bit('X') | letter_bit('Y')));
   base::AxisVector program{};
-  if (rotated) program = frame_.to_program(frame_.position);
+  if (rotated) program = frame_.to_program(from);
   for (std::uint32_t rest = axes; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
     const base::Axis axis = axis_of_letter(letter);
@@ -132,36 +142,43 @@ base::AxisVector Interpreter::target_of(const Block& block) const {
 
 void Interpreter::move(const Block& block) {
   // A motion that could not be told keeps the one in force.
-  if (block.has(Group::motion)) motion_ = block.code(Group::motion);
+  if (block.has(Group::motion)) {
+    if (block.code(Group::motion) != motion_) tangent_.reset();
+    motion_ = block.code(Group::motion);
+  }
   if (motion_ == 800 || (to_do_ >= 0 && !is_drill_cycle(to_do_))) series_.reset();
   if (to_do_ < 0) return;
   if (is_drill_cycle(to_do_)) {
     drill(block);
   } else if (is_arc(to_do_)) {
     arc(block);
+  } else if (is_curve(to_do_)) {
+    curve(block);
   } else {
     const base::AxisVector target = target_of(block);
     Feed feed;
-    if (to_do_ == 10 && (block.words & axis_letter_bits)) feed_of(block, target, feed);
+    if (to_do_ == 10 && (block.words & axis_letter_bits)) feed_of(block, is_linear(target), block.has('F'), feed);
     line_to(block, target, feed);
   }
 }
 
-bool Interpreter::feed_of(const Block& block, const base::AxisVector& target, Feed& feed) {
+bool Interpreter::is_linear(const base::AxisVector& target) const {
+  for (const base::Axis axis : base::all_axes) {
+    if (!base::is_rotary(axis) && target[base::index(axis)] != frame_.position[base::index(axis)]) return true;
+  }
+  return false;
+}
+
+bool Interpreter::feed_of(const Block& block, bool linear, bool given, Feed& feed) {
   if (feed_mode_ == FeedMode::inverse_time) {
-    feed.mode = Feed::Mode::per_second;
-    feed.value = block.value_or('F', 1) / seconds_per_minute;
-    if (block.has('F')) return true;
+    // F in any units is a reciprocal of minutes, as it is in degrees a minute.
+    feed = {Feed::Mode::per_second, given ? angular_feed_ : 1 / seconds_per_minute};
+    if (given) return true;
     return error("missing-feed", motion_column(block), "a block of G93 lacks F", "give the reciprocal of its minutes");
   }
   if (!feed_known_) {
     error("missing-feed", motion_column(block), "no feed has been set", "give F before or in this block");
     assume_feed();
-  }
-  bool linear = false;
-  for (const base::Axis axis : base::all_axes) {
-    const std::size_t i = base::index(axis);
-    linear |= !base::is_rotary(axis) && target[i] != frame_.position[i];
   }
   feed = {Feed::Mode::units_per_second, linear ? linear_feed_ : angular_feed_};
   return true;
@@ -225,41 +242,56 @@ bool Interpreter::report_circle(const Block& block, const ArcCircle& circle) {
   return false;
 }
 
-void Interpreter::arc(const Block& block) {
-  const base::AxisVector target = target_of(block);
-  const base::Axis first = first_axis(plane_);
-  const base::Axis second = second_axis(plane_);
-  const PlanePoint start = in_plane(frame_.position, plane_);
-  const PlanePoint end = in_plane(target, plane_);
-  const int direction = to_do_ == 30 ? 1 : -1;
+// How often the arc turns, and about where; false where that cannot be known.
+bool Interpreter::plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan) {
   const ArcTolerance tolerance = arc_tolerance(frame_.length_unit != 1);
-  std::optional<int> turns = 1;
-  if (block.has('P')) turns = as_integer(block['P']);
-  const char first_letter = offset_letter(first);
-  const char second_letter = offset_letter(second);
-
-  ArcCircle circle;
-  bool known = true;
+  const int direction = to_do_ == 30 ? 1 : -1;
+  const std::optional<int> turns = block.has('P') ? as_integer(block['P']) : 1;
   if (!turns || *turns < 1 || *turns > most_steps) {
-    known = error("bad-value", block.column_of('P'), "an arc has P" + text(block['P']), "an integer from 1 to 100000");
-  } else if (frame_.is_rotated() && plane_ != Plane::XY) {
-    known = error("unsupported-rotation", motion_column(block), "an arc of G18 or G19 in a rotated coordinate system",
-                  "rotated systems take arcs of G17 only");
-  } else if (block.has('R') && (block.has(first_letter) || block.has(second_letter))) {
-    known = error("ambiguous-word", block.column_of('R'), "the arc has a radius and a centre", "give one of them");
-  } else if (block.has('R')) {
-    circle = circle_by_radius(start, end, block['R'] * frame_.length_unit, direction, tolerance);
-    known = report_circle(block, circle);
+    return error("bad-value", block.column_of('P'), "an arc has P" + text(block['P']), "an integer from 1 to 100000");
+  }
+  plan.turns = direction * *turns;
+  if (frame_.is_rotated() && plane_ != Plane::XY) {
+    return error("unsupported-rotation", motion_column(block), "an arc of G18 or G19 in a rotated coordinate system",
+                 "rotated systems take arcs of G17 only");
+  }
+  const bool centred = block.has(offset_letter(first_axis(plane_))) || block.has(offset_letter(second_axis(plane_)));
+  if (block.has('R') && centred) {
+    return error("ambiguous-word", block.column_of('R'), "the arc has a radius and a centre", "give one of them");
+  }
+  if (block.has('R')) {
+    plan.circle = circle_by_radius(start, end, block['R'] * frame_.length_unit, direction, tolerance);
   } else {
     PlanePoint center;
-    known = arc_center(block, start, center);
-    if (known) {
-      circle = circle_by_center(start, end, center, direction, *turns, tolerance);
-      known = report_circle(block, circle);
-    }
+    if (!arc_center(block, start, center)) return false;
+    plan.circle = circle_by_center(start, end, center, direction, *turns, tolerance);
   }
+  plan.radius = std::hypot(start.first - plan.circle.center.first, start.second - plan.circle.center.second);
+  return report_circle(block, plan.circle);
+}
+
+// Only a circle that reaches beyond a limit is worth finding out how far along it the arc goes.
+void Interpreter::arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan) {
+  const base::Axis first = first_axis(plane_);
+  const base::Axis second = second_axis(plane_);
+  const auto reaches = [&](base::Axis axis, double center) {
+    return center - plan.radius < travel_low_[base::index(axis)] ||
+           center + plan.radius > travel_high_[base::index(axis)];
+  };
+  const ArcCircle& circle = plan.circle;
+  if (!reaches(first, circle.center.first) && !reaches(second, circle.center.second)) return;
+  const PlaneBox box = arc_extent(start, circle.end, circle.center, plan.turns);
+  bulge_inside(block, first, box.low.first, box.high.first) &&
+      bulge_inside(block, second, box.low.second, box.high.second);
+}
+
+void Interpreter::arc(const Block& block) {
+  const base::AxisVector target = target_of(block);
+  const PlanePoint start = in_plane(frame_.position, plane_);
+  ArcPlan plan;
+  const bool known = plan_arc(block, start, in_plane(target, plane_), plan);
   Feed feed;
-  feed_of(block, target, feed);
+  feed_of(block, is_linear(target), block.has('F'), feed);
   // Only a line comes back from outside at once.
   const bool from_outside = fails_outside(block);
   inside_travel(block, target);
@@ -267,38 +299,23 @@ void Interpreter::arc(const Block& block) {
     frame_.position = target;
     return;
   }
-  const int signed_turns = direction * *turns;
-  // Only a circle that reaches beyond a limit is worth finding out how far along it the arc goes.
-  const double radius = std::hypot(start.first - circle.center.first, start.second - circle.center.second);
-  const auto reaches = [&](base::Axis axis, double center) {
-    return center - radius < travel_low_[base::index(axis)] || center + radius > travel_high_[base::index(axis)];
-  };
-  if (!from_outside && (reaches(first, circle.center.first) || reaches(second, circle.center.second))) {
-    const PlaneBox box = arc_extent(start, circle.end, circle.center, signed_turns);
-    bulge_inside(block, first, box.low.first, box.high.first) &&
-        bulge_inside(block, second, box.low.second, box.high.second);
-  }
+  if (!from_outside) arc_inside(block, start, plan);
 
   Move& arc = emit(Move::Kind::arc);
   arc.end = target;
-  arc.end[base::index(first)] = circle.end.first;
-  arc.end[base::index(second)] = circle.end.second;
-  arc.center_first = circle.center.first;
-  arc.center_second = circle.center.second;
-  arc.turns = signed_turns;
+  arc.end[base::index(first_axis(plane_))] = plan.circle.end.first;
+  arc.end[base::index(second_axis(plane_))] = plan.circle.end.second;
+  arc.center_first = plan.circle.center.first;
+  arc.center_second = plan.circle.center.second;
+  arc.turns = plan.turns;
   arc.feed = feed;
   frame_.position = arc.end;
   if (frame_.position == target) return;
   // The line that leads on from an arc that nearly closes goes at the speed of the arc.
   if (feed.mode == Feed::Mode::per_second) {
-    const double angle = sweep(start, circle.end, circle.center, direction) +
-                         (*turns - 1) * sweep(start, start, circle.center, direction);
-    const std::size_t normal = base::index(normal_axis(plane_));
-    const double length = std::hypot(radius * angle, arc.end[normal] - arc.start[normal]);
-    line_to(block, target, {Feed::Mode::units_per_second, length * feed.value});
-  } else {
-    line_to(block, target, feed);
+    feed = {Feed::Mode::units_per_second, arc_length(start, plan, arc) * feed.value};
   }
+  line_to(block, target, feed);
 }
 
 // Levels along the axis of the hole; R and the bottom hold for the cycles that follow.
@@ -322,71 +339,81 @@ bool Interpreter::plan_levels(const Block& block, DrillCycle::Plan& plan) {
                "R must be above the bottom of the hole");
 }
 
+bool Interpreter::can_drill(const Block& block) {
+  for (const base::Axis axis : base::all_axes) {
+    const bool linear = axis == base::Axis::X || axis == base::Axis::Y || axis == base::Axis::Z;
+    if (!linear && block.has(base::letter(axis))) {
+      return error("unused-word", block.column_of(base::letter(axis)),
+                   std::string("a canned cycle does not move axis ") + base::letter(axis), "move it in a block before");
+    }
+  }
+  if (feed_mode_ == FeedMode::inverse_time) {
+    return error("bad-feed-mode", motion_column(block), "a canned cycle in G93", "give G94");
+  }
+  if (frame_.is_rotated() && plane_ != Plane::XY) {
+    return error("unsupported-rotation", motion_column(block),
+                 "a canned cycle of G18 or G19 in a rotated coordinate system",
+                 "rotated systems take cycles of G17 only");
+  }
+  return true;
+}
+
+void Interpreter::plan_repeats(const Block& block, DrillCycle::Plan& plan) {
+  const std::optional<int> repeats = as_integer(block.value_or('L', 1));
+  if (!repeats || *repeats < 1 || *repeats > most_steps) {
+    error("bad-value", block.column_of('L'), "a canned cycle has L" + text(block['L']), "an integer from 1 to 100000");
+    return;
+  }
+  plan.repeats = *repeats;
+}
+
+void Interpreter::plan_dwell(const Block& block, DrillCycle::Plan& plan) {
+  if (block.has('P')) series_->dwell = block['P'];
+  if (!series_->dwell) error("missing-word", motion_column(block), "G82 lacks P", "give the dwell, seconds");
+  plan.dwell_seconds = series_->dwell.value_or(0);
+  if (plan.dwell_seconds < 0) {
+    error("bad-value", block.has('P') ? block.column_of('P') : motion_column(block),
+          "the dwell is " + text(plan.dwell_seconds) + " s", "P must be 0 or more");
+    series_->dwell = 0;
+  }
+}
+
+void Interpreter::plan_pecks(const Block& block, DrillCycle::Plan& plan) {
+  if (block.has('Q')) series_->peck = block['Q'] * frame_.length_unit;
+  if (!series_->peck) error("missing-word", motion_column(block), "G83 lacks Q", "give the depth of a peck");
+  plan.peck = series_->peck.value_or(1);
+  if (!(plan.peck > 0) || !((plan.r_level - plan.bottom) / plan.peck <= most_steps)) {
+    error("bad-value", block.has('Q') ? block.column_of('Q') : motion_column(block),
+          "the peck is " + text(plan.peck) + " mm", "above 0, and at most 100000 pecks to the bottom");
+    series_->peck.reset();
+  }
+}
+
 void Interpreter::drill(const Block& block) {
+  if (!can_drill(block)) return;
   DrillCycle::Plan plan;
   plan.code = to_do_;
   plan.drill = normal_axis(plane_);
   plan.start = frame_.position;
+  plan.first_hole = target_of(block);
   const std::size_t drill = base::index(plan.drill);
-  for (const base::Axis axis : base::all_axes) {
-    const bool linear = axis == base::Axis::X || axis == base::Axis::Y || axis == base::Axis::Z;
-    if (!linear && block.has(base::letter(axis))) {
-      error("unused-word", block.column_of(base::letter(axis)),
-            std::string("a canned cycle does not move axis ") + base::letter(axis), "move it in a block before");
-      return;
-    }
-  }
-  if (feed_mode_ == FeedMode::inverse_time) {
-    error("bad-feed-mode", motion_column(block), "a canned cycle in G93", "give G94");
-    return;
-  }
-  if (frame_.is_rotated() && plane_ != Plane::XY) {
-    error("unsupported-rotation", motion_column(block), "a canned cycle of G18 or G19 in a rotated coordinate system",
-          "rotated systems take cycles of G17 only");
-    return;
-  }
-  base::AxisVector hole = target_of(block);
-  plan.first_hole = hole;
   if (distance_ == Distance::incremental) {
-    for (std::size_t i = 0; i < base::axis_count; ++i) plan.increment[i] = hole[i] - plan.start[i];
+    for (std::size_t i = 0; i < base::axis_count; ++i) plan.increment[i] = plan.first_hole[i] - plan.start[i];
   }
 
   if (!series_) series_ = CycleSeries{.initial_level = plan.start[drill]};
   if (series_->code != plan.code) series_ = CycleSeries{.code = plan.code, .initial_level = series_->initial_level};
   const bool levels = plan_levels(block, plan);
-  const std::optional<int> repeats = as_integer(block.value_or('L', 1));
-  if (!repeats || *repeats < 1 || *repeats > most_steps) {
-    error("bad-value", block.column_of('L'), "a canned cycle has L" + text(block['L']), "an integer from 1 to 100000");
-  } else {
-    plan.repeats = *repeats;
-  }
-  if (plan.code == 820) {
-    if (block.has('P')) series_->dwell = block['P'];
-    if (!series_->dwell) error("missing-word", motion_column(block), "G82 lacks P", "give the dwell, seconds");
-    plan.dwell_seconds = series_->dwell.value_or(0);
-    if (plan.dwell_seconds < 0) {
-      error("bad-value", block.has('P') ? block.column_of('P') : motion_column(block),
-            "the dwell is " + text(plan.dwell_seconds) + " s", "P must be 0 or more");
-      series_->dwell = 0;
-    }
-  }
-  if (plan.code == 830) {
-    if (block.has('Q')) series_->peck = block['Q'] * frame_.length_unit;
-    if (!series_->peck) error("missing-word", motion_column(block), "G83 lacks Q", "give the depth of a peck");
-    plan.peck = series_->peck.value_or(1);
-    if (!(plan.peck > 0) || !((plan.r_level - plan.bottom) / plan.peck <= most_steps)) {
-      error("bad-value", block.has('Q') ? block.column_of('Q') : motion_column(block),
-            "the peck is " + text(plan.peck) + " mm", "above 0, and at most 100000 pecks to the bottom");
-      series_->peck.reset();
-    }
-  }
-  base::AxisVector down = hole;
+  plan_repeats(block, plan);
+  if (plan.code == 820) plan_dwell(block, plan);
+  if (plan.code == 830) plan_pecks(block, plan);
+  base::AxisVector down = plan.first_hole;
   down[drill] = plan.bottom;
   Feed feed;
-  feed_of(block, down, feed);
+  feed_of(block, is_linear(down), block.has('F'), feed);
   feed.value = linear_feed_;
   if (!levels) {
-    frame_.position = hole;
+    frame_.position = plan.first_hole;
     return;
   }
   cycle_feed_ = feed;

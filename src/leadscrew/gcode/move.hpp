@@ -1,6 +1,7 @@
 #pragma once
 // What one block of a part program asks for, as plain data: the door between the reader and the tool path.
 
+#include <cstddef>
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/event.hpp>
@@ -42,20 +43,34 @@ struct Feed {
   double value = 0;
 };
 
+/// The curves there are: of degree 1 … highest_degree, with at most so many control points, so that memory is bounded.
+inline constexpr int highest_degree = 5;
+inline constexpr std::size_t most_control_points = 4096;
+
 /// A control point of a NURBS curve.
 struct ControlPoint {
   base::AxisVector position{};  ///< machine coordinates, mm or degrees
-  double weight = 1;            ///< > 0
+  double weight = 1;            ///< 1e-9 … 1e9
 
   friend bool operator==(const ControlPoint&, const ControlPoint&) = default;
 };
 
 /// A rational B-spline curve C(u) = Σ w_i N_i,p(u) P_i / Σ w_i N_i,p(u), knots[p] ≤ u ≤ knots[n] for n control points
-/// (Piegl and Tiller, "The NURBS Book", eq. 4.1).
+/// (Piegl and Tiller, "The NURBS Book", eq. 4.1). It is clamped: the first p + 1 knots are equal and so are the last,
+/// so that it begins at its first control point and ends at its last.
 struct NurbsCurve {
-  int degree = 0;                    ///< p, 1 … 5
-  std::vector<ControlPoint> points;  ///< n > p
-  std::vector<double> knots;         ///< n + p + 1, not decreasing; no inner one more than p times
+  int degree = 0;                    ///< p, 1 … highest_degree; 0 where there is no curve
+  std::vector<ControlPoint> points;  ///< p < n ≤ most_control_points
+  /// n + p + 1, not decreasing; no inner one more than p times; neighbours are equal or at least 1e-12 of the whole
+  /// range apart.
+  std::vector<double> knots;
+
+  /// No curve, in the same memory.
+  void clear() {
+    degree = 0;
+    points.clear();
+    knots.clear();
+  }
 
   friend bool operator==(const NurbsCurve&, const NurbsCurve&) = default;
 };
@@ -89,7 +104,7 @@ struct Move {
   /// whole turns.
   int turns = 0;
 
-  NurbsCurve curve;  ///< of a nurbs; begins at start and ends at end; knots[p] < knots[n]
+  NurbsCurve curve;  ///< of a nurbs: its first control point is at start, its last at end, and not all are at start
 
   double dwell_seconds = 0;  ///< ≥ 0
   base::Event event;

@@ -117,6 +117,7 @@ void Interpreter::set_shift(const Block& block) {
 void Interpreter::go_home(const Block& block, int first_parameter) {
   const base::AxisVector home = parameters_.axes(first_parameter);
   const bool all = !(block.words & axis_letter_bits);
+  tangent_.reset();
   if (!all) line_to(block, target_of(block), Feed{});
   base::AxisVector target = frame_.position;
   for (const base::Axis axis : base::all_axes) {

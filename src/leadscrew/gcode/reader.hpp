@@ -2,17 +2,38 @@
 // From the text of a part program to moves: RS274/NGC as NIST IR 6556 defines it and LinuxCNC extends it.
 //
 //     bytes ─LineSource─▶ lines ─BlockReader─▶ blocks ─Interpreter─▶ moves
-//                                 └ ExpressionReader, Parameters     └ Frame, arcs, DrillCycle
+//                                 └ ExpressionReader, Parameters     └ Frame, arcs, curves, DrillCycle
 //
 // Read are: all words, comments, block delete, %, numbered and named parameters, expressions (expression.hpp); G0-G4,
-// G10 L2 L20, G17-G21, G28(.1), G30(.1), G40, G43(.1), G49, G53-G59.3, G61(.1), G64, G80-G83, G85, G90-G92.3, G93, G94,
-// G97-G99; M0-M9, M30; F, S, T. Everything else is a diagnostic: unsupported-code, unsupported-o-word, unknown-code. A
-// program begins in mm, XY, absolute, with centres of arcs relative, G64, G94, G98, G54 and no motion in force.
+// G5(.1), G5.2 with G5.3, G6.2, G10 L2 L20, G17-G21, G28(.1), G30(.1), G40, G43(.1), G49, G53-G59.3, G61(.1), G64,
+// G80-G83, G85, G90-G92.3, G93, G94, G97-G99; M0-M9, M30; F, S, T. Everything else is a diagnostic: unsupported-code,
+// unsupported-o-word, unknown-code. A program begins in mm, XY, absolute, with centres of arcs relative, G64, G94, G98,
+// G54 and no motion in force.
 //
 // Arcs: where the distances of the programmed centre to both ends differ, by at most 2√2·0.01 mm (2√2·0.001 inch under
 // G20) or 0.1 % of the greater and 100 times that, the centre moves to the nearest point of the perpendicular bisector
 // of the ends. An arc beyond half a turn whose ends nearly meet, so that this would move the centre by more than 0.001
 // mm and twice the difference, keeps its centre and is followed by a line of the length of the difference (arc.hpp).
+//
+// Curves become one move each, a NurbsCurve in machine coordinates with clamped ends. F in any of a curve's blocks
+// holds for all of it. It is inside travel or not as a curve, to 1e-6 mm, wherever its control points are.
+//
+//     G5 X_ Y_ I_ J_ P_ Q_     cubic: control points at I J from the start and at P Q from the end, in G17. Directly
+//                              behind another G5, I and J may be missing: it goes on in the direction of that.
+//     G5.1 X_ Y_ I_ J_         quadratic: control point at I J from the start, in G17
+//     G5.2 X_ Y_ P_ L_         NURBS of order L (3 … 6; 3 if not given) with uniform knots, a control point with weight
+//     X_ Y_ P_                 P (1 if not given) a block; the first is where the tool stands, and has its weight by P
+//     G5.3                     without axis words. In G91 all are seen from the start of the curve. No motion is in
+//                              force behind it.
+//     G6.2 P_ K_ X_ Y_ R_ F_   NURBS of order P (2 … 6): knot, control point and weight R (1 if not given) a block,
+//     K_ X_ Y_ R_              then as many knots as the order. Axes that are not given keep their value; in G91 each
+//     K_                       point is seen from the one before. The curve, of which the first point need not be
+//     given,
+//                              must begin where the tool stands, as exactly as the radii of an arc must agree.
+//
+// G5 … G5.3 are LinuxCNC's, with all nine axes: in G5 and G5.1 the other ones go in proportion to the parameter, in
+// G5.2 they are coordinates of the control points. G6.2 is Fanuc's G06.2. Before its end a curve of many blocks takes
+// nothing but points, knots, F, parameters and remarks: anything else is an unfinished-curve.
 //
 // A diagnostic's `source` is the line of its place, with as many bytes as the text has, so that the caret stands at its
 // column; lines of more than 200 bytes are cut there, and a column beyond 180 of such a line has no `source`. An axis

@@ -13,12 +13,14 @@
 #include <array>
 #include <leadscrew/geometry/arc.hpp>
 #include <leadscrew/geometry/line.hpp>
+#include <leadscrew/geometry/nurbs.hpp>
 #include <leadscrew/geometry/point.hpp>
+#include <span>
 #include <variant>
 
 namespace leadscrew::geometry {
 
-using Curve = std::variant<Line, Arc>;
+using Curve = std::variant<Line, Arc, Nurbs>;
 
 inline double length(const Curve& curve) {
   return std::visit([](const auto& kind) { return kind.length(); }, curve);
@@ -34,6 +36,11 @@ inline Point evaluate(const Curve& curve, numeric::DoubleDouble s) {
 }
 inline PointJet jets(const Curve& curve, double s) {
   return std::visit([&](const auto& kind) { return kind.jets(s); }, curve);
+}
+/// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.
+inline std::span<const double> breaks(const Curve& curve) {
+  const auto* nurbs = std::get_if<Nurbs>(&curve);
+  return nurbs ? nurbs->breaks() : std::span<const double>();
 }
 
 }  // namespace leadscrew::geometry

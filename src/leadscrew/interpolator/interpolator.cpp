@@ -103,7 +103,8 @@ base::Word Interpolator::next() {
 const planner::Segment& Interpolator::segment_at(DoubleDouble time) {
   const auto& segments = chunk_->segments;
   while (segment_end_ <= time && segment_ + 1 < segments.size()) {
-    ++segment_;
+    const std::size_t piece = segments[segment_++].piece;
+    if (segments[segment_].piece != piece) length_before_ += geometry::length(chunk_->pieces[piece].curve);
     segment_begin_ = segment_end_;
     segment_end_ = segment_ + 1 < segments.size() ? begin_ + segments[segment_ + 1].begin : end_;
   }

@@ -44,7 +44,7 @@ class Interpolator {
   numeric::DoubleDouble end_;            ///< of the chunk, seconds
   numeric::DoubleDouble segment_begin_;  ///< seconds
   numeric::DoubleDouble segment_end_;    ///< seconds
-  double length_before_ = 0;             ///< travelled before the chunk
+  double length_before_ = 0;             ///< travelled before the piece
   double length_after_ = 0;              ///< travelled when the chunk has ended
   base::AxisVector rest_;
   base::Line line_{};

@@ -72,7 +72,7 @@ bool Program::plan_next() {
 
 void Program::account(const gcode::Move& move) {
   if (move.kind == gcode::Move::Kind::dwell) summary_.dwell_s += move.dwell_seconds;
-  if (move.kind != gcode::Move::Kind::line && move.kind != gcode::Move::Kind::arc) return;
+  if (move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event) return;
   ++summary_.moves;
   summary_.tolerance_mm = std::max(summary_.tolerance_mm, move.tolerance);
   const double value = move.feed.value;

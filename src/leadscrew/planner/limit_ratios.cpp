@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/planner/planner.hpp>
+#include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/planner/section.hpp>
 
 namespace leadscrew::planner {
 
@@ -23,14 +24,26 @@ void raise(AxisRatios& ratios, const numeric::Jet& q, const PathState& at, const
 /// acceleration is monotonic and whose speed turns only where acceleration is 0, at a knot. On a curve the axes trade
 /// places with the angle: look at least every 0.05 rad, and 8 times a segment.
 int looks(const geometry::Curve& curve, const Segment& segment) {
+  if (std::holds_alternative<geometry::Line>(curve)) return segment.c4 == 0 && segment.c5 == 0 ? 1 : 8;
   const auto* arc = std::get_if<geometry::Arc>(&curve);
-  if (!arc) return 1;
+  if (!arc) return 8;
   const double duration = segment.duration.value();
   const double angle = arc->angle_rate() * (evaluate(segment, duration).s - segment.s0.value());
   return std::clamp(static_cast<int>(std::abs(angle) / 0.05), 8, 256);
 }
 
 }  // namespace
+
+double limit_ratio(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine) {
+  double greatest = 0;
+  for (const Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    AxisRatios ratios;
+    raise(ratios, jet[base::index(axis)], at, machine.limits(axis));
+    greatest = std::max({greatest, ratios.velocity, ratios.acceleration, ratios.jerk});
+  }
+  return greatest;
+}
 
 void raise_limit_ratios(const Chunk& chunk, const machine::Machine& machine, LimitRatios& ratios) {
   for (const Segment& segment : chunk.segments) {
@@ -39,7 +52,7 @@ void raise_limit_ratios(const Chunk& chunk, const machine::Machine& machine, Lim
     const int count = looks(curve, segment);
     for (int k = 0; k <= count; ++k) {
       const PathState at = evaluate(segment, segment.duration.value() * k / count);
-      const geometry::PointJet jet = geometry::jets(curve, at.s);
+      const geometry::PointJet jet = one_sided_jets(curve, at.s, k == 0 ? Side::right : Side::left);
       for (const Axis axis : base::all_axes) {
         if (machine.has(axis)) raise(ratios[base::index(axis)], jet[base::index(axis)], at, machine.limits(axis));
       }

@@ -141,7 +141,8 @@ RestToRest plan(const geometry::Arc& arc, double feed, const machine::Machine& m
 }  // namespace
 
 RestToRest plan_piece(const toolpath::Piece& piece, const machine::Machine& machine) {
-  return std::visit([&](const auto& curve) { return plan(curve, piece.feed, machine); }, piece.curve);
+  if (const auto* arc = std::get_if<geometry::Arc>(&piece.curve)) return plan(*arc, piece.feed, machine);
+  return plan(*std::get_if<geometry::Line>(&piece.curve), piece.feed, machine);
 }
 
 }  // namespace leadscrew::planner

@@ -8,7 +8,7 @@
 
 namespace leadscrew::planner {
 
-/// The fastest rest-to-rest motion found over the piece: exactly the optimum on a line; on an arc or helix the best of
+/// The fastest rest-to-rest motion found over the piece, which is a line or an arc: exactly the optimum on a line; on an arc or helix the best of
 /// a search over bounds, every candidate scaled in time until its proven worst case meets the limits.
 ///
 /// With q_i the straight axes (rate m_i) and, in the plane of the arc, both axes of the same amplitude g = R|ω| (ω =

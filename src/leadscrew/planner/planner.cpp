@@ -1,3 +1,5 @@
+#include <cmath>
+#include <leadscrew/planner/optimal_motion.hpp>
 #include <leadscrew/planner/piece_limits.hpp>
 #include <leadscrew/planner/planner.hpp>
 
@@ -67,40 +69,80 @@ void lay_out(const RestToRest& motion, double length, Chunk& chunk) {
   chunk.segments = phases.take(length);
 }
 
+double squared(double v) {
+  return v * v;
+}
+
+/// Is the closed form as good as the optimum? On a line it is the optimum; on an arc through so small an angle, the axes'
+/// limits along the path hardly change.
+bool has_closed_form(const Section& section) {
+  if (section.size() != 1) return false;
+  const geometry::Curve& curve = section.piece(0).curve;
+  if (std::holds_alternative<geometry::Line>(curve)) return true;
+  const auto* arc = std::get_if<geometry::Arc>(&curve);
+  constexpr double small_angle = 0.02;  // rad
+  return arc && std::abs(arc->angle_rate()) * arc->length() < small_angle;
+}
+
 }  // namespace
 
 void Planner::push(const toolpath::Element& element) {
+  if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
+    push_piece(*piece);
+    return;
+  }
+  settle_section();
   if (const auto* event = std::get_if<base::Event>(&element)) {
     events_.push_back(*event);
     line_ = event->line;
     return;
   }
+  const auto& dwell = std::get<toolpath::Dwell>(element);
+  Segment standing;
+  standing.duration = dwell.seconds;
+  standing.state = MotionState::rest;
+  position_ = dwell.position;
+  line_ = dwell.line;
   Chunk& chunk = begin_chunk();
-  if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
-    chunk.length = geometry::length(piece->curve);
-    chunk.pieces.push_back(*piece);
-    lay_out(plan_piece(*piece, machine_), chunk.length, chunk);
-    position_ = geometry::end(piece->curve);
-    line_ = piece->line;
-  } else {
-    const auto& dwell = std::get<toolpath::Dwell>(element);
-    Segment standing;
-    standing.duration = dwell.seconds;
-    standing.state = MotionState::rest;
-    chunk.segments.push_back(standing);
-    chunk.duration = dwell.seconds;
-    position_ = dwell.position;
-    line_ = dwell.line;
+  chunk.segments.push_back(standing);
+  chunk.duration = dwell.seconds;
+}
+
+void Planner::push_piece(const toolpath::Piece& piece) {
+  if (!section_.empty()) {
+    const toolpath::Piece& last = section_.piece(section_.size() - 1);
+    const geometry::PointJet leaving = geometry::jets(last.curve, geometry::length(last.curve));
+    const geometry::PointJet entering = geometry::jets(piece.curve, 0);
+    const double square = std::min(section_.greatest_square(section_.length(), Side::left, leaving, machine_),
+                                   squared(std::min(piece.feed, last.feed)));
+    const bool through = !last.stop && section_.size() < longest_section &&
+                         runs_through(leaving, entering, std::sqrt(square), machine_);
+    if (!through) settle_section();
   }
-  chunk.rest = position_;
-  chunk.rest_line = line_;
+  section_.append(piece);
+}
+
+void Planner::settle_section() {
+  if (section_.empty()) return;
+  const toolpath::Piece& last = section_.piece(section_.size() - 1);
+  position_ = geometry::end(last.curve);
+  line_ = last.line;
+  Chunk& chunk = begin_chunk();
+  chunk.pieces = section_.pieces();
+  for (const toolpath::Piece& piece : chunk.pieces) chunk.length += geometry::length(piece.curve);
+  if (has_closed_form(section_)) {
+    lay_out(plan_piece(last, machine_), chunk.length, chunk);
+  } else {
+    chunk.segments = plan_section(section_, machine_);
+    const Segment& end = chunk.segments.back();
+    chunk.duration = end.begin + end.duration;
+  }
+  section_.clear();
 }
 
 void Planner::finish() {
-  if (events_.empty()) return;
-  Chunk& chunk = begin_chunk();
-  chunk.rest = position_;
-  chunk.rest_line = line_;
+  settle_section();
+  if (!events_.empty()) begin_chunk();
 }
 
 std::optional<Chunk> Planner::pop() {
@@ -114,6 +156,8 @@ Chunk& Planner::begin_chunk() {
   Chunk& chunk = settled_.emplace_back();
   chunk.events = std::move(events_);
   events_.clear();
+  chunk.rest = position_;
+  chunk.rest_line = line_;
   return chunk;
 }
 

@@ -1,14 +1,18 @@
 #pragma once
-// From path to motion: the fastest speed along each piece that keeps every limit of every axis.
+// From path to motion: the fastest speed along the path that keeps every limit of every axis.
 //
-// Every piece goes from rest to rest in seven phases of constant jerk (rest_to_rest.hpp). Along a line the limits of
-// the axes become limits of the path and the law is the fastest there is; along an arc or helix its bounds are chosen
-// so that centripetal and tangential parts together stay inside (piece_limits.hpp).
+// Pieces that meet with continuous curvature are travelled as one section, from rest to rest. A section that is one line
+// has the seven phases of constant jerk (rest_to_rest.hpp), which no law can beat; so have short arcs, whose axes hardly
+// trade places (piece_limits.hpp). Every other section has the optimal law of speed_profile.hpp. Sections end where the
+// path asks for a stop, where it bends or turns at once, at dwells and events, and after `longest_section` pieces, which
+// bounds memory.
 
-#include <array>
+#include <cstddef>
 #include <deque>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <leadscrew/planner/section.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <optional>
 
@@ -28,26 +32,19 @@ class Planner {
   std::optional<Chunk> pop();
 
  private:
+  /// Pieces that may wait for what follows them.
+  static constexpr std::size_t longest_section = 512;
+
+  void push_piece(const toolpath::Piece& piece);
+  void settle_section();
   Chunk& begin_chunk();
 
   const machine::Machine& machine_;
   std::vector<base::Event> events_;  ///< waiting for the chunk they come before
   std::deque<Chunk> settled_;
+  Section section_;  ///< waiting for its end
   geometry::Point position_;
   base::Line line_{};
 };
-
-/// Largest value over limit of one axis.
-struct AxisRatios {
-  double velocity = 0, acceleration = 0, jerk = 0;
-
-  friend bool operator==(const AxisRatios&, const AxisRatios&) = default;
-};
-using LimitRatios = std::array<AxisRatios, base::axis_count>;
-
-/// What a chunk's motion asks of each axis over what the axis can, evaluated from jets of the path and the polynomials
-/// of time, at both ends of every segment, and inside where curvature couples the two. Raises `ratios` where it is
-/// larger.
-void raise_limit_ratios(const Chunk& chunk, const machine::Machine& machine, LimitRatios& ratios);
 
 }  // namespace leadscrew::planner

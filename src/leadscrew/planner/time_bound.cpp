@@ -2,18 +2,21 @@
 #include <cmath>
 #include <leadscrew/planner/time_bound.hpp>
 #include <limits>
+#include <span>
 
 namespace leadscrew::planner {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t most_waiting = 1024;  // intervals
-constexpr double finest_turn = 0.01;        // rad, of an arc between knots
-constexpr int fewest_intervals = 32;        // of an arc
-constexpr double first_interval = 1e-3;     // of the longest, at an arc's ends
-constexpr double grading = 0.1;             // of the distance from the nearer end
-constexpr double granted_kink = 1e-6;       // of a unit tangent: less is taken as smooth, which keeps the bound a bound
+constexpr std::size_t most_waiting = 2048;  // intervals
+constexpr double finest_turn = 0.005;       // rad, of a curve between knots
+constexpr double finest_bend = 0.005;       // change of curvature times step
+constexpr int fewest_intervals = 32;        // of a curve
+constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
+constexpr int most_halvings = 20;
+constexpr double grading = 0.1;        // of the distance from the nearer end
+constexpr double granted_kink = 1e-6;  // of a unit tangent: less is taken as smooth, which keeps the bound a bound
 
 bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& entering) {
   double largest = 0, difference = 0;
@@ -22,6 +25,17 @@ bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& ente
     difference = std::max(difference, std::abs(leaving[i].first - entering[i].first));
   }
   return difference <= granted_kink * largest;
+}
+
+/// How far from here a knot may be, by the turn |q″| h and what it changes by, |q‴| h².
+double finest_step(const geometry::PointJet& jet) {
+  double second = 0, third = 0;
+  for (const numeric::Jet& q : jet) {
+    second = std::max(second, std::abs(q.second));
+    third = std::max(third, std::abs(q.third));
+  }
+  const double by_turn = second > 0 ? finest_turn / second : infinity;
+  return third > 0 ? std::min(by_turn, std::sqrt(finest_bend / third)) : by_turn;
 }
 
 }  // namespace
@@ -35,12 +49,13 @@ void TimeBound::push(const toolpath::Element& element) {
   const auto* piece = std::get_if<toolpath::Piece>(&element);
   if (!piece) return;
   if (!is_smooth(leaving_, geometry::jets(piece->curve, 0))) stop();
-  if (const auto* arc = std::get_if<geometry::Arc>(&piece->curve)) {
-    add_curved(*arc, piece->feed);
+  if (const auto* line = std::get_if<geometry::Line>(&piece->curve)) {
+    add_straight(*line, piece->feed);
   } else {
-    add_straight(std::get<geometry::Line>(piece->curve), piece->feed);
+    add_curved(piece->curve, piece->feed);
   }
   leaving_ = geometry::jets(piece->curve, geometry::length(piece->curve));
+  if (piece->stop) stop();
 }
 
 void TimeBound::finish() {
@@ -60,26 +75,34 @@ void TimeBound::add_straight(const geometry::Line& line, double feed) {
   add(interval);
 }
 
-void TimeBound::add_curved(const geometry::Arc& arc, double feed) {
-  const double length = arc.length();
-  const double longest = std::min(length / fewest_intervals, finest_turn / std::abs(arc.angle_rate()));
+void TimeBound::add_curved(const geometry::Curve& curve, double feed) {
+  const double length = geometry::length(curve);
+  const std::span<const double> breaks = geometry::breaks(curve);
+  auto stop_at = breaks.begin();
   double s = 0;
-  geometry::PointJet here = arc.jets(0);
+  geometry::PointJet here = geometry::jets(curve, 0);
   while (s < length) {
     // Knots crowd towards the ends, where the motion may come from rest or go to it.
-    const double to_end = length - s;
-    const double graded = std::max(first_interval * longest, grading * std::min(s, to_end));
-    const double step = std::min(longest, graded);
-    const double s_next = to_end < 1.5 * step ? length : s + step;
-    const geometry::PointJet next = arc.jets(s_next);
+    const double longest = std::min(length / fewest_intervals, finest_step(here));
+    const double graded = std::max(first_interval * longest, grading * std::min(s, length - s));
+    const double limit = stop_at == breaks.end() ? length : *stop_at;
+    const auto next_knot = [&](double step) { return limit - s < 1.5 * step ? limit : s + step; };
+    double s_next = next_knot(std::min(longest, graded));
+    geometry::PointJet next = geometry::jets(curve, s_next);
+    // Into a turn that begins on the way, with shorter steps.
+    for (int halving = 0; halving < most_halvings && finest_step(next) < (s_next - s) / 2; ++halving) {
+      s_next = s + (s_next - s) / 2;
+      next = geometry::jets(curve, s_next);
+    }
     Interval interval;
     interval.length = s_next - s;
     interval.x_max = velocity_limit(here, feed);
     interval.x_end_max = velocity_limit(next, feed);
-    add_rows(arc.jets((s + s_next) / 2), interval);
+    add_rows(geometry::jets(curve, (s + s_next) / 2), interval);
     add(interval);
     here = next;
     s = s_next;
+    if (stop_at != breaks.end() && s >= *stop_at) ++stop_at;
   }
 }
 

@@ -11,7 +11,7 @@
 //   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x_i, at most K_{i+1}
 //
 // with b constant between knots and the limits kept at both ends of each interval. On lines that is exact with one
-// interval; arcs are cut finely enough for 1e-4 of the time.
+// interval; curves are cut finely enough for 1e-4 of the time.
 
 #include <array>
 #include <cstddef>
@@ -50,7 +50,7 @@ class TimeBound {
   };
 
   void add_straight(const geometry::Line& line, double feed);
-  void add_curved(const geometry::Arc& arc, double feed);
+  void add_curved(const geometry::Curve& curve, double feed);
   void add(const Interval& interval);
   void stop();
   void settle(std::size_t count, double x_beyond);

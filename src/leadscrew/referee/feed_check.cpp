@@ -7,10 +7,6 @@ namespace leadscrew::referee {
 
 namespace {
 
-constexpr std::array<std::array<base::Axis, 3>, 3> axes_of_feed = {{{base::Axis::X, base::Axis::Y, base::Axis::Z},
-                                                                    {base::Axis::U, base::Axis::V, base::Axis::W},
-                                                                    {base::Axis::A, base::Axis::B, base::Axis::C}}};
-
 constexpr double widest_turn = 2.5;  // radians; beyond, a chord says too little about its arc
 
 /// (θ/2)/sin(θ/2), by its series where that is exact to rounding.
@@ -25,13 +21,13 @@ double arc_over_chord(double turn) {
 
 double FeedCheck::way(const base::AxisVector& position, const Passage& passage) const {
   double in_plane = 0, across = 0;
-  for (const base::Axis axis : axes_of_feed[static_cast<std::size_t>(passage.feed.axes)]) {
+  for (const base::Axis axis : axes_of(passage.feed.axes)) {
     const double step = position[base::index(axis)] - last_[base::index(axis)];
     const bool of_plane = passage.arc != nullptr &&
                           (axis == metric_.axis(passage.arc->first) || axis == metric_.axis(passage.arc->second));
     (of_plane ? in_plane : across) += step * step;
   }
-  if (passage.arc == nullptr) return std::sqrt(across);
+  if (passage.arc == nullptr) return passage.stretch * std::sqrt(across);
   const double longer = arc_over_chord(passage.turn);
   return std::sqrt(in_plane * longer * longer + across);
 }

@@ -11,6 +11,7 @@ constexpr std::size_t most_pieces_departed = 256;  // and while it does not
 constexpr double search_factor = 16;               // of the least cost, while it does not
 constexpr double slack = 0.25;                     // of the tolerance: candidates that much beyond it are kept
 constexpr double same_distance = 1e-9;             // mm; rounding is below
+constexpr double greatest_stretch = 4. / 3;        // of a chord; an arc's of 2½ radians
 
 }  // namespace
 
@@ -81,17 +82,16 @@ void Matcher::pass_over(double distance, double tolerance, base::Line line, Cand
   }
 }
 
-/// The arc from the candidate's place to another, `distance` from the chord, was passed over between two words.
-void Matcher::pass_arc(const Piece& piece, double to, double distance, Candidate& candidate) const {
+/// The arc or curve from the candidate's place to another, `distance` from the chord, was passed over between two
+/// words.
+void Matcher::pass_bend(const Piece& piece, double to, double distance, Candidate& candidate) const {
   const double from = candidate.place;
   if (!(to > from)) return;
-  // The arc's points lie within its sagitta of its own chord, and that within the distance of its ends.
-  const double bound = greatest_sagitta(piece, from, to) + std::max(candidate.distance, distance) - excuse_;
-  if (bound <= std::max(0.0, candidate.cost) &&
-      bound - piece.tolerance <= std::max(-piece.tolerance, candidate.margin)) {
-    return;
-  }
-  pass_over(farthest_from_chord(metric_, piece, from, to, chord_), piece.tolerance, piece.line, candidate);
+  const double enough =
+      excuse_ + std::min(std::max(0.0, candidate.cost), std::max(0.0, candidate.margin + piece.tolerance));
+  const double farthest =
+      farthest_from_chord(metric_, piece, from, to, chord_, std::max(candidate.distance, distance), enough);
+  if (farthest > enough) pass_over(farthest, piece.tolerance, piece.line, candidate);
 }
 
 /// The better of the piece's own candidate and of the one that comes from before it, taken to the word.
@@ -99,7 +99,7 @@ Matcher::Candidate Matcher::candidate_on(const Slot& slot, const Candidate& carr
   const Piece& piece = slot.piece;
   const Nearest nearest = nearest_on(metric_, piece, word_);
   const auto arrive = [&](Candidate candidate, double place, double distance) {
-    if (piece.arc) pass_arc(piece, place, distance, candidate);
+    if (piece.kind != Piece::Kind::line) pass_bend(piece, place, distance, candidate);
     candidate.place = place;
     candidate.distance = distance;
     candidate.cost = std::max(candidate.cost, distance);
@@ -130,7 +130,7 @@ void Matcher::pass_to_end(std::size_t i, double most, Candidate& candidate) {
     return;
   }
   if (here.now.alive && (!candidate.alive || here.now.margin < candidate.margin)) candidate = here.now;
-  if (piece.arc) pass_arc(piece, piece.span, distance, candidate);
+  if (piece.kind != Piece::Kind::line) pass_bend(piece, piece.span, distance, candidate);
   pass_over(distance, tolerance, piece.line, candidate);
   candidate.place = 0;
   candidate.distance = distance;
@@ -275,14 +275,37 @@ Passage Matcher::passage(std::size_t last) {
   }
   const Slot& matched = slot(nearest);
   result.line = matched.piece.line;
-  const double angle = matched.piece.arc ? matched.piece.angle_before + matched.next.place : 0;
-  if (one_block && matched.piece.arc && matched.piece.block == matched_block_) {
-    result.arc = &matched.piece;
-    result.turn = std::abs(angle - matched_angle_);
+  const double place = matched.piece.angle_before + matched.next.place;
+  if (one_block && matched.piece.block == matched_.block) {
+    if (matched.piece.kind == Piece::Kind::arc) {
+      result.arc = &matched.piece;
+      result.turn = std::abs(place - matched_.place);
+    } else if (matched.piece.kind == Piece::Kind::curve && std::isfinite(result.feed.value)) {
+      result.stretch = stretch_to(nearest);
+    }
   }
-  matched_block_ = matched.piece.block;
-  matched_angle_ = angle;
+  matched_ = {matched.piece.block, matched.piece.number, place, matched.next.distance};
   return result;
+}
+
+/// Length of a curve from the match of the word before to this word's over the length of their chord, in the axes of
+/// the feed; 1 where a word does not lie on it, or where the chord says too little.
+double Matcher::stretch_to(std::size_t nearest) {
+  const Slot& end = slot(nearest);
+  const std::int64_t behind = end.piece.number - matched_.number;
+  if (behind < 0 || behind > static_cast<std::int64_t>(nearest)) return 1;
+  if (std::max(end.next.distance, matched_.distance) > nanometre) return 1;
+  const std::size_t begin = nearest - static_cast<std::size_t>(behind);
+  if (behind == 0 && !(end.next.place > matched_.place)) return 1;
+  const Coordinates coordinates = coordinates_of(metric_, end.piece.feed.axes);
+  double length = 0;
+  for (std::size_t i = begin; i <= nearest; ++i) {
+    const double from = i == begin ? matched_.place : 0, to = i == nearest ? end.next.place : 1;
+    length += length_in(metric_, coordinates, part(metric_, slot(i).piece.segment, from, to));
+  }
+  const double chord = distance_in(metric_, coordinates, point_at(metric_, slot(begin).piece, matched_.place),
+                                   point_at(metric_, end.piece, end.next.place));
+  return length > chord && length <= greatest_stretch * chord ? length / chord : 1;
 }
 
 std::optional<Finding> Matcher::conclude() {
@@ -296,7 +319,9 @@ std::optional<Finding> Matcher::conclude() {
     before_end = carried;
     if (here.now.alive && (!carried.alive || here.now.margin < carried.margin)) before_end = here.now;
     end_ = here.piece.to;
-    if (here.piece.arc) pass_arc(here.piece, here.piece.span, metric_.distance(word_, end_), before_end);
+    if (here.piece.kind != Piece::Kind::line) {
+      pass_bend(here.piece, here.piece.span, metric_.distance(word_, end_), before_end);
+    }
     pass_to_end(0, std::numeric_limits<double>::infinity(), carried);
     drop_front();
   }

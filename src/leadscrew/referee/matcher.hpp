@@ -50,6 +50,7 @@ struct Passage {
   ProgrammedFeed feed;  ///< greatest of the blocks the two words may lie on; infinite if they tell it in different axes
   const Piece* arc = nullptr;  ///< if both words lie on the same arc: a piece of it
   double turn = 0;             ///< and the angle between them, radians
+  double stretch = 1;          ///< if both lie on the same curve: its length between them over their chord's
   std::optional<Finding> deviation;
   std::optional<Finding> skipped;
 };
@@ -105,7 +106,7 @@ class Matcher {
   std::size_t step(const Reach& reach);
   Candidate candidate_on(const Slot& slot, const Candidate& carried);
   void pass_to_end(std::size_t i, double most, Candidate& candidate);
-  void pass_arc(const Piece& piece, double to, double distance, Candidate& candidate) const;
+  void pass_bend(const Piece& piece, double to, double distance, Candidate& candidate) const;
   void pass_over(double distance, double tolerance, base::Line line, Candidate& candidate) const;
 
   Passage follow();
@@ -113,6 +114,7 @@ class Matcher {
   void settle(std::size_t best, Passage& passage);
   void adopt();
   Passage passage(std::size_t last);
+  double stretch_to(std::size_t nearest);
 
   PieceSource& source_;
   const Metric& metric_;
@@ -132,8 +134,13 @@ class Matcher {
   bool departed_ = false;
   double least_margin_ = 0;  // while departed: of the best candidate
 
-  std::int64_t matched_block_ = -1;  // where the word before lies nearest to
-  double matched_angle_ = 0;         // if that is an arc: from its start, radians
+  /// Where the word before lies nearest to.
+  struct Match {
+    std::int64_t block = -1;
+    std::int64_t number = 0;  // of the piece, if that is of a curve
+    double place = 0;         // on the piece; of an arc from the block's start, radians
+    double distance = 0;      // mm
+  } matched_;
 };
 
 }  // namespace leadscrew::referee

@@ -93,10 +93,25 @@ Nearest nearest_on_arc(const Metric& metric, const Piece& piece, const Point& po
   return {place, std::sqrt(distance.squared(place))};
 }
 
+Nearest nearest_on_curve(const Metric& metric, const Piece& piece, const Point& point) {
+  const double place = nearest_place(metric, piece.segment, point);
+  return {place, metric.distance(point, point_at(metric, piece.segment, place))};
+}
+
+Coordinates coordinates_of(const Metric& metric, FeedAxes axes) {
+  Coordinates result{};
+  for (const base::Axis axis : axes_of(axes)) {
+    const std::size_t coordinate = metric.coordinate(axis);
+    if (coordinate < metric.dimensions()) result[coordinate] = true;
+  }
+  return result;
+}
+
 Point point_at(const Metric& metric, const Piece& piece, double place) {
+  if (piece.kind == Piece::Kind::curve) return point_at(metric, piece.segment, place);
   Point result{};
   for (std::size_t i = 0; i < metric.dimensions(); ++i) result[i] = piece.from[i] + place * piece.slope[i];
-  if (!piece.arc) return result;
+  if (piece.kind == Piece::Kind::line) return result;
   const double scale = 1 + place * piece.radius_slope / piece.radius;
   const double cosine = scale * std::cos(place), sine = scale * piece.side * std::sin(place);
   result[piece.first] = piece.center_first + cosine * piece.radial_first - sine * piece.radial_second;
@@ -104,7 +119,14 @@ Point point_at(const Metric& metric, const Piece& piece, double place) {
   return result;
 }
 
-double farthest_from_chord(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord) {
+namespace {
+
+/// The farthest that an arc departs from its own chord between two places, at most: |p''| Δφ²/8 = RΔφ²/8.
+double greatest_sagitta(const Piece& piece, double from, double to) {
+  return piece.radius * (to - from) * (to - from) / 8;
+}
+
+double farthest_on_arc(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord) {
   constexpr int samples = 8;
   const double step = (to - from) / samples;
   const auto at = [&](double place) { return distance_to_chord(metric, chord, point_at(metric, piece, place)); };
@@ -127,6 +149,18 @@ double farthest_from_chord(const Metric& metric, const Piece& piece, double from
     }
   }
   return greatest;
+}
+
+}  // namespace
+
+double farthest_from_chord(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord,
+                           double at_ends, double enough) {
+  if (piece.kind == Piece::Kind::curve) {
+    return farthest_from_chord(metric, part(metric, piece.segment, from, to), chord, enough);
+  }
+  // The arc's points lie within its sagitta of its own chord, and that within the distance of its ends.
+  const double bound = greatest_sagitta(piece, from, to) + at_ends;
+  return bound <= enough ? bound : farthest_on_arc(metric, piece, from, to, chord);
 }
 
 }  // namespace leadscrew::referee

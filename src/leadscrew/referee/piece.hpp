@@ -1,9 +1,10 @@
 #pragma once
-// The referee's own geometry: what a block asks for, as lines and as arcs of at most a quarter turn.
+// The referee's own geometry: what a block asks for, as lines, as arcs of at most a quarter turn and as segments of
+// curves that turn little (bezier.hpp).
 //
-// A place on a piece is a distance along a line (mm) or an angle from an arc's start (radians, never negative). Arcs
-// are cut at quarter turns so that each piece has one nearest point to anything near it, and so that a circle milled
-// three times is twelve pieces one after the other and no angle is ever ambiguous:
+// A place on a piece is a distance along a line (mm), an angle from an arc's start (radians, never negative) or the
+// parameter of a segment (0 … 1). Arcs are cut at quarter turns so that each piece has one nearest point to anything
+// near it, and so that a circle milled three times is twelve pieces one after the other and no angle is ever ambiguous:
 //
 //     p(φ) = c + a cos φ ± a⊥ sin φ   in the plane,   a = start − c,   0 ≤ φ ≤ Δ ≤ π/2
 //     p(φ) = l + m φ                  in every other axis
@@ -11,12 +12,21 @@
 #include <cstdint>
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/referee/bezier.hpp>
 #include <leadscrew/referee/metric.hpp>
 
 namespace leadscrew::referee {
 
 /// The axes in whose length a block's feed is told; the first that move (RS274/NGC 2.1.2.5).
 enum class FeedAxes : std::uint8_t { xyz, uvw, abc };
+
+constexpr std::array<base::Axis, 3> axes_of(FeedAxes axes) {
+  using enum base::Axis;
+  return axes == FeedAxes::xyz   ? std::array{X, Y, Z}
+         : axes == FeedAxes::uvw ? std::array{U, V, W}
+                                 : std::array{A, B, C};
+}
+Coordinates coordinates_of(const Metric& metric, FeedAxes axes);
 
 /// Programmed feed along a block.
 struct ProgrammedFeed {
@@ -25,16 +35,18 @@ struct ProgrammedFeed {
 };
 
 struct Piece {
-  bool arc = false;
+  enum class Kind : std::uint8_t { line, arc, curve };
+
+  Kind kind = Kind::line;
   bool helix = false;      ///< an arc on which other axes than the plane's move
   base::Line line{};       ///< source line
-  std::int64_t block = 0;  ///< counts the program's lines and arcs
+  std::int64_t block = 0;  ///< counts the program's lines, arcs and curves
   double tolerance = 0;    ///< mm
   ProgrammedFeed feed;
   Point from{};     ///< mm
   Point to{};       ///< mm
   Point slope{};    ///< line: unit direction; arc: m, mm per radian, 0 in the plane
-  double span = 0;  ///< line: length, mm; arc: Δ, radians
+  double span = 0;  ///< line: length, mm; arc: Δ, radians; curve: 1
 
   std::uint8_t first = 0, second = 0;          ///< arc: coordinates of the plane
   double center_first = 0, center_second = 0;  ///< arc: mm
@@ -43,6 +55,9 @@ struct Piece {
   double radius = 0, radius_slope = 0;         ///< arc: |a|, and its change per radian, which is rounding
   double squared_slope = 0;                    ///< arc: |m|²
   double angle_before = 0;                     ///< arc: from the block's start to the piece's, radians
+
+  Bezier segment;           ///< curve
+  std::int64_t number = 0;  ///< curve: counts the block's pieces
 };
 
 /// The nearest place of a piece to a point, and how far it is.
@@ -52,9 +67,11 @@ struct Nearest {
 };
 
 Nearest nearest_on_arc(const Metric& metric, const Piece& piece, const Point& point);
+Nearest nearest_on_curve(const Metric& metric, const Piece& piece, const Point& point);
 
 inline Nearest nearest_on(const Metric& metric, const Piece& piece, const Point& point) {
-  if (piece.arc) return nearest_on_arc(metric, piece, point);
+  if (piece.kind == Piece::Kind::arc) return nearest_on_arc(metric, piece, point);
+  if (piece.kind == Piece::Kind::curve) return nearest_on_curve(metric, piece, point);
   double place = 0;
   for (std::size_t i = 0; i < metric.dimensions(); ++i) place += (point[i] - piece.from[i]) * piece.slope[i];
   if (place <= 0) return {0, metric.distance(point, piece.from)};
@@ -69,12 +86,9 @@ inline Nearest nearest_on(const Metric& metric, const Piece& piece, const Point&
 
 Point point_at(const Metric& metric, const Piece& piece, double place);
 
-/// The farthest that an arc departs from its own chord between two places, at most: |p''| Δφ²/8 = RΔφ²/8.
-inline double greatest_sagitta(const Piece& piece, double from, double to) {
-  return piece.radius * (to - from) * (to - from) / 8;
-}
-
-/// The largest distance to the chord of an arc's points strictly between two places.
-double farthest_from_chord(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord);
+/// The largest distance to the chord of the points between two places of an arc or a curve, whose ends are at most
+/// `at_ends` from it; or anything up to `enough` where it is no larger than that. mm.
+double farthest_from_chord(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord,
+                           double at_ends, double enough);
 
 }  // namespace leadscrew::referee

@@ -2,23 +2,32 @@
 #include <leadscrew/referee/piece_source.hpp>
 #include <limits>
 #include <numbers>
-#include <span>
 
 namespace leadscrew::referee {
 
 namespace {
 
-constexpr std::array linear_axes = {base::Axis::X, base::Axis::Y, base::Axis::Z};
-constexpr std::array parallel_axes = {base::Axis::U, base::Axis::V, base::Axis::W};
-constexpr std::array rotary_axes = {base::Axis::A, base::Axis::B, base::Axis::C};
-
-double length_over(std::span<const base::Axis> axes, const gcode::Move& move) {
+double distance_over(FeedAxes axes, const base::AxisVector& a, const base::AxisVector& b) {
   double sum = 0;
-  for (const base::Axis axis : axes) {
-    const double step = move.end[base::index(axis)] - move.start[base::index(axis)];
+  for (const base::Axis axis : axes_of(axes)) {
+    const double step = b[base::index(axis)] - a[base::index(axis)];
     sum += step * step;
   }
   return std::sqrt(sum);
+}
+
+/// Whether the block moves in these axes.
+bool moves_in(FeedAxes axes, const gcode::Move& move, Piece::Kind kind) {
+  if (kind != Piece::Kind::curve) return distance_over(axes, move.start, move.end) > 0;
+  const std::vector<gcode::ControlPoint>& points = move.curve.points;
+  return std::any_of(points.begin(), points.end(), [&](const gcode::ControlPoint& point) {
+    return distance_over(axes, points.front().position, point.position) > 0;
+  });
+}
+
+FeedAxes feed_axes_of(const gcode::Move& move, Piece::Kind kind) {
+  if (kind == Piece::Kind::arc || moves_in(FeedAxes::xyz, move, kind)) return FeedAxes::xyz;
+  return moves_in(FeedAxes::uvw, move, kind) ? FeedAxes::uvw : FeedAxes::abc;
 }
 
 /// The ends of an arc in its plane, seen from the centre.
@@ -60,20 +69,22 @@ double PieceSource::greatest_feed() const {
   return greatest_linear_feed_ > 0 ? greatest_linear_feed_ : greatest_rotary_feed_;
 }
 
+/// Length of the block in these axes, mm or degrees.
+double PieceSource::length_of(const gcode::Move& move, FeedAxes axes) const {
+  if (whole_.kind == Piece::Kind::arc) {
+    const std::size_t normal = base::index(gcode::normal_axis(move.plane));
+    return std::hypot(whole_.radius * sweep_, move.end[normal] - move.start[normal]);
+  }
+  if (whole_.kind == Piece::Kind::curve) {
+    const double length = curve_.length_in(coordinates_of(metric_, axes));
+    return axes == FeedAxes::abc ? length / millimetres_per_degree : length;
+  }
+  return distance_over(axes, move.start, move.end);
+}
+
 ProgrammedFeed PieceSource::feed_of(const gcode::Move& move) const {
   ProgrammedFeed feed;
-  double length = length_over(linear_axes, move);
-  if (move.kind == gcode::Move::Kind::arc && whole_.arc) {
-    const std::size_t normal = base::index(gcode::normal_axis(move.plane));
-    length = std::hypot(whole_.radius * sweep_, move.end[normal] - move.start[normal]);
-  } else if (length == 0) {
-    feed.axes = FeedAxes::uvw;
-    length = length_over(parallel_axes, move);
-    if (length == 0) {
-      feed.axes = FeedAxes::abc;
-      length = length_over(rotary_axes, move);
-    }
-  }
+  feed.axes = feed_axes_of(move, whole_.kind);
   switch (move.feed.mode) {
     case gcode::Feed::Mode::rapid:
       feed.value = std::numeric_limits<double>::infinity();
@@ -82,7 +93,7 @@ ProgrammedFeed PieceSource::feed_of(const gcode::Move& move) const {
       feed.value = move.feed.value;
       break;
     case gcode::Feed::Mode::per_second:
-      feed.value = move.feed.value * length;
+      feed.value = move.feed.value * length_of(move, feed.axes);
       break;
   }
   return feed;
@@ -106,7 +117,9 @@ void PieceSource::begin(const gcode::Move& move) {
   largest_tolerance_ = std::max(largest_tolerance_, whole_.tolerance);
   next_piece_ = 0;
   pieces_ = 0;
-  if (move.kind != gcode::Move::Kind::arc || !begin_arc(move)) begin_line();
+  const bool begun = (move.kind == gcode::Move::Kind::arc && begin_arc(move)) ||
+                     (move.kind == gcode::Move::Kind::nurbs && begin_curve(move));
+  if (!begun) begin_line();
   whole_.feed = feed_of(move);
   if (whole_.feed.value < std::numeric_limits<double>::infinity()) {
     double& greatest = whole_.feed.axes == FeedAxes::abc ? greatest_rotary_feed_ : greatest_linear_feed_;
@@ -130,7 +143,7 @@ bool PieceSource::begin_arc(const gcode::Move& move) {
       !(ends.start_radius() > 0)) {
     return false;
   }
-  whole_.arc = true;
+  whole_.kind = Piece::Kind::arc;
   whole_.first = static_cast<std::uint8_t>(first);
   whole_.second = static_cast<std::uint8_t>(second);
   whole_.center_first = move.center_first;
@@ -150,21 +163,24 @@ bool PieceSource::begin_arc(const gcode::Move& move) {
   return true;
 }
 
+bool PieceSource::begin_curve(const gcode::Move& move) {
+  if (!curve_.begin(move.curve)) return false;
+  whole_.kind = Piece::Kind::curve;
+  whole_.span = 1;
+  return true;
+}
+
 bool PieceSource::read() {
   gcode::Move move;
   while (moves_(move)) {
-    if (move.kind != gcode::Move::Kind::line && move.kind != gcode::Move::Kind::arc) continue;
+    if (move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event) continue;
     begin(move);
-    if (pieces_ > 0) return true;
+    return true;
   }
   return false;
 }
 
-bool PieceSource::next(Piece& piece) {
-  if (next_piece_ == pieces_ && !read()) return false;
-  piece = whole_;
-  const std::int64_t number = next_piece_++;
-  if (!whole_.arc) return true;
+void PieceSource::cut_arc(Piece& piece, std::int64_t number) const {
   const double share = sweep_ / static_cast<double>(pieces_);
   const double from = share * static_cast<double>(number);
   piece.angle_before = from;
@@ -176,6 +192,30 @@ bool PieceSource::next(Piece& piece) {
     piece.radius = std::hypot(piece.radial_first, piece.radial_second);
   }
   if (number + 1 < pieces_) piece.to = point_at(metric_, whole_, share * static_cast<double>(number + 1));
+}
+
+bool PieceSource::next_of_block(Piece& piece) {
+  if (whole_.kind == Piece::Kind::curve) {
+    Bezier segment;
+    if (!curve_.next(segment)) return false;
+    piece = whole_;
+    piece.segment = segment;
+    piece.from = point_at(metric_, segment, 0);
+    piece.to = point_at(metric_, segment, 1);
+    piece.number = next_piece_++;
+    return true;
+  }
+  if (next_piece_ == pieces_) return false;
+  piece = whole_;
+  if (whole_.kind == Piece::Kind::arc) cut_arc(piece, next_piece_);
+  ++next_piece_;
+  return true;
+}
+
+bool PieceSource::next(Piece& piece) {
+  while (!next_of_block(piece)) {
+    if (!read()) return false;
+  }
   return true;
 }
 

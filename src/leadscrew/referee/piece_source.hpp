@@ -1,6 +1,7 @@
 #pragma once
 // Moves in, pieces out, one at a time.
 
+#include <leadscrew/referee/nurbs.hpp>
 #include <leadscrew/referee/piece.hpp>
 #include <leadscrew/referee/referee.hpp>
 
@@ -8,7 +9,7 @@ namespace leadscrew::referee {
 
 class PieceSource {
  public:
-  PieceSource(MoveSource moves, const Metric& metric) : moves_(std::move(moves)), metric_(metric) {}
+  PieceSource(MoveSource moves, const Metric& metric) : moves_(std::move(moves)), metric_(metric), curve_(metric) {}
 
   /// The next piece that has a length; false at the program's end.
   bool next(Piece& piece);
@@ -25,10 +26,14 @@ class PieceSource {
 
  private:
   bool read();
+  bool next_of_block(Piece& piece);
   void begin(const gcode::Move& move);
   bool begin_arc(const gcode::Move& move);
+  bool begin_curve(const gcode::Move& move);
   void begin_line();
+  double length_of(const gcode::Move& move, FeedAxes axes) const;
   ProgrammedFeed feed_of(const gcode::Move& move) const;
+  void cut_arc(Piece& piece, std::int64_t number) const;
 
   MoveSource moves_;
   const Metric& metric_;
@@ -40,9 +45,10 @@ class PieceSource {
 
   // The block that is being cut into pieces.
   Piece whole_;              // of an arc: the block as one, however many turns
-  std::int64_t pieces_ = 0;  // it is cut into
+  std::int64_t pieces_ = 0;  // it is cut into, unless it is a curve
   std::int64_t next_piece_ = 0;
   double sweep_ = 0;  // of an arc: radians, positive
+  Nurbs curve_;
 };
 
 }  // namespace leadscrew::referee

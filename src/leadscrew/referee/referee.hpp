@@ -1,6 +1,6 @@
 #pragma once
 // The referee: judges a train of words against the program and the machine it was made for. It shares no code with the
-// rooms that make motion; it reads the program's moves and has formulas of its own for lines and arcs.
+// rooms that make motion; it reads the program's moves and has formulas of its own for lines, arcs and NURBS curves.
 //
 // Limits: first, second and third differences of each axis, as if the machine stood still before the first word and
 // after the last (derivatives.hpp).

@@ -56,11 +56,21 @@ geometry::Curve arc(const gcode::Move& move, const Turn& turn, double length) {
                        length);
 }
 
+geometry::NurbsForm form(const gcode::NurbsCurve& curve) {
+  geometry::NurbsForm form{curve.degree, curve.knots, {}, {}};
+  for (const gcode::ControlPoint& point : curve.points) {
+    form.points.push_back(point.position);
+    form.weights.push_back(point.weight);
+  }
+  return form;
+}
+
 }  // namespace
 
 double feed_length(const gcode::Move& move) {
   if (move.kind == gcode::Move::Kind::line) return line_length(move);
   if (move.kind == gcode::Move::Kind::arc) return arc_length(move, turn(move));
+  if (move.kind == gcode::Move::Kind::nurbs) return geometry::feed_length(form(move.curve));
   return 0;
 }
 
@@ -68,24 +78,35 @@ void Builder::push(const gcode::Move& move) {
   switch (move.kind) {
     case gcode::Move::Kind::line: {
       const double length = line_length(move);
-      if (length > 0) {
-        settled_.emplace_back(Piece{geometry::Line(move.start, move.end, length), speed(move.feed, length), move.line});
-      }
+      if (length > 0) settle(geometry::Line(move.start, move.end, length), move, length);
       break;
     }
     case gcode::Move::Kind::arc: {
       const Turn turned = turn(move);
       const double length = arc_length(move, turned);
-      if (length > 0) settled_.emplace_back(Piece{arc(move, turned, length), speed(move.feed, length), move.line});
+      if (length > 0) settle(arc(move, turned, length), move, length);
+      break;
+    }
+    case gcode::Move::Kind::nurbs: {
+      const std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(form(move.curve));
+      double length = 0;
+      for (const geometry::Nurbs& piece : pieces) length += piece.length();
+      for (const geometry::Nurbs& piece : pieces) settle(piece, move, length);
       break;
     }
     case gcode::Move::Kind::dwell:
       settled_.emplace_back(Dwell{move.start, move.dwell_seconds, move.line});
-      break;
+      return;
     case gcode::Move::Kind::event:
       settled_.emplace_back(move.event);
-      break;
+      return;
   }
+  if (move.path_mode != gcode::PathMode::exact_stop || settled_.empty()) return;
+  if (auto* const last = std::get_if<Piece>(&settled_.back())) last->stop = true;
+}
+
+void Builder::settle(const geometry::Curve& curve, const gcode::Move& move, double feed_length) {
+  settled_.emplace_back(Piece{curve, speed(move.feed, feed_length), move.line});
 }
 
 std::optional<Element> Builder::pop() {

@@ -1,7 +1,8 @@
 #pragma once
 // From moves to the tool path, streaming: moves are pushed, and elements come out once nothing ahead can change them.
 //
-// Every move is kept as programmed, one curve a block, and blocks are joined by a stop.
+// Every move is kept as programmed, one curve a block; a NURBS curve becomes its smooth pieces
+// (geometry::smooth_pieces).
 
 #include <deque>
 #include <leadscrew/gcode/move.hpp>
@@ -12,7 +13,7 @@ namespace leadscrew::toolpath {
 
 /// Length by which feed is counted: of X Y Z together; of U V W where those stand still; of A B C (degrees) where all
 /// linear axes stand still. For an arc in the plane's axes, radius · |sweep| takes the place of their straight
-/// distance.
+/// distance; a NURBS curve's is the sum of its smooth pieces'.
 double feed_length(const gcode::Move& move);
 
 class Builder {
@@ -24,6 +25,8 @@ class Builder {
   std::optional<Element> pop();
 
  private:
+  void settle(const geometry::Curve& curve, const gcode::Move& move, double feed_length);
+
   std::deque<Element> settled_;
 };
 

@@ -13,6 +13,7 @@ struct Piece {
   geometry::Curve curve;
   double feed = 0;  ///< greatest speed along the curve, units of its length per second; infinite for a rapid
   base::Line line{};
+  bool stop = false;  ///< rest at the end, whatever follows (G61.1)
 };
 
 /// Stand still.

@@ -1,0 +1,371 @@
+// Curves: G5 and G5.1 in one block, G5.2 to G5.3 (LinuxCNC) and G6.2 (Fanuc's G06.2) in many. Each becomes one move.
+//
+//     G5    P0 = start, P1 = start + (I, J), P2 = end + (P, Q), P3 = end
+//     G5.1  P0 = start, P1 = start + (I, J), P2 = end
+//
+// are Bézier curves in X and Y. All other axes go in proportion to the parameter, for which their points stand at
+// thirds or in the middle of their way.
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/gcode/interpreter.hpp>
+#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/nurbs.hpp>
+#include <utility>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+constexpr std::uint32_t highest_order = highest_degree + 1;
+constexpr std::size_t x = base::index(base::Axis::X);
+constexpr std::size_t y = base::index(base::Axis::Y);
+
+std::string in_line(base::Line line) {
+  return "the curve of line " + std::to_string(base::number(line));
+}
+
+// Knots of the Bézier curve of as many points as there are, whose other axes have been given in proportion.
+void make_bezier(NurbsCurve& curve, int degree, const base::AxisVector& start, const base::AxisVector& end) {
+  curve.clear();
+  curve.degree = degree;
+  for (int i = 0; i <= degree; ++i) {
+    ControlPoint point{start, 1};
+    for (std::size_t k = 0; k < base::axis_count; ++k) point.position[k] += (end[k] - start[k]) * i / degree;
+    curve.points.push_back(point);
+  }
+  curve.points.back().position = end;
+  set_uniform_knots(curve);
+}
+
+}  // namespace
+
+bool Interpreter::curve_error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
+  if (draft_.spoiled) return reporter_.fail();
+  return error(code, column, std::move(message), std::move(hint));
+}
+
+void Interpreter::curve(const Block& block) {
+  switch (to_do_) {
+    case nurbs_begin:
+      if (draft_.code < 0) begin_curve(block);
+      add_to_nurbs(block);
+      break;
+    case nurbs_end:
+      end_nurbs(block);
+      break;
+    case nurbs_with_knots:
+      add_to_nurbs_with_knots(block);
+      break;
+    default:
+      spline(block);
+      break;
+  }
+}
+
+// A vector of the program along X and Y, as one of the machine.
+bool Interpreter::spline_offset(const Block& block, char first, char second, PlanePoint& offset) {
+  const std::pair<char, base::Axis> words[] = {{first, base::Axis::X}, {second, base::Axis::Y}};
+  for (const auto& [letter, axis] : words) {
+    if (!machine_.has(axis) && block.has(letter)) {
+      return error("unknown-axis", block.column_of(letter),
+                   std::string(1, letter) + " is a distance along axis " + base::letter(axis) +
+                       ", which the machine does not have",
+                   "curves of G5 and G5.1 need X and Y");
+    }
+  }
+  offset = {block.value_or(first, 0) * frame_.length_unit, block.value_or(second, 0) * frame_.length_unit};
+  if (frame_.is_rotated()) frame_.rotate(offset.first, offset.second);
+  return true;
+}
+
+// From the start to the first control point behind it.
+bool Interpreter::first_offset(const Block& block, PlanePoint& offset) {
+  const bool any = block.has('I') || block.has('J');
+  const bool both = block.has('I') && block.has('J');
+  if (to_do_ == quadratic_spline) {
+    if (block.value_or('I', 0) == 0 && block.value_or('J', 0) == 0) {
+      return error("missing-word", motion_column(block), "G5.1 has no control point away from its start",
+                   "give I and J, from the start");
+    }
+  } else if (!any && tangent_) {
+    offset = *tangent_;
+    return true;
+  } else if (!both) {
+    return error("missing-word", motion_column(block), any ? "G5 has I or J only" : "the first G5 lacks I and J",
+                 any ? "give both, or neither behind another G5" : "give both, from the start");
+  }
+  return spline_offset(block, 'I', 'J', offset);
+}
+
+void Interpreter::spline(const Block& block) {
+  const bool cubic = to_do_ == cubic_spline;
+  const base::AxisVector target = target_of(block);
+  PlanePoint from_start, from_end;
+  bool known = plane_ == Plane::XY;
+  if (!known) {
+    error("bad-plane", motion_column(block), g_name(to_do_) + " stands in G18 or G19",
+          "curves of G5 and G5.1 need G17");
+  }
+  known &= first_offset(block, from_start);
+  if (cubic) {
+    if (!block.has('P') || !block.has('Q')) {
+      known = error("missing-word", motion_column(block), "G5 lacks P or Q", "give both, from the end");
+    } else {
+      known &= spline_offset(block, 'P', 'Q', from_end);
+    }
+    // The next curve goes on as this one ends, also where what follows is only read.
+    tangent_ = PlanePoint{-from_end.first, -from_end.second};
+  }
+  make_bezier(curve_, cubic ? 3 : 2, frame_.position, target);
+  base::AxisVector& second = curve_.points[1].position;
+  second[x] = frame_.position[x] + from_start.first;
+  second[y] = frame_.position[y] + from_start.second;
+  if (cubic) {
+    base::AxisVector& third = curve_.points[2].position;
+    third[x] = target[x] + from_end.first;
+    third[y] = target[y] + from_end.second;
+  }
+  Feed feed;
+  feed_of(block, is_linear_curve(), block.has('F'), feed);
+  if (known) {
+    follow_curve(block, feed, line_);
+  } else {
+    frame_.position = target;
+  }
+}
+
+void Interpreter::begin_curve(const Block& block) {
+  draft_ = {.code = to_do_, .errors = draft_.errors, .line = line_, .last_point = frame_.position};
+  curve_.clear();
+  // Of G93, F may still come.
+  Feed feed;
+  if (feed_mode_ == FeedMode::per_minute) feed_of(block, true, true, feed);
+}
+
+void Interpreter::set_order(const Block& block, char letter, int least) {
+  const std::optional<int> order = as_integer(block[letter]);
+  if (!order || *order < least || *order > static_cast<int>(highest_order)) {
+    error("bad-value", block.column_of(letter), "the order of a curve is " + text(block[letter]),
+          std::string(1, letter) + " must be an integer from " + std::to_string(least) + " to " +
+              std::to_string(highest_order) + ", the degree and one");
+    return;
+  }
+  draft_.order = static_cast<std::uint32_t>(*order);
+  curve_.degree = *order - 1;
+}
+
+void Interpreter::add_point(const Block& block, const base::AxisVector& position, char weight_letter) {
+  ControlPoint point{position, block.value_or(weight_letter, 1)};
+  if (!(least_weight <= point.weight && point.weight <= greatest_weight)) {
+    error("bad-weight", block.column_of(weight_letter), "the weight of a control point is " + text(point.weight),
+          std::string(1, weight_letter) + " must be above 0: from 1e-9 to 1e9");
+    point.weight = 1;
+  }
+  draft_.last_point = position;
+  if (curve_.points.size() == most_control_points) {
+    curve_error("too-many-points", motion_column(block),
+                in_line(draft_.line) + " has more than " + std::to_string(most_control_points) + " control points",
+                "make several curves of it");
+    return;
+  }
+  curve_.points.push_back(point);
+}
+
+// One block of G5.2. P alone is the weight of the first point, where the tool stands. As LinuxCNC has it, X and Y come
+// together, and in G91 all points are seen from the start of the curve.
+void Interpreter::add_to_nurbs(const Block& block) {
+  if (draft_.order == 0) {
+    draft_.order = 3;
+    curve_.degree = 2;
+  }
+  draft_.feed_given |= block.has('F');
+  if (block.has('L')) set_order(block, 'L', 3);
+  const bool first = curve_.points.empty();
+  if (!(block.words & axis_letter_bits)) {
+    if (!block.has('P')) return;
+    if (first) return add_point(block, frame_.position, 'P');
+    error("unused-word", block.column_of('P'), "P stands without a control point", "only the first has P alone");
+    return;
+  }
+  if (block.has('X') != block.has('Y')) {
+    error("missing-word", motion_column(block), "a control point has X or Y only", "give both");
+  }
+  if (first) curve_.points.push_back({frame_.position, 1});
+  const bool absolute = distance_ == Distance::absolute;
+  base::AxisVector position = target_of(block, absolute ? draft_.last_point : frame_.position);
+  for (const base::Axis axis : base::all_axes) {
+    if (!block.has(base::letter(axis))) position[base::index(axis)] = draft_.last_point[base::index(axis)];
+  }
+  add_point(block, position, 'P');
+}
+
+void Interpreter::end_nurbs(const Block& block) {
+  motion_ = 800;
+  if (draft_.code < 0) {
+    error("missing-curve", motion_column(block), "G5.3 ends no curve", "G5.2 begins one");
+    return;
+  }
+  draft_.feed_given |= block.has('F');
+  for (const base::Axis axis : base::all_axes) {
+    if (!block.has(base::letter(axis))) continue;
+    error("unused-word", block.column_of(base::letter(axis)), "G5.3 moves no axis",
+          "put the point into a block before");
+  }
+  if (curve_.points.size() < draft_.order) {
+    curve_error("too-few-points", motion_column(block),
+                in_line(draft_.line) + " has " + std::to_string(curve_.points.size()) + " control points",
+                "of order " + std::to_string(draft_.order) + " it needs at least as many, with its start");
+  }
+  if (draft_.spoiled || reporter_.failed()) {
+    reporter_.fail();
+    return abandon_curve();
+  }
+  set_uniform_knots(curve_);
+  finish_curve(block);
+}
+
+void Interpreter::add_knot(const Block& block, bool all_points) {
+  if (draft_.spoiled) return;
+  const double knot = block['K'];
+  const double before = curve_.knots.empty() ? knot : curve_.knots.back();
+  curve_.knots.push_back(knot);
+  switch (judge_last_knot(curve_, all_points)) {
+    case KnotProblem::none:
+      break;
+    case KnotProblem::decreases:
+      curve_error("knot-order", block.column_of('K'), "the knot " + text(knot) + " follows " + text(before),
+                  "knots do not decrease");
+      break;
+    case KnotProblem::repeats:
+      curve_error(
+          "knot-multiplicity", block.column_of('K'), "the knot " + text(knot) + " stands too often",
+          "of order " + std::to_string(draft_.order) + ", that many times at an end and once less between them");
+      break;
+  }
+}
+
+// The first block of G6.2, or one behind the last knot.
+void Interpreter::begin_nurbs_with_knots(const Block& block) {
+  begin_curve(block);
+  if (!block.has(Group::motion)) {
+    curve_error("knot-count", block.first_column, "the curve before has all its points and knots",
+                "begin another with G6.2");
+  } else if (block.has('P')) {
+    set_order(block, 'P', 2);
+  } else {
+    curve_error("missing-word", motion_column(block), "G6.2 lacks P",
+                "give the order of the curve: its degree and one");
+  }
+}
+
+// Axis words, or a weight, make a control point of G6.2; a knot by itself is one of the last.
+void Interpreter::add_to_nurbs_with_knots(const Block& block) {
+  const bool begins = block.has(Group::motion);
+  const bool point = begins || (block.words & (axis_letter_bits | letter_bit('R')));
+  const bool behind = !begins && draft_.code < 0;
+  if (begins || behind) begin_nurbs_with_knots(block);
+  if (behind) return;
+  draft_.feed_given |= block.has('F');
+  if (!block.has('K')) {
+    curve_error("missing-word", motion_column(block), "a control point lacks its knot", "give K in every block");
+  }
+  if (point && draft_.last_knots > 0) {
+    curve_error("knot-count", motion_column(block), "a control point stands behind the last knots",
+                in_line(draft_.line) + " lacks " + std::to_string(draft_.order - draft_.last_knots) + " of them");
+    draft_.last_point = target_of(block, draft_.last_point);
+    return;
+  }
+  if (point) add_point(block, target_of(block, draft_.last_point), 'R');
+  if (!point && draft_.last_knots == 0 && curve_.points.size() < draft_.order) {
+    curve_error("too-few-points", motion_column(block),
+                in_line(draft_.line) + " has " + std::to_string(curve_.points.size()) + " control points",
+                "of order " + std::to_string(draft_.order) + " it needs at least as many");
+  }
+  if (block.has('K')) add_knot(block, !point);
+  // A curve with a problem takes in whatever comes, up to the next motion.
+  if (!point && ++draft_.last_knots == draft_.order && !draft_.spoiled && !reporter_.failed()) finish_curve(block);
+}
+
+// The first point becomes the place where the tool stands: it may be off by as much as the ends of arcs may.
+bool Interpreter::join_start(const Block& block) {
+  ControlPoint& first = curve_.points.front();
+  const double tolerance = arc_tolerance(frame_.length_unit != 1).absolute;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    if (std::fabs(first.position[i] - frame_.position[i]) <= tolerance) continue;
+    return error("curve-start", motion_column(block),
+                 in_line(draft_.line) + " begins at " + base::letter(axis) + text(first.position[i]) +
+                     " of the machine, the tool stands at " + base::letter(axis) + text(frame_.position[i]),
+                 "it must begin where the block before ends");
+  }
+  first.position = frame_.position;
+  return true;
+}
+
+void Interpreter::finish_curve(const Block& block) {
+  if (!knots_are_apart(curve_)) {
+    error("knot-order", motion_column(block), in_line(draft_.line) + " has knots with no room between them",
+          "neighbours are equal or at least 1e-12 of their range apart");
+    return abandon_curve();
+  }
+  draft_.code = -1;
+  clamp_ends(curve_);
+  const bool joined = join_start(block);
+  Feed feed;
+  feed_of(block, is_linear_curve(), draft_.feed_given, feed);
+  if (joined) {
+    follow_curve(block, feed, draft_.line);
+  } else {
+    frame_.position = curve_.points.back().position;
+  }
+}
+
+bool Interpreter::is_linear_curve() const {
+  return std::any_of(curve_.points.begin(), curve_.points.end(),
+                     [&](const ControlPoint& point) { return is_linear(point.position); });
+}
+
+void Interpreter::curve_inside(const Block& block) {
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    bulge_inside(block, axis, reach_beyond(curve_, axis, -1, travel_low_[i]),
+                 reach_beyond(curve_, axis, 1, travel_high_[i]));
+  }
+}
+
+void Interpreter::follow_curve(const Block& block, const Feed& feed, base::Line line) {
+  const base::AxisVector end = curve_.points.back().position;
+  // Only a line comes back from outside at once.
+  const bool from_outside = fails_outside(block);
+  inside_travel(block, end);
+  if (!from_outside) curve_inside(block);
+  const bool moves = std::any_of(curve_.points.begin(), curve_.points.end(),
+                                 [&](const ControlPoint& point) { return point.position != frame_.position; });
+  if (moves) {
+    Move& move = emit(Move::Kind::nurbs);
+    move.line = line;
+    move.end = end;
+    move.feed = feed;
+    std::swap(move.curve, curve_);
+  }
+  frame_.position = end;
+}
+
+// What follows is read as if the curve had been followed.
+void Interpreter::abandon_curve() {
+  if (draft_.code >= 0) frame_.position = draft_.last_point;
+  draft_.code = -1;
+}
+
+std::string Interpreter::unfinished_message() const {
+  if (draft_.code == nurbs_begin) return in_line(draft_.line) + " has no G5.3";
+  return in_line(draft_.line) + " lacks " + std::to_string(draft_.order - draft_.last_knots) + " of its last knots";
+}
+
+std::string Interpreter::unfinished_hint() const {
+  if (draft_.code == nurbs_begin) return "between G5.2 and G5.3 there are only control points";
+  return "behind the last control point, as many blocks of K as the order";
+}
+
+}  // namespace leadscrew::gcode

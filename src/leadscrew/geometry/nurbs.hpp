@@ -1,0 +1,98 @@
+#pragma once
+// NURBS curves by arc length.
+//
+//        u(s)                      C(u) = Σ w_i N_i,p(u) P_i / Σ w_i N_i,p(u)
+//   s ─────────▶ u ─────────▶ q        (Piegl and Tiller, "The NURBS Book", eq. 4.1)
+//
+// The length of a rational B-spline has no closed form, and neither has its inverse. u(s) is therefore a table, made
+// once: on each of its pieces, none of which crosses a knot, a quintic polynomial that has at both ends the value and
+// two derivatives of the true inverse (arc_length_map.hpp). What the cycle evaluates and the planner differentiates is
+// the composition q(u(s)) with that table. It lies on the curve whatever the table says; only the speed along it is
+// inexact, |dq/ds| = 1 within the tolerance the table was made with.
+//
+// A path is planned by its three derivatives, so a curve is cut into smooth pieces where it has none: at corners, at
+// steps of the curvature, at cusps (smooth_pieces).
+
+#include <cstddef>
+#include <cstdint>
+#include <leadscrew/geometry/point.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace leadscrew::geometry {
+
+/// A rational B-spline as programmed, knots[p] ≤ u ≤ knots[n] for n control points of degree p.
+struct NurbsForm {
+  int degree = 0;               ///< p, 1 … 5
+  std::vector<double> knots;    ///< n + p + 1, not decreasing; no inner one more than p times
+  std::vector<Point> points;    ///< n > p, mm or degrees
+  std::vector<double> weights;  ///< n, > 0
+};
+
+/// Relative error of the speed |dq/ds| granted to u(s).
+inline constexpr double default_speed_tolerance = 1e-7;
+
+struct NurbsTable;
+
+/// One smooth piece of a NURBS curve. Copies share the table, which is never changed.
+class Nurbs {
+ public:
+  /// By the coordinates X Y Z where they move on the piece, else U V W, else A B C (degrees); > 0.
+  double length() const { return length_; }
+  const Point& start() const { return start_; }
+  const Point& end() const { return end_; }
+
+  /// No allocation; bounded work: a search among the table's pieces and three polynomials.
+  Point evaluate(numeric::DoubleDouble s) const;
+  /// Of exactly what evaluate() computes; 0 ≤ s ≤ length.
+  PointJet jets(double s) const;
+
+  /// u at arc length s, 0 ≤ s ≤ length.
+  double parameter(double s) const;
+  /// Position and three derivatives by u, first_parameter() ≤ u ≤ last_parameter().
+  PointJet jets_at(double u) const;
+  double first_parameter() const { return first_parameter_; }
+  double last_parameter() const { return last_parameter_; }
+
+  /// Arc lengths inside (0, length), ascending, where q‴ has a step: the knots at which the B-spline is only C2.
+  std::span<const double> breaks() const;
+  /// Pieces of the table u(s).
+  std::size_t map_pieces() const { return record_count_; }
+
+ private:
+  friend class NurbsAssembly;
+  struct Located;
+  std::size_t record_at(double s) const;
+  Located locate(double s) const;
+
+  std::shared_ptr<const NurbsTable> table_;
+  double length_ = 0;
+  double buckets_per_length_ = 0;
+  std::uint32_t first_record_ = 0, record_count_ = 0;
+  std::uint32_t first_bucket_ = 0, bucket_count_ = 0;
+  std::uint32_t first_break_ = 0, break_count_ = 0;
+  double first_parameter_ = 0, last_parameter_ = 0;
+  Point start_{};
+  Point end_{};
+};
+
+/// The curve in smooth pieces, in order, each beginning exactly where the one before ends; none where nothing moves.
+/// The first begins at the first control point if the curve is clamped there, and so for the last. It is cut
+///
+///   - where the tangent by arc length turns by a step, and where the curvature does (steps below 1e-9 of the tangent,
+///   and
+///     of the larger of curvature and the reciprocal of the neighbouring spans' lengths, are taken as none),
+///   - where |dC/du| vanishes: cusps, reversals, coinciding control points; and where the radius of curvature falls
+///   below
+///     about 1e-5 mm, which no machine tells from a corner,
+///   - where the coordinates by which length is told begin or cease to move.
+///
+/// tolerance: relative error of speed granted to u(s), > 0. The work is linear in the number of control points. A form
+/// that is none (counts, degree, knots, weights not as said above) gives no piece.
+std::vector<Nurbs> smooth_pieces(const NurbsForm& form, double tolerance = default_speed_tolerance);
+
+/// The lengths of all smooth pieces together, without making their tables.
+double feed_length(const NurbsForm& form);
+
+}  // namespace leadscrew::geometry

@@ -1,0 +1,31 @@
+#pragma once
+// Gauss-Legendre quadrature with eight points: exact for polynomials of degree 15 (Abramowitz and Stegun, "Handbook of
+// Mathematical Functions", 25.4.29 and table 25.4).
+
+#include <array>
+
+namespace leadscrew::numeric {
+
+struct GaussPoint {
+  double abscissa = 0;  ///< on [−1, 1]; its mirror image counts too
+  double weight = 0;
+};
+
+inline constexpr std::array<GaussPoint, 4> gauss_8 = {{{0.18343464249564980, 0.36268378337836198},
+                                                       {0.52553240991632899, 0.31370664587788729},
+                                                       {0.79666647741362674, 0.22238103445337447},
+                                                       {0.96028985649753623, 0.10122853629037626}}};
+
+/// ∫ f over [a, b].
+template <typename Function>
+constexpr double integrate_gauss_8(const Function& f, double a, double b) {
+  const double middle = (a + b) / 2, half = (b - a) / 2;
+  double sum = 0;
+  for (const GaussPoint& point : gauss_8) {
+    const double offset = half * point.abscissa;
+    sum += point.weight * (f(middle - offset) + f(middle + offset));
+  }
+  return sum * half;
+}
+
+}  // namespace leadscrew::numeric

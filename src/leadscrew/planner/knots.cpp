@@ -1,0 +1,272 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/planner/knots.hpp>
+#include <limits>
+
+namespace leadscrew::planner {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double per_ramp = 40;         // knots while speed rises from rest or falls to it
+constexpr double cruise_per_ramp = 8;   // the same far inside a cruise
+constexpr double cruise_grading = 0.1;  // of the distance from where the cruise begins or ends
+constexpr double grading = 0.25;        // |dh/ds|
+constexpr double ramp_grading = 0.25;   // h over distance from rest
+constexpr double merged_breaks = 1e-5;  // of the width around them
+constexpr int deepest = 40;             // bisections
+
+struct Sample {
+  double s = 0;
+  double cap = 0;      // greatest x here by every limit taken alone
+  double reach = 0;    // the same, and reachable within the tangent acceleration
+  double h_curve = 0;  // bound of h by the curve
+  double a = 0, j = 0;
+  double h = 0;
+};
+
+class Placement {
+ public:
+  Placement(const Section& section, const machine::Machine& machine)
+      : section_(section), machine_(machine), length_(section.length()) {}
+
+  Knots place() {
+    ramps();
+    find_breaks();
+    sample();
+    passes();
+    widths();
+    return distribute();
+  }
+
+ private:
+  /// First and last interval: t₁ a hundredth of the time in which acceleration is reached, so short that direction does
+  /// not turn.
+  void ramps() {
+    const auto ramp = [&](double s, Side side) {
+      const geometry::PointJet jet = section_.jets(s, side);
+      const TangentLimits t = tangent_limits(jet, machine_);
+      const double speed = std::sqrt(section_.greatest_square(s, side, jet, machine_));
+      const double time =
+          0.01 * std::min({t.acceleration / t.jerk, std::sqrt(speed / t.jerk), std::cbrt(length_ / (2 * t.jerk))});
+      double bend = 0;
+      for (const numeric::Jet& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
+      double ramp_length = t.jerk * time * time * time / 6;
+      if (bend > 0) ramp_length = std::min(ramp_length, 5e-5 / bend);
+      return std::min(ramp_length, 1e-3 * length_);
+    };
+    knots_.start_ramp = ramp(0, Side::right);
+    knots_.end_ramp = ramp(length_, Side::left);
+  }
+
+  void find_breaks() {
+    for (std::size_t p = 0; p < section_.size(); ++p) {
+      const toolpath::Piece& piece = section_.piece(p);
+      for (const double s : geometry::breaks(piece.curve)) breaks_.push_back(section_.offset(p) + s);
+      if (p + 1 < section_.size() && jumps(p)) breaks_.push_back(section_.offset(p + 1));
+    }
+    breaks_.push_back(length_ - knots_.end_ramp);
+  }
+
+  bool jumps(std::size_t p) const {
+    const toolpath::Piece &a = section_.piece(p), &b = section_.piece(p + 1);
+    if (a.feed != b.feed) return true;
+    const geometry::PointJet leaving = one_sided_jets(a.curve, geometry::length(a.curve), Side::left);
+    const geometry::PointJet entering = one_sided_jets(b.curve, 0, Side::right);
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+      const double size = std::abs(leaving[i].third) + std::abs(entering[i].third);
+      if (std::abs(leaving[i].third - entering[i].third) > 1e-6 * size) return true;
+    }
+    return false;
+  }
+
+  Sample at(double s, Side side) const {
+    const geometry::PointJet jet = section_.jets(s, side);
+    const TangentLimits t = tangent_limits(jet, machine_);
+    Sample sample;
+    sample.s = s;
+    sample.a = t.acceleration;
+    sample.j = t.jerk;
+    double cap = section_.greatest_square(s, side, jet, machine_), second = 0, third = 0;
+    for (const base::Axis axis : base::all_axes) {
+      const numeric::Jet& q = jet[base::index(axis)];
+      if (q.second != 0) cap = std::min(cap, machine_.limits(axis).acceleration / std::abs(q.second));
+      if (q.third != 0) cap = std::min(cap, std::pow(machine_.limits(axis).jerk / std::abs(q.third), 2.0 / 3));
+      second += q.second * q.second;
+      third += q.third * q.third;
+    }
+    const double d = std::min(s, length_ - s);
+    cap = std::min(cap, std::pow(4.5 * t.jerk * d * d, 2.0 / 3));
+    sample.cap = sample.reach = cap;
+    sample.h_curve = std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity,
+                              third > 0 ? 0.2 / std::pow(third, 0.25) : infinity);
+    return sample;
+  }
+
+  static double ramp_width(const Sample& sample, double x, double per) {
+    const double v = std::sqrt(x);
+    const double time = v > sample.a * sample.a / sample.j ? v / sample.a + sample.a / sample.j
+                                                           : 2 * std::sqrt(v / sample.j);
+    return v * time / per;
+  }
+  double width_by_cap(const Sample& sample) const {
+    const double d = std::min(sample.s, length_ - sample.s);
+    return std::min({ramp_width(sample, sample.cap, per_ramp), sample.h_curve, std::max(ramp_grading * d, 1e-12)});
+  }
+
+  /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there.
+  void sample() {
+    double from = knots_.start_ramp;
+    for (const double to : breaks_) {
+      if (!(to > from)) continue;
+      const Sample left = at(from, Side::right), right = at(to, Side::left);
+      samples_.push_back(left);
+      constexpr int first_cut = 8;
+      Sample previous = left;
+      for (int k = 1; k <= first_cut; ++k) {
+        const Sample next = k == first_cut ? right : at(from + (to - from) * k / first_cut, Side::left);
+        bisect(previous, next, 0);
+        samples_.push_back(next);
+        previous = next;
+      }
+      from = to;
+    }
+  }
+  void bisect(const Sample& left, const Sample& right, int depth) {
+    const double width = right.s - left.s;
+    if (depth == deepest || width <= 2 * std::min(width_by_cap(left), width_by_cap(right))) return;
+    const Sample middle = at((left.s + right.s) / 2, Side::left);
+    bisect(left, middle, depth + 1);
+    samples_.push_back(middle);
+    bisect(middle, right, depth + 1);
+  }
+
+  void passes() {
+    const auto reach = [](Sample& to, const Sample& from) {
+      to.reach = std::min(to.reach, from.reach + 2 * std::max(to.a, from.a) * std::abs(to.s - from.s));
+    };
+    for (std::size_t i = 1; i < samples_.size(); ++i) reach(samples_[i], samples_[i - 1]);
+    for (std::size_t i = samples_.size() - 1; i-- > 0;) reach(samples_[i], samples_[i + 1]);
+  }
+
+  /// h at the samples. Far inside a cruise, where the greatest speed is the same for long, knots may lie wider.
+  void widths() {
+    std::vector<double> alone(samples_.size(), 0.0);  // distance to where the greatest speed changes
+    const auto same = [](const Sample& a, const Sample& b) {
+      return a.reach == a.cap && b.reach == b.cap && std::abs(a.cap - b.cap) <= 1e-9 * a.cap;
+    };
+    for (std::size_t i = 1; i < samples_.size(); ++i) {
+      if (same(samples_[i - 1], samples_[i])) alone[i] = alone[i - 1] + samples_[i].s - samples_[i - 1].s;
+    }
+    double behind = 0;
+    for (std::size_t i = samples_.size(); i-- > 0;) {
+      const bool joined = i + 1 < samples_.size() && same(samples_[i], samples_[i + 1]);
+      behind = joined ? behind + samples_[i + 1].s - samples_[i].s : 0;
+      alone[i] = std::min(alone[i], behind);
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      Sample& sample = samples_[i];
+      const double d = std::min(sample.s, length_ - sample.s);
+      const double ramp = ramp_width(sample, sample.reach, per_ramp);
+      const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
+      const double cruise = ramp_width(sample, sample.reach, cruise_per_ramp);
+      sample.h = std::min({std::max(ramp, std::min(cruise, cruise_grading * beyond)), sample.h_curve, ramp_grading * d});
+    }
+    double from = knots_.start_ramp;
+    std::size_t i = 0;
+    for (const double to : breaks_) {  // no wider than the stretch between breaks
+      if (!(to - from > merged_breaks * (i < samples_.size() ? samples_[i].h : 0))) continue;
+      for (; i < samples_.size() && samples_[i].s <= to; ++i) samples_[i].h = std::min(samples_[i].h, to - from);
+      from = to;
+    }
+    const auto grade = [](Sample& to_grade, const Sample& by) {
+      to_grade.h = std::min(to_grade.h, by.h + grading * std::abs(to_grade.s - by.s));
+    };
+    for (std::size_t k = 1; k < samples_.size(); ++k) grade(samples_[k], samples_[k - 1]);
+    for (std::size_t k = samples_.size() - 1; k-- > 0;) grade(samples_[k], samples_[k + 1]);
+  }
+
+  /// Equal quantiles of ∫ ds/h between breaks.
+  Knots distribute() {
+    knots_.s.push_back(knots_.start_ramp);
+    knots_.breaks.push_back(false);
+    double from = knots_.start_ramp;
+    std::size_t i = 0;
+    for (const double to : breaks_) {
+      if (!(to - from > merged_breaks * samples_[std::min(i, samples_.size() - 1)].h)) continue;
+      stretch(from, to, i);
+      from = to;
+    }
+    knots_.breaks.back() = false;
+    return std::move(knots_);
+  }
+
+  /// ∫ ds/h with h straight between samples is a logarithm.
+  static double quantity(const Sample& a, const Sample& b) {
+    const double width = b.s - a.s, rise = b.h - a.h;
+    if (std::abs(rise) < 1e-3 * a.h) return width / (a.h + rise / 2);
+    return width / rise * std::log(b.h / a.h);
+  }
+  static double inverse(const Sample& a, const Sample& b, double amount) {
+    const double width = b.s - a.s, slope = (b.h - a.h) / width;
+    if (std::abs(b.h - a.h) < 1e-3 * a.h) return std::min(b.s, a.s + amount * (a.h + b.h) / 2);
+    return std::min(b.s, a.s + a.h / slope * std::expm1(amount * slope));
+  }
+
+  void stretch(double from, double to, std::size_t& i) {
+    while (i + 1 < samples_.size() && samples_[i + 1].s <= from) ++i;
+    const std::size_t first = i;
+    double total = 0;
+    std::size_t last = first;
+    while (last + 1 < samples_.size() && samples_[last].s < to) {
+      if (samples_[last + 1].s > samples_[last].s) total += quantity(samples_[last], samples_[last + 1]);
+      ++last;
+    }
+    const int count = std::max(1, static_cast<int>(std::ceil(total)));
+    double before = 0;
+    std::size_t k = first;
+    for (int n = 1; n < count; ++n) {
+      const double wanted = total * n / count;
+      while (k < last) {
+        const double here = samples_[k + 1].s > samples_[k].s ? quantity(samples_[k], samples_[k + 1]) : 0;
+        if (before + here >= wanted) break;
+        before += here;
+        ++k;
+      }
+      const double s = inverse(samples_[k], samples_[std::min(k + 1, samples_.size() - 1)], wanted - before);
+      if (s > knots_.s.back() && s < to) {
+        knots_.s.push_back(s);
+        knots_.breaks.push_back(false);
+      }
+    }
+    knots_.s.push_back(to);
+    knots_.breaks.push_back(true);
+    i = last;
+  }
+
+  const Section& section_;
+  const machine::Machine& machine_;
+  double length_;
+  std::vector<double> breaks_;
+  std::vector<Sample> samples_;
+  Knots knots_;
+};
+
+}  // namespace
+
+TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machine& machine) {
+  TangentLimits limits{infinity, infinity};
+  for (const base::Axis axis : base::all_axes) {
+    const double rate = std::abs(jet[base::index(axis)].first);
+    if (rate == 0) continue;
+    limits.acceleration = std::min(limits.acceleration, machine.limits(axis).acceleration / rate);
+    limits.jerk = std::min(limits.jerk, machine.limits(axis).jerk / rate);
+  }
+  return limits;
+}
+
+Knots place_knots(const Section& section, const machine::Machine& machine) {
+  return Placement(section, machine).place();
+}
+
+}  // namespace leadscrew::planner

@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/planner/section.hpp>
+#include <limits>
+
+namespace leadscrew::planner {
+
+namespace {
+
+constexpr double unseen = 1e-4;  // of the limit of jerk
+
+/// |q″| of the tool tip, 1/ρ.
+double curvature(const geometry::PointJet& jet) {
+  return std::hypot(jet[0].second, jet[1].second, jet[2].second);
+}
+
+}  // namespace
+
+geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side side) {
+  constexpr double aside = 4e-13;
+  const double length = geometry::length(curve), step = aside * length;
+  return geometry::jets(curve, std::clamp(side == Side::left ? s - step : s + step, 0.0, length));
+}
+
+void Section::append(const toolpath::Piece& piece) {
+  pieces_.push_back(piece);
+  offsets_.push_back(offsets_.back() + geometry::length(piece.curve));
+}
+
+void Section::clear() {
+  pieces_.clear();
+  offsets_.assign(1, 0.0);
+}
+
+std::size_t Section::piece_at(double s, Side side) const {
+  const auto begin = offsets_.begin() + 1, end = offsets_.end() - 1;
+  const auto found = side == Side::left ? std::lower_bound(begin, end, s) : std::upper_bound(begin, end, s);
+  return static_cast<std::size_t>(found - begin);
+}
+
+geometry::PointJet Section::jets(double s, Side side) const {
+  const std::size_t index = piece_at(s, side);
+  return one_sided_jets(pieces_[index].curve, s - offsets_[index], side);
+}
+
+double Section::greatest_square(double s, Side side, const geometry::PointJet& jet,
+                                const machine::Machine& machine) const {
+  double speed = pieces_[piece_at(s, side)].feed;
+  for (const base::Axis axis : base::all_axes) {
+    const double rate = std::abs(jet[base::index(axis)].first);
+    if (rate > 0) speed = std::min(speed, machine.limits(axis).velocity / rate);
+  }
+  const double bend = curvature(jet), period = machine.period.seconds();
+  double square = speed * speed;
+  if (bend > 0) square = std::min(square, 8 * machine.chord_error / (bend * period * period));
+  return square;
+}
+
+bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& entering, double speed,
+                  const machine::Machine& machine) {
+  const double period = machine.period.seconds();
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    const double kink = std::abs(leaving[i].first - entering[i].first);
+    const double jump = std::abs(leaving[i].second - entering[i].second);
+    if (kink == 0 && jump == 0) continue;
+    const double granted = unseen * machine.limits(axis).jerk;
+    if (kink * speed > granted * period * period || jump * speed * speed > granted * period) return false;
+  }
+  return true;
+}
+
+}  // namespace leadscrew::planner

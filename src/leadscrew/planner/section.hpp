@@ -1,0 +1,50 @@
+#pragma once
+// A section of path: smooth pieces joined with continuous curvature, travelled from rest to rest.
+
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/toolpath/path.hpp>
+#include <vector>
+
+namespace leadscrew::planner {
+
+/// Which of its two values is meant where a derivative by path length jumps.
+enum class Side : std::uint8_t { left, right };
+
+/// Derivatives of a curve at s, or so little aside of it that a step of the third derivative at s is told from which side
+/// it is seen.
+geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side side);
+
+class Section {
+ public:
+  /// Joined to the end of what is there. Piece::feed is in units of the piece's length per second.
+  void append(const toolpath::Piece& piece);
+  void clear();
+
+  bool empty() const { return pieces_.empty(); }
+  std::size_t size() const { return pieces_.size(); }
+  /// Units of the pieces' length, from the section's beginning; offset(size()) is its length.
+  double offset(std::size_t piece) const { return offsets_[piece]; }
+  double length() const { return offsets_.back(); }
+  const toolpath::Piece& piece(std::size_t index) const { return pieces_[index]; }
+  const std::vector<toolpath::Piece>& pieces() const { return pieces_; }
+
+  /// The piece on which `s` lies; where pieces meet, the one on that side.
+  std::size_t piece_at(double s, Side side) const;
+  /// Position and derivatives by path length.
+  geometry::PointJet jets(double s, Side side) const;
+  /// Greatest x = ṡ² at s by programmed feed, axis velocities and chord error (Lin and Koren, eq. 3: ε = (VT)²/8ρ).
+  double greatest_square(double s, Side side, const geometry::PointJet& jet, const machine::Machine& machine) const;
+
+ private:
+  std::vector<toolpath::Piece> pieces_;
+  std::vector<double> offsets_{0.0};
+};
+
+/// May motion run from a piece that ends with `leaving` into one that begins with `entering` without a stop? The
+/// derivatives must agree as closely as words at the machine's period can show: a kink Δq′ is a step Δq′·v of an axis'
+/// velocity, a jump Δq″ one of Δq″·v² of its acceleration; over one period they look like a jerk of Δq′·v/T² and
+/// Δq″·v²/T, which must stay below a thousandth of a tenth of its limit. `speed` is the greatest at the joint.
+bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& entering, double speed,
+                  const machine::Machine& machine);
+
+}  // namespace leadscrew::planner

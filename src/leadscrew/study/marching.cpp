@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <leadscrew/study/curves.hpp>
+#include <leadscrew/study/marching.hpp>
+
+namespace leadscrew::study {
+
+namespace {
+
+constexpr std::int64_t most_steps = 10'000'000;
+
+using Place = std::array<double, 3>;
+
+Place place(const geometry::PointJet& jet) {
+  return {jet[0].value, jet[1].value, jet[2].value};
+}
+
+Place operator-(const Place& a, const Place& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double dot(const Place& a, const Place& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+double norm(const Place& a) {
+  return std::sqrt(dot(a, a));
+}
+
+/// Distance of a point from the segment between two others.
+double distance(const Place& point, const Place& begin, const Place& end) {
+  const Place chord = end - begin, seen = point - begin;
+  const double squared = dot(chord, chord);
+  const double part = squared > 0 ? std::clamp(dot(seen, chord) / squared, 0.0, 1.0) : 0;
+  return norm({seen[0] - part * chord[0], seen[1] - part * chord[1], seen[2] - part * chord[2]});
+}
+
+/// What one step is: the length of its chord and of the curve above it, mm.
+struct Step {
+  double chord = 0, arc = 0;
+};
+
+constexpr std::size_t samples = 16;  // of the curve along one step, even
+using Places = std::array<Place, samples + 1>;
+
+/// Length of the polygon through every `stride`-th place. Its error falls with the square of the stride.
+double polygon(const Places& places, std::size_t stride) {
+  double sum = 0;
+  for (std::size_t i = stride; i < places.size(); i += stride) sum += norm(places[i] - places[i - stride]);
+  return sum;
+}
+
+/// How far the curve leaves the chord: the greatest distance at the samples, raised to the vertex of the parabola
+/// through it and its neighbours.
+double chord_error(const Places& places) {
+  std::array<double, samples + 1> distances{};
+  for (std::size_t i = 1; i < samples; ++i) distances[i] = distance(places[i], places[0], places[samples]);
+  const auto greatest = std::max_element(distances.begin() + 1, distances.end() - 1);
+  const double before = greatest[-1], at = greatest[0], after = greatest[1];
+  const double bend = 2 * at - before - after, slope = after - before;
+  return bend > 0 ? at + slope * slope / (8 * bend) : at;
+}
+
+/// Follows the curve along one step and raises the chord errors of the march.
+Step observe(const geometry::Nurbs& curve, double u_begin, double u_end, double way, March& march) {
+  Places places;
+  for (std::size_t i = 0; i <= samples; ++i) {
+    const double part = static_cast<double>(i) / samples;
+    const geometry::PointJet jet = curve.jets_at(i == samples ? u_end : u_begin + (u_end - u_begin) * part);
+    places[i] = place(jet);
+    march.chord_error_rule = std::max(march.chord_error_rule, way * way * curvature(jet) / 8);
+  }
+  march.chord_error = std::max(march.chord_error, chord_error(places));
+  const double fine = polygon(places, 1), coarse = polygon(places, 2);
+  return {norm(places[samples] - places[0]), fine + (fine - coarse) / 3};  // Richardson's extrapolation
+}
+
+}  // namespace
+
+March march(const geometry::Nurbs& curve, interpolator::StepRule rule, double speed, double period) {
+  March result;
+  const double way = speed * period;
+  double u = curve.first_parameter();
+  while (result.steps < most_steps) {
+    const double s = static_cast<double>(result.steps) * way;
+    const double next = interpolator::next_parameter(curve, rule, u, s, way);
+    if (!(next < curve.last_parameter())) break;
+    const Step step = observe(curve, u, next, way, result);
+    const double error = step.chord / way - 1;
+    result.way_error = std::max(result.way_error, std::abs(step.arc / way - 1));
+    const bool is_first = result.steps == 0;
+    result.feed_error_max = is_first ? error : std::max(result.feed_error_max, error);
+    result.feed_error_min = is_first ? error : std::min(result.feed_error_min, error);
+    u = next;
+    ++result.steps;
+  }
+  return result;
+}
+
+}  // namespace leadscrew::study

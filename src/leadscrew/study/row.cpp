@@ -1,0 +1,88 @@
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <leadscrew/study/row.hpp>
+#include <utility>
+
+namespace leadscrew::study {
+
+namespace {
+
+Row row(std::string what, Scale scale, std::optional<double> published, double ours, Verdict verdict) {
+  return {{}, std::move(what), published, ours, scale, verdict, {}};
+}
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::exact:
+      return "exact";
+    case Verdict::reproduced:
+      return "reproduced";
+    case Verdict::differs:
+      return "differs";
+    case Verdict::no_worse:
+      return "no worse";
+    case Verdict::worse:
+      return "worse";
+    case Verdict::kept:
+      return "kept";
+    case Verdict::exceeded:
+      return "exceeded";
+    case Verdict::measured:
+      return "measured";
+    case Verdict::not_run:
+      return "not run";
+  }
+  return "";
+}
+
+Row exact_row(std::string what, Scale scale, double published, double ours, double accuracy) {
+  // The published figure itself is a decimal fraction: half a unit of its last digit, and what binary makes of it.
+  const double half_digit = 0.5 * std::pow(10, -scale.decimals) * (1 + 1e-9);
+  const bool equal = std::abs(ours - published) <= half_digit + accuracy;
+  return row(std::move(what), scale, published, ours, equal ? Verdict::exact : Verdict::differs);
+}
+
+Row reproduced_row(std::string what, Scale scale, double published, double ours, double accuracy) {
+  const bool near = std::abs(ours - published) <= accuracy;
+  return row(std::move(what), scale, published, ours, near ? Verdict::reproduced : Verdict::differs);
+}
+
+Row at_most_row(std::string what, Scale scale, double published, double ours, double accuracy) {
+  const Verdict verdict = ours <= published + accuracy ? Verdict::no_worse : Verdict::worse;
+  return row(std::move(what), scale, published, ours, verdict);
+}
+
+Row limit_row(std::string what, Scale scale, double limit, double ours, double accuracy) {
+  const Verdict verdict = ours <= limit + accuracy ? Verdict::kept : Verdict::exceeded;
+  return row(std::move(what), scale, limit, ours, verdict);
+}
+
+Row measured_row(std::string what, Scale scale, double ours) {
+  return row(std::move(what), scale, std::nullopt, ours, Verdict::measured);
+}
+
+Row not_run_row(std::string what, std::string why) {
+  return {{}, std::move(what), {}, {}, {}, Verdict::not_run, std::move(why)};
+}
+
+Rows under(const std::string& group, Rows rows) {
+  for (Row& each : rows) each.group = group;
+  return rows;
+}
+
+void append(Rows& rows, Rows more) {
+  rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+std::string decimal(double value, int decimals) {
+  char buffer[400];
+  const bool vanishes = value != 0 && std::abs(value) < 0.5 * std::pow(10, -decimals);
+  const auto end = vanishes ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 1)
+                            : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
+  return {buffer, end.ptr};
+}
+
+}  // namespace leadscrew::study

@@ -1,0 +1,30 @@
+#pragma once
+// The published experiments, each a function that makes it again and returns a row for every figure.
+
+#include <leadscrew/study/host.hpp>
+#include <leadscrew/study/row.hpp>
+#include <span>
+#include <string_view>
+
+namespace leadscrew::study {
+
+struct Study {
+  std::string_view name;   ///< as the command line takes it
+  std::string_view title;  ///< one line
+  Rows (*rows)(const Host&);
+};
+
+/// All there are, in the order in which they are listed.
+std::span<const Study> studies();
+
+/// The butterfly as a curve: length, sharpest bend, the map from length to parameter; and the times of travelling it.
+Rows butterfly_rows(const Host& host);
+
+/// Feed and chord errors of each rule of parameter steps on the plane cubic and the butterfly, at 1 … 10 ms.
+Rows feed_fluctuation_rows(const Host& host);
+
+/// Times, limits and effort of the motion along the plane cubic, a circle and the butterfly, beside the numerical
+/// optima.
+Rows limits_rows(const Host& host);
+
+}  // namespace leadscrew::study

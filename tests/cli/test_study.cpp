@@ -1,0 +1,117 @@
+// `leadscrew study`, and the rule of parameter steps that `run` takes.
+
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace leadscrew::cli::testing {
+namespace {
+
+TEST(Study, ListNamesWhatThereIs) {
+  const Folder folder;
+  const Outcome text = leadscrew(folder, {"study", "list"});
+  EXPECT_EQ(text.status, 0);
+  const Json object = leadscrew(folder, {"study", "list", "--json"}).json();
+  EXPECT_EQ(object["schema"], "leadscrew.study/1");
+  ASSERT_TRUE(object["studies"].is_array());
+  Names names;
+  for (const Json& study : object["studies"]) {
+    names.insert(study["name"]);
+    EXPECT_TRUE(contains(text.output, study["name"].get<std::string>()));
+    EXPECT_TRUE(contains(text.output, study["title"].get<std::string>()));
+  }
+  EXPECT_EQ(names, (Names{"butterfly", "feed-fluctuation", "limits"}));
+}
+
+TEST(Study, RowsAreWhatTheContractSays) {
+  const Folder folder;
+  const Outcome outcome = leadscrew(folder, {"study", "feed-fluctuation", "--json"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  const Json object = outcome.json();
+  EXPECT_EQ(object["schema"], "leadscrew.study/1");
+  EXPECT_EQ(object["name"], "feed-fluctuation");
+  ASSERT_GT(object["rows"].size(), 100u);
+  Names whats;
+  for (const Json& row : object["rows"]) {
+    EXPECT_TRUE(row["what"].is_string() && row["verdict"].is_string() && row["why"].is_string()) << row;
+    EXPECT_TRUE(row["published"].is_number() || row["published"].is_null()) << row;
+    EXPECT_TRUE(row["ours"].is_number() || row["ours"].is_null()) << row;
+    EXPECT_TRUE(row["unit"].is_string()) << row;
+    EXPECT_EQ(row["published"].is_null(), row["verdict"] == "measured") << row;
+    EXPECT_TRUE(whats.insert(row["what"]).second) << "twice: " << row["what"];
+  }
+  EXPECT_TRUE(whats.contains("published: plane cubic, V 10 mm/s: length"));
+}
+
+TEST(Study, TableHasColoursOnlyWhenAskedFor) {
+  const Folder folder;
+  const Outcome plain = leadscrew(folder, {"study", "feed-fluctuation"});
+  EXPECT_EQ(plain.status, 0);
+  EXPECT_TRUE(contains(plain.output, "verdict"));
+  EXPECT_TRUE(contains(plain.output, "29.8413"));
+  EXPECT_FALSE(contains(plain.output, "\033["));
+  EXPECT_TRUE(contains(leadscrew(folder, {"study", "feed-fluctuation", "--color", "always"}).output, "\033["));
+}
+
+/// The column, in characters, at which a text begins in the line that holds it.
+std::size_t column(const std::string& text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  if (at == std::string::npos) return std::string::npos;
+  const std::size_t line = text.rfind('\n', at) + 1;
+  return static_cast<std::size_t>(std::count_if(text.begin() + static_cast<std::ptrdiff_t>(line),
+                                                text.begin() + static_cast<std::ptrdiff_t>(at),
+                                                [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+TEST(Study, ColumnsAreAligned) {
+  const Folder folder;
+  const std::string table = leadscrew(folder, {"study", "feed-fluctuation"}).output;
+  const std::size_t verdicts = column(table, "verdict");
+  EXPECT_EQ(column(table, "exact"), verdicts);
+  EXPECT_EQ(column(table, "reproduced"), verdicts);
+  EXPECT_EQ(column(table, "differs"), verdicts);  // behind a µ, of two bytes
+  EXPECT_EQ(column(table, "by eq. (3)"), column(table, "why"));
+}
+
+TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {
+  const Folder folder;
+  struct Misuse {
+    std::vector<std::string> arguments;
+    const char* said;
+  };
+  for (const auto& [arguments, said] : {
+           Misuse{{"study", "buterfly"}, "no study \"buterfly\"; did you mean butterfly?"},
+           Misuse{{"study", "feed-fluctuations"}, "did you mean feed-fluctuation?"},
+           Misuse{{"study", "zzz"}, "there are list, butterfly, feed-fluctuation, limits"},
+           Misuse{{"study"}, "NAME"},
+           Misuse{{"study", "list", "--machine", "mill3"}, "no option --machine"},
+           Misuse{{"stduy", "list"}, "did you mean study?"},
+           Misuse{{"run", "part.ngc", "--interpolator", "taylor3"},
+                  "is none of arc-length, taylor1, taylor2, newton, uniform"},
+           Misuse{{"check", "part.ngc", "--interpolator", "taylor1"}, "no option --interpolator"},
+       }) {
+    const Outcome outcome = leadscrew(folder, arguments);
+    EXPECT_EQ(outcome.status, 2) << said;
+    EXPECT_EQ(outcome.output, "") << said;
+    EXPECT_TRUE(contains(outcome.errors, said)) << outcome.errors;
+  }
+}
+
+TEST(Study, HelpShowsAnExample) {
+  const Folder folder;
+  const Outcome outcome = leadscrew(folder, {"study", "--help"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(contains(outcome.output, "leadscrew study butterfly"));
+  EXPECT_TRUE(contains(leadscrew(folder, {"run", "--help"}).output, "--interpolator"));
+}
+
+TEST(Interpolator, EveryRuleIsTaken) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  for (const char* rule : {"arc-length", "taylor1", "taylor2", "newton", "uniform"})
+    EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--interpolator", rule, "--quiet"}).status, 0) << rule;
+}
+
+}  // namespace
+}  // namespace leadscrew::cli::testing

@@ -1,0 +1,30 @@
+#pragma once
+// Looking rows of a study up by what they say.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <leadscrew/study/row.hpp>
+#include <string_view>
+
+namespace leadscrew::study::testing {
+
+/// The one row of this group with this text; an empty row, and a failed test, where there is none or another.
+inline Row found(const Rows& rows, std::string_view group, std::string_view what) {
+  const auto is_meant = [&](const Row& row) { return row.group == group && row.what == what; };
+  EXPECT_EQ(std::count_if(rows.begin(), rows.end(), is_meant), 1) << group << ": " << what;
+  const auto row = std::find_if(rows.begin(), rows.end(), is_meant);
+  return row == rows.end() ? Row{} : *row;
+}
+
+inline double ours(const Rows& rows, std::string_view group, std::string_view what) {
+  const Row row = found(rows, group, what);
+  EXPECT_TRUE(row.ours.has_value()) << group << ": " << what << ": " << row.why;
+  return row.ours.value_or(NAN);
+}
+
+inline std::string_view verdict(const Rows& rows, std::string_view group, std::string_view what) {
+  return name(found(rows, group, what).verdict);
+}
+
+}  // namespace leadscrew::study::testing
