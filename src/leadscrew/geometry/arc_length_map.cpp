@@ -167,13 +167,12 @@ class Mapper {
     if (interval.singular.begin && interval.singular.end) return false;
     // The chord against the tangent at the end that has one, in all coordinates.
     const double at = interval.singular.begin ? interval.end : interval.begin;
-    double along = 0, chord_2 = 0, tangent_2 = 0;
+    double along = 0, tangent_2 = 0;
     std::array<double, base::axis_count> chord{}, tangent{};
     for (std::size_t k = 0; k < curve_.count; ++k) {
       tangent[k] = curve_.jet(k, at).first;
       chord[k] = curve_.jet(k, interval.end).value - curve_.jet(k, interval.begin).value;
       along += chord[k] * tangent[k];
-      chord_2 += chord[k] * chord[k];
       tangent_2 += tangent[k] * tangent[k];
     }
     if (along <= 0) return false;

@@ -66,6 +66,7 @@ void Interpolator::load(const planner::Chunk& chunk) {
   end_ = begin_ + chunk.duration;
   chunk_ = &chunk;
   segment_ = 0;
+  stepped_curve_ = nullptr;
   segment_begin_ = begin_;
   segment_end_ = chunk.segments.size() > 1 ? begin_ + chunk.segments[1].begin : end_;
   rest_ = chunk.rest;
@@ -93,11 +94,27 @@ base::Word Interpolator::next() {
   }
   const auto [s, speed] = along(segment, now - segment_begin_);
   const toolpath::Piece& piece = chunk_->pieces[segment.piece];
-  word.position = geometry::evaluate(piece.curve, s);
+  word.position = position(piece.curve, s);
   word.path_length += s.value();
   word.feed = speed;
   word.line = piece.line;
   return word;
+}
+
+base::AxisVector Interpolator::position(const geometry::Curve& curve, DoubleDouble s) {
+  const auto* nurbs = std::get_if<geometry::Nurbs>(&curve);
+  if (rule_ == StepRule::arc_length || !nurbs) return geometry::evaluate(curve, s);
+  if (stepped_curve_ != &curve) {
+    stepped_curve_ = &curve;
+    parameter_ = nurbs->first_parameter();
+    stepped_ = 0;
+  }
+  parameter_ = next_parameter(*nurbs, rule_, parameter_, stepped_, s.value() - stepped_);
+  stepped_ = s.value();
+  const geometry::PointJet there = nurbs->jets_at(parameter_);
+  base::AxisVector position{};
+  for (std::size_t i = 0; i < position.size(); ++i) position[i] = there[i].value;
+  return position;
 }
 
 const planner::Segment& Interpolator::segment_at(DoubleDouble time) {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/interpolator/parameter_steps.hpp>
 #include <leadscrew/planner/motion.hpp>
 
 namespace leadscrew::interpolator {
@@ -17,6 +18,9 @@ class Interpolator {
  public:
   /// Stands at `position` until a chunk is loaded.
   Interpolator(base::Period period, const base::AxisVector& position);
+
+  /// Goes along NURBS curves by one of the published rules, for comparison; by arc length unless told otherwise.
+  void step_by(StepRule rule) { rule_ = rule; }
 
   /// Does the next word lie beyond the end of the chunk (or is there none)? Then load the next chunk, or if there is
   /// none, stop asking: words stay at its end, at rest.
@@ -33,6 +37,7 @@ class Interpolator {
   base::Tick tick() const { return tick_; }
 
  private:
+  base::AxisVector position(const geometry::Curve& curve, numeric::DoubleDouble s);
   const planner::Segment& segment_at(numeric::DoubleDouble time);
 
   base::Period period_;
@@ -48,6 +53,10 @@ class Interpolator {
   double length_after_ = 0;              ///< travelled when the chunk has ended
   base::AxisVector rest_;
   base::Line line_{};
+  StepRule rule_ = StepRule::arc_length;
+  const geometry::Curve* stepped_curve_ = nullptr;  ///< along which parameter steps are taken
+  double parameter_ = 0;                            ///< where the last step ended
+  double stepped_ = 0;                              ///< and its path length
 };
 
 }  // namespace leadscrew::interpolator

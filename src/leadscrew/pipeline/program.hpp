@@ -49,6 +49,9 @@ class Program {
   Program(const Program&) = delete;  // the interpolator looks into the chunk that is kept here
   Program& operator=(const Program&) = delete;
 
+  /// Before the first word: how NURBS curves are stepped along.
+  void step_by(interpolator::StepRule rule) { interpolator_.step_by(rule); }
+
   void on_event(EventSink sink) { events_ = std::move(sink); }
 
   /// Reads and plans as far as the next word needs; false when the last word (at rest, at the end) has been made. The
