@@ -17,6 +17,8 @@ constexpr double straight_share = 1e-9;       // of the curve, at most
 constexpr double nothing = 1e-13;             // mm or degrees: shorter is not looked into
 constexpr double standing = 1e-9;             // of the speed elsewhere: an end with less is singular
 constexpr int deepest = 60;                   // halvings
+constexpr std::size_t most_pieces =
+    8192;  // of half a curve; if they were ever too few, the rest keeps to speed less well
 
 /// x by s at one place, and what the error of a piece is measured against.
 struct Node {
@@ -92,9 +94,12 @@ class Mapper {
       pieces.push_back(straight(interval, length));
       return;
     }
-    if (!is_singular && agrees(interval.length, length, interval.end - interval.begin)) {
+    if (!is_singular &&
+        (pieces.size() >= most_pieces || agrees(interval.length, length, interval.end - interval.begin))) {
       MapPiece piece = quintic(interval, length, begin, end);
-      if (is_good(piece, begin, end)) {
+      const bool no_more = pieces.size() >= most_pieces;
+      if (no_more && !is_monotonic(piece)) piece.c = {(interval.end - interval.begin) / length};
+      if (no_more || is_good(piece, begin, end)) {
         pieces.push_back(piece);
         return;
       }

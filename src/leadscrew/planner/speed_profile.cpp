@@ -37,7 +37,7 @@ double squared(double v) {
 }  // namespace
 
 SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots)
-    : section_(section), machine_(machine), knots_(std::move(knots)) {
+    : machine_(machine), knots_(std::move(knots)) {
   const std::vector<double>& s = knots_.s;
   const std::size_t n = intervals();
   basis_.reserve(n);

@@ -28,7 +28,7 @@ namespace leadscrew::planner {
 
 class SpeedProfile {
  public:
-  /// Creep along the section; it and the machine must outlive this.
+  /// Creep along the section. The machine must outlive this.
   SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots);
 
   /// From the present profile, which must be strictly inside, to the optimum within `gap` of its time, relative.
@@ -82,7 +82,6 @@ class SpeedProfile {
   bool newton(double t, double& decrement);
   std::size_t constraints() const { return 2 * rows_.size() + caps_.size() + knots_.s.size(); }
 
-  const Section& section_;
   const machine::Machine& machine_;
   Knots knots_;
   std::vector<CubicBasis> basis_;
