@@ -6,8 +6,8 @@
 // Each kind has
 //
 //   evaluate(s)  the position, s in double-double, rounded once: within one unit in the last place of the largest
-//   coordinate
-//                that the curve reaches. At s ≤ 0 and s ≥ length it is the start and the end, exactly.
+//                coordinate that the curve reaches; a NURBS curve's within a few. At s ≤ 0 and s ≥ length it is the
+//                start and the end, exactly.
 //   jets(s)      the position and three derivatives by s, for whoever plans speed along it.
 
 #include <array>
