@@ -53,14 +53,16 @@ Piece random_helix() {
 /// The largest value over limit of any axis, looked for much more finely than the planner looks, with formulas written
 /// out here.
 double brute_force_ratio(const Chunk& chunk, const Machine& machine) {
+  const int looks = chunk.segments.size() <= 7 ? 2000 : 100;
   double worst = 0;
   for (const auto& segment : chunk.segments) {
     const double duration = segment.duration.value();
-    for (int k = 0; k <= 2000; ++k) {
-      const double t = duration * k / 2000;
-      const double s = segment.s0.value() + t * (segment.v0.value() + t * (segment.c2 + t * segment.c3));
-      const double v = segment.v0.value() + t * (2 * segment.c2 + t * 3 * segment.c3);
-      const double a = 2 * segment.c2 + t * 6 * segment.c3, j = 6 * segment.c3;
+    for (int k = 0; k <= looks; ++k) {
+      const double t = duration * k / looks;
+      const double c2 = segment.c2, c3 = segment.c3, c4 = segment.c4, c5 = segment.c5;
+      const double s = segment.s0.value() + t * (segment.v0.value() + t * (c2 + t * (c3 + t * (c4 + t * c5))));
+      const double v = segment.v0.value() + t * (2 * c2 + t * (3 * c3 + t * (4 * c4 + t * 5 * c5)));
+      const double a = 2 * c2 + t * (6 * c3 + t * (12 * c4 + t * 20 * c5)), j = 6 * c3 + t * (24 * c4 + t * 60 * c5);
       const auto jets = leadscrew::geometry::jets(chunk.pieces[0].curve, s);
       for (const Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::A}) {
         const auto& q = jets[index(axis)];
@@ -78,12 +80,15 @@ double brute_force_ratio(const Chunk& chunk, const Machine& machine) {
 Chunk planned(const Piece& piece, const Machine& machine) {
   Planner planner(machine, leadscrew::geometry::start(piece.curve));
   planner.push(piece);
+  planner.finish();
   return *planner.pop();
 }
 
 RC_GTEST_PROP(PieceLimits, NoHelixExceedsAnyLimitAnywhere, ()) {
   const Machine machine = random_machine();
-  RC_ASSERT(brute_force_ratio(planned(random_helix(), machine), machine) <= 1 + 1e-9);
+  const double excess = brute_force_ratio(planned(random_helix(), machine), machine) - 1;
+  RC_LOG() << "excess " << excess << '\n';
+  RC_ASSERT(excess <= 1e-9);
 }
 
 RC_GTEST_PROP(PieceLimits, LinesMeetOneLimitExactly, ()) {

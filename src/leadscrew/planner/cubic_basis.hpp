@@ -1,6 +1,6 @@
 #pragma once
-// The four cubic B-splines that live on one interval of a knot sequence, as polynomials there (de Boor, "A Practical Guide
-// to Splines", ch. X): B_j(u) = Σ_p m[j][p] u^p, 0 ≤ u ≤ 1.
+// The four cubic B-splines that live on one interval of a knot sequence, as polynomials there (de Boor, "A Practical
+// Guide to Splines", ch. X): B_j(u) = Σ_p m[j][p] u^p, 0 ≤ u ≤ 1.
 
 #include <array>
 

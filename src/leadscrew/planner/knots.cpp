@@ -98,15 +98,15 @@ class Placement {
     const double d = std::min(s, length_ - s);
     cap = std::min(cap, std::pow(4.5 * t.jerk * d * d, 2.0 / 3));
     sample.cap = sample.reach = cap;
-    sample.h_curve = std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity,
-                              third > 0 ? 0.2 / std::pow(third, 0.25) : infinity);
+    sample.h_curve =
+        std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity, third > 0 ? 0.2 / std::pow(third, 0.25) : infinity);
     return sample;
   }
 
   static double ramp_width(const Sample& sample, double x, double per) {
     const double v = std::sqrt(x);
-    const double time = v > sample.a * sample.a / sample.j ? v / sample.a + sample.a / sample.j
-                                                           : 2 * std::sqrt(v / sample.j);
+    const double time =
+        v > sample.a * sample.a / sample.j ? v / sample.a + sample.a / sample.j : 2 * std::sqrt(v / sample.j);
     return v * time / per;
   }
   double width_by_cap(const Sample& sample) const {
@@ -170,7 +170,8 @@ class Placement {
       const double ramp = ramp_width(sample, sample.reach, per_ramp);
       const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
       const double cruise = ramp_width(sample, sample.reach, cruise_per_ramp);
-      sample.h = std::min({std::max(ramp, std::min(cruise, cruise_grading * beyond)), sample.h_curve, ramp_grading * d});
+      sample.h =
+          std::min({std::max(ramp, std::min(cruise, cruise_grading * beyond)), sample.h_curve, ramp_grading * d});
     }
     double from = knots_.start_ramp;
     std::size_t i = 0;

@@ -34,15 +34,12 @@ int looks(const geometry::Curve& curve, const Segment& segment) {
 
 }  // namespace
 
-double limit_ratio(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine) {
-  double greatest = 0;
+AxisRatios greatest_ratios(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine) {
+  AxisRatios ratios;
   for (const Axis axis : base::all_axes) {
-    if (!machine.has(axis)) continue;
-    AxisRatios ratios;
-    raise(ratios, jet[base::index(axis)], at, machine.limits(axis));
-    greatest = std::max({greatest, ratios.velocity, ratios.acceleration, ratios.jerk});
+    if (machine.has(axis)) raise(ratios, jet[base::index(axis)], at, machine.limits(axis));
   }
-  return greatest;
+  return ratios;
 }
 
 void raise_limit_ratios(const Chunk& chunk, const machine::Machine& machine, LimitRatios& ratios) {

@@ -15,8 +15,8 @@ struct AxisRatios {
 };
 using LimitRatios = std::array<AxisRatios, base::axis_count>;
 
-/// The largest ratio of any axis at one instant.
-double limit_ratio(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine);
+/// The largest ratios of any axis at one instant.
+AxisRatios greatest_ratios(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine);
 
 /// What a chunk's motion asks of each axis over what the axis can, evaluated from jets of the path and the polynomials
 /// of time, at both ends of every segment, and inside where curvature couples the two. Raises `ratios` where it is

@@ -11,7 +11,7 @@ namespace {
 using base::MotionState;
 using numeric::DoubleDouble;
 
-constexpr double gap = 1e-3;            // of the time, to the optimum
+constexpr double gap = 1e-3;  // of the time, to the optimum
 constexpr int repairs = 3;
 constexpr double repair_margin = 2e-4;
 constexpr double granted_slowing = 1.0002;  // below, slowing time costs less than planning again
@@ -122,15 +122,22 @@ class Emission {
   DoubleDouble now_;
 };
 
-/// The largest ratio of any limit, eight looks a segment.
+/// The largest ratio of any limit, eight looks a segment. What has a peak between two looks, higher than both by a few
+/// millionths, counts as if it were larger by `between_looks`.
 double greatest_ratio(const Segment& segment, const Section& section, const machine::Machine& machine) {
   constexpr int looks = 8;
+  constexpr double between_looks = 5e-5;
   double greatest = 0;
   const double duration = segment.duration.value();
   for (int k = 0; k <= looks; ++k) {
     const PathState at = evaluate(segment, duration * k / looks);
-    const geometry::PointJet jet = section.jets(at.s, k == 0 ? Side::right : Side::left);
-    greatest = std::max(greatest, limit_ratio(jet, at, machine));
+    const Side side = k == 0 ? Side::right : Side::left;
+    const geometry::PointJet jet = section.jets(at.s, side);
+    const AxisRatios ratios = greatest_ratios(jet, at, machine);
+    const double feed = at.speed / section.piece(section.piece_at(at.s, side)).feed;
+    const double turning = turns(jet) ? 1 + between_looks : 1;
+    greatest = std::max(
+        {greatest, feed, ratios.velocity * turning, std::max(ratios.acceleration, ratios.jerk) * (1 + between_looks)});
   }
   return greatest;
 }

@@ -8,8 +8,9 @@
 
 namespace leadscrew::planner {
 
-/// The fastest rest-to-rest motion found over the piece, which is a line or an arc: exactly the optimum on a line; on an arc or helix the best of
-/// a search over bounds, every candidate scaled in time until its proven worst case meets the limits.
+/// The fastest rest-to-rest motion found over the piece, which is a line or an arc: exactly the optimum on a line; on
+/// an arc or helix the best of a search over bounds, every candidate scaled in time until its proven worst case meets
+/// the limits.
 ///
 /// With q_i the straight axes (rate m_i) and, in the plane of the arc, both axes of the same amplitude g = R|ω| (ω =
 /// dθ/ds):

@@ -73,8 +73,8 @@ double squared(double v) {
   return v * v;
 }
 
-/// Is the closed form as good as the optimum? On a line it is the optimum; on an arc through so small an angle, the axes'
-/// limits along the path hardly change.
+/// Is the closed form as good as the optimum? On a line it is the optimum; on an arc through so small an angle, the
+/// axes' limits along the path hardly change.
 bool has_closed_form(const Section& section) {
   if (section.size() != 1) return false;
   const geometry::Curve& curve = section.piece(0).curve;
@@ -115,8 +115,8 @@ void Planner::push_piece(const toolpath::Piece& piece) {
     const geometry::PointJet entering = geometry::jets(piece.curve, 0);
     const double square = std::min(section_.greatest_square(section_.length(), Side::left, leaving, machine_),
                                    squared(std::min(piece.feed, last.feed)));
-    const bool through = !last.stop && section_.size() < longest_section &&
-                         runs_through(leaving, entering, std::sqrt(square), machine_);
+    const bool through =
+        !last.stop && section_.size() < longest_section && runs_through(leaving, entering, std::sqrt(square), machine_);
     if (!through) settle_section();
   }
   section_.append(piece);

@@ -22,6 +22,10 @@ geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side s
   return geometry::jets(curve, std::clamp(side == Side::left ? s - step : s + step, 0.0, length));
 }
 
+bool turns(const geometry::PointJet& jet) {
+  return std::any_of(jet.begin(), jet.end(), [](const numeric::Jet& q) { return q.second != 0; });
+}
+
 void Section::append(const toolpath::Piece& piece) {
   pieces_.push_back(piece);
   offsets_.push_back(offsets_.back() + geometry::length(piece.curve));

@@ -8,8 +8,10 @@ namespace leadscrew::planner {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double limit_margin = 0.9995;     // of acceleration and jerk: what lies between the places looked at
-constexpr double speed_margin = 1 - 1e-9;   // of the greatest speed, squared
+// Of the limits, for what lies between the places looked at and for the step from spline to quintics:
+constexpr double limit_margin = 0.9995;      // of acceleration and jerk
+constexpr double feed_margin = 1 - 1e-7;     // of the programmed speed, squared
+constexpr double turning_margin = 1 - 2e-4;  // of the speed, squared, where it is an axis' that trades with others
 constexpr std::array<double, 3> gauss_places = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr std::array<double, 3> gauss_weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
@@ -53,7 +55,9 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
   std::vector<double> middle_caps(n);
   geometry::PointJet left = section.jets(s[0], Side::right);
   const auto cap = [&](double at, Side side, const geometry::PointJet& jet) {
-    return speed_margin * section.greatest_square(at, side, jet, machine);
+    const double square = section.greatest_square(at, side, jet, machine);
+    const bool by_feed = square == squared(section.piece(section.piece_at(at, side)).feed);
+    return (turns(jet) && !by_feed ? turning_margin : feed_margin) * square;
   };
   knot_caps_[0] = cap(s[0], Side::right, left);
   add_site(0, 0, left);
@@ -66,7 +70,9 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
     add_hull(k, {&left, &middle, &right});
     bool peak = false;
     for (std::size_t i = 0; i < middle.size(); ++i) {
-      const auto above = [](double m, double a, double b) { return std::abs(m) > 1.001 * std::max(std::abs(a), std::abs(b)); };
+      const auto above = [](double m, double a, double b) {
+        return std::abs(m) > 1.001 * std::max(std::abs(a), std::abs(b));
+      };
       peak = peak || above(middle[i].second, left[i].second, right[i].second) ||
              above(middle[i].third, left[i].third, right[i].third);
     }
@@ -82,8 +88,8 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
       knot_caps_[k + 1] = std::min(knot_caps_[k + 1], cap(s[k + 1], Side::right, left));
     }
   }
-  // A coefficient is no greater than the greatest x over the two intervals in the middle of its reach; the spline lies in
-  // the hull of its coefficients. Where the programmed speed falls at a knot, the smaller holds on both sides.
+  // A coefficient is no greater than the greatest x over the two intervals in the middle of its reach; the spline lies
+  // in the hull of its coefficients. Where the programmed speed falls at a knot, the smaller holds on both sides.
   caps_.assign(n + 3, infinity);
   for (std::size_t i = 0; i < n + 3; ++i) {
     const std::size_t from = i >= 2 ? std::min(i - 2, n - 1) : 0, to = i >= 1 ? std::min(i - 1, n - 1) : 0;
@@ -94,7 +100,8 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
       step = step || knots_.breaks[k] || knots_.breaks[k + 1];
     }
     if (step) {
-      for (std::size_t k = from; k <= to; ++k) greatest = std::min({greatest, middle_caps[k], knot_caps_[k], knot_caps_[k + 1]});
+      for (std::size_t k = from; k <= to; ++k)
+        greatest = std::min({greatest, middle_caps[k], knot_caps_[k], knot_caps_[k + 1]});
     }
     caps_[i] = greatest;
   }
@@ -164,7 +171,8 @@ double SpeedProfile::weight(std::size_t coefficient) const {
   return coefficient >= n ? end_tie_[n + 2 - coefficient] : 1;
 }
 
-/// Each row alone, with room to spare, over a span of the narrowest interval around (see the derivation with the knots).
+/// Each row alone, with room to spare, over a span of the narrowest interval around (see the derivation with the
+/// knots).
 void SpeedProfile::creep() {
   const std::size_t n = intervals();
   std::vector<double> y(n + 3, infinity);
@@ -178,7 +186,8 @@ void SpeedProfile::creep() {
     if (k + 1 < n) h = std::min(h, basis_[k + 1].h);
     double bound = infinity;
     for (std::uint32_t r = site.first_row; r < site.end_row; ++r) {
-      // Largest |A| and |g| over coefficients between 0 and y are bounded by the rows' sums of magnitudes: use the parts.
+      // Largest |A| and |g| over coefficients between 0 and y are bounded by the rows' sums of magnitudes: use the
+      // parts.
       double by_a = 0, by_j = 0;
       for (std::size_t j = 0; j < 4; ++j) {
         by_a += std::abs(rows_[r].acceleration[j]);
@@ -299,7 +308,7 @@ void SpeedProfile::assemble(double t) {
   for (std::size_t k = 0; k < basis_.size(); ++k) {
     const double* c = &c_[k];
     Four gradient{};
-    std::array<double, 10> hessian{};  // lower triangle by rows
+    std::array<double, 10> hessian{};                       // lower triangle by rows
     const auto outer = [&](const Four& p, const Four& q) {  // (p qᵀ + q pᵀ)/2
       std::size_t at = 0;
       for (std::size_t i = 0; i < 4; ++i) {
@@ -413,8 +422,8 @@ bool SpeedProfile::is_level(std::size_t k) const {
   return c_[k] == c_[k + 1] && c_[k] == c_[k + 2] && c_[k] == c_[k + 3];
 }
 
-/// The barrier keeps x a few parts in ten thousand below the cap. Where it is that close for many knots, close the rest of
-/// the gap: not at once, which would be a step of acceleration, but by a smooth share over the first and last knots.
+/// The barrier keeps x a few parts in ten thousand below the cap. Where it is that close for many knots, close the rest
+/// of the gap: not at once, which would be a step of acceleration, but by a smooth share over the first and last knots.
 void SpeedProfile::level_cruises() {
   constexpr double near = 2e-3;
   constexpr std::size_t shortest = 40, blend = 16;

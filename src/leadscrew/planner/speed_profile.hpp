@@ -88,9 +88,9 @@ class SpeedProfile {
   std::vector<Four> gauss_;  ///< three places an interval
   std::vector<Site> sites_;
   std::vector<Row> rows_;
-  std::vector<double> caps_;        ///< of the coefficients: greatest x around
-  std::vector<double> knot_caps_;   ///< of x at the knots
-  std::vector<double> tightened_;   ///< of each interval, ≥ 1
+  std::vector<double> caps_;       ///< of the coefficients: greatest x around
+  std::vector<double> knot_caps_;  ///< of x at the knots
+  std::vector<double> tightened_;  ///< of each interval, ≥ 1
   std::array<double, 3> start_tie_{}, end_tie_{};
   std::vector<double> c_;
   std::vector<double> variables_, trial_, trial_c_, step_;
