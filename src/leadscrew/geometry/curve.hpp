@@ -22,20 +22,29 @@ namespace leadscrew::geometry {
 
 using Curve = std::variant<Line, Arc, Nurbs>;
 
+/// std::visit for what always holds one of its kinds: nothing to throw, and no call through a table, so that what the
+/// cycle reaches can be read from its machine code.
+template <typename Visitor>
+decltype(auto) visit(const Visitor& visitor, const Curve& curve) {
+  if (const auto* line = std::get_if<Line>(&curve)) return visitor(*line);
+  if (const auto* arc = std::get_if<Arc>(&curve)) return visitor(*arc);
+  return visitor(*std::get_if<Nurbs>(&curve));
+}
+
 inline double length(const Curve& curve) {
-  return std::visit([](const auto& kind) { return kind.length(); }, curve);
+  return geometry::visit([](const auto& kind) { return kind.length(); }, curve);
 }
 inline const Point& start(const Curve& curve) {
-  return std::visit([](const auto& kind) -> const Point& { return kind.start(); }, curve);
+  return geometry::visit([](const auto& kind) -> const Point& { return kind.start(); }, curve);
 }
 inline const Point& end(const Curve& curve) {
-  return std::visit([](const auto& kind) -> const Point& { return kind.end(); }, curve);
+  return geometry::visit([](const auto& kind) -> const Point& { return kind.end(); }, curve);
 }
 inline Point evaluate(const Curve& curve, numeric::DoubleDouble s) {
-  return std::visit([&](const auto& kind) { return kind.evaluate(s); }, curve);
+  return geometry::visit([&](const auto& kind) { return kind.evaluate(s); }, curve);
 }
 inline PointJet jets(const Curve& curve, double s) {
-  return std::visit([&](const auto& kind) { return kind.jets(s); }, curve);
+  return geometry::visit([&](const auto& kind) { return kind.jets(s); }, curve);
 }
 /// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.
 inline std::span<const double> breaks(const Curve& curve) {

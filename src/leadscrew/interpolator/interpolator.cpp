@@ -55,32 +55,54 @@ Along along(const planner::Segment& segment, DoubleDouble tau) {
 
 Interpolator::Interpolator(base::Period period, const base::AxisVector& position) : period_(period), rest_(position) {}
 
-bool Interpolator::wants_chunk() const {
-  return !(now_ < end_);
-}
-
 void Interpolator::load(const planner::Chunk& chunk) {
-  length_before_ = length_after_;
-  length_after_ += chunk.length;
-  begin_ = end_;
-  end_ = begin_ + chunk.duration;
+  if (!chunk.pieces.empty()) {
+    const planner::Segment& first = chunk.segments.front();
+    constexpr double nothing = 1e-9;  // of the path: a piece is at its start to rounding
+    const bool is_new_piece = first.s0 <= nothing;
+    first_number_ = last_number_ + (is_new_piece ? 1 : 0) - first.piece;
+    last_number_ = first_number_ + chunk.segments.back().piece;
+  }
+  begin_ = waited_ ? now_ : end_;
+  waited_ = false;
+  in_tail_ = false;
   chunk_ = &chunk;
-  segment_ = 0;
-  stepped_curve_ = nullptr;
-  segment_begin_ = begin_;
-  segment_end_ = chunk.segments.size() > 1 ? begin_ + chunk.segments[1].begin : end_;
+  end_ = begin_;
+  begin_part(chunk.segments, begin_ + chunk.duration, chunk.length);
   rest_ = chunk.rest;
   line_ = chunk.rest_line;
 }
 
+void Interpolator::run_stop_tail() {
+  if (!has_stop_tail_left()) return;
+  const planner::Segment& last = chunk_->stop_tail.back();
+  in_tail_ = true;
+  last_number_ = first_number_ + last.piece;
+  begin_part(chunk_->stop_tail, begin_ + (last.begin + last.duration), chunk_->tail_length);
+}
+
+/// Goes on from the end of what has been travelled, through contiguous segments, to their end.
+void Interpolator::begin_part(std::span<const planner::Segment> segments, DoubleDouble end, double length) {
+  segments_ = segments;
+  segment_ = 0;
+  segment_begin_ = end_;
+  end_ = end;
+  segment_end_ = segments.size() > 1 ? begin_ + segments[1].begin : end_;
+  length_before_ = length_after_ - (segments.empty() ? 0 : segments.front().s0.value());
+  length_after_ += length;
+}
+
 base::Word Interpolator::next() {
+  if (wants_chunk()) run_stop_tail();
   const DoubleDouble now = now_;
+  const bool has_ended = wants_chunk();
   base::Word word;
   word.tick = tick_;
   word.line = line_;
   tick_ = base::next(tick_);
   now_ = time_of(tick_, period_);
-  if (!chunk_ || !(now < end_)) {
+  if (has_ended) {
+    waited_ = true;
     word.position = rest_;
     word.path_length = length_after_;
     return word;
@@ -94,18 +116,19 @@ base::Word Interpolator::next() {
   }
   const auto [s, speed] = along(segment, now - segment_begin_);
   const toolpath::Piece& piece = chunk_->pieces[segment.piece];
-  word.position = position(piece.curve, s);
+  word.position = position(piece.curve, segment.piece, s);
   word.path_length += s.value();
   word.feed = speed;
   word.line = piece.line;
   return word;
 }
 
-base::AxisVector Interpolator::position(const geometry::Curve& curve, DoubleDouble s) {
+base::AxisVector Interpolator::position(const geometry::Curve& curve, std::size_t piece, DoubleDouble s) {
   const auto* nurbs = std::get_if<geometry::Nurbs>(&curve);
   if (rule_ == StepRule::arc_length || !nurbs) return geometry::evaluate(curve, s);
-  if (stepped_curve_ != &curve) {
-    stepped_curve_ = &curve;
+  const std::int64_t number = first_number_ + static_cast<std::int64_t>(piece);
+  if (stepped_number_ != number) {
+    stepped_number_ = number;
     parameter_ = nurbs->first_parameter();
     stepped_ = 0;
   }
@@ -118,14 +141,13 @@ base::AxisVector Interpolator::position(const geometry::Curve& curve, DoubleDoub
 }
 
 const planner::Segment& Interpolator::segment_at(DoubleDouble time) {
-  const auto& segments = chunk_->segments;
-  while (segment_end_ <= time && segment_ + 1 < segments.size()) {
-    const std::size_t piece = segments[segment_++].piece;
-    if (segments[segment_].piece != piece) length_before_ += geometry::length(chunk_->pieces[piece].curve);
+  while (segment_end_ <= time && segment_ + 1 < segments_.size()) {
+    const std::size_t piece = segments_[segment_++].piece;
+    if (segments_[segment_].piece != piece) length_before_ += geometry::length(chunk_->pieces[piece].curve);
     segment_begin_ = segment_end_;
-    segment_end_ = segment_ + 1 < segments.size() ? begin_ + segments[segment_ + 1].begin : end_;
+    segment_end_ = segment_ + 1 < segments_.size() ? begin_ + segments_[segment_ + 1].begin : end_;
   }
-  return segments[segment_];
+  return segments_[segment_];
 }
 
 }  // namespace leadscrew::interpolator

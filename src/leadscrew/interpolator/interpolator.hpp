@@ -7,10 +7,12 @@
 // whole one). No allocation, no lock, no clock, no exception; the only loop moves on through segments that have ended.
 
 #include <cstddef>
+#include <cstdint>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/interpolator/parameter_steps.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <span>
 
 namespace leadscrew::interpolator {
 
@@ -23,12 +25,25 @@ class Interpolator {
   void step_by(StepRule rule) { rule_ = rule; }
 
   /// Does the next word lie beyond the end of the chunk (or is there none)? Then load the next chunk, or if there is
-  /// none, stop asking: words stay at its end, at rest.
-  bool wants_chunk() const;
+  /// none, stop asking: words run the stop tail, if the chunk has one, and stay at its end, at rest.
+  bool wants_chunk() const { return !(now_ < end_); }
 
-  /// Goes on with this chunk from where the one before ends in time. It is not copied: it must live until the next is
-  /// loaded.
+  /// Goes on with this chunk from where the one before ends in time, be that a fraction of a tick. Once a word has
+  /// stood at rest for want of a chunk, it begins with the next word. A chunk that begins in motion may follow only a
+  /// committed part that ends in motion, and one that begins at rest only rest (planner::Chunk::begins_at_rest). It is
+  /// not copied: it must live until the next is loaded.
   void load(const planner::Chunk& chunk);
+
+  /// The committed part has ended (wants_chunk()) and nothing that continues its motion will come: goes on through the
+  /// stop tail to rest. Does nothing where there is no tail left to run. next() does it unasked.
+  void run_stop_tail();
+
+  /// Has the loaded chunk's committed part ended in motion, with neither a successor loaded nor the tail begun?
+  bool has_stop_tail_left() const { return wants_chunk() && chunk_ && !in_tail_ && !chunk_->stop_tail.empty(); }
+  /// Does the next word lie in a stop tail?
+  bool stopping() const { return in_tail_ && !wants_chunk(); }
+  /// Does the next word stand at rest because all motion has ended? Not in a dwell.
+  bool at_rest() const { return wants_chunk() && !has_stop_tail_left(); }
 
   /// The word of this tick; moves on to the next tick.
   base::Word next();
@@ -37,26 +52,33 @@ class Interpolator {
   base::Tick tick() const { return tick_; }
 
  private:
-  base::AxisVector position(const geometry::Curve& curve, numeric::DoubleDouble s);
+  base::AxisVector position(const geometry::Curve& curve, std::size_t piece, numeric::DoubleDouble s);
+  void begin_part(std::span<const planner::Segment> segments, numeric::DoubleDouble end, double length);
   const planner::Segment& segment_at(numeric::DoubleDouble time);
 
   base::Period period_;
   base::Tick tick_{};
   const planner::Chunk* chunk_ = nullptr;
+  std::span<const planner::Segment> segments_;  ///< of the committed part or the tail
   std::size_t segment_ = 0;
+  bool in_tail_ = false;
+  bool waited_ = false;                  ///< a word has stood at rest for want of a chunk
   numeric::DoubleDouble now_;            ///< time of the next word, seconds
   numeric::DoubleDouble begin_;          ///< of the chunk, seconds
-  numeric::DoubleDouble end_;            ///< of the chunk, seconds
+  numeric::DoubleDouble end_;            ///< of the committed part, or of the tail when that runs, seconds
   numeric::DoubleDouble segment_begin_;  ///< seconds
   numeric::DoubleDouble segment_end_;    ///< seconds
-  double length_before_ = 0;             ///< travelled before the piece
-  double length_after_ = 0;              ///< travelled when the chunk has ended
+  double length_before_ = 0;             ///< travelled before the piece, as if it had been travelled from its start
+  double length_after_ = 0;              ///< travelled when the committed part, or the tail, has ended
   base::AxisVector rest_;
   base::Line line_{};
   StepRule rule_ = StepRule::arc_length;
-  const geometry::Curve* stepped_curve_ = nullptr;  ///< along which parameter steps are taken
-  double parameter_ = 0;                            ///< where the last step ended
-  double stepped_ = 0;                              ///< and its path length
+  // Parameter steps along a piece go on through all chunks that share it, so pieces are told apart by a number.
+  std::int64_t first_number_ = 0;     ///< of the chunk's first piece
+  std::int64_t last_number_ = 0;      ///< of the piece on which the committed part ends
+  std::int64_t stepped_number_ = -1;  ///< of the piece along which steps are taken
+  double parameter_ = 0;              ///< where the last step ended
+  double stepped_ = 0;                ///< and its path length
 };
 
 }  // namespace leadscrew::interpolator

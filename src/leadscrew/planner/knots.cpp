@@ -8,27 +8,29 @@ namespace leadscrew::planner {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double per_ramp = 40;         // knots while speed rises from rest or falls to it
-constexpr double cruise_per_ramp = 8;   // the same far inside a cruise
-constexpr double cruise_grading = 0.1;  // of the distance from where the cruise begins or ends
-constexpr double grading = 0.25;        // |dh/ds|
-constexpr double ramp_grading = 0.25;   // h over distance from rest
-constexpr double merged_breaks = 1e-5;  // of the width around them
-constexpr int deepest = 40;             // bisections
+constexpr double per_ramp = 40;          // knots while speed rises from rest or falls to it
+constexpr double cruise_grading = 0.1;   // of the distance from where the cruise begins or ends
+constexpr double grading = 0.25;         // |dh/ds|
+constexpr double ramp_grading = 0.25;    // h over distance from rest
+constexpr double merged_breaks = 1e-5;   // of the width around them
+constexpr int deepest = 40;              // bisections
+constexpr double unknown_room = 0.03;    // of the way of a ramp, left before what is not known
+constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a window that ends in motion
 
 struct Sample {
   double s = 0;
-  double cap = 0;      // greatest x here by every limit taken alone
-  double reach = 0;    // the same, and reachable within the tangent acceleration
-  double h_curve = 0;  // bound of h by the curve
+  double greatest = 0;  // greatest x here by every limit taken alone
+  double cap = 0;       // and by the distance from rest
+  double reach = 0;     // the same, and reachable within the tangent acceleration
+  double h_curve = 0;   // bound of h by the curve
   double a = 0, j = 0;
   double h = 0;
 };
 
 class Placement {
  public:
-  Placement(const Section& section, const machine::Machine& machine)
-      : section_(section), machine_(machine), length_(section.length()) {}
+  Placement(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most)
+      : section_(section), machine_(machine), stretch_(stretch), most_(most) {}
 
   Knots place() {
     ramps();
@@ -36,7 +38,12 @@ class Placement {
     sample();
     passes();
     widths();
-    return distribute();
+    distribute();
+    if (!stretch_.ends_at_rest || knots_.s.size() > most_ + 1)
+      cut();
+    else
+      knots_.intervals = knots_.s.size() - 1;
+    return std::move(knots_);
   }
 
  private:
@@ -46,26 +53,37 @@ class Placement {
     const auto ramp = [&](double s, Side side) {
       const geometry::PointJet jet = section_.jets(s, side);
       const TangentLimits t = tangent_limits(jet, machine_);
-      const double speed = std::sqrt(section_.greatest_square(s, side, jet, machine_));
+      const double speed = std::sqrt(greatest_square(jet, stretch_.feed_factor * section_.feed(s, side), machine_));
       const double time =
-          0.01 * std::min({t.acceleration / t.jerk, std::sqrt(speed / t.jerk), std::cbrt(length_ / (2 * t.jerk))});
+          0.01 * std::min({t.acceleration / t.jerk, std::sqrt(speed / t.jerk), std::cbrt(length() / (2 * t.jerk))});
       double bend = 0;
       for (const numeric::Jet& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
       double ramp_length = t.jerk * time * time * time / 6;
       if (bend > 0) ramp_length = std::min(ramp_length, 5e-5 / bend);
-      return std::min(ramp_length, 1e-3 * length_);
+      return std::min(ramp_length, 1e-3 * length());
     };
-    knots_.start_ramp = ramp(0, Side::right);
-    knots_.end_ramp = ramp(length_, Side::left);
+    if (stretch_.starts_at_rest) knots_.start_ramp = ramp(stretch_.begin, Side::right);
+    knots_.end_ramp = ramp(stretch_.end, Side::left);
+  }
+  double length() const { return stretch_.end - stretch_.begin; }
+  /// To the nearest place of rest. What lies beyond a stretch that ends in motion may force a stop there.
+  double from_rest(double s) const {
+    const double before_end = stretch_.end - s;
+    return stretch_.starts_at_rest ? std::min(s - stretch_.begin, before_end) : before_end;
   }
 
   void find_breaks() {
-    for (std::size_t p = 0; p < section_.size(); ++p) {
+    const double end = stretch_.end - knots_.end_ramp;
+    const auto add = [&](double s) {
+      if (s > stretch_.begin && s < end) breaks_.push_back(s);
+    };
+    for (std::size_t p = section_.piece_at(stretch_.begin, Side::right); p < section_.size(); ++p) {
+      if (section_.offset(p) >= end) break;
       const toolpath::Piece& piece = section_.piece(p);
-      for (const double s : geometry::breaks(piece.curve)) breaks_.push_back(section_.offset(p) + s);
-      if (p + 1 < section_.size() && jumps(p)) breaks_.push_back(section_.offset(p + 1));
+      for (const double s : geometry::breaks(piece.curve)) add(section_.offset(p) + s);
+      if (p + 1 < section_.size() && jumps(p)) add(section_.offset(p + 1));
     }
-    breaks_.push_back(length_ - knots_.end_ramp);
+    breaks_.push_back(end);
   }
 
   bool jumps(std::size_t p) const {
@@ -87,7 +105,7 @@ class Placement {
     sample.s = s;
     sample.a = t.acceleration;
     sample.j = t.jerk;
-    double cap = section_.greatest_square(s, side, jet, machine_), second = 0, third = 0;
+    double cap = greatest_square(jet, stretch_.feed_factor * section_.feed(s, side), machine_), second = 0, third = 0;
     for (const base::Axis axis : base::all_axes) {
       const numeric::Jet& q = jet[base::index(axis)];
       if (q.second != 0) cap = std::min(cap, machine_.limits(axis).acceleration / std::abs(q.second));
@@ -95,7 +113,8 @@ class Placement {
       second += q.second * q.second;
       third += q.third * q.third;
     }
-    const double d = std::min(s, length_ - s);
+    sample.greatest = cap;
+    const double d = from_rest(s);
     cap = std::min(cap, std::pow(4.5 * t.jerk * d * d, 2.0 / 3));
     sample.cap = sample.reach = cap;
     sample.h_curve =
@@ -110,13 +129,15 @@ class Placement {
     return v * time / per;
   }
   double width_by_cap(const Sample& sample) const {
-    const double d = std::min(sample.s, length_ - sample.s);
+    const double d = from_rest(sample.s);
     return std::min({ramp_width(sample, sample.cap, per_ramp), sample.h_curve, std::max(ramp_grading * d, 1e-12)});
   }
 
+  double first_knot() const { return stretch_.begin + knots_.start_ramp; }
+
   /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there.
   void sample() {
-    double from = knots_.start_ramp;
+    double from = first_knot();
     for (const double to : breaks_) {
       if (!(to > from)) continue;
       const Sample left = at(from, Side::right), right = at(to, Side::left);
@@ -166,14 +187,20 @@ class Placement {
     }
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       Sample& sample = samples_[i];
-      const double d = std::min(sample.s, length_ - sample.s);
+      const double d = from_rest(sample.s);
       const double ramp = ramp_width(sample, sample.reach, per_ramp);
       const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
-      const double cruise = ramp_width(sample, sample.reach, cruise_per_ramp);
+      const double cruise = ramp_width(sample, sample.reach, stretch_.cruise_knots);
       sample.h =
           std::min({std::max(ramp, std::min(cruise, cruise_grading * beyond)), sample.h_curve, ramp_grading * d});
     }
-    double from = knots_.start_ramp;
+    if (stretch_.kept.size() > 1) {  // what is new goes on from the last interval that is there
+      const double joint = stretch_.kept.back(), width = joint - *(stretch_.kept.end() - 2);
+      for (Sample& sample : samples_) {
+        if (sample.s >= joint) sample.h = std::min(sample.h, width + grading * (sample.s - joint));
+      }
+    }
+    double from = first_knot();
     std::size_t i = 0;
     for (const double to : breaks_) {  // no wider than the stretch between breaks
       if (!(to - from > merged_breaks * (i < samples_.size() ? samples_[i].h : 0))) continue;
@@ -188,18 +215,39 @@ class Placement {
   }
 
   /// Equal quantiles of ∫ ds/h between breaks.
-  Knots distribute() {
-    knots_.s.push_back(knots_.start_ramp);
-    knots_.breaks.push_back(false);
-    double from = knots_.start_ramp;
+  void distribute() {
+    if (stretch_.starts_at_rest) {
+      knots_.s.push_back(first_knot());
+      knots_.breaks.push_back(false);
+    } else {
+      knots_.s = stretch_.kept;
+      knots_.breaks = stretch_.kept_breaks;
+    }
+    double from = knots_.s.back();
     std::size_t i = 0;
     for (const double to : breaks_) {
+      while (i + 1 < samples_.size() && samples_[i + 1].s <= from) ++i;
       if (!(to - from > merged_breaks * samples_[std::min(i, samples_.size() - 1)].h)) continue;
       stretch(from, to, i);
       from = to;
+      if (knots_.s.size() > 2 * most_) return;
     }
     knots_.breaks.back() = false;
-    return std::move(knots_);
+  }
+
+  /// Ends in motion, where there is room to stop in what is known beyond.
+  void cut() {
+    double longest = 0;
+    for (const Sample& sample : samples_)
+      longest = std::max(longest, per_ramp * ramp_width(sample, sample.greatest, per_ramp));
+    const double room = std::min(unknown_room * longest, 0.1 * length());
+    if (knots_.s.size() < knots_beyond + 3) return;  // too little to go on with
+    std::size_t last = std::min(knots_.s.size() - 1 - knots_beyond, most_);
+    while (last > 1 && stretch_.end - knots_.s[last] < room) --last;
+    knots_.intervals = last;
+    knots_.s.resize(last + 1 + knots_beyond);
+    knots_.breaks.resize(last + 1 + knots_beyond);
+    knots_.end_ramp = 0;
   }
 
   /// ∫ ds/h with h straight between samples is a logarithm.
@@ -215,16 +263,23 @@ class Placement {
   }
 
   void stretch(double from, double to, std::size_t& i) {
-    while (i + 1 < samples_.size() && samples_[i + 1].s <= from) ++i;
     const std::size_t first = i;
-    double total = 0;
+    double skipped = 0;  // of the first span, what lies before `from`
+    if (i + 1 < samples_.size() && from > samples_[i].s) {
+      const Sample &a = samples_[i], &b = samples_[i + 1];
+      Sample here = a;
+      here.s = from;
+      here.h = a.h + (b.h - a.h) * (from - a.s) / (b.s - a.s);
+      skipped = quantity(a, here);
+    }
+    double total = -skipped;
     std::size_t last = first;
     while (last + 1 < samples_.size() && samples_[last].s < to) {
       if (samples_[last + 1].s > samples_[last].s) total += quantity(samples_[last], samples_[last + 1]);
       ++last;
     }
     const int count = std::max(1, static_cast<int>(std::ceil(total)));
-    double before = 0;
+    double before = -skipped;
     std::size_t k = first;
     for (int n = 1; n < count; ++n) {
       const double wanted = total * n / count;
@@ -247,7 +302,8 @@ class Placement {
 
   const Section& section_;
   const machine::Machine& machine_;
-  double length_;
+  const Stretch& stretch_;
+  std::size_t most_;
   std::vector<double> breaks_;
   std::vector<Sample> samples_;
   Knots knots_;
@@ -266,8 +322,11 @@ TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machi
   return limits;
 }
 
-Knots place_knots(const Section& section, const machine::Machine& machine) {
-  return Placement(section, machine).place();
+Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most) {
+  if (stretch.kept_end_ramp > 0) {
+    return {stretch.kept, stretch.kept_breaks, stretch.kept.size() - 1, 0, stretch.kept_end_ramp};
+  }
+  return Placement(section, machine, stretch, most).place();
 }
 
 }  // namespace leadscrew::planner

@@ -8,11 +8,14 @@
 
 namespace leadscrew::planner {
 
+/// Of a window of a section. A window that begins or ends at rest has a ramp there, an interval of its own beyond the
+/// knots; one that ends in motion has knots beyond its last interval.
 struct Knots {
-  std::vector<double> s;     ///< increasing; from `start_ramp` to section length − `end_ramp`
-  std::vector<bool> breaks;  ///< for each knot: q‴ or the greatest speed may jump here
-  double start_ramp = 0;     ///< length of the first interval, travelled at constant path jerk from rest; > 0
-  double end_ramp = 0;       ///< of the last; > 0
+  std::vector<double> s;      ///< increasing, on the section
+  std::vector<bool> breaks;   ///< for each knot: q‴ or the greatest speed may jump here
+  std::size_t intervals = 0;  ///< between the first `intervals` + 1 knots
+  double start_ramp = 0;      ///< length travelled at constant path jerk from rest before the first knot; 0 in motion
+  double end_ramp = 0;        ///< after the last; 0 if the window ends in motion
 };
 
 /// Path limits at one place, from the axes that its direction moves: a ≤ min a_i/|q′_i|, j ≤ min j_i/|q′_i|.
@@ -21,7 +24,21 @@ struct TangentLimits {
 };
 TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machine& machine);
 
-/// Knots for a section of length > 0.
-Knots place_knots(const Section& section, const machine::Machine& machine);
+/// A stretch of a section that knots are wanted for.
+struct Stretch {
+  double begin = 0;  ///< on the section
+  double end = 0;    ///< > begin
+  bool starts_at_rest = true;
+  bool ends_at_rest = true;  ///< otherwise the path goes on beyond `end`, but nothing is known of it
+  double feed_factor = 1;    ///< of the programmed feed
+  /// Knots from `begin` on that are there already, at least 2 unless it starts at rest; what is new begins at the last.
+  std::vector<double> kept;
+  std::vector<bool> kept_breaks;
+  double kept_end_ramp = 0;  ///< if > 0, those are all there will be
+  double cruise_knots = 8;   ///< of a cruise, while speed could rise from rest
+};
+
+/// Knots along the stretch, at most about `most` intervals: fewer than reach its end if they would be more.
+Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most);
 
 }  // namespace leadscrew::planner

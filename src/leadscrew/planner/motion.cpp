@@ -1,6 +1,14 @@
+#include <cmath>
 #include <leadscrew/planner/motion.hpp>
 
 namespace leadscrew::planner {
+
+bool Chunk::begins_at_rest() const {
+  if (segments.empty()) return true;
+  const Segment& first = segments.front();
+  if (first.state == base::MotionState::rest) return true;
+  return std::abs(first.v0.value()) <= rest_speed && std::abs(2 * first.c2) <= rest_acceleration;
+}
 
 PathState evaluate(const Segment& segment, double tau) {
   const double c0 = segment.s0.value(), c1 = segment.v0.value();

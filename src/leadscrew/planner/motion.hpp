@@ -1,12 +1,15 @@
 #pragma once
 // Motion: s(t) in chunks, each ready for the cycle to evaluate and each ending in a stop.
 //
-//      s' ^        .--------.            A chunk holds its pieces of path and the law of time along them, as
-//      polynomials
-//         |      /           \           between knots. If no successor has come when its committed part ends, the
-//         cycle |    /    committed  \  tail   runs its stop tail and the machine comes to rest on the path within its
-//         limits.
-//         +--'------------------'---> t  Chunks that end at rest have no tail.
+//   s' ^        .--------+.
+//      |      /          : \.
+//      |    /  committed :   \  stop tail
+//      +--'--------------+-----'---> t
+//
+// A chunk holds its pieces of path and the law of time along them, as polynomials between knots. The chunk that follows
+// goes on exactly where the committed part ends: same place, speed and acceleration. If none has come by then, the
+// cycle runs the stop tail, and the machine comes to rest on the path within its limits; the chunk that follows then
+// begins there, at rest. Chunks whose committed part ends at rest have no tail.
 
 #include <cstdint>
 #include <leadscrew/base/event.hpp>
@@ -30,15 +33,29 @@ struct Segment {
   base::MotionState state = base::MotionState::changing;
 };
 
+/// What is rest to rounding, units/s and units/s²: under any jerk worth the name motion leaves it within nanoseconds.
+inline constexpr double rest_speed = 1e-9, rest_acceleration = 1e-6;
+
 struct Chunk {
-  std::vector<base::Event> events;      ///< to happen before this chunk begins, in order
-  std::vector<toolpath::Piece> pieces;  ///< empty for a dwell
-  std::vector<Segment> segments;        ///< the committed part, contiguous in time; for a dwell one segment at rest
-  std::vector<Segment> stop_tail;       ///< from the committed part's end to rest; empty where that is at rest
-  geometry::Point rest{};               ///< where the chunk comes to rest
+  std::vector<base::Event> events;  ///< to happen before this chunk begins, in order
+  /// Those that the committed part and the tail go along; empty for a dwell. Where the chunk begins in the middle of a
+  /// piece, that is the piece on which the chunk before ended.
+  std::vector<toolpath::Piece> pieces;
+  /// The committed part, contiguous in time from 0 to `duration`; for a dwell one segment at rest. The first one's s0
+  /// is > 0 where the chunk begins in the middle of a piece.
+  std::vector<Segment> segments;
+  /// From the committed part's end to rest: the first begins at `duration`. Empty where the committed part ends at
+  /// rest.
+  std::vector<Segment> stop_tail;
+  geometry::Point rest{};  ///< where the chunk comes to rest: at the end of the tail, if it has one
   base::Line rest_line{};
   numeric::DoubleDouble duration;  ///< seconds, of the committed part
   double length = 0;               ///< travelled by the committed part
+  double tail_length = 0;          ///< travelled by the tail
+
+  /// Nothing, a dwell, or motion that starts from rest (to rounding); otherwise it continues the motion of the chunk
+  /// before.
+  bool begins_at_rest() const;
 };
 
 /// Speed, acceleration and jerk along the path at a time within a segment.

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <leadscrew/planner/optimal_motion.hpp>
 #include <leadscrew/planner/piece_limits.hpp>
 #include <leadscrew/planner/planner.hpp>
 
@@ -86,74 +85,116 @@ bool has_closed_form(const Section& section) {
 
 }  // namespace
 
-void Planner::push(const toolpath::Element& element) {
-  if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
-    push_piece(*piece);
-    return;
-  }
-  settle_section();
-  if (const auto* event = std::get_if<base::Event>(&element)) {
-    events_.push_back(*event);
-    line_ = event->line;
-    return;
-  }
-  const auto& dwell = std::get<toolpath::Dwell>(element);
-  Segment standing;
-  standing.duration = dwell.seconds;
-  standing.state = MotionState::rest;
-  position_ = dwell.position;
-  line_ = dwell.line;
-  Chunk& chunk = begin_chunk();
-  chunk.segments.push_back(standing);
-  chunk.duration = dwell.seconds;
-}
-
-void Planner::push_piece(const toolpath::Piece& piece) {
-  if (!section_.empty()) {
-    const toolpath::Piece& last = section_.piece(section_.size() - 1);
-    const geometry::PointJet leaving = geometry::jets(last.curve, geometry::length(last.curve));
-    const geometry::PointJet entering = geometry::jets(piece.curve, 0);
-    const double square = std::min(section_.greatest_square(section_.length(), Side::left, leaving, machine_),
-                                   squared(std::min(piece.feed, last.feed)));
-    const bool through =
-        !last.stop && section_.size() < longest_section && runs_through(leaving, entering, std::sqrt(square), machine_);
-    if (!through) settle_section();
-  }
-  section_.append(piece);
-}
-
-void Planner::settle_section() {
-  if (section_.empty()) return;
-  const toolpath::Piece& last = section_.piece(section_.size() - 1);
-  position_ = geometry::end(last.curve);
-  line_ = last.line;
-  Chunk& chunk = begin_chunk();
-  chunk.pieces = section_.pieces();
-  for (const toolpath::Piece& piece : chunk.pieces) chunk.length += geometry::length(piece.curve);
-  if (has_closed_form(section_)) {
-    lay_out(plan_piece(last, machine_), chunk.length, chunk);
-  } else {
-    chunk.segments = plan_section(section_, machine_);
-    const Segment& end = chunk.segments.back();
-    chunk.duration = end.begin + end.duration;
-  }
-  section_.clear();
-}
-
-void Planner::finish() {
-  settle_section();
-  if (!events_.empty()) begin_chunk();
-}
-
 std::optional<Chunk> Planner::pop() {
-  if (settled_.empty()) return std::nullopt;
-  std::optional<Chunk> chunk(std::move(settled_.front()));
-  settled_.pop_front();
+  for (;;) {
+    if (last_) {
+      if (std::optional<Chunk> chunk = plan()) return chunk;
+      if (look_ahead_.is_done()) {
+        look_ahead_.clear();
+        last_.reset();
+      }
+    }
+    if (waiting_.empty()) {
+      if (!finished_) return std::nullopt;
+      if (last_) {
+        look_ahead_.close();
+        continue;
+      }
+      if (events_.empty()) return std::nullopt;
+      return follow_events({});
+    }
+    const toolpath::Element& element = waiting_.front();
+    if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
+      if (take(*piece)) waiting_.pop_front();
+      continue;
+    }
+    if (last_) {
+      look_ahead_.close();
+      continue;
+    }
+    if (const auto* event = std::get_if<base::Event>(&element)) {
+      events_.push_back(*event);
+      line_ = event->line;
+      waiting_.pop_front();
+      continue;
+    }
+    const auto& dwell = std::get<toolpath::Dwell>(element);
+    Segment standing;
+    standing.duration = dwell.seconds;
+    standing.state = MotionState::rest;
+    position_ = dwell.position;
+    line_ = dwell.line;
+    waiting_.pop_front();
+    Chunk chunk;
+    chunk.duration = standing.duration;
+    chunk.segments.push_back(standing);
+    return follow_events(std::move(chunk));
+  }
+}
+
+/// Does the piece go on with the section? Otherwise the section ends before it.
+bool Planner::take(const toolpath::Piece& piece) {
+  if (last_) {
+    const geometry::PointJet leaving = geometry::jets(last_->curve, geometry::length(last_->curve));
+    const geometry::PointJet entering = geometry::jets(piece.curve, 0);
+    const double square = std::min(greatest_square(leaving, last_->feed, machine_), squared(piece.feed));
+    if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
+      look_ahead_.close();
+      return false;
+    }
+  }
+  look_ahead_.append(piece);
+  last_ = piece;
+  return true;
+}
+
+/// A section of one piece waits for what follows it: it may have a closed form.
+std::optional<Chunk> Planner::plan() {
+  if (look_ahead_.is_untouched()) {
+    const Section& section = look_ahead_.section();
+    if (section.size() == 1 && !look_ahead_.is_closed()) return std::nullopt;
+    if (look_ahead_.is_closed() && has_closed_form(section) && feed_factor_ > 0) {
+      if (std::optional<Chunk> chunk = closed_form()) return follow_events(std::move(*chunk));
+    }
+  }
+  std::optional<Chunk> chunk = look_ahead_.plan();
+  if (!chunk) return std::nullopt;
+  position_ = chunk->rest;
+  line_ = chunk->rest_line;
+  return follow_events(std::move(*chunk));
+}
+
+/// Unless it would commit to too much.
+std::optional<Chunk> Planner::closed_form() {
+  Chunk chunk;
+  chunk.pieces = look_ahead_.section().pieces();
+  chunk.length = look_ahead_.section().length();
+  toolpath::Piece overridden = *last_;
+  overridden.feed *= feed_factor_;
+  lay_out(plan_piece(overridden, machine_), chunk.length, chunk);
+  if (chunk.duration.value() > 2 * slice_) return std::nullopt;
+  position_ = geometry::end(last_->curve);
+  line_ = last_->line;
+  look_ahead_.clear();
+  last_.reset();
   return chunk;
 }
 
-Chunk& Planner::begin_chunk() {
-  Chunk& chunk = settled_.emplace_back();
+void Planner::slice(double seconds) {
+  slice_ = seconds;
+  look_ahead_.slice(seconds);
+}
+
+void Planner::override_feed(double factor) {
+  feed_factor_ = factor;
+  look_ahead_.override_feed(factor);
+}
+
+void Planner::refuse() {
+  look_ahead_.refuse();
+}
+
+Chunk Planner::follow_events(Chunk chunk) {
   chunk.events = std::move(events_);
   events_.clear();
   chunk.rest = position_;

@@ -11,39 +11,59 @@
 #include <deque>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/planner/look_ahead.hpp>
 #include <leadscrew/planner/motion.hpp>
-#include <leadscrew/planner/section.hpp>
 #include <leadscrew/toolpath/path.hpp>
+#include <limits>
 #include <optional>
 
 namespace leadscrew::planner {
 
-/// Streaming: elements of the path are pushed, chunks come out once nothing ahead can change them. The machine must
-/// outlive the planner and have every axis that the path moves.
+/// Streaming: elements of the path are pushed, chunks come out once nothing ahead can change them. Nothing is planned
+/// but what pop() needs: one window a call. The machine must outlive the planner and have every axis that the path
+/// moves.
 class Planner {
  public:
   /// Stands at `start`, mm or degrees.
-  Planner(const machine::Machine& machine, const geometry::Point& start) : machine_(machine), position_(start) {}
+  Planner(const machine::Machine& machine, const geometry::Point& start)
+      : machine_(machine), look_ahead_(machine), position_(start) {}
 
-  void push(const toolpath::Element& element);
+  void push(const toolpath::Element& element) { waiting_.push_back(element); }
   /// No more elements will come.
-  void finish();
-  /// The next chunk that is settled, if there is one.
+  void finish() { finished_ = true; }
+  /// The next chunk; none if it takes more elements to know it, or if all has been planned.
   std::optional<Chunk> pop();
 
- private:
-  /// Pieces that may wait for what follows them.
-  static constexpr std::size_t longest_section = 512;
+  // For a controller that must answer at any time. Chunks must then be offered one by one, each before the next is
+  // popped.
 
-  void push_piece(const toolpath::Piece& piece);
-  void settle_section();
-  Chunk& begin_chunk();
+  /// From now on no chunk commits to more than about this, s > 0, except motion so short that it is planned whole.
+  void slice(double seconds);
+  /// Feed override, 0 … 2: programmed feed (not rapid motion) is multiplied by it from the next chunk on, as soon as
+  /// the limits allow. 0 holds: motion comes to rest and no chunk comes until the factor is greater.
+  void override_feed(double factor);
+  /// The chunk that was popped last was not taken in time: motion has come to rest by the stop tail of the chunk
+  /// before. The next chunk goes on from there.
+  void refuse();
+
+  /// Windows for which no motion was found: there it stopped where it need not.
+  std::int64_t refused_windows() const { return look_ahead_.refused(); }
+
+ private:
+  bool take(const toolpath::Piece& piece);
+  std::optional<Chunk> plan();
+  std::optional<Chunk> closed_form();
+  Chunk follow_events(Chunk chunk);
 
   const machine::Machine& machine_;
-  std::vector<base::Event> events_;  ///< waiting for the chunk they come before
-  std::deque<Chunk> settled_;
-  Section section_;  ///< waiting for its end
-  geometry::Point position_;
+  std::deque<toolpath::Element> waiting_;
+  bool finished_ = false;
+  double slice_ = std::numeric_limits<double>::infinity();
+  double feed_factor_ = 1;
+  std::vector<base::Event> events_;      ///< waiting for the chunk they come before
+  LookAhead look_ahead_;                 ///< along the section that is being planned
+  std::optional<toolpath::Piece> last_;  ///< its last piece
+  geometry::Point position_;             ///< where motion rests, as far as it is planned
   base::Line line_{};
 };
 

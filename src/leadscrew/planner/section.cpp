@@ -31,6 +31,17 @@ void Section::append(const toolpath::Piece& piece) {
   offsets_.push_back(offsets_.back() + geometry::length(piece.curve));
 }
 
+double Section::forget_before(double s) {
+  std::size_t gone = 0;
+  while (gone + 1 < pieces_.size() && offsets_[gone + 1] <= s) ++gone;
+  const double shift = offsets_[gone];
+  const auto count = static_cast<std::ptrdiff_t>(gone);
+  pieces_.erase(pieces_.begin(), pieces_.begin() + count);
+  offsets_.erase(offsets_.begin(), offsets_.begin() + count);
+  for (double& offset : offsets_) offset -= shift;
+  return shift;
+}
+
 void Section::clear() {
   pieces_.clear();
   offsets_.assign(1, 0.0);
@@ -47,9 +58,8 @@ geometry::PointJet Section::jets(double s, Side side) const {
   return one_sided_jets(pieces_[index].curve, s - offsets_[index], side);
 }
 
-double Section::greatest_square(double s, Side side, const geometry::PointJet& jet,
-                                const machine::Machine& machine) const {
-  double speed = pieces_[piece_at(s, side)].feed;
+double greatest_square(const geometry::PointJet& jet, double feed, const machine::Machine& machine) {
+  double speed = feed;
   for (const base::Axis axis : base::all_axes) {
     const double rate = std::abs(jet[base::index(axis)].first);
     if (rate > 0) speed = std::min(speed, machine.limits(axis).velocity / rate);

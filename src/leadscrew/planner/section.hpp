@@ -22,6 +22,8 @@ class Section {
   /// Joined to the end of what is there. Piece::feed is in units of the piece's length per second.
   void append(const toolpath::Piece& piece);
   void clear();
+  /// Forgets the pieces that end at or before `s`; returns by how much less every place on the section now is.
+  double forget_before(double s);
 
   bool empty() const { return pieces_.empty(); }
   std::size_t size() const { return pieces_.size(); }
@@ -35,13 +37,16 @@ class Section {
   std::size_t piece_at(double s, Side side) const;
   /// Position and derivatives by path length.
   geometry::PointJet jets(double s, Side side) const;
-  /// Greatest x = ṡ² at s by programmed feed, axis velocities and chord error (Lin and Koren, eq. 3: ε = (VT)²/8ρ).
-  double greatest_square(double s, Side side, const geometry::PointJet& jet, const machine::Machine& machine) const;
+  /// Programmed, units/s.
+  double feed(double s, Side side) const { return pieces_[piece_at(s, side)].feed; }
 
  private:
   std::vector<toolpath::Piece> pieces_;
   std::vector<double> offsets_{0.0};
 };
+
+/// Greatest x = ṡ² by programmed feed, axis velocities and chord error (Lin and Koren, eq. 3: ε = (VT)²/8ρ).
+double greatest_square(const geometry::PointJet& jet, double feed, const machine::Machine& machine);
 
 /// May motion run from a piece that ends with `leaving` into one that begins with `entering` without a stop? The
 /// derivatives must agree as closely as words at the machine's period can show: a kink Δq′ is a step Δq′·v of an axis'

@@ -12,6 +12,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double limit_margin = 0.9995;      // of acceleration and jerk
 constexpr double feed_margin = 1 - 1e-7;     // of the programmed speed, squared
 constexpr double turning_margin = 1 - 2e-4;  // of the speed, squared, where it is an axis' that trades with others
+constexpr std::size_t creep_tail = 3;        // of the intervals at an end in motion: all their coefficients creep
+constexpr std::size_t stopping_tail = 16;    // of the intervals before an end in motion
+constexpr double stopping_factor = 1.08;     // of the rows there
+constexpr double descent_weight = 30;        // of speed above what is wanted, against time
+constexpr double descent_softness = 0.004;   // of the wanted x
+constexpr double descent_first_gap = 3, cold_descent_gap = 20, descent_gap = 0.02;
 constexpr std::array<double, 3> gauss_places = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr std::array<double, 3> gauss_weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
@@ -36,10 +42,105 @@ double squared(double v) {
   return v * v;
 }
 
+/// What x above the wanted costs a unit of way, with derivatives: ρ (y + √(y² + ε²)) / 2√w, y = x/w − 1.
+struct Excess {
+  double value = 0, slope = 0, curvature = 0;
+};
+Excess excess(double x, double wanted) {
+  const double y = x / wanted - 1, root = std::sqrt(y * y + squared(descent_softness));
+  const double scale = descent_weight / (2 * std::sqrt(wanted));
+  return {scale * (y + root), scale * (1 + y / root) / wanted,
+          scale * squared(descent_softness) / (root * root * root * squared(wanted))};
+}
+
+constexpr std::size_t blend = 16;  // coefficients over which a cruise is reached and left
+
+/// From 0 to 1 with two derivatives 0 at both ends; 0 below and 1 above.
+double smooth_share(double u) {
+  if (u <= 0) return 0;
+  return u >= 1 ? 1 : u * u * u * (10 - u * (15 - 6 * u));
+}
+
 }  // namespace
 
-SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots)
-    : machine_(machine), knots_(std::move(knots)) {
+SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, double feed_factor)
+    : machine_(&machine), knots_(std::move(knots)) {
+  build(section, 0, feed_factor);
+  tie_variables();
+  creep();
+}
+
+SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots,
+                           const Continuation& before, double feed_factor)
+    : machine_(&machine), knots_(std::move(knots)) {
+  build(section, before.loose, feed_factor);
+  tie_variables();
+  const double h0 = basis_[0].h, h1 = basis_[1].h;
+  c_ = creep_;
+  for (double& c : c_) c *= before.share;
+  c_[0] = before.x;
+  c_[1] = before.x + before.slope * h0 / 3;
+  c_[2] = before.x + before.slope * (2 * h0 + h1) / 3 + before.bend * h0 * (h0 + h1) / 6;
+  for (std::size_t i = 0; i < before.c.size() && i + 3 < c_.size(); ++i) {
+    c_[i + 3] = i < before.creeping ? before.c[i] : std::min(before.c[i], c_[i + 3]);
+  }
+  read_variables();
+  far_inside_ = c_;
+  wanted_.clear();
+  for (std::size_t k = 0; k < intervals(); ++k) {
+    const double lower = std::min({knot_caps_[k], knot_caps_[k + 1], caps_[k + 1], caps_[k + 2]});
+    wanted_.insert(wanted_.end(), gauss_places.size(), lower);
+  }
+  asked_caps_ = caps_;
+  asked_knot_caps_ = knot_caps_;
+  too_fast_ = grant(0.002);
+  if (!too_fast_) wanted_.clear();
+}
+
+/// Raises the greatest speeds to the present ones where these are above, with a margin of their square. Was any?
+bool SpeedProfile::grant(double margin) {
+  constexpr double touching = 1 - 1e-9;
+  bool raised = false;
+  const auto raise = [&](double& greatest, double x) {
+    if (x < touching * greatest) return;
+    greatest = (1 + margin) * x;
+    raised = true;
+  };
+  for (std::size_t i = 0; i < c_.size(); ++i) {
+    if (is_free(i)) raise(caps_[i], c_[i]);
+  }
+  for (std::size_t k = 0; k < intervals(); ++k) raise(knot_caps_[k + 1], dot(basis_[k].value(1), &c_[k]));
+  return raised;
+}
+
+void SpeedProfile::descend() {
+  const std::vector<double> caps = asked_caps_, knot_caps = asked_knot_caps_;
+  optimize(descent_first_gap, descent_gap);
+  wanted_.clear();
+  caps_ = caps;
+  knot_caps_ = knot_caps;
+  grant(0.0005);
+}
+
+void SpeedProfile::descend_to_creep() {
+  wanted_.clear();
+  for (std::size_t k = 0; k < intervals(); ++k) {
+    for (std::size_t q = 0; q < gauss_places.size(); ++q) wanted_.push_back(0.5 * dot(gauss_[3 * k + q], &creep_[k]));
+  }
+  optimize(cold_descent_gap, descent_gap);
+}
+
+std::size_t SpeedProfile::creeps_from() const {
+  constexpr std::size_t run = 6;
+  std::size_t creeping = 0;
+  for (std::size_t i = 0; i < c_.size(); ++i) {
+    creeping = c_[i] <= 0.95 * creep_[i] ? creeping + 1 : 0;
+    if (creeping == run) return std::min(i + 1 - run, intervals());
+  }
+  return intervals();
+}
+
+void SpeedProfile::build(const Section& section, std::size_t loose, double feed_factor) {
   const std::vector<double>& s = knots_.s;
   const std::size_t n = intervals();
   basis_.reserve(n);
@@ -48,15 +149,21 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
     basis_.emplace_back(around(s, k));
     for (const double u : gauss_places) gauss_.push_back(basis_[k].value(u));
   }
-  start_tie_ = rest_tie(knots_.start_ramp, s[1] - s[0], s[2] - s[1]);
-  end_tie_ = rest_tie(knots_.end_ramp, s[n] - s[n - 1], s[n - 1] - s[n - 2]);
+  if (starts_at_rest()) start_tie_ = rest_tie(knots_.start_ramp, s[1] - s[0], s[2] - s[1]);
+  if (ends_at_rest()) end_tie_ = rest_tie(knots_.end_ramp, s[n] - s[n - 1], s[n - 1] - s[n - 2]);
   tightened_.assign(n, 1.0);
+  if (!ends_at_rest()) {
+    // Knots that lie well for a motion that goes on lie far apart for one that stops so soon.
+    const std::size_t from = n > stopping_tail ? n - stopping_tail : 0;
+    std::fill(tightened_.begin() + static_cast<std::ptrdiff_t>(std::max(from, loose)), tightened_.end(),
+              stopping_factor);
+  }
   knot_caps_.assign(n + 1, infinity);
   std::vector<double> middle_caps(n);
   geometry::PointJet left = section.jets(s[0], Side::right);
   const auto cap = [&](double at, Side side, const geometry::PointJet& jet) {
-    const double square = section.greatest_square(at, side, jet, machine);
-    const bool by_feed = square == squared(section.piece(section.piece_at(at, side)).feed);
+    const double feed = feed_factor * section.feed(at, side), square = greatest_square(jet, feed, *machine_);
+    const bool by_feed = square == squared(feed);
     return (turns(jet) && !by_feed ? turning_margin : feed_margin) * square;
   };
   knot_caps_[0] = cap(s[0], Side::right, left);
@@ -105,7 +212,7 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
     }
     caps_[i] = greatest;
   }
-  creep();
+  find_creep();
 }
 
 void SpeedProfile::add_site(std::size_t interval, double u, const geometry::PointJet& jet) {
@@ -115,7 +222,7 @@ void SpeedProfile::add_site(std::size_t interval, double u, const geometry::Poin
   for (const base::Axis axis : base::all_axes) {
     const numeric::Jet& q = jet[base::index(axis)];
     if (q.first == 0 && q.second == 0 && q.third == 0) continue;
-    const machine::AxisLimits& limits = machine_.limits(axis);
+    const machine::AxisLimits& limits = machine_->limits(axis);
     const double a = 1 / (limit_margin * limits.acceleration), j = 1 / (limit_margin * limits.jerk);
     Row& row = rows_.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) {
@@ -132,7 +239,9 @@ void SpeedProfile::add_hull(std::size_t interval, const std::array<const geometr
   const auto neighbour = [&](std::size_t k) { return std::abs(basis_[k].h / basis.h - 1); };
   double uneven = 0;
   if (interval > 0) uneven = std::max(uneven, neighbour(interval - 1));
-  if (interval + 1 < basis_.size()) uneven = std::max(uneven, neighbour(interval + 1));
+  if (interval + 2 < knots_.s.size()) {
+    uneven = std::max(uneven, std::abs((knots_.s[interval + 2] - knots_.s[interval + 1]) / basis.h - 1));
+  }
   uneven = std::min(uneven, 0.4);
   const double jerk_factor = uneven > 0.04 ? 1 + 0.04 * uneven * uneven : 1;
   const std::array<double, 3> places = {0, 0.5, 1}, parts = {-0.5, 2, -0.5};
@@ -145,7 +254,7 @@ void SpeedProfile::add_hull(std::size_t interval, const std::array<const geometr
       moves = moves || q.first != 0 || q.second != 0 || q.third != 0;
     }
     if (!moves) continue;
-    const machine::AxisLimits& limits = machine_.limits(axis);
+    const machine::AxisLimits& limits = machine_->limits(axis);
     const double a = 1 / (limit_margin * limits.acceleration), j = jerk_factor / (limit_margin * limits.jerk);
     Row& row = rows_.emplace_back();
     for (std::size_t p = 0; p < 3; ++p) {
@@ -161,21 +270,35 @@ void SpeedProfile::add_hull(std::size_t interval, const std::array<const geometr
   sites_.push_back(site);
 }
 
-std::size_t SpeedProfile::variable(std::size_t coefficient) const {
-  return std::clamp<std::size_t>(coefficient, 2, intervals()) - 2;
+/// Which coefficients are one variable: three at a rest, six in the creep before an end in motion. Three are given
+/// where the window begins in motion.
+void SpeedProfile::tie_variables() {
+  const std::size_t n = intervals();
+  variable_.assign(n + 3, -1);
+  weight_.assign(n + 3, 1.0);
+  const std::size_t first = starts_at_rest() ? 2 : 3;  // the first free coefficient, or the last that is tied to it
+  const std::size_t last = ends_at_rest() ? n : n - creep_tail;
+  for (std::size_t i = starts_at_rest() ? 0 : 3; i < n + 3; ++i) {
+    variable_[i] = static_cast<std::int32_t>(std::clamp(i, first, last) - first);
+    if (i <= 2) weight_[i] = start_tie_[i];
+    if (ends_at_rest() && i >= n) weight_[i] = end_tie_[n + 2 - i];
+    if (!ends_at_rest() && i >= last) weight_[i] = creep_[i] / creep_[last];
+  }
+  variables_.assign(last - first + 1, 0.0);
 }
 
-double SpeedProfile::weight(std::size_t coefficient) const {
-  if (coefficient <= 2) return start_tie_[coefficient];
-  const std::size_t n = intervals();
-  return coefficient >= n ? end_tie_[n + 2 - coefficient] : 1;
+void SpeedProfile::read_variables() {
+  for (std::size_t i = 0; i < c_.size(); ++i) {
+    if (is_free(i)) variables_[static_cast<std::size_t>(variable_[i])] = c_[i] / weight_[i];
+  }
 }
 
 /// Each row alone, with room to spare, over a span of the narrowest interval around (see the derivation with the
 /// knots).
-void SpeedProfile::creep() {
+void SpeedProfile::find_creep() {
   const std::size_t n = intervals();
-  std::vector<double> y(n + 3, infinity);
+  std::vector<double>& y = creep_;
+  y.assign(n + 3, infinity);
   for (std::size_t i = 0; i < n + 3; ++i) y[i] = 0.5 * caps_[i];
   for (const Site& site : sites_) {
     if (site.hull) continue;
@@ -205,8 +328,8 @@ void SpeedProfile::creep() {
       end = std::min(end, y[n + 2 - j] / end_tie_[j]);
     }
     for (std::size_t j = 0; j < 3; ++j) {
-      y[j] = start * start_tie_[j];
-      y[n + 2 - j] = end * end_tie_[j];
+      if (starts_at_rest()) y[j] = start * start_tie_[j];
+      if (ends_at_rest()) y[n + 2 - j] = end * end_tie_[j];
     }
   };
   for (int round = 0; round < 2; ++round) {
@@ -214,24 +337,69 @@ void SpeedProfile::creep() {
     for (std::size_t i = n + 2; i-- > 0;) y[i] = std::min(y[i], 1.5 * y[i + 1]);
     tie();
   }
-  c_ = y;
+}
+
+void SpeedProfile::creep() {
+  c_ = creep_;
+  for (double& c : c_) c *= 0.5;
   // Slowing time by λ scales velocity, acceleration and jerk by λ, λ², λ³: always a way inside.
   for (int round = 0; round < 60 && !(greatest_ratio() < 0.9); ++round) {
     for (double& c : c_) c *= 0.7;
   }
-  variables_.assign(n - 1, 0.0);
-  for (std::size_t i = 0; i < n + 3; ++i) variables_[variable(i)] = c_[i] / weight(i);
+  read_variables();
+  far_inside_ = c_;
 }
 
-double SpeedProfile::greatest_ratio() const {
+void SpeedProfile::slow_down(double factor) {
+  for (std::vector<double>* c : {&c_, &far_inside_}) {
+    for (double& value : *c) value *= squared(factor);
+  }
+  read_variables();
+}
+
+void SpeedProfile::retreat() {
+  c_ = far_inside_;
+  read_variables();
+}
+
+/// Where the profile has been levelled it lies on its greatest speed, where no barrier can start: what follows leaves
+/// it by as smooth a share as it was reached.
+Continuation SpeedProfile::continuation(std::size_t interval) {
+  std::vector<double> next = c_;
+  if (!before_levelling_.empty()) {
+    for (std::size_t i = interval + 3; i < c_.size(); ++i) {
+      next[i] += smooth_share(static_cast<double>(i - interval - 2) / (blend + 1)) * (before_levelling_[i] - c_[i]);
+    }
+    if (!(greatest_ratio(next, interval) < 1)) c_ = next = before_levelling_;
+  }
+  Continuation after;
+  after.x = square(interval, 0);
+  after.slope = square_slope(interval, 0);
+  after.bend = square_bend(interval, 0);
+  if (c_[interval] == c_[interval + 1] && c_[interval] == c_[interval + 2]) {
+    after.x = c_[interval];
+    after.slope = after.bend = 0;
+  }
+  after.c.assign(next.begin() + static_cast<std::ptrdiff_t>(interval) + 3, next.end());
+  after.creeping = ends_at_rest() ? after.c.size() : after.c.size() - 3;
+  after.loose = intervals() - interval > stopping_tail ? intervals() - interval - stopping_tail : 0;
+  after.share = c_.back() / creep_.back();
+  return after;
+}
+
+/// Given coefficients count only where others bear upon the same limit.
+double SpeedProfile::greatest_ratio(const std::vector<double>& c, std::size_t from) const {
   double greatest = 0;
-  for (std::size_t i = 0; i < c_.size(); ++i) greatest = std::max(greatest, c_[i] / caps_[i]);
-  for (std::size_t k = 0; k < intervals(); ++k) greatest = std::max(greatest, square(k, 1) / knot_caps_[k + 1]);
+  for (std::size_t i = from + 3; i < c.size(); ++i) greatest = std::max(greatest, c[i] / caps_[i]);
+  for (std::size_t k = from; k < intervals(); ++k) {
+    greatest = std::max(greatest, dot(basis_[k].value(1), &c[k]) / knot_caps_[k + 1]);
+  }
   for (const Site& site : sites_) {
-    const double* c = &c_[site.interval];
-    const double x = dot(site.x, c), f = tightened_[site.interval];
+    if (site.interval < from) continue;
+    const double* at = &c[site.interval];
+    const double x = dot(site.x, at), f = tightened_[site.interval];
     for (std::uint32_t r = site.first_row; r < site.end_row; ++r) {
-      const double a = f * dot(rows_[r].acceleration, c), g = f * dot(rows_[r].jerk, c);
+      const double a = f * dot(rows_[r].acceleration, at), g = f * dot(rows_[r].jerk, at);
       greatest = std::max({greatest, std::abs(a), std::abs(g) * std::sqrt(std::max(x, 0.0))});
     }
     if (!(x > 0)) return infinity;
@@ -239,14 +407,10 @@ double SpeedProfile::greatest_ratio() const {
   return greatest;
 }
 
-void SpeedProfile::apply(const std::vector<double>& variables) {
-  for (std::size_t i = 0; i < c_.size(); ++i) c_[i] = weight(i) * variables[variable(i)];
-}
-
 SpeedProfile::Step SpeedProfile::measure(const std::vector<double>& c, double t) const {
   const Step outside{infinity, infinity};
-  double time = 3 * (knots_.start_ramp / std::sqrt(c.front()) + knots_.end_ramp / std::sqrt(c.back()));
   if (!(c.front() > 0 && c.back() > 0)) return outside;
+  double time = 3 * (knots_.start_ramp / std::sqrt(c.front()) + knots_.end_ramp / std::sqrt(c.back()));
   double barrier = 0, product = 1;
   const auto take = [&](double factor) {
     product *= factor;
@@ -257,7 +421,14 @@ SpeedProfile::Step SpeedProfile::measure(const std::vector<double>& c, double t)
     return factor > 0;
   };
   for (std::size_t i = 0; i < c.size(); ++i) {
-    if (!take(1 - c[i] / caps_[i])) return outside;
+    if (is_free(i) && !take(1 - c[i] / caps_[i])) return outside;
+  }
+  if (!ends_at_rest() && !take(1 - c.back() / creep_.back())) return outside;
+  if (!wanted_.empty()) {
+    for (std::size_t i = 3; i < c.size(); ++i) {
+      if (!(c[i] > 0)) return outside;
+      barrier -= std::log(c[i] / creep_[i]);
+    }
   }
   for (std::size_t k = 0; k < basis_.size(); ++k) {
     const double h = basis_[k].h;
@@ -265,6 +436,7 @@ SpeedProfile::Step SpeedProfile::measure(const std::vector<double>& c, double t)
       const double x = dot(gauss_[3 * k + q], &c[k]);
       if (!(x > 0)) return outside;
       time += h * gauss_weights[q] / std::sqrt(x);
+      if (!wanted_.empty()) time += excess(x, wanted_[3 * k + q]).value * h * gauss_weights[q];
     }
   }
   for (const Site& site : sites_) {
@@ -291,18 +463,30 @@ void SpeedProfile::assemble(double t) {
   hessian_.reset(variables_.size());
   gradient_.assign(variables_.size(), 0.0);
   const auto single = [&](std::size_t coefficient, double slope, double curvature) {
-    const std::size_t v = variable(coefficient);
-    const double w = weight(coefficient);
+    const auto v = static_cast<std::size_t>(variable_[coefficient]);
+    const double w = weight_[coefficient];
     gradient_[v] += w * slope;
     hessian_.add(v, v, w * w * curvature);
   };
+  const auto keep_below = [&](std::size_t coefficient, double greatest) {
+    const double inverse = 1 / (greatest - c_[coefficient]);
+    single(coefficient, inverse, inverse * inverse);
+  };
+  const auto spend_on_ramp = [&](std::size_t coefficient, double ramp) {
+    const double time = 3 * ramp / std::sqrt(c_[coefficient]);
+    single(coefficient, -0.5 * t * time / c_[coefficient], 0.75 * t * time / squared(c_[coefficient]));
+  };
   for (std::size_t i = 0; i < c_.size(); ++i) {
-    const double inverse = 1 / (caps_[i] - c_[i]);
-    single(i, inverse, inverse * inverse);
+    if (is_free(i)) keep_below(i, caps_[i]);
   }
-  for (const std::size_t i : {std::size_t{0}, c_.size() - 1}) {
-    const double ramp = i == 0 ? knots_.start_ramp : knots_.end_ramp, time = 3 * ramp / std::sqrt(c_[i]);
-    single(i, -0.5 * t * time / c_[i], 0.75 * t * time / squared(c_[i]));
+  if (!wanted_.empty()) {
+    for (std::size_t i = 3; i < c_.size(); ++i) single(i, -1 / c_[i], 1 / squared(c_[i]));
+  }
+  if (starts_at_rest()) spend_on_ramp(0, knots_.start_ramp);
+  if (ends_at_rest()) {
+    spend_on_ramp(c_.size() - 1, knots_.end_ramp);
+  } else {
+    keep_below(c_.size() - 1, creep_.back());
   }
   std::size_t next_site = 0;
   for (std::size_t k = 0; k < basis_.size(); ++k) {
@@ -330,6 +514,10 @@ void SpeedProfile::assemble(double t) {
       const double x = dot(e, c), part = t * basis_[k].h * gauss_weights[q] / (x * std::sqrt(x));
       along(e, -0.5 * part);
       rank_one(e, 0.75 * part / x);
+      if (wanted_.empty()) continue;
+      const Excess above = excess(x, wanted_[3 * k + q]);
+      along(e, t * basis_[k].h * gauss_weights[q] * above.slope);
+      rank_one(e, t * basis_[k].h * gauss_weights[q] * above.curvature);
     }
     const Four end = basis_[k].value(1);
     const double inverse = 1 / (knot_caps_[k + 1] - dot(end, c));
@@ -364,12 +552,17 @@ void SpeedProfile::assemble(double t) {
     }
     std::size_t at = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t vi = variable(k + i);
-      const double wi = weight(k + i);
+      if (!is_free(k + i)) {
+        at += i + 1;
+        continue;
+      }
+      const auto vi = static_cast<std::size_t>(variable_[k + i]);
+      const double wi = weight_[k + i];
       gradient_[vi] += wi * gradient[i];
       for (std::size_t j = 0; j <= i; ++j, ++at) {
-        const std::size_t vj = variable(k + j);
-        const double value = wi * weight(k + j) * hessian[at];
+        if (!is_free(k + j)) continue;
+        const auto vj = static_cast<std::size_t>(variable_[k + j]);
+        const double value = wi * weight_[k + j] * hessian[at];
         hessian_.add(vi, vj, i != j && vi == vj ? 2 * value : value);
       }
     }
@@ -390,8 +583,10 @@ bool SpeedProfile::newton(double t, double& decrement) {
   for (int halving = 0; halving < 30; ++halving, length /= 2) {
     trial_.resize(variables_.size());
     for (std::size_t i = 0; i < step_.size(); ++i) trial_[i] = variables_[i] - length * step_[i];
-    trial_c_.resize(c_.size());
-    for (std::size_t i = 0; i < c_.size(); ++i) trial_c_[i] = weight(i) * trial_[variable(i)];
+    trial_c_ = c_;
+    for (std::size_t i = 0; i < c_.size(); ++i) {
+      if (is_free(i)) trial_c_[i] = weight_[i] * trial_[static_cast<std::size_t>(variable_[i])];
+    }
     if (measure(trial_c_, t).value <= before - 0.05 * length * decrement) {
       variables_.swap(trial_);
       c_.swap(trial_c_);
@@ -401,15 +596,17 @@ bool SpeedProfile::newton(double t, double& decrement) {
   return false;
 }
 
-void SpeedProfile::optimize(double gap) {
+void SpeedProfile::optimize(double first_gap, double gap) {
   const double m = static_cast<double>(constraints());
-  double t = m / (20 * measure(c_, 1).time);
+  double t = m / (first_gap * measure(c_, 1).objective);
   for (int stage = 0; stage < 30; ++stage) {
     for (int step = 0; step < 25; ++step) {
       double decrement = 0;
       if (!newton(t, decrement) || decrement < 1e-4 * m + 0.3) break;
     }
-    if (m / t < gap * measure(c_, 1).time) break;
+    const double left = m / t / measure(c_, 1).objective;
+    if (left > 0.1) far_inside_ = c_;
+    if (left < gap) break;
     t *= 8;
   }
 }
@@ -426,22 +623,25 @@ bool SpeedProfile::is_level(std::size_t k) const {
 /// of the gap: not at once, which would be a step of acceleration, but by a smooth share over the first and last knots.
 void SpeedProfile::level_cruises() {
   constexpr double near = 2e-3;
-  constexpr std::size_t shortest = 40, blend = 16;
-  const std::vector<double> before = c_;
+  constexpr std::size_t shortest = 40;
+  before_levelling_ = c_;
   const auto at_cap = [&](std::size_t i) { return c_[i] > (1 - near) * caps_[i]; };
+  const bool joins = !starts_at_rest() && c_[0] == c_[1] && c_[0] == c_[2] && c_[0] == caps_[3];
   for (std::size_t i = 3; i + 3 < c_.size();) {
     std::size_t end = i;
     while (end + 3 < c_.size() && at_cap(end) && caps_[end] == caps_[i]) ++end;
-    if (end - i >= shortest) {
+    const bool goes_on = joins && i == 3;  // the cruise has begun before
+    if (end - i >= (goes_on ? blend : shortest)) {
       for (std::size_t k = i; k < end; ++k) {
-        const double into = std::min(1.0, static_cast<double>(std::min(k - i, end - 1 - k)) / blend);
-        const double share = into * into * into * (10 - into * (15 - 6 * into));
+        const std::size_t inside = goes_on ? end - 1 - k : std::min(k - i, end - 1 - k);
+        const double share = smooth_share(static_cast<double>(inside) / blend);
         c_[k] = share >= 1 ? caps_[k] : c_[k] + share * (caps_[k] - c_[k]);
       }
     }
     i = std::max(end, i + 1);
   }
-  if (greatest_ratio() > 1 + 1e-12) c_ = before;
+  if (greatest_ratio() > 1 + 1e-12) c_ = before_levelling_;
+  if (c_ == before_levelling_) before_levelling_.clear();
 }
 
 }  // namespace leadscrew::planner

@@ -15,6 +15,11 @@
 // factorisation: linear in the number of knots. In the first and the last interval path jerk is constant, x ∝ s^(4/3):
 // the one way in which x leaves rest with finite jerk. The start is a creep profile, in closed form and strictly inside
 // every limit.
+//
+// A long section is planned in windows. A window that begins in motion keeps x, x′ and x″ of where it begins; one that
+// ends in motion ends in creep, a share of the creep profile that is a variable like the others. Whatever lies beyond,
+// a creeping motion can go on into creep: so the optimum of one window, with creep added, is a start strictly inside
+// the next.
 
 #include <cstdint>
 #include <leadscrew/machine/machine.hpp>
@@ -26,33 +31,66 @@
 
 namespace leadscrew::planner {
 
+/// What a window that begins in motion takes over from the one before.
+struct Continuation {
+  double x = 0, slope = 0, bend = 0;  ///< x, x′ and x″ where it begins
+  std::vector<double> c;              ///< coefficients from the fourth on, as far as they are known
+  std::size_t creeping = 0;           ///< the last of them that may yet be lowered; those before must stay
+  std::size_t loose = 0;              ///< intervals whose rows need not be tightened for a stop
+  double share = 1;                   ///< of the creep profile, for what follows them
+};
+
 class SpeedProfile {
  public:
-  /// Creep along the section. The machine must outlive this.
-  SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots);
+  /// Creep along the section, from rest. The machine must outlive this.
+  /// Programmed feed is multiplied by `feed_factor`.
+  SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, double feed_factor = 1);
+  /// Goes on in motion: first interval where the continuation begins. Where that is faster than the greatest speed (the
+  /// feed has been overridden since), its own speed is granted and is_too_fast().
+  SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, const Continuation& before,
+               double feed_factor = 1);
+  bool is_too_fast() const { return too_fast_; }
+
+  /// From the present profile down to the greatest speed, or to a creep, as fast as the limits allow; what it cannot be
+  /// slower than is granted from then on.
+  void descend();
+  void descend_to_creep();
+  /// The first interval from which on the motion creeps for some intervals; intervals() if there is none.
+  std::size_t creeps_from() const;
 
   /// From the present profile, which must be strictly inside, to the optimum within `gap` of its time, relative.
-  void optimize(double gap);
+  /// `first_gap` says how far from the optimum the present profile is.
+  void optimize(double first_gap, double gap);
 
   /// Raises stretches at nearly the greatest speed to exactly that speed.
   void level_cruises();
 
-  /// Multiplies the limit rows of the interval by `factor` ≥ 1; creep() must follow.
+  /// Multiplies the limit rows of the interval by `factor` ≥ 1; the present profile must be strictly inside them.
   void tighten(std::size_t interval, double factor);
-  /// The start: a profile strictly inside every limit.
+  /// Back to the last profile that was at least a tenth of its time from the optimum, far inside the limits.
+  void retreat();
+  /// Back to creep; only if the window begins at rest.
   void creep();
+  /// Slows the whole window down, v by `factor` < 1; only if it begins at rest.
+  void slow_down(double factor);
+
+  /// To go on from knot `interval`.
+  Continuation continuation(std::size_t interval);
 
   const Knots& knots() const { return knots_; }
-  std::size_t intervals() const { return knots_.s.size() - 1; }
+  std::size_t intervals() const { return knots_.intervals; }
+  bool starts_at_rest() const { return knots_.start_ramp > 0; }
+  bool ends_at_rest() const { return knots_.end_ramp > 0; }
   double width(std::size_t interval) const { return basis_[interval].h; }
   /// x and x′ at u ∈ [0, 1] of an interval.
   double square(std::size_t interval, double u) const { return dot(basis_[interval].value(u), &c_[interval]); }
   double square_slope(std::size_t interval, double u) const { return dot(basis_[interval].slope(u), &c_[interval]); }
+  double square_bend(std::size_t interval, double u) const { return dot(basis_[interval].bend(u), &c_[interval]); }
   /// Is the speed the same all over the interval?
   bool is_level(std::size_t interval) const;
 
   /// The largest ratio of the rows: below 1 strictly inside.
-  double greatest_ratio() const;
+  double greatest_ratio() const { return greatest_ratio(c_, 0); }
   /// Newton steps so far.
   int newton_steps() const { return newton_steps_; }
 
@@ -67,32 +105,42 @@ class SpeedProfile {
     bool hull = false;
     Four x{};
   };
+  double greatest_ratio(const std::vector<double>& c, std::size_t from) const;
   struct Step {
-    double value = 0;  ///< t·T plus barrier; infinite outside
-    double time = 0;
+    double value = 0;      ///< t·T plus barrier; infinite outside
+    double objective = 0;  ///< T, and what is above the wanted speed
   };
 
+  void build(const Section& section, std::size_t loose, double feed_factor);
+  bool grant(double margin);
+  void find_creep();
+  void tie_variables();
+  void read_variables();
   void add_site(std::size_t interval, double u, const geometry::PointJet& jet);
   void add_hull(std::size_t interval, const std::array<const geometry::PointJet*, 3>& jets);
-  std::size_t variable(std::size_t coefficient) const;
-  double weight(std::size_t coefficient) const;
-  void apply(const std::vector<double>& variables);
   Step measure(const std::vector<double>& c, double t) const;
   void assemble(double t);
   bool newton(double t, double& decrement);
-  std::size_t constraints() const { return 2 * rows_.size() + caps_.size() + knots_.s.size(); }
+  std::size_t constraints() const { return 2 * rows_.size() + caps_.size() + intervals() + 1; }
+  bool is_free(std::size_t coefficient) const { return variable_[coefficient] >= 0; }
 
-  const machine::Machine& machine_;
+  const machine::Machine* machine_;
   Knots knots_;
   std::vector<CubicBasis> basis_;
   std::vector<Four> gauss_;  ///< three places an interval
   std::vector<Site> sites_;
   std::vector<Row> rows_;
-  std::vector<double> caps_;       ///< of the coefficients: greatest x around
+  std::vector<double> caps_;                          ///< of the coefficients: greatest x around
+  std::vector<double> asked_caps_, asked_knot_caps_;  ///< before what the motion began with was granted
+  std::vector<double> wanted_;                        ///< x at the Gauss places, while it is descended to
+  bool too_fast_ = false;
   std::vector<double> knot_caps_;  ///< of x at the knots
   std::vector<double> tightened_;  ///< of each interval, ≥ 1
   std::array<double, 3> start_tie_{}, end_tie_{};
-  std::vector<double> c_;
+  std::vector<double> creep_;  ///< coefficients; any between 0 and these are inside, those tied kept in proportion
+  std::vector<std::int32_t> variable_;  ///< of each coefficient; −1 if it is given
+  std::vector<double> weight_;          ///< coefficient over variable
+  std::vector<double> c_, far_inside_, before_levelling_;
   std::vector<double> variables_, trial_, trial_c_, step_;
   numeric::BandedMatrix hessian_;
   std::vector<double> gradient_;

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <leadscrew/interpolator/controller.hpp>
+#include <utility>
+
+namespace leadscrew::interpolator {
+
+Controller::Controller(base::Period period, const base::AxisVector& position, std::size_t capacity)
+    : capacity_(std::max<std::size_t>(capacity, 2)),
+      links_(std::make_unique<Link[]>(capacity_)),
+      interpolator_(period, position) {}
+
+base::Word Controller::next() noexcept {
+  // Bounded: a turn begins one of the accepted chunks or one's tail, and as the position is told only afterwards, the
+  // planner cannot put more than capacity − 1 in front of one call. Chunks far shorter than a period pass in a row.
+  while (interpolator_.wants_chunk() && go_on()) {
+  }
+  const bool stands = interpolator_.at_rest();
+  const base::Word word = interpolator_.next();
+  // Before the position, so that who sees the last chunk begun sees no older rest.
+  stands_.store(stands, std::memory_order_relaxed);
+  position_.store(current_, std::memory_order_release);
+  return word;
+}
+
+/// The chunk in motion, or its tail, has ended: goes on with its successor or its tail. False if there is neither.
+bool Controller::go_on() noexcept {
+  Follow follow = Follow::open;
+  const bool nothing_follows =
+      link(current_).follow.compare_exchange_strong(follow, Follow::closed, std::memory_order_acquire);
+  const bool is_followed = !nothing_follows && follow == Follow::followed;
+  if (interpolator_.has_stop_tail_left() && !(is_followed && !link(current_ + 1).chunk.begins_at_rest())) {
+    interpolator_.run_stop_tail();
+    if (!is_followed) starvations_.store(starvations_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    return true;
+  }
+  if (!is_followed) return false;
+  interpolator_.load(link(++current_).chunk);
+  return true;
+}
+
+Controller::Offer Controller::offer(planner::Chunk& chunk) {
+  const std::int64_t next = accepted_ + 1;
+  if (next - begun() >= static_cast<std::int64_t>(capacity_)) return Offer::full;
+  Link& last = link(accepted_);
+  const bool begins_at_rest = chunk.begins_at_rest();
+  // Looked at first, so that a late chunk is not moved from.
+  const bool is_late = last.chunk.stop_tail.empty() || last.follow.load(std::memory_order_relaxed) == Follow::closed;
+  if (!begins_at_rest && is_late) return Offer::late;
+  Link& fresh = link(next);
+  fresh.chunk = std::move(chunk);
+  fresh.committed_seconds = last.committed_seconds + fresh.chunk.duration.value();
+  fresh.follow.store(Follow::open, std::memory_order_relaxed);
+  if (!append(last, begins_at_rest)) {
+    chunk = std::move(fresh.chunk);
+    return Offer::late;
+  }
+  accepted_ = next;
+  return Offer::accepted;
+}
+
+/// Releases the link after `last` to the cycle; false if it begins in motion and the cycle has closed `last`.
+bool Controller::append(Link& last, bool begins_at_rest) {
+  if (begins_at_rest) {
+    // Followed whether the cycle has closed it or not: it looks again for as long as it stands.
+    last.follow.store(Follow::followed, std::memory_order_release);
+    return true;
+  }
+  Follow expected = Follow::open;
+  return last.follow.compare_exchange_strong(expected, Follow::followed, std::memory_order_release,
+                                             std::memory_order_relaxed);
+}
+
+double Controller::seconds_ahead() const {
+  return link(accepted_).committed_seconds - link(begun()).committed_seconds;
+}
+
+bool Controller::idle() const {
+  return begun() == accepted_ && stands_.load(std::memory_order_relaxed);
+}
+
+}  // namespace leadscrew::interpolator

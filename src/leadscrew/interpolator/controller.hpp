@@ -1,0 +1,100 @@
+#pragma once
+// The cycle beside a planner in a thread of its own: chunks are handed over without a lock, and no word waits for them.
+//
+//                     ring of links, in the order of motion
+//   planner            +--------+   +--------+   +--------+            cycle
+//   offer() ─────────▶ | chunk  |◀──| chunk  |◀──| chunk  | ◀───────── next(), once a servo period
+//   frees what the     | follow |   | follow |   | follow |            moves its position on
+//   cycle has left     +--------+   +--------+   +--------+
+//
+// Each link says of its chunk what comes after it: `open` (nobody knows yet), `followed` (the next link of the ring) or
+// `closed` (the cycle found nothing and brought the machine to rest). When a committed part ends, the cycle claims the
+// link with one compare-and-swap, open → closed: if that fails there is a successor, and the motion goes on; if it
+// succeeds the stop tail runs. The planner appends with open → followed: if that fails, the motion that the new chunk
+// was to continue is over, and the chunk is late. Whoever is first decides, and both know it. A chunk that begins at
+// rest is never late: it follows whenever the machine stands.
+//
+// Memory orders. A link is written by the planner and then released by the store or compare-and-swap to `followed` in
+// the link before it; the cycle's compare-and-swap acquires it. The cycle's last look at a link is before its release
+// store of the position, which the planner acquires before it writes the link again. Nothing else is shared but figures
+// for the planner to look at.
+//
+// Memory is taken by the constructor and by the planner; what chunks hold is freed by the planner's thread when a link
+// is used again, or by the destructor.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <leadscrew/interpolator/interpolator.hpp>
+#include <memory>
+
+namespace leadscrew::interpolator {
+
+/// One thread, the cycle's, calls next(); one other, the planner's, calls everything else. Both have ended when it is
+/// destroyed.
+class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept apart by lines of the cache
+ public:
+  /// Stands at `position`. capacity: chunks held at a time, the one in motion included, ≥ 2.
+  Controller(base::Period period, const base::AxisVector& position, std::size_t capacity = 8);
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  /// The cycle: the word of this tick. It neither allocates nor frees, locks, throws nor reads a clock, and goes
+  /// through capacity − 1 new chunks at most. Motion from rest begins with the word after the one that stood.
+  base::Word next() noexcept;
+
+  enum class Offer : std::uint8_t {
+    accepted,
+    full,  ///< all links are in use: offer it again when the cycle has moved on
+    late,  ///< the motion it continues has been stopped: plan anew from the last accepted chunk's `rest`, at rest
+  };
+  /// Hands over the chunk that comes after the last accepted one; moved from only if accepted. One that begins at rest
+  /// follows when the one before has come to rest, by its tail if it has one. One that begins in motion after a chunk
+  /// that ends at rest is late. Nobody here looks at its events: begun() tells when it begins.
+  Offer offer(planner::Chunk& chunk);
+
+  /// Committed motion, dwells included, that was accepted and that the cycle has not begun, seconds; nothing of the
+  /// chunk in motion.
+  double seconds_ahead() const;
+  /// Has a word at rest been given after the end of everything accepted?
+  bool idle() const;
+  /// How many accepted chunks the cycle has begun.
+  std::int64_t begun() const { return position_.load(std::memory_order_acquire); }
+  /// How many times a stop tail was entered because nothing followed.
+  std::int64_t starvations() const { return starvations_.load(std::memory_order_relaxed); }
+
+ private:
+  enum class Follow : std::uint8_t { open, followed, closed };
+
+  // What two threads write to lies apart by a line of the cache, or each write would take it from the other.
+  static constexpr std::size_t cache_line = 64;
+
+  struct alignas(cache_line) Link {
+    planner::Chunk chunk;
+    double committed_seconds = 0;  ///< of this chunk and all before it; the planner's
+    std::atomic<Follow> follow{Follow::open};
+  };
+  static_assert(std::atomic<Follow>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free &&
+                std::atomic<bool>::is_always_lock_free);
+
+  Link& link(std::int64_t number) const { return links_[static_cast<std::size_t>(number) % capacity_]; }
+  bool go_on() noexcept;
+  bool append(Link& last, bool begins_at_rest);
+
+  const std::size_t capacity_;
+  const std::unique_ptr<Link[]> links_;  ///< chunk n in link n % capacity; n = 0 is standing at the start
+
+  // The planner's.
+  std::int64_t accepted_ = 0;  ///< number of the last accepted chunk
+
+  // The cycle's.
+  alignas(cache_line) Interpolator interpolator_;
+  std::int64_t current_ = 0;  ///< number of the chunk in motion
+
+  // Told by the cycle to the planner.
+  alignas(cache_line) std::atomic<std::int64_t> position_{0};  ///< current_, when the call has ended
+  std::atomic<std::int64_t> starvations_{0};
+  std::atomic<bool> stands_{true};
+};
+
+}  // namespace leadscrew::interpolator

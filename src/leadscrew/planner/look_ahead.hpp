@@ -1,0 +1,111 @@
+#pragma once
+// Along one section, from rest to rest, window by window: pieces go in, chunks of the optimal motion come out.
+//
+//        speed   .------------.             Each window is planned from where the last one's committed part ends, as
+//        far
+//               /|            |\            ahead as the path is looked at, down to a creep from which the motion can
+//              / |  committed | \  tail     stop. Only the first part is committed: what lies ahead of it by some times
+//             /  |            |  `--.__     the way to stop is no different from the optimum of the whole section. The
+//                                           rest, with a stop at its end, is the chunk's stop tail.
+//
+// A committed part may be handed out in slices, each with the rest of the window as its tail. A change of speed asked
+// for (feed override, feed hold) takes effect where the last slice ends: from there the window is planned anew, first
+// down to the speed that is wanted as fast as the limits allow, then as fast as is allowed.
+
+#include <cstddef>
+#include <cstdint>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/planner/motion.hpp>
+#include <leadscrew/planner/section.hpp>
+#include <leadscrew/planner/speed_profile.hpp>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace leadscrew::planner {
+
+class LookAhead {
+ public:
+  /// The machine must outlive this.
+  explicit LookAhead(const machine::Machine& machine) : machine_(machine) {}
+
+  /// The section goes on with this piece.
+  void append(const toolpath::Piece& piece);
+  /// It has no more pieces.
+  void close() { closed_ = true; }
+  /// Ready for another section.
+  void clear();
+
+  /// From now on the committed part of a chunk is no longer than this, s, or one interval between knots.
+  void slice(double seconds) { slice_ = seconds; }
+  /// Feed override: programmed feed is multiplied by `factor` ≥ 0 from where the last chunk's committed part ends. 0
+  /// holds: the motion comes to rest and nothing more is planned until the factor is greater.
+  void override_feed(double factor);
+  /// The last chunk was refused: motion has come to rest where the tail of the one before it ends, and goes on there.
+  void refuse();
+
+  /// Of what is not yet travelled.
+  const Section& section() const { return section_; }
+  bool is_closed() const { return closed_; }
+  /// Has nothing been planned yet?
+  bool is_untouched() const { return untouched_; }
+  /// Has all been planned that there is and will be?
+  bool is_done() const { return closed_ && begin_ >= section_.length(); }
+
+  /// The next chunk, once enough of the section is known; never again after the one that ends where the section ends.
+  /// Velocity, acceleration and jerk of every axis stay inside their limits, evaluated eight times a segment on what
+  /// the cycle will evaluate: what an optimum leaves above a limit between its knots is planned again with tightened
+  /// rows.
+  std::optional<Chunk> plan();
+  /// Windows for which no motion was found: there the motion stopped once.
+  std::int64_t refused() const { return refused_; }
+
+ private:
+  /// A window that has been planned, on the section.
+  struct Window {
+    SpeedProfile profile;
+    std::vector<Segment> segments;       ///< to rest
+    std::vector<std::size_t> intervals;  ///< of the segments
+    std::size_t last_interval = 0;       ///< where the next window begins, unless all is committed
+    bool to_rest = false;                ///< is all of it committed?
+    std::optional<Continuation> after;   ///< what goes on at last_interval
+    double end = 0;                      ///< where it comes to rest
+    std::size_t next = 0;                ///< segment that is handed out next
+  };
+  enum class Aim : std::uint8_t { fastest, rest };
+
+  bool knows_enough() const;
+  Stretch next_stretch() const;
+  std::unique_ptr<Window> solve();
+  std::unique_ptr<Window> solve(const Stretch& stretch, Aim aim) const;
+  bool emit(Window& window, const Stretch& stretch, Aim aim, double& worst, std::vector<double>& factors) const;
+  static void slow_down(Window& window, double factor);
+  void take_change();
+  void go_on_from(const Window& window, std::size_t interval, Continuation continuation);
+  void stand_at(double s);
+  void forget();
+  Chunk hand_out();
+  std::vector<Segment> along_pieces(const std::vector<Segment>& segments, double end, std::size_t first_piece) const;
+
+  const machine::Machine& machine_;
+  Section section_;
+  bool closed_ = false;
+  bool untouched_ = true;
+  double begin_ = 0;                          ///< where the next chunk begins
+  double last_begin_ = 0;                     ///< where the last chunk began
+  double tail_end_ = 0, last_tail_end_ = 0;   ///< of the last chunk and of the one before
+  std::unique_ptr<Window> window_;            ///< that is being handed out
+  std::optional<Continuation> continuation_;  ///< without a window: in motion; from rest without
+  std::vector<double> knots_;                 ///< from `begin_` on, if in motion
+  std::vector<bool> breaks_;
+  double end_ramp_ = 0;  ///< of these knots, if they end at rest
+  double slice_ = std::numeric_limits<double>::infinity();
+  double factor_ = 1, planned_factor_ = 1;  ///< of the feed: asked for, and planned with
+  std::int64_t refused_ = 0;
+  double reach_ = 0;         ///< how far a window looks
+  double fastest_ = 0;       ///< greatest speed of the pieces so far
+  double slowest_stop_ = 0;  ///< longest time to stop from it
+};
+
+}  // namespace leadscrew::planner
