@@ -15,6 +15,7 @@ constexpr double ramp_grading = 0.25;    // h over distance from rest
 constexpr double merged_breaks = 1e-5;   // of the width around them
 constexpr int deepest = 40;              // bisections
 constexpr double unknown_room = 0.03;    // of the way of a ramp, left before what is not known
+constexpr std::size_t rest_knots = 100;  // it takes about as many to come to rest: no window ends so short of it
 constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a window that ends in motion
 
 struct Sample {
@@ -39,8 +40,7 @@ class Placement {
     passes();
     widths();
     distribute();
-    if (!stretch_.ends_at_rest || knots_.s.size() > most_ + 1)
-      cut();
+    if (!stretch_.ends_at_rest || knots_.s.size() > most_ + rest_knots) cut();
     else
       knots_.intervals = knots_.s.size() - 1;
     return std::move(knots_);
@@ -243,7 +243,8 @@ class Placement {
     const double room = std::min(unknown_room * longest, 0.1 * length());
     if (knots_.s.size() < knots_beyond + 3) return;  // too little to go on with
     std::size_t last = std::min(knots_.s.size() - 1 - knots_beyond, most_);
-    while (last > 1 && stretch_.end - knots_.s[last] < room) --last;
+    const std::size_t least = stretch_.kept.size() > knots_beyond + 1 ? stretch_.kept.size() - 1 : 1;
+    while (last > least && stretch_.end - knots_.s[last] < room) --last;
     knots_.intervals = last;
     knots_.s.resize(last + 1 + knots_beyond);
     knots_.breaks.resize(last + 1 + knots_beyond);

@@ -27,7 +27,7 @@ constexpr std::size_t most_intervals = 320;
 constexpr std::size_t few_intervals = 200;
 constexpr std::size_t least_ahead = 16;     // intervals
 constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
-constexpr double sliced_cruise_knots = 20;  // where speed may have to fall at any time
+constexpr double sliced_cruise_knots = 40;  // where speed may have to fall at any time
 constexpr std::size_t most_pieces = 2048;
 
 constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
@@ -184,24 +184,26 @@ Segment later(const Segment& segment, double t) {
   return rest;
 }
 
-/// From a creeping motion to rest within `room`, jerk allowing: speed falls by a cubic with the acceleration it has
-/// to 0 with acceleration 0. Nothing if there is no room.
-std::optional<Segment> creep_to_rest(const Knot& from, double room, const Section& section,
-                                     const machine::Machine& machine) {
-  const TangentLimits limits = tangent_limits(section.jets(from.s, Side::right), machine);
-  double t = std::sqrt(6 * from.speed / (0.5 * limits.jerk));
-  for (int attempt = 0; attempt < 40; ++attempt, t *= 1.1) {
-    const double way = t * (from.speed / 2 + t * from.acceleration / 12);
-    if (way > room) return std::nullopt;
+/// From motion to rest within `room`, no longer than `longest`, s: speed falls by a cubic from the speed and the
+/// acceleration there are to 0 and 0, v(u) = (1 − u)²(v + u(2v + aT)), u = τ/T. Jerk is (4aT + 6v)/T² against the motion
+/// at first and (6v + 2aT)/T² at last; the first T that keeps every limit of every axis is taken. Nothing if there is none.
+std::optional<Segment> come_to_rest(const Knot& from, double room, double longest, const Section& section,
+                                    const machine::Machine& machine) {
+  const double jerk = 0.99 * tangent_limits(section.jets(from.s, Side::right), machine).jerk;
+  const double v = from.speed, a = from.acceleration;
+  if (!(v > 0)) return std::nullopt;
+  double t = (a + std::sqrt(a * a + 6 * v * jerk)) / jerk;
+  for (int attempt = 0; attempt < 40; ++attempt, t *= 1.06) {
+    const double way = t * (v / 2 + t * a / 12);
+    if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;
     Segment segment;
     segment.duration = t;
     segment.s0 = from.s;
-    segment.v0 = from.speed;
-    segment.c2 = from.acceleration / 2;
-    segment.c3 = (-3 * from.speed - 2 * t * from.acceleration) / (3 * t * t);
-    segment.c4 = (2 * from.speed + t * from.acceleration) / (4 * t * t * t);
-    if (evaluate(segment, 0.9 * t).speed >= 0 && greatest_ratio(segment, section, machine, infinity) <= 1)
-      return segment;
+    segment.v0 = v;
+    segment.c2 = a / 2;
+    segment.c3 = (-3 * v - 2 * t * a) / (3 * t * t);
+    segment.c4 = (2 * v + t * a) / (4 * t * t * t);
+    if (greatest_ratio(segment, section, machine, infinity) <= 1) return segment;
   }
   return std::nullopt;
 }
@@ -323,29 +325,56 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim, double& wo
                      std::vector<double>& factors) const {
   SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
-  const std::size_t creeps = aim == Aim::rest ? profile.creeps_from() : n;
-  window.to_rest = creeps < n || profile.ends_at_rest();
-  if (!window.to_rest) {
+  Emission emission(profile, begin_);
+  if (!profile.ends_at_rest()) {
     window.last_interval = commit_until(profile, section_, machine_);
     window.after = profile.continuation(window.last_interval);
+    if (!window.after) {
+      profile.unlevel();
+      window.after = profile.continuation(window.last_interval);
+    }
   }
-  Emission emission(profile, begin_);
   window.segments = emission.emit(stretch.end);
   window.intervals = emission.intervals();
   window.end = stretch.end;
-  if (creeps < n || !profile.ends_at_rest()) {
-    const double s = profile.knots().s[creeps];
-    const Knot last = creeps < n ? Knot{s, std::sqrt(profile.square(creeps, 0)), profile.square_slope(creeps, 0) / 2}
-                                 : Knot{s, std::sqrt(profile.square(n - 1, 1)), profile.square_slope(n - 1, 1) / 2};
-    std::optional<Segment> stop = creep_to_rest(last, stretch.end - s, section_, machine_);
+  window.to_rest = profile.ends_at_rest();
+  const auto stop_at = [&](std::size_t knot, double longest) {
+    const double s = profile.knots().s[knot];
+    const Knot last = knot < n ? Knot{s, std::sqrt(profile.square(knot, 0)), profile.square_slope(knot, 0) / 2}
+                               : Knot{s, std::sqrt(profile.square(n - 1, 1)), profile.square_slope(n - 1, 1) / 2};
+    return come_to_rest(last, stretch.end - s, longest, section_, machine_);
+  };
+  std::optional<Segment> stop;
+  std::size_t stops = n;
+  if (!profile.ends_at_rest()) {
+    stop = stop_at(n, infinity);
     if (!stop) return false;
-    const auto cut = std::lower_bound(window.intervals.begin(), window.intervals.end(), creeps);
+  }
+  if (aim == Aim::rest) {  // where that is soonest
+    const Segment& last = window.segments.back();
+    double soonest = (last.begin + last.duration).value() + (stop ? stop->duration.value() : 0);
+    for (std::size_t k = 0; k < window.segments.size(); ++k) {
+      const double begin = window.segments[k].begin.value();
+      const std::size_t knot = window.intervals[k];
+      if (begin >= soonest) break;
+      if (profile.starts_at_rest() && knot == 0) continue;
+      std::optional<Segment> here = stop_at(knot, soonest - begin);
+      if (!here) continue;
+      soonest = begin + here->duration.value();
+      stop = here;
+      stops = knot;
+      window.to_rest = true;
+    }
+    window.to_rest = window.to_rest || stop.has_value();
+  }
+  if (stop) {
+    const auto cut = std::lower_bound(window.intervals.begin(), window.intervals.end(), stops);
     window.segments.resize(static_cast<std::size_t>(cut - window.intervals.begin()));
     window.intervals.resize(window.segments.size());
     if (!window.segments.empty()) stop->begin = window.segments.back().begin + window.segments.back().duration;
     window.end = evaluate(*stop, stop->duration.value()).s;
     window.segments.push_back(*stop);
-    window.intervals.push_back(creeps);
+    window.intervals.push_back(stops);
   }
   const double feed_factor = profile.is_too_fast() || factor_ == 0 ? infinity : factor_;
   worst = 0;
@@ -438,8 +467,10 @@ void LookAhead::take_change() {
       window_->next < window_->segments.size() ? window_->intervals[window_->next] : profile.intervals();
   if (interval + least_to_change > profile.intervals()) return;
   if (window_->to_rest && !profile.ends_at_rest() && window_->next + 1 >= window_->segments.size()) return;
+  std::optional<Continuation> after = profile.continuation(interval);
+  if (!after) return;
   std::unique_ptr<Window> before = std::move(window_);
-  go_on_from(*before, interval, before->profile.continuation(interval));
+  go_on_from(*before, interval, std::move(*after));
   window_ = solve();
   if (window_) return;
   ++refused_;

@@ -92,6 +92,8 @@ std::optional<Chunk> Planner::pop() {
       if (look_ahead_.is_done()) {
         look_ahead_.clear();
         last_.reset();
+      } else if (look_ahead_.is_closed()) {
+        return std::nullopt;  // held
       }
     }
     if (waiting_.empty()) {

@@ -15,7 +15,7 @@ constexpr double turning_margin = 1 - 2e-4;  // of the speed, squared, where it 
 constexpr std::size_t creep_tail = 3;        // of the intervals at an end in motion: all their coefficients creep
 constexpr std::size_t stopping_tail = 16;    // of the intervals before an end in motion
 constexpr double stopping_factor = 1.08;     // of the rows there
-constexpr double descent_weight = 30;        // of speed above what is wanted, against time
+constexpr double descent_weight = 4;        // of speed above what is wanted, against time
 constexpr double descent_softness = 0.004;   // of the wanted x
 constexpr double descent_first_gap = 3, cold_descent_gap = 20, descent_gap = 0.02;
 constexpr std::array<double, 3> gauss_places = {0.1127016653792583, 0.5, 0.8872983346207417};
@@ -128,16 +128,6 @@ void SpeedProfile::descend_to_creep() {
     for (std::size_t q = 0; q < gauss_places.size(); ++q) wanted_.push_back(0.5 * dot(gauss_[3 * k + q], &creep_[k]));
   }
   optimize(cold_descent_gap, descent_gap);
-}
-
-std::size_t SpeedProfile::creeps_from() const {
-  constexpr std::size_t run = 6;
-  std::size_t creeping = 0;
-  for (std::size_t i = 0; i < c_.size(); ++i) {
-    creeping = c_[i] <= 0.95 * creep_[i] ? creeping + 1 : 0;
-    if (creeping == run) return std::min(i + 1 - run, intervals());
-  }
-  return intervals();
 }
 
 void SpeedProfile::build(const Section& section, std::size_t loose, double feed_factor) {
@@ -364,13 +354,13 @@ void SpeedProfile::retreat() {
 
 /// Where the profile has been levelled it lies on its greatest speed, where no barrier can start: what follows leaves
 /// it by as smooth a share as it was reached.
-Continuation SpeedProfile::continuation(std::size_t interval) {
+std::optional<Continuation> SpeedProfile::continuation(std::size_t interval) const {
   std::vector<double> next = c_;
   if (!before_levelling_.empty()) {
     for (std::size_t i = interval + 3; i < c_.size(); ++i) {
       next[i] += smooth_share(static_cast<double>(i - interval - 2) / (blend + 1)) * (before_levelling_[i] - c_[i]);
     }
-    if (!(greatest_ratio(next, interval) < 1)) c_ = next = before_levelling_;
+    if (!(greatest_ratio(next, interval) < 1)) return std::nullopt;
   }
   Continuation after;
   after.x = square(interval, 0);
@@ -617,6 +607,11 @@ void SpeedProfile::tighten(std::size_t interval, double factor) {
 
 bool SpeedProfile::is_level(std::size_t k) const {
   return c_[k] == c_[k + 1] && c_[k] == c_[k + 2] && c_[k] == c_[k + 3];
+}
+
+void SpeedProfile::unlevel() {
+  if (!before_levelling_.empty()) c_ = before_levelling_;
+  before_levelling_.clear();
 }
 
 /// The barrier keeps x a few parts in ten thousand below the cap. Where it is that close for many knots, close the rest

@@ -27,6 +27,7 @@
 #include <leadscrew/planner/cubic_basis.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/section.hpp>
+#include <optional>
 #include <vector>
 
 namespace leadscrew::planner {
@@ -55,8 +56,6 @@ class SpeedProfile {
   /// slower than is granted from then on.
   void descend();
   void descend_to_creep();
-  /// The first interval from which on the motion creeps for some intervals; intervals() if there is none.
-  std::size_t creeps_from() const;
 
   /// From the present profile, which must be strictly inside, to the optimum within `gap` of its time, relative.
   /// `first_gap` says how far from the optimum the present profile is.
@@ -64,6 +63,7 @@ class SpeedProfile {
 
   /// Raises stretches at nearly the greatest speed to exactly that speed.
   void level_cruises();
+  void unlevel();
 
   /// Multiplies the limit rows of the interval by `factor` ≥ 1; the present profile must be strictly inside them.
   void tighten(std::size_t interval, double factor);
@@ -74,8 +74,8 @@ class SpeedProfile {
   /// Slows the whole window down, v by `factor` < 1; only if it begins at rest.
   void slow_down(double factor);
 
-  /// To go on from knot `interval`.
-  Continuation continuation(std::size_t interval);
+  /// To go on from knot `interval`. None if a levelled cruise there cannot be left as it must be; unlevel() then.
+  std::optional<Continuation> continuation(std::size_t interval) const;
 
   const Knots& knots() const { return knots_; }
   std::size_t intervals() const { return knots_.intervals; }
