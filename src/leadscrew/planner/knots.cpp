@@ -15,6 +15,7 @@ constexpr double ramp_grading = 0.25;    // h over distance from rest
 constexpr double merged_breaks = 1e-5;   // of the width around them
 constexpr int deepest = 40;              // bisections
 constexpr double unknown_room = 0.03;    // of the way of a ramp, left before what is not known
+constexpr double shortest_ramp = 1e-13;  // of the way along the section: what rounding leaves of its knots
 constexpr std::size_t rest_knots = 100;  // it takes about as many to come to rest: no window ends so short of it
 constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a window that ends in motion
 
@@ -40,7 +41,8 @@ class Placement {
     passes();
     widths();
     distribute();
-    if (!stretch_.ends_at_rest || knots_.s.size() > most_ + rest_knots) cut();
+    if (!stretch_.ends_at_rest || knots_.s.size() > most_ + rest_knots)
+      cut();
     else
       knots_.intervals = knots_.s.size() - 1;
     return std::move(knots_);
@@ -60,7 +62,7 @@ class Placement {
       for (const numeric::Jet& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
       double ramp_length = t.jerk * time * time * time / 6;
       if (bend > 0) ramp_length = std::min(ramp_length, 5e-5 / bend);
-      return std::min(ramp_length, 1e-3 * length());
+      return std::max(std::min(ramp_length, 1e-3 * length()), shortest_ramp * s);
     };
     if (stretch_.starts_at_rest) knots_.start_ramp = ramp(stretch_.begin, Side::right);
     knots_.end_ramp = ramp(stretch_.end, Side::left);
@@ -190,7 +192,8 @@ class Placement {
       const double d = from_rest(sample.s);
       const double ramp = ramp_width(sample, sample.reach, per_ramp);
       const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
-      const double cruise = ramp_width(sample, sample.reach, stretch_.cruise_knots);
+      const double cruise = std::max(ramp_width(sample, sample.reach, stretch_.cruise_knots),
+                                     stretch_.cruise_time * std::sqrt(sample.reach));
       sample.h =
           std::min({std::max(ramp, std::min(cruise, cruise_grading * beyond)), sample.h_curve, ramp_grading * d});
     }
@@ -230,7 +233,7 @@ class Placement {
       if (!(to - from > merged_breaks * samples_[std::min(i, samples_.size() - 1)].h)) continue;
       stretch(from, to, i);
       from = to;
-      if (knots_.s.size() > 2 * most_) return;
+      if (knots_.s.size() > most_ + rest_knots) return;
     }
     knots_.breaks.back() = false;
   }
@@ -244,7 +247,12 @@ class Placement {
     if (knots_.s.size() < knots_beyond + 3) return;  // too little to go on with
     std::size_t last = std::min(knots_.s.size() - 1 - knots_beyond, most_);
     const std::size_t least = stretch_.kept.size() > knots_beyond + 1 ? stretch_.kept.size() - 1 : 1;
-    while (last > least && stretch_.end - knots_.s[last] < room) --last;
+    // Nor may the last knot lie so near to where something unknown may begin that a tiny interval would follow.
+    const auto too_near = [&](std::size_t k) {
+      const double last_knot = knots_.s[k + knots_beyond], width = last_knot - knots_.s[k + knots_beyond - 1];
+      return stretch_.end - knots_.s[k] < room || stretch_.end - last_knot < width;
+    };
+    while (last > least && too_near(last)) --last;
     knots_.intervals = last;
     knots_.s.resize(last + 1 + knots_beyond);
     knots_.breaks.resize(last + 1 + knots_beyond);

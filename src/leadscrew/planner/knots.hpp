@@ -34,8 +34,9 @@ struct Stretch {
   /// Knots from `begin` on that are there already, at least 2 unless it starts at rest; what is new begins at the last.
   std::vector<double> kept;
   std::vector<bool> kept_breaks;
-  double kept_end_ramp = 0;  ///< if > 0, those are all there will be
-  double cruise_knots = 8;   ///< of a cruise, while speed could rise from rest
+  double kept_end_ramp = 0;   ///< if > 0, those are all there will be
+  double cruise_knots = 8;    ///< of a cruise, while speed could rise from rest
+  double cruise_time = 0.02;  ///< s between knots of a cruise that need not lie closer
 };
 
 /// Knots along the stretch, at most about `most` intervals: fewer than reach its end if they would be more.

@@ -19,15 +19,20 @@ constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly opt
 constexpr double repair_gap = 0.1;  // of a profile that is planned again
 constexpr int repairs = 3;
 constexpr double repair_margin = 2e-4;
+constexpr int usual_looks = 12;  // of the proof, a segment
+constexpr int close_looks = 32;  // where knots lie far apart for how speed falls
+constexpr std::size_t stopping_intervals = 20;
 constexpr double granted_slowing = 1.0002;  // below, slowing time costs less than planning again
 
 constexpr double stops_ahead = 4.5;    // times to stop that lie between what is committed and the end of the window
 constexpr double stops_committed = 3;  // times to stop that are committed, where speed is greatest
+constexpr double least_reach = 0.25;   // s
 constexpr std::size_t most_intervals = 320;
 constexpr std::size_t few_intervals = 200;
-constexpr std::size_t least_ahead = 16;     // intervals
-constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
-constexpr double sliced_cruise_knots = 40;  // where speed may have to fall at any time
+constexpr std::size_t least_ahead = 16;      // intervals
+constexpr std::size_t least_to_change = 8;   // intervals left of a window for a change of speed to begin in it
+constexpr double sliced_cruise_knots = 40;   // where speed may have to fall at any time
+constexpr double sliced_cruise_time = 1e-3;  // s
 constexpr std::size_t most_pieces = 2048;
 
 constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
@@ -139,11 +144,10 @@ class Emission {
   DoubleDouble now_;
 };
 
-/// The largest ratio of any limit, eight looks a segment. What has a peak between two looks, higher than both by a few
+/// The largest ratio of any limit, some looks a segment. What has a peak between two looks, higher than both by a few
 /// millionths, counts as if it were larger by `between_looks`.
 double greatest_ratio(const Segment& segment, const Section& section, const machine::Machine& machine,
-                      double feed_factor) {
-  constexpr int looks = 8;
+                      double feed_factor, int looks) {
   constexpr double between_looks = 5e-5;
   double greatest = 0;
   const double duration = segment.duration.value();
@@ -185,8 +189,9 @@ Segment later(const Segment& segment, double t) {
 }
 
 /// From motion to rest within `room`, no longer than `longest`, s: speed falls by a cubic from the speed and the
-/// acceleration there are to 0 and 0, v(u) = (1 − u)²(v + u(2v + aT)), u = τ/T. Jerk is (4aT + 6v)/T² against the motion
-/// at first and (6v + 2aT)/T² at last; the first T that keeps every limit of every axis is taken. Nothing if there is none.
+/// acceleration there are to 0 and 0, v(u) = (1 − u)²(v + u(2v + aT)), u = τ/T. Jerk is (4aT + 6v)/T² against the
+/// motion at first and (6v + 2aT)/T² at last; the first T that keeps every limit of every axis is taken. Nothing if
+/// there is none.
 std::optional<Segment> come_to_rest(const Knot& from, double room, double longest, const Section& section,
                                     const machine::Machine& machine) {
   const double jerk = 0.99 * tangent_limits(section.jets(from.s, Side::right), machine).jerk;
@@ -203,7 +208,7 @@ std::optional<Segment> come_to_rest(const Knot& from, double room, double longes
     segment.c2 = a / 2;
     segment.c3 = (-3 * v - 2 * t * a) / (3 * t * t);
     segment.c4 = (2 * v + t * a) / (4 * t * t * t);
-    if (greatest_ratio(segment, section, machine, infinity) <= 1) return segment;
+    if (greatest_ratio(segment, section, machine, infinity, close_looks) <= 1) return segment;
   }
   return std::nullopt;
 }
@@ -266,7 +271,7 @@ void LookAhead::append(const toolpath::Piece& piece) {
     fastest_ = std::max(fastest_, speed);
     slowest_stop_ = std::max(slowest_stop_, stop_time(speed, limits));
   }
-  reach_ = std::max(reach_, fastest_ * slowest_stop_ * (stops_ahead + stops_committed));
+  reach_ = std::max(reach_, fastest_ * std::max(least_reach, slowest_stop_ * (stops_ahead + stops_committed)));
 }
 
 void LookAhead::clear() {
@@ -315,7 +320,10 @@ Stretch LookAhead::next_stretch() const {
     stretch.end = section_.length();
     stretch.ends_at_rest = true;
   }
-  if (slice_ < infinity) stretch.cruise_knots = sliced_cruise_knots;
+  if (slice_ < infinity) {
+    stretch.cruise_knots = sliced_cruise_knots;
+    stretch.cruise_time = sliced_cruise_time;
+  }
   return stretch;
 }
 
@@ -380,7 +388,10 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim, double& wo
   worst = 0;
   factors.assign(n, 1.0);
   for (std::size_t k = 0; k < window.segments.size(); ++k) {
-    const double ratio = ::leadscrew::planner::greatest_ratio(window.segments[k], section_, machine_, feed_factor);
+    const int looks =
+        !profile.ends_at_rest() && window.intervals[k] + stopping_intervals > n ? close_looks : usual_looks;
+    const double ratio =
+        ::leadscrew::planner::greatest_ratio(window.segments[k], section_, machine_, feed_factor, looks);
     worst = std::max(worst, ratio);
     if (ratio <= 1) continue;
     const std::size_t interval = std::min(window.intervals[k], n - 1);
@@ -469,6 +480,7 @@ void LookAhead::take_change() {
   if (window_->to_rest && !profile.ends_at_rest() && window_->next + 1 >= window_->segments.size()) return;
   std::optional<Continuation> after = profile.continuation(interval);
   if (!after) return;
+  forget();
   std::unique_ptr<Window> before = std::move(window_);
   go_on_from(*before, interval, std::move(*after));
   window_ = solve();
@@ -491,18 +503,21 @@ void LookAhead::go_on_from(const Window& window, std::size_t interval, Continuat
 }
 
 std::unique_ptr<LookAhead::Window> LookAhead::solve() {
-  forget();
   std::unique_ptr<Window> window = solve(next_stretch(), factor_ > 0 ? Aim::fastest : Aim::rest);
   if (window) planned_factor_ = factor_;
   return window;
 }
 
-/// Pieces that nothing comes back to.
+/// Pieces that nothing comes back to. All places on the section are counted anew.
 void LookAhead::forget() {
   const double shift = section_.forget_before(std::min(last_begin_, begin_));
   if (shift == 0) return;
   for (double& s : knots_) s -= shift;
   for (double* s : {&begin_, &last_begin_, &tail_end_, &last_tail_end_}) *s -= shift;
+  if (!window_) return;
+  window_->profile.shift(shift);
+  window_->end -= shift;
+  for (Segment& segment : window_->segments) segment.s0 = segment.s0 - DoubleDouble(shift);
 }
 
 std::optional<Chunk> LookAhead::plan() {
@@ -510,6 +525,7 @@ std::optional<Chunk> LookAhead::plan() {
   take_change();
   if (!window_) {
     if (begin_ >= section_.length() || factor_ == 0 || !knows_enough()) return std::nullopt;
+    forget();
     window_ = solve();
     if (!window_) {
       ++refused_;
@@ -519,6 +535,7 @@ std::optional<Chunk> LookAhead::plan() {
   } else if (!window_->to_rest && window_->intervals[window_->next] >= window_->last_interval) {
     if (!knows_enough()) return std::nullopt;
     if (window_->profile.intervals() < few_intervals) reach_ *= 1.5;
+    forget();
     std::unique_ptr<Window> before = std::move(window_);
     go_on_from(*before, before->last_interval, *before->after);
     window_ = solve();

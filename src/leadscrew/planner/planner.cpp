@@ -161,6 +161,8 @@ std::optional<Chunk> Planner::plan() {
   }
   std::optional<Chunk> chunk = look_ahead_.plan();
   if (!chunk) return std::nullopt;
+  rest_before_ = position_;
+  line_before_ = line_;
   position_ = chunk->rest;
   line_ = chunk->rest_line;
   return follow_events(std::move(*chunk));
@@ -193,6 +195,8 @@ void Planner::override_feed(double factor) {
 }
 
 void Planner::refuse() {
+  position_ = rest_before_;
+  line_ = line_before_;
   look_ahead_.refuse();
 }
 

@@ -65,6 +65,8 @@ class Planner {
   std::optional<toolpath::Piece> last_;  ///< its last piece
   geometry::Point position_;             ///< where motion rests, as far as it is planned
   base::Line line_{};
+  geometry::Point rest_before_{};  ///< the same before the last chunk
+  base::Line line_before_{};
 };
 
 }  // namespace leadscrew::planner

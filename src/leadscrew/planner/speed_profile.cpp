@@ -15,7 +15,7 @@ constexpr double turning_margin = 1 - 2e-4;  // of the speed, squared, where it 
 constexpr std::size_t creep_tail = 3;        // of the intervals at an end in motion: all their coefficients creep
 constexpr std::size_t stopping_tail = 16;    // of the intervals before an end in motion
 constexpr double stopping_factor = 1.08;     // of the rows there
-constexpr double descent_weight = 4;        // of speed above what is wanted, against time
+constexpr double descent_weight = 4;         // of speed above what is wanted, against time
 constexpr double descent_softness = 0.004;   // of the wanted x
 constexpr double descent_first_gap = 3, cold_descent_gap = 20, descent_gap = 0.02;
 constexpr std::array<double, 3> gauss_places = {0.1127016653792583, 0.5, 0.8872983346207417};
@@ -345,6 +345,10 @@ void SpeedProfile::slow_down(double factor) {
     for (double& value : *c) value *= squared(factor);
   }
   read_variables();
+}
+
+void SpeedProfile::shift(double by) {
+  for (double& s : knots_.s) s -= by;
 }
 
 void SpeedProfile::retreat() {

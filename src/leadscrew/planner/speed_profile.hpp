@@ -77,6 +77,9 @@ class SpeedProfile {
   /// To go on from knot `interval`. None if a levelled cruise there cannot be left as it must be; unlevel() then.
   std::optional<Continuation> continuation(std::size_t interval) const;
 
+  /// Every place on the section is less by `by`.
+  void shift(double by);
+
   const Knots& knots() const { return knots_; }
   std::size_t intervals() const { return knots_.intervals; }
   bool starts_at_rest() const { return knots_.start_ramp > 0; }

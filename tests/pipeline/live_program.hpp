@@ -1,0 +1,114 @@
+#pragma once
+// A program run as a controller runs it: chunks offered just ahead of the cycle, the feed changed and the planner kept
+// from its work at any time.
+
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/interpolator/controller.hpp>
+#include <leadscrew/planner/planner.hpp>
+#include <leadscrew/referee/referee.hpp>
+#include <leadscrew/toolpath/builder.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace leadscrew::testing_support {
+
+/// What happens from a tick on: the factor of the feed is another, and the planner does nothing for a while.
+struct Intervention {
+  std::int64_t tick = 0;
+  double factor = 1;
+  std::int64_t silence = 0;  ///< ticks
+};
+
+class LiveProgram {
+ public:
+  LiveProgram(std::string text, const machine::Machine& machine)
+      : machine_(machine),
+        text_(std::move(text)),
+        reader_(gcode::text_source(text_), machine, tools_, {}, [](const base::Diagnostic&) {}),
+        judged_(gcode::text_source(text_), machine, tools_, {}, [](const base::Diagnostic&) {}),
+        referee_([this](gcode::Move& move) { return judged_.next(move); }, machine, machine.period),
+        planner_(machine, base::AxisVector{}),
+        controller_(machine.period, base::AxisVector{}) {
+    planner_.slice(0.02);
+  }
+
+  /// Runs to the end, or as many ticks; `words` gets each. False if it has not ended by then.
+  bool run(const std::vector<Intervention>& interventions, std::int64_t most_ticks) {
+    std::size_t next = 0;
+    std::int64_t silent_until = 0;
+    for (std::int64_t tick = 0; tick < most_ticks; ++tick) {
+      while (next < interventions.size() && interventions[next].tick <= tick) {
+        planner_.override_feed(interventions[next].factor);
+        silent_until = tick + interventions[next].silence;
+        ++next;
+      }
+      if (tick >= silent_until && !pump() && controller_.idle() && next == interventions.size()) return true;
+      const base::Word word = controller_.next();
+      referee_.observe(word.position);
+      words.push_back(word);
+    }
+    return false;
+  }
+
+  referee::Verdict conclude() { return referee_.conclude(); }
+  const planner::LimitRatios& plan() const { return plan_; }
+  std::int64_t refused_windows() const { return planner_.refused_windows(); }
+  std::int64_t late = 0;
+
+  std::vector<base::Word> words;
+
+ private:
+  /// Keeps two slices ahead. False if there is nothing more to come.
+  bool pump() {
+    while (controller_.seconds_ahead() < 0.02) {
+      if (!chunk_ && !(chunk_ = plan_next())) return false;
+      switch (controller_.offer(*chunk_)) {
+        case interpolator::Controller::Offer::accepted:
+          chunk_.reset();
+          break;
+        case interpolator::Controller::Offer::late:
+          ++late;
+          planner_.refuse();
+          chunk_.reset();
+          break;
+        case interpolator::Controller::Offer::full:
+          return true;
+      }
+    }
+    return true;
+  }
+
+  std::optional<planner::Chunk> plan_next() {
+    std::optional<planner::Chunk> chunk = planner_.pop();
+    while (!chunk && reading_) {
+      gcode::Move move;
+      reading_ = reader_.next(move);
+      reading_ ? builder_.push(move) : builder_.finish();
+      while (const std::optional<toolpath::Element> element = builder_.pop()) planner_.push(*element);
+      if (!reading_) planner_.finish();
+      chunk = planner_.pop();
+    }
+    if (chunk) {
+      planner::raise_limit_ratios(*chunk, machine_, plan_);
+      planner::Chunk tail = *chunk;
+      tail.segments = tail.stop_tail;
+      planner::raise_limit_ratios(tail, machine_, plan_);
+    }
+    return chunk;
+  }
+
+  const machine::Machine& machine_;
+  const std::string text_;
+  machine::ToolTable tools_;
+  gcode::Reader reader_, judged_;
+  referee::Referee referee_;
+  toolpath::Builder builder_;
+  planner::Planner planner_;
+  interpolator::Controller controller_;
+  std::optional<planner::Chunk> chunk_;
+  planner::LimitRatios plan_{};
+  bool reading_ = true;
+};
+
+}  // namespace leadscrew::testing_support

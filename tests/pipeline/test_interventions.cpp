@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include "live_program.hpp"
+#include "random_program.hpp"
+
+// Feed override, feed hold, resume and a planner that comes late, at any instant: still no limit exceeded, never off the
+// path, and at rest at the end.
+
+namespace {
+
+using namespace leadscrew;
+using testing_support::Intervention;
+using testing_support::LiveProgram;
+using testing_support::random_machine;
+using testing_support::RandomProgram;
+
+double worst_planned(const planner::LimitRatios& plan) {
+  double worst = 0;
+  for (const auto& axis : plan) worst = std::max({worst, axis.velocity, axis.acceleration, axis.jerk});
+  return worst;
+}
+
+double worst_judged(const referee::Verdict& verdict) {
+  double worst = 0;
+  for (const auto& axis : verdict.axes) {
+    worst = std::max({worst, axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio});
+  }
+  return worst;
+}
+
+void keep_every_promise() {
+  const std::string text = RandomProgram::make();
+  machine::Machine machine = random_machine();
+  machine.period = {1'000'000};
+  RC_LOG() << text;
+  LiveProgram whole(text, machine);
+  constexpr std::int64_t most_ticks = 10'000;
+  RC_PRE(whole.run({}, most_ticks));
+  const auto ticks = static_cast<int>(whole.words.size());
+  std::vector<Intervention> interventions;
+  std::int64_t at = 0;
+  const int count = *rc::gen::inRange(1, 8);
+  for (int k = 0; k < count; ++k) {
+    at += *rc::gen::inRange(0, 1 + 2 * ticks / count);
+    const double factor = *rc::gen::element(0.0, 0.0, 0.01, 0.3, 0.5, 0.9, 1.0, 1.3, 2.0);
+    interventions.push_back({at, factor, *rc::gen::element<std::int64_t>(0, 0, 0, 15, 45, 300)});
+  }
+  interventions.push_back({at + *rc::gen::inRange(0, 300), 1.0, 0});
+  for (const Intervention& each : interventions) {
+    RC_LOG() << "tick " << each.tick << " factor " << each.factor << " silent " << each.silence << '\n';
+  }
+  LiveProgram live(text, machine);
+  RC_ASSERT(live.run(interventions, 100 * most_ticks));
+  const referee::Verdict verdict = live.conclude();
+  RC_ASSERT(worst_planned(live.plan()) <= 1 + 1e-9);
+  RC_ASSERT(worst_judged(verdict) <= 1.001);
+  RC_ASSERT(verdict.deviation_mm <= 1e-6);
+  RC_ASSERT(verdict.start_error_mm == 0);
+  RC_ASSERT(verdict.end_error_mm <= 1e-9);
+}
+
+RC_GTEST_PROP(Interventions, KeepEveryLimitAndEveryPoint, ()) {
+  keep_every_promise();
+}
+RC_GTEST_PROP(LongInterventions, KeepEveryLimitAndEveryPoint, ()) {
+  keep_every_promise();
+}
+
+/// Ticks from the request at `tick` until speed is and stays at most `speed`.
+std::int64_t ticks_until(const LiveProgram& live, std::int64_t tick, double speed) {
+  auto last = static_cast<std::int64_t>(live.words.size());
+  while (last > tick && live.words[static_cast<std::size_t>(last - 1)].feed <= speed) --last;
+  return last - tick;
+}
+
+class OnALongWay : public testing::TestWithParam<const char*> {};
+
+TEST_P(OnALongWay, AHoldActsWithin50MillisecondsAndTheBrakingTheLimitsForce) {
+  const machine::Machine machine = machine::mill3();
+  LiveProgram live(GetParam(), machine);
+  live.run({{1500, 0.0, 0}}, 4000);
+  EXPECT_EQ(live.words.back().feed, 0);
+  // 100 mm/s to 0 with a = 1000, j = 20000: v/a + a/j.
+  EXPECT_LE(ticks_until(live, 1500, 1e-9), 50 + 1.3 * 150) << live.words[1500].feed;
+  EXPECT_LE(ticks_until(live, 1500, 5), 50 + 1.1 * 150);
+}
+
+TEST_P(OnALongWay, AnOverrideActsWithin50MillisecondsAndTheBrakingTheLimitsForce) {
+  const machine::Machine machine = machine::mill3();
+  LiveProgram live(GetParam(), machine);
+  live.run({{1500, 0.5, 0}}, 2500);
+  EXPECT_NEAR(live.words.back().feed, 50, 0.01);
+  EXPECT_LE(ticks_until(live, 1500, 50 * 1.01), 50 + 1.2 * 100);  // v/a + a/j for 50 mm/s less
+}
+
+TEST_P(OnALongWay, AnOverrideUpwardsIsReached) {
+  const machine::Machine machine = machine::mill3();
+  LiveProgram live(GetParam(), machine);
+  live.run({{1500, 1.5, 0}}, 2500);
+  EXPECT_NEAR(live.words[1850].feed, 150, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Paths, OnALongWay,
+                         testing::Values("G21 G90 G94\nG1 X400 F6000\nM2\n",
+                                         "G21 G90 G94 G17\nG2 X0 Y0 I100 J0 F6000\nM2\n"));
+
+}  // namespace
