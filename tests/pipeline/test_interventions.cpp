@@ -5,8 +5,8 @@
 #include "live_program.hpp"
 #include "random_program.hpp"
 
-// Feed override, feed hold, resume and a planner that comes late, at any instant: still no limit exceeded, never off the
-// path, and at rest at the end.
+// Feed override, feed hold, resume and a planner that comes late, at any instant: still no limit exceeded, never off
+// the path, and at rest at the end.
 
 namespace {
 

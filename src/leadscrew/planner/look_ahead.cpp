@@ -508,6 +508,17 @@ std::unique_ptr<LookAhead::Window> LookAhead::solve() {
   return window;
 }
 
+/// From rest to rest on a part of what is known: there, slowing down always helps.
+void LookAhead::solve_to_rest() {
+  ++refused_;
+  Stretch stretch = next_stretch();
+  stretch.ends_at_rest = true;
+  for (int halving = 0; halving < 40 && !window_; ++halving) {
+    window_ = solve(stretch, Aim::fastest);
+    stretch.end = begin_ + (stretch.end - begin_) / 2;
+  }
+}
+
 /// Pieces that nothing comes back to. All places on the section are counted anew.
 void LookAhead::forget() {
   const double shift = section_.forget_before(std::min(last_begin_, begin_));
@@ -527,11 +538,8 @@ std::optional<Chunk> LookAhead::plan() {
     if (begin_ >= section_.length() || factor_ == 0 || !knows_enough()) return std::nullopt;
     forget();
     window_ = solve();
-    if (!window_) {
-      ++refused_;
-      reach_ *= 2;
-      if (!knows_enough() || !(window_ = solve())) return std::nullopt;
-    }
+    if (!window_) solve_to_rest();
+    if (!window_) return std::nullopt;
   } else if (!window_->to_rest && window_->intervals[window_->next] >= window_->last_interval) {
     if (!knows_enough()) return std::nullopt;
     if (window_->profile.intervals() < few_intervals) reach_ *= 1.5;
@@ -567,8 +575,8 @@ Chunk LookAhead::hand_out() {
   const std::size_t last_piece = section_.piece_at(window.end, Side::left);
   Chunk chunk;
   for (std::size_t p = first_piece; p <= last_piece; ++p) chunk.pieces.push_back(section_.piece(p));
-  chunk.segments = along_pieces({from, middle}, end, first_piece);
-  chunk.stop_tail = along_pieces({middle, segments.end()}, window.end, first_piece);
+  chunk.segments = along_pieces({from, middle}, section_, end, first_piece);
+  chunk.stop_tail = along_pieces({middle, segments.end()}, section_, window.end, first_piece);
   for (std::vector<Segment>* part : {&chunk.segments, &chunk.stop_tail}) {
     for (Segment& segment : *part) segment.begin = segment.begin - start;
   }
@@ -587,24 +595,24 @@ Chunk LookAhead::hand_out() {
   return chunk;
 }
 
-/// Cuts segments where pieces meet and counts way from each piece's beginning, and pieces from `first_piece`.
-std::vector<Segment> LookAhead::along_pieces(const std::vector<Segment>& segments, double section_end,
-                                             std::size_t first_piece) const {
+std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double section_end,
+                                  std::size_t first_piece) {
   std::vector<Segment> cut;
   cut.reserve(segments.size() + 8);
   std::size_t piece = first_piece;
   const auto place = [&](Segment segment, std::size_t on) {
     segment.piece = static_cast<std::uint32_t>(on - first_piece);
-    segment.s0 = segment.s0 - DoubleDouble(section_.offset(on));
+    segment.s0 = segment.s0 - DoubleDouble(section.offset(on));
     cut.push_back(segment);
   };
   for (std::size_t k = 0; k < segments.size(); ++k) {
     Segment segment = segments[k];
     const double end = k + 1 < segments.size() ? segments[k + 1].s0.value() : section_end;
-    while (piece + 1 < section_.size() && section_.offset(piece + 1) <= segment.s0.value()) ++piece;
-    while (piece + 1 < section_.size() && section_.offset(piece + 1) < end) {
-      const double border = section_.offset(piece + 1), t = time_at(segment, border);
-      if (t > 0 && t < segment.duration.value()) {
+    while (piece + 1 < section.size() && section.offset(piece + 1) <= segment.s0.value()) ++piece;
+    while (piece + 1 < section.size() && section.offset(piece + 1) < end) {
+      const double border = section.offset(piece + 1), t = time_at(segment, border);
+      if (!(t < segment.duration.value())) break;  // it ends where the piece does
+      if (t > 0) {
         Segment rest = later(segment, t);
         segment.duration = DoubleDouble(t);
         rest.s0 = border;

@@ -25,6 +25,11 @@
 
 namespace leadscrew::planner {
 
+/// Segments along a section, which end at `end`, cut where pieces meet; way is counted from each piece's beginning and
+/// pieces from `first_piece`, on which the first segment begins.
+std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double end,
+                                  std::size_t first_piece);
+
 class LookAhead {
  public:
   /// The machine must outlive this.
@@ -80,13 +85,13 @@ class LookAhead {
   std::unique_ptr<Window> solve();
   std::unique_ptr<Window> solve(const Stretch& stretch, Aim aim) const;
   bool emit(Window& window, const Stretch& stretch, Aim aim, double& worst, std::vector<double>& factors) const;
+  void solve_to_rest();
   static void slow_down(Window& window, double factor);
   void take_change();
   void go_on_from(const Window& window, std::size_t interval, Continuation continuation);
   void stand_at(double s);
   void forget();
   Chunk hand_out();
-  std::vector<Segment> along_pieces(const std::vector<Segment>& segments, double end, std::size_t first_piece) const;
 
   const machine::Machine& machine_;
   Section section_;

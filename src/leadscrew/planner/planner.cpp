@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/piece_limits.hpp>
 #include <leadscrew/planner/planner.hpp>
@@ -75,12 +76,28 @@ double squared(double v) {
 /// Is the closed form as good as the optimum? On a line it is the optimum; on an arc through so small an angle, the
 /// axes' limits along the path hardly change.
 bool has_closed_form(const Section& section) {
-  if (section.size() != 1) return false;
-  const geometry::Curve& curve = section.piece(0).curve;
-  if (std::holds_alternative<geometry::Line>(curve)) return true;
-  const auto* arc = std::get_if<geometry::Arc>(&curve);
+  const auto is_line = [&](const toolpath::Piece& piece) {
+    return std::holds_alternative<geometry::Line>(piece.curve) && piece.feed == section.piece(0).feed;
+  };
+  if (std::all_of(section.pieces().begin(), section.pieces().end(), is_line)) return true;
+  const auto* arc = std::get_if<geometry::Arc>(&section.piece(0).curve);
   constexpr double small_angle = 0.02;  // rad
-  return arc && std::abs(arc->angle_rate()) * arc->length() < small_angle;
+  return section.size() == 1 && arc && std::abs(arc->angle_rate()) * arc->length() < small_angle;
+}
+
+/// The section as one piece.
+toolpath::Piece whole(const Section& section) {
+  toolpath::Piece piece = section.piece(0);
+  if (section.size() == 1) return piece;
+  piece.curve = geometry::Line(geometry::start(piece.curve), geometry::end(section.piece(section.size() - 1).curve),
+                               section.length());
+  return piece;
+}
+
+double greatest(const LimitRatios& ratios) {
+  double greatest = 0;
+  for (const AxisRatios& axis : ratios) greatest = std::max({greatest, axis.velocity, axis.acceleration, axis.jerk});
+  return greatest;
 }
 
 }  // namespace
@@ -168,15 +185,22 @@ std::optional<Chunk> Planner::plan() {
   return follow_events(std::move(*chunk));
 }
 
-/// Unless it would commit to too much.
+/// Unless it would commit to too much, or lines that are nearly one are not one.
 std::optional<Chunk> Planner::closed_form() {
+  const Section& section = look_ahead_.section();
   Chunk chunk;
-  chunk.pieces = look_ahead_.section().pieces();
-  chunk.length = look_ahead_.section().length();
-  toolpath::Piece overridden = *last_;
+  chunk.pieces = section.pieces();
+  chunk.length = section.length();
+  toolpath::Piece overridden = whole(section);
   overridden.feed *= feed_factor_;
   lay_out(plan_piece(overridden, machine_), chunk.length, chunk);
   if (chunk.duration.value() > 2 * slice_) return std::nullopt;
+  if (section.size() > 1) {
+    chunk.segments = along_pieces(chunk.segments, section, section.length(), 0);
+    LimitRatios ratios{};
+    raise_limit_ratios(chunk, machine_, ratios);
+    if (greatest(ratios) > 1 + 1e-10) return std::nullopt;
+  }
   position_ = geometry::end(last_->curve);
   line_ = last_->line;
   look_ahead_.clear();
