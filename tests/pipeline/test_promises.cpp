@@ -98,7 +98,8 @@ RC_GTEST_PROP(RandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
   keep_every_limit_and_every_point();
 }
 RC_GTEST_PROP(LongRandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
-  keep_every_limit_and_every_point();
+  constexpr int programs = 4;  // a case
+  for (int k = 0; k < programs; ++k) keep_every_limit_and_every_point();
 }
 
 RC_GTEST_PROP(RandomPrograms, GiveTheSameBitsEveryTime, ()) {
