@@ -4,6 +4,7 @@
 #include <algorithm>
 #include "live_program.hpp"
 #include "random_program.hpp"
+#include "worst_ratios.hpp"
 
 // Feed override, feed hold, resume and a planner that comes late, at any instant: still no limit exceeded, never off
 // the path, and at rest at the end.
@@ -15,20 +16,8 @@ using testing_support::Intervention;
 using testing_support::LiveProgram;
 using testing_support::random_machine;
 using testing_support::RandomProgram;
-
-double worst_planned(const planner::LimitRatios& plan) {
-  double worst = 0;
-  for (const auto& axis : plan) worst = std::max({worst, axis.velocity, axis.acceleration, axis.jerk});
-  return worst;
-}
-
-double worst_judged(const referee::Verdict& verdict) {
-  double worst = 0;
-  for (const auto& axis : verdict.axes) {
-    worst = std::max({worst, axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio});
-  }
-  return worst;
-}
+using testing_support::worst_judged;
+using testing_support::worst_planned;
 
 void keep_every_promise() {
   const std::string text = RandomProgram::make();

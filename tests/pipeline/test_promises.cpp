@@ -8,6 +8,7 @@
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include "random_program.hpp"
+#include "worst_ratios.hpp"
 
 // The promises of the whole, judged by the referee: limits, geometry and end points on random programs and on the
 // examples.
@@ -18,6 +19,8 @@ using namespace leadscrew;
 using testing_support::logarithmic;
 using testing_support::random_machine;
 using testing_support::RandomProgram;
+using testing_support::worst_judged;
+using testing_support::worst_planned;
 
 struct Outcome {
   pipeline::Summary summary;
@@ -45,20 +48,6 @@ Outcome run(const std::string& text, const machine::Machine& machine, const mach
   return outcome;
 }
 
-double worst_planned(const pipeline::Summary& summary) {
-  double worst = 0;
-  for (const auto& axis : summary.plan) worst = std::max({worst, axis.velocity, axis.acceleration, axis.jerk});
-  return worst;
-}
-
-double worst_judged(const referee::Verdict& verdict) {
-  double worst = 0;
-  for (const auto& axis : verdict.axes) {
-    worst = std::max({worst, axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio});
-  }
-  return worst;
-}
-
 /// Rejected text would make a property true of nothing.
 bool has_error(const Outcome& outcome) {
   return std::any_of(outcome.diagnostics.begin(), outcome.diagnostics.end(),
@@ -83,7 +72,7 @@ void keep_every_limit_and_every_point() {
   RC_LOG() << "period " << machine.period.nanoseconds << " ns";
   const Outcome fine = run(text, machine);
   for (const Outcome* outcome : {&coarse, &fine}) {
-    RC_ASSERT(worst_planned(outcome->summary) <= 1 + 1e-9);
+    RC_ASSERT(worst_planned(outcome->summary.plan) <= 1 + 1e-9);
     RC_ASSERT(worst_judged(outcome->verdict) <= 1.001);
     RC_ASSERT(outcome->verdict.feed_max_ratio <= 1.001);
     RC_ASSERT(outcome->verdict.deviation_mm <= 1e-6);
@@ -136,7 +125,7 @@ TEST_P(Examples, KeepEveryLimitAndEveryPoint) {
   const Outcome outcome = run(file_text(name), machine, tools.table);
   ASSERT_FALSE(has_error(outcome)) << outcome.diagnostics[0].place.line << ": " << outcome.diagnostics[0].message;
   EXPECT_GT(outcome.summary.moves, 3);
-  EXPECT_LE(worst_planned(outcome.summary), 1 + 1e-9);
+  EXPECT_LE(worst_planned(outcome.summary.plan), 1 + 1e-9);
   EXPECT_LE(worst_judged(outcome.verdict), 1.001);
   EXPECT_LE(outcome.verdict.feed_max_ratio, 1.001);
   EXPECT_LE(outcome.verdict.deviation_mm, 1e-6);

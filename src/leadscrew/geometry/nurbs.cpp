@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <leadscrew/geometry/nurbs.hpp>
 #include <leadscrew/geometry/nurbs_table.hpp>
+#include <leadscrew/geometry/rational.hpp>
 
 namespace leadscrew::geometry {
 
@@ -21,18 +22,6 @@ double polynomial(const double* c, double x) {
 template <std::size_t degree>
 double polynomial_from_zero(const double* c, double x) {
   return polynomial<degree - 1>(c, x) * x;
-}
-
-/// Value and derivatives by x of c[0] + c[1] x + …
-Jet polynomial_jet(const double* c, std::size_t degree, double x) {
-  double value = 0, first = 0, half = 0, sixth = 0;
-  for (std::size_t k = degree + 1; k-- > 0;) {
-    sixth = sixth * x + half;
-    half = half * x + first;
-    first = first * x + value;
-    value = value * x + c[k];
-  }
-  return {value, first, 2 * half, 6 * sixth};
 }
 
 template <std::size_t degree>

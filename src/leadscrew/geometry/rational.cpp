@@ -7,17 +7,6 @@ using numeric::Jet;
 
 namespace {
 
-Jet polynomial_jet(const Coefficients& c, std::size_t degree, double x) {
-  double value = 0, first = 0, half = 0, sixth = 0;
-  for (std::size_t k = degree + 1; k-- > 0;) {
-    sixth = sixth * x + half;
-    half = half * x + first;
-    first = first * x + value;
-    value = value * x + c[k];
-  }
-  return {value, first, 2 * half, 6 * sixth};
-}
-
 struct ValueAndSlope {
   double value = 0, slope = 0;
 };
@@ -110,11 +99,11 @@ double RationalTaylor::speed(const Metric& metric, double x) const {
 }
 
 Jet RationalTaylor::numerator_jet(std::size_t slot, double x) const {
-  return polynomial_jet(numerator[slot], degree, x);
+  return polynomial_jet(numerator[slot].data(), degree, x);
 }
 
 Jet RationalTaylor::weight_jet(double x) const {
-  return rational ? polynomial_jet(weight, degree, x) : Jet(1);
+  return rational ? polynomial_jet(weight.data(), degree, x) : Jet(1);
 }
 
 RationalBezier bezier_of_span(const NurbsForm& form, const Moving& moving, bool rational, std::size_t span) {

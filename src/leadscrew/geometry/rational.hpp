@@ -12,6 +12,18 @@
 
 namespace leadscrew::geometry {
 
+/// Value and three derivatives by x of c[0] + c[1] x + … + c[degree] x^degree, by Horner's rule.
+inline numeric::Jet polynomial_jet(const double* c, std::size_t degree, double x) {
+  double value = 0, first = 0, half = 0, sixth = 0;
+  for (std::size_t k = degree + 1; k-- > 0;) {
+    sixth = sixth * x + half;
+    half = half * x + first;
+    first = first * x + value;
+    value = value * x + c[k];
+  }
+  return {value, first, 2 * half, 6 * sixth};
+}
+
 inline constexpr std::size_t most_coefficients = 6;  // degree 5
 using Coefficients = std::array<double, most_coefficients>;
 

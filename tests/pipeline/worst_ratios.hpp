@@ -1,0 +1,24 @@
+#pragma once
+// The largest ratio of any limit, from the plan and from the referee.
+
+#include <algorithm>
+#include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/referee/referee.hpp>
+
+namespace leadscrew::testing_support {
+
+inline double worst_planned(const planner::LimitRatios& plan) {
+  double worst = 0;
+  for (const auto& axis : plan) worst = std::max({worst, axis.velocity, axis.acceleration, axis.jerk});
+  return worst;
+}
+
+inline double worst_judged(const referee::Verdict& verdict) {
+  double worst = 0;
+  for (const auto& axis : verdict.axes) {
+    worst = std::max({worst, axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio});
+  }
+  return worst;
+}
+
+}  // namespace leadscrew::testing_support
