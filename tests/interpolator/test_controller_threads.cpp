@@ -107,7 +107,8 @@ void hammer(std::size_t capacity) {
   words.look(controller.next());
   EXPECT_EQ(words.gaps(), 0);
   EXPECT_LT(words.jerk(), 1 + 1e-4);
-  EXPECT_LT(words.aside(), 1e-7);
+  // Where laps meet, 1e-7 to either side is the end of one; and each may end 1e-9 short of the path.
+  EXPECT_LT(words.aside(), 1e-7 + 1e-9 * static_cast<double>(rounds.laps()));
   EXPECT_NEAR(words.last().path_length, static_cast<double>(rounds.laps()) * path.length(), 1e-6);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(words.last().position[i], 0, 1e-9);
   EXPECT_GE(controller.starvations(), rounds.replans());
