@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/cubic_basis.hpp>
 #include <vector>
@@ -138,6 +139,49 @@ TEST(CubicBasis, OfOneClampedIntervalIsBernsteins) {
   const double u = 0.3, w = 0.7;
   const Four value = basis.value(u), expected = {w * w * w, 3 * u * w * w, 3 * u * u * w, u * u * u};
   for (std::size_t j = 0; j < 4; ++j) EXPECT_NEAR(value[j], expected[j], 1e-15);
+}
+
+/// A cubic spline clamped at its first knot and, unless knots follow its last interval, at its last.
+struct Spline {
+  std::vector<double> knots, c;
+
+  double at(double s) const {
+    std::size_t k = 0;
+    while (k + 4 < c.size() && knots[k + 1] < s) ++k;
+    std::array<double, 6> t{};
+    for (std::size_t i = 0; i < 6; ++i) {
+      t[i] = knots[k + i < 2 ? 0 : std::min(k + i - 2, knots.size() - 1)];
+    }
+    const CubicBasis basis(t);
+    return dot(basis.value((s - t[2]) / basis.h), &c[k]);
+  }
+};
+
+RC_GTEST_PROP(CubicBasis, AKnotMoreLeavesTheSplineAsItIs, ()) {
+  Spline spline;
+  const auto intervals = *rc::gen::inRange<std::size_t>(1, 12), beyond = *rc::gen::inRange<std::size_t>(0, 4);
+  spline.knots = {3};
+  for (std::size_t k = 0; k < intervals + beyond; ++k) {
+    spline.knots.push_back(spline.knots.back() + *rc::gen::inRange(1, 1000) / 100.0);
+  }
+  double greatest = 0;
+  for (std::size_t i = 0; i < intervals + 3; ++i) {
+    spline.c.push_back(*rc::gen::inRange(-1000, 1001) / 1000.0);
+    greatest = std::max(greatest, std::abs(spline.c.back()));
+  }
+  const double from = spline.knots.front(), to = spline.knots[intervals];
+  Spline finer = spline;
+  for (int count = *rc::gen::inRange(1, 6); count > 0; --count) {
+    const double s = from + (to - from) * *rc::gen::inRange(1, 1000) / 1000.0;
+    if (std::find(finer.knots.begin(), finer.knots.end(), s) != finer.knots.end()) continue;
+    leadscrew::planner::insert_knot(finer.knots, finer.c, s);
+  }
+  RC_ASSERT(finer.c.size() - spline.c.size() == finer.knots.size() - spline.knots.size());
+  RC_ASSERT(std::is_sorted(finer.knots.begin(), finer.knots.end()));
+  for (int k = 0; k <= 200; ++k) {
+    const double s = from + (to - from) * k / 200;
+    RC_ASSERT(std::abs(finer.at(s) - spline.at(s)) <= 1e-12 * greatest);
+  }
 }
 
 }  // namespace

@@ -219,8 +219,7 @@ RC_GTEST_PROP(LookAhead, RefusesNoWindowOfACircle, ()) {
   RC_ASSERT(planned(pieces, machine).refused == 0);
 }
 
-/// What is left to do: in one of a hundred random sections repairs do not bring a window inside its limits.
-RC_GTEST_PROP(LookAhead, DISABLED_RefusesNoWindow, ()) {
+RC_GTEST_PROP(LookAhead, RefusesNoWindow, ()) {
   const Random random(150);
   RC_ASSERT(planned(random.pieces, random.machine).refused == 0);
 }

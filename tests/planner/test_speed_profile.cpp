@@ -139,7 +139,7 @@ RC_GTEST_PROP(SpeedProfile, ComesBackFromOptimumToFarInside, ()) {
   profile.optimize(cold, 1e-3);
   const double optimum = travel_time(profile);
   const auto tight = any<std::size_t>(0, profile.intervals());
-  profile.tighten(tight, 1.001);
+  profile.tighten(tight, {1, 1.001});
   profile.retreat();
   RC_ASSERT(profile.greatest_ratio() < 1);
   RC_ASSERT(travel_time(profile) > optimum);
@@ -227,7 +227,7 @@ InTwo in_two(const Random& random, double share_known, double share_split, bool 
   first.optimize(cold, 3e-5);
   if (levels) first.level_cruises();
   const std::size_t n = first.intervals(),
-                    k = two.split = 1 + static_cast<std::size_t>(share_split * static_cast<double>(n - 2));
+                    k = two.split = 1 + static_cast<std::size_t>(share_split * static_cast<double>(n - 3));
   if (!first.continuation(k)) first.unlevel();
   const double first_time = travel_time(first, 0, k);
   two.ahead = travel_time(first, k, n) / stop_time(first, random.section, random.machine, k);
@@ -261,6 +261,38 @@ RC_GTEST_PROP(SpeedProfile, GoesOnStrictlyInsideFromAnyInterval, ()) {
   RC_ASSERT(two.second_ratio < 1);
   RC_ASSERT(two.joint <= 1e-9);
   RC_ASSERT(two.made);
+}
+
+/// From any place of an interval and on more knots, x(s) is as it was as far as it must stay.
+RC_GTEST_PROP(SpeedProfile, GoesOnInTheSameWayOnMoreKnots, ()) {
+  const Random random(8, 40);
+  SpeedProfile first = random.profile();
+  first.optimize(cold, 1e-3);
+  const std::size_t n = first.intervals();
+  const auto k = any<std::size_t>(1, n - 2);
+  const double u = any(0, 3) == 0 ? 0.0 : any(0, 1000) / 1000.0;
+  const std::optional<planner::Continuation> after = first.continuation(k, u);
+  RC_ASSERT(after.has_value());
+  planner::Knots knots{after->s, after->breaks, n - k, 0, after->end_ramp};
+  for (int count = any(0, 20); count > 0 && n - k > 12; --count) {
+    const auto at = any<std::size_t>(0, knots.intervals - 10);
+    const double s = knots.s[at] + (knots.s[at + 1] - knots.s[at]) * any(100, 900) / 1000.0;
+    knots.s.insert(knots.s.begin() + static_cast<std::ptrdiff_t>(at) + 1, s);
+    knots.breaks.insert(knots.breaks.begin() + static_cast<std::ptrdiff_t>(at) + 1, false);
+    ++knots.intervals;
+  }
+  const SpeedProfile second(random.section, random.machine, knots, *after);
+  std::size_t of_first = k;
+  for (std::size_t i = 0; i < second.intervals(); ++i) {
+    for (const double share : {0.0, 0.3, 0.5, 0.9}) {
+      const double s = second.knots().s[i] + share * second.width(i);
+      while (of_first + 1 < n && s >= first.knots().s[of_first + 1]) ++of_first;
+      const double place = (s - first.knots().s[of_first]) / first.width(of_first);
+      const double x = first.square(of_first, place);
+      const double rounded = 1e-15 * random.section.length() * std::abs(first.square_slope(of_first, place));
+      RC_ASSERT(std::abs(second.square(i, share) - x) <= 1e-9 * x + rounded);
+    }
+  }
 }
 
 /// With four and a half times to stop ahead of the split, what was not known cost nothing.

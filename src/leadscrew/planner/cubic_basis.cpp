@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <leadscrew/planner/cubic_basis.hpp>
 
 namespace leadscrew::planner {
@@ -50,6 +51,24 @@ Four CubicBasis::bend(double u) const {
   Four b;
   for (std::size_t j = 0; j < 4; ++j) b[j] = (2 * m[j][2] + u * 6 * m[j][3]) / (h * h);
   return b;
+}
+
+void insert_knot(std::vector<double>& knots, std::vector<double>& c, double s) {
+  const auto k = static_cast<std::size_t>(std::upper_bound(knots.begin(), knots.end(), s) - knots.begin()) - 1;
+  const auto knot = [&](std::size_t i) { return knots[std::min(i, knots.size() - 1)]; };
+  const auto before = [&](std::size_t i) { return knots[k >= i ? k - i : 0]; };
+  // c_i is the blossom at the knots i − 2, i − 1, i: three of them change.
+  const auto between = [&](std::size_t i, double from, double to) {
+    const double share = (s - from) / (to - from);
+    return (1 - share) * c[i] + share * c[i + 1];
+  };
+  const double first = between(k, before(2), knot(k + 1)), second = between(k + 1, before(1), knot(k + 2)),
+               third = between(k + 2, knots[k], knot(k + 3));
+  const auto at = static_cast<std::ptrdiff_t>(k);
+  c.insert(c.begin() + at + 1, first);
+  c[k + 2] = second;
+  c[k + 3] = third;
+  knots.insert(knots.begin() + at + 1, s);
 }
 
 }  // namespace leadscrew::planner

@@ -3,6 +3,7 @@
 // Guide to Splines", ch. X): B_j(u) = Σ_p m[j][p] u^p, 0 ≤ u ≤ 1.
 
 #include <array>
+#include <vector>
 
 namespace leadscrew::planner {
 
@@ -25,5 +26,9 @@ struct CubicBasis {
 inline double dot(const Four& a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
+
+/// The same spline with one knot more (Boehm): strictly between two of `knots`. The spline is clamped at its first
+/// knot: `c` has two coefficients more than there are knots, less those of knots beyond its last interval.
+void insert_knot(std::vector<double>& knots, std::vector<double>& c, double s);
 
 }  // namespace leadscrew::planner

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double per_ramp = 40;          // knots while speed rises from rest or falls to it
+constexpr double cruise_knots = 8;       // of a cruise, while speed could rise from rest
+constexpr double cruise_time = 0.02;     // s between knots of a cruise that need not lie closer
 constexpr double cruise_grading = 0.1;   // of the distance from where the cruise begins or ends
 constexpr double grading = 0.25;         // |dh/ds|
 constexpr double ramp_grading = 0.25;    // h over distance from rest
@@ -17,6 +19,10 @@ constexpr int deepest = 40;              // bisections
 constexpr double unknown_room = 0.03;    // of the way of a ramp, left before what is not known
 constexpr double shortest_ramp = 1e-13;  // of the way along the section: what rounding leaves of its knots
 constexpr std::size_t rest_knots = 100;  // it takes about as many to come to rest: no window ends so short of it
+constexpr double first_change = 0.15;    // of the usual width, where jerk changes at once
+constexpr double change_grading = 0.15;  // of the distance from there
+constexpr std::size_t more_knots = 24;   // after what is kept, if more is known
+constexpr std::size_t knots_at_end = 8;  // that nothing comes between
 constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a window that ends in motion
 
 struct Sample {
@@ -35,13 +41,24 @@ class Placement {
       : section_(section), machine_(machine), stretch_(stretch), most_(most) {}
 
   Knots place() {
+    if (!stretch_.starts_at_rest) keep();
+    if (stretch_.kept_end_ramp > 0) {
+      knots_.end_ramp = stretch_.kept_end_ramp;
+      knots_.intervals = knots_.s.size() - 1;
+      return std::move(knots_);
+    }
+    kept_ = knots_.s.size();
     ramps();
     find_breaks();
     sample();
     passes();
     widths();
+    if (stretch_.starts_at_rest) {
+      knots_.s.push_back(first_knot());
+      knots_.breaks.push_back(false);
+    }
     distribute();
-    if (!stretch_.ends_at_rest || knots_.s.size() > most_ + rest_knots)
+    if (!stretch_.ends_at_rest || knots_.s.size() > most() + rest_knots)
       cut();
     else
       knots_.intervals = knots_.s.size() - 1;
@@ -68,6 +85,9 @@ class Placement {
     knots_.end_ramp = ramp(stretch_.end, Side::left);
   }
   double length() const { return stretch_.end - stretch_.begin; }
+  std::size_t most() const {
+    return kept_ == 0 ? most_ : std::max(most_, std::min(kept_ + more_knots, most_ + rest_knots));
+  }
   /// To the nearest place of rest. What lies beyond a stretch that ends in motion may force a stop there.
   double from_rest(double s) const {
     const double before_end = stretch_.end - s;
@@ -125,10 +145,7 @@ class Placement {
   }
 
   static double ramp_width(const Sample& sample, double x, double per) {
-    const double v = std::sqrt(x);
-    const double time =
-        v > sample.a * sample.a / sample.j ? v / sample.a + sample.a / sample.j : 2 * std::sqrt(v / sample.j);
-    return v * time / per;
+    return per_ramp / per * planner::ramp_width({sample.a, sample.j}, x);
   }
   double width_by_cap(const Sample& sample) const {
     const double d = from_rest(sample.s);
@@ -192,8 +209,8 @@ class Placement {
       const double d = from_rest(sample.s);
       const double ramp = ramp_width(sample, sample.reach, per_ramp);
       const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
-      const double cruise = std::max(ramp_width(sample, sample.reach, stretch_.cruise_knots),
-                                     stretch_.cruise_time * std::sqrt(sample.reach));
+      const double cruise =
+          std::max(ramp_width(sample, sample.reach, cruise_knots), cruise_time * std::sqrt(sample.reach));
       sample.h =
           std::min({std::max(ramp, std::min(cruise, cruise_grading * beyond)), sample.h_curve, ramp_grading * d});
     }
@@ -217,15 +234,34 @@ class Placement {
     for (std::size_t k = samples_.size() - 1; k-- > 0;) grade(samples_[k], samples_[k + 1]);
   }
 
+  /// What is kept, and between it knots that lie closer where the law of time is another from `begin` on: there jerk
+  /// changes at once.
+  void keep() {
+    const std::vector<double>& s = stretch_.kept;
+    const TangentLimits limits = tangent_limits(section_.jets(stretch_.begin, Side::right), machine_);
+    const double first = first_change * planner::ramp_width(limits, stretch_.changes_from);
+    double next = stretch_.changes_from > 0 ? s[0] + first : infinity;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      knots_.s.push_back(s[k]);
+      knots_.breaks.push_back(stretch_.kept_breaks[k]);
+      if (k + knots_at_end >= s.size()) continue;
+      while (next < s[k + 1]) {
+        const double width = first + change_grading * (next - s[0]);
+        if (width > (s[k + 1] - s[k]) / 2) {
+          next = infinity;
+        } else {
+          if (next - s[k] > width / 2 && s[k + 1] - next > width / 2) {
+            knots_.s.push_back(next);
+            knots_.breaks.push_back(false);
+          }
+          next += width;
+        }
+      }
+    }
+  }
+
   /// Equal quantiles of ∫ ds/h between breaks.
   void distribute() {
-    if (stretch_.starts_at_rest) {
-      knots_.s.push_back(first_knot());
-      knots_.breaks.push_back(false);
-    } else {
-      knots_.s = stretch_.kept;
-      knots_.breaks = stretch_.kept_breaks;
-    }
     double from = knots_.s.back();
     std::size_t i = 0;
     for (const double to : breaks_) {
@@ -233,7 +269,7 @@ class Placement {
       if (!(to - from > merged_breaks * samples_[std::min(i, samples_.size() - 1)].h)) continue;
       stretch(from, to, i);
       from = to;
-      if (knots_.s.size() > most_ + rest_knots) return;
+      if (knots_.s.size() > most() + rest_knots) return;
     }
     knots_.breaks.back() = false;
   }
@@ -245,8 +281,8 @@ class Placement {
       longest = std::max(longest, per_ramp * ramp_width(sample, sample.greatest, per_ramp));
     const double room = std::min(unknown_room * longest, 0.1 * length());
     if (knots_.s.size() < knots_beyond + 3) return;  // too little to go on with
-    std::size_t last = std::min(knots_.s.size() - 1 - knots_beyond, most_);
-    const std::size_t least = stretch_.kept.size() > knots_beyond + 1 ? stretch_.kept.size() - 1 : 1;
+    const std::size_t least = kept_ > knots_beyond + 1 ? kept_ - 1 : 1;
+    std::size_t last = std::min(knots_.s.size() - 1 - knots_beyond, std::max(most(), least));
     // Nor may the last knot lie so near to where something unknown may begin that a tiny interval would follow.
     const auto too_near = [&](std::size_t k) {
       const double last_knot = knots_.s[k + knots_beyond], width = last_knot - knots_.s[k + knots_beyond - 1];
@@ -313,6 +349,7 @@ class Placement {
   const machine::Machine& machine_;
   const Stretch& stretch_;
   std::size_t most_;
+  std::size_t kept_ = 0;
   std::vector<double> breaks_;
   std::vector<Sample> samples_;
   Knots knots_;
@@ -331,10 +368,12 @@ TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machi
   return limits;
 }
 
+double ramp_width(const TangentLimits& limits, double x) {
+  const double v = std::sqrt(x), a = limits.acceleration, j = limits.jerk;
+  return v * (v > a * a / j ? v / a + a / j : 2 * std::sqrt(v / j)) / per_ramp;
+}
+
 Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most) {
-  if (stretch.kept_end_ramp > 0) {
-    return {stretch.kept, stretch.kept_breaks, stretch.kept.size() - 1, 0, stretch.kept_end_ramp};
-  }
   return Placement(section, machine, stretch, most).place();
 }
 

@@ -34,10 +34,13 @@ struct Stretch {
   /// Knots from `begin` on that are there already, at least 2 unless it starts at rest; what is new begins at the last.
   std::vector<double> kept;
   std::vector<bool> kept_breaks;
-  double kept_end_ramp = 0;   ///< if > 0, those are all there will be
-  double cruise_knots = 8;    ///< of a cruise, while speed could rise from rest
-  double cruise_time = 0.02;  ///< s between knots of a cruise that need not lie closer
+  double kept_end_ramp = 0;  ///< if > 0, no other end comes
+  /// If > 0, ṡ² at `begin`, in motion, from where speed is to be another: knots come between those kept there.
+  double changes_from = 0;
 };
+
+/// Way between two of the knots, where speed √x may rise or fall as fast as it can.
+double ramp_width(const TangentLimits& limits, double x);
 
 /// Knots along the stretch, at most about `most` intervals: fewer than reach its end if they would be more.
 Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most);

@@ -4,6 +4,7 @@
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
 #include <leadscrew/planner/speed_profile.hpp>
+#include <numeric>
 
 namespace leadscrew::planner {
 
@@ -19,7 +20,15 @@ constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly opt
 constexpr double repair_gap = 0.1;  // of a profile that is planned again
 constexpr int repairs = 3;
 constexpr double repair_margin = 2e-4;
+constexpr int refinements = 3;
+constexpr double coarse_knots = 1.005;  // ratios above tell that knots lie too far apart
+constexpr double cruising = 0.02;       // of the acceleration
+constexpr double most_parts = 32;       // of an interval, at once
+constexpr double steepest = 2.5;        // ratio of the widths of neighbours
+constexpr double widest = 8;
+constexpr std::size_t most_refined = 520, intervals_at_end = 8;
 constexpr int usual_looks = 12;  // of the proof, a segment
+constexpr int few_looks = 4;     // of a part of a segment that was looked at
 constexpr int close_looks = 32;  // where knots lie far apart for how speed falls
 constexpr std::size_t stopping_intervals = 20;
 constexpr double granted_slowing = 1.0002;  // below, slowing time costs less than planning again
@@ -29,10 +38,8 @@ constexpr double stops_committed = 3;  // times to stop that are committed, wher
 constexpr double least_reach = 0.25;   // s
 constexpr std::size_t most_intervals = 320;
 constexpr std::size_t few_intervals = 200;
-constexpr std::size_t least_ahead = 16;      // intervals
-constexpr std::size_t least_to_change = 8;   // intervals left of a window for a change of speed to begin in it
-constexpr double sliced_cruise_knots = 40;   // where speed may have to fall at any time
-constexpr double sliced_cruise_time = 1e-3;  // s
+constexpr std::size_t least_ahead = 16;     // intervals
+constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 constexpr std::size_t most_pieces = 2048;
 
 constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
@@ -61,15 +68,37 @@ Segment quintic(const Knot& from, const Knot& to, double duration) {
   return segment;
 }
 
-/// ∫ x^(−1/2) ds over an interval, by eight-point Gauss.
-double travel_time(const SpeedProfile& profile, std::size_t k) {
+/// ∫ x^(−1/2) ds over a part of an interval, by eight-point Gauss.
+double travel_time(const SpeedProfile& profile, std::size_t k, double from = 0, double to = 1) {
+  const double middle = (from + to) / 2, half = (to - from) / 2;
   double sum = 0;
   for (std::size_t q = 0; q < 4; ++q) {
     for (const double side : {-1.0, 1.0}) {
-      sum += gauss_half_weights[q] / std::sqrt(profile.square(k, 0.5 + 0.5 * side * gauss_half_places[q]));
+      sum += gauss_half_weights[q] / std::sqrt(profile.square(k, middle + half * side * gauss_half_places[q]));
     }
   }
-  return sum / 2 * profile.width(k);
+  return sum * half * profile.width(k);
+}
+
+Knot knot(const SpeedProfile& profile, std::size_t k, double u) {
+  const std::vector<double>& s = profile.knots().s;
+  return {u >= 1 ? s[k + 1] : s[k] + u * profile.width(k), std::sqrt(profile.square(k, u)),
+          profile.square_slope(k, u) / 2};
+}
+
+/// Along a part of an interval, from `from` on, which becomes where it ends.
+Segment along_interval(const SpeedProfile& profile, std::size_t k, double begin, double end, Knot& from) {
+  const Knot here = from;
+  from = knot(profile, k, end);
+  if (!profile.is_level(k)) return quintic(here, from, travel_time(profile, k, begin, end));
+  from.speed = here.speed;
+  from.acceleration = 0;
+  Segment segment;
+  segment.duration = (from.s - here.s) / here.speed;
+  segment.s0 = here.s;
+  segment.v0 = here.speed;
+  segment.state = MotionState::constant;
+  return segment;
 }
 
 class Emission {
@@ -79,26 +108,22 @@ class Emission {
   /// From rest or from where the window begins, to rest or to its last knot.
   std::vector<Segment> emit(double length) {
     const std::size_t n = profile_.intervals();
-    Knot here = knot(0, 0);
+    Knot here = knot(profile_, 0, 0);
     if (profile_.starts_at_rest()) ramp_up(begin_, here);
-    for (std::size_t k = 0; k < n; ++k) here = interval(k, here);
+    for (std::size_t k = 0; k < n; ++k) push(along_interval(profile_, k, 0, 1, here), k, 0);
     if (profile_.ends_at_rest()) ramp_down(here, length);
     return std::move(segments_);
   }
   const std::vector<std::size_t>& intervals() const { return intervals_; }
+  const std::vector<double>& places() const { return places_; }
 
  private:
-  Knot knot(std::size_t k, double u) const {
-    const double x = profile_.square(k, u);
-    const std::vector<double>& s = profile_.knots().s;
-    return {u >= 1 ? s[k + 1] : s[k] + u * profile_.width(k), std::sqrt(x), profile_.square_slope(k, u) / 2};
-  }
-
-  void push(Segment segment, std::size_t interval) {
+  void push(Segment segment, std::size_t interval, double place) {
     segment.begin = now_;
     now_ = now_ + segment.duration;
     segments_.push_back(segment);
     intervals_.push_back(interval);
+    places_.push_back(place);
   }
 
   /// s = J t³/6 up to the first knot: t = 3 s₁/v₁.
@@ -108,7 +133,7 @@ class Emission {
     segment.duration = t;
     segment.s0 = from;
     segment.c3 = way / (t * t * t);
-    push(segment, 0);
+    push(segment, 0, 0);
   }
   void ramp_down(const Knot& from, double length) {
     const double way = length - from.s, t = 3 * way / from.speed, c3 = way / (t * t * t);
@@ -118,38 +143,24 @@ class Emission {
     segment.v0 = 3 * c3 * t * t;
     segment.c2 = -3 * c3 * t;
     segment.c3 = c3;
-    push(segment, profile_.intervals() - 1);
-  }
-
-  Knot interval(std::size_t k, const Knot& from) {
-    if (profile_.is_level(k)) {
-      Segment segment;
-      segment.duration = profile_.width(k) / from.speed;
-      segment.s0 = from.s;
-      segment.v0 = from.speed;
-      segment.state = MotionState::constant;
-      const Knot to{profile_.knots().s[k + 1], from.speed, 0};
-      push(segment, k);
-      return to;
-    }
-    const Knot to = knot(k, 1);
-    push(quintic(from, to, travel_time(profile_, k)), k);
-    return to;
+    push(segment, profile_.intervals() - 1, 1);
   }
 
   const SpeedProfile& profile_;
   double begin_;
   std::vector<Segment> segments_;
   std::vector<std::size_t> intervals_;
+  std::vector<double> places_;
   DoubleDouble now_;
 };
 
-/// The largest ratio of any limit, some looks a segment. What has a peak between two looks, higher than both by a few
-/// millionths, counts as if it were larger by `between_looks`.
-double greatest_ratio(const Segment& segment, const Section& section, const machine::Machine& machine,
-                      double feed_factor, int looks) {
-  constexpr double between_looks = 5e-5;
-  double greatest = 0;
+/// The largest ratios of speed, and of acceleration and jerk, some looks a segment. What has a peak between two looks,
+/// higher than both by a few millionths, counts as if it were as much larger: direction turns by less than 1/100
+/// between two looks.
+Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
+                       double feed_factor, int looks) {
+  constexpr double between_looks = 5e-5, turning_between_looks = 1e-5;
+  Ratios greatest{0, 0};
   const double duration = segment.duration.value();
   for (int k = 0; k <= looks; ++k) {
     const PathState at = evaluate(segment, duration * k / looks);
@@ -157,9 +168,10 @@ double greatest_ratio(const Segment& segment, const Section& section, const mach
     const geometry::PointJet jet = section.jets(at.s, side);
     const AxisRatios ratios = greatest_ratios(jet, at, machine);
     const double feed = at.speed / (feed_factor * section.feed(at.s, side));
-    const double turning = turns(jet) ? 1 + between_looks : 1;
-    greatest = std::max(
-        {greatest, feed, ratios.velocity * turning, std::max(ratios.acceleration, ratios.jerk) * (1 + between_looks)});
+    const double turning = turns(jet) ? 1 + turning_between_looks : 1;
+    greatest.speed = std::max({greatest.speed, feed, ratios.velocity * turning});
+    greatest.rows =
+        std::max({greatest.rows, ratios.acceleration * (1 + between_looks), ratios.jerk * (1 + between_looks)});
   }
   return greatest;
 }
@@ -208,7 +220,7 @@ std::optional<Segment> come_to_rest(const Knot& from, double room, double longes
     segment.c2 = a / 2;
     segment.c3 = (-3 * v - 2 * t * a) / (3 * t * t);
     segment.c4 = (2 * v + t * a) / (4 * t * t * t);
-    if (greatest_ratio(segment, section, machine, infinity, close_looks) <= 1) return segment;
+    if (greatest_ratios(segment, section, machine, infinity, close_looks).worst() <= 1) return segment;
   }
   return std::nullopt;
 }
@@ -250,9 +262,6 @@ void LookAhead::slow_down(Window& window, double factor) {
   }
   if (!window.after) return;
   const double square = factor * factor;
-  window.after->x *= square;
-  window.after->slope *= square;
-  window.after->bend *= square;
   window.after->share *= square;
   for (double& c : window.after->c) c *= square;
 }
@@ -296,9 +305,6 @@ void LookAhead::stand_at(double s) {
   begin_ = s;
   window_.reset();
   continuation_.reset();
-  knots_.clear();
-  breaks_.clear();
-  end_ramp_ = 0;
 }
 
 bool LookAhead::knows_enough() const {
@@ -313,26 +319,25 @@ Stretch LookAhead::next_stretch() const {
   stretch.starts_at_rest = !continuation_;
   stretch.ends_at_rest = closed_ && stretch.end == section_.length();
   if (factor_ > 0) stretch.feed_factor = factor_;
-  stretch.kept = knots_;
-  stretch.kept_breaks = breaks_;
-  stretch.kept_end_ramp = end_ramp_;
-  if (end_ramp_ > 0) {
+  if (continuation_) {
+    stretch.kept = continuation_->s;
+    stretch.kept_breaks = continuation_->breaks;
+    stretch.kept_end_ramp = continuation_->end_ramp;
+  }
+  if (stretch.kept_end_ramp > 0) {
     stretch.end = section_.length();
     stretch.ends_at_rest = true;
-  }
-  if (slice_ < infinity) {
-    stretch.cruise_knots = sliced_cruise_knots;
-    stretch.cruise_time = sliced_cruise_time;
   }
   return stretch;
 }
 
-/// Law of time of the window, proven or not: `worst` ratio, and by how much rows must be tightened. False if it cannot
-/// come to rest at its end.
-bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim, double& worst,
-                     std::vector<double>& factors) const {
+/// Law of time of the window, proven or not: `worst` ratio, and `factors` by which rows must be tightened. False if it
+/// cannot come to rest at its end.
+bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim) const {
   SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
+  window.worst = 0;
+  window.factors.assign(n, Ratios{});
   Emission emission(profile, begin_);
   if (!profile.ends_at_rest()) {
     window.last_interval = commit_until(profile, section_, machine_);
@@ -344,59 +349,59 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim, double& wo
   }
   window.segments = emission.emit(stretch.end);
   window.intervals = emission.intervals();
+  window.places = emission.places();
   window.end = stretch.end;
   window.to_rest = profile.ends_at_rest();
-  const auto stop_at = [&](std::size_t knot, double longest) {
-    const double s = profile.knots().s[knot];
-    const Knot last = knot < n ? Knot{s, std::sqrt(profile.square(knot, 0)), profile.square_slope(knot, 0) / 2}
-                               : Knot{s, std::sqrt(profile.square(n - 1, 1)), profile.square_slope(n - 1, 1) / 2};
-    return come_to_rest(last, stretch.end - s, longest, section_, machine_);
+  const auto stop_from = [&](const Knot& from, double longest) {
+    return come_to_rest(from, stretch.end - from.s, longest, section_, machine_);
   };
   std::optional<Segment> stop;
-  std::size_t stops = n;
+  std::size_t stops = window.segments.size();
   if (!profile.ends_at_rest()) {
-    stop = stop_at(n, infinity);
+    stop = stop_from({profile.knots().s[n], std::sqrt(profile.square(n - 1, 1)), profile.square_slope(n - 1, 1) / 2},
+                     infinity);
     if (!stop) return false;
   }
   if (aim == Aim::rest) {  // where that is soonest
     const Segment& last = window.segments.back();
     double soonest = (last.begin + last.duration).value() + (stop ? stop->duration.value() : 0);
     for (std::size_t k = 0; k < window.segments.size(); ++k) {
-      const double begin = window.segments[k].begin.value();
-      const std::size_t knot = window.intervals[k];
+      const Segment& segment = window.segments[k];
+      const double begin = segment.begin.value();
       if (begin >= soonest) break;
-      if (profile.starts_at_rest() && knot == 0) continue;
-      std::optional<Segment> here = stop_at(knot, soonest - begin);
+      std::optional<Segment> here =
+          stop_from({segment.s0.value(), segment.v0.value(), 2 * segment.c2}, soonest - begin);
       if (!here) continue;
       soonest = begin + here->duration.value();
       stop = here;
-      stops = knot;
+      stops = k;
       window.to_rest = true;
     }
     window.to_rest = window.to_rest || stop.has_value();
   }
   if (stop) {
-    const auto cut = std::lower_bound(window.intervals.begin(), window.intervals.end(), stops);
-    window.segments.resize(static_cast<std::size_t>(cut - window.intervals.begin()));
-    window.intervals.resize(window.segments.size());
-    if (!window.segments.empty()) stop->begin = window.segments.back().begin + window.segments.back().duration;
+    window.intervals.push_back(n);
+    window.places.push_back(0);
+    window.segments.resize(stops);
+    window.intervals.resize(stops + 1);
+    window.places.resize(stops + 1);
+    if (stops > 0) stop->begin = window.segments.back().begin + window.segments.back().duration;
     window.end = evaluate(*stop, stop->duration.value()).s;
     window.segments.push_back(*stop);
-    window.intervals.push_back(stops);
   }
   const double feed_factor = profile.is_too_fast() || factor_ == 0 ? infinity : factor_;
-  worst = 0;
-  factors.assign(n, 1.0);
+
   for (std::size_t k = 0; k < window.segments.size(); ++k) {
     const int looks =
         !profile.ends_at_rest() && window.intervals[k] + stopping_intervals > n ? close_looks : usual_looks;
-    const double ratio =
-        ::leadscrew::planner::greatest_ratio(window.segments[k], section_, machine_, feed_factor, looks);
-    worst = std::max(worst, ratio);
-    if (ratio <= 1) continue;
+    const Ratios ratios = greatest_ratios(window.segments[k], section_, machine_, feed_factor, looks);
+    window.worst = std::max(window.worst, ratios.worst());
+    if (ratios.worst() <= 1) continue;
     const std::size_t interval = std::min(window.intervals[k], n - 1);
     for (std::size_t i = interval > 0 ? interval - 1 : 0; i <= std::min(interval + 1, n - 1); ++i) {
-      factors[i] = std::max(factors[i], ratio + repair_margin);
+      Ratios& factors = window.factors[i];
+      if (ratios.speed > 1) factors.speed = std::max(factors.speed, ratios.speed + repair_margin);
+      if (ratios.rows > 1) factors.rows = std::max(factors.rows, ratios.rows + repair_margin);
     }
   }
   return true;
@@ -405,105 +410,171 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim, double& wo
 std::unique_ptr<LookAhead::Window> LookAhead::solve(const Stretch& stretch, Aim aim) const {
   Knots knots = place_knots(section_, machine_, stretch, most_intervals);
   if (knots.intervals < 2) return nullptr;
-  const double factor = stretch.feed_factor;
-  auto solved = std::make_unique<Window>(
-      Window{continuation_ ? SpeedProfile(section_, machine_, std::move(knots), *continuation_, factor)
-                           : SpeedProfile(section_, machine_, std::move(knots), factor),
-             {},
-             {},
-             0,
-             false,
-             std::nullopt,
-             0,
-             0});
-  Window& window = *solved;
-  SpeedProfile& profile = window.profile;
-  if (!(profile.greatest_ratio() < 1)) return nullptr;
-  if (aim == Aim::rest) {
-    profile.descend_to_creep();
-  } else if (profile.is_too_fast()) {
-    profile.descend();
+  if (!continuation_) {
+    auto window = std::make_unique<Window>(SpeedProfile(section_, machine_, std::move(knots), stretch.feed_factor));
+    return repair_from_rest(*window, stretch) ? std::move(window) : nullptr;
   }
-  double first_gap = continuation_ ? warm_gap : cold_gap;
-  std::vector<double> factors;
-  for (int round = 0; round <= repairs; ++round) {
-    const bool last_round = round == repairs;
-    if (aim == Aim::fastest) {
-      if (!last_round || !continuation_) profile.optimize(first_gap, gap);
-      profile.level_cruises();
-    } else if (round > 0 && !last_round) {
-      profile.descend_to_creep();
+  for (int refinement = 0; refinement <= refinements; ++refinement) {
+    const std::size_t intervals = knots.intervals;
+    auto window =
+        std::make_unique<Window>(SpeedProfile(section_, machine_, knots, *continuation_, stretch.feed_factor));
+    if (!(window->profile.greatest_ratio() < 1)) return nullptr;
+    const bool may_refine = stretch.changes_from > 0 && refinement < refinements;
+    if (repair_in_motion(*window, stretch, aim, may_refine ? &knots : nullptr)) return window;
+    if (knots.intervals == intervals) return nullptr;
+  }
+  return nullptr;
+}
+
+/// Plans until the proof is kept, and slows down what is left: from rest to rest or into creep that always helps. False
+/// if it cannot come to rest at its end.
+bool LookAhead::repair_from_rest(Window& window, const Stretch& stretch) const {
+  SpeedProfile& profile = window.profile;
+  if (!(profile.greatest_ratio() < 1)) return false;
+  double first_gap = cold_gap;
+  for (int round = 0;; ++round) {
+    profile.optimize(first_gap, gap);
+    profile.level_cruises();
+    if (!emit(window, stretch, Aim::fastest)) return false;
+    if (window.worst <= 1) return true;
+    if (window.worst <= granted_slowing || round == repairs) {
+      slow_down(window, 1 / window.worst);
+      return true;
     }
-    double worst = 0;
-    if (!emit(window, stretch, aim, worst, factors)) return nullptr;
-    if (worst <= 1) return solved;
-    if (!continuation_ && (worst <= granted_slowing || last_round)) {
-      slow_down(window, 1 / worst);
-      return solved;
-    }
-    if (last_round) return nullptr;
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-      if (factors[i] > 1) profile.tighten(i, factors[i]);
-    }
+    for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
     profile.retreat();
     first_gap = repair_gap;
     if (profile.greatest_ratio() < 1) continue;
-    if (!continuation_) {
-      profile.creep();
-      first_gap = cold_gap;
-      continue;
+    profile.creep();
+    first_gap = cold_gap;
+  }
+}
+
+/// Plans until the proof is kept. False if it is not kept for all repairs, or if `finer` knots are needed first.
+bool LookAhead::repair_in_motion(Window& window, const Stretch& stretch, Aim aim, Knots* finer) const {
+  SpeedProfile& profile = window.profile;
+  if (aim == Aim::fastest && profile.is_too_fast()) profile.descend();
+  double first_gap = warm_gap;
+  for (int round = 0; round <= repairs; ++round) {
+    const bool last_round = round == repairs;
+    if (!last_round) {
+      aim == Aim::rest ? profile.descend_to_creep() : profile.optimize(first_gap, gap);
     }
-    // There is not so much room: as much as there is.
+    if (aim == Aim::fastest) profile.level_cruises();
+    if (!emit(window, stretch, aim)) return false;
+    if (window.worst <= 1) return true;
+    if (last_round || (finer != nullptr && window.worst > coarse_knots && refine(*finer, window))) return false;
+    for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
+    profile.retreat();
+    first_gap = repair_gap;
+    // If there is not so much room: as much as there is.
     for (int halving = 0; halving < 8 && !(profile.greatest_ratio() < 1); ++halving) {
-      for (double& factor_of : factors) {
-        const double half = 1 + (factor_of - 1) / 2;
-        if (factor_of > 1) profile.tighten(static_cast<std::size_t>(&factor_of - factors.data()), half / factor_of);
-        factor_of = half;
+      for (std::size_t i = 0; i < window.factors.size(); ++i) {
+        Ratios& factors = window.factors[i];
+        const Ratios half{(1 + factors.speed) / 2, (1 + factors.rows) / 2};
+        profile.tighten(i, {half.speed / factors.speed, half.rows / factors.rows});
+        factors = half;
       }
     }
-    if (!(profile.greatest_ratio() < 1)) return nullptr;
+    if (!(profile.greatest_ratio() < 1)) return false;
   }
-  return nullptr;
+  return false;
+}
+
+/// Knots come between those that lie too far apart for what the window does: where the proof is not kept, and wherever
+/// speed changes if there is room for so many. False if none do.
+bool LookAhead::refine(Knots& knots, const Window& window) const {
+  const SpeedProfile& profile = window.profile;
+  const std::size_t n = profile.intervals();
+  if (n < 2 * intervals_at_end) return false;
+  // What was known ends in coefficients that have been lowered since: nothing comes between its last knots.
+  const std::vector<double>& known = continuation_->s;
+  const double from = known[known.size() - std::min(known.size(), intervals_at_end + 4)], to = known.back();
+  const auto parts_if = [&](bool everywhere, double wider) {
+    std::vector<double> widths(n - intervals_at_end, infinity);
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+      const TangentLimits limits = tangent_limits(section_.jets(knots.s[k], Side::right), machine_);
+      const double slope = std::max(std::abs(profile.square_slope(k, 0)), std::abs(profile.square_slope(k, 1)));
+      const double ramp = wider * ramp_width(limits, std::min(profile.square(k, 0), profile.square(k, 1)));
+      if (window.factors[k].worst() > 1)
+        widths[k] = std::min(profile.width(k) / 2, ramp);
+      else if (everywhere && slope / 2 > cruising * limits.acceleration)
+        widths[k] = 1.5 * ramp;
+    }
+    const auto grade = [&](std::size_t k, std::size_t by) {
+      widths[k] = std::min(widths[k], steepest * std::min(widths[by], profile.width(by)));
+    };
+    for (std::size_t k = 1; k < widths.size(); ++k) grade(k, k - 1);
+    for (std::size_t k = widths.size() - 1; k-- > 0;) grade(k, k + 1);
+    std::vector<std::size_t> parts;
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+      if (knots.s[k + 1] > from && knots.s[k] < to) widths[k] = infinity;
+      parts.push_back(static_cast<std::size_t>(std::clamp(std::round(profile.width(k) / widths[k]), 1.0, most_parts)));
+    }
+    return parts;
+  };
+  const std::size_t room = n < most_refined ? most_refined - n : 0;
+  const auto added_by = [](const std::vector<std::size_t>& parts) {
+    return std::accumulate(parts.begin(), parts.end(), std::size_t{0}) - parts.size();
+  };
+  std::vector<std::size_t> parts = parts_if(true, 1);
+  for (double wider = 1; added_by(parts) > room && wider < widest; wider *= 1.5) parts = parts_if(false, wider);
+  if (added_by(parts) == 0 || added_by(parts) > room) return false;
+  std::vector<double> s;
+  std::vector<bool> breaks;
+  for (std::size_t k = 0; k < knots.s.size(); ++k) {
+    s.push_back(knots.s[k]);
+    breaks.push_back(knots.breaks[k]);
+    for (std::size_t part = 1; k < parts.size() && part < parts[k]; ++part) {
+      s.push_back(knots.s[k] + profile.width(k) * static_cast<double>(part) / static_cast<double>(parts[k]));
+      breaks.push_back(false);
+    }
+  }
+  knots.s = std::move(s);
+  knots.breaks = std::move(breaks);
+  knots.intervals += added_by(parts);
+  return true;
 }
 
 /// Changes what is planned but not handed out, if the speed that is asked for is another by now.
 void LookAhead::take_change() {
   if (!window_ || factor_ == planned_factor_) return;
+  if (window_->next < window_->refused_until) return;
   const SpeedProfile& profile = window_->profile;
   if (window_->next == 0 && profile.starts_at_rest()) {
     stand_at(begin_);
     return;
   }
-  const std::size_t interval =
-      window_->next < window_->segments.size() ? window_->intervals[window_->next] : profile.intervals();
+  const std::size_t interval = window_->intervals[window_->next];
   if (interval + least_to_change > profile.intervals()) return;
   if (window_->to_rest && !profile.ends_at_rest() && window_->next + 1 >= window_->segments.size()) return;
-  std::optional<Continuation> after = profile.continuation(interval);
-  if (!after) return;
   forget();
+  std::optional<Continuation> after = profile.continuation(interval, window_->places[window_->next]);
+  if (!after) return;
   std::unique_ptr<Window> before = std::move(window_);
-  go_on_from(*before, interval, std::move(*after));
-  window_ = solve();
+  go_on_from(std::move(*after));
+  window_ = solve(Refinement::where_speed_changes);
   if (window_) return;
   ++refused_;
   stand_at(begin_);
   window_ = std::move(before);
+  window_->refused_until = window_->next + window_->patience;
+  window_->patience *= 2;
 }
 
 /// What comes after the window begins in motion at one of its knots.
-void LookAhead::go_on_from(const Window& window, std::size_t interval, Continuation continuation) {
-  const Knots& knots = window.profile.knots();
-  const auto from = static_cast<std::ptrdiff_t>(interval);
-  knots_.assign(knots.s.begin() + from, knots.s.end());
-  breaks_.assign(knots.breaks.begin() + from, knots.breaks.end());
-  end_ramp_ = knots.end_ramp;
-  begin_ = knots_[0];
+void LookAhead::go_on_from(Continuation continuation) {
+  begin_ = continuation.s[0];
   continuation_ = std::move(continuation);
   window_.reset();
 }
 
-std::unique_ptr<LookAhead::Window> LookAhead::solve() {
-  std::unique_ptr<Window> window = solve(next_stretch(), factor_ > 0 ? Aim::fastest : Aim::rest);
+std::unique_ptr<LookAhead::Window> LookAhead::solve(Refinement refinement) {
+  Stretch stretch = next_stretch();
+  if (continuation_ && refinement == Refinement::where_speed_changes) {
+    stretch.changes_from = continuation_->c[0];
+  }
+  std::unique_ptr<Window> window = solve(stretch, factor_ > 0 ? Aim::fastest : Aim::rest);
   if (window) planned_factor_ = factor_;
   return window;
 }
@@ -523,10 +594,15 @@ void LookAhead::solve_to_rest() {
 void LookAhead::forget() {
   const double shift = section_.forget_before(std::min(last_begin_, begin_));
   if (shift == 0) return;
-  for (double& s : knots_) s -= shift;
+  if (continuation_) {
+    for (double& s : continuation_->s) s -= shift;
+  }
   for (double* s : {&begin_, &last_begin_, &tail_end_, &last_tail_end_}) *s -= shift;
   if (!window_) return;
   window_->profile.shift(shift);
+  if (window_->after) {
+    for (double& s : window_->after->s) s -= shift;
+  }
   window_->end -= shift;
   for (Segment& segment : window_->segments) segment.s0 = segment.s0 - DoubleDouble(shift);
 }
@@ -537,7 +613,7 @@ std::optional<Chunk> LookAhead::plan() {
   if (!window_) {
     if (begin_ >= section_.length() || factor_ == 0 || !knows_enough()) return std::nullopt;
     forget();
-    window_ = solve();
+    window_ = solve(Refinement::none);
     if (!window_) solve_to_rest();
     if (!window_) return std::nullopt;
   } else if (!window_->to_rest && window_->intervals[window_->next] >= window_->last_interval) {
@@ -545,8 +621,9 @@ std::optional<Chunk> LookAhead::plan() {
     if (window_->profile.intervals() < few_intervals) reach_ *= 1.5;
     forget();
     std::unique_ptr<Window> before = std::move(window_);
-    go_on_from(*before, before->last_interval, *before->after);
-    window_ = solve();
+    go_on_from(*before->after);
+    window_ = solve(Refinement::none);
+    if (!window_) window_ = solve(Refinement::where_speed_changes);
     if (!window_) {  // on to where this one comes to rest
       ++refused_;
       window_ = std::move(before);
@@ -556,16 +633,52 @@ std::optional<Chunk> LookAhead::plan() {
   return hand_out();
 }
 
+/// What takes longer than a slice, where speed is low, is cut into parts, so that a change may begin in it.
+void LookAhead::split_next(Window& window) const {
+  constexpr double most_parts = 1000;
+  const std::size_t next = window.next, k = window.intervals[next];
+  const std::vector<double>& s = window.profile.knots().s;
+  const Segment whole = window.segments[next];
+  const double duration = whole.duration.value();
+  if (!(duration > 1.5 * slice_) || window.places[next] > 0) return;
+  if (next + 1 == window.segments.size() || whole.s0.value() != s[k]) return;
+  if (window.segments[next + 1].s0.value() != s[k + 1]) return;
+  const double parts = std::min(std::ceil(duration / slice_), most_parts);
+  Knot here = knot(window.profile, k, 0);
+  std::vector<Segment> segments;
+  std::vector<double> places;
+  DoubleDouble now = whole.begin;
+  for (double part = 0; part < parts; ++part) {
+    places.push_back(part / parts);
+    Segment& segment = segments.emplace_back(along_interval(window.profile, k, part / parts, (part + 1) / parts, here));
+    segment.begin = now;
+    now = now + segment.duration;
+    const bool fast = window.profile.is_too_fast() || factor_ == 0;
+    const double feed_factor = fast ? infinity : planned_factor_;
+    if (greatest_ratios(segment, section_, machine_, feed_factor, few_looks).worst() > 1) return;
+  }
+  const DoubleDouble later = now - (whole.begin + whole.duration);
+  for (std::size_t i = next + 1; i < window.segments.size(); ++i) {
+    window.segments[i].begin = window.segments[i].begin + later;
+  }
+  const auto at = static_cast<std::ptrdiff_t>(next);
+  window.segments.erase(window.segments.begin() + at);
+  window.segments.insert(window.segments.begin() + at, segments.begin(), segments.end());
+  window.places.erase(window.places.begin() + at);
+  window.places.insert(window.places.begin() + at, places.begin(), places.end());
+  window.intervals.insert(window.intervals.begin() + at, segments.size() - 1, k);
+}
+
 Chunk LookAhead::hand_out() {
   untouched_ = false;
   Window& window = *window_;
+  split_next(window);
   const std::vector<Segment>& segments = window.segments;
   const std::size_t count = segments.size();
   const DoubleDouble start = segments[window.next].begin;
   std::size_t after = window.next + 1;  // of the slice
   while (after < count && (window.to_rest || window.intervals[after] < window.last_interval) &&
-         (window.intervals[after] == window.intervals[after - 1] ||
-          (segments[after].begin + segments[after].duration - start).value() <= slice_)) {
+         (segments[after].begin + segments[after].duration - start).value() <= slice_) {
     ++after;
   }
   const auto from = segments.begin() + static_cast<std::ptrdiff_t>(window.next);

@@ -69,28 +69,40 @@ class LookAhead {
  private:
   /// A window that has been planned, on the section.
   struct Window {
+    explicit Window(SpeedProfile speed) : profile(std::move(speed)) {}
+
     SpeedProfile profile;
     std::vector<Segment> segments;       ///< to rest
     std::vector<std::size_t> intervals;  ///< of the segments
+    std::vector<double> places;          ///< u ∈ [0, 1) of the interval where each segment begins
+    double worst = 0;                    ///< ratio of any limit
+    std::vector<Ratios> factors;         ///< of each interval: what it must be tightened by, ≥ 1
     std::size_t last_interval = 0;       ///< where the next window begins, unless all is committed
     bool to_rest = false;                ///< is all of it committed?
     std::optional<Continuation> after;   ///< what goes on at last_interval
     double end = 0;                      ///< where it comes to rest
     std::size_t next = 0;                ///< segment that is handed out next
+    std::size_t refused_until = 0;       ///< a change of speed was refused: not tried again before this segment is next
+    std::size_t patience = 2;            ///< segments until it is tried again
   };
   enum class Aim : std::uint8_t { fastest, rest };
 
   bool knows_enough() const;
   Stretch next_stretch() const;
-  std::unique_ptr<Window> solve();
+  enum class Refinement : std::uint8_t { none, where_speed_changes };
+  std::unique_ptr<Window> solve(Refinement refinement);
   std::unique_ptr<Window> solve(const Stretch& stretch, Aim aim) const;
-  bool emit(Window& window, const Stretch& stretch, Aim aim, double& worst, std::vector<double>& factors) const;
+  bool repair_from_rest(Window& window, const Stretch& stretch) const;
+  bool repair_in_motion(Window& window, const Stretch& stretch, Aim aim, Knots* finer) const;
+  bool refine(Knots& knots, const Window& window) const;
+  bool emit(Window& window, const Stretch& stretch, Aim aim) const;
   void solve_to_rest();
   static void slow_down(Window& window, double factor);
   void take_change();
-  void go_on_from(const Window& window, std::size_t interval, Continuation continuation);
+  void go_on_from(Continuation continuation);
   void stand_at(double s);
   void forget();
+  void split_next(Window& window) const;
   Chunk hand_out();
 
   const machine::Machine& machine_;
@@ -102,9 +114,6 @@ class LookAhead {
   double tail_end_ = 0, last_tail_end_ = 0;   ///< of the last chunk and of the one before
   std::unique_ptr<Window> window_;            ///< that is being handed out
   std::optional<Continuation> continuation_;  ///< without a window: in motion; from rest without
-  std::vector<double> knots_;                 ///< from `begin_` on, if in motion
-  std::vector<bool> breaks_;
-  double end_ramp_ = 0;  ///< of these knots, if they end at rest
   double slice_ = std::numeric_limits<double>::infinity();
   double factor_ = 1, planned_factor_ = 1;  ///< of the feed: asked for, and planned with
   std::int64_t refused_ = 0;

@@ -11,11 +11,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of the limits, for what lies between the places looked at and for the step from spline to quintics:
 constexpr double limit_margin = 0.9995;      // of acceleration and jerk
 constexpr double feed_margin = 1 - 1e-7;     // of the programmed speed, squared
-constexpr double turning_margin = 1 - 2e-4;  // of the speed, squared, where it is an axis' that trades with others
+constexpr double turning_margin = 1 - 3e-4;  // of the speed, squared, where it is an axis' that trades with others
 constexpr std::size_t creep_tail = 3;        // of the intervals at an end in motion: all their coefficients creep
 constexpr std::size_t stopping_tail = 16;    // of the intervals before an end in motion
 constexpr double stopping_factor = 1.08;     // of the rows there
 constexpr double descent_weight = 4;         // of speed above what is wanted, against time
+constexpr double descent_floor = 0.9;        // of the wanted x
 constexpr double descent_softness = 0.004;   // of the wanted x
 constexpr double descent_first_gap = 3, cold_descent_gap = 20, descent_gap = 0.02;
 constexpr std::array<double, 3> gauss_places = {0.1127016653792583, 0.5, 0.8872983346207417};
@@ -70,19 +71,18 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
   creep();
 }
 
-SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots,
-                           const Continuation& before, double feed_factor)
+SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, Continuation before,
+                           double feed_factor)
     : machine_(&machine), knots_(std::move(knots)) {
+  for (std::size_t k = 0; k < knots_.s.size() && knots_.s[k] < before.s.back(); ++k) {
+    if (knots_.s[k] != before.s[k]) before.insert(knots_.s[k]);
+  }
   build(section, before.loose, feed_factor);
   tie_variables();
-  const double h0 = basis_[0].h, h1 = basis_[1].h;
   c_ = creep_;
   for (double& c : c_) c *= before.share;
-  c_[0] = before.x;
-  c_[1] = before.x + before.slope * h0 / 3;
-  c_[2] = before.x + before.slope * (2 * h0 + h1) / 3 + before.bend * h0 * (h0 + h1) / 6;
-  for (std::size_t i = 0; i < before.c.size() && i + 3 < c_.size(); ++i) {
-    c_[i + 3] = i < before.creeping ? before.c[i] : std::min(before.c[i], c_[i + 3]);
+  for (std::size_t i = 0; i < before.c.size() && i < c_.size(); ++i) {
+    c_[i] = i < before.creeping ? before.c[i] : std::min(before.c[i], c_[i]);
   }
   read_variables();
   far_inside_ = c_;
@@ -95,6 +95,33 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
   asked_knot_caps_ = knot_caps_;
   too_fast_ = grant(0.002);
   if (!too_fast_) wanted_.clear();
+  loosen();
+}
+
+void Continuation::insert(double knot) {
+  if (knot < s[loose]) ++loose;
+  const auto at = std::upper_bound(s.begin(), s.end(), knot) - s.begin();
+  breaks.insert(breaks.begin() + at, false);
+  insert_knot(s, c, knot);
+  ++creeping;
+}
+
+/// What was granted and is no longer needed.
+void SpeedProfile::withdraw() {
+  constexpr double inside = 0.999;
+  for (Site& site : sites_) {
+    if (site.factor < 1 && tightened_[site.interval] * greatest_of_rows(site, c_) < inside) site.factor = 1;
+  }
+}
+
+/// Between the places looked at the profile may have been a little above the rows, which are those of 0.9995 of the
+/// limits. Where it is now looked at for the first time, that is granted.
+void SpeedProfile::loosen() {
+  constexpr double greatest_granted = 1.012, margin = 1e-4;
+  for (Site& site : sites_) {
+    const double ratio = tightened_[site.interval] * greatest_of_rows(site, c_);
+    if (ratio > 1 - margin && ratio < greatest_granted) site.factor = (1 - margin) / ratio;
+  }
 }
 
 /// Raises the greatest speeds to the present ones where these are above, with a margin of their square. Was any?
@@ -115,7 +142,11 @@ bool SpeedProfile::grant(double margin) {
 
 void SpeedProfile::descend() {
   const std::vector<double> caps = asked_caps_, knot_caps = asked_knot_caps_;
+  for (std::size_t i = 0; i < c_.size(); ++i) {
+    floors_[i] = std::min(descent_floor * caps[i], descent_floor * descent_floor * c_[i]);
+  }
   optimize(descent_first_gap, descent_gap);
+  floors_.assign(c_.size(), 0.0);
   wanted_.clear();
   caps_ = caps;
   knot_caps_ = knot_caps;
@@ -123,9 +154,12 @@ void SpeedProfile::descend() {
 }
 
 void SpeedProfile::descend_to_creep() {
+  const double least = 2e-3 * c_[0];
   wanted_.clear();
   for (std::size_t k = 0; k < intervals(); ++k) {
-    for (std::size_t q = 0; q < gauss_places.size(); ++q) wanted_.push_back(0.5 * dot(gauss_[3 * k + q], &creep_[k]));
+    for (std::size_t q = 0; q < gauss_places.size(); ++q) {
+      wanted_.push_back(std::max(0.5 * dot(gauss_[3 * k + q], &creep_[k]), least));
+    }
   }
   optimize(cold_descent_gap, descent_gap);
 }
@@ -142,6 +176,7 @@ void SpeedProfile::build(const Section& section, std::size_t loose, double feed_
   if (starts_at_rest()) start_tie_ = rest_tie(knots_.start_ramp, s[1] - s[0], s[2] - s[1]);
   if (ends_at_rest()) end_tie_ = rest_tie(knots_.end_ramp, s[n] - s[n - 1], s[n - 1] - s[n - 2]);
   tightened_.assign(n, 1.0);
+  floors_.assign(n + 3, 0.0);
   if (!ends_at_rest()) {
     // Knots that lie well for a motion that goes on lie far apart for one that stops so soon.
     const std::size_t from = n > stopping_tail ? n - stopping_tail : 0;
@@ -208,7 +243,7 @@ void SpeedProfile::build(const Section& section, std::size_t loose, double feed_
 void SpeedProfile::add_site(std::size_t interval, double u, const geometry::PointJet& jet) {
   const CubicBasis& basis = basis_[interval];
   const Four x = basis.value(u), slope = basis.slope(u), bend = basis.bend(u);
-  Site site{static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, false, x};
+  Site site{static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, false, 1, x};
   for (const base::Axis axis : base::all_axes) {
     const numeric::Jet& q = jet[base::index(axis)];
     if (q.first == 0 && q.second == 0 && q.third == 0) continue;
@@ -235,7 +270,8 @@ void SpeedProfile::add_hull(std::size_t interval, const std::array<const geometr
   uneven = std::min(uneven, 0.4);
   const double jerk_factor = uneven > 0.04 ? 1 + 0.04 * uneven * uneven : 1;
   const std::array<double, 3> places = {0, 0.5, 1}, parts = {-0.5, 2, -0.5};
-  Site site{static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, true, basis.value(0.5)};
+  Site site{
+      static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, true, 1, basis.value(0.5)};
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
     bool moves = false;
@@ -358,7 +394,7 @@ void SpeedProfile::retreat() {
 
 /// Where the profile has been levelled it lies on its greatest speed, where no barrier can start: what follows leaves
 /// it by as smooth a share as it was reached.
-std::optional<Continuation> SpeedProfile::continuation(std::size_t interval) const {
+std::optional<Continuation> SpeedProfile::continuation(std::size_t interval, double u) const {
   std::vector<double> next = c_;
   if (!before_levelling_.empty()) {
     for (std::size_t i = interval + 3; i < c_.size(); ++i) {
@@ -367,18 +403,42 @@ std::optional<Continuation> SpeedProfile::continuation(std::size_t interval) con
     if (!(greatest_ratio(next, interval) < 1)) return std::nullopt;
   }
   Continuation after;
-  after.x = square(interval, 0);
-  after.slope = square_slope(interval, 0);
-  after.bend = square_bend(interval, 0);
-  if (c_[interval] == c_[interval + 1] && c_[interval] == c_[interval + 2]) {
-    after.x = c_[interval];
-    after.slope = after.bend = 0;
+  if (interval + 2 >= knots_.s.size()) return std::nullopt;
+  const auto from = static_cast<std::ptrdiff_t>(interval);
+  after.s.assign(knots_.s.begin() + from, knots_.s.end());
+  after.breaks.assign(knots_.breaks.begin() + from, knots_.breaks.end());
+  after.end_ramp = knots_.end_ramp;
+  if (u > 0) {
+    after.s[0] += u * width(interval);
+    after.breaks[0] = false;
   }
-  after.c.assign(next.begin() + static_cast<std::ptrdiff_t>(interval) + 3, next.end());
+  after.c.assign(next.begin() + from, next.end());
+  if (!(c_[interval] == c_[interval + 1] && c_[interval] == c_[interval + 2] &&
+        (u == 0 || c_[interval] == c_[interval + 3]))) {
+    // Clamped at the new first knot: by the value, slope and bend there.
+    const double x = square(interval, u), slope = square_slope(interval, u), bend = square_bend(interval, u);
+    const double h0 = after.s[1] - after.s[0], h1 = after.s[2] - after.s[1];
+    after.c[0] = x;
+    after.c[1] = x + slope * h0 / 3;
+    after.c[2] = x + slope * (2 * h0 + h1) / 3 + bend * h0 * (h0 + h1) / 6;
+  }
   after.creeping = ends_at_rest() ? after.c.size() : after.c.size() - 3;
   after.loose = intervals() - interval > stopping_tail ? intervals() - interval - stopping_tail : 0;
   after.share = c_.back() / creep_.back();
   return after;
+}
+
+/// The largest ratio of the rows of one site, not tightened. Infinite where the motion would not go forward.
+double SpeedProfile::greatest_of_rows(const Site& site, const std::vector<double>& c) const {
+  const double* at = &c[site.interval];
+  const double x = dot(site.x, at);
+  if (!(x > 0)) return infinity;
+  double greatest = 0;
+  for (std::uint32_t r = site.first_row; r < site.end_row; ++r) {
+    greatest =
+        std::max({greatest, std::abs(dot(rows_[r].acceleration, at)), std::abs(dot(rows_[r].jerk, at)) * std::sqrt(x)});
+  }
+  return greatest;
 }
 
 /// Given coefficients count only where others bear upon the same limit.
@@ -390,13 +450,7 @@ double SpeedProfile::greatest_ratio(const std::vector<double>& c, std::size_t fr
   }
   for (const Site& site : sites_) {
     if (site.interval < from) continue;
-    const double* at = &c[site.interval];
-    const double x = dot(site.x, at), f = tightened_[site.interval];
-    for (std::uint32_t r = site.first_row; r < site.end_row; ++r) {
-      const double a = f * dot(rows_[r].acceleration, at), g = f * dot(rows_[r].jerk, at);
-      greatest = std::max({greatest, std::abs(a), std::abs(g) * std::sqrt(std::max(x, 0.0))});
-    }
-    if (!(x > 0)) return infinity;
+    greatest = std::max(greatest, tightened_[site.interval] * site.factor * greatest_of_rows(site, c));
   }
   return greatest;
 }
@@ -415,15 +469,9 @@ SpeedProfile::Step SpeedProfile::measure(const std::vector<double>& c, double t)
     return factor > 0;
   };
   for (std::size_t i = 0; i < c.size(); ++i) {
-    if (is_free(i) && !take(1 - c[i] / caps_[i])) return outside;
+    if (is_free(i) && !(take(1 - c[i] / caps_[i]) && take((c[i] - floors_[i]) / caps_[i]))) return outside;
   }
   if (!ends_at_rest() && !take(1 - c.back() / creep_.back())) return outside;
-  if (!wanted_.empty()) {
-    for (std::size_t i = 3; i < c.size(); ++i) {
-      if (!(c[i] > 0)) return outside;
-      barrier -= std::log(c[i] / creep_[i]);
-    }
-  }
   for (std::size_t k = 0; k < basis_.size(); ++k) {
     const double h = basis_[k].h;
     for (std::size_t q = 0; q < 3; ++q) {
@@ -435,7 +483,7 @@ SpeedProfile::Step SpeedProfile::measure(const std::vector<double>& c, double t)
   }
   for (const Site& site : sites_) {
     const double* at = &c[site.interval];
-    const double x = dot(site.x, at), f = squared(tightened_[site.interval]);
+    const double x = dot(site.x, at), f = squared(tightened_[site.interval] * site.factor);
     if (!(x > 0)) return outside;
     double factor = 1;
     for (std::uint32_t r = site.first_row; r < site.end_row; ++r) {
@@ -471,10 +519,10 @@ void SpeedProfile::assemble(double t) {
     single(coefficient, -0.5 * t * time / c_[coefficient], 0.75 * t * time / squared(c_[coefficient]));
   };
   for (std::size_t i = 0; i < c_.size(); ++i) {
-    if (is_free(i)) keep_below(i, caps_[i]);
-  }
-  if (!wanted_.empty()) {
-    for (std::size_t i = 3; i < c_.size(); ++i) single(i, -1 / c_[i], 1 / squared(c_[i]));
+    if (!is_free(i)) continue;
+    keep_below(i, caps_[i]);
+    const double above = 1 / (c_[i] - floors_[i]);
+    single(i, -above, above * above);
   }
   if (starts_at_rest()) spend_on_ramp(0, knots_.start_ramp);
   if (ends_at_rest()) {
@@ -517,10 +565,9 @@ void SpeedProfile::assemble(double t) {
     const double inverse = 1 / (knot_caps_[k + 1] - dot(end, c));
     along(end, inverse);
     rank_one(end, inverse * inverse);
-    const double f = tightened_[k], ff = f * f;
     for (; next_site < sites_.size() && sites_[next_site].interval == k; ++next_site) {
       const Site& site = sites_[next_site];
-      const double x = dot(site.x, c);
+      const double x = dot(site.x, c), ff = squared(tightened_[k] * site.factor);
       double by_x = 0, by_xx = 0;
       Four with_x{};
       for (std::uint32_t r = site.first_row; r < site.end_row; ++r) {
@@ -598,6 +645,7 @@ void SpeedProfile::optimize(double first_gap, double gap) {
       double decrement = 0;
       if (!newton(t, decrement) || decrement < 1e-4 * m + 0.3) break;
     }
+    withdraw();
     const double left = m / t / measure(c_, 1).objective;
     if (left > 0.1) far_inside_ = c_;
     if (left < gap) break;
@@ -605,8 +653,10 @@ void SpeedProfile::optimize(double first_gap, double gap) {
   }
 }
 
-void SpeedProfile::tighten(std::size_t interval, double factor) {
-  tightened_[interval] *= factor;
+void SpeedProfile::tighten(std::size_t interval, const Ratios& factors) {
+  tightened_[interval] *= factors.rows;
+  for (const std::size_t i : {interval + 1, interval + 2}) caps_[i] /= squared(factors.speed);
+  for (const std::size_t k : {interval, interval + 1}) knot_caps_[k] /= squared(factors.speed);
 }
 
 bool SpeedProfile::is_level(std::size_t k) const {

@@ -21,6 +21,7 @@
 // a creeping motion can go on into creep: so the optimum of one window, with creep added, is a start strictly inside
 // the next.
 
+#include <algorithm>
 #include <cstdint>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/numeric/banded.hpp>
@@ -34,11 +35,22 @@ namespace leadscrew::planner {
 
 /// What a window that begins in motion takes over from the one before.
 struct Continuation {
-  double x = 0, slope = 0, bend = 0;  ///< x, x′ and x″ where it begins
-  std::vector<double> c;              ///< coefficients from the fourth on, as far as they are known
-  std::size_t creeping = 0;           ///< the last of them that may yet be lowered; those before must stay
-  std::size_t loose = 0;              ///< intervals whose rows need not be tightened for a stop
-  double share = 1;                   ///< of the creep profile, for what follows them
+  std::vector<double> s;     ///< knots from where it begins on, on the section
+  std::vector<bool> breaks;  ///< of these
+  double end_ramp = 0;       ///< after the last of them; 0 if it ends in motion
+  std::vector<double> c;     ///< coefficients of the spline clamped where it begins, as far as they are known
+  std::size_t creeping = 0;  ///< the first of them that may yet be lowered; those before must stay
+  std::size_t loose = 0;     ///< intervals whose rows need not be tightened for a stop
+  double share = 1;          ///< of the creep profile, for what follows them
+
+  void insert(double knot);
+};
+
+/// What motion takes of the limits, or what limits are lowered by.
+struct Ratios {
+  double speed = 1;  ///< of the feed and of axis velocities
+  double rows = 1;   ///< of acceleration and jerk
+  double worst() const { return std::max(speed, rows); }
 };
 
 class SpeedProfile {
@@ -46,9 +58,9 @@ class SpeedProfile {
   /// Creep along the section, from rest. The machine must outlive this.
   /// Programmed feed is multiplied by `feed_factor`.
   SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, double feed_factor = 1);
-  /// Goes on in motion: first interval where the continuation begins. Where that is faster than the greatest speed (the
-  /// feed has been overridden since), its own speed is granted and is_too_fast().
-  SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, const Continuation& before,
+  /// Goes on in motion: first interval where the continuation begins, whose knots must be among these. Where that is
+  /// faster than the greatest speed (the feed has been overridden since), its own speed is granted and is_too_fast().
+  SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, Continuation before,
                double feed_factor = 1);
   bool is_too_fast() const { return too_fast_; }
 
@@ -65,8 +77,8 @@ class SpeedProfile {
   void level_cruises();
   void unlevel();
 
-  /// Multiplies the limit rows of the interval by `factor` ≥ 1; the present profile must be strictly inside them.
-  void tighten(std::size_t interval, double factor);
+  /// Lowers the limits of the interval by these factors; the present profile must be strictly inside what is left.
+  void tighten(std::size_t interval, const Ratios& factors);
   /// Back to the last profile that was at least a tenth of its time from the optimum, far inside the limits.
   void retreat();
   /// Back to creep; only if the window begins at rest.
@@ -74,8 +86,9 @@ class SpeedProfile {
   /// Slows the whole window down, v by `factor` < 1; only if it begins at rest.
   void slow_down(double factor);
 
-  /// To go on from knot `interval`. None if a levelled cruise there cannot be left as it must be; unlevel() then.
-  std::optional<Continuation> continuation(std::size_t interval) const;
+  /// To go on from u ∈ [0, 1) of an interval. None where fewer than three knots are left, or if a levelled cruise
+  /// there cannot be left as it must be; unlevel() then.
+  std::optional<Continuation> continuation(std::size_t interval, double u = 0) const;
 
   /// Every place on the section is less by `by`.
   void shift(double by);
@@ -106,8 +119,10 @@ class SpeedProfile {
   struct Site {
     std::uint32_t interval = 0, first_row = 0, end_row = 0;
     bool hull = false;
+    double factor = 1;  ///< of its rows, ≤ 1: a little more may have been granted
     Four x{};
   };
+  double greatest_of_rows(const Site& site, const std::vector<double>& c) const;
   double greatest_ratio(const std::vector<double>& c, std::size_t from) const;
   struct Step {
     double value = 0;      ///< t·T plus barrier; infinite outside
@@ -116,6 +131,8 @@ class SpeedProfile {
 
   void build(const Section& section, std::size_t loose, double feed_factor);
   bool grant(double margin);
+  void loosen();
+  void withdraw();
   void find_creep();
   void tie_variables();
   void read_variables();
@@ -124,7 +141,7 @@ class SpeedProfile {
   Step measure(const std::vector<double>& c, double t) const;
   void assemble(double t);
   bool newton(double t, double& decrement);
-  std::size_t constraints() const { return 2 * rows_.size() + caps_.size() + intervals() + 1; }
+  std::size_t constraints() const { return 2 * (rows_.size() + caps_.size()) + intervals() + 1; }
   bool is_free(std::size_t coefficient) const { return variable_[coefficient] >= 0; }
 
   const machine::Machine* machine_;
@@ -137,6 +154,7 @@ class SpeedProfile {
   std::vector<double> asked_caps_, asked_knot_caps_;  ///< before what the motion began with was granted
   std::vector<double> wanted_;                        ///< x at the Gauss places, while it is descended to
   bool too_fast_ = false;
+  std::vector<double> floors_;     ///< of the coefficients, while a lower speed is descended to
   std::vector<double> knot_caps_;  ///< of x at the knots
   std::vector<double> tightened_;  ///< of each interval, ≥ 1
   std::array<double, 3> start_tie_{}, end_tie_{};
