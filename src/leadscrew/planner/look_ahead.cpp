@@ -18,6 +18,7 @@ constexpr double gap = 1e-3;        // of the time, to the optimum
 constexpr double cold_gap = 20;     // of creep
 constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly optimal already
 constexpr double repair_gap = 0.1;  // of a profile that is planned again
+constexpr double deep_gap = 3;      // of a profile from which limits can be tightened
 constexpr int repairs = 3;
 constexpr double repair_margin = 2e-4;
 constexpr int refinements = 3;
@@ -464,9 +465,10 @@ bool LookAhead::repair_in_motion(Window& window, const Stretch& stretch, Aim aim
     if (!emit(window, stretch, aim)) return false;
     if (window.worst <= 1) return true;
     if (last_round || (finer != nullptr && window.worst > coarse_knots && refine(*finer, window))) return false;
-    for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
     profile.retreat();
-    first_gap = repair_gap;
+    profile.center(deep_gap);
+    first_gap = deep_gap;
+    for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
     // If there is not so much room: as much as there is.
     for (int halving = 0; halving < 8 && !(profile.greatest_ratio() < 1); ++halving) {
       for (std::size_t i = 0; i < window.factors.size(); ++i) {

@@ -93,6 +93,7 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
   }
   asked_caps_ = caps_;
   asked_knot_caps_ = knot_caps_;
+  asked_middle_caps_ = middle_caps_;
   too_fast_ = grant(0.002);
   if (!too_fast_) wanted_.clear();
   loosen();
@@ -104,14 +105,6 @@ void Continuation::insert(double knot) {
   breaks.insert(breaks.begin() + at, false);
   insert_knot(s, c, knot);
   ++creeping;
-}
-
-/// What was granted and is no longer needed.
-void SpeedProfile::withdraw() {
-  constexpr double inside = 0.999;
-  for (Site& site : sites_) {
-    if (site.factor < 1 && tightened_[site.interval] * greatest_of_rows(site, c_) < inside) site.factor = 1;
-  }
 }
 
 /// Between the places looked at the profile may have been a little above the rows, which are those of 0.9995 of the
@@ -136,12 +129,15 @@ bool SpeedProfile::grant(double margin) {
   for (std::size_t i = 0; i < c_.size(); ++i) {
     if (is_free(i)) raise(caps_[i], c_[i]);
   }
-  for (std::size_t k = 0; k < intervals(); ++k) raise(knot_caps_[k + 1], dot(basis_[k].value(1), &c_[k]));
+  for (std::size_t k = 0; k < intervals(); ++k) {
+    raise(middle_caps_[k], square(k, 0.5));
+    raise(knot_caps_[k + 1], square(k, 1));
+  }
   return raised;
 }
 
 void SpeedProfile::descend() {
-  const std::vector<double> caps = asked_caps_, knot_caps = asked_knot_caps_;
+  const std::vector<double> caps = asked_caps_, knot_caps = asked_knot_caps_, middle_caps = asked_middle_caps_;
   for (std::size_t i = 0; i < c_.size(); ++i) {
     floors_[i] = std::min(descent_floor * caps[i], descent_floor * descent_floor * c_[i]);
   }
@@ -150,6 +146,7 @@ void SpeedProfile::descend() {
   wanted_.clear();
   caps_ = caps;
   knot_caps_ = knot_caps;
+  middle_caps_ = middle_caps;
   grant(0.0005);
 }
 
@@ -184,7 +181,7 @@ void SpeedProfile::build(const Section& section, std::size_t loose, double feed_
               stopping_factor);
   }
   knot_caps_.assign(n + 1, infinity);
-  std::vector<double> middle_caps(n);
+  middle_caps_.assign(n, infinity);
   geometry::PointJet left = section.jets(s[0], Side::right);
   const auto cap = [&](double at, Side side, const geometry::PointJet& jet) {
     const double feed = feed_factor * section.feed(at, side), square = greatest_square(jet, feed, *machine_);
@@ -196,7 +193,7 @@ void SpeedProfile::build(const Section& section, std::size_t loose, double feed_
   for (std::size_t k = 0; k < n; ++k) {
     const double half = (s[k] + s[k + 1]) / 2;
     const geometry::PointJet middle = section.jets(half, Side::left), right = section.jets(s[k + 1], Side::left);
-    middle_caps[k] = cap(half, Side::left, middle);
+    middle_caps_[k] = cap(half, Side::left, middle);
     knot_caps_[k + 1] = cap(s[k + 1], Side::left, right);
     if (k > 0 && knots_.breaks[k]) add_site(k, 0, left);
     add_hull(k, {&left, &middle, &right});
@@ -228,12 +225,12 @@ void SpeedProfile::build(const Section& section, std::size_t loose, double feed_
     double greatest = 0;
     bool step = false;
     for (std::size_t k = from; k <= to; ++k) {
-      greatest = std::max({greatest, middle_caps[k], knot_caps_[k], knot_caps_[k + 1]});
+      greatest = std::max({greatest, middle_caps_[k], knot_caps_[k], knot_caps_[k + 1]});
       step = step || knots_.breaks[k] || knots_.breaks[k + 1];
     }
     if (step) {
       for (std::size_t k = from; k <= to; ++k)
-        greatest = std::min({greatest, middle_caps[k], knot_caps_[k], knot_caps_[k + 1]});
+        greatest = std::min({greatest, middle_caps_[k], knot_caps_[k], knot_caps_[k + 1]});
     }
     caps_[i] = greatest;
   }
@@ -446,7 +443,8 @@ double SpeedProfile::greatest_ratio(const std::vector<double>& c, std::size_t fr
   double greatest = 0;
   for (std::size_t i = from + 3; i < c.size(); ++i) greatest = std::max(greatest, c[i] / caps_[i]);
   for (std::size_t k = from; k < intervals(); ++k) {
-    greatest = std::max(greatest, dot(basis_[k].value(1), &c[k]) / knot_caps_[k + 1]);
+    greatest = std::max({greatest, dot(basis_[k].value(0.5), &c[k]) / middle_caps_[k],
+                         dot(basis_[k].value(1), &c[k]) / knot_caps_[k + 1]});
   }
   for (const Site& site : sites_) {
     if (site.interval < from) continue;
@@ -495,8 +493,8 @@ SpeedProfile::Step SpeedProfile::measure(const std::vector<double>& c, double t)
     if (!take(factor)) return outside;
   }
   for (std::size_t k = 0; k < basis_.size(); ++k) {
-    const double x = dot(basis_[k].value(1), &c[k]);
-    if (!take(1 - x / knot_caps_[k + 1])) return outside;
+    const double middle = dot(gauss_[3 * k + 1], &c[k]), end = dot(basis_[k].value(1), &c[k]);
+    if (!(take(1 - middle / middle_caps_[k]) && take(1 - end / knot_caps_[k + 1]))) return outside;
   }
   return {t * time + barrier - std::log(product), time};
 }
@@ -561,10 +559,13 @@ void SpeedProfile::assemble(double t) {
       along(e, t * basis_[k].h * gauss_weights[q] * above.slope);
       rank_one(e, t * basis_[k].h * gauss_weights[q] * above.curvature);
     }
-    const Four end = basis_[k].value(1);
-    const double inverse = 1 / (knot_caps_[k + 1] - dot(end, c));
-    along(end, inverse);
-    rank_one(end, inverse * inverse);
+    const auto stay_below = [&](const Four& place, double greatest) {
+      const double inverse = 1 / (greatest - dot(place, c));
+      along(place, inverse);
+      rank_one(place, inverse * inverse);
+    };
+    stay_below(gauss_[3 * k + 1], middle_caps_[k]);
+    stay_below(basis_[k].value(1), knot_caps_[k + 1]);
     for (; next_site < sites_.size() && sites_[next_site].interval == k; ++next_site) {
       const Site& site = sites_[next_site];
       const double x = dot(site.x, c), ff = squared(tightened_[k] * site.factor);
@@ -637,17 +638,35 @@ bool SpeedProfile::newton(double t, double& decrement) {
   return false;
 }
 
+void SpeedProfile::follow(double t) {
+  const double m = static_cast<double>(constraints());
+  for (int step = 0; step < 25; ++step) {
+    double decrement = 0;
+    if (!newton(t, decrement) || decrement < 1e-4 * m + 0.3) break;
+  }
+}
+
+/// Remembers the present profile to go back to, and takes back what was granted and it does not need.
+void SpeedProfile::keep_far_inside() {
+  constexpr double inside = 0.999;
+  far_inside_ = c_;
+  for (Site& site : sites_) {
+    if (site.factor < 1 && tightened_[site.interval] * greatest_of_rows(site, c_) < inside) site.factor = 1;
+  }
+}
+
+void SpeedProfile::center(double gap) {
+  follow(static_cast<double>(constraints()) / (gap * measure(c_, 1).objective));
+  keep_far_inside();
+}
+
 void SpeedProfile::optimize(double first_gap, double gap) {
   const double m = static_cast<double>(constraints());
   double t = m / (first_gap * measure(c_, 1).objective);
   for (int stage = 0; stage < 30; ++stage) {
-    for (int step = 0; step < 25; ++step) {
-      double decrement = 0;
-      if (!newton(t, decrement) || decrement < 1e-4 * m + 0.3) break;
-    }
-    withdraw();
+    follow(t);
     const double left = m / t / measure(c_, 1).objective;
-    if (left > 0.1) far_inside_ = c_;
+    if (left > 0.1) keep_far_inside();
     if (left < gap) break;
     t *= 8;
   }
@@ -657,6 +676,7 @@ void SpeedProfile::tighten(std::size_t interval, const Ratios& factors) {
   tightened_[interval] *= factors.rows;
   for (const std::size_t i : {interval + 1, interval + 2}) caps_[i] /= squared(factors.speed);
   for (const std::size_t k : {interval, interval + 1}) knot_caps_[k] /= squared(factors.speed);
+  middle_caps_[interval] /= squared(factors.speed);
 }
 
 bool SpeedProfile::is_level(std::size_t k) const {

@@ -81,6 +81,8 @@ class SpeedProfile {
   void tighten(std::size_t interval, const Ratios& factors);
   /// Back to the last profile that was at least a tenth of its time from the optimum, far inside the limits.
   void retreat();
+  /// As deep inside the limits as the optimum within `gap` of its time is.
+  void center(double gap);
   /// Back to creep; only if the window begins at rest.
   void creep();
   /// Slows the whole window down, v by `factor` < 1; only if it begins at rest.
@@ -132,7 +134,6 @@ class SpeedProfile {
   void build(const Section& section, std::size_t loose, double feed_factor);
   bool grant(double margin);
   void loosen();
-  void withdraw();
   void find_creep();
   void tie_variables();
   void read_variables();
@@ -141,7 +142,9 @@ class SpeedProfile {
   Step measure(const std::vector<double>& c, double t) const;
   void assemble(double t);
   bool newton(double t, double& decrement);
-  std::size_t constraints() const { return 2 * (rows_.size() + caps_.size()) + intervals() + 1; }
+  void follow(double t);
+  void keep_far_inside();
+  std::size_t constraints() const { return 2 * (rows_.size() + caps_.size() + intervals()) + 1; }
   bool is_free(std::size_t coefficient) const { return variable_[coefficient] >= 0; }
 
   const machine::Machine* machine_;
@@ -150,13 +153,14 @@ class SpeedProfile {
   std::vector<Four> gauss_;  ///< three places an interval
   std::vector<Site> sites_;
   std::vector<Row> rows_;
-  std::vector<double> caps_;                          ///< of the coefficients: greatest x around
-  std::vector<double> asked_caps_, asked_knot_caps_;  ///< before what the motion began with was granted
-  std::vector<double> wanted_;                        ///< x at the Gauss places, while it is descended to
+  std::vector<double> caps_;                                              ///< of the coefficients: greatest x around
+  std::vector<double> asked_caps_, asked_knot_caps_, asked_middle_caps_;  ///< before anything was granted
+  std::vector<double> wanted_;  ///< x at the Gauss places, while it is descended to
   bool too_fast_ = false;
-  std::vector<double> floors_;     ///< of the coefficients, while a lower speed is descended to
-  std::vector<double> knot_caps_;  ///< of x at the knots
-  std::vector<double> tightened_;  ///< of each interval, ≥ 1
+  std::vector<double> floors_;       ///< of the coefficients, while a lower speed is descended to
+  std::vector<double> knot_caps_;    ///< of x at the knots
+  std::vector<double> middle_caps_;  ///< of x in the middle of the intervals
+  std::vector<double> tightened_;    ///< of each interval, ≥ 1
   std::array<double, 3> start_tie_{}, end_tie_{};
   std::vector<double> creep_;  ///< coefficients; any between 0 and these are inside, those tied kept in proportion
   std::vector<std::int32_t> variable_;  ///< of each coefficient; −1 if it is given
