@@ -196,7 +196,7 @@ RC_GTEST_PROP(LookAhead, KeepsEveryLimitInChunksAndTails, ()) {
     const double tail = brute_force_ratio(chunk.stop_tail, chunk, random.machine);
     RC_LOG() << "committed " << committed << ", tail " << tail << '\n';
     RC_ASSERT(committed <= 1.001);
-    RC_ASSERT(tail <= 1.003);
+    RC_ASSERT(tail <= 1.001);
   }
 }
 

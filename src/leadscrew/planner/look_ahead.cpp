@@ -155,26 +155,39 @@ class Emission {
   DoubleDouble now_;
 };
 
-/// The largest ratios of speed, and of acceleration and jerk, some looks a segment. What has a peak between two looks,
-/// higher than both by a few millionths, counts as if it were as much larger: direction turns by less than 1/100
-/// between two looks.
+/// The greatest of what is looked at in even steps, with the peak of the parabola through every three.
+class Peak {
+ public:
+  void look(double value) {
+    const double bulge = looks_++ < 2 ? 0 : std::max(0.0, (2 * last_ - before_last_ - value) / 8);
+    greatest_ = std::max({greatest_, value + bulge, last_ + bulge, before_last_ + bulge});
+    before_last_ = last_;
+    last_ = value;
+  }
+  double greatest() const { return greatest_; }
+
+ private:
+  int looks_ = 0;
+  double last_ = 0, before_last_ = 0, greatest_ = 0;
+};
+
+/// The largest ratios of speed, and of acceleration and jerk, some looks a segment.
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks) {
-  constexpr double between_looks = 5e-5, turning_between_looks = 1e-5;
-  Ratios greatest{0, 0};
+  constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
+  Peak speed, rows;
+  double feed = 0;
   const double duration = segment.duration.value();
   for (int k = 0; k <= looks; ++k) {
     const PathState at = evaluate(segment, duration * k / looks);
     const Side side = k == 0 ? Side::right : Side::left;
     const geometry::PointJet jet = section.jets(at.s, side);
     const AxisRatios ratios = greatest_ratios(jet, at, machine);
-    const double feed = at.speed / (feed_factor * section.feed(at.s, side));
-    const double turning = turns(jet) ? 1 + turning_between_looks : 1;
-    greatest.speed = std::max({greatest.speed, feed, ratios.velocity * turning});
-    greatest.rows =
-        std::max({greatest.rows, ratios.acceleration * (1 + between_looks), ratios.jerk * (1 + between_looks)});
+    feed = std::max(feed, at.speed / (feed_factor * section.feed(at.s, side)));
+    speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
+    rows.look(std::max(ratios.acceleration, ratios.jerk) * between_looks);
   }
-  return greatest;
+  return {std::max(speed.greatest(), feed), rows.greatest()};
 }
 
 /// The time at which the segment passes a place inside it, by bisection and Newton.
