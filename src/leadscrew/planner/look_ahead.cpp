@@ -155,12 +155,14 @@ class Emission {
   DoubleDouble now_;
 };
 
-/// The greatest of what is looked at in even steps, with the peak of the parabola through every three.
+/// The greatest of what is looked at in even steps, with the peak of the parabola through every three. What is no
+/// number is too much.
 class Peak {
  public:
   void look(double value) {
     const double bulge = looks_++ < 2 ? 0 : std::max(0.0, (2 * last_ - before_last_ - value) / 8);
     greatest_ = std::max({greatest_, value + bulge, last_ + bulge, before_last_ + bulge});
+    if (std::isnan(value)) greatest_ = infinity;
     before_last_ = last_;
     last_ = value;
   }
@@ -650,7 +652,7 @@ std::optional<Chunk> LookAhead::plan() {
 
 /// What takes longer than a slice, where speed is low, is cut into parts, so that a change may begin in it.
 void LookAhead::split_next(Window& window) const {
-  constexpr double most_parts = 1000;
+  constexpr double most_slices = 1000;
   const std::size_t next = window.next, k = window.intervals[next];
   const std::vector<double>& s = window.profile.knots().s;
   const Segment whole = window.segments[next];
@@ -658,7 +660,7 @@ void LookAhead::split_next(Window& window) const {
   if (!(duration > 1.5 * slice_) || window.places[next] > 0) return;
   if (next + 1 == window.segments.size() || whole.s0.value() != s[k]) return;
   if (window.segments[next + 1].s0.value() != s[k + 1]) return;
-  const double parts = std::min(std::ceil(duration / slice_), most_parts);
+  const double parts = std::min(std::ceil(duration / slice_), most_slices);
   Knot here = knot(window.profile, k, 0);
   std::vector<Segment> segments;
   std::vector<double> places;
