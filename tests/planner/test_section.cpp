@@ -73,12 +73,15 @@ RC_GTEST_PROP(Section, SeesEachSidesDerivativesAtABorder, ()) {
   const std::vector<Piece> pieces = random_pieces();
   const Section section = section_of(pieces);
   const auto agree = [](const geometry::PointJet& a, const geometry::PointJet& b) {
+    // Where one axis has nothing of a derivative another may have much, which turns into it.
+    double second = 0, third = 0;
+    for (const numeric::Jet& q : b) second += std::abs(q.second), third += std::abs(q.third);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double size = 1e-9;
       RC_ASSERT(std::abs(a[i].value - b[i].value) <= size);
       RC_ASSERT(std::abs(a[i].first - b[i].first) <= size);
-      RC_ASSERT(std::abs(a[i].second - b[i].second) <= size * (1 + std::abs(b[i].second)));
-      RC_ASSERT(std::abs(a[i].third - b[i].third) <= size * (1 + std::abs(b[i].third) + std::abs(b[i].second)));
+      RC_ASSERT(std::abs(a[i].second - b[i].second) <= size * (1 + second));
+      RC_ASSERT(std::abs(a[i].third - b[i].third) <= size * (1 + third + second));
     }
   };
   for (std::size_t k = 0; k < pieces.size(); ++k) {

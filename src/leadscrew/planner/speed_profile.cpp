@@ -691,7 +691,7 @@ void SpeedProfile::unlevel() {
 /// The barrier keeps x a few parts in ten thousand below the cap. Where it is that close for many knots, close the rest
 /// of the gap: not at once, which would be a step of acceleration, but by a smooth share over the first and last knots.
 void SpeedProfile::level_cruises() {
-  constexpr double near = 2e-3;
+  constexpr double near = 4e-3;
   constexpr std::size_t shortest = 40;
   before_levelling_ = c_;
   const auto at_cap = [&](std::size_t i) { return c_[i] > (1 - near) * caps_[i]; };
