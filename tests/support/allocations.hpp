@@ -8,4 +8,10 @@ namespace leadscrew::testing_support {
 /// Calls of operator new by the whole program so far.
 std::int64_t allocations();
 
+/// What the whole program holds of operator new's memory, bytes.
+std::int64_t memory_held();
+/// The most that it has held since watch_memory() was called.
+std::int64_t most_memory_held();
+void watch_memory();
+
 }  // namespace leadscrew::testing_support

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/knots.hpp>
-#include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
 #include <leadscrew/planner/speed_profile.hpp>
 #include <numeric>
@@ -10,7 +10,6 @@ namespace leadscrew::planner {
 
 namespace {
 
-using base::MotionState;
 using numeric::DoubleDouble;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -18,7 +17,7 @@ constexpr double gap = 1e-3;        // of the time, to the optimum
 constexpr double cold_gap = 20;     // of creep
 constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly optimal already
 constexpr double repair_gap = 0.1;  // of a profile that is planned again
-constexpr double deep_gap = 2.4;     // of a profile from which limits can be tightened
+constexpr double deep_gap = 2.4;    // of a profile from which limits can be tightened
 constexpr int repairs = 3;
 constexpr double repair_margin = 2e-4;
 constexpr int refinements = 3;
@@ -41,205 +40,7 @@ constexpr std::size_t most_intervals = 320;
 constexpr std::size_t few_intervals = 200;
 constexpr std::size_t least_ahead = 16;     // intervals
 constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
-constexpr std::size_t most_pieces = 2048;
-
-constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                                     0.9602898564975363};
-constexpr std::array<double, 4> gauss_half_weights = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                                      0.1012285362903763};
-
-struct Knot {
-  double s = 0, speed = 0, acceleration = 0;
-};
-
-/// s(τ) along the section, by a quintic with the speeds and accelerations of both ends (Hermite).
-Segment quintic(const Knot& from, const Knot& to, double duration) {
-  const double t = duration, way = to.s - from.s;
-  const double r0 = way - t * (from.speed + t * from.acceleration / 2);
-  const double r1 = t * (to.speed - from.speed - t * from.acceleration);
-  const double r2 = t * t * (to.acceleration - from.acceleration);
-  Segment segment;
-  segment.duration = t;
-  segment.s0 = from.s;
-  segment.v0 = from.speed;
-  segment.c2 = from.acceleration / 2;
-  segment.c3 = (10 * r0 - 4 * r1 + r2 / 2) / (t * t * t);
-  segment.c4 = (-15 * r0 + 7 * r1 - r2) / (t * t * t * t);
-  segment.c5 = (6 * r0 - 3 * r1 + r2 / 2) / (t * t * t * t * t);
-  return segment;
-}
-
-/// ∫ x^(−1/2) ds over a part of an interval, by eight-point Gauss.
-double travel_time(const SpeedProfile& profile, std::size_t k, double from = 0, double to = 1) {
-  const double middle = (from + to) / 2, half = (to - from) / 2;
-  double sum = 0;
-  for (std::size_t q = 0; q < 4; ++q) {
-    for (const double side : {-1.0, 1.0}) {
-      sum += gauss_half_weights[q] / std::sqrt(profile.square(k, middle + half * side * gauss_half_places[q]));
-    }
-  }
-  return sum * half * profile.width(k);
-}
-
-Knot knot(const SpeedProfile& profile, std::size_t k, double u) {
-  const std::vector<double>& s = profile.knots().s;
-  return {u >= 1 ? s[k + 1] : s[k] + u * profile.width(k), std::sqrt(profile.square(k, u)),
-          profile.square_slope(k, u) / 2};
-}
-
-/// Along a part of an interval, from `from` on, which becomes where it ends.
-Segment along_interval(const SpeedProfile& profile, std::size_t k, double begin, double end, Knot& from) {
-  const Knot here = from;
-  from = knot(profile, k, end);
-  if (!profile.is_level(k)) return quintic(here, from, travel_time(profile, k, begin, end));
-  from.speed = here.speed;
-  from.acceleration = 0;
-  Segment segment;
-  segment.duration = (from.s - here.s) / here.speed;
-  segment.s0 = here.s;
-  segment.v0 = here.speed;
-  segment.state = MotionState::constant;
-  return segment;
-}
-
-class Emission {
- public:
-  Emission(const SpeedProfile& profile, double begin) : profile_(profile), begin_(begin) {}
-
-  /// From rest or from where the window begins, to rest or to its last knot.
-  std::vector<Segment> emit(double length) {
-    const std::size_t n = profile_.intervals();
-    Knot here = knot(profile_, 0, 0);
-    if (profile_.starts_at_rest()) ramp_up(begin_, here);
-    for (std::size_t k = 0; k < n; ++k) push(along_interval(profile_, k, 0, 1, here), k, 0);
-    if (profile_.ends_at_rest()) ramp_down(here, length);
-    return std::move(segments_);
-  }
-  const std::vector<std::size_t>& intervals() const { return intervals_; }
-  const std::vector<double>& places() const { return places_; }
-
- private:
-  void push(Segment segment, std::size_t interval, double place) {
-    segment.begin = now_;
-    now_ = now_ + segment.duration;
-    segments_.push_back(segment);
-    intervals_.push_back(interval);
-    places_.push_back(place);
-  }
-
-  /// s = J t³/6 up to the first knot: t = 3 s₁/v₁.
-  void ramp_up(double from, const Knot& to) {
-    const double way = to.s - from, t = 3 * way / to.speed;
-    Segment segment;
-    segment.duration = t;
-    segment.s0 = from;
-    segment.c3 = way / (t * t * t);
-    push(segment, 0, 0);
-  }
-  void ramp_down(const Knot& from, double length) {
-    const double way = length - from.s, t = 3 * way / from.speed, c3 = way / (t * t * t);
-    Segment segment;
-    segment.duration = t;
-    segment.s0 = from.s;
-    segment.v0 = 3 * c3 * t * t;
-    segment.c2 = -3 * c3 * t;
-    segment.c3 = c3;
-    push(segment, profile_.intervals() - 1, 1);
-  }
-
-  const SpeedProfile& profile_;
-  double begin_;
-  std::vector<Segment> segments_;
-  std::vector<std::size_t> intervals_;
-  std::vector<double> places_;
-  DoubleDouble now_;
-};
-
-/// The greatest of what is looked at in even steps, with the peak of the parabola through every three. What is no
-/// number is too much.
-class Peak {
- public:
-  void look(double value) {
-    const double bulge = looks_++ < 2 ? 0 : std::max(0.0, (2 * last_ - before_last_ - value) / 8);
-    greatest_ = std::max({greatest_, value + bulge, last_ + bulge, before_last_ + bulge});
-    if (std::isnan(value)) greatest_ = infinity;
-    before_last_ = last_;
-    last_ = value;
-  }
-  double greatest() const { return greatest_; }
-
- private:
-  int looks_ = 0;
-  double last_ = 0, before_last_ = 0, greatest_ = 0;
-};
-
-/// The largest ratios of speed, and of acceleration and jerk, some looks a segment.
-Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
-                       double feed_factor, int looks) {
-  constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
-  Peak speed, rows;
-  double feed = 0;
-  const double duration = segment.duration.value();
-  for (int k = 0; k <= looks; ++k) {
-    const PathState at = evaluate(segment, duration * k / looks);
-    const Side side = k == 0 ? Side::right : Side::left;
-    const geometry::PointJet jet = section.jets(at.s, side);
-    const AxisRatios ratios = greatest_ratios(jet, at, machine);
-    feed = std::max(feed, at.speed / (feed_factor * section.feed(at.s, side)));
-    speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
-    rows.look(std::max(ratios.acceleration, ratios.jerk) * between_looks);
-  }
-  return {std::max(speed.greatest(), feed), rows.greatest()};
-}
-
-/// The time at which the segment passes a place inside it, by bisection and Newton.
-double time_at(const Segment& segment, double s) {
-  double from = 0, to = segment.duration.value();
-  for (int step = 0; step < 200 && to - from > 1e-16 * to; ++step) {
-    const double middle = (from + to) / 2;
-    (evaluate(segment, middle).s < s ? from : to) = middle;
-  }
-  return to;
-}
-
-/// The same polynomial from a later time on.
-Segment later(const Segment& segment, double t) {
-  Segment rest = segment;
-  const PathState at = evaluate(segment, t);
-  const double c3 = segment.c3, c4 = segment.c4, c5 = segment.c5;
-  rest.begin = segment.begin + DoubleDouble(t);
-  rest.duration = segment.duration - DoubleDouble(t);
-  rest.v0 = at.speed;
-  rest.c2 = at.acceleration / 2;
-  rest.c3 = c3 + t * (4 * c4 + t * 10 * c5);
-  rest.c4 = c4 + 5 * t * c5;
-  return rest;
-}
-
-/// From motion to rest within `room`, no longer than `longest`, s: speed falls by a cubic from the speed and the
-/// acceleration there are to 0 and 0, v(u) = (1 − u)²(v + u(2v + aT)), u = τ/T. Jerk is (4aT + 6v)/T² against the
-/// motion at first and (6v + 2aT)/T² at last; the first T that keeps every limit of every axis is taken. Nothing if
-/// there is none.
-std::optional<Segment> come_to_rest(const Knot& from, double room, double longest, const Section& section,
-                                    const machine::Machine& machine) {
-  const double jerk = 0.99 * tangent_limits(section.jets(from.s, Side::right), machine).jerk;
-  const double v = from.speed, a = from.acceleration;
-  if (!(v > 0)) return std::nullopt;
-  double t = (a + std::sqrt(a * a + 6 * v * jerk)) / jerk;
-  for (int attempt = 0; attempt < 40; ++attempt, t *= 1.06) {
-    const double way = t * (v / 2 + t * a / 12);
-    if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;
-    Segment segment;
-    segment.duration = t;
-    segment.s0 = from.s;
-    segment.v0 = v;
-    segment.c2 = a / 2;
-    segment.c3 = (-3 * v - 2 * t * a) / (3 * t * t);
-    segment.c4 = (2 * v + t * a) / (4 * t * t * t);
-    if (greatest_ratios(segment, section, machine, infinity, close_looks).worst() <= 1) return segment;
-  }
-  return std::nullopt;
-}
+constexpr std::size_t most_pieces = 900;
 
 double stop_time(double speed, const TangentLimits& limits) {
   const double a = limits.acceleration, j = limits.jerk;
@@ -354,7 +155,6 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim) const {
   const std::size_t n = profile.intervals();
   window.worst = 0;
   window.factors.assign(n, Ratios{});
-  Emission emission(profile, begin_);
   if (!profile.ends_at_rest()) {
     window.last_interval = commit_until(profile, section_, machine_);
     window.after = profile.continuation(window.last_interval);
@@ -363,19 +163,19 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim) const {
       window.after = profile.continuation(window.last_interval);
     }
   }
-  window.segments = emission.emit(stretch.end);
-  window.intervals = emission.intervals();
-  window.places = emission.places();
+  Emission emission = planner::emit(profile, begin_, stretch.end);
+  window.segments = std::move(emission.segments);
+  window.intervals = std::move(emission.intervals);
+  window.places = std::move(emission.places);
   window.end = stretch.end;
   window.to_rest = profile.ends_at_rest();
-  const auto stop_from = [&](const Knot& from, double longest) {
+  const auto stop_from = [&](const PathState& from, double longest) {
     return come_to_rest(from, stretch.end - from.s, longest, section_, machine_);
   };
   std::optional<Segment> stop;
   std::size_t stops = window.segments.size();
   if (!profile.ends_at_rest()) {
-    stop = stop_from({profile.knots().s[n], std::sqrt(profile.square(n - 1, 1)), profile.square_slope(n - 1, 1) / 2},
-                     infinity);
+    stop = stop_from(state_at(profile, n - 1, 1), infinity);
     if (!stop) return false;
   }
   if (aim == Aim::rest) {  // where that is soonest
@@ -385,8 +185,7 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim) const {
       const Segment& segment = window.segments[k];
       const double begin = segment.begin.value();
       if (begin >= soonest) break;
-      std::optional<Segment> here =
-          stop_from({segment.s0.value(), segment.v0.value(), 2 * segment.c2}, soonest - begin);
+      std::optional<Segment> here = stop_from(evaluate(segment, 0), soonest - begin);
       if (!here) continue;
       soonest = begin + here->duration.value();
       stop = here;
@@ -661,7 +460,7 @@ void LookAhead::split_next(Window& window) const {
   if (next + 1 == window.segments.size() || whole.s0.value() != s[k]) return;
   if (window.segments[next + 1].s0.value() != s[k + 1]) return;
   const double parts = std::min(std::ceil(duration / slice_), most_slices);
-  Knot here = knot(window.profile, k, 0);
+  PathState here = state_at(window.profile, k, 0);
   std::vector<Segment> segments;
   std::vector<double> places;
   DoubleDouble now = whole.begin;
@@ -704,6 +503,7 @@ Chunk LookAhead::hand_out() {
   const std::size_t first_piece = section_.piece_at(begin_, Side::right);
   const std::size_t last_piece = section_.piece_at(window.end, Side::left);
   Chunk chunk;
+  chunk.pieces.reserve(last_piece + 1 - first_piece);
   for (std::size_t p = first_piece; p <= last_piece; ++p) chunk.pieces.push_back(section_.piece(p));
   chunk.segments = along_pieces({from, middle}, section_, end, first_piece);
   chunk.stop_tail = along_pieces({middle, segments.end()}, section_, window.end, first_piece);
@@ -723,37 +523,6 @@ Chunk LookAhead::hand_out() {
   window.next = after;
   if (after == count) stand_at(window.end >= section_.length() ? section_.length() : window.end);
   return chunk;
-}
-
-std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double section_end,
-                                  std::size_t first_piece) {
-  std::vector<Segment> cut;
-  cut.reserve(segments.size() + 8);
-  std::size_t piece = first_piece;
-  const auto place = [&](Segment segment, std::size_t on) {
-    segment.piece = static_cast<std::uint32_t>(on - first_piece);
-    segment.s0 = segment.s0 - DoubleDouble(section.offset(on));
-    cut.push_back(segment);
-  };
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    Segment segment = segments[k];
-    const double end = k + 1 < segments.size() ? segments[k + 1].s0.value() : section_end;
-    while (piece + 1 < section.size() && section.offset(piece + 1) <= segment.s0.value()) ++piece;
-    while (piece + 1 < section.size() && section.offset(piece + 1) < end) {
-      const double border = section.offset(piece + 1), t = time_at(segment, border);
-      if (!(t < segment.duration.value())) break;  // it ends where the piece does
-      if (t > 0) {
-        Segment rest = later(segment, t);
-        segment.duration = DoubleDouble(t);
-        rest.s0 = border;
-        place(segment, piece);
-        segment = rest;
-      }
-      ++piece;
-    }
-    place(segment, piece);
-  }
-  return cut;
 }
 
 }  // namespace leadscrew::planner

@@ -25,11 +25,6 @@
 
 namespace leadscrew::planner {
 
-/// Segments along a section, which end at `end`, cut where pieces meet; way is counted from each piece's beginning and
-/// pieces from `first_piece`, on which the first segment begins.
-std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double end,
-                                  std::size_t first_piece);
-
 class LookAhead {
  public:
   /// The machine must outlive this.

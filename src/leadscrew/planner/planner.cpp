@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/piece_limits.hpp>
 #include <leadscrew/planner/planner.hpp>
 
@@ -189,7 +190,7 @@ std::optional<Chunk> Planner::plan() {
 std::optional<Chunk> Planner::closed_form() {
   const Section& section = look_ahead_.section();
   Chunk chunk;
-  chunk.pieces = section.pieces();
+  chunk.pieces.assign(section.pieces().begin(), section.pieces().end());
   chunk.length = section.length();
   toolpath::Piece overridden = whole(section);
   overridden.feed *= feed_factor_;

@@ -1,6 +1,7 @@
 #pragma once
 // A section of path: smooth pieces joined with continuous curvature, travelled from rest to rest.
 
+#include <deque>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <vector>
@@ -31,7 +32,7 @@ class Section {
   double offset(std::size_t piece) const { return offsets_[piece]; }
   double length() const { return offsets_.back(); }
   const toolpath::Piece& piece(std::size_t index) const { return pieces_[index]; }
-  const std::vector<toolpath::Piece>& pieces() const { return pieces_; }
+  const std::deque<toolpath::Piece>& pieces() const { return pieces_; }
 
   /// The piece on which `s` lies; where pieces meet, the one on that side.
   std::size_t piece_at(double s, Side side) const;
@@ -41,7 +42,7 @@ class Section {
   double feed(double s, Side side) const { return pieces_[piece_at(s, side)].feed; }
 
  private:
-  std::vector<toolpath::Piece> pieces_;
+  std::deque<toolpath::Piece> pieces_;
   std::vector<double> offsets_{0.0};
 };
 

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <leadscrew/planner/emission.hpp>
+#include <leadscrew/planner/limit_ratios.hpp>
+#include <limits>
+
+namespace leadscrew::planner {
+
+namespace {
+
+using base::MotionState;
+using numeric::DoubleDouble;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int stop_looks = 32;  // of the proof that a stop keeps its limits
+
+constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                                     0.9602898564975363};
+constexpr std::array<double, 4> gauss_half_weights = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                                      0.1012285362903763};
+
+/// s(τ) along the section, by a quintic with the speeds and accelerations of both ends (Hermite).
+Segment quintic(const PathState& from, const PathState& to, double duration) {
+  const double t = duration, way = to.s - from.s;
+  const double r0 = way - t * (from.speed + t * from.acceleration / 2);
+  const double r1 = t * (to.speed - from.speed - t * from.acceleration);
+  const double r2 = t * t * (to.acceleration - from.acceleration);
+  Segment segment;
+  segment.duration = t;
+  segment.s0 = from.s;
+  segment.v0 = from.speed;
+  segment.c2 = from.acceleration / 2;
+  segment.c3 = (10 * r0 - 4 * r1 + r2 / 2) / (t * t * t);
+  segment.c4 = (-15 * r0 + 7 * r1 - r2) / (t * t * t * t);
+  segment.c5 = (6 * r0 - 3 * r1 + r2 / 2) / (t * t * t * t * t);
+  return segment;
+}
+
+/// The greatest of what is looked at in even steps, with the peak of the parabola through every three. What is no
+/// number is too much.
+class Peak {
+ public:
+  void look(double value) {
+    const double bulge = looks_++ < 2 ? 0 : std::max(0.0, (2 * last_ - before_last_ - value) / 8);
+    greatest_ = std::max({greatest_, value + bulge, last_ + bulge, before_last_ + bulge});
+    if (std::isnan(value)) greatest_ = infinity;
+    before_last_ = last_;
+    last_ = value;
+  }
+  double greatest() const { return greatest_; }
+
+ private:
+  int looks_ = 0;
+  double last_ = 0, before_last_ = 0, greatest_ = 0;
+};
+
+/// The time at which the segment passes a place inside it, by bisection and Newton.
+double time_at(const Segment& segment, double s) {
+  double from = 0, to = segment.duration.value();
+  for (int step = 0; step < 200 && to - from > 1e-16 * to; ++step) {
+    const double middle = (from + to) / 2;
+    (evaluate(segment, middle).s < s ? from : to) = middle;
+  }
+  return to;
+}
+
+/// The same polynomial from a later time on.
+Segment later(const Segment& segment, double t) {
+  Segment rest = segment;
+  const PathState at = evaluate(segment, t);
+  const double c3 = segment.c3, c4 = segment.c4, c5 = segment.c5;
+  rest.begin = segment.begin + DoubleDouble(t);
+  rest.duration = segment.duration - DoubleDouble(t);
+  rest.v0 = at.speed;
+  rest.c2 = at.acceleration / 2;
+  rest.c3 = c3 + t * (4 * c4 + t * 10 * c5);
+  rest.c4 = c4 + 5 * t * c5;
+  return rest;
+}
+
+class Emitter {
+ public:
+  Emitter(const SpeedProfile& profile, double begin) : profile_(profile), begin_(begin) {}
+
+  /// From rest or from where the window begins, to rest or to its last knot.
+  Emission emit(double end) {
+    const std::size_t n = profile_.intervals();
+    PathState here = state_at(profile_, 0, 0);
+    if (profile_.starts_at_rest()) ramp_up(begin_, here);
+    for (std::size_t k = 0; k < n; ++k) push(along_interval(profile_, k, 0, 1, here), k, 0);
+    if (profile_.ends_at_rest()) ramp_down(here, end);
+    return std::move(emission_);
+  }
+
+ private:
+  void push(Segment segment, std::size_t interval, double place) {
+    segment.begin = now_;
+    now_ = now_ + segment.duration;
+    emission_.segments.push_back(segment);
+    emission_.intervals.push_back(interval);
+    emission_.places.push_back(place);
+  }
+
+  /// s = J t³/6 up to the first knot: t = 3 s₁/v₁.
+  void ramp_up(double from, const PathState& to) {
+    const double way = to.s - from, t = 3 * way / to.speed;
+    Segment segment;
+    segment.duration = t;
+    segment.s0 = from;
+    segment.c3 = way / (t * t * t);
+    push(segment, 0, 0);
+  }
+  void ramp_down(const PathState& from, double end) {
+    const double way = end - from.s, t = 3 * way / from.speed, c3 = way / (t * t * t);
+    Segment segment;
+    segment.duration = t;
+    segment.s0 = from.s;
+    segment.v0 = 3 * c3 * t * t;
+    segment.c2 = -3 * c3 * t;
+    segment.c3 = c3;
+    push(segment, profile_.intervals() - 1, 1);
+  }
+
+  const SpeedProfile& profile_;
+  double begin_;
+  Emission emission_;
+  DoubleDouble now_;
+};
+
+}  // namespace
+
+double travel_time(const SpeedProfile& profile, std::size_t k, double from, double to) {
+  const double middle = (from + to) / 2, half = (to - from) / 2;
+  double sum = 0;
+  for (std::size_t q = 0; q < 4; ++q) {
+    for (const double side : {-1.0, 1.0}) {
+      sum += gauss_half_weights[q] / std::sqrt(profile.square(k, middle + half * side * gauss_half_places[q]));
+    }
+  }
+  return sum * half * profile.width(k);
+}
+
+PathState state_at(const SpeedProfile& profile, std::size_t k, double u) {
+  const std::vector<double>& s = profile.knots().s;
+  return {u >= 1 ? s[k + 1] : s[k] + u * profile.width(k), std::sqrt(profile.square(k, u)),
+          profile.square_slope(k, u) / 2, 0};
+}
+
+Segment along_interval(const SpeedProfile& profile, std::size_t k, double begin, double end, PathState& from) {
+  const PathState here = from;
+  from = state_at(profile, k, end);
+  if (!profile.is_level(k)) return quintic(here, from, travel_time(profile, k, begin, end));
+  from.speed = here.speed;
+  from.acceleration = 0;
+  Segment segment;
+  segment.duration = (from.s - here.s) / here.speed;
+  segment.s0 = here.s;
+  segment.v0 = here.speed;
+  segment.state = MotionState::constant;
+  return segment;
+}
+
+Emission emit(const SpeedProfile& profile, double begin, double end) {
+  return Emitter(profile, begin).emit(end);
+}
+
+Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
+                       double feed_factor, int looks) {
+  constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
+  Peak speed, rows;
+  double feed = 0;
+  const double duration = segment.duration.value();
+  for (int k = 0; k <= looks; ++k) {
+    const PathState at = evaluate(segment, duration * k / looks);
+    const Side side = k == 0 ? Side::right : Side::left;
+    const geometry::PointJet jet = section.jets(at.s, side);
+    const AxisRatios ratios = greatest_ratios(jet, at, machine);
+    feed = std::max(feed, at.speed / (feed_factor * section.feed(at.s, side)));
+    speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
+    rows.look(std::max(ratios.acceleration, ratios.jerk) * between_looks);
+  }
+  return {std::max(speed.greatest(), feed), rows.greatest()};
+}
+
+std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
+                                    const machine::Machine& machine) {
+  const double jerk = 0.99 * tangent_limits(section.jets(from.s, Side::right), machine).jerk;
+  const double v = from.speed, a = from.acceleration;
+  if (!(v > 0)) return std::nullopt;
+  double t = (a + std::sqrt(a * a + 6 * v * jerk)) / jerk;
+  for (int attempt = 0; attempt < 40; ++attempt, t *= 1.06) {
+    const double way = t * (v / 2 + t * a / 12);
+    if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;
+    Segment segment;
+    segment.duration = t;
+    segment.s0 = from.s;
+    segment.v0 = v;
+    segment.c2 = a / 2;
+    segment.c3 = (-3 * v - 2 * t * a) / (3 * t * t);
+    segment.c4 = (2 * v + t * a) / (4 * t * t * t);
+    if (greatest_ratios(segment, section, machine, infinity, stop_looks).worst() <= 1) return segment;
+  }
+  return std::nullopt;
+}
+
+std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double section_end,
+                                  std::size_t first_piece) {
+  std::vector<Segment> cut;
+  cut.reserve(segments.size() + 8);
+  std::size_t piece = first_piece;
+  const auto place = [&](Segment segment, std::size_t on) {
+    segment.piece = static_cast<std::uint32_t>(on - first_piece);
+    segment.s0 = segment.s0 - DoubleDouble(section.offset(on));
+    cut.push_back(segment);
+  };
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    Segment segment = segments[k];
+    const double end = k + 1 < segments.size() ? segments[k + 1].s0.value() : section_end;
+    while (piece + 1 < section.size() && section.offset(piece + 1) <= segment.s0.value()) ++piece;
+    while (piece + 1 < section.size() && section.offset(piece + 1) < end) {
+      const double border = section.offset(piece + 1), t = time_at(segment, border);
+      if (!(t < segment.duration.value())) break;  // it ends where the piece does
+      if (t > 0) {
+        Segment rest = later(segment, t);
+        segment.duration = DoubleDouble(t);
+        rest.s0 = border;
+        place(segment, piece);
+        segment = rest;
+      }
+      ++piece;
+    }
+    place(segment, piece);
+  }
+  return cut;
+}
+
+}  // namespace leadscrew::planner

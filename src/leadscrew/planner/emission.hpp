@@ -1,0 +1,50 @@
+#pragma once
+// From a profile of speed over way to motion in time: segments, the proof that they keep every limit, and the shortest
+// way to rest.
+
+#include <cstddef>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/planner/motion.hpp>
+#include <leadscrew/planner/section.hpp>
+#include <leadscrew/planner/speed_profile.hpp>
+#include <optional>
+#include <vector>
+
+namespace leadscrew::planner {
+
+/// Segments along a section, contiguous, and where on the profile each begins.
+struct Emission {
+  std::vector<Segment> segments;
+  std::vector<std::size_t> intervals;  ///< of the profile
+  std::vector<double> places;          ///< u ∈ [0, 1] of that interval
+};
+
+/// All of the profile, a segment for each interval and each ramp: from `begin`, where it begins at rest, to `end`, if it
+/// ends at rest.
+Emission emit(const SpeedProfile& profile, double begin, double end);
+
+/// At u ∈ [0, 1] of an interval; without the jerk.
+PathState state_at(const SpeedProfile& profile, std::size_t interval, double u);
+/// Between two places of an interval: ∫ x^(−1/2) ds by eight-point Gauss, s.
+double travel_time(const SpeedProfile& profile, std::size_t interval, double from = 0, double to = 1);
+/// Along a part of an interval, from `from` on, which becomes where it ends.
+Segment along_interval(const SpeedProfile& profile, std::size_t interval, double begin, double end, PathState& from);
+
+/// The largest ratios of speed, and of acceleration and jerk, some looks a segment. Speed is beside `feed_factor` times
+/// the programmed one, too.
+Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
+                       double feed_factor, int looks);
+
+/// From motion to rest within `room`, no longer than `longest`, s: speed falls by a cubic from the speed and the
+/// acceleration there are to 0 and 0, v(u) = (1 − u)²(v + u(2v + aT)), u = τ/T. Jerk is (4aT + 6v)/T² against the
+/// motion at first and (6v + 2aT)/T² at last; the first T that keeps every limit of every axis is taken. Nothing if
+/// there is none.
+std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
+                                    const machine::Machine& machine);
+
+/// Segments along a section, which end at `end`, cut where pieces meet; way is counted from each piece's beginning and
+/// pieces from `first_piece`, on which the first segment begins.
+std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double end,
+                                  std::size_t first_piece);
+
+}  // namespace leadscrew::planner
