@@ -19,8 +19,8 @@ struct Emission {
   std::vector<double> places;          ///< u ∈ [0, 1] of that interval
 };
 
-/// All of the profile, a segment for each interval and each ramp: from `begin`, where it begins at rest, to `end`, if it
-/// ends at rest.
+/// All of the profile, a segment for each interval and each ramp: from `begin`, where it begins at rest, to `end`, if
+/// it ends at rest.
 Emission emit(const SpeedProfile& profile, double begin, double end);
 
 /// At u ∈ [0, 1] of an interval; without the jerk.
