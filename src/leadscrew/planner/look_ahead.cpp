@@ -17,7 +17,7 @@ constexpr double gap = 1e-3;        // of the time, to the optimum
 constexpr double cold_gap = 20;     // of creep
 constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly optimal already
 constexpr double repair_gap = 0.1;  // of a profile that is planned again
-constexpr double deep_gap = 2.4;    // of a profile from which limits can be tightened
+constexpr double deep_gap = 10;     // of a profile from which limits can be tightened
 constexpr int repairs = 3;
 constexpr double repair_margin = 2e-4;
 constexpr int refinements = 3;
@@ -26,7 +26,7 @@ constexpr double cruising = 0.02;       // of the acceleration
 constexpr double most_parts = 32;       // of an interval, at once
 constexpr double steepest = 2.5;        // ratio of the widths of neighbours
 constexpr double widest = 8;
-constexpr std::size_t most_refined = 520, intervals_at_end = 8;
+constexpr std::size_t most_refined = 600, intervals_at_end = 8;
 constexpr int usual_looks = 12;  // of the proof, a segment
 constexpr int few_looks = 4;     // of a part of a segment that was looked at
 constexpr int close_looks = 32;  // where knots lie far apart for how speed falls
@@ -278,19 +278,17 @@ bool LookAhead::repair_in_motion(Window& window, const Stretch& stretch, Aim aim
     if (aim == Aim::fastest) profile.level_cruises();
     if (!emit(window, stretch, aim)) return false;
     if (window.worst <= 1) return true;
-    if (last_round || (finer != nullptr && window.worst > coarse_knots && refine(*finer, window))) return false;
+    const bool coarse = window.worst > coarse_knots || round + 1 >= repairs;  // or repairs have not helped
+    if (finer != nullptr && coarse && refine(*finer, window)) return false;
+    if (last_round) return false;
     profile.retreat();
     profile.center(deep_gap);
     first_gap = deep_gap;
-    for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
-    // If there is not so much room: as much as there is.
-    for (int halving = 0; halving < 8 && !(profile.greatest_ratio() < 1); ++halving) {
-      for (std::size_t i = 0; i < window.factors.size(); ++i) {
-        Ratios& factors = window.factors[i];
-        const Ratios half{(1 + factors.speed) / 2, (1 + factors.rows) / 2};
-        profile.tighten(i, {half.speed / factors.speed, half.rows / factors.rows});
-        factors = half;
-      }
+    for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the room at most
+      const Ratios& factors = window.factors[i];
+      if (factors.worst() == 1) continue;
+      const Ratios room = profile.room(i);
+      profile.tighten(i, {std::min(factors.speed, (1 + room.speed) / 2), std::min(factors.rows, (1 + room.rows) / 2)});
     }
     if (!(profile.greatest_ratio() < 1)) return false;
   }
@@ -313,7 +311,7 @@ bool LookAhead::refine(Knots& knots, const Window& window) const {
       const double slope = std::max(std::abs(profile.square_slope(k, 0)), std::abs(profile.square_slope(k, 1)));
       const double ramp = wider * ramp_width(limits, std::min(profile.square(k, 0), profile.square(k, 1)));
       if (window.factors[k].worst() > 1)
-        widths[k] = std::min(profile.width(k) / 2, ramp);
+        widths[k] = wider < infinity ? std::min(profile.width(k) / 2, ramp) : profile.width(k) / 2;
       else if (everywhere && slope / 2 > cruising * limits.acceleration)
         widths[k] = 1.5 * ramp;
     }
@@ -335,6 +333,7 @@ bool LookAhead::refine(Knots& knots, const Window& window) const {
   };
   std::vector<std::size_t> parts = parts_if(true, 1);
   for (double wider = 1; added_by(parts) > room && wider < widest; wider *= 1.5) parts = parts_if(false, wider);
+  if (added_by(parts) > room) parts = parts_if(false, infinity);
   if (added_by(parts) == 0 || added_by(parts) > room) return false;
   std::vector<double> s;
   std::vector<bool> breaks;
@@ -355,7 +354,7 @@ bool LookAhead::refine(Knots& knots, const Window& window) const {
 /// Changes what is planned but not handed out, if the speed that is asked for is another by now.
 void LookAhead::take_change() {
   if (!window_ || factor_ == planned_factor_) return;
-  if (window_->next < window_->refused_until) return;
+  if (window_->next < window_->unchanged_until) return;
   const SpeedProfile& profile = window_->profile;
   if (window_->next == 0 && profile.starts_at_rest()) {
     stand_at(begin_);
@@ -371,10 +370,10 @@ void LookAhead::take_change() {
   go_on_from(std::move(*after));
   window_ = solve(Refinement::where_speed_changes);
   if (window_) return;
-  ++refused_;
+  ++postponed_;
   stand_at(begin_);
   window_ = std::move(before);
-  window_->refused_until = window_->next + window_->patience;
+  window_->unchanged_until = window_->next + window_->patience;
   window_->patience *= 2;
 }
 

@@ -60,6 +60,8 @@ class LookAhead {
   std::optional<Chunk> plan();
   /// Windows for which no motion was found: there the motion stopped once.
   std::int64_t refused() const { return refused_; }
+  /// Changes of the feed for which no motion was found at once: tried again two segments later, then four, …
+  std::int64_t postponed() const { return postponed_; }
 
  private:
   /// A window that has been planned, on the section.
@@ -77,7 +79,7 @@ class LookAhead {
     std::optional<Continuation> after;   ///< what goes on at last_interval
     double end = 0;                      ///< where it comes to rest
     std::size_t next = 0;                ///< segment that is handed out next
-    std::size_t refused_until = 0;       ///< a change of speed was refused: not tried again before this segment is next
+    std::size_t unchanged_until = 0;     ///< a change of speed waits: not tried again before this segment is next
     std::size_t patience = 2;            ///< segments until it is tried again
   };
   enum class Aim : std::uint8_t { fastest, rest };
@@ -111,7 +113,7 @@ class LookAhead {
   std::optional<Continuation> continuation_;  ///< without a window: in motion; from rest without
   double slice_ = std::numeric_limits<double>::infinity();
   double factor_ = 1, planned_factor_ = 1;  ///< of the feed: asked for, and planned with
-  std::int64_t refused_ = 0;
+  std::int64_t refused_ = 0, postponed_ = 0;
   double reach_ = 0;         ///< how far a window looks
   double fastest_ = 0;       ///< greatest speed of the pieces so far
   double slowest_stop_ = 0;  ///< longest time to stop from it

@@ -66,7 +66,7 @@ double smooth_share(double u) {
 
 SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, double feed_factor)
     : machine_(&machine), knots_(std::move(knots)) {
-  build(section, 0, feed_factor);
+  build(section, {}, feed_factor);
   tie_variables();
   creep();
 }
@@ -77,7 +77,7 @@ SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machi
   for (std::size_t k = 0; k < knots_.s.size() && knots_.s[k] < before.s.back(); ++k) {
     if (knots_.s[k] != before.s[k]) before.insert(knots_.s[k]);
   }
-  build(section, before.loose, feed_factor);
+  build(section, before, feed_factor);
   tie_variables();
   c_ = creep_;
   for (double& c : c_) c *= before.share;
@@ -103,6 +103,8 @@ void Continuation::insert(double knot) {
   if (knot < s[loose]) ++loose;
   const auto at = std::upper_bound(s.begin(), s.end(), knot) - s.begin();
   breaks.insert(breaks.begin() + at, false);
+  if (static_cast<std::size_t>(at) <= tightened.size())
+    tightened.insert(tightened.begin() + at, tightened[static_cast<std::size_t>(at) - 1]);
   insert_knot(s, c, knot);
   ++creeping;
 }
@@ -161,7 +163,7 @@ void SpeedProfile::descend_to_creep() {
   optimize(cold_descent_gap, descent_gap);
 }
 
-void SpeedProfile::build(const Section& section, std::size_t loose, double feed_factor) {
+void SpeedProfile::build(const Section& section, const Continuation& before, double feed_factor) {
   const std::vector<double>& s = knots_.s;
   const std::size_t n = intervals();
   basis_.reserve(n);
@@ -177,8 +179,9 @@ void SpeedProfile::build(const Section& section, std::size_t loose, double feed_
   if (!ends_at_rest()) {
     // Knots that lie well for a motion that goes on lie far apart for one that stops so soon.
     const std::size_t from = n > stopping_tail ? n - stopping_tail : 0;
-    std::fill(tightened_.begin() + static_cast<std::ptrdiff_t>(std::max(from, loose)), tightened_.end(),
-              stopping_factor);
+    for (std::size_t k = std::max(from, before.loose); k < n; ++k) {
+      tightened_[k] = std::max(stopping_factor, k < before.tightened.size() ? before.tightened[k] : 1);
+    }
   }
   knot_caps_.assign(n + 1, infinity);
   middle_caps_.assign(n, infinity);
@@ -405,6 +408,7 @@ std::optional<Continuation> SpeedProfile::continuation(std::size_t interval, dou
   after.s.assign(knots_.s.begin() + from, knots_.s.end());
   after.breaks.assign(knots_.breaks.begin() + from, knots_.breaks.end());
   after.end_ramp = knots_.end_ramp;
+  after.tightened.assign(tightened_.begin() + from, tightened_.end());
   if (u > 0) {
     after.s[0] += u * width(interval);
     after.breaks[0] = false;
@@ -677,6 +681,22 @@ void SpeedProfile::tighten(std::size_t interval, const Ratios& factors) {
   for (const std::size_t i : {interval + 1, interval + 2}) caps_[i] /= squared(factors.speed);
   for (const std::size_t k : {interval, interval + 1}) knot_caps_[k] /= squared(factors.speed);
   middle_caps_[interval] /= squared(factors.speed);
+}
+
+Ratios SpeedProfile::room(std::size_t interval) const {
+  double square = infinity, rows = infinity;
+  for (const std::size_t i : {interval + 1, interval + 2}) {
+    if (is_free(i)) square = std::min(square, caps_[i] / c_[i]);
+  }
+  square = std::min(square, middle_caps_[interval] / this->square(interval, 0.5));
+  if (interval > 0) square = std::min(square, knot_caps_[interval] / this->square(interval, 0));
+  square = std::min(square, knot_caps_[interval + 1] / this->square(interval, 1));
+  const auto before = [](const Site& site, std::size_t k) { return site.interval < k; };
+  for (auto site = std::lower_bound(sites_.begin(), sites_.end(), interval, before);
+       site != sites_.end() && site->interval == interval; ++site) {
+    rows = std::min(rows, 1 / (tightened_[interval] * site->factor * greatest_of_rows(*site, c_)));
+  }
+  return {std::sqrt(square), rows};
 }
 
 bool SpeedProfile::is_level(std::size_t k) const {

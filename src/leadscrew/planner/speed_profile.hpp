@@ -35,14 +35,17 @@ namespace leadscrew::planner {
 
 /// What a window that begins in motion takes over from the one before.
 struct Continuation {
-  std::vector<double> s;     ///< knots from where it begins on, on the section
-  std::vector<bool> breaks;  ///< of these
-  double end_ramp = 0;       ///< after the last of them; 0 if it ends in motion
-  std::vector<double> c;     ///< coefficients of the spline clamped where it begins, as far as they are known
-  std::size_t creeping = 0;  ///< the first of them that may yet be lowered; those before must stay
-  std::size_t loose = 0;     ///< intervals whose rows need not be tightened for a stop
-  double share = 1;          ///< of the creep profile, for what follows them
+  std::vector<double> s;          ///< knots from where it begins on, on the section
+  std::vector<bool> breaks;       ///< of these
+  double end_ramp = 0;            ///< after the last of them; 0 if it ends in motion
+  std::vector<double> c;          ///< coefficients of the spline clamped where it begins, as far as they are known
+  std::size_t creeping = 0;       ///< the first of them that may yet be lowered; those before must stay
+  std::size_t loose = 0;          ///< intervals whose rows need not be tightened for a stop
+  std::vector<double> tightened;  ///< of each interval, ≥ 1: how far its rows were
+  double share = 1;               ///< of the creep profile, for what follows them
 
+  /// A knot more, between the first and the last; the spline stays as it is. The parts of an interval that it divides
+  /// are tightened as that was.
   void insert(double knot);
 };
 
@@ -79,6 +82,8 @@ class SpeedProfile {
 
   /// Lowers the limits of the interval by these factors; the present profile must be strictly inside what is left.
   void tighten(std::size_t interval, const Ratios& factors);
+  /// How far they can be lowered for the present profile to lie on what is left.
+  Ratios room(std::size_t interval) const;
   /// Back to the last profile that was at least a tenth of its time from the optimum, far inside the limits.
   void retreat();
   /// As deep inside the limits as the optimum within `gap` of its time is.
@@ -131,7 +136,7 @@ class SpeedProfile {
     double objective = 0;  ///< T, and what is above the wanted speed
   };
 
-  void build(const Section& section, std::size_t loose, double feed_factor);
+  void build(const Section& section, const Continuation& before, double feed_factor);
   bool grant(double margin);
   void loosen();
   void find_creep();
