@@ -63,17 +63,20 @@ TEST(SmoothPieces, AreCutWhereTheCurvatureSteps) {
   EXPECT_EQ(parameters(smooth_pieces(spline(3, more, {0.5, 0.5}))), std::vector<double>{0.5});
 }
 
-TEST(SmoothPieces, HaveBreaksWhereTheThirdDerivativeSteps) {
+TEST(SmoothPieces, HaveBreaksWhereTheThirdDerivativeStepsOrBends) {
   const std::vector<Point> points = {point(0, 0), point(1, 0), point(2, 1), point(3, 0), point(4, 2), point(6, 1)};
-  const auto breaks = [&](int degree, const std::vector<double>& inner) {
-    const auto pieces = smooth_pieces(spline(degree, points, inner));
+  std::vector<Point> more = points;
+  more.push_back(point(7, 3));
+  const auto breaks = [](int degree, const std::vector<Point>& around, const std::vector<double>& inner) {
+    const auto pieces = smooth_pieces(spline(degree, around, inner));
     EXPECT_EQ(pieces.size(), 1u);
     std::vector<double> knots;
     for (const double s : pieces[0].breaks()) knots.push_back(std::round(pieces[0].parameter(s) * 1e12) / 1e12);
     return knots;
   };
-  EXPECT_EQ(breaks(3, {0.25, 0.5}), (std::vector<double>{0.25, 0.5}));
-  EXPECT_EQ(breaks(4, {0.25}), std::vector<double>{});
+  EXPECT_EQ(breaks(3, points, {0.25, 0.5}), (std::vector<double>{0.25, 0.5}));
+  EXPECT_EQ(breaks(4, points, {0.25}), (std::vector<double>{0.25}));
+  EXPECT_EQ(breaks(5, more, {0.25}), std::vector<double>{});
 }
 
 TEST(SmoothPieces, AreCutAtACusp) {

@@ -25,7 +25,7 @@ class LiveProgram {
   LiveProgram(std::string text, const machine::Machine& machine)
       : machine_(machine),
         text_(std::move(text)),
-        reader_(gcode::text_source(text_), machine, tools_, {}, [](const base::Diagnostic&) {}),
+        reader_(gcode::text_source(text_), machine, tools_, {}, [this](const base::Diagnostic&) { ++diagnostics; }),
         judged_(gcode::text_source(text_), machine, tools_, {}, [](const base::Diagnostic&) {}),
         referee_([this](gcode::Move& move) { return judged_.next(move); }, machine, machine.period),
         planner_(machine, base::AxisVector{}),
@@ -55,6 +55,7 @@ class LiveProgram {
   const planner::LimitRatios& plan() const { return plan_; }
   std::int64_t refused_windows() const { return planner_.refused_windows(); }
   std::int64_t late = 0;
+  std::int64_t diagnostics = 0;  ///< of the reader
 
   std::vector<base::Word> words;
 

@@ -3,10 +3,13 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/machine/machine.hpp>
 #include <string>
+#include <vector>
 
 namespace leadscrew::testing_support {
 
@@ -28,10 +31,10 @@ inline machine::Machine random_machine() {
 /// Writes a program block by block, keeping count of where it is.
 class RandomProgram {
  public:
-  static std::string make() {
+  static std::string make(int most_blocks = 24) {
     RandomProgram program;
     program.text_ = "G21 G90 G94 G17 F600\n";
-    const int blocks = *rc::gen::inRange(1, 25);
+    const int blocks = *rc::gen::inRange(1, most_blocks + 1);
     for (int k = 0; k < blocks; ++k) program.block();
     program.text_ += "M2\n";
     return program.text_;
@@ -39,7 +42,7 @@ class RandomProgram {
 
  private:
   void block() {
-    switch (*rc::gen::inRange(0, 10)) {
+    switch (*rc::gen::inRange(0, 14)) {
       case 0:
         return line("G0");
       case 1:
@@ -54,6 +57,14 @@ class RandomProgram {
         return arc();
       case 7:
         return inverse_time();
+      case 10:
+        return nurbs();
+      case 11:
+        return cubic();
+      case 12:
+        return straight_on();
+      case 13:
+        return parts_of_a_circle();
       default:
         return line("G1");
     }
@@ -134,6 +145,91 @@ class RandomProgram {
     word("IJK"[second], j);
     if (!is_flat && *rc::gen::inRange(0, 4) == 0) text_ += " P" + std::to_string(*rc::gen::inRange(1, 4));
     text_ += '\n';
+  }
+
+  /// G6.2 from here, of any degree, with knots that may coincide and weights other than 1. Its control points go round
+  /// in a wavy way: a cusp is as good as impossible.
+  void nurbs() {
+    const int order = *rc::gen::inRange(3, 6), points = order + *rc::gen::inRange(0, 8);
+    const double size = *rc::gen::element(0.5, 5.0, 40.0), step = *rc::gen::inRange(20, 100) / 100.0;
+    std::vector<double> knots(static_cast<std::size_t>(order), 0.0);
+    for (int k = order, alike = order; k < points; ++k) {
+      const double step_up = alike + 1 < order ? *rc::gen::element(0.0, 0.5, 1.0, 1.0, 2.5) : 1.0;
+      alike = step_up == 0 ? alike + 1 : 1;
+      knots.push_back(knots.back() + step_up);
+    }
+    const double last = knots.back() + 1;
+    knots.resize(static_cast<std::size_t>(points + order), last);
+    text_ += "G6.2 P" + std::to_string(order);
+    const double x = at_[0], y = at_[1];
+    for (int k = 0; k < points; ++k) {
+      word('K', knots[static_cast<std::size_t>(k)]);
+      const double radius = size * (1 + *rc::gen::inRange(-100, 101) / 1000.0), angle = k * step;
+      at_[0] = k == 0 ? x : rounded(x + radius * std::cos(angle) - size);
+      at_[1] = k == 0 ? y : rounded(y + radius * std::sin(angle));
+      word('X', at_[0]);
+      word('Y', at_[1]);
+      if (k > 0 && *rc::gen::inRange(0, 3) == 0) word('R', *rc::gen::inRange(500, 2000) / 1000.0);
+      text_ += '\n';
+    }
+    for (std::size_t k = static_cast<std::size_t>(points); k < knots.size(); ++k) {
+      word('K', knots[k]);
+      text_ += '\n';
+    }
+  }
+
+  /// G5 from here, and another that goes on in its direction.
+  void cubic() {
+    text_ += "G17\n";
+    plane_ = 0;
+    const double size = *rc::gen::element(0.5, 5.0, 40.0);
+    const auto side = [&] { return rounded(size * *rc::gen::inRange(200, 1001) / 1000.0); };
+    for (int k = 0; k < 2; ++k) {
+      text_ += "G5";
+      if (k == 0) word('I', side()), word('J', side());
+      word('P', -side());
+      word('Q', -side());
+      at_[0] = rounded(at_[0] + 2 * size + side());
+      at_[1] = rounded(at_[1] + side());
+      word('X', at_[0]);
+      word('Y', at_[1]);
+      text_ += '\n';
+    }
+  }
+
+  /// Lines that do not turn, some with a feed of their own.
+  void straight_on() {
+    const std::array<double, 3> way = {rounded(size()), rounded(size() / 2), 0.008};
+    for (int k = *rc::gen::inRange(2, 6); k > 0; --k) {
+      const int times = *rc::gen::inRange(1, 4);
+      text_ += "G1";
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        at_[axis] = rounded(at_[axis] + times * way[axis]);
+        word("XYZ"[axis], at_[axis]);
+      }
+      if (*rc::gen::inRange(0, 3) == 0) text_ += " F" + std::to_string(*rc::gen::inRange(300, 9000));
+      text_ += '\n';
+    }
+  }
+
+  /// Quarters of one circle, whose curvature goes on from one to the next.
+  void parts_of_a_circle() {
+    text_ += "G17\n";
+    plane_ = 0;
+    const double radius = rounded(std::max(0.1, size()));
+    std::array<double, 2> arm = {-radius, 0};  // from the centre
+    for (int k = *rc::gen::inRange(2, 7); k > 0; --k) {
+      const std::array<double, 2> next = {-arm[1], arm[0]};
+      text_ += "G3";
+      at_[0] = rounded(at_[0] - arm[0] + next[0]);
+      at_[1] = rounded(at_[1] - arm[1] + next[1]);
+      word('X', at_[0]);
+      word('Y', at_[1]);
+      word('I', -arm[0]);
+      word('J', -arm[1]);
+      text_ += '\n';
+      arm = next;
+    }
   }
 
   std::string text_;

@@ -39,8 +39,9 @@ double distance(const geometry::Point& a, const geometry::Point& b) {
   return std::sqrt(sum);
 }
 
-/// The largest value over limit of any axis, and of the speed over the feed.
-double brute_force_ratio(const std::vector<Segment>& part, const Chunk& chunk, const machine::Machine& machine) {
+/// The largest value over limit of any axis, and of the speed over the feed times a factor.
+double brute_force_ratio(const std::vector<Segment>& part, const Chunk& chunk, const machine::Machine& machine,
+                         double feed_factor = 1) {
   constexpr int looks = 24;
   double worst = 0;
   for (const Segment& segment : part) {
@@ -63,7 +64,7 @@ double brute_force_ratio(const std::vector<Segment>& part, const Chunk& chunk, c
                           std::abs(q.second * v * v + q.first * a) / limits.acceleration,
                           std::abs(q.third * v * v * v + 3 * q.second * v * a + q.first * j) / limits.jerk});
       }
-      worst = std::max(worst, v / piece.feed);
+      worst = std::max(worst, v / (feed_factor * piece.feed));
     }
   }
   return worst;
@@ -142,8 +143,8 @@ struct Random {
   machine::Machine machine = testing_support::random_machine();
   std::vector<toolpath::Piece> pieces;
 
-  explicit Random(double ramps) {
-    pieces = testing_support::random_path(60);
+  explicit Random(double ramps, int most_pieces = 60) {
+    pieces = testing_support::random_path(most_pieces);
     testing_support::soften(machine, pieces, ramps);
     if (any(0, 4) == 0) pieces[any<std::size_t>(0, pieces.size())].stop = true;
   }
@@ -198,6 +199,52 @@ RC_GTEST_PROP(LookAhead, KeepsEveryLimitInChunksAndTails, ()) {
     RC_ASSERT(committed <= 1.001);
     RC_ASSERT(tail <= 1.001);
   }
+}
+
+/// Feed override and hold, from slice to slice, along sections of any kind: what is handed out goes on from what came
+/// before, keeps every limit, and ends where the section does.
+RC_GTEST_PROP(LookAhead, KeepsEveryLimitThroughChangesOfFeed, ()) {
+  const Random random(20, 12);
+  Planner planner(random.machine, geometry::start(random.pieces[0].curve));
+  planner.slice(0.02);
+  for (const toolpath::Piece& piece : random.pieces) planner.push(piece);
+  planner.finish();
+  const auto wait = [] { return testing_support::logarithmic(0.01, 1); };
+  double travelled = 0, length = 0, until_change = wait();
+  for (const toolpath::Piece& piece : random.pieces) length += geometry::length(piece.curve);
+  std::optional<Chunk> before;
+  bool held = false;
+  constexpr int most_changes = 5;
+  for (int changes = 0;;) {
+    std::optional<Chunk> chunk = planner.pop();
+    if (!chunk && !held) break;
+    if (!chunk) {
+      planner.override_feed(1);
+      held = false;
+      continue;
+    }
+    is_contiguous(*chunk, chunk->segments, 0, 500);
+    if (before) goes_on(*before, chunk->pieces, chunk->segments.front(), random.machine);
+    // Until it is as slow as it is to be, motion may be faster than the feed that is asked for, not than the
+    // programmed.
+    RC_ASSERT(brute_force_ratio(chunk->segments, *chunk, random.machine, 2) <= 1.001);
+    RC_ASSERT(brute_force_ratio(chunk->stop_tail, *chunk, random.machine, 2) <= 1.001);
+    ends_at_rest(*chunk, random.machine);
+    travelled += chunk->length;
+    until_change -= chunk->duration.value();
+    if (until_change < 0 && changes < most_changes) {
+      const double factor =
+          ++changes == most_changes ? 1.0 : *rc::gen::element(0.0, 0.0, 0.1, 0.3, 0.5, 0.9, 1.0, 1.3, 2.0);
+      planner.override_feed(factor);
+      held = factor == 0;
+      until_change = wait();
+    }
+    before = std::move(chunk);
+  }
+  RC_ASSERT(planner.refused_windows() == 0);
+  RC_ASSERT(before && before->stop_tail.empty());
+  RC_ASSERT(distance(before->rest, geometry::end(random.pieces.back().curve)) <= 1e-14 * (1 + length));
+  RC_ASSERT(std::abs(travelled / length - 1) <= 1e-9);
 }
 
 /// Arcs of one circle on a mill whose axes are alike.

@@ -55,7 +55,8 @@ class Nurbs {
   double first_parameter() const { return first_parameter_; }
   double last_parameter() const { return last_parameter_; }
 
-  /// Arc lengths inside (0, length), ascending, where q‴ has a step: the knots at which the B-spline is only C2.
+  /// Arc lengths inside (0, length), ascending, where q‴ has a step or a bend: knots at which the B-spline is only C2
+  /// or C3.
   std::span<const double> breaks() const;
   /// Pieces of the table u(s).
   std::size_t map_pieces() const { return record_count_; }

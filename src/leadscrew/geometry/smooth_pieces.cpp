@@ -54,8 +54,8 @@ Metric metric_of_span(const NurbsForm& form, const Moving& moving, std::size_t s
 
 /// How a stretch begins, seen from the one before.
 enum class Joint : std::uint8_t {
-  smooth,       ///< three derivatives pass through
-  third_steps,  ///< q‴ has a step
+  smooth,       ///< four derivatives pass through
+  rough_third,  ///< q‴ has a step or a bend
   unknown,      ///< to be seen from the derivatives on both sides
   kink,         ///< a cut
 };
@@ -79,7 +79,7 @@ std::size_t multiplicity(const std::vector<double>& knots, std::size_t last) {
 Joint joint_at_knot(const NurbsForm& form, std::size_t span) {
   const std::size_t p = static_cast<std::size_t>(form.degree), times = multiplicity(form.knots, span);
   if (times + 1 >= p) return Joint::unknown;
-  return p - times <= 2 ? Joint::third_steps : Joint::smooth;
+  return p - times <= 3 ? Joint::rough_third : Joint::smooth;
 }
 
 /// q′ and q″ by arc length at an end.
@@ -137,7 +137,7 @@ void settle_joints(std::vector<Stretch>& stretches) {
   for (std::size_t i = 1; i < stretches.size(); ++i) {
     Stretch& stretch = stretches[i];
     if (stretch.joint == Joint::kink || is_short(stretches[i - 1])) {
-      if (stretch.joint == Joint::unknown) stretch.joint = Joint::third_steps;
+      if (stretch.joint == Joint::unknown) stretch.joint = Joint::rough_third;
       continue;
     }
     std::size_t next = i;
@@ -148,7 +148,7 @@ void settle_joints(std::vector<Stretch>& stretches) {
     if (next == i && stretch.joint != Joint::unknown) continue;
     const bool smooth = is_smooth(stretches[i - 1], stretches[next], between);
     if (!smooth) stretch.joint = Joint::kink;
-    if (smooth && stretch.joint == Joint::unknown) stretch.joint = Joint::third_steps;
+    if (smooth && stretch.joint == Joint::unknown) stretch.joint = Joint::rough_third;
   }
 }
 
@@ -214,7 +214,7 @@ class NurbsAssembly {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const Stretch& stretch = stretches[i];
       if (stretch.joint == Joint::kink) begin_piece(stretch);
-      if (stretch.joint == Joint::third_steps && s_.hi > 0) table_->breaks.push_back(s_.value());
+      if (stretch.joint == Joint::rough_third && s_.hi > 0) table_->breaks.push_back(s_.value());
       add(stretch);
       if (i + 1 == stretches.size() || stretches[i + 1].joint == Joint::kink) finish_piece(stretch);
     }

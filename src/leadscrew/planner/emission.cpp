@@ -185,10 +185,12 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
 
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
                                     const machine::Machine& machine) {
-  const double jerk = 0.99 * tangent_limits(section.jets(from.s, Side::right), machine).jerk;
+  const TangentLimits limits = tangent_limits(section.jets(from.s, Side::right), machine);
+  const double jerk = 0.99 * limits.jerk;
   const double v = from.speed, a = from.acceleration;
   if (!(v > 0)) return std::nullopt;
-  double t = (a + std::sqrt(a * a + 6 * v * jerk)) / jerk;
+  // Jerk is greatest where it begins; without acceleration there, acceleration is greatest half way: 3v/(2t).
+  double t = std::max((a + std::sqrt(a * a + 6 * v * jerk)) / jerk, 1.4 * v / limits.acceleration);
   for (int attempt = 0; attempt < 40; ++attempt, t *= 1.06) {
     const double way = t * (v / 2 + t * a / 12);
     if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;
