@@ -28,6 +28,18 @@ inline machine::Machine random_machine() {
   return machine;
 }
 
+/// Velocity, acceleration and jerk of its axes, a line for each: what it takes to build it again.
+inline std::string limits_of(const machine::Machine& machine) {
+  std::string text;
+  for (const auto& axis : machine.axes) {
+    if (!axis) continue;
+    char line[80];
+    std::snprintf(line, sizeof line, "(%.17g %.17g %.17g)\n", axis->velocity, axis->acceleration, axis->jerk);
+    text += line;
+  }
+  return text;
+}
+
 /// Writes a program block by block, keeping count of where it is.
 class RandomProgram {
  public:
@@ -71,6 +83,7 @@ class RandomProgram {
   }
 
   double size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 30.0, 200.0); }
+  double small_size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 10.0); }
   double rounded(double value) { return std::round(value * 1000) / 1000; }
   double moved(double from) { return rounded(from + size() * *rc::gen::inRange(-1000, 1001) / 1000.0); }
 
@@ -199,7 +212,7 @@ class RandomProgram {
 
   /// Lines that do not turn, some with a feed of their own.
   void straight_on() {
-    const std::array<double, 3> way = {rounded(size()), rounded(size() / 2), 0.008};
+    const std::array<double, 3> way = {rounded(small_size()), rounded(small_size() / 2), 0.008};
     for (int k = *rc::gen::inRange(2, 6); k > 0; --k) {
       const int times = *rc::gen::inRange(1, 4);
       text_ += "G1";
@@ -216,7 +229,7 @@ class RandomProgram {
   void parts_of_a_circle() {
     text_ += "G17\n";
     plane_ = 0;
-    const double radius = rounded(std::max(0.1, size()));
+    const double radius = rounded(std::max(0.1, small_size()));
     std::array<double, 2> arm = {-radius, 0};  // from the centre
     for (int k = *rc::gen::inRange(2, 7); k > 0; --k) {
       const std::array<double, 2> next = {-arm[1], arm[0]};

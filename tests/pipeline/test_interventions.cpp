@@ -15,6 +15,7 @@ namespace {
 
 using namespace leadscrew;
 using testing_support::Intervention;
+using testing_support::limits_of;
 using testing_support::LiveProgram;
 using testing_support::random_machine;
 using testing_support::RandomProgram;
@@ -41,7 +42,7 @@ void keep_every_promise() {
     ticks = ticks_of(text, machine);
   }
   if (!ticks) return;
-  RC_LOG() << text;
+  RC_LOG() << text << limits_of(machine);
   std::vector<Intervention> interventions;
   std::int64_t at = 0;
   const int count = *rc::gen::inRange(1, 8);
@@ -70,6 +71,21 @@ RC_GTEST_PROP(Interventions, KeepEveryLimitAndEveryPoint, ()) {
 }
 RC_GTEST_PROP(LongInterventions, KeepEveryLimitAndEveryPoint, ()) {
   for (int program = 0; program < 7; ++program) keep_every_promise();
+}
+
+/// Where a hold follows an override to almost nothing, speed falls by so much within one interval between knots that a
+/// polynomial through its ends can pass below 0.
+TEST(Interventions, DoNotTurnMotionBack) {
+  machine::Machine machine;
+  machine.period = {1'000'000};
+  machine.axes[0] = machine::AxisLimits{-1e5, 1e5, 36.575645911623276, 134.17211158960586, 830286.74861513998, 0.001};
+  machine.axes[1] = machine::AxisLimits{-1e5, 1e5, 14.326496708306824, 873.17291274558386, 822.96000564727387, 0.001};
+  machine.axes[2] = machine::AxisLimits{-1e5, 1e5, 30.024238711787916, 806.05236158579237, 6399.8318395319411, 0.001};
+  LiveProgram live("G21 G90 G93\nG1 X4 Y31 Z1.002 F15\nM2\n", machine);
+  live.run({{758, 0.01, 0}, {790, 0.0, 45}, {1098, 0.5, 0}}, 2000);
+  for (std::size_t k = 1; k < live.words.size(); ++k) {
+    ASSERT_GE(live.words[k].position[1], live.words[k - 1].position[1]) << k;
+  }
 }
 
 /// Ticks from the request at `tick` until speed is and stays at most `speed`.

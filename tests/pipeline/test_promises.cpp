@@ -16,6 +16,7 @@
 namespace {
 
 using namespace leadscrew;
+using testing_support::limits_of;
 using testing_support::logarithmic;
 using testing_support::random_machine;
 using testing_support::RandomProgram;
@@ -62,9 +63,10 @@ base::Period affordable_period(double seconds) {
 }
 
 void keep_every_limit_and_every_point() {
-  const std::string text = RandomProgram::make();
+  constexpr int most_blocks = 10;
+  const std::string text = RandomProgram::make(most_blocks);
   machine::Machine machine = random_machine();
-  RC_LOG() << text;
+  RC_LOG() << text << limits_of(machine);
   machine.period = base::longest_period;
   const Outcome coarse = run(text, machine);
   RC_ASSERT(!has_error(coarse));

@@ -12,6 +12,7 @@ namespace {
 using base::MotionState;
 using numeric::DoubleDouble;
 
+constexpr double turning_back = 1.5;  // ratio that stands for a motion that goes back
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int stop_looks = 32;  // of the proof that a stop keeps its limits
 
@@ -165,14 +166,30 @@ Emission emit(const SpeedProfile& profile, double begin, double end) {
   return Emitter(profile, begin).emit(end);
 }
 
+/// The least speed where acceleration, a cubic, passes from below 0 at one time to above 0 at another: by bisection.
+double least_speed(const Segment& segment, double from, double to) {
+  constexpr int halvings = 20;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (from + to) / 2;
+    (evaluate(segment, middle).acceleration < 0 ? from : to) = middle;
+  }
+  return evaluate(segment, from).speed;
+}
+
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks) {
   constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
   Peak speed, rows;
-  double feed = 0;
+  double feed = 0, fastest = 0, slowest = infinity;
+  PathState before;
   const double duration = segment.duration.value();
   for (int k = 0; k <= looks; ++k) {
     const PathState at = evaluate(segment, duration * k / looks);
+    fastest = std::max(fastest, at.speed);
+    slowest = std::min(slowest, at.speed);
+    if (k > 0 && before.acceleration < 0 && at.acceleration > 0)
+      slowest = std::min(slowest, least_speed(segment, duration * (k - 1) / looks, duration * k / looks));
+    before = at;
     const Side side = k == 0 ? Side::right : Side::left;
     const geometry::PointJet jet = section.jets(at.s, side);
     const AxisRatios ratios = greatest_ratios(jet, at, machine);
@@ -180,6 +197,8 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
     rows.look(std::max(ratios.acceleration, ratios.jerk) * between_looks);
   }
+  constexpr double rounding = 1e-9;
+  if (slowest < -rounding * fastest) rows.look(turning_back);
   return {std::max(speed.greatest(), feed), rows.greatest()};
 }
 
