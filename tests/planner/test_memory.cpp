@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <allocations.hpp>
+#include <array>
 #include <planned.hpp>
 #include <six_axes.hpp>
 
@@ -12,19 +13,32 @@ using namespace leadscrew;
 
 constexpr std::int64_t two_megabytes = 2'000'000;
 
+struct Unchanged {
+  void begin(planner::Planner&) {}
+  void after(planner::Planner&, const planner::Chunk&) {}
+};
+
 /// Pushes pieces as the planner wants them and throws chunks away.
-template <typename NextPiece>
-std::int64_t most_memory(const machine::Machine& machine, const geometry::Point& start, int pieces, NextPiece next) {
+template <typename NextPiece, typename Feed = Unchanged>
+std::int64_t most_memory(const machine::Machine& machine, const geometry::Point& start, int pieces, NextPiece next,
+                         Feed feed = {}) {
   const std::int64_t before = testing_support::memory_held();
   testing_support::watch_memory();
   planner::Planner planner(machine, start);
+  feed.begin(planner);
   std::int64_t chunks = 0;
+  const auto take_chunks = [&] {
+    while (const std::optional<planner::Chunk> chunk = planner.pop()) {
+      ++chunks;
+      feed.after(planner, *chunk);
+    }
+  };
   for (int k = 0; k < pieces; ++k) {
     planner.push(next());
-    while (planner.pop()) ++chunks;
+    take_chunks();
   }
   planner.finish();
-  while (planner.pop()) ++chunks;
+  take_chunks();
   EXPECT_GT(chunks, 2);
   EXPECT_EQ(planner.refused_windows(), 0);
   return testing_support::most_memory_held() - before;
@@ -46,6 +60,32 @@ TEST(PlannerMemory, OfCurvesInSixAxesIsBelowTwoMegabytes) {
   const machine::Machine machine = testing_support::mill_of_six_axes();
   testing_support::CurveInSixAxes curve(50);
   const std::int64_t most = most_memory(machine, curve.start(), 1000, [&] { return curve.next(); });
+  EXPECT_LT(most, two_megabytes);
+  RecordProperty("bytes", std::to_string(most));
+}
+
+/// Three times a second, from the twentieth of the programmed feed to twice as much.
+class RestlessFeed {
+ public:
+  void begin(planner::Planner& planner) { planner.slice(0.02); }
+  void after(planner::Planner& planner, const planner::Chunk& chunk) {
+    since_ += chunk.duration.value();
+    if (since_ < 0.3) return;
+    since_ = 0;
+    planner.override_feed(factors_[next_++ % factors_.size()]);
+  }
+
+ private:
+  std::array<double, 10> factors_ = {0.05, 1, 0.3, 2, 0.05, 1, 0.1, 0.5, 1, 0.07};
+  std::size_t next_ = 0;
+  double since_ = 0;
+};
+
+TEST(PlannerMemory, IsBelowTwoMegabytesWhileTheFeedChanges) {
+  const machine::Machine machine = testing_support::mill_of_six_axes();
+  testing_support::CurveInSixAxes curve(50);
+  const auto next = [&] { return curve.next(); };
+  const std::int64_t most = most_memory(machine, curve.start(), 100, next, RestlessFeed());
   EXPECT_LT(most, two_megabytes);
   RecordProperty("bytes", std::to_string(most));
 }

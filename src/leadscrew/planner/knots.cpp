@@ -58,7 +58,7 @@ class Placement {
       knots_.breaks.push_back(false);
     }
     distribute();
-    if (!stretch_.ends_at_rest || knots_.s.size() > most() + rest_knots)
+    if (!stretch_.ends_at_rest || !reaches_end_ || knots_.s.size() > most() + rest_knots)
       cut();
     else
       knots_.intervals = knots_.s.size() - 1;
@@ -152,13 +152,27 @@ class Placement {
     return std::min({ramp_width(sample, sample.cap, per_ramp), sample.h_curve, std::max(ramp_grading * d, 1e-12)});
   }
 
+  static bool is_same(double cap, double other) { return std::abs(cap - other) <= 1e-9 * cap; }
+  static double cruise_width(const Sample& sample, double x) {
+    return std::max(ramp_width(sample, x, cruise_knots), cruise_time * std::sqrt(x));
+  }
+  /// Knots lie no wider here, whatever comes.
+  static double widest(const Sample& sample) { return std::min(cruise_width(sample, sample.cap), sample.h_curve); }
+
   double first_knot() const { return stretch_.begin + knots_.start_ramp; }
 
-  /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there.
+  /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there; farther where
+  /// the greatest speed is the same. No more than the knots that there may be need.
   void sample() {
-    double from = first_knot();
-    for (const double to : breaks_) {
+    double from = first_knot(), knots = 0;
+    for (std::size_t b = 0; b < breaks_.size(); ++b) {
+      const double to = breaks_[b];
       if (!(to > from)) continue;
+      if (knots > 2.0 * static_cast<double>(most() + rest_knots)) {
+        breaks_.resize(b);
+        reaches_end_ = false;
+        return;
+      }
       const Sample left = at(from, Side::right), right = at(to, Side::left);
       samples_.push_back(left);
       constexpr int first_cut = 8;
@@ -167,6 +181,7 @@ class Placement {
         const Sample next = k == first_cut ? right : at(from + (to - from) * k / first_cut, Side::left);
         bisect(previous, next, 0);
         samples_.push_back(next);
+        knots += (next.s - previous.s) / std::max(widest(previous), widest(next));
         previous = next;
       }
       from = to;
@@ -175,6 +190,8 @@ class Placement {
   void bisect(const Sample& left, const Sample& right, int depth) {
     const double width = right.s - left.s;
     if (depth == deepest || width <= 2 * std::min(width_by_cap(left), width_by_cap(right))) return;
+    const bool is_cruise = left.cap == left.greatest && right.cap == right.greatest && is_same(left.cap, right.cap);
+    if (is_cruise && width <= 2 * std::min(widest(left), widest(right))) return;
     const Sample middle = at((left.s + right.s) / 2, Side::left);
     bisect(left, middle, depth + 1);
     samples_.push_back(middle);
@@ -193,7 +210,7 @@ class Placement {
   void widths() {
     std::vector<double> alone(samples_.size(), 0.0);  // distance to where the greatest speed changes
     const auto same = [](const Sample& a, const Sample& b) {
-      return a.reach == a.cap && b.reach == b.cap && std::abs(a.cap - b.cap) <= 1e-9 * a.cap;
+      return a.reach == a.cap && b.reach == b.cap && is_same(a.cap, b.cap);
     };
     for (std::size_t i = 1; i < samples_.size(); ++i) {
       if (same(samples_[i - 1], samples_[i])) alone[i] = alone[i - 1] + samples_[i].s - samples_[i - 1].s;
@@ -209,10 +226,8 @@ class Placement {
       const double d = from_rest(sample.s);
       const double ramp = ramp_width(sample, sample.reach, per_ramp);
       const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
-      const double cruise =
-          std::max(ramp_width(sample, sample.reach, cruise_knots), cruise_time * std::sqrt(sample.reach));
-      sample.h =
-          std::min({std::max(ramp, std::min(cruise, cruise_grading * beyond)), sample.h_curve, ramp_grading * d});
+      const double cruise = std::min(cruise_width(sample, sample.reach), cruise_grading * beyond);
+      sample.h = std::min({std::max(ramp, cruise), sample.h_curve, ramp_grading * d});
     }
     if (stretch_.kept.size() > 1) {  // what is new goes on from the last interval that is there
       const double joint = stretch_.kept.back(), width = joint - *(stretch_.kept.end() - 2);
@@ -271,7 +286,8 @@ class Placement {
       from = to;
       if (knots_.s.size() > most() + rest_knots) return;
     }
-    knots_.breaks.back() = false;
+    // Where nothing more is known yet, it may be one.
+    if (stretch_.ends_at_rest && reaches_end_) knots_.breaks.back() = false;
   }
 
   /// Ends in motion, where there is room to stop in what is known beyond.
@@ -350,6 +366,7 @@ class Placement {
   const Stretch& stretch_;
   std::size_t most_;
   std::size_t kept_ = 0;
+  bool reaches_end_ = true;  ///< or is there more than knots may reach?
   std::vector<double> breaks_;
   std::vector<Sample> samples_;
   Knots knots_;

@@ -390,7 +390,10 @@ std::unique_ptr<LookAhead::Window> LookAhead::solve(Refinement refinement) {
     stretch.changes_from = continuation_->c[0];
   }
   std::unique_ptr<Window> window = solve(stretch, factor_ > 0 ? Aim::fastest : Aim::rest);
-  if (window) planned_factor_ = factor_;
+  if (window) {
+    window->profile.settle();
+    planned_factor_ = factor_;
+  }
   return window;
 }
 

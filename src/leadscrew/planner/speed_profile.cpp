@@ -39,6 +39,10 @@ std::array<double, 3> rest_tie(double s1, double h0, double h1) {
   return {1, g1, g1 + (h0 + h1) / 3 * (bend * h0 / 2 + slope)};
 }
 
+bool moves(const numeric::Jet& q) {
+  return q.first != 0 || q.second != 0 || q.third != 0;
+}
+
 double squared(double v) {
   return v * v;
 }
@@ -174,6 +178,12 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   }
   if (starts_at_rest()) start_tie_ = rest_tie(knots_.start_ramp, s[1] - s[0], s[2] - s[1]);
   if (ends_at_rest()) end_tie_ = rest_tie(knots_.end_ramp, s[n] - s[n - 1], s[n - 1] - s[n - 2]);
+  geometry::PointJet left = section.jets(s[0], Side::right);
+  // Two sites an interval and one more at a break; some more where the curve's derivatives have peaks.
+  std::size_t sites = 2 * n + static_cast<std::size_t>(std::count(knots_.breaks.begin(), knots_.breaks.end(), true));
+  sites += sites / 4;
+  sites_.reserve(sites);
+  rows_.reserve(sites * static_cast<std::size_t>(std::count_if(left.begin(), left.end(), moves)));
   tightened_.assign(n, 1.0);
   floors_.assign(n + 3, 0.0);
   if (!ends_at_rest()) {
@@ -185,7 +195,6 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   }
   knot_caps_.assign(n + 1, infinity);
   middle_caps_.assign(n, infinity);
-  geometry::PointJet left = section.jets(s[0], Side::right);
   const auto cap = [&](double at, Side side, const geometry::PointJet& jet) {
     const double feed = feed_factor * section.feed(at, side), square = greatest_square(jet, feed, *machine_);
     const bool by_feed = square == squared(feed);
@@ -246,7 +255,7 @@ void SpeedProfile::add_site(std::size_t interval, double u, const geometry::Poin
   Site site{static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, false, 1, x};
   for (const base::Axis axis : base::all_axes) {
     const numeric::Jet& q = jet[base::index(axis)];
-    if (q.first == 0 && q.second == 0 && q.third == 0) continue;
+    if (!moves(q)) continue;
     const machine::AxisLimits& limits = machine_->limits(axis);
     const double a = 1 / (limit_margin * limits.acceleration), j = 1 / (limit_margin * limits.jerk);
     Row& row = rows_.emplace_back();
@@ -274,12 +283,8 @@ void SpeedProfile::add_hull(std::size_t interval, const std::array<const geometr
       static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, true, 1, basis.value(0.5)};
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    bool moves = false;
-    for (const geometry::PointJet* jet : jets) {
-      const numeric::Jet& q = (*jet)[i];
-      moves = moves || q.first != 0 || q.second != 0 || q.third != 0;
-    }
-    if (!moves) continue;
+    const auto moves_axis = [&](const geometry::PointJet* jet) { return moves((*jet)[i]); };
+    if (std::none_of(jets.begin(), jets.end(), moves_axis)) continue;
     const machine::AxisLimits& limits = machine_->limits(axis);
     const double a = 1 / (limit_margin * limits.acceleration), j = jerk_factor / (limit_margin * limits.jerk);
     Row& row = rows_.emplace_back();
@@ -374,6 +379,17 @@ void SpeedProfile::creep() {
   }
   read_variables();
   far_inside_ = c_;
+}
+
+void SpeedProfile::settle() {
+  sites_.shrink_to_fit();
+  rows_.shrink_to_fit();
+  gauss_ = {};
+  hessian_ = {};
+  for (std::vector<double>* used : {&wanted_, &asked_caps_, &asked_knot_caps_, &asked_middle_caps_, &floors_,
+                                    &far_inside_, &weight_, &variables_, &trial_, &trial_c_, &step_, &gradient_}) {
+    *used = {};
+  }
 }
 
 void SpeedProfile::slow_down(double factor) {

@@ -93,6 +93,9 @@ class SpeedProfile {
   /// Slows the whole window down, v by `factor` < 1; only if it begins at rest.
   void slow_down(double factor);
 
+  /// Gives back the memory that only planning takes: from then on it can be read and gone on from.
+  void settle();
+
   /// To go on from u ∈ [0, 1) of an interval. None where fewer than three knots are left, or if a levelled cruise
   /// there cannot be left as it must be; unlevel() then.
   std::optional<Continuation> continuation(std::size_t interval, double u = 0) const;
