@@ -160,8 +160,8 @@ class RandomProgram {
     text_ += '\n';
   }
 
-  /// G6.2 from here, of any degree, with knots that may coincide and weights other than 1. Its control points go round
-  /// in a wavy way: a cusp is as good as impossible.
+  /// G6.2 from here, of degree 2 to 4, with knots that may coincide and weights other than 1. Its control points go
+  /// round in a wavy way: a cusp is as good as impossible.
   void nurbs() {
     const int order = *rc::gen::inRange(3, 6), points = order + *rc::gen::inRange(0, 8);
     const double size = *rc::gen::element(0.5, 5.0, 40.0), step = *rc::gen::inRange(20, 100) / 100.0;

@@ -162,7 +162,7 @@ class Placement {
   double first_knot() const { return stretch_.begin + knots_.start_ramp; }
 
   /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there; farther where
-  /// the greatest speed is the same. No more than the knots that there may be need.
+  /// the greatest speed is the same. From a break on where they suffice for all knots that there may be, none.
   void sample() {
     double from = first_knot(), knots = 0;
     for (std::size_t b = 0; b < breaks_.size(); ++b) {

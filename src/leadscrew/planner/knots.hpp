@@ -12,7 +12,7 @@ namespace leadscrew::planner {
 /// knots; one that ends in motion has knots beyond its last interval.
 struct Knots {
   std::vector<double> s;      ///< increasing, on the section
-  std::vector<bool> breaks;   ///< for each knot: q‴ or the greatest speed may jump here
+  std::vector<bool> breaks;   ///< for each knot: q‴ may jump or bend here, or the greatest speed jump
   std::size_t intervals = 0;  ///< between the first `intervals` + 1 knots
   double start_ramp = 0;      ///< length travelled at constant path jerk from rest before the first knot; 0 in motion
   double end_ramp = 0;        ///< after the last; 0 if the window ends in motion
