@@ -8,14 +8,11 @@
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/machine/machine.hpp>
+#include <random_numbers.hpp>
 #include <string>
 #include <vector>
 
 namespace leadscrew::testing_support {
-
-inline double logarithmic(double low, double high) {
-  return low * std::pow(high / low, *rc::gen::inRange(0, 1000001) / 1e6);
-}
 
 /// Limits over three decades; travel wide enough for every random program.
 inline machine::Machine random_machine() {
@@ -46,7 +43,7 @@ class RandomProgram {
   static std::string make(int most_blocks = 24) {
     RandomProgram program;
     program.text_ = "G21 G90 G94 G17 F600\n";
-    const int blocks = *rc::gen::inRange(1, most_blocks + 1);
+    const int blocks = any(1, most_blocks + 1);
     for (int k = 0; k < blocks; ++k) program.block();
     program.text_ += "M2\n";
     return program.text_;
@@ -54,7 +51,7 @@ class RandomProgram {
 
  private:
   void block() {
-    switch (*rc::gen::inRange(0, 14)) {
+    switch (any(0, 14)) {
       case 0:
         return line("G0");
       case 1:
@@ -85,7 +82,7 @@ class RandomProgram {
   double size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 30.0, 200.0); }
   double small_size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 10.0); }
   double rounded(double value) { return std::round(value * 1000) / 1000; }
-  double moved(double from) { return rounded(from + size() * *rc::gen::inRange(-1000, 1001) / 1000.0); }
+  double moved(double from) { return rounded(from + size() * any(-1000, 1001) / 1000.0); }
 
   void word(char letter, double value) {
     char buffer[32];
@@ -96,7 +93,7 @@ class RandomProgram {
   void line(const char* code) {
     text_ += code;
     for (std::size_t axis = 0; axis < 4; ++axis) {
-      if (*rc::gen::inRange(0, 3) == 0) continue;
+      if (any(0, 3) == 0) continue;
       at_[axis] = moved(at_[axis]);
       word("XYZA"[axis], at_[axis]);
     }
@@ -105,14 +102,14 @@ class RandomProgram {
 
   void dwell() {
     text_ += "G4";
-    word('P', *rc::gen::inRange(0, 200) / 1000.0);
+    word('P', any(0, 200) / 1000.0);
     text_ += '\n';
   }
 
-  void feed() { text_ += 'F' + std::to_string(*rc::gen::inRange(30, 12000)) + '\n'; }
+  void feed() { text_ += 'F' + std::to_string(any(30, 12000)) + '\n'; }
 
   void plane() {
-    plane_ = *rc::gen::inRange<std::size_t>(0, 3);
+    plane_ = any<std::size_t>(0, 3);
     text_ += "G" + std::to_string(17 + plane_) + '\n';
   }
 
@@ -122,8 +119,7 @@ class RandomProgram {
       at_[axis] = rounded(at_[axis] + 1 + size());
       word("XYZ"[axis], at_[axis]);
     }
-    text_ += " F" + std::to_string(*rc::gen::inRange(5, 200)) + "\nG94 F" +
-             std::to_string(*rc::gen::inRange(60, 9000)) + '\n';
+    text_ += " F" + std::to_string(any(5, 200)) + "\nG94 F" + std::to_string(any(60, 9000)) + '\n';
   }
 
   /// An arc from here through some angle about a centre not far away, its end rounded as a CAM rounds it.
@@ -131,13 +127,12 @@ class RandomProgram {
     const std::size_t first = std::array<std::size_t, 3>{0, 2, 1}[plane_],
                       second = std::array<std::size_t, 3>{1, 0, 2}[plane_];
     const std::size_t normal = 3 - first - second;
-    const bool is_flat = *rc::gen::inRange(0, 6) == 0;
+    const bool is_flat = any(0, 6) == 0;
     const double radius = is_flat ? logarithmic(300, 9e4) : std::max(0.02, size());
-    const double from = *rc::gen::inRange(0, 6283) / 1000.0;
+    const double from = any(0, 6283) / 1000.0;
     const double i = rounded(radius * std::cos(from)), j = rounded(radius * std::sin(from));
-    const bool clockwise = *rc::gen::arbitrary<bool>(), whole = !is_flat && *rc::gen::inRange(0, 5) == 0;
-    const double sweep =
-        is_flat ? *rc::gen::inRange(300, 6000) / 100.0 / radius : *rc::gen::inRange(300, 6000) / 1000.0;
+    const bool clockwise = *rc::gen::arbitrary<bool>(), whole = !is_flat && any(0, 5) == 0;
+    const double sweep = is_flat ? any(300, 6000) / 100.0 / radius : any(300, 6000) / 1000.0;
     text_ += clockwise ? "G2" : "G3";
     if (!whole) {
       const double begin = std::atan2(-j, -i), angle = begin + (clockwise ? -sweep : sweep), r = std::hypot(i, j);
@@ -146,25 +141,25 @@ class RandomProgram {
       word("XYZ"[first], at_[first]);
       word("XYZ"[second], at_[second]);
     }
-    if (*rc::gen::inRange(0, 2) == 0) {
+    if (any(0, 2) == 0) {
       at_[normal] = moved(at_[normal]);
       word("XYZ"[normal], at_[normal]);
     }
-    if (*rc::gen::inRange(0, 4) == 0) {
+    if (any(0, 4) == 0) {
       at_[3] = moved(at_[3]);
       word('A', at_[3]);
     }
     word("IJK"[first], i);
     word("IJK"[second], j);
-    if (!is_flat && *rc::gen::inRange(0, 4) == 0) text_ += " P" + std::to_string(*rc::gen::inRange(1, 4));
+    if (!is_flat && any(0, 4) == 0) text_ += " P" + std::to_string(any(1, 4));
     text_ += '\n';
   }
 
   /// G6.2 from here, of degree 2 to 4, with knots that may coincide and weights other than 1. Its control points go
   /// round in a wavy way: a cusp is as good as impossible.
   void nurbs() {
-    const int order = *rc::gen::inRange(3, 6), points = order + *rc::gen::inRange(0, 8);
-    const double size = *rc::gen::element(0.5, 5.0, 40.0), step = *rc::gen::inRange(20, 100) / 100.0;
+    const int order = any(3, 6), points = order + any(0, 8);
+    const double size = *rc::gen::element(0.5, 5.0, 40.0), step = any(20, 100) / 100.0;
     std::vector<double> knots(static_cast<std::size_t>(order), 0.0);
     for (int k = order, alike = order; k < points; ++k) {
       const double step_up = alike + 1 < order ? *rc::gen::element(0.0, 0.5, 1.0, 1.0, 2.5) : 1.0;
@@ -177,12 +172,12 @@ class RandomProgram {
     const double x = at_[0], y = at_[1];
     for (int k = 0; k < points; ++k) {
       word('K', knots[static_cast<std::size_t>(k)]);
-      const double radius = size * (1 + *rc::gen::inRange(-100, 101) / 1000.0), angle = k * step;
+      const double radius = size * (1 + any(-100, 101) / 1000.0), angle = k * step;
       at_[0] = k == 0 ? x : rounded(x + radius * std::cos(angle) - size);
       at_[1] = k == 0 ? y : rounded(y + radius * std::sin(angle));
       word('X', at_[0]);
       word('Y', at_[1]);
-      if (k > 0 && *rc::gen::inRange(0, 3) == 0) word('R', *rc::gen::inRange(500, 2000) / 1000.0);
+      if (k > 0 && any(0, 3) == 0) word('R', any(500, 2000) / 1000.0);
       text_ += '\n';
     }
     for (std::size_t k = static_cast<std::size_t>(points); k < knots.size(); ++k) {
@@ -196,7 +191,7 @@ class RandomProgram {
     text_ += "G17\n";
     plane_ = 0;
     const double size = *rc::gen::element(0.5, 5.0, 40.0);
-    const auto side = [&] { return rounded(size * *rc::gen::inRange(200, 1001) / 1000.0); };
+    const auto side = [&] { return rounded(size * any(200, 1001) / 1000.0); };
     for (int k = 0; k < 2; ++k) {
       text_ += "G5";
       if (k == 0) word('I', side()), word('J', side());
@@ -213,14 +208,14 @@ class RandomProgram {
   /// Lines that do not turn, some with a feed of their own.
   void straight_on() {
     const std::array<double, 3> way = {rounded(small_size()), rounded(small_size() / 2), 0.008};
-    for (int k = *rc::gen::inRange(2, 6); k > 0; --k) {
-      const int times = *rc::gen::inRange(1, 4);
+    for (int k = any(2, 6); k > 0; --k) {
+      const int times = any(1, 4);
       text_ += "G1";
       for (std::size_t axis = 0; axis < 3; ++axis) {
         at_[axis] = rounded(at_[axis] + times * way[axis]);
         word("XYZ"[axis], at_[axis]);
       }
-      if (*rc::gen::inRange(0, 3) == 0) text_ += " F" + std::to_string(*rc::gen::inRange(300, 9000));
+      if (any(0, 3) == 0) text_ += " F" + std::to_string(any(300, 9000));
       text_ += '\n';
     }
   }
@@ -231,7 +226,7 @@ class RandomProgram {
     plane_ = 0;
     const double radius = rounded(std::max(0.1, small_size()));
     std::array<double, 2> arm = {-radius, 0};  // from the centre
-    for (int k = *rc::gen::inRange(2, 7); k > 0; --k) {
+    for (int k = any(2, 7); k > 0; --k) {
       const std::array<double, 2> next = {-arm[1], arm[0]};
       text_ += "G3";
       at_[0] = rounded(at_[0] - arm[0] + next[0]);

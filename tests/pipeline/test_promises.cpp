@@ -16,6 +16,7 @@
 namespace {
 
 using namespace leadscrew;
+using testing_support::any;
 using testing_support::limits_of;
 using testing_support::logarithmic;
 using testing_support::random_machine;
@@ -58,7 +59,7 @@ bool has_error(const Outcome& outcome) {
 /// A period between 10 µs and 20 ms that keeps the train of words below a hundred thousand.
 base::Period affordable_period(double seconds) {
   const double least = std::max(10e-6, seconds / 1e5);
-  const double period = least * std::pow(20e-3 / least, *rc::gen::inRange(0, 1001) / 1000.0);
+  const double period = least * std::pow(20e-3 / least, any(0, 1001) / 1000.0);
   return {std::clamp<std::int64_t>(static_cast<std::int64_t>(period * 1e9), 10'000, 20'000'000)};
 }
 

@@ -7,18 +7,10 @@
 #include <cmath>
 #include <leadscrew/planner/section.hpp>
 #include <planned.hpp>
+#include <random_numbers.hpp>
 #include <vector>
 
 namespace leadscrew::testing_support {
-
-/// From `low` to just below `high`, all as likely from the first case on.
-template <typename Whole>
-Whole any(Whole low, Whole high) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Whole>(low, high));
-}
-inline double logarithmic(double low, double high) {
-  return low * std::pow(high / low, any(0, 1000001) / 1e6);
-}
 
 /// Limits over two to three decades, each axis its own; acceleration is reached in a millisecond or later.
 inline machine::Machine random_machine() {

@@ -6,6 +6,7 @@
 #include <leadscrew/planner/planner.hpp>
 #include <numbers>
 #include <optional>
+#include <random_numbers.hpp>
 
 namespace {
 
@@ -19,11 +20,9 @@ using leadscrew::machine::Machine;
 using leadscrew::planner::Chunk;
 using leadscrew::planner::LimitRatios;
 using leadscrew::planner::Planner;
+using leadscrew::testing_support::any;
+using leadscrew::testing_support::logarithmic;
 using leadscrew::toolpath::Piece;
-
-double logarithmic(double low, double high) {
-  return low * std::pow(high / low, *rc::gen::inRange(0, 1000001) / 1e6);
-}
 
 Machine random_machine() {
   Machine machine = leadscrew::machine::mill3();
@@ -38,15 +37,15 @@ Piece random_helix() {
   Point start{}, end{};
   const double radius = logarithmic(0.001, 300),
                angle = logarithmic(0.001, 40) * (*rc::gen::arbitrary<bool>() ? 1 : -1);
-  const double phase = *rc::gen::inRange(0, 6283) / 1000.0, rise = *rc::gen::inRange(-100, 101) / 50.0 * radius;
-  const std::size_t first = *rc::gen::inRange<std::size_t>(0, 3), second = (first + 1) % 3, normal = (first + 2) % 3;
+  const double phase = any(0, 6283) / 1000.0, rise = any(-100, 101) / 50.0 * radius;
+  const std::size_t first = any<std::size_t>(0, 3), second = (first + 1) % 3, normal = (first + 2) % 3;
   start[first] = radius * std::cos(phase);
   start[second] = radius * std::sin(phase);
   end[first] = radius * std::cos(phase + angle);
   end[second] = radius * std::sin(phase + angle);
   end[normal] = rise;
-  end[index(Axis::A)] = *rc::gen::inRange(-90, 91);
-  const double feed = *rc::gen::inRange(0, 5) == 0 ? INFINITY : logarithmic(0.5, 500);
+  end[index(Axis::A)] = any(-90, 91);
+  const double feed = any(0, 5) == 0 ? INFINITY : logarithmic(0.5, 500);
   return {Arc(start, end, first, second, 0, 0, angle, Arc::way(radius, angle, rise)), feed, {}};
 }
 
@@ -94,7 +93,7 @@ RC_GTEST_PROP(PieceLimits, NoHelixExceedsAnyLimitAnywhere, ()) {
 RC_GTEST_PROP(PieceLimits, LinesMeetOneLimitExactly, ()) {
   const Machine machine = random_machine();
   Point start{}, end{};
-  for (const std::size_t i : {0, 1, 2, 3}) end[i] = *rc::gen::inRange(-100000, 100001) / 1000.0;
+  for (const std::size_t i : {0, 1, 2, 3}) end[i] = any(-100000, 100001) / 1000.0;
   const double length = std::hypot(end[0], end[1], end[2]);
   RC_PRE(length > 0);
   const Piece piece{Line(start, end, length), logarithmic(0.5, 500), {}};
