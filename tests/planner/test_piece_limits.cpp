@@ -52,10 +52,14 @@ Piece random_helix() {
 /// The largest value over limit of any axis, looked for much more finely than the planner looks, with formulas written
 /// out here.
 double brute_force_ratio(const Chunk& chunk, const Machine& machine) {
-  const int looks = chunk.segments.size() <= 7 ? 2000 : 100;
+  constexpr double angle_between_looks = 1e-3;  // rad
+  const auto* arc = std::get_if<Arc>(&chunk.pieces[0].curve);
   double worst = 0;
   for (const auto& segment : chunk.segments) {
     const double duration = segment.duration.value();
+    const double way = leadscrew::planner::evaluate(segment, duration).s - segment.s0.value();
+    const double angle = arc != nullptr ? std::abs(arc->angle_rate() * way) : 0;
+    const int looks = std::max(chunk.segments.size() <= 7 ? 2000 : 100, static_cast<int>(angle / angle_between_looks));
     for (int k = 0; k <= looks; ++k) {
       const double t = duration * k / looks;
       const double c2 = segment.c2, c3 = segment.c3, c4 = segment.c4, c5 = segment.c5;
@@ -114,7 +118,8 @@ RC_GTEST_PROP(PieceLimits, PlanRatiosAgreeWithBruteForce, ()) {
   Chunk without_feed = chunk;
   without_feed.pieces[0].feed = INFINITY;
   fine = brute_force_ratio(without_feed, machine);
-  RC_ASSERT(worst <= fine * (1 + 1e-9) + 1e-12);
+  // Between its looks the brute force misses up to some (angle/2)²/2 of a peak that the other happens to look at.
+  RC_ASSERT(worst <= fine * (1 + 1e-6) + 1e-12);
   RC_ASSERT(worst >= fine * (1 - 2e-3));
 }
 

@@ -80,6 +80,16 @@ Segment later(const Segment& segment, double t) {
   return rest;
 }
 
+/// The least speed where acceleration, a cubic, passes from below 0 at one time to above 0 at another: by bisection.
+double least_speed(const Segment& segment, double from, double to) {
+  constexpr int halvings = 20;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (from + to) / 2;
+    (evaluate(segment, middle).acceleration < 0 ? from : to) = middle;
+  }
+  return evaluate(segment, from).speed;
+}
+
 class Emitter {
  public:
   Emitter(const SpeedProfile& profile, double begin) : profile_(profile), begin_(begin) {}
@@ -166,16 +176,6 @@ Emission emit(const SpeedProfile& profile, double begin, double end) {
   return Emitter(profile, begin).emit(end);
 }
 
-/// The least speed where acceleration, a cubic, passes from below 0 at one time to above 0 at another: by bisection.
-double least_speed(const Segment& segment, double from, double to) {
-  constexpr int halvings = 20;
-  for (int k = 0; k < halvings; ++k) {
-    const double middle = (from + to) / 2;
-    (evaluate(segment, middle).acceleration < 0 ? from : to) = middle;
-  }
-  return evaluate(segment, from).speed;
-}
-
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks) {
   constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
@@ -198,8 +198,9 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     rows.look(std::max(ratios.acceleration, ratios.jerk) * between_looks);
   }
   constexpr double rounding = 1e-9;
-  if (slowest < -rounding * fastest) rows.look(turning_back);
-  return {std::max(speed.greatest(), feed), rows.greatest()};
+  const bool turns_back = slowest < -rounding * fastest;
+  return {std::max(speed.greatest(), feed), turns_back ? std::max(turning_back, rows.greatest()) : rows.greatest(),
+          turns_back};
 }
 
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
@@ -208,8 +209,8 @@ std::optional<Segment> come_to_rest(const PathState& from, double room, double l
   const double jerk = 0.99 * limits.jerk;
   const double v = from.speed, a = from.acceleration;
   if (!(v > 0)) return std::nullopt;
-  // Jerk is greatest where it begins; without acceleration there, acceleration is greatest half way: 3v/(2t).
-  double t = std::max((a + std::sqrt(a * a + 6 * v * jerk)) / jerk, 1.4 * v / limits.acceleration);
+  // Jerk is greatest where it begins. The peak of acceleration is least, 4v/(3t), where a = −v/t; 3v/(2t) where a = 0.
+  double t = std::max((a + std::sqrt(a * a + 6 * v * jerk)) / jerk, 1.33 * v / limits.acceleration);
   for (int attempt = 0; attempt < 40; ++attempt, t *= 1.06) {
     const double way = t * (v / 2 + t * a / 12);
     if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;

@@ -162,23 +162,29 @@ class Placement {
   double first_knot() const { return stretch_.begin + knots_.start_ramp; }
 
   /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there; farther where
-  /// the greatest speed is the same. From a break on where they suffice for all knots that there may be, none.
+  /// the greatest speed is the same. From where they suffice for all knots that there may be, none.
   void sample() {
+    constexpr double least_cuts = 8, most_widths = 32;  // of a cut
+    const double enough = 2.0 * static_cast<double>(most() + rest_knots);
     double from = first_knot(), knots = 0;
     for (std::size_t b = 0; b < breaks_.size(); ++b) {
       const double to = breaks_[b];
       if (!(to > from)) continue;
-      if (knots > 2.0 * static_cast<double>(most() + rest_knots)) {
-        breaks_.resize(b);
-        reaches_end_ = false;
-        return;
-      }
-      const Sample left = at(from, Side::right), right = at(to, Side::left);
-      samples_.push_back(left);
-      constexpr int first_cut = 8;
-      Sample previous = left;
-      for (int k = 1; k <= first_cut; ++k) {
-        const Sample next = k == first_cut ? right : at(from + (to - from) * k / first_cut, Side::left);
+      samples_.push_back(at(from, Side::right));
+      Sample previous = samples_.back();
+      const double longest_cut = (to - from) / least_cuts;
+      while (previous.s < to) {
+        if (knots > enough) {
+          breaks_.resize(b);
+          if (previous.s > from) breaks_.push_back(previous.s);
+          ends_between_breaks_ = previous.s > from;
+          reaches_end_ = false;
+          return;
+        }
+        const double cut =
+            std::min({longest_cut, most_widths * cruise_width(previous, previous.greatest), most_widths * previous.h_curve});
+        const bool is_last = previous.s + 1.001 * cut >= to || previous.s + cut <= previous.s;
+        const Sample next = at(is_last ? to : previous.s + cut, Side::left);
         bisect(previous, next, 0);
         samples_.push_back(next);
         knots += (next.s - previous.s) / std::max(widest(previous), widest(next));
@@ -190,9 +196,10 @@ class Placement {
   void bisect(const Sample& left, const Sample& right, int depth) {
     const double width = right.s - left.s;
     if (depth == deepest || width <= 2 * std::min(width_by_cap(left), width_by_cap(right))) return;
-    const bool is_cruise = left.cap == left.greatest && right.cap == right.greatest && is_same(left.cap, right.cap);
-    if (is_cruise && width <= 2 * std::min(widest(left), widest(right))) return;
     const Sample middle = at((left.s + right.s) / 2, Side::left);
+    const bool is_cruise = middle.cap == middle.greatest && is_same(left.cap, middle.cap) &&
+                           is_same(middle.cap, right.cap) && left.cap == left.greatest && right.cap == right.greatest;
+    if (is_cruise && width <= 2 * std::min(widest(left), widest(right))) return;
     bisect(left, middle, depth + 1);
     samples_.push_back(middle);
     bisect(middle, right, depth + 1);
@@ -287,7 +294,7 @@ class Placement {
       if (knots_.s.size() > most() + rest_knots) return;
     }
     // Where nothing more is known yet, it may be one.
-    if (stretch_.ends_at_rest && reaches_end_) knots_.breaks.back() = false;
+    if (ends_between_breaks_ || (stretch_.ends_at_rest && reaches_end_)) knots_.breaks.back() = false;
   }
 
   /// Ends in motion, where there is room to stop in what is known beyond.
@@ -366,7 +373,8 @@ class Placement {
   const Stretch& stretch_;
   std::size_t most_;
   std::size_t kept_ = 0;
-  bool reaches_end_ = true;  ///< or is there more than knots may reach?
+  bool reaches_end_ = true;           ///< or is there more than knots may reach?
+  bool ends_between_breaks_ = false;  ///< does what they may reach?
   std::vector<double> breaks_;
   std::vector<Sample> samples_;
   Knots knots_;

@@ -154,6 +154,7 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim) const {
   SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
   window.worst = 0;
+  window.turns_back = false;
   window.factors.assign(n, Ratios{});
   if (!profile.ends_at_rest()) {
     window.last_interval = commit_until(profile, section_, machine_);
@@ -211,6 +212,7 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim) const {
         !profile.ends_at_rest() && window.intervals[k] + stopping_intervals > n ? close_looks : usual_looks;
     const Ratios ratios = greatest_ratios(window.segments[k], section_, machine_, feed_factor, looks);
     window.worst = std::max(window.worst, ratios.worst());
+    window.turns_back = window.turns_back || ratios.turns_back;
     if (ratios.worst() <= 1) continue;
     const std::size_t interval = std::min(window.intervals[k], n - 1);
     for (std::size_t i = interval > 0 ? interval - 1 : 0; i <= std::min(interval + 1, n - 1); ++i) {
@@ -241,8 +243,8 @@ std::unique_ptr<LookAhead::Window> LookAhead::solve(const Stretch& stretch, Aim 
   return nullptr;
 }
 
-/// Plans until the proof is kept, and slows down what is left: from rest to rest or into creep that always helps. False
-/// if it cannot come to rest at its end.
+/// Plans until the proof is kept, and slows down what is left: from rest to rest or into creep that always helps, but
+/// where motion turns back, for which there is only creep itself. False if it cannot come to rest at its end.
 bool LookAhead::repair_from_rest(Window& window, const Stretch& stretch) const {
   SpeedProfile& profile = window.profile;
   if (!(profile.greatest_ratio() < 1)) return false;
@@ -253,7 +255,11 @@ bool LookAhead::repair_from_rest(Window& window, const Stretch& stretch) const {
     if (!emit(window, stretch, Aim::fastest)) return false;
     if (window.worst <= 1) return true;
     if (window.worst <= granted_slowing || round == repairs) {
-      slow_down(window, 1 / window.worst);
+      if (window.turns_back) {
+        profile.creep();
+        if (!emit(window, stretch, Aim::fastest) || window.turns_back) return false;
+      }
+      slow_down(window, 1 / std::max(1.0, window.worst));
       return true;
     }
     for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
@@ -389,7 +395,11 @@ std::unique_ptr<LookAhead::Window> LookAhead::solve(Refinement refinement) {
   if (continuation_ && refinement == Refinement::where_speed_changes) {
     stretch.changes_from = continuation_->c[0];
   }
-  std::unique_ptr<Window> window = solve(stretch, factor_ > 0 ? Aim::fastest : Aim::rest);
+  return settled(solve(stretch, factor_ > 0 ? Aim::fastest : Aim::rest));
+}
+
+/// As it is kept, if there is one: planned for the factor asked for, in no more memory than it takes to read it.
+std::unique_ptr<LookAhead::Window> LookAhead::settled(std::unique_ptr<Window> window) {
   if (window) {
     window->profile.settle();
     planned_factor_ = factor_;
@@ -403,7 +413,7 @@ void LookAhead::solve_to_rest() {
   Stretch stretch = next_stretch();
   stretch.ends_at_rest = true;
   for (int halving = 0; halving < 40 && !window_; ++halving) {
-    window_ = solve(stretch, Aim::fastest);
+    window_ = settled(solve(stretch, Aim::fastest));
     stretch.end = begin_ + (stretch.end - begin_) / 2;
   }
 }

@@ -73,6 +73,7 @@ class LookAhead {
     std::vector<std::size_t> intervals;  ///< of the segments
     std::vector<double> places;          ///< u ∈ [0, 1) of the interval where each segment begins
     double worst = 0;                    ///< ratio of any limit
+    bool turns_back = false;             ///< does its motion, anywhere?
     std::vector<Ratios> factors;         ///< of each interval: what it must be tightened by, ≥ 1
     std::size_t last_interval = 0;       ///< where the next window begins, unless all is committed
     bool to_rest = false;                ///< is all of it committed?
@@ -92,6 +93,7 @@ class LookAhead {
   bool repair_from_rest(Window& window, const Stretch& stretch) const;
   bool repair_in_motion(Window& window, const Stretch& stretch, Aim aim, Knots* finer) const;
   bool refine(Knots& knots, const Window& window) const;
+  std::unique_ptr<Window> settled(std::unique_ptr<Window> window);
   bool emit(Window& window, const Stretch& stretch, Aim aim) const;
   void solve_to_rest();
   static void slow_down(Window& window, double factor);

@@ -183,7 +183,10 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   std::size_t sites = 2 * n + static_cast<std::size_t>(std::count(knots_.breaks.begin(), knots_.breaks.end(), true));
   sites += sites / 4;
   sites_.reserve(sites);
-  rows_.reserve(sites * static_cast<std::size_t>(std::count_if(left.begin(), left.end(), moves)));
+  const geometry::PointJet half_way = section.jets(s[n / 2], Side::right), last = section.jets(s[n], Side::left);
+  std::size_t moving = 0;
+  for (std::size_t i = 0; i < left.size(); ++i) moving += moves(left[i]) || moves(half_way[i]) || moves(last[i]);
+  rows_.reserve(sites * moving);
   tightened_.assign(n, 1.0);
   floors_.assign(n + 3, 0.0);
   if (!ends_at_rest()) {
@@ -382,14 +385,14 @@ void SpeedProfile::creep() {
 }
 
 void SpeedProfile::settle() {
-  sites_.shrink_to_fit();
-  rows_.shrink_to_fit();
   gauss_ = {};
   hessian_ = {};
   for (std::vector<double>* used : {&wanted_, &asked_caps_, &asked_knot_caps_, &asked_middle_caps_, &floors_,
                                     &far_inside_, &weight_, &variables_, &trial_, &trial_c_, &step_, &gradient_}) {
     *used = {};
   }
+  sites_.shrink_to_fit();
+  rows_.shrink_to_fit();
 }
 
 void SpeedProfile::slow_down(double factor) {

@@ -53,6 +53,7 @@ struct Continuation {
 struct Ratios {
   double speed = 1;  ///< of the feed and of axis velocities
   double rows = 1;   ///< of acceleration and jerk
+  bool turns_back = false;
   double worst() const { return std::max(speed, rows); }
 };
 
