@@ -72,13 +72,12 @@ TEST(ButterflyCurve, HasTheReferenceLengthAndSharpestBend) {
   EXPECT_EQ(verdict(rows(), curve, "smallest radius of curvature"), "exact");
 }
 
-// The map looks at the speed in places only; between them it may be off by a little more than was asked.
-TEST(ButterflyMap, StaysNearTheSpeedFluctuationItWasMadeFor) {
+TEST(ButterflyMap, KeepsTheSpeedFluctuationItWasMadeFor) {
   for (const auto& [bound, ppm] : {std::pair("1e-4", 100.0), {"1e-5", 10.0}, {"1e-6", 1.0}}) {
     const Row row = found(rows(), curve, std::string("measured for speed fluctuation below ") + bound);
-    EXPECT_LT(row.ours.value_or(NAN), 1.2 * ppm);
+    EXPECT_LE(row.ours.value_or(NAN), ppm);
     EXPECT_GT(row.ours.value_or(NAN), 0.1 * ppm);
-    EXPECT_EQ(row.verdict, row.ours.value_or(NAN) <= ppm ? Verdict::kept : Verdict::exceeded);
+    EXPECT_EQ(row.verdict, Verdict::kept);
   }
 }
 
@@ -86,7 +85,7 @@ TEST(ButterflyMap, GetsFinerWithTheFluctuationAsked) {
   const auto pieces = [](const char* bound) {
     return ours(rows(), curve, std::string("pieces of the map for speed fluctuation below ") + bound);
   };
-  EXPECT_GT(pieces("1e-4"), 50);  // one for each knot span at least
+  EXPECT_GE(pieces("1e-4"), 2 * 48);  // two for each knot span at least
   EXPECT_LT(pieces("1e-4"), pieces("1e-5"));
   EXPECT_LT(pieces("1e-5"), pieces("1e-6"));
 }

@@ -36,7 +36,8 @@ struct Interval {
 class Mapper {
  public:
   /// is_graded: whether the curve has a singular end at x = 0.
-  Mapper(const RationalTaylor& curve, const Metric& metric, double whole_length, double tolerance, bool is_graded)
+  Mapper(const RationalTaylor& curve, const Metric& metric, double whole_length, const MapTolerance& tolerance,
+         bool is_graded)
       : curve_(curve), metric_(metric), tolerance_(tolerance), whole_length_(whole_length), is_graded_(is_graded) {
     for (std::size_t k = 0; k < curve.count; ++k) {
       for (std::size_t i = 1; i <= curve.degree; ++i) reach_ = std::max(reach_, std::abs(curve.numerator[k][i]));
@@ -133,8 +134,9 @@ class Mapper {
     const double k = std::max(begin.scale, end.scale);
     // Rounding: x is known to the precision of the curve's numbers.
     const double noise = 64 * epsilon * std::max(1.0, reach_ * std::abs(piece.x_end - piece.x_begin) / h);
-    const double allowed = tolerance_ + noise, allowed_first = 100 * tolerance_ * k + 10 * noise / h,
-                 allowed_second = 1e4 * tolerance_ * k * k + 100 * noise / (h * h);
+    constexpr double peak = 0.85;  // of a rational curve's error, at the place that is looked at, at least
+    const double allowed = peak * tolerance_.speed + noise, allowed_first = tolerance_.first * k + 10 * noise / h,
+                 allowed_second = tolerance_.second * k * k + 100 * noise / (h * h);
     if (begin.speed * std::abs(6 * c[2] - begin.x3) > allowed_second) return false;
     const double third_end = 6 * c[2] + h * (24 * c[3] + h * 60 * c[4]);
     if (end.speed * std::abs(third_end - end.x3) > allowed_second) return false;
@@ -191,7 +193,7 @@ class Mapper {
 
   const RationalTaylor& curve_;
   const Metric& metric_;
-  double tolerance_;
+  const MapTolerance& tolerance_;
   double whole_length_;
   bool is_graded_;
   double reach_ = 0;  ///< size of the curve, mm or degrees
@@ -199,13 +201,14 @@ class Mapper {
 
 /// By one application of the rule.
 double rough_length(const RationalTaylor& curve, const Metric& metric, double a, double b) {
-  const Mapper mapper(curve, metric, 1, 1, false);
+  const MapTolerance any;
+  const Mapper mapper(curve, metric, 1, any, false);
   return mapper.gauss(a, b);
 }
 
 }  // namespace
 
-void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular, double tolerance,
+void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular, const MapTolerance& tolerance,
                     std::vector<MapPiece>& pieces_from_start, std::vector<MapPiece>& pieces_from_end) {
   // Two halves, each by powers of the parameter from its own end: best conditioned, and exact about a singular end.
   const RationalTaylor start = from_start(curve), end = from_end(curve);
@@ -222,7 +225,8 @@ void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularE
 
 double arc_length(const RationalBezier& curve, const Metric& metric) {
   const RationalTaylor start = from_start(curve), end = from_end(curve);
-  const Mapper from_the_start(start, metric, 1, 1, false), from_the_end(end, metric, 1, 1, false);
+  const MapTolerance any;
+  const Mapper from_the_start(start, metric, 1, any, false), from_the_end(end, metric, 1, any, false);
   return from_the_start.length(0, 0.5, from_the_start.gauss(0, 0.5), deepest) +
          from_the_end.length(-0.5, 0, from_the_end.gauss(-0.5, 0), deepest);
 }

@@ -7,9 +7,9 @@
 //                 x′ = 1/v    x″ = −v₁/v³    x‴ = (3 v₁²/v − v₂)/v⁴
 //                 v = |C′|,   v₁ = dv/dx = C′·C″/v,   v₂ = d²v/dx² = (C″·C″ + C′·C‴ − v₁²)/v
 //
-//               halving until the composition's own speed g = v·x′(σ) is 1 within the tolerance ε, and its derivatives
-//               by s are small beside what the curve itself has: |g′| ≤ 100 ε k, |g″| ≤ 10⁴ ε k², with k the larger of
-//               the curvature and the reciprocal of the piece's length. A quintic's error in x is τ³(1 − τ)³ of
+//               halving until the composition's own speed g = v·x′(σ) is 1 within a tolerance, and its derivatives by s
+//               are small beside what the curve itself has: g′ beside k and g″ beside k², with k the larger of the
+//               curvature and the reciprocal of the piece's length. A quintic's error in x is τ³(1 − τ)³ of
 //               something, τ = σ/h: its first derivative is largest at τ = (1 ± 1/√5)/2, its second at 1/2, its third
 //               at the ends, and there they are looked at. x′ > 0 is certain where the Bernstein coefficients of x′ are
 //               positive.
@@ -21,6 +21,7 @@
 // curvature is next to nothing.
 
 #include <array>
+#include <leadscrew/geometry/nurbs.hpp>
 #include <leadscrew/geometry/rational.hpp>
 #include <vector>
 
@@ -40,8 +41,8 @@ struct SingularEnds {
 };
 
 /// The table for the whole of `curve`: appends to `from_start` what counts x from the curve's start, and to `from_end`
-/// what counts it from its end and comes after that. tolerance: ε.
-void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular, double tolerance,
+/// what counts it from its end and comes after that.
+void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular, const MapTolerance& tolerance,
                     std::vector<MapPiece>& from_start, std::vector<MapPiece>& from_end);
 
 /// The length alone.

@@ -30,8 +30,14 @@ struct NurbsForm {
   std::vector<double> weights;  ///< n, > 0
 };
 
-/// Relative error of the speed |dq/ds| granted to u(s).
-inline constexpr double default_speed_tolerance = 1e-7;
+/// What is granted to the table of u(s), > 0, for the speed g = |dq/ds| and its derivatives by s; k is the larger of the
+/// curvature and the reciprocal of the length of a span. g″ has a step where two pieces of the table meet, and so has
+/// q‴: jerk by as much, relative, where motion is as fast as jerk allows.
+struct MapTolerance {
+  double speed = 1e-7;   ///< |g − 1|
+  double first = 1e-5;   ///< |g′| / k
+  double second = 1e-4;  ///< |g″| / k²
+};
 
 struct NurbsTable;
 
@@ -89,9 +95,9 @@ class Nurbs {
 ///     about 1e-5 mm, which no machine tells from a corner,
 ///   - where the coordinates by which length is told begin or cease to move.
 ///
-/// tolerance: relative error of speed granted to u(s), > 0. The work is linear in the number of control points. A form
+/// tolerance: granted to u(s). The work is linear in the number of control points. A form
 /// that is none (counts, degree, knots, weights not as said above) gives no piece.
-std::vector<Nurbs> smooth_pieces(const NurbsForm& form, double tolerance = default_speed_tolerance);
+std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance = {});
 
 /// The lengths of all smooth pieces together, without making their tables.
 double feed_length(const NurbsForm& form);

@@ -199,7 +199,7 @@ bool is_rational(const NurbsForm& form) {
 /// Fills a table, one smooth piece after another.
 class NurbsAssembly {
  public:
-  NurbsAssembly(const NurbsForm& form, double tolerance)
+  NurbsAssembly(const NurbsForm& form, const MapTolerance& tolerance)
       : form_(form), tolerance_(tolerance), moving_(moving_coordinates(form.points)) {
     table_->degree = static_cast<std::size_t>(form.degree);
     table_->rational = is_rational(form);
@@ -319,7 +319,7 @@ class NurbsAssembly {
   }
 
   const NurbsForm& form_;
-  double tolerance_;
+  const MapTolerance& tolerance_;
   Moving moving_;
   std::shared_ptr<NurbsTable> table_ = std::make_shared<NurbsTable>();
   std::vector<Nurbs> pieces_;
@@ -328,7 +328,7 @@ class NurbsAssembly {
   std::vector<MapPiece> from_start_, from_end_;
 };
 
-std::vector<Nurbs> smooth_pieces(const NurbsForm& form, double tolerance) {
+std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance) {
   if (!is_form(form)) return {};
   return NurbsAssembly(form, tolerance).pieces();
 }

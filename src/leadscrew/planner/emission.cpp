@@ -178,7 +178,12 @@ Emission emit(const SpeedProfile& profile, double begin, double end) {
 
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks) {
-  constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
+  constexpr double between_looks = 1 + 1e-5;     // of what is no parabola
+  constexpr double map_steps = 1 + 1e-4;         // of jerk, where pieces of a curve's table of arc length meet
+  const auto has_table = [&](std::size_t piece) {
+    return std::holds_alternative<geometry::Nurbs>(section.piece(piece).curve);
+  };
+  const double on_curves = has_table(section.piece_at(segment.s0.value(), Side::right)) ? map_steps : 1;
   Peak speed, rows;
   double feed = 0, fastest = 0, slowest = infinity;
   PathState before;
@@ -195,7 +200,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     const AxisRatios ratios = greatest_ratios(jet, at, machine);
     feed = std::max(feed, at.speed / (feed_factor * section.feed(at.s, side)));
     speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
-    rows.look(std::max(ratios.acceleration, ratios.jerk) * between_looks);
+    rows.look(std::max(ratios.acceleration, ratios.jerk * on_curves) * between_looks);
   }
   constexpr double rounding = 1e-9;
   const bool turns_back = slowest < -rounding * fastest;
