@@ -54,6 +54,7 @@ class LiveProgram {
   referee::Verdict conclude() { return referee_.conclude(); }
   const planner::LimitRatios& plan() const { return plan_; }
   std::int64_t refused_windows() const { return planner_.refused_windows(); }
+  std::int64_t postponed_changes() const { return planner_.postponed_changes(); }
   std::int64_t late = 0;
   std::int64_t diagnostics = 0;  ///< of the reader
 

@@ -43,9 +43,12 @@ Segment quintic(const PathState& from, const PathState& to, double duration) {
 class Peak {
  public:
   void look(double value) {
-    const double bulge = looks_++ < 2 ? 0 : std::max(0.0, (2 * last_ - before_last_ - value) / 8);
-    greatest_ = std::max({greatest_, value + bulge, last_ + bulge, before_last_ + bulge});
+    greatest_ = std::max(greatest_, value);
     if (std::isnan(value)) greatest_ = infinity;
+    if (++looks_ > 2) {
+      const double bend = 2 * last_ - before_last_ - value, slope = (value - before_last_) / 2;
+      if (std::abs(slope) < bend) greatest_ = std::max(greatest_, last_ + slope * slope / (2 * bend));
+    }
     before_last_ = last_;
     last_ = value;
   }

@@ -591,25 +591,25 @@ void SpeedProfile::assemble(double t) {
     stay_below(basis_[k].value(1), knot_caps_[k + 1]);
     for (; next_site < sites_.size() && sites_[next_site].interval == k; ++next_site) {
       const Site& site = sites_[next_site];
-      const double x = dot(site.x, c), ff = squared(tightened_[k] * site.factor);
+      const double x = dot(site.x, c), inverse_x = 1 / x, ff = squared(tightened_[k] * site.factor);
       double by_x = 0, by_xx = 0;
       Four with_x{};
       for (std::uint32_t r = site.first_row; r < site.end_row; ++r) {
         const Row& row = rows_[r];
         const double a = dot(row.acceleration, c), g = dot(row.jerk, c);
-        const double room_a = 1 / (1 - ff * a * a);
+        const double free_a = 1 - ff * a * a, free_j = 1 - ff * g * g * x, both = 1 / (free_a * free_j);
+        const double room_a = free_j * both, room = free_a * both;
         along(row.acceleration, 2 * ff * a * room_a);
         rank_one(row.acceleration, 2 * ff * room_a * (1 + 2 * ff * a * a * room_a));
         // u = g²x: ∇u = 2gx p + g² e; the Hessian is modelled by U Uᵀ + Z Zᵀ, U = ∇u/(1 − u),
         // Z = √(2x/(1 − u)) (p + (g/x) e), which is never indefinite.
-        const double room = 1 / (1 - ff * g * g * x);
         const double u_p = 2 * ff * g * x * room, u_e = ff * g * g * room, z = 2 * ff * x * room;
         along(row.jerk, u_p);
         by_x += u_e;
         rank_one(row.jerk, u_p * u_p + z);
-        const double mixed = 2 * (u_p * u_e + z * g / x);
+        const double mixed = 2 * (u_p * u_e + z * g * inverse_x);
         for (std::size_t i = 0; i < 4; ++i) with_x[i] += mixed * row.jerk[i];
-        by_xx += u_e * u_e + z * squared(g / x);
+        by_xx += u_e * u_e + z * squared(g * inverse_x);
       }
       along(site.x, by_x);
       rank_one(site.x, by_xx);
@@ -634,7 +634,7 @@ void SpeedProfile::assemble(double t) {
   }
 }
 
-bool SpeedProfile::newton(double t, double& decrement) {
+bool SpeedProfile::newton(double t, Step& at, double& decrement) {
   ++newton_steps_;
   assemble(t);
   step_ = gradient_;
@@ -643,7 +643,6 @@ bool SpeedProfile::newton(double t, double& decrement) {
   decrement = 0;
   for (std::size_t i = 0; i < step_.size(); ++i) decrement += gradient_[i] * step_[i];
   if (!(decrement > 0)) return false;
-  const double before = measure(c_, t).value;
   double length = 1;
   for (int halving = 0; halving < 30; ++halving, length /= 2) {
     trial_.resize(variables_.size());
@@ -652,7 +651,9 @@ bool SpeedProfile::newton(double t, double& decrement) {
     for (std::size_t i = 0; i < c_.size(); ++i) {
       if (is_free(i)) trial_c_[i] = weight_[i] * trial_[static_cast<std::size_t>(variable_[i])];
     }
-    if (measure(trial_c_, t).value <= before - 0.05 * length * decrement) {
+    const Step there = measure(trial_c_, t);
+    if (there.value <= at.value - 0.05 * length * decrement) {
+      at = there;
       variables_.swap(trial_);
       c_.swap(trial_c_);
       return true;
@@ -661,12 +662,14 @@ bool SpeedProfile::newton(double t, double& decrement) {
   return false;
 }
 
-void SpeedProfile::follow(double t) {
+SpeedProfile::Step SpeedProfile::follow(double t) {
   const double m = static_cast<double>(constraints());
+  Step at = measure(c_, t);
   for (int step = 0; step < 25; ++step) {
     double decrement = 0;
-    if (!newton(t, decrement) || decrement < 1e-4 * m + 0.3) break;
+    if (!newton(t, at, decrement) || decrement < 1e-4 * m + 0.3) break;
   }
+  return at;
 }
 
 /// Remembers the present profile to go back to, and takes back what was granted and it does not need.
@@ -687,8 +690,7 @@ void SpeedProfile::optimize(double first_gap, double gap) {
   const double m = static_cast<double>(constraints());
   double t = m / (first_gap * measure(c_, 1).objective);
   for (int stage = 0; stage < 30; ++stage) {
-    follow(t);
-    const double left = m / t / measure(c_, 1).objective;
+    const double left = m / t / follow(t).objective;
     if (left > 0.1) keep_far_inside();
     if (left < gap) break;
     t *= 8;

@@ -150,8 +150,8 @@ class SpeedProfile {
   void add_hull(std::size_t interval, const std::array<const geometry::PointJet*, 3>& jets);
   Step measure(const std::vector<double>& c, double t) const;
   void assemble(double t);
-  bool newton(double t, double& decrement);
-  void follow(double t);
+  bool newton(double t, Step& at, double& decrement);
+  Step follow(double t);
   void keep_far_inside();
   std::size_t constraints() const { return 2 * (rows_.size() + caps_.size() + intervals()) + 1; }
   bool is_free(std::size_t coefficient) const { return variable_[coefficient] >= 0; }
