@@ -2,6 +2,7 @@
 // A program run as a controller runs it: chunks offered just ahead of the cycle, the feed changed and the planner kept
 // from its work at any time.
 
+#include <algorithm>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/interpolator/controller.hpp>
 #include <leadscrew/planner/planner.hpp>
@@ -36,7 +37,7 @@ class LiveProgram {
   /// Runs to the end, or as many ticks; `words` gets each. False if it has not ended by then.
   bool run(const std::vector<Intervention>& interventions, std::int64_t most_ticks) {
     std::size_t next = 0;
-    std::int64_t silent_until = 0;
+    std::int64_t silent_until = 0, waiting = 0;
     for (std::int64_t tick = 0; tick < most_ticks; ++tick) {
       while (next < interventions.size() && interventions[next].tick <= tick) {
         planner_.override_feed(interventions[next].factor);
@@ -44,6 +45,8 @@ class LiveProgram {
         ++next;
       }
       if (tick >= silent_until && !pump() && controller_.idle() && next == interventions.size()) return true;
+      waiting = planner_.change_waits() ? waiting + 1 : 0;
+      longest_wait = std::max(longest_wait, waiting);
       const base::Word word = controller_.next();
       referee_.observe(word.position);
       words.push_back(word);
@@ -54,8 +57,8 @@ class LiveProgram {
   referee::Verdict conclude() { return referee_.conclude(); }
   const planner::LimitRatios& plan() const { return plan_; }
   std::int64_t refused_windows() const { return planner_.refused_windows(); }
-  std::int64_t postponed_changes() const { return planner_.postponed_changes(); }
   std::int64_t late = 0;
+  std::int64_t longest_wait = 0;  ///< ticks that a change of the feed waited for a window that can take it
   std::int64_t diagnostics = 0;  ///< of the reader
 
   std::vector<base::Word> words;

@@ -36,11 +36,13 @@ constexpr double granted_slowing = 1.0002;  // below, slowing time costs less th
 constexpr double stops_ahead = 4.5;    // times to stop that lie between what is committed and the end of the window
 constexpr double stops_committed = 3;  // times to stop that are committed, where speed is greatest
 constexpr double least_reach = 0.25;   // s
-constexpr std::size_t most_intervals = 320;
-constexpr std::size_t few_intervals = 200;
+constexpr std::size_t rows_of_a_window = 960;  // intervals times axes that move: so long does a window take to plan
+constexpr std::size_t least_intervals = 200, greatest_intervals = 320;
+constexpr double few = 0.6;  // of the intervals that a window may have
 constexpr std::size_t least_ahead = 16;     // intervals
 constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 constexpr std::size_t most_pieces = 900;
+constexpr std::size_t most_patience = 16;  // segments
 
 double stop_time(double speed, const TangentLimits& limits) {
   const double a = limits.acceleration, j = limits.jerk;
@@ -93,6 +95,7 @@ void LookAhead::append(const toolpath::Piece& piece) {
     for (const base::Axis axis : base::all_axes) {
       const double rate = std::abs(jet[base::index(axis)].first);
       if (rate > 1e-3) speed = std::min(speed, machine_.limits(axis).velocity / rate);
+      if (rate > 0) moving_.set(base::index(axis));
     }
     fastest_ = std::max(fastest_, speed);
     slowest_stop_ = std::max(slowest_stop_, stop_time(speed, limits));
@@ -107,6 +110,11 @@ void LookAhead::clear() {
   stand_at(0);
   last_begin_ = tail_end_ = last_tail_end_ = 0;
   fastest_ = slowest_stop_ = reach_ = 0;
+  moving_.reset();
+}
+
+std::size_t LookAhead::most_intervals() const {
+  return std::clamp(rows_of_a_window / std::max(moving_.count(), std::size_t{1}), least_intervals, greatest_intervals);
 }
 
 void LookAhead::override_feed(double factor) {
@@ -225,7 +233,7 @@ bool LookAhead::emit(Window& window, const Stretch& stretch, Aim aim) const {
 }
 
 std::unique_ptr<LookAhead::Window> LookAhead::solve(const Stretch& stretch, Aim aim) const {
-  Knots knots = place_knots(section_, machine_, stretch, most_intervals);
+  Knots knots = place_knots(section_, machine_, stretch, most_intervals());
   if (knots.intervals < 2) return nullptr;
   if (!continuation_) {
     auto window = std::make_unique<Window>(SpeedProfile(section_, machine_, std::move(knots), stretch.feed_factor));
@@ -376,11 +384,10 @@ void LookAhead::take_change() {
   go_on_from(std::move(*after));
   window_ = solve(Refinement::where_speed_changes);
   if (window_) return;
-  ++postponed_;
   stand_at(begin_);
   window_ = std::move(before);
   window_->unchanged_until = window_->next + window_->patience;
-  window_->patience *= 2;
+  window_->patience = std::min(2 * window_->patience, most_patience);
 }
 
 /// What comes after the window begins in motion at one of its knots.
@@ -446,7 +453,7 @@ std::optional<Chunk> LookAhead::plan() {
     if (!window_) return std::nullopt;
   } else if (!window_->to_rest && window_->intervals[window_->next] >= window_->last_interval) {
     if (!knows_enough()) return std::nullopt;
-    if (window_->profile.intervals() < few_intervals) reach_ *= 1.5;
+    if (static_cast<double>(window_->profile.intervals()) < few * static_cast<double>(most_intervals())) reach_ *= 1.5;
     forget();
     std::unique_ptr<Window> before = std::move(window_);
     go_on_from(*before->after);

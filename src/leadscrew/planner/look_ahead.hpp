@@ -12,6 +12,7 @@
 // for (feed override, feed hold) takes effect where the last slice ends: from there the window is planned anew, first
 // down to the speed that is wanted as fast as the limits allow, then as fast as is allowed.
 
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/machine/machine.hpp>
@@ -60,8 +61,9 @@ class LookAhead {
   std::optional<Chunk> plan();
   /// Windows for which no motion was found: there the motion stopped once.
   std::int64_t refused() const { return refused_; }
-  /// Changes of the feed for which no motion was found at once: tried again two segments later, then four, …
-  std::int64_t postponed() const { return postponed_; }
+  /// Does a change of the feed wait, for which no motion was found at once? It is tried again two segments later, then
+  /// four, … sixteen.
+  bool change_waits() const { return window_ && factor_ != planned_factor_ && window_->next < window_->unchanged_until; }
 
  private:
   /// A window that has been planned, on the section.
@@ -86,6 +88,7 @@ class LookAhead {
   enum class Aim : std::uint8_t { fastest, rest };
 
   bool knows_enough() const;
+  std::size_t most_intervals() const;
   Stretch next_stretch() const;
   enum class Refinement : std::uint8_t { none, where_speed_changes };
   std::unique_ptr<Window> solve(Refinement refinement);
@@ -115,10 +118,11 @@ class LookAhead {
   std::optional<Continuation> continuation_;  ///< without a window: in motion; from rest without
   double slice_ = std::numeric_limits<double>::infinity();
   double factor_ = 1, planned_factor_ = 1;  ///< of the feed: asked for, and planned with
-  std::int64_t refused_ = 0, postponed_ = 0;
+  std::int64_t refused_ = 0;
   double reach_ = 0;         ///< how far a window looks
   double fastest_ = 0;       ///< greatest speed of the pieces so far
   double slowest_stop_ = 0;  ///< longest time to stop from it
+  std::bitset<base::axis_count> moving_;  ///< axes that the pieces so far move
 };
 
 }  // namespace leadscrew::planner

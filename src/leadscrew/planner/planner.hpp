@@ -48,8 +48,8 @@ class Planner {
 
   /// Windows for which no motion was found: there it stopped where it need not.
   std::int64_t refused_windows() const { return look_ahead_.refused(); }
-  /// Changes of the feed for which no motion was found at once: they wait some segments.
-  std::int64_t postponed_changes() const { return look_ahead_.postponed(); }
+  /// Does a change of the feed wait, for which no motion was found at once?
+  bool change_waits() const { return look_ahead_.change_waits(); }
 
  private:
   bool take(const toolpath::Piece& piece);

@@ -116,7 +116,7 @@ void Continuation::insert(double knot) {
 /// Between the places looked at the profile may have been a little above the rows, which are those of 0.9995 of the
 /// limits. Where it is now looked at for the first time, that is granted.
 void SpeedProfile::loosen() {
-  constexpr double greatest_granted = 1.012, margin = 1e-4;
+  constexpr double greatest_granted = 1.1, margin = 1e-4;
   for (Site& site : sites_) {
     const double ratio = tightened_[site.interval] * greatest_of_rows(site, c_);
     if (ratio > 1 - margin && ratio < greatest_granted) site.factor = (1 - margin) / ratio;
@@ -125,7 +125,7 @@ void SpeedProfile::loosen() {
 
 /// Raises the greatest speeds to the present ones where these are above, with a margin of their square. Was any?
 bool SpeedProfile::grant(double margin) {
-  constexpr double touching = 1 - 1e-9;
+  constexpr double touching = 1 - 1e-11;
   bool raised = false;
   const auto raise = [&](double& greatest, double x) {
     if (x < touching * greatest) return;
