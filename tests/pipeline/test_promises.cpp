@@ -90,7 +90,7 @@ RC_GTEST_PROP(RandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
   keep_every_limit_and_every_point();
 }
 RC_GTEST_PROP(LongRandomPrograms, KeepEveryLimitAndEveryPoint, ()) {
-  constexpr int programs = 4;  // a case
+  constexpr int programs = 2;  // a case
   for (int k = 0; k < programs; ++k) keep_every_limit_and_every_point();
 }
 

@@ -4,6 +4,7 @@
 
 #include <allocations.hpp>
 #include <array>
+#include <numbers>
 #include <planned.hpp>
 #include <six_axes.hpp>
 
@@ -86,6 +87,30 @@ TEST(PlannerMemory, IsBelowTwoMegabytesWhileTheFeedChanges) {
   testing_support::CurveInSixAxes curve(50);
   const auto next = [&] { return curve.next(); };
   const std::int64_t most = most_memory(machine, curve.start(), 100, next, RestlessFeed());
+  EXPECT_LT(most, two_megabytes);
+  RecordProperty("bytes", std::to_string(most));
+}
+
+/// A helix of a hundred turns, R 10 mm, in one piece: 6.3 m without a break.
+TEST(PlannerMemory, OfOneLongPieceIsBelowTwoMegabytesAtAHundredthOfTheFeed) {
+  struct Slow {
+    void begin(planner::Planner& planner) {
+      planner.slice(0.02);
+      planner.override_feed(0.01);
+    }
+    void after(planner::Planner& planner, const planner::Chunk& chunk) {
+      planned_ += chunk.duration.value();
+      if (planned_ > 2) planner.override_feed(1);
+    }
+    double planned_ = 0;
+  };
+  const machine::Machine machine = machine::mill3();
+  const geometry::Point start{10};
+  geometry::Point end = start;
+  end[2] = 100;
+  const double angle = 200 * std::numbers::pi, length = geometry::Arc::way(10, angle, 100);
+  const toolpath::Piece helix{geometry::Arc(start, end, 0, 1, 0, 0, angle, length), 100, {}};
+  const std::int64_t most = most_memory(machine, start, 1, [&] { return helix; }, Slow());
   EXPECT_LT(most, two_megabytes);
   RecordProperty("bytes", std::to_string(most));
 }
