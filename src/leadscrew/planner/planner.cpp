@@ -70,10 +70,6 @@ void lay_out(const RestToRest& motion, double length, Chunk& chunk) {
   chunk.segments = phases.take(length);
 }
 
-double squared(double v) {
-  return v * v;
-}
-
 /// Is the closed form as good as the optimum? On a line it is the optimum; on an arc through so small an angle, the
 /// axes' limits along the path hardly change.
 bool has_closed_form(const Section& section) {

@@ -46,6 +46,10 @@ class Section {
   std::vector<double> offsets_{0.0};
 };
 
+inline double squared(double v) {
+  return v * v;
+}
+
 /// Greatest x = ṡ² by programmed feed, axis velocities and chord error (Lin and Koren, eq. 3: ε = (VT)²/8ρ).
 double greatest_square(const geometry::PointJet& jet, double feed, const machine::Machine& machine);
 
