@@ -59,7 +59,7 @@ class LiveProgram {
   std::int64_t refused_windows() const { return planner_.refused_windows(); }
   std::int64_t late = 0;
   std::int64_t longest_wait = 0;  ///< ticks that a change of the feed waited for a window that can take it
-  std::int64_t diagnostics = 0;  ///< of the reader
+  std::int64_t diagnostics = 0;   ///< of the reader
 
   std::vector<base::Word> words;
 

@@ -101,12 +101,12 @@ TEST(RandomPrograms, KeepTheLimitOfJerkWhereATableHasSteps) {
   machine.period = {2'000'000};
   machine.axes[0] = machine::AxisLimits{-1e5, 1e5, 10.913398266040286, 499.64811662562903, 894.57133625521305, 0.001};
   machine.axes[1] = machine::AxisLimits{-1e5, 1e5, 305.27272565054642, 21906.361730787969, 2941.8274468126997, 0.001};
-  const Outcome outcome = run(
-      "G21 G90 G94 G17 F600\nG6.2 P5 K0 X0 Y0\nK0 X-0.160 Y0.403\nK0 X-0.579 Y0.465 R1.233\n"
-      "K0 X-0.960 Y0.270 R1.677\nK0 X-1.009 Y-0.179\nK1 X-0.678 Y-0.470\nK1.5 X-0.278 Y-0.400\n"
-      "K2 X-0.025 Y-0.093\nK4.5 X-0.104 Y0.318 R0.887\nK5.5 X-0.489 Y0.473 R1.526\n"
-      "K6.5\nK6.5\nK6.5\nK6.5\nK6.5\nM2\n",
-      machine);
+  const Outcome outcome =
+      run("G21 G90 G94 G17 F600\nG6.2 P5 K0 X0 Y0\nK0 X-0.160 Y0.403\nK0 X-0.579 Y0.465 R1.233\n"
+          "K0 X-0.960 Y0.270 R1.677\nK0 X-1.009 Y-0.179\nK1 X-0.678 Y-0.470\nK1.5 X-0.278 Y-0.400\n"
+          "K2 X-0.025 Y-0.093\nK4.5 X-0.104 Y0.318 R0.887\nK5.5 X-0.489 Y0.473 R1.526\n"
+          "K6.5\nK6.5\nK6.5\nK6.5\nK6.5\nM2\n",
+          machine);
   ASSERT_FALSE(has_error(outcome));
   EXPECT_LE(worst_planned(outcome.summary.plan), 1);
 }

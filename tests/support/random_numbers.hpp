@@ -1,5 +1,6 @@
 #pragma once
-// Random numbers for properties, as widely spread in the first case as in the last: RapidCheck's own ranges begin narrow.
+// Random numbers for properties, as widely spread in the first case as in the last: RapidCheck's own ranges begin
+// narrow.
 
 #include <rapidcheck.h>
 

@@ -208,8 +208,9 @@ double rough_length(const RationalTaylor& curve, const Metric& metric, double a,
 
 }  // namespace
 
-void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular, const MapTolerance& tolerance,
-                    std::vector<MapPiece>& pieces_from_start, std::vector<MapPiece>& pieces_from_end) {
+void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular,
+                    const MapTolerance& tolerance, std::vector<MapPiece>& pieces_from_start,
+                    std::vector<MapPiece>& pieces_from_end) {
   // Two halves, each by powers of the parameter from its own end: best conditioned, and exact about a singular end.
   const RationalTaylor start = from_start(curve), end = from_end(curve);
   const double first = rough_length(start, metric, 0, 0.5), second = rough_length(end, metric, -0.5, 0);

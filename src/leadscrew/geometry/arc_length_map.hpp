@@ -42,8 +42,8 @@ struct SingularEnds {
 
 /// The table for the whole of `curve`: appends to `from_start` what counts x from the curve's start, and to `from_end`
 /// what counts it from its end and comes after that.
-void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular, const MapTolerance& tolerance,
-                    std::vector<MapPiece>& from_start, std::vector<MapPiece>& from_end);
+void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular,
+                    const MapTolerance& tolerance, std::vector<MapPiece>& from_start, std::vector<MapPiece>& from_end);
 
 /// The length alone.
 double arc_length(const RationalBezier& curve, const Metric& metric);

@@ -181,8 +181,8 @@ Emission emit(const SpeedProfile& profile, double begin, double end) {
 
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks) {
-  constexpr double between_looks = 1 + 1e-5;     // of what is no parabola
-  constexpr double map_steps = 1 + 1e-4;         // of jerk, where pieces of a curve's table of arc length meet
+  constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
+  constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
   const auto has_table = [&](std::size_t piece) {
     return std::holds_alternative<geometry::Nurbs>(section.piece(piece).curve);
   };

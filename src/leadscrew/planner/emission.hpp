@@ -31,8 +31,8 @@ double travel_time(const SpeedProfile& profile, std::size_t interval, double fro
 Segment along_interval(const SpeedProfile& profile, std::size_t interval, double begin, double end, PathState& from);
 
 /// The largest ratios of speed, and of acceleration and jerk, some looks a segment. Speed is beside `feed_factor` times
-/// the programmed one, too. A motion that turns back counts as one that exceeds acceleration by half, so that it is planned
-/// again deeper inside the limits.
+/// the programmed one, too. A motion that turns back counts as one that exceeds acceleration by half, so that it is
+/// planned again deeper inside the limits.
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks);
 

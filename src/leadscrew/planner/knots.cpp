@@ -181,8 +181,8 @@ class Placement {
           reaches_end_ = false;
           return;
         }
-        const double cut =
-            std::min({longest_cut, most_widths * cruise_width(previous, previous.greatest), most_widths * previous.h_curve});
+        const double cut = std::min(
+            {longest_cut, most_widths * cruise_width(previous, previous.greatest), most_widths * previous.h_curve});
         const bool is_last = previous.s + 1.001 * cut >= to || previous.s + cut <= previous.s;
         const Sample next = at(is_last ? to : previous.s + cut, Side::left);
         bisect(previous, next, 0);
@@ -393,9 +393,14 @@ TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machi
   return limits;
 }
 
+double stop_time(double speed, const TangentLimits& limits) {
+  const double a = limits.acceleration, j = limits.jerk;
+  return speed > a * a / j ? speed / a + a / j : 2 * std::sqrt(speed / j);
+}
+
 double ramp_width(const TangentLimits& limits, double x) {
-  const double v = std::sqrt(x), a = limits.acceleration, j = limits.jerk;
-  return v * (v > a * a / j ? v / a + a / j : 2 * std::sqrt(v / j)) / per_ramp;
+  const double speed = std::sqrt(x);
+  return speed * stop_time(speed, limits) / per_ramp;
 }
 
 Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most) {

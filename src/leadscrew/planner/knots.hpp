@@ -24,6 +24,9 @@ struct TangentLimits {
 };
 TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machine& machine);
 
+/// To come to rest from a constant speed, s.
+double stop_time(double speed, const TangentLimits& limits);
+
 /// A stretch of a section that knots are wanted for.
 struct Stretch {
   double begin = 0;  ///< on the section

@@ -18,7 +18,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
-#include <leadscrew/planner/speed_profile.hpp>
+#include <leadscrew/planner/window.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -63,43 +63,18 @@ class LookAhead {
   std::int64_t refused() const { return refused_; }
   /// Does a change of the feed wait, for which no motion was found at once? It is tried again two segments later, then
   /// four, … sixteen.
-  bool change_waits() const { return window_ && factor_ != planned_factor_ && window_->next < window_->unchanged_until; }
+  bool change_waits() const {
+    return window_ && factor_ != planned_factor_ && window_->next < window_->unchanged_until;
+  }
 
  private:
-  /// A window that has been planned, on the section.
-  struct Window {
-    explicit Window(SpeedProfile speed) : profile(std::move(speed)) {}
-
-    SpeedProfile profile;
-    std::vector<Segment> segments;       ///< to rest
-    std::vector<std::size_t> intervals;  ///< of the segments
-    std::vector<double> places;          ///< u ∈ [0, 1) of the interval where each segment begins
-    double worst = 0;                    ///< ratio of any limit
-    bool turns_back = false;             ///< does its motion, anywhere?
-    std::vector<Ratios> factors;         ///< of each interval: what it must be tightened by, ≥ 1
-    std::size_t last_interval = 0;       ///< where the next window begins, unless all is committed
-    bool to_rest = false;                ///< is all of it committed?
-    std::optional<Continuation> after;   ///< what goes on at last_interval
-    double end = 0;                      ///< where it comes to rest
-    std::size_t next = 0;                ///< segment that is handed out next
-    std::size_t unchanged_until = 0;     ///< a change of speed waits: not tried again before this segment is next
-    std::size_t patience = 2;            ///< segments until it is tried again
-  };
-  enum class Aim : std::uint8_t { fastest, rest };
-
   bool knows_enough() const;
   std::size_t most_intervals() const;
   Stretch next_stretch() const;
   enum class Refinement : std::uint8_t { none, where_speed_changes };
   std::unique_ptr<Window> solve(Refinement refinement);
-  std::unique_ptr<Window> solve(const Stretch& stretch, Aim aim) const;
-  bool repair_from_rest(Window& window, const Stretch& stretch) const;
-  bool repair_in_motion(Window& window, const Stretch& stretch, Aim aim, Knots* finer) const;
-  bool refine(Knots& knots, const Window& window) const;
   std::unique_ptr<Window> settled(std::unique_ptr<Window> window);
-  bool emit(Window& window, const Stretch& stretch, Aim aim) const;
   void solve_to_rest();
-  static void slow_down(Window& window, double factor);
   void take_change();
   void go_on_from(Continuation continuation);
   void stand_at(double s);
@@ -119,9 +94,9 @@ class LookAhead {
   double slice_ = std::numeric_limits<double>::infinity();
   double factor_ = 1, planned_factor_ = 1;  ///< of the feed: asked for, and planned with
   std::int64_t refused_ = 0;
-  double reach_ = 0;         ///< how far a window looks
-  double fastest_ = 0;       ///< greatest speed of the pieces so far
-  double slowest_stop_ = 0;  ///< longest time to stop from it
+  double reach_ = 0;                      ///< how far a window looks
+  double fastest_ = 0;                    ///< greatest speed of the pieces so far
+  double slowest_stop_ = 0;               ///< longest time to stop from it
   std::bitset<base::axis_count> moving_;  ///< axes that the pieces so far move
 };
 

@@ -10,9 +10,9 @@ namespace leadscrew::planner {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double descent_weight = 4;         // of speed above what is wanted, against time
-constexpr double descent_floor = 0.9;        // of the wanted x
-constexpr double descent_softness = 0.004;   // of the wanted x
+constexpr double descent_weight = 4;        // of speed above what is wanted, against time
+constexpr double descent_floor = 0.9;       // of the wanted x
+constexpr double descent_softness = 0.004;  // of the wanted x
 constexpr double descent_first_gap = 3, cold_descent_gap = 20, descent_gap = 0.02;
 constexpr std::array<double, 3> gauss_weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 

@@ -44,8 +44,8 @@ Rows map_rows(const PublishedMap& published) {
   std::size_t count = 0;
   for (const geometry::Nurbs& piece : pieces) count += piece.map_pieces();
   const std::string asked = " for speed fluctuation below " + power_of_ten(published.fluctuation);
-  Row map =
-      exact_row("pieces of the map" + asked, {"", 0}, static_cast<double>(published.pieces), static_cast<double>(count));
+  Row map = exact_row("pieces of the map" + asked, {"", 0}, static_cast<double>(published.pieces),
+                      static_cast<double>(count));
   map.why = "published: quintic Hermite pieces of a prototype; here every span is halved at least once";
   Row measured =
       limit_row("measured" + asked, {"ppm", 3}, 1e6 * published.fluctuation, 1e6 * speed_fluctuation(pieces));
