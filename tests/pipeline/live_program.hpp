@@ -37,7 +37,7 @@ class LiveProgram {
   /// Runs to the end, or as many ticks; `words` gets each. False if it has not ended by then.
   bool run(const std::vector<Intervention>& interventions, std::int64_t most_ticks) {
     std::size_t next = 0;
-    std::int64_t silent_until = 0, waiting = 0;
+    std::int64_t silent_until = 0;
     for (std::int64_t tick = 0; tick < most_ticks; ++tick) {
       while (next < interventions.size() && interventions[next].tick <= tick) {
         planner_.override_feed(interventions[next].factor);
@@ -45,8 +45,6 @@ class LiveProgram {
         ++next;
       }
       if (tick >= silent_until && !pump() && controller_.idle() && next == interventions.size()) return true;
-      waiting = planner_.change_waits() ? waiting + 1 : 0;
-      longest_wait = std::max(longest_wait, waiting);
       const base::Word word = controller_.next();
       referee_.observe(word.position);
       words.push_back(word);
@@ -58,8 +56,8 @@ class LiveProgram {
   const planner::LimitRatios& plan() const { return plan_; }
   std::int64_t refused_windows() const { return planner_.refused_windows(); }
   std::int64_t late = 0;
-  std::int64_t longest_wait = 0;  ///< ticks that a change of the feed waited for a window that can take it
-  std::int64_t diagnostics = 0;   ///< of the reader
+  double longest_wait = 0;       ///< s of motion handed out before a change of the feed was planned
+  std::int64_t diagnostics = 0;  ///< of the reader
 
   std::vector<base::Word> words;
 
@@ -95,6 +93,8 @@ class LiveProgram {
       chunk = planner_.pop();
     }
     if (chunk) {
+      waiting_ = planner_.change_waits() ? waiting_ + chunk->duration.value() : 0;
+      longest_wait = std::max(longest_wait, waiting_);
       planner::raise_limit_ratios(*chunk, machine_, plan_);
       planner::Chunk tail = *chunk;
       tail.segments = tail.stop_tail;
@@ -114,6 +114,7 @@ class LiveProgram {
   std::optional<planner::Chunk> chunk_;
   planner::LimitRatios plan_{};
   bool reading_ = true;
+  double waiting_ = 0;
 };
 
 }  // namespace leadscrew::testing_support

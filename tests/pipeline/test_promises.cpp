@@ -111,6 +111,18 @@ TEST(RandomPrograms, KeepTheLimitOfJerkWhereATableHasSteps) {
   EXPECT_LE(worst_planned(outcome.summary.plan), 1);
 }
 
+/// Where full acceleration is reached in a hundred-thousandth of a second, knots that resolve that reach nowhere.
+TEST(RandomPrograms, RefuseNoWindowWhereJerkIsNextToNoLimit) {
+  machine::Machine machine;
+  machine.axes[0] = machine::AxisLimits{-1e5, 1e5, 212.97371390868437, 15470.104762413324, 338057.3792169519, 0.001};
+  machine.axes[1] = machine::AxisLimits{-1e5, 1e5, 220.56266690038743, 30.597733290444094, 1564527.8770710172, 0.001};
+  const Outcome outcome = run(
+      "G21 G90 G94 G17 F2831\nG3 X10.000 Y-10.000 I10.000 J-0.000\nG3 X20.000 Y0.000 I0.000 J10.000\nM2\n", machine);
+  ASSERT_FALSE(has_error(outcome));
+  EXPECT_LE(worst_planned(outcome.summary.plan), 1);
+  EXPECT_LE(outcome.summary.time_s, 1.05 * outcome.summary.bound_s);
+}
+
 RC_GTEST_PROP(RandomPrograms, GiveTheSameBitsEveryTime, ()) {
   const std::string text = RandomProgram::make();
   machine::Machine machine = random_machine();

@@ -32,7 +32,7 @@ struct NurbsForm {
 
 /// What is granted to the table of u(s), > 0, for the speed g = |dq/ds| and its derivatives by s; k is the larger of
 /// the curvature and the reciprocal of the length of a span. g″ has a step where two pieces of the table meet, and so
-/// has q‴: jerk by as much, relative, where motion is as fast as jerk allows.
+/// has q‴: jerk by about as much, relative, where motion along a bend is as fast as jerk allows.
 struct MapTolerance {
   double speed = 1e-7;   ///< |g − 1|
   double first = 1e-5;   ///< |g′| / k

@@ -186,7 +186,9 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
   const auto has_table = [&](std::size_t piece) {
     return std::holds_alternative<geometry::Nurbs>(section.piece(piece).curve);
   };
-  const double on_curves = has_table(section.piece_at(segment.s0.value(), Side::right)) ? map_steps : 1;
+  const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
+  const std::size_t last = section.piece_at(evaluate(segment, segment.duration.value()).s, Side::left);
+  const double on_curves = has_table(first) || has_table(last) ? map_steps : 1;
   Peak speed, rows;
   double feed = 0, fastest = 0, slowest = infinity;
   PathState before;

@@ -66,18 +66,20 @@ class Placement {
   }
 
  private:
-  /// First and last interval: t₁ a hundredth of the time in which acceleration is reached, so short that direction does
-  /// not turn.
+  /// First and last interval: t₁ about a hundredth of the time in which acceleration is reached, so short that
+  /// direction does not turn.
   void ramps() {
     const auto ramp = [&](double s, Side side) {
       const geometry::PointJet jet = section_.jets(s, side);
       const TangentLimits t = tangent_limits(jet, machine_);
       const double speed = std::sqrt(greatest_square(jet, stretch_.feed_factor * section_.feed(s, side), machine_));
-      const double time =
-          0.01 * std::min({t.acceleration / t.jerk, std::sqrt(speed / t.jerk), std::cbrt(length() / (2 * t.jerk))});
+      // Where jerk is next to no limit, what counts is how long speed rises: far less than that is short enough.
+      const double rise = std::min(speed / t.acceleration, std::sqrt(length() / t.acceleration));
+      const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
+                                           std::cbrt(length() / (2 * t.jerk))});
       double bend = 0;
       for (const numeric::Jet& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
-      double ramp_length = t.jerk * time * time * time / 6;
+      double ramp_length = std::min(t.jerk * time, t.acceleration) * time * time / 6;
       if (bend > 0) ramp_length = std::min(ramp_length, 5e-5 / bend);
       return std::max(std::min(ramp_length, 1e-3 * length()), shortest_ramp * s);
     };
@@ -185,9 +187,11 @@ class Placement {
             {longest_cut, most_widths * cruise_width(previous, previous.greatest), most_widths * previous.h_curve});
         const bool is_last = previous.s + 1.001 * cut >= to || previous.s + cut <= previous.s;
         const Sample next = at(is_last ? to : previous.s + cut, Side::left);
+        std::size_t i = samples_.size() - 1;
         bisect(previous, next, 0);
         samples_.push_back(next);
-        knots += (next.s - previous.s) / std::max(widest(previous), widest(next));
+        for (; i + 1 < samples_.size(); ++i)
+          knots += (samples_[i + 1].s - samples_[i].s) / std::max(widest(samples_[i]), widest(samples_[i + 1]));
         previous = next;
       }
       from = to;
@@ -294,7 +298,8 @@ class Placement {
       if (knots_.s.size() > most() + rest_knots) return;
     }
     // Where nothing more is known yet, it may be one.
-    if (ends_between_breaks_ || (stretch_.ends_at_rest && reaches_end_)) knots_.breaks.back() = false;
+    if (knots_.s.size() > kept_ && (ends_between_breaks_ || (stretch_.ends_at_rest && reaches_end_)))
+      knots_.breaks.back() = false;
   }
 
   /// Ends in motion, where there is room to stop in what is known beyond.

@@ -18,7 +18,7 @@ constexpr double stops_committed = 3;          // times to stop that are committ
 constexpr double least_reach = 0.25;           // s
 constexpr std::size_t rows_of_a_window = 960;  // intervals times axes that move: so long does a window take to plan
 constexpr std::size_t least_intervals = 200, greatest_intervals = 320;
-constexpr double few = 0.6;                 // of the intervals that a window may have
+constexpr double few_share = 0.6;           // of the intervals that a window may have
 constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 constexpr std::size_t most_pieces = 900;
 constexpr std::size_t most_patience = 16;  // segments
@@ -35,7 +35,7 @@ void LookAhead::append(const toolpath::Piece& piece) {
     for (const base::Axis axis : base::all_axes) {
       const double rate = std::abs(jet[base::index(axis)].first);
       if (rate > 1e-3) speed = std::min(speed, machine_.limits(axis).velocity / rate);
-      if (rate > 0) moving_.set(base::index(axis));
+      if (rate > 1e-12) moving_.set(base::index(axis));
     }
     fastest_ = std::max(fastest_, speed);
     slowest_stop_ = std::max(slowest_stop_, stop_time(speed, limits));
@@ -58,7 +58,9 @@ std::size_t LookAhead::most_intervals() const {
 }
 
 void LookAhead::override_feed(double factor) {
+  if (factor == factor_) return;
   factor_ = factor;
+  if (window_) window_->unchanged_until = window_->next;
 }
 
 void LookAhead::refuse() {
@@ -96,6 +98,14 @@ Stretch LookAhead::next_stretch() const {
   return stretch;
 }
 
+/// Is enough left of the window for another motion to begin in it?
+bool LookAhead::may_change() const {
+  const SpeedProfile& profile = window_->profile;
+  if (window_->next == 0 && profile.starts_at_rest()) return true;
+  if (window_->intervals[window_->next] + least_to_change > profile.intervals()) return false;
+  return !window_->to_rest || profile.ends_at_rest() || window_->next + 1 < window_->segments.size();
+}
+
 /// Changes what is planned but not handed out, if the speed that is asked for is another by now.
 void LookAhead::take_change() {
   if (!window_ || factor_ == planned_factor_) return;
@@ -105,11 +115,10 @@ void LookAhead::take_change() {
     stand_at(begin_);
     return;
   }
-  const std::size_t interval = window_->intervals[window_->next];
-  if (interval + least_to_change > profile.intervals()) return;
-  if (window_->to_rest && !profile.ends_at_rest() && window_->next + 1 >= window_->segments.size()) return;
+  if (!may_change()) return;
   forget();
-  std::optional<Continuation> after = profile.continuation(interval, window_->places[window_->next]);
+  std::optional<Continuation> after =
+      profile.continuation(window_->intervals[window_->next], window_->places[window_->next]);
   if (!after) return;
   std::unique_ptr<Window> before = std::move(window_);
   go_on_from(std::move(*after));
@@ -185,7 +194,8 @@ std::optional<Chunk> LookAhead::plan() {
     if (!window_) return std::nullopt;
   } else if (!window_->to_rest && window_->intervals[window_->next] >= window_->last_interval) {
     if (!knows_enough()) return std::nullopt;
-    if (static_cast<double>(window_->profile.intervals()) < few * static_cast<double>(most_intervals())) reach_ *= 1.5;
+    if (static_cast<double>(window_->profile.intervals()) < few_share * static_cast<double>(most_intervals()))
+      reach_ *= 1.5;
     forget();
     std::unique_ptr<Window> before = std::move(window_);
     go_on_from(*before->after);

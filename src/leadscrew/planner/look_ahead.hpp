@@ -61,11 +61,9 @@ class LookAhead {
   std::optional<Chunk> plan();
   /// Windows for which no motion was found: there the motion stopped once.
   std::int64_t refused() const { return refused_; }
-  /// Does a change of the feed wait, for which no motion was found at once? It is tried again two segments later, then
-  /// four, … sixteen.
-  bool change_waits() const {
-    return window_ && factor_ != planned_factor_ && window_->next < window_->unchanged_until;
-  }
+  /// Does a change of the feed wait for the next slice, or because no motion was found at once? It is tried again two
+  /// segments later, then four, … sixteen. Shortly before motion comes to rest none can begin, and none waits.
+  bool change_waits() const { return window_ && factor_ != planned_factor_ && may_change(); }
 
  private:
   bool knows_enough() const;
@@ -75,6 +73,7 @@ class LookAhead {
   std::unique_ptr<Window> solve(Refinement refinement);
   std::unique_ptr<Window> settled(std::unique_ptr<Window> window);
   void solve_to_rest();
+  bool may_change() const;
   void take_change();
   void go_on_from(Continuation continuation);
   void stand_at(double s);

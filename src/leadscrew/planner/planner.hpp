@@ -48,7 +48,7 @@ class Planner {
 
   /// Windows for which no motion was found: there it stopped where it need not.
   std::int64_t refused_windows() const { return look_ahead_.refused(); }
-  /// Does a change of the feed wait, for which no motion was found at once?
+  /// Has a change of the feed not been planned yet? None waits shortly before motion comes to rest.
   bool change_waits() const { return look_ahead_.change_waits(); }
 
  private:

@@ -93,8 +93,9 @@ void Continuation::insert(double knot) {
   ++creeping;
 }
 
-/// Between the places looked at the profile may have been a little above the rows, which are those of 0.9995 of the
-/// limits. Where it is now looked at for the first time, that is granted.
+/// Between the places looked at the profile may have been above the rows, which are those of 0.9995 of the limits: a
+/// little where motion was proven, more beyond where the last window would have come to rest. Where it is now looked at
+/// for the first time, that is granted until the profile is far inside; the proof decides what becomes of it.
 void SpeedProfile::loosen() {
   constexpr double greatest_granted = 1.1, margin = 1e-4;
   for (Site& site : sites_) {
@@ -335,6 +336,7 @@ void SpeedProfile::creep() {
   for (int round = 0; round < 60 && !(greatest_ratio() < 0.9); ++round) {
     for (double& c : c_) c *= 0.7;
   }
+  before_levelling_.clear();
   read_variables();
   far_inside_ = c_;
 }
@@ -351,7 +353,7 @@ void SpeedProfile::settle() {
 }
 
 void SpeedProfile::slow_down(double factor) {
-  for (std::vector<double>* c : {&c_, &far_inside_}) {
+  for (std::vector<double>* c : {&c_, &far_inside_, &before_levelling_}) {
     for (double& value : *c) value *= squared(factor);
   }
   read_variables();
@@ -363,6 +365,7 @@ void SpeedProfile::shift(double by) {
 
 void SpeedProfile::retreat() {
   c_ = far_inside_;
+  before_levelling_.clear();
   read_variables();
 }
 

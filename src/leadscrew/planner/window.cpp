@@ -204,6 +204,7 @@ bool WindowPlanner::repair_from_rest(Window& window) const {
         profile.creep();
         if (!emit(window) || window.turns_back) return false;
       }
+      if (!std::isfinite(window.worst)) return false;
       slow_down(window, 1 / std::max(1.0, window.worst));
       return true;
     }
