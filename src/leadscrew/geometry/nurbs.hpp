@@ -95,8 +95,8 @@ class Nurbs {
 ///     about 1e-5 mm, which no machine tells from a corner,
 ///   - where the coordinates by which length is told begin or cease to move.
 ///
-/// tolerance: granted to u(s). The work is linear in the number of control points. A form
-/// that is none (counts, degree, knots, weights not as said above) gives no piece.
+/// tolerance: granted to u(s). The work is linear in the number of control points. A form that is none (counts, degree,
+/// knots, weights not as said above) gives no piece.
 std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance = {});
 
 /// The lengths of all smooth pieces together, without making their tables.

@@ -24,7 +24,7 @@ struct TangentLimits {
 };
 TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machine& machine);
 
-/// To come to rest from a constant speed, s.
+/// To come to rest from a constant speed ≥ 0, units/s: v/a + a/j, or 2√(v/j) where a is not reached; s.
 double stop_time(double speed, const TangentLimits& limits);
 
 /// A stretch of a section that knots are wanted for.

@@ -11,6 +11,7 @@
 #include <leadscrew/planner/speed_profile.hpp>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace leadscrew::planner {
