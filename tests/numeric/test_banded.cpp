@@ -42,12 +42,13 @@ std::vector<long double> solve_dense(Dense a, std::vector<long double> b) {
 }
 
 /// The same matrix banded and dense, element by element as it was added up.
+template <std::size_t half_bandwidth>
 struct Both {
-  BandedMatrix banded;
+  BandedMatrix<half_bandwidth> banded;
   Dense dense;
 
   explicit Both(std::size_t n) : dense(n, std::vector<long double>(n, 0)) { banded.reset(n); }
-  /// As rows of limits do it: w p pᵀ, p in up to four neighbours from `at` on.
+  /// As rows of limits do it: w p pᵀ, p in neighbours from `at` on.
   void add_outer(std::size_t at, const std::vector<double>& p, double w) {
     for (std::size_t i = 0; i < p.size(); ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
@@ -61,12 +62,13 @@ struct Both {
   }
 };
 
-/// Positive definite: a sum of squares over windows of four, and a share of the unit matrix.
-Both random_matrix(std::size_t n, double definite) {
-  Both both(n);
+/// Positive definite: a sum of squares over windows as wide as the band, and a share of the unit matrix.
+template <std::size_t half_bandwidth>
+Both<half_bandwidth> random_matrix(std::size_t n, double definite) {
+  Both<half_bandwidth> both(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double scale = std::pow(10.0, 3 * uniform());
-    std::vector<double> p(std::min<std::size_t>(4, n - i), 1.0);
+    std::vector<double> p(std::min<std::size_t>(half_bandwidth + 1, n - i), 1.0);
     if (*rc::gen::arbitrary<bool>()) std::generate(p.begin(), p.end(), uniform);
     both.add_outer(i, p, scale);
     both.add_outer(i, {1}, definite * scale);
@@ -80,9 +82,10 @@ long double norm(const std::vector<long double>& v) {
   return greatest;
 }
 
-RC_GTEST_PROP(Banded, SolvesAsDenseEliminationDoes, ()) {
+template <std::size_t half_bandwidth>
+void expect_the_dense_solution() {
   const auto n = static_cast<std::size_t>(*rc::gen::inRange(1, 40));
-  Both both = random_matrix(n, 0.1);
+  auto both = random_matrix<half_bandwidth>(n, 0.1);
   std::vector<double> b(n);
   for (double& x : b) x = uniform();
   const std::vector<long double> exact = solve_dense(both.dense, {b.begin(), b.end()});
@@ -104,9 +107,16 @@ RC_GTEST_PROP(Banded, SolvesAsDenseEliminationDoes, ()) {
   RC_ASSERT(apart <= 1e-8 * norm(exact));
 }
 
+RC_GTEST_PROP(Banded, OfHalfBandwidthThreeSolvesAsDenseEliminationDoes, ()) {
+  expect_the_dense_solution<3>();
+}
+RC_GTEST_PROP(Banded, OfHalfBandwidthFiveSolvesAsDenseEliminationDoes, ()) {
+  expect_the_dense_solution<5>();
+}
+
 RC_GTEST_PROP(Banded, LeavesNothingOfWhatItHeldBefore, ()) {
   const auto n = static_cast<std::size_t>(*rc::gen::inRange(1, 12));
-  BandedMatrix matrix = random_matrix(n + 5, 1).banded;
+  BandedMatrix<3> matrix = random_matrix<3>(n + 5, 1).banded;
   matrix.factor(1e-13);
   matrix.reset(n);
   RC_ASSERT(matrix.size() == n);
@@ -119,7 +129,7 @@ RC_GTEST_PROP(Banded, LeavesNothingOfWhatItHeldBefore, ()) {
 
 TEST(Banded, RaisesAPivotOfASingularMatrixToTheFloor) {
   // (1 1; 1 1) is 0 in the direction (1, −1): with its second pivot at the floor it is (1 1; 1 1 + floor).
-  BandedMatrix matrix;
+  BandedMatrix<3> matrix;
   matrix.reset(2);
   matrix.add(0, 0, 1);
   matrix.add(0, 1, 1);
@@ -133,7 +143,7 @@ TEST(Banded, RaisesAPivotOfASingularMatrixToTheFloor) {
 }
 
 TEST(Banded, TakesTheFloorInTheScaleOfTheDiagonal) {
-  BandedMatrix matrix;
+  BandedMatrix<3> matrix;
   matrix.reset(2);
   matrix.add(0, 0, 1);
   matrix.add(0, 1, 1e3);
@@ -149,7 +159,7 @@ TEST(Banded, TakesTheFloorInTheScaleOfTheDiagonal) {
 /// made for it is a descent.
 RC_GTEST_PROP(Banded, GivesADescentWhereNearlySingular, ()) {
   const auto n = static_cast<std::size_t>(*rc::gen::inRange(2, 30));
-  Both both = random_matrix(n, 1e-6);
+  auto both = random_matrix<3>(n, 1e-6);
   std::vector<double> gradient(n);
   for (double& x : gradient) x = uniform();
   gradient[0] = 1;

@@ -1,6 +1,6 @@
 #pragma once
-// Symmetric positive definite systems of half-bandwidth 3, factored as L D Lᵀ in one pass (Golub and Van Loan, "Matrix
-// Computations", 4.3).
+// Symmetric positive definite systems of small half-bandwidth, factored as L D Lᵀ in one pass (Golub and Van Loan,
+// "Matrix Computations", 4.3).
 
 #include <algorithm>
 #include <array>
@@ -9,15 +9,16 @@
 
 namespace leadscrew::numeric {
 
-/// Row i holds A(i, i), A(i, i−1), A(i, i−2), A(i, i−3); entries left of the first column are 0.
+/// Row i holds A(i, i), A(i, i−1), … A(i, i−half_bandwidth); entries left of the first column are 0.
+template <std::size_t half_bandwidth>
 class BandedMatrix {
  public:
-  using Row = std::array<double, 4>;
+  using Row = std::array<double, half_bandwidth + 1>;
 
   void reset(std::size_t size) { rows_.assign(size, Row{}); }
   std::size_t size() const { return rows_.size(); }
 
-  /// Adds to A(i, j) and, by symmetry, A(j, i); |i − j| ≤ 3.
+  /// Adds to A(i, j) and, by symmetry, A(j, i); |i − j| ≤ half_bandwidth.
   void add(std::size_t i, std::size_t j, double value) {
     if (i < j) std::swap(i, j);
     rows_[i][i - j] += value;
@@ -30,19 +31,14 @@ class BandedMatrix {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       Row& a = rows_[i];
       const double diagonal = a[0];
-      // L(i, j) = (A(i, j) − Σ_k L(i, k) D(k) L(j, k)) / D(j), from the left.
-      if (i >= 3) a[3] *= inverse(i - 3);
-      if (i >= 2) {
-        if (i >= 3) a[2] -= a[3] / inverse(i - 3) * rows_[i - 2][1];
-        a[2] *= inverse(i - 2);
-      }
-      if (i >= 1) {
-        if (i >= 3) a[1] -= a[3] / inverse(i - 3) * rows_[i - 1][2];
-        if (i >= 2) a[1] -= a[2] / inverse(i - 2) * rows_[i - 1][1];
-        a[1] *= inverse(i - 1);
+      const std::size_t width = std::min(half_bandwidth, i);
+      // L(i, j) = (A(i, j) − Σ_m L(i, m) D(m) L(j, m)) / D(j), from the left.
+      for (std::size_t k = width; k > 0; --k) {
+        for (std::size_t m = width; m > k; --m) a[k] -= a[m] / inverse(i - m) * rows_[i - k][m - k];
+        a[k] *= inverse(i - k);
       }
       double pivot = diagonal;
-      for (std::size_t k = 1; k <= std::min<std::size_t>(3, i); ++k) pivot -= a[k] * a[k] / inverse(i - k);
+      for (std::size_t k = 1; k <= width; ++k) pivot -= a[k] * a[k] / inverse(i - k);
       pivot = std::max(pivot, pivot_floor * diagonal);
       a[0] = 1 / pivot;
     }
@@ -53,12 +49,12 @@ class BandedMatrix {
     const std::size_t n = rows_.size();
     for (std::size_t i = 0; i < n; ++i) {
       double sum = b[i];
-      for (std::size_t k = 1; k <= std::min<std::size_t>(3, i); ++k) sum -= rows_[i][k] * b[i - k];
+      for (std::size_t k = 1; k <= std::min(half_bandwidth, i); ++k) sum -= rows_[i][k] * b[i - k];
       b[i] = sum;
     }
     for (std::size_t i = 0; i < n; ++i) b[i] *= inverse(i);
     for (std::size_t i = n; i-- > 0;) {
-      for (std::size_t k = 1; k <= std::min<std::size_t>(3, i); ++k) b[i - k] -= rows_[i][k] * b[i];
+      for (std::size_t k = 1; k <= std::min(half_bandwidth, i); ++k) b[i - k] -= rows_[i][k] * b[i];
     }
   }
 

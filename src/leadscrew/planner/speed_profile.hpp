@@ -176,7 +176,7 @@ class SpeedProfile {
   std::vector<double> weight_;          ///< coefficient over variable
   std::vector<double> c_, far_inside_, before_levelling_;
   std::vector<double> variables_, trial_, trial_c_, step_;
-  numeric::BandedMatrix hessian_;
+  numeric::BandedMatrix<3> hessian_;
   std::vector<double> gradient_;
   int newton_steps_ = 0;
 };
