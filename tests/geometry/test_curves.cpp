@@ -91,6 +91,25 @@ RC_GTEST_PROP(Curves, JetsAreDerivativesOfOneAnother, ()) {
   }
 }
 
+RC_GTEST_PROP(Curves, HavePartsThatAreThemselves, ()) {
+  const Curve curve = random_curve();
+  const double length = leadscrew::geometry::length(curve);
+  const double from = length * *rc::gen::inRange(0, 900) / 1000.0;
+  const double to = from + (length - from) * *rc::gen::inRange(1, 1001) / 1000.0;
+  const Curve part = leadscrew::geometry::part(curve, from, to);
+  RC_ASSERT(leadscrew::geometry::length(part) == to - from);
+  RC_ASSERT(leadscrew::geometry::start(part) == leadscrew::geometry::evaluate(curve, from));
+  RC_ASSERT(leadscrew::geometry::end(part) == leadscrew::geometry::evaluate(curve, to));
+  const double s = (to - from) * *rc::gen::inRange(0, 1001) / 1000.0;
+  const Point here = leadscrew::geometry::evaluate(part, s), there = leadscrew::geometry::evaluate(curve, from + s);
+  const PointJet of_part = leadscrew::geometry::jets(part, s), whole = leadscrew::geometry::jets(curve, from + s);
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    RC_ASSERT(std::abs(here[i] - there[i]) <= 1e-12);
+    RC_ASSERT(std::abs(of_part[i].first - whole[i].first) <= 1e-12 + 1e-12 / (to - from));
+    RC_ASSERT(std::abs(of_part[i].second - whole[i].second) <= 1e-9 * (1 + std::abs(whole[i].second)));
+  }
+}
+
 RC_GTEST_PROP(Lines, AreRoundedOnce, ()) {
   // Extended precision (64 bits) judges: the nearest double, or one of two that are equally near.
   const Curve curve = random_line();

@@ -40,6 +40,36 @@ double random_place(const Nurbs& piece) {
   return std::clamp(*rc::gen::arbitrary<bool>() ? from_end : piece.length() - from_end, 1e-11, piece.length() - 1e-11);
 }
 
+RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
+  const NurbsForm form = random_form();
+  for (const Nurbs& piece : smooth_pieces(form)) {
+    if (piece.length() < 1e-9) continue;
+    const double from = piece.length() * *rc::gen::inRange(0, 900) / 1000.0;
+    const double to = from + (piece.length() - from) * *rc::gen::inRange(1, 1001) / 1000.0;
+    const Nurbs part = piece.part(from, to);
+    RC_ASSERT(part.length() == to - from);
+    RC_ASSERT(part.start() == piece.evaluate(from));
+    RC_ASSERT(part.end() == piece.evaluate(to));
+    std::vector<double> breaks;
+    for (const double s : piece.breaks()) {
+      if (s > from && s - from < to - from) breaks.push_back(s - from);
+    }
+    RC_ASSERT(part.breaks() == breaks);
+    for (int k = 0; k <= 10; ++k) {
+      const double s = part.length() * k / 10;
+      // Where a cusp lies between, its remainder of 1e-15 mm is as far as rounding of s can lead.
+      const Point here = part.evaluate(s), there = piece.evaluate(DoubleDouble(from) + DoubleDouble(s));
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        RC_ASSERT(std::abs(here[i] - there[i]) <= 16 * ulp(size_of(form)) + 4 * ulp(piece.length()) * 100);
+      }
+      RC_ASSERT(std::abs(part.parameter(s) - piece.parameter(from + s)) <= 1e-9);
+    }
+    // A part of a part.
+    const Nurbs last = part.part(part.length() / 2, part.length());
+    RC_ASSERT(last.end() == part.end());
+  }
+}
+
 RC_GTEST_PROP(RandomNurbs, LieOnTheCurve, ()) {
   const NurbsForm form = random_form();
   const double size = size_of(form);

@@ -27,6 +27,8 @@ class Arc {
 
   Point evaluate(numeric::DoubleDouble s) const;
   PointJet jets(double s) const;
+  /// What lies between two path lengths, 0 ≤ from < to ≤ length.
+  Arc part(double from, double to) const;
 
   std::size_t first() const { return first_; }
   std::size_t second() const { return second_; }

@@ -15,8 +15,8 @@
 #include <leadscrew/geometry/line.hpp>
 #include <leadscrew/geometry/nurbs.hpp>
 #include <leadscrew/geometry/point.hpp>
-#include <span>
 #include <variant>
+#include <vector>
 
 namespace leadscrew::geometry {
 
@@ -47,9 +47,11 @@ inline PointJet jets(const Curve& curve, double s) {
   return geometry::visit([&](const auto& kind) { return kind.jets(s); }, curve);
 }
 /// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.
-inline std::span<const double> breaks(const Curve& curve) {
+inline std::vector<double> breaks(const Curve& curve) {
   const auto* nurbs = std::get_if<Nurbs>(&curve);
-  return nurbs ? nurbs->breaks() : std::span<const double>();
+  return nurbs ? nurbs->breaks() : std::vector<double>();
 }
+/// What lies between two path lengths, 0 ≤ from < to ≤ length, by the same length.
+Curve part(const Curve& curve, double from, double to);
 
 }  // namespace leadscrew::geometry

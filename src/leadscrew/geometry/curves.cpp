@@ -20,6 +20,19 @@ PointJet Line::jets(double s) const {
   return jet;
 }
 
+Line Line::part(double from, double to) const {
+  return {evaluate(from), evaluate(to), to - from};
+}
+
+Arc Arc::part(double from, double to) const {
+  const DoubleDouble sweep = DoubleDouble(rate_.hi.value, rate_.lo) * (DoubleDouble(to) - DoubleDouble(from));
+  return {evaluate(from), evaluate(to), first_, second_, center_first_, center_second_, sweep, to - from};
+}
+
+Curve part(const Curve& curve, double from, double to) {
+  return geometry::visit([&](const auto& kind) { return Curve(kind.part(from, to)); }, curve);
+}
+
 double Arc::way(double radius, DoubleDouble sweep, double rise) {
   return std::hypot(radius * std::abs(sweep.value()), rise);
 }

@@ -18,6 +18,8 @@ class Line {
 
   Point evaluate(numeric::DoubleDouble s) const;
   PointJet jets(double s) const;
+  /// What lies between two path lengths, 0 ≤ from < to ≤ length.
+  Line part(double from, double to) const;
 
  private:
   Point start_;

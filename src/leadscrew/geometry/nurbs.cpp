@@ -83,6 +83,7 @@ std::size_t Nurbs::record_at(double s) const {
 Point Nurbs::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
+  s = s + begin_;
   const NurbsTable& table = *table_;
   const std::size_t index = record_at(s.hi);
   const double* const record = table.record(index);
@@ -108,8 +109,9 @@ Point Nurbs::evaluate(DoubleDouble s) const {
 }
 
 Nurbs::Located Nurbs::locate(double s) const {
-  const std::size_t index = record_at(std::clamp(s, 0.0, length_));
+  const std::size_t index = record_at(std::clamp(s, 0.0, length_) + begin_);
   const double* const record = table_->record(index);
+  s += begin_;
   const double sigma = s - table_->nodes[index] - record[NurbsTable::s_low];
   return {record, polynomial_jet(record + NurbsTable::map, 4, sigma) * Jet::parameter(sigma)};
 }
@@ -152,8 +154,24 @@ PointJet Nurbs::jets_at(double u) const {
   return jets;
 }
 
-std::span<const double> Nurbs::breaks() const {
-  return {table_->breaks.data() + first_break_, break_count_};
+std::vector<double> Nurbs::breaks() const {
+  std::vector<double> inside;
+  for (std::uint32_t i = 0; i < break_count_; ++i) {
+    const double s = table_->breaks[first_break_ + i] - begin_;
+    if (s > 0 && s < length_) inside.push_back(s);
+  }
+  return inside;
+}
+
+Nurbs Nurbs::part(double from, double to) const {
+  Nurbs part = *this;
+  part.first_parameter_ = parameter(from);
+  part.last_parameter_ = parameter(to);
+  part.start_ = evaluate(from);
+  part.end_ = evaluate(to);
+  part.begin_ = begin_ + from;
+  part.length_ = to - from;
+  return part;
 }
 
 }  // namespace leadscrew::geometry

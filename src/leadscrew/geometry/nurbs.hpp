@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <leadscrew/geometry/point.hpp>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace leadscrew::geometry {
@@ -63,7 +62,9 @@ class Nurbs {
 
   /// Arc lengths inside (0, length), ascending, where q‴ has a step or a bend: knots at which the B-spline is only C2
   /// or C3.
-  std::span<const double> breaks() const;
+  std::vector<double> breaks() const;
+  /// What lies between two arc lengths, 0 ≤ from < to ≤ length; it shares the table.
+  Nurbs part(double from, double to) const;
   /// Pieces of the table u(s).
   std::size_t map_pieces() const { return record_count_; }
 
@@ -75,6 +76,7 @@ class Nurbs {
 
   std::shared_ptr<const NurbsTable> table_;
   double length_ = 0;
+  double begin_ = 0;  ///< arc length in the table where the piece begins
   double buckets_per_length_ = 0;
   std::uint32_t first_record_ = 0, record_count_ = 0;
   std::uint32_t first_bucket_ = 0, bucket_count_ = 0;

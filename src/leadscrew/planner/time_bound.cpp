@@ -77,7 +77,7 @@ void TimeBound::add_straight(const geometry::Line& line, double feed) {
 
 void TimeBound::add_curved(const geometry::Curve& curve, double feed) {
   const double length = geometry::length(curve);
-  const std::span<const double> breaks = geometry::breaks(curve);
+  const std::vector<double> breaks = geometry::breaks(curve);
   auto stop_at = breaks.begin();
   double s = 0;
   geometry::PointJet here = geometry::jets(curve, 0);
