@@ -119,7 +119,7 @@ base::Word Interpolator::next() {
   word.position = position(piece.curve, segment.piece, s);
   word.path_length += s.value();
   word.feed = speed;
-  word.line = piece.line;
+  word.line = piece.line_at(s.value());
   return word;
 }
 

@@ -276,7 +276,7 @@ Chunk LookAhead::hand_out() {
   chunk.tail_length = window.end - end;
   const toolpath::Piece& last = section_.piece(last_piece);
   chunk.rest = geometry::evaluate(last.curve, DoubleDouble(window.end - section_.offset(last_piece)));
-  chunk.rest_line = last.line;
+  chunk.rest_line = last.line_at(window.end - section_.offset(last_piece));
   last_begin_ = begin_;
   last_tail_end_ = tail_end_;
   begin_ = end;

@@ -199,7 +199,7 @@ std::optional<Chunk> Planner::closed_form() {
     if (greatest(ratios) > 1 + 1e-10) return std::nullopt;
   }
   position_ = geometry::end(last_->curve);
-  line_ = last_->line;
+  line_ = last_->last_line();
   look_ahead_.clear();
   last_.reset();
   return chunk;

@@ -1,32 +1,33 @@
 #pragma once
 // From moves to the tool path, streaming: moves are pushed, and elements come out once nothing ahead can change them.
 //
-// Every move is kept as programmed, one curve a block; a NURBS curve becomes its smooth pieces
-// (geometry::smooth_pieces).
+// In exact-path and exact-stop mode (G61, G61.1) every move is kept as programmed, a NURBS curve as its smooth pieces
+// (geometry::smooth_pieces). Where blending is asked for (G64), moves that follow one another without a dwell or an event
+// are smoothed together within their tolerance (Smoother).
 
 #include <deque>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/path.hpp>
+#include <leadscrew/toolpath/smoother.hpp>
 #include <optional>
 
 namespace leadscrew::toolpath {
-
-/// Length by which feed is counted: of X Y Z together; of U V W where those stand still; of A B C (degrees) where all
-/// linear axes stand still. For an arc in the plane's axes, radius · |sweep| takes the place of their straight
-/// distance; a NURBS curve's is the sum of its smooth pieces'.
-double feed_length(const gcode::Move& move);
 
 class Builder {
  public:
   void push(const gcode::Move& move);
   /// No more moves will come.
-  void finish() {}
+  void finish() { flush(); }
   /// The next element that is settled, if there is one.
   std::optional<Element> pop();
 
  private:
-  void settle(const geometry::Curve& curve, const gcode::Move& move, double feed_length);
+  void move_along(const gcode::Move& move);
+  void flush();
 
+  std::optional<Smoother> smoother_;
+  FeedAxes axes_ = FeedAxes::none;  ///< of what is being smoothed
   std::deque<Element> settled_;
 };
 

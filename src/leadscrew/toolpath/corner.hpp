@@ -1,0 +1,35 @@
+#pragma once
+// The blend of a corner: one quintic that leaves the curve before and joins the curve behind with their tangents and
+// curvatures.
+//
+//       ───A──╮             It has the position and two derivatives, at both ends, of the sum of both ways,
+//              ╲
+//               │               q(u) = A(L_A − d(1 − u)³) + B(d u³) − V,   0 ≤ u ≤ 1,
+//               B
+//               │           and between two lines it is that sum: what axes do whose constant jerk on one line fades
+//                           out while that on the other fades in. It cuts the corner by d|t_A − t_B|/8.
+
+#include <leadscrew/geometry/curve.hpp>
+#include <optional>
+#include <span>
+
+namespace leadscrew::toolpath {
+
+struct Corner {
+  geometry::Curve before, behind;  ///< meet at the corner
+  /// Polylines that stand for what was programmed, to and from the corner, mm in every coordinate; empty where the curve
+  /// itself was.
+  std::span<const geometry::Point> programmed_before, programmed_behind;
+  double most_before = 0, most_behind = 0;  ///< of each curve's length that the blend may take; > 0
+};
+
+struct Blend {
+  geometry::Nurbs curve;
+  double before = 0, behind = 0;  ///< lengths that it takes the place of
+};
+
+/// The longest blend found that stays within `room` (mm) of what was programmed, and from which that stays within `room`.
+/// None where the path turns back, or where there is none worth it.
+std::optional<Blend> blend(const Corner& corner, double room);
+
+}  // namespace leadscrew::toolpath

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <leadscrew/toolpath/feed_length.hpp>
+#include <leadscrew/toolpath/reduction.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
+#include <utility>
+
+namespace leadscrew::toolpath {
+
+using geometry::Point;
+
+namespace {
+
+constexpr double straight = 2e-7;       // mm: what rounding and three decimals of inches leave
+constexpr double ball_share = 0.25;     // of the tolerance
+constexpr double greatest_share = 0.25; // of the tolerance that may be spent
+
+}  // namespace
+
+double millimetres_per_length(const geometry::Curve& curve) {
+  if (std::holds_alternative<geometry::Nurbs>(curve)) return 1;
+  return norm(derivative(geometry::jets(curve, 0), &numeric::Jet::first));
+}
+
+/// Is the open leg and this one a single line?
+bool Reduction::join(const Leg& leg) {
+  const auto* const open = std::get_if<geometry::Line>(&open_->curve);
+  const auto* const line = std::get_if<geometry::Line>(&leg.curve);
+  if (!open || !line || open_->feed != leg.feed) return false;
+  const Point end = to_millimetres(line->end());
+  const double off = distance_to_segment(end_, start_, end);
+  const bool is_straight = open_->spent + off <= straight && distance(start_, end) > distance(start_, end_);
+  // All that lies in a ball may be taken for its centre.
+  const double radius = std::max(radius_, distance(start_, end_));
+  const bool is_in_ball = std::max(radius, distance(start_, end)) <= ball_share * tolerance_;
+  if (!is_straight && !is_in_ball) return false;
+  const double spent = std::min(open_->spent + off, radius);
+  if (!is_straight && spent > greatest_share * tolerance_) return false;
+  // Told in the same axes as before, or not at all.
+  const double length = line_length(open->start(), line->end());
+  if (!(length > 0) || feed_axes(open->start(), line->end()) != feed_axes(open->start(), open->end())) return false;
+  open_->lines.push_back({open->length(), leg.line});
+  open_->curve = geometry::Line(open->start(), line->end(), length);
+  open_->spent = spent;
+  radius_ = radius;
+  end_ = end;
+  return true;
+}
+
+std::optional<Leg> Reduction::push(Leg leg) {
+  if (open_ && join(leg)) return std::nullopt;
+  std::optional<Leg> done = finish();
+  start_ = to_millimetres(geometry::start(leg.curve));
+  end_ = to_millimetres(geometry::end(leg.curve));
+  radius_ = 0;
+  open_ = std::move(leg);
+  return done;
+}
+
+std::optional<Leg> Reduction::finish() {
+  return std::exchange(open_, std::nullopt);
+}
+
+}  // namespace leadscrew::toolpath

@@ -1,0 +1,83 @@
+#pragma once
+// Within one tolerance: what was programmed as lines, arcs and curves, as a path that bends without a jump.
+//
+//   legs ─reduction─▶ legs ─joints─▶ runs and corners ─▶ pieces
+//
+//   - Legs too short to matter beside the tolerance, and lines that run straight on, become one (Reduction).
+//   - A joint is a corner where the direction turns by 81° or more within eight tolerances; elsewhere it is smooth.
+//   - Short legs that are joined smoothly, and the nearest parts of long ones, are a run: a spline through the tube around
+//     them (TubeSpline). The rest of the long ones stays what it is.
+//   - Corners are blended (corner.hpp); where none is worth it, and where the path turns back, the motion stops.
+
+#include <deque>
+#include <leadscrew/toolpath/path.hpp>
+#include <leadscrew/toolpath/reduction.hpp>
+#include <leadscrew/toolpath/tube_spline.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace leadscrew::toolpath {
+
+class Smoother {
+ public:
+  /// tolerance > 0, mm: no point of the path lies farther from what was programmed, nor the other way round.
+  Smoother(double tolerance, double cam_tolerance);
+  ~Smoother();
+
+  void push(Leg leg);
+  /// Nothing goes on smoothly from what was pushed last.
+  void finish();
+  /// The next piece that nothing ahead can change.
+  std::optional<Piece> pop();
+
+  double tolerance() const { return tolerance_; }
+  double cam_tolerance() const { return cam_tolerance_; }
+
+ private:
+  enum class Joint : std::uint8_t { end, corner, smooth, through };
+  struct Run;
+
+  /// A part of the path that is done but for its corners.
+  struct Stretch {
+    Piece piece;
+    bool corner_before = false;
+    std::vector<geometry::Point> programmed{};  ///< the polyline it was fitted to, mm; none if it is what was programmed
+    bool cut = false;                           ///< at its start, by a blend
+    double length = 0;                          ///< before that
+  };
+
+  void take(Leg leg);
+  void classify(bool all);
+  double turn_at(std::size_t joint, double window) const;
+  geometry::Point place_at(double u) const;
+  Joint joint_kind(std::size_t joint) const;
+  void follow(const Leg& leg, Joint before, Joint behind);
+  void add_exact(const Leg& leg, double from, double to);
+  void begin_run(const Leg& leg, double from, bool pinned);
+  void extend_run(const Leg& leg, double from, double to);
+  void end_run(const Leg& leg, double to, bool pinned);
+  void settle_run();
+  bool begin_rest(bool corner);
+  bool retreat();
+  double room_about(const Leg& leg) const;
+  void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
+  void add(Stretch stretch);
+  void cut_corner(Stretch& behind);
+  void release();
+
+  double tolerance_, cam_tolerance_;
+  Reduction reduction_;
+  std::deque<Leg> legs_;              ///< that are not done
+  std::deque<double> ends_{0.0};      ///< u at their ends; the first: where the first begins
+  std::deque<Joint> joints_;          ///< at their ends, as far as known
+  std::deque<double> turns_;          ///< at their ends, as far as known
+  std::size_t followed_ = 0;          ///< legs that are done; turns look back at them
+  Joint before_ = Joint::end;         ///< before the first leg that is not
+  std::unique_ptr<Run> run_;
+  bool corner_ = false;               ///< is there one before what comes next?
+  std::optional<Stretch> last_;       ///< that a corner may still cut
+  std::deque<Piece> done_;
+};
+
+}  // namespace leadscrew::toolpath

@@ -1,0 +1,68 @@
+#pragma once
+// The space in which a tolerance is told: all coordinates in millimetres, a degree of a rotary axis counting as the arc
+// it sweeps at a radius of 50 mm. The distance is Euclid's.
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/geometry/point.hpp>
+#include <numbers>
+
+namespace leadscrew::toolpath {
+
+inline constexpr double reference_radius = 50;  // mm
+
+inline double millimetres_per_unit(base::Axis axis) {
+  return base::is_rotary(axis) ? reference_radius * std::numbers::pi / 180 : 1;
+}
+
+inline geometry::Point to_millimetres(geometry::Point p) {
+  for (const base::Axis axis : base::all_axes) p[base::index(axis)] *= millimetres_per_unit(axis);
+  return p;
+}
+inline geometry::Point from_millimetres(geometry::Point p) {
+  for (const base::Axis axis : base::all_axes) p[base::index(axis)] /= millimetres_per_unit(axis);
+  return p;
+}
+
+inline double dot(const geometry::Point& a, const geometry::Point& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+inline double norm(const geometry::Point& a) {
+  return std::sqrt(dot(a, a));
+}
+inline double distance(const geometry::Point& a, const geometry::Point& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+inline geometry::Point difference(const geometry::Point& a, const geometry::Point& b) {
+  geometry::Point d;
+  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
+  return d;
+}
+/// a + share·b
+inline geometry::Point sum(const geometry::Point& a, double share, const geometry::Point& b) {
+  geometry::Point s;
+  for (std::size_t i = 0; i < a.size(); ++i) s[i] = a[i] + share * b[i];
+  return s;
+}
+
+/// One of the jet's derivatives, in millimetres.
+inline geometry::Point derivative(const geometry::PointJet& jet, double numeric::Jet::* which) {
+  geometry::Point d;
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] = jet[i].*which;
+  return to_millimetres(d);
+}
+
+/// Distance of a point from the segment between two others.
+inline double distance_to_segment(const geometry::Point& p, const geometry::Point& a, const geometry::Point& b) {
+  const geometry::Point along = difference(b, a), to = difference(p, a);
+  const double length = dot(along, along);
+  const double share = length > 0 ? std::clamp(dot(to, along) / length, 0.0, 1.0) : 0;
+  return norm(sum(to, -share, along));
+}
+
+}  // namespace leadscrew::toolpath

@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/numeric/banded.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
+#include <leadscrew/toolpath/tube_spline.hpp>
+
+namespace leadscrew::toolpath {
+
+using geometry::Point;
+
+namespace {
+
+constexpr double cone_slope = 0.1;            // |dℓ/du|
+constexpr std::size_t fewest_spans = 4;       // of a curve
+constexpr int most_rounds = 40;               // of a window
+constexpr double samples_per_span = 4;        // at least
+constexpr double sample_sagitta = 0.16;       // of the room, at curvature 1/ℓ or so
+constexpr double shortened_most = 0.5;        // by a round
+constexpr double shortened_least = 0.93;
+
+}  // namespace
+
+TubeSpline::TubeSpline(const State& start, const Vertex& vertex, double longest, double shortest)
+    : vertices_{vertex}, start_(start), begin_(vertex.u), longest_(longest), shortest_(shortest) {}
+
+void TubeSpline::retreat_to(std::size_t vertex) {
+  vertices_.resize(vertex + 1);
+  end_.reset();
+}
+
+double TubeSpline::smoothing_length(double u) const {
+  double length = longest_;
+  const auto next = std::lower_bound(apexes_.begin(), apexes_.end(), u, [](const Apex& a, double at) { return a.u < at; });
+  if (next != apexes_.end()) length = std::min(length, next->length + cone_slope * (next->u - u));
+  if (next != apexes_.begin()) length = std::min(length, std::prev(next)->length + cone_slope * (u - std::prev(next)->u));
+  return length;
+}
+
+/// Keeps the apexes that lie on no other's cone: then the neighbours of a place say what ℓ is.
+void TubeSpline::shorten(double u, double length) {
+  auto at = std::lower_bound(apexes_.begin(), apexes_.end(), u, [](const Apex& a, double place) { return a.u < place; });
+  const auto hidden = [&](const Apex& apex) { return apex.length >= length + cone_slope * std::abs(apex.u - u); };
+  auto last = at;
+  while (last != apexes_.end() && hidden(*last)) ++last;
+  while (at != apexes_.begin() && hidden(*std::prev(at))) --at;
+  at = apexes_.erase(at, last);
+  apexes_.insert(at, {u, length});
+}
+
+void TubeSpline::place_knots() {
+  const double last = vertices_.back().u;
+  std::vector<double>& t = stretch_.knots;
+  t.assign(quintic_degree + 1, begin_);
+  whole_ = false;
+  std::size_t spans = 0;
+  double x = begin_;
+  const auto step_at = [&](double u) {
+    const double here = smoothing_length(u);
+    return std::min(here, smoothing_length(u + here)) / spans_per_length;
+  };
+  while (static_cast<double>(spans) < window_spans && x < last) {
+    x += step_at(x);
+    t.push_back(x);
+    ++spans;
+  }
+  if (end_ && x >= last) {
+    whole_ = true;
+    // The last knot is the end: the spans shrink a little, and there are four at least.
+    const std::size_t wanted = std::max(spans, fewest_spans);
+    if (wanted > spans) {
+      t.resize(quintic_degree + 1);
+      for (std::size_t k = 1; k <= wanted; ++k)
+        t.push_back(begin_ + (last - begin_) * static_cast<double>(k) / static_cast<double>(wanted));
+    } else {
+      const double share = (last - begin_) / (x - begin_);
+      for (std::size_t k = quintic_degree + 1; k < t.size(); ++k) t[k] = begin_ + (t[k] - begin_) * share;
+    }
+    t.back() = last;
+    t.insert(t.end(), quintic_degree, last);
+  } else {
+    while (t[t.size() - 1] > last) t.pop_back();  // no more spans than the polyline reaches
+    for (std::size_t k = 0; k < quintic_degree; ++k) t.push_back(t.back() + step_at(t.back()));
+  }
+  stretch_.points.assign(t.size() - quintic_degree - 1, Point{});
+}
+
+void TubeSpline::take_samples() {
+  samples_.clear();
+  const std::vector<double>& t = stretch_.knots;
+  const std::size_t spans = stretch_.spans();
+  const double from = begin_, to = t[spans + quintic_degree];
+  std::size_t span = 0;
+  const auto put = [&](double u, std::size_t vertex) {
+    Sample sample;
+    sample.u = u;
+    sample.vertex = vertex;
+    const Vertex &a = vertices_[vertex - 1], &b = vertices_[vertex];
+    const double share = (u - a.u) / (b.u - a.u);
+    for (std::size_t i = 0; i < a.position.size(); ++i) {
+      sample.position[i] = share >= 1 ? b.position[i] : a.position[i] + share * (b.position[i] - a.position[i]);
+    }
+    while (span + 1 < spans && stretch_.span_end(span) <= u) ++span;
+    sample.span = span;
+    sample.basis = quintic_values(t.data() + span, u);
+    samples_.push_back(sample);
+  };
+  std::size_t vertex = 1;
+  while (vertex + 1 < vertices_.size() && vertices_[vertex].u <= from) ++vertex;
+  put(from, vertex);
+  double u = from;
+  while (u < to && vertex < vertices_.size()) {
+    const double end = std::min(to, vertices_[vertex].u);
+    while (span + 1 < spans && stretch_.span_end(span) <= u) ++span;
+    const double width = stretch_.span_end(span) - stretch_.span_begin(span);
+    const double step =
+        std::min(width / samples_per_span, std::sqrt(8 * sample_sagitta * vertices_[vertex].room * width));
+    const double left = end - u;
+    if (left > step) {
+      u += left / std::ceil(left / step);
+      put(u, vertex);
+      continue;
+    }
+    u = end;
+    put(u, vertex);
+    if (u >= vertices_[vertex].u) ++vertex;
+  }
+  for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+    const double half = (samples_[i + 1].u - samples_[i].u) / 2;
+    samples_[i].weight += half;
+    samples_[i + 1].weight += half;
+  }
+}
+
+void TubeSpline::solve() {
+  const std::vector<double>& t = stretch_.knots;
+  std::vector<Point>& c = stretch_.points;
+  const std::size_t n = c.size();
+  begin_with(start_, t.data(), c.data());
+  const std::size_t first = start_.count;
+  std::size_t last = n;  // one past the last free point
+  if (whole_) {
+    std::array<double, 12> mirrored;
+    for (std::size_t k = 0; k < mirrored.size(); ++k) mirrored[k] = -t[t.size() - 1 - k];
+    std::array<Point, State::most> points;
+    begin_with(*end_, mirrored.data(), points.data());
+    for (std::size_t k = 0; k < end_->count; ++k) c[n - 1 - k] = points[k];
+    last = n - end_->count;
+  }
+  if (first >= last) return;
+
+  const std::size_t free = last - first;
+  numeric::BandedMatrix<quintic_degree> matrix;
+  matrix.reset(free);
+  std::vector<Point> right(free, Point{});
+  const auto add = [&](std::size_t span, const Six& row, double weight, const Point* target) {
+    for (std::size_t a = 0; a < row.size(); ++a) {
+      const std::size_t i = span + a;
+      if (i < first || i >= last) continue;
+      const double scaled = weight * row[a];
+      Point& b = right[i - first];
+      if (target) {
+        for (std::size_t k = 0; k < b.size(); ++k) b[k] += scaled * (*target)[k];
+      }
+      for (std::size_t d = 0; d < row.size(); ++d) {
+        const std::size_t j = span + d;
+        if (j < first || j >= last) {
+          const double product = scaled * row[d];
+          for (std::size_t k = 0; k < b.size(); ++k) b[k] -= product * c[j][k];
+        } else if (j <= i) {
+          matrix.add(i - first, j - first, scaled * row[d]);
+        }
+      }
+    }
+  };
+  for (const Sample& sample : samples_) add(sample.span, sample.basis, sample.weight, &sample.position);
+  constexpr double gauss_place = 0.7745966692414834, outer = 5.0 / 18, inner = 8.0 / 18;
+  for (std::size_t span = 0; span < stretch_.spans(); ++span) {
+    const double from = stretch_.span_begin(span), to = stretch_.span_end(span), width = to - from;
+    const double length = std::min(smoothing_length(from), smoothing_length(to));
+    const double factor = width * std::pow(length, 6);
+    for (const auto& [place, weight] : {std::pair{-gauss_place, outer}, {0.0, inner}, {gauss_place, outer}}) {
+      add(span, quintic_third_derivatives(t.data() + span, from + width * (1 + place) / 2), factor * weight, nullptr);
+    }
+  }
+  matrix.factor(1e-15);
+  std::vector<double> column(free);
+  for (std::size_t k = 0; k < base::axis_count; ++k) {
+    bool moves = false;
+    for (std::size_t i = 0; i < free; ++i) {
+      column[i] = right[i][k];
+      moves = moves || column[i] != 0;
+    }
+    if (moves) matrix.solve(column);
+    for (std::size_t i = 0; i < free; ++i) c[first + i][k] = moves ? column[i] : 0;
+  }
+}
+
+/// Is the window inside the tube? Where it is not, ℓ is shortened.
+bool TubeSpline::check() {
+  const std::vector<double>& t = stretch_.knots;
+  const std::vector<Point>& c = stretch_.points;
+  std::vector<double> bend(c.size() - 2);  // |D²_i|
+  std::vector<Point> slope(c.size() - 1);
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    const double factor = 5 / (t[i + 6] - t[i + 1]);
+    for (std::size_t k = 0; k < slope[i].size(); ++k) slope[i][k] = factor * (c[i + 1][k] - c[i][k]);
+  }
+  for (std::size_t i = 0; i < bend.size(); ++i) bend[i] = 4 / (t[i + 6] - t[i + 2]) * distance(slope[i + 1], slope[i]);
+  const auto greatest_bend = [&](std::size_t span) { return *std::max_element(&bend[span], &bend[span] + 4); };
+
+  for (Sample& sample : samples_) {
+    Point there{};
+    for (std::size_t a = 0; a < sample.basis.size(); ++a) {
+      for (std::size_t k = 0; k < there.size(); ++k) there[k] += sample.basis[a] * c[sample.span + a][k];
+    }
+    sample.distance = distance(there, sample.position);
+  }
+  double worst = 1, greatest = 0;
+  bool inside = true;
+  std::vector<Apex> found;
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const Sample &a = samples_[i - 1], &b = samples_[i];
+    const double apart = b.u - a.u, bent = std::max(greatest_bend(a.span), greatest_bend(b.span));
+    const double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].room;
+    greatest = std::max(greatest, share);
+    if (!(share > 1)) continue;
+    inside = false;
+    const double u = a.distance > b.distance ? a.u : b.u;
+    found.push_back({u, smoothing_length(u) * std::clamp(std::sqrt(0.9 / share), shortened_most, shortened_least)});
+    if (share > worst) {
+      worst = share;
+      worst_ = b.vertex;
+    }
+  }
+  for (const Apex& apex : found) {
+    if (apex.length < smoothing_length(apex.u)) shorten(apex.u, apex.length);
+  }
+  if (inside) greatest_share_ = std::max(greatest_share_, greatest);
+  return inside;
+}
+
+TubeSpline::Outcome TubeSpline::settle() {
+  if (!end_ && vertices_.back().u - begin_ < reach()) return Outcome::wants_more;
+  for (int round = 0; round < most_rounds; ++round) {
+    place_knots();
+    take_samples();
+    solve();
+    if (check()) {
+      if (whole_) {
+        begin_ = vertices_.back().u;
+        return Outcome::ended;
+      }
+      const std::size_t spans = std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(stretch_.spans()) / settled_share));
+      const double end = stretch_.span_end(spans - 1);
+      start_ = stretch_.state(spans, end);
+      begin_ = end;
+      stretch_.points.resize(spans + quintic_degree);
+      stretch_.knots.resize(spans + 2 * quintic_degree + 1);
+      std::size_t gone = 0;
+      while (gone + 2 < vertices_.size() && vertices_[gone + 1].u <= begin_) ++gone;
+      vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(gone));
+      std::erase_if(apexes_, [&](const Apex& apex) { return apex.u < begin_ - 10 * longest_; });
+      return Outcome::settled;
+    }
+    if (smoothing_length(vertices_[worst_].u) < shortest_) break;
+  }
+  return Outcome::failed;
+}
+
+}  // namespace leadscrew::toolpath

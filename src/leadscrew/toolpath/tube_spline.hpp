@@ -1,0 +1,103 @@
+#pragma once
+// A smooth curve through the tube around a polyline: the quintic B-spline that keeps close to it and bends as evenly as
+// the tube allows.
+//
+//      ______________                             It minimises
+//        ·        ·  ‾‾--..__    tube             Σ Δu |q(u_i) − p(u_i)|² + ∫ ℓ⁶ |q‴|² du,
+//      ──●────────●────────__●──                  p the polyline, q the curve, at the same parameter u. The longer the
+//      ______________        ‾‾‾--●               smoothing length ℓ(u), the smoother the curve and the farther from
+//                    ‾‾--..__                     the polyline: ℓ is as long as may be, and shortened about the places
+//                                                 where the curve would leave the tube.
+//
+// Distance is told at equal parameters, a bound of Fréchet's distance: both ways, and in order. Between two samples of
+// one chord, e = q − p bends as q does, so |e| ≤ max(|e_i|, |e_i+1|) + Δu²/8 · max |q″|, and |q″| is no more than its
+// largest control point. The proof is therefore complete, span interiors included.
+//
+// Streaming: a window of some 24 spans is solved, and the first third of it is settled; the next begins with its
+// position and four derivatives.
+
+#include <leadscrew/toolpath/quintic_basis.hpp>
+#include <optional>
+#include <vector>
+
+namespace leadscrew::toolpath {
+
+/// Of the polyline.
+struct Vertex {
+  geometry::Point position{};  ///< mm in every coordinate
+  double u = 0;                ///< increasing from vertex to vertex
+  double room = 0;             ///< allowed distance here and on the chord that ends here, mm; > 0
+};
+
+class TubeSpline {
+ public:
+  /// From the state `start` at the vertex given first. `longest`: of ℓ, in u; > 0. `shortest`: ℓ that is not worth it.
+  TubeSpline(const State& start, const Vertex& vertex, double longest, double shortest);
+
+  /// The polyline goes on; not after close().
+  void append(const Vertex& vertex) { vertices_.push_back(vertex); }
+  /// The last vertex given is the end. The curve ends there with that state, its derivatives by −u; where `end` has one
+  /// only (the position), in any direction.
+  void close(const State& end) { end_ = end; }
+  /// The end was another vertex, one that has not been settled: forgets all behind it, and that it was closed.
+  void retreat_to(std::size_t vertex);
+
+  enum class Outcome { wants_more, settled, ended, failed };
+  /// Settles a stretch, if enough is known: it is to be had from stretch(). `ended`: that was the last. `failed`: there is
+  /// none that stays inside the tube and is worth it, about vertex worst().
+  Outcome settle();
+  const QuinticSpline& stretch() const { return stretch_; }
+  /// Where the stretch ends, or the curve was to begin.
+  double settled() const { return begin_; }
+
+  /// and the position there, mm.
+  const geometry::Point& position() const { return start_.derivative[0]; }
+  double longest() const { return longest_; }
+  /// What is not settled yet; the first one at settled() or before.
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  std::size_t worst() const { return worst_; }
+  /// Largest proven distance of all that has been settled, over the room there; ≤ 1.
+  double greatest_share() const { return greatest_share_; }
+
+  /// How much of the polyline must be known, in u, for another stretch to be settled.
+  double reach() const { return window_spans * longest_ / spans_per_length; }
+
+ private:
+  static constexpr double window_spans = 24, settled_share = 3, spans_per_length = 1.25;
+
+  /// Where ℓ was shortened.
+  struct Apex {
+    double u = 0, length = 0;
+  };
+  struct Sample {
+    double u = 0, weight = 0;
+    std::size_t vertex = 0;  ///< at which its chord ends
+    geometry::Point position{};
+    std::size_t span = 0;
+    Six basis{};
+    double distance = 0;
+  };
+
+  double smoothing_length(double u) const;
+  void shorten(double u, double length);
+  void place_knots();
+  void take_samples();
+  void solve();
+  bool check();
+
+  std::vector<Vertex> vertices_;
+  State start_;
+  std::optional<State> end_;
+  double begin_ = 0;
+  double longest_, shortest_;
+  std::vector<Apex> apexes_;  ///< by u; none lies above another's cone
+  std::size_t worst_ = 0;
+  double greatest_share_ = 0;
+
+  // The window.
+  QuinticSpline stretch_;
+  bool whole_ = false;  ///< does the window reach the end?
+  std::vector<Sample> samples_;
+};
+
+}  // namespace leadscrew::toolpath
