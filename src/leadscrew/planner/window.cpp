@@ -32,18 +32,21 @@ constexpr std::size_t stopping_intervals = 20;
 constexpr double granted_slowing = 1.0002;  // below, slowing time costs less than planning again
 constexpr std::size_t least_ahead = 16;     // intervals
 
-/// The knot that the next window begins at: as late as the end of this one still lies some stops ahead of it.
+/// The knot that the next window begins at: as late as the end of this one still lies some stops ahead of it; stops
+/// from the greatest speed on the way there, for what rises to it behind a corner would rise farther if the end were
+/// farther.
 std::size_t commit_until(const SpeedProfile& profile, const Section& section, const machine::Machine& machine) {
   const std::size_t n = profile.intervals();
   std::size_t k = n;
-  double ahead = 0;
+  double ahead = 0, longest = 0;
   while (k > 0) {
     --k;
     ahead += travel_time(profile, k);
-    if (n - k < least_ahead) continue;
     const double s = profile.knots().s[k];
     const TangentLimits limits = tangent_limits(section.jets(s, Side::right), machine);
-    if (ahead >= stops_ahead * stop_time(std::sqrt(profile.square(k, 0)), limits)) break;
+    longest = std::max(longest, stop_time(std::sqrt(profile.square(k, 0)), limits));
+    if (n - k < least_ahead) continue;
+    if (ahead >= stops_ahead * longest) break;
   }
   return std::max({k, n / 4, std::size_t{1}});
 }

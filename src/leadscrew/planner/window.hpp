@@ -17,7 +17,7 @@
 namespace leadscrew::planner {
 
 /// Times to stop that lie between what is committed and the end of a window.
-inline constexpr double stops_ahead = 4.5;
+inline constexpr double stops_ahead = 6;
 
 /// A window that has been planned, on the section.
 struct Window {

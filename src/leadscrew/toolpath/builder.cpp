@@ -59,8 +59,8 @@ void Builder::move_along(const gcode::Move& move) {
       continue;
     }
     const FeedAxes axes = feed_axes_of(curve);
-    if (smoother_ && (smoother_->tolerance() != move.tolerance || smoother_->cam_tolerance() != move.naive_cam_tolerance ||
-                      axes_ != axes)) {
+    if (smoother_ && (smoother_->tolerance() != move.tolerance ||
+                      smoother_->cam_tolerance() != move.naive_cam_tolerance || axes_ != axes)) {
       flush();
     }
     if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance);

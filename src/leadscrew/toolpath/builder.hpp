@@ -2,8 +2,8 @@
 // From moves to the tool path, streaming: moves are pushed, and elements come out once nothing ahead can change them.
 //
 // In exact-path and exact-stop mode (G61, G61.1) every move is kept as programmed, a NURBS curve as its smooth pieces
-// (geometry::smooth_pieces). Where blending is asked for (G64), moves that follow one another without a dwell or an event
-// are smoothed together within their tolerance (Smoother).
+// (geometry::smooth_pieces). Where blending is asked for (G64), moves that follow one another without a dwell or an
+// event are smoothed together within their tolerance (Smoother).
 
 #include <deque>
 #include <leadscrew/gcode/move.hpp>

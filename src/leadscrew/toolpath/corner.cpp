@@ -11,8 +11,8 @@ using geometry::PointJet;
 
 namespace {
 
-constexpr double turned_back = 1.99;   // |t_A − t_B|: from here on a stop is faster than any blend
-constexpr std::size_t looks = 33;      // at a blend, and at what it takes the place of
+constexpr double turned_back = 1.99;  // |t_A − t_B|: from here on a stop is faster than any blend
+constexpr std::size_t looks = 33;     // at a blend, and at what it takes the place of
 constexpr double shrinking = 0.8;
 constexpr int most_tries = 40;
 
@@ -71,7 +71,8 @@ geometry::NurbsForm quintic(const Point& start, const Point& start_first, const 
 }
 
 geometry::NurbsForm form_of(const Corner& corner, double before, double behind) {
-  const PointJet a = geometry::jets(corner.before, geometry::length(corner.before) - before), b = geometry::jets(corner.behind, behind);
+  const PointJet a = geometry::jets(corner.before, geometry::length(corner.before) - before),
+                 b = geometry::jets(corner.behind, behind);
   Point start{}, start_first{}, start_second{}, end{}, end_first{}, end_second{};
   for (std::size_t i = 0; i < start.size(); ++i) {
     start[i] = a[i].value;
@@ -125,8 +126,8 @@ std::optional<Blend> blend(const Corner& corner, double room) {
   apart = std::sqrt(apart);
   if (!(apart > 0) || apart >= turned_back) return std::nullopt;
 
-  const bool lines = std::holds_alternative<geometry::Line>(corner.before) &&
-                     std::holds_alternative<geometry::Line>(corner.behind);
+  const bool lines =
+      std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
   double d = std::min({8 * room / apart, corner.most_before * rate_before, corner.most_behind * rate_behind});
   const double least = 1e-3 * d;
   for (int k = 0; k < most_tries && d > least; ++k, d *= shrinking) {

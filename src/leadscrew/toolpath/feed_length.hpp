@@ -1,7 +1,7 @@
 #pragma once
-// The length by which feed is counted (RS274/NGC 2.1.2.5), and moves as curves by that length: of X Y Z together; of U V W
-// where those stand still; of A B C (degrees) where all linear axes stand still. For an arc in the plane's axes, radius ·
-// |sweep| takes the place of their straight distance; a NURBS curve's is the sum of its smooth pieces'.
+// The length by which feed is counted (RS274/NGC 2.1.2.5), and moves as curves by that length: of X Y Z together; of U
+// V W where those stand still; of A B C (degrees) where all linear axes stand still. For an arc in the plane's axes,
+// radius · |sweep| takes the place of their straight distance; a NURBS curve's is the sum of its smooth pieces'.
 
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/geometry/curve.hpp>

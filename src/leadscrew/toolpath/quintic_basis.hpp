@@ -1,6 +1,6 @@
 #pragma once
-// The six quintic B-splines that live on one interval of a knot sequence (de Boor, "A Practical Guide to Splines", ch. X),
-// and what control points say of a spline's derivatives.
+// The six quintic B-splines that live on one interval of a knot sequence (de Boor, "A Practical Guide to Splines", ch.
+// X), and what control points say of a spline's derivatives.
 
 #include <array>
 #include <cstddef>
@@ -39,8 +39,8 @@ struct QuinticSpline {
   State state(std::size_t span, double u) const;
 };
 
-/// The first control points of a spline that is clamped at t[0] = … = t[5] and begins with that state: as many as it has
-/// derivatives, into `points`.
+/// The first control points of a spline that is clamped at t[0] = … = t[5] and begins with that state: as many as it
+/// has derivatives, into `points`.
 void begin_with(const State& state, const double* t, geometry::Point* points);
 
 }  // namespace leadscrew::toolpath

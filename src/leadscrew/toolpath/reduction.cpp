@@ -10,9 +10,9 @@ using geometry::Point;
 
 namespace {
 
-constexpr double straight = 2e-7;       // mm: what rounding and three decimals of inches leave
-constexpr double ball_share = 0.25;     // of the tolerance
-constexpr double greatest_share = 0.25; // of the tolerance that may be spent
+constexpr double straight = 2e-7;        // mm: what rounding and three decimals of inches leave
+constexpr double ball_share = 0.25;      // of the tolerance
+constexpr double greatest_share = 0.25;  // of the tolerance that may be spent
 
 }  // namespace
 

@@ -13,25 +13,28 @@ using geometry::Point;
 
 namespace {
 
-constexpr double kept_share = 0.98;    // of the tolerance; the rest is for the rounding of words and of samples
-constexpr double arc_sagitta = 0.02;   // of the tolerance: chords that stand for an arc
-constexpr double corner_turn = 1.3;    // |t⁺ − t⁻| = 2 sin(θ/2): 81°
-constexpr double sharp_turn = 1.4;     // a corner even if the path goes on turning
+constexpr double kept_share = 0.98;   // of the tolerance; the rest is for the rounding of words and of samples
+constexpr double arc_sagitta = 0.02;  // of the tolerance: chords that stand for an arc
+constexpr double corner_turn = 1.3;   // |t⁺ − t⁻| = 2 sin(θ/2): 81°
+constexpr double sharp_turn = 1.4;    // a corner even if the path goes on turning
 constexpr double concentrated = 1.5;
-constexpr double turn_window = 8;      // tolerances
-constexpr double widest_window = 4;    // turn windows, where the leg is as long
-constexpr double long_leg = 10, reach_into = 4;  // lengths of a span
-constexpr double longest_smoothing = 1.5;
-constexpr double shortest_smoothing = 0.5;       // tolerances
+constexpr double turn_window = 8;                                           // tolerances
+constexpr double widest_window = 4;                                         // turn windows, where the leg is as long
+constexpr double long_leg = 15, reach_into = 6;                             // lengths of a span
+constexpr double longest_smoothing = 2;                                     // lengths of a span
+constexpr double shortest_smoothing = 0.5;                                  // tolerances
 constexpr double span_time = 0.005, shortest_span = 0.1, longest_span = 1;  // s, mm
+constexpr double span_of_tolerance = 10, longest_of_tolerance = 3;          // mm
 constexpr double same_direction = 1e-9;
-constexpr double least_corner = 0.2;   // |t⁺ − t⁻| of one that is made where no spline fits
-constexpr double split_window = 32;    // tolerances: how far from there
-constexpr double uncut_share = 0.9;    // of a curve that the blend at its end may take, if there was none at its start
+constexpr double least_corner = 0.2;  // |t⁺ − t⁻| of one that is made where no spline fits
+constexpr double split_window = 32;   // tolerances: how far from there
+constexpr double uncut_share = 0.9;   // of a curve that the blend at its end may take, if there was none at its start
 
 /// Length of a span of the splines at this feed, mm.
-double span_length(const Leg& leg) {
-  return std::clamp(span_time * leg.feed * millimetres_per_length(leg.curve), shortest_span, longest_span);
+double span_length(const Leg& leg, double tolerance) {
+  const double by_feed = span_time * leg.feed * millimetres_per_length(leg.curve);
+  return std::max(std::clamp(by_feed, shortest_span, longest_span),
+                  std::min(span_of_tolerance * tolerance, longest_of_tolerance));
 }
 
 double length_of(const Leg& leg) {
@@ -123,14 +126,14 @@ struct Smoother::Run {
   };
 
   TubeSpline spline;
-  double u = 0;               ///< as far as it is known
-  std::deque<Mark> marks{};   ///< by u; the first holds where the next stretch begins
-  Point start{}, end{};       ///< where the spline begins and is to end, in the axes' units
-  bool is_first = true;       ///< has nothing of the spline been settled?
-  bool corner_before = false; ///< of the spline
-  std::optional<State> last{};     ///< at the end of the run, once that is known
-  Point last_point{};              ///< likewise, in the axes' units
-  std::vector<Vertex> rest{};      ///< from where the spline is to end, if that is not the end of the run
+  double u = 0;                 ///< as far as it is known
+  std::deque<Mark> marks{};     ///< by u; the first holds where the next stretch begins
+  Point start{}, end{};         ///< where the spline begins and is to end, in the axes' units
+  bool is_first = true;         ///< has nothing of the spline been settled?
+  bool corner_before = false;   ///< of the spline
+  std::optional<State> last{};  ///< at the end of the run, once that is known
+  Point last_point{};           ///< likewise, in the axes' units
+  std::vector<Vertex> rest{};   ///< from where the spline is to end, if that is not the end of the run
 };
 
 Smoother::Smoother(double tolerance, double cam_tolerance)
@@ -204,8 +207,7 @@ void Smoother::classify(bool all) {
   const double window = turn_window * tolerance_, ahead = widest_window * window;
   while (turns_.size() + 1 < legs_.size() && (all || ends_.back() - ends_[turns_.size() + 1] >= ahead))
     turns_.push_back(turn_at(turns_.size(), window));
-  while (joints_.size() < turns_.size() &&
-         (all || ends_[turns_.size()] - ends_[joints_.size() + 1] > window)) {
+  while (joints_.size() < turns_.size() && (all || ends_[turns_.size()] - ends_[joints_.size() + 1] > window)) {
     joints_.push_back(joint_kind(joints_.size()));
   }
   if (all && !legs_.empty()) joints_.push_back(Joint::end);
@@ -226,7 +228,7 @@ void Smoother::classify(bool all) {
 void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
   const double length = geometry::length(leg.curve), rate = millimetres_per_length(leg.curve);
   const bool comes_smoothly = before == Joint::smooth, goes_smoothly = behind == Joint::smooth;
-  const double span = span_length(leg);
+  const double span = span_length(leg, tolerance_);
   if (length * rate <= long_leg * span && (comes_smoothly || goes_smoothly)) {
     if (!run_) begin_run(leg, 0, before == Joint::through);
     extend_run(leg, 0, length);
@@ -258,7 +260,8 @@ void Smoother::begin_run(const Leg& leg, double from, bool pinned) {
   State state = state_at(leg.curve, from, false);
   if (!pinned) state.count = 1;
   const Vertex vertex{state.derivative[0], 0, room_about(leg)};
-  run_.reset(new Run{.spline = TubeSpline(state, vertex, longest_smoothing * span_length(leg), shortest_smoothing * tolerance_)});
+  run_.reset(new Run{.spline = TubeSpline(state, vertex, longest_smoothing * span_length(leg, tolerance_),
+                                          shortest_smoothing * tolerance_)});
   run_->start = geometry::evaluate(leg.curve, from);
   run_->corner_before = std::exchange(corner_, false);
 }
@@ -344,9 +347,9 @@ bool Smoother::begin_rest(bool corner) {
   return true;
 }
 
-/// No spline was found: it is to end at the sharpest vertex near by, with a corner there. Where there is none, a straight
-/// line leads to the next vertex: it stays inside the tube wherever in it the curve has come to, and the motion stops at
-/// its ends. False if the run ends there.
+/// No spline was found: it is to end at the sharpest vertex near by, with a corner there. Where there is none, a
+/// straight line leads to the next vertex: it stays inside the tube wherever in it the curve has come to, and the
+/// motion stops at its ends. False if the run ends there.
 bool Smoother::retreat() {
   const std::vector<Vertex> vertices = run_->spline.vertices();
   const double settled = run_->spline.settled();
@@ -408,7 +411,8 @@ void Smoother::add_spline(const std::vector<Vertex>& around, double from, bool i
     std::size_t mark = 0;
     while (mark + 1 < marks.size() && marks[mark + 1].u <= curve.first_parameter()) ++mark;
     for (double begin = 0; begin < curve.length();) {
-      Stretch stretch{{curve, marks[mark].feed, marks[mark].line, false, nullptr}, std::exchange(corner, false), programmed};
+      Stretch stretch{
+          {curve, marks[mark].feed, marks[mark].line, false, nullptr}, std::exchange(corner, false), programmed};
       std::vector<LineMark> lines;
       double end = curve.length();
       while (++mark < marks.size() && marks[mark].u < curve.last_parameter()) {
@@ -435,10 +439,12 @@ void Smoother::add(Stretch stretch) {
 }
 
 void Smoother::cut_corner(Stretch& behind) {
-  const double length_before = geometry::length(last_->piece.curve), length_behind = geometry::length(behind.piece.curve);
+  const double length_before = geometry::length(last_->piece.curve),
+               length_behind = geometry::length(behind.piece.curve);
   const double most = last_->cut ? last_->length / 2 : uncut_share * length_before;
-  const Corner corner{last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed,
-                      std::min(most, length_before), length_behind / 2};
+  const Corner corner{
+      last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, std::min(most, length_before),
+      length_behind / 2};
   std::optional<Blend> found = blend(corner, kept_share * tolerance_);
   if (!found) return;
   Piece curve{found->curve, std::min(last_->piece.feed, behind.piece.feed), last_->piece.last_line(), false, nullptr};

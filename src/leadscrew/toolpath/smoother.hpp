@@ -5,7 +5,8 @@
 //
 //   - Legs too short to matter beside the tolerance, and lines that run straight on, become one (Reduction).
 //   - A joint is a corner where the direction turns by 81° or more within eight tolerances; elsewhere it is smooth.
-//   - Short legs that are joined smoothly, and the nearest parts of long ones, are a run: a spline through the tube around
+//   - Short legs that are joined smoothly, and the nearest parts of long ones, are a run: a spline through the tube
+//   around
 //     them (TubeSpline). The rest of the long ones stays what it is.
 //   - Corners are blended (corner.hpp); where none is worth it, and where the path turns back, the motion stops.
 
@@ -42,9 +43,10 @@ class Smoother {
   struct Stretch {
     Piece piece;
     bool corner_before = false;
-    std::vector<geometry::Point> programmed{};  ///< the polyline it was fitted to, mm; none if it is what was programmed
-    bool cut = false;                           ///< at its start, by a blend
-    double length = 0;                          ///< before that
+    std::vector<geometry::Point>
+        programmed{};   ///< the polyline it was fitted to, mm; none if it is what was programmed
+    bool cut = false;   ///< at its start, by a blend
+    double length = 0;  ///< before that
   };
 
   void take(Leg leg);
@@ -68,15 +70,15 @@ class Smoother {
 
   double tolerance_, cam_tolerance_;
   Reduction reduction_;
-  std::deque<Leg> legs_;              ///< that are not done
-  std::deque<double> ends_{0.0};      ///< u at their ends; the first: where the first begins
-  std::deque<Joint> joints_;          ///< at their ends, as far as known
-  std::deque<double> turns_;          ///< at their ends, as far as known
-  std::size_t followed_ = 0;          ///< legs that are done; turns look back at them
-  Joint before_ = Joint::end;         ///< before the first leg that is not
+  std::deque<Leg> legs_;          ///< that are not done
+  std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins
+  std::deque<Joint> joints_;      ///< at their ends, as far as known
+  std::deque<double> turns_;      ///< at their ends, as far as known
+  std::size_t followed_ = 0;      ///< legs that are done; turns look back at them
+  Joint before_ = Joint::end;     ///< before the first leg that is not
   std::unique_ptr<Run> run_;
-  bool corner_ = false;               ///< is there one before what comes next?
-  std::optional<Stretch> last_;       ///< that a corner may still cut
+  bool corner_ = false;          ///< is there one before what comes next?
+  std::optional<Stretch> last_;  ///< that a corner may still cut
   std::deque<Piece> done_;
 };
 

@@ -10,12 +10,12 @@ using geometry::Point;
 
 namespace {
 
-constexpr double cone_slope = 0.1;            // |dℓ/du|
-constexpr std::size_t fewest_spans = 4;       // of a curve
-constexpr int most_rounds = 40;               // of a window
-constexpr double samples_per_span = 4;        // at least
-constexpr double sample_sagitta = 0.16;       // of the room, at curvature 1/ℓ or so
-constexpr double shortened_most = 0.5;        // by a round
+constexpr double cone_slope = 0.1;       // |dℓ/du|
+constexpr std::size_t fewest_spans = 4;  // of a curve
+constexpr int most_rounds = 40;          // of a window
+constexpr double samples_per_span = 4;   // at least
+constexpr double sample_sagitta = 0.16;  // of the room, at curvature 1/ℓ or so
+constexpr double shortened_most = 0.5;   // by a round
 constexpr double shortened_least = 0.93;
 
 }  // namespace
@@ -30,15 +30,18 @@ void TubeSpline::retreat_to(std::size_t vertex) {
 
 double TubeSpline::smoothing_length(double u) const {
   double length = longest_;
-  const auto next = std::lower_bound(apexes_.begin(), apexes_.end(), u, [](const Apex& a, double at) { return a.u < at; });
+  const auto next =
+      std::lower_bound(apexes_.begin(), apexes_.end(), u, [](const Apex& a, double at) { return a.u < at; });
   if (next != apexes_.end()) length = std::min(length, next->length + cone_slope * (next->u - u));
-  if (next != apexes_.begin()) length = std::min(length, std::prev(next)->length + cone_slope * (u - std::prev(next)->u));
+  if (next != apexes_.begin())
+    length = std::min(length, std::prev(next)->length + cone_slope * (u - std::prev(next)->u));
   return length;
 }
 
 /// Keeps the apexes that lie on no other's cone: then the neighbours of a place say what ℓ is.
 void TubeSpline::shorten(double u, double length) {
-  auto at = std::lower_bound(apexes_.begin(), apexes_.end(), u, [](const Apex& a, double place) { return a.u < place; });
+  auto at =
+      std::lower_bound(apexes_.begin(), apexes_.end(), u, [](const Apex& a, double place) { return a.u < place; });
   const auto hidden = [&](const Apex& apex) { return apex.length >= length + cone_slope * std::abs(apex.u - u); };
   auto last = at;
   while (last != apexes_.end() && hidden(*last)) ++last;
@@ -250,7 +253,8 @@ TubeSpline::Outcome TubeSpline::settle() {
         begin_ = vertices_.back().u;
         return Outcome::ended;
       }
-      const std::size_t spans = std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(stretch_.spans()) / settled_share));
+      const std::size_t spans =
+          std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(stretch_.spans()) / settled_share));
       const double end = stretch_.span_end(spans - 1);
       start_ = stretch_.state(spans, end);
       begin_ = end;

@@ -43,8 +43,8 @@ class TubeSpline {
   void retreat_to(std::size_t vertex);
 
   enum class Outcome { wants_more, settled, ended, failed };
-  /// Settles a stretch, if enough is known: it is to be had from stretch(). `ended`: that was the last. `failed`: there is
-  /// none that stays inside the tube and is worth it, about vertex worst().
+  /// Settles a stretch, if enough is known: it is to be had from stretch(). `ended`: that was the last. `failed`: there
+  /// is none that stays inside the tube and is worth it, about vertex worst().
   Outcome settle();
   const QuinticSpline& stretch() const { return stretch_; }
   /// Where the stretch ends, or the curve was to begin.
