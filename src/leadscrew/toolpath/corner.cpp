@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <leadscrew/toolpath/corner.hpp>
+#include <leadscrew/toolpath/frechet.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
-#include <limits>
 #include <vector>
 
 namespace leadscrew::toolpath {
@@ -16,40 +16,30 @@ constexpr std::size_t looks = 33;     // at a blend, and at what it takes the pl
 constexpr double shrinking = 0.8;
 constexpr int most_tries = 40;
 
-/// What was programmed near the corner, from it on, as far as `length` of the curve and somewhat farther.
-struct Programmed {
+/// What was programmed where the curve is to be replaced, between `from` and `to` of its length.
+std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vertex> polyline, double from, double to) {
   std::vector<Point> points;
-  std::size_t replaced = 0;  ///< the first so many lie on what the blend takes the place of
-};
-
-Programmed programmed(const geometry::Curve& curve, std::span<const Point> polyline, double length, bool at_end) {
-  Programmed result;
-  if (polyline.empty()) {
+  const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
+  if (polyline.empty() || !nurbs) {
     const std::size_t count = std::holds_alternative<geometry::Line>(curve) ? 2 : looks;
     for (std::size_t k = 0; k < count; ++k) {
-      const double way = length * static_cast<double>(k) / static_cast<double>(count - 1);
-      const double s = at_end ? geometry::length(curve) - way : way;
-      result.points.push_back(to_millimetres(geometry::evaluate(curve, s)));
+      const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+      points.push_back(to_millimetres(geometry::evaluate(curve, from + share * (to - from))));
     }
-    result.replaced = count;
-    return result;
+    return points;
   }
-  const auto point = [&](std::size_t i) -> const Point& { return polyline[at_end ? polyline.size() - 1 - i : i]; };
-  result.points.push_back(point(0));
-  double way = 0;
-  for (std::size_t i = 1; i < polyline.size() && way < 1.5 * length; ++i) {
-    way += distance(point(i - 1), point(i));
-    result.points.push_back(point(i));
-    if (way <= length) result.replaced = i + 1;
+  const double begin = nurbs->parameter(from), end = nurbs->parameter(to);
+  const auto between = [&](std::size_t i, double u) {
+    const Vertex &a = polyline[i - 1], &b = polyline[i];
+    return sum(a.position, (u - a.u) / (b.u - a.u), difference(b.position, a.position));
+  };
+  for (std::size_t i = 0; i < polyline.size(); ++i) {
+    const double u = polyline[i].u, before = i > 0 ? polyline[i - 1].u : u;
+    if (i > 0 && before < begin && begin < u) points.push_back(between(i, begin));
+    if (u >= begin && u <= end) points.push_back(polyline[i].position);
+    if (i > 0 && before < end && end < u) points.push_back(between(i, end));
   }
-  return result;
-}
-
-double distance_to(const std::vector<Point>& polyline, const Point& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < polyline.size(); ++i)
-    least = std::min(least, distance_to_segment(p, polyline[i - 1], polyline[i]));
-  return least;
+  return points;
 }
 
 /// The quintic Bézier curve with these ends, derivatives by 0 ≤ u ≤ 1.
@@ -94,20 +84,14 @@ Point bezier_point(const geometry::NurbsForm& form, double u) {
 }
 
 bool is_inside(const Corner& corner, const geometry::NurbsForm& form, double before, double behind, double room) {
-  const Programmed there = programmed(corner.before, corner.programmed_before, before, true);
-  const Programmed back = programmed(corner.behind, corner.programmed_behind, behind, false);
+  const double length = geometry::length(corner.before);
+  std::vector<Point> path = programmed(corner.before, corner.programmed_before, length - before, length);
+  const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, 0, behind);
+  path.insert(path.end(), rest.begin(), rest.end());
   std::vector<Point> shape;
   for (std::size_t k = 0; k < looks; ++k)
     shape.push_back(bezier_point(form, static_cast<double>(k) / static_cast<double>(looks - 1)));
-  const auto is_near = [&](const Point& p) {
-    return std::min(distance_to(there.points, p), distance_to(back.points, p)) <= room;
-  };
-  if (!std::all_of(shape.begin(), shape.end(), is_near)) return false;
-  const auto keeps = [&](const Programmed& way) {
-    return std::all_of(way.points.begin(), way.points.begin() + static_cast<std::ptrdiff_t>(way.replaced),
-                       [&](const Point& p) { return distance_to(shape, p) <= room; });
-  };
-  return keeps(there) && keeps(back);
+  return is_frechet_within(path, shape, room);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 //                           out while that on the other fades in. It cuts the corner by d|t_A − t_B|/8.
 
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/toolpath/tube_spline.hpp>
 #include <optional>
 #include <span>
 
@@ -17,9 +18,9 @@ namespace leadscrew::toolpath {
 
 struct Corner {
   geometry::Curve before, behind;  ///< meet at the corner
-  /// Polylines that stand for what was programmed, to and from the corner, mm in every coordinate; empty where the
-  /// curve itself was.
-  std::span<const geometry::Point> programmed_before, programmed_behind;
+  /// Polylines that stand for what was programmed, to and from the corner, by the parameter of the curve (then a
+  /// Nurbs); empty where the curve itself was.
+  std::span<const Vertex> programmed_before, programmed_behind;
   double most_before = 0, most_behind = 0;  ///< of each curve's length that the blend may take; > 0
 };
 
@@ -28,8 +29,8 @@ struct Blend {
   double before = 0, behind = 0;  ///< lengths that it takes the place of
 };
 
-/// The longest blend found that stays within `room` (mm) of what was programmed, and from which that stays within
-/// `room`. None where the path turns back, or where there is none worth it.
+/// The longest blend found whose Fréchet distance from what was programmed is within `room`, mm. None where the path
+/// turns back, or where there is none worth it.
 std::optional<Blend> blend(const Corner& corner, double room);
 
 }  // namespace leadscrew::toolpath

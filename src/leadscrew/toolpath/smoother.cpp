@@ -129,6 +129,7 @@ struct Smoother::Run {
   double u = 0;                 ///< as far as it is known
   std::deque<Mark> marks{};     ///< by u; the first holds where the next stretch begins
   Point start{}, end{};         ///< where the spline begins and is to end, in the axes' units
+  double spent = 0;             ///< by any of its legs
   bool is_first = true;         ///< has nothing of the spline been settled?
   bool corner_before = false;   ///< of the spline
   std::optional<State> last{};  ///< at the end of the run, once that is known
@@ -250,7 +251,7 @@ void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
 }
 
 void Smoother::add_exact(const Leg& leg, double from, double to) {
-  Stretch stretch{{leg.curve, leg.feed, leg.line, false, nullptr}, std::exchange(corner_, false)};
+  Stretch stretch{{leg.curve, leg.feed, leg.line, false, nullptr}, std::exchange(corner_, false), {}, leg.spent};
   if (!leg.lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(leg.lines);
   trim(stretch.piece, from, to);
   add(std::move(stretch));
@@ -266,10 +267,14 @@ void Smoother::begin_run(const Leg& leg, double from, bool pinned) {
   run_->corner_before = std::exchange(corner_, false);
 }
 
+/// How far the polyline that stands for the leg may be from what was programmed, mm.
+double Smoother::spent_by(const Leg& leg) const {
+  return leg.spent + (is_line(leg.curve) ? 0 : arc_sagitta * tolerance_);
+}
+
 /// What a spline may be off, mm.
 double Smoother::room_about(const Leg& leg) const {
-  const double chords = is_line(leg.curve) ? 0 : arc_sagitta * tolerance_;
-  return kept_share * std::min(tolerance_, cam_tolerance_) - leg.spent - chords;
+  return kept_share * std::min(tolerance_, cam_tolerance_) - spent_by(leg);
 }
 
 void Smoother::extend_run(const Leg& leg, double from, double to) {
@@ -280,6 +285,7 @@ void Smoother::extend_run(const Leg& leg, double from, double to) {
     if (mark.s > from && mark.s < to) run_->marks.push_back({first + (mark.s - from) * rate, leg.feed, mark.line});
   }
   const double room = room_about(leg);
+  run_->spent = std::max(run_->spent, spent_by(leg));
   std::size_t chords = 1;
   if (!is_line(leg.curve)) {
     double bend = 0;
@@ -385,7 +391,9 @@ bool Smoother::retreat() {
     std::deque<Run::Mark>& marks = run_->marks;
     while (marks.size() > 1 && marks[1].u <= settled) marks.pop_front();
     add({{geometry::Line(here, there, length), marks.front().feed, marks.front().line, false, nullptr},
-         run_->is_first && run_->corner_before});
+         run_->is_first && run_->corner_before,
+         {},
+         run_->spent});
   }
   return begin_rest(false);
 }
@@ -405,14 +413,14 @@ void Smoother::add_spline(const std::vector<Vertex>& around, double from, bool i
   while (marks.size() > 1 && marks[1].u <= from) marks.pop_front();
   bool corner = run_->is_first && run_->corner_before;
   run_->is_first = false;
-  std::vector<Point> programmed;
-  for (const Vertex& vertex : around) programmed.push_back(vertex.position);
   for (const geometry::Nurbs& curve : geometry::smooth_pieces(form)) {
     std::size_t mark = 0;
     while (mark + 1 < marks.size() && marks[mark + 1].u <= curve.first_parameter()) ++mark;
     for (double begin = 0; begin < curve.length();) {
-      Stretch stretch{
-          {curve, marks[mark].feed, marks[mark].line, false, nullptr}, std::exchange(corner, false), programmed};
+      Stretch stretch{{curve, marks[mark].feed, marks[mark].line, false, nullptr},
+                      std::exchange(corner, false),
+                      around,
+                      run_->spent};
       std::vector<LineMark> lines;
       double end = curve.length();
       while (++mark < marks.size() && marks[mark].u < curve.last_parameter()) {
@@ -445,7 +453,7 @@ void Smoother::cut_corner(Stretch& behind) {
   const Corner corner{
       last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, std::min(most, length_before),
       length_behind / 2};
-  std::optional<Blend> found = blend(corner, kept_share * tolerance_);
+  std::optional<Blend> found = blend(corner, kept_share * tolerance_ - std::max(last_->spent, behind.spent));
   if (!found) return;
   Piece curve{found->curve, std::min(last_->piece.feed, behind.piece.feed), last_->piece.last_line(), false, nullptr};
   const double left = length_before - found->before;

@@ -43,10 +43,10 @@ class Smoother {
   struct Stretch {
     Piece piece;
     bool corner_before = false;
-    std::vector<geometry::Point>
-        programmed{};   ///< the polyline it was fitted to, mm; none if it is what was programmed
-    bool cut = false;   ///< at its start, by a blend
-    double length = 0;  ///< before that
+    std::vector<Vertex> programmed{};  ///< the polyline it was fitted to; none if it is what was programmed
+    double spent = 0;                  ///< of the tolerance, by what stands for what was programmed, mm
+    bool cut = false;                  ///< at its start, by a blend
+    double length = 0;                 ///< before that
   };
 
   void take(Leg leg);
@@ -62,6 +62,7 @@ class Smoother {
   void settle_run();
   bool begin_rest(bool corner);
   bool retreat();
+  double spent_by(const Leg& leg) const;
   double room_about(const Leg& leg) const;
   void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
   void add(Stretch stretch);
