@@ -43,6 +43,7 @@ class RandomProgram {
   static std::string make(int most_blocks = 24) {
     RandomProgram program;
     program.text_ = "G21 G90 G94 G17 F600\n";
+    program.path_mode();
     const int blocks = any(1, most_blocks + 1);
     for (int k = 0; k < blocks; ++k) program.block();
     program.text_ += "M2\n";
@@ -51,7 +52,7 @@ class RandomProgram {
 
  private:
   void block() {
-    switch (any(0, 14)) {
+    switch (any(0, 15)) {
       case 0:
         return line("G0");
       case 1:
@@ -74,8 +75,43 @@ class RandomProgram {
         return straight_on();
       case 13:
         return parts_of_a_circle();
+      case 14:
+        return any(0, 4) == 0 ? path_mode() : short_lines();
       default:
         return line("G1");
+    }
+  }
+
+  void path_mode() {
+    switch (any(0, 5)) {
+      case 0:
+        text_ += "G61\n";
+        return;
+      case 1:
+        text_ += "G61.1\n";
+        return;
+      default:
+        text_ += "G64";
+        if (any(0, 4) > 0) {
+          word('P', logarithmic(1e-3, 1), 6);
+          if (any(0, 4) == 0) word('Q', logarithmic(1e-3, 1), 6);
+        }
+        text_ += '\n';
+    }
+  }
+
+  /// A curve as a CAM writes it: lines of much the same length that turn little, rounded.
+  void short_lines() {
+    const double length = logarithmic(0.002, 5), bend = any(-1000, 1001) / 1000.0, waver = any(0, 200) / 1000.0;
+    double angle = any(0, 6283) / 1000.0;
+    for (int k = any(2, 30); k > 0; --k) {
+      angle += 0.3 * bend + waver * any(-1000, 1001) / 1000.0;
+      at_[0] = rounded(at_[0] + length * std::cos(angle));
+      at_[1] = rounded(at_[1] + length * std::sin(angle));
+      text_ += "G1";
+      word('X', at_[0]);
+      word('Y', at_[1]);
+      text_ += '\n';
     }
   }
 
@@ -84,9 +120,9 @@ class RandomProgram {
   double rounded(double value) { return std::round(value * 1000) / 1000; }
   double moved(double from) { return rounded(from + size() * any(-1000, 1001) / 1000.0); }
 
-  void word(char letter, double value) {
+  void word(char letter, double value, int decimals = 3) {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, " %c%.3f", letter, value);
+    std::snprintf(buffer, sizeof buffer, " %c%.*f", letter, decimals, value);
     text_ += buffer;
   }
 

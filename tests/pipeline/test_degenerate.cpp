@@ -62,7 +62,7 @@ void passes(const Outcome& outcome, const base::AxisVector& end) {
         << base::letter(axis.axis);
   }
   EXPECT_LE(outcome.verdict.feed_max_ratio, 1.001);
-  EXPECT_LE(outcome.verdict.deviation_mm, 1e-6);
+  EXPECT_LE(outcome.verdict.deviation_mm, outcome.verdict.tolerance_mm + 1e-6);
   EXPECT_EQ(outcome.verdict.start_error_mm, 0);
   EXPECT_LE(outcome.verdict.end_error_mm, 1e-9);
   EXPECT_EQ(outcome.verdict.violation_count, 0);

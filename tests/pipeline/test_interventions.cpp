@@ -60,7 +60,7 @@ void keep_every_promise() {
   const referee::Verdict verdict = live.conclude();
   RC_ASSERT(worst_planned(live.plan()) <= 1 + 1e-9);
   RC_ASSERT(worst_judged(verdict) <= 1.001);
-  RC_ASSERT(verdict.deviation_mm <= 1e-6);
+  RC_ASSERT(verdict.deviation_mm <= verdict.tolerance_mm + 1e-6);
   RC_ASSERT(verdict.start_error_mm == 0);
   RC_ASSERT(verdict.end_error_mm <= 1e-9);
   RC_ASSERT(live.refused_windows() == 0);

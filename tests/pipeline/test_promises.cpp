@@ -78,7 +78,7 @@ void keep_every_limit_and_every_point() {
     RC_ASSERT(worst_planned(outcome->summary.plan) <= 1 + 1e-9);
     RC_ASSERT(worst_judged(outcome->verdict) <= 1.001);
     RC_ASSERT(outcome->verdict.feed_max_ratio <= 1.001);
-    RC_ASSERT(outcome->verdict.deviation_mm <= 1e-6);
+    RC_ASSERT(outcome->verdict.deviation_mm <= outcome->verdict.tolerance_mm + 1e-6);
     RC_ASSERT(outcome->verdict.start_error_mm == 0);
     RC_ASSERT(outcome->verdict.end_error_mm <= 1e-9);
     RC_ASSERT(outcome->verdict.violation_count == 0);
@@ -160,7 +160,7 @@ TEST_P(Examples, KeepEveryLimitAndEveryPoint) {
   EXPECT_LE(worst_planned(outcome.summary.plan), 1 + 1e-9);
   EXPECT_LE(worst_judged(outcome.verdict), 1.001);
   EXPECT_LE(outcome.verdict.feed_max_ratio, 1.001);
-  EXPECT_LE(outcome.verdict.deviation_mm, 1e-6);
+  EXPECT_LE(outcome.verdict.deviation_mm, outcome.verdict.tolerance_mm + 1e-6);
   EXPECT_LE(outcome.verdict.end_error_mm, 1e-9);
   EXPECT_EQ(outcome.verdict.violation_count, 0);
 }
