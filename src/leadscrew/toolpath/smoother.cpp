@@ -25,6 +25,7 @@ constexpr double longest_smoothing = 2;                                     // l
 constexpr double shortest_smoothing = 0.5;                                  // tolerances
 constexpr double span_time = 0.005, shortest_span = 0.1, longest_span = 1;  // s, mm
 constexpr double span_of_tolerance = 10, longest_of_tolerance = 3;          // mm
+constexpr double least_cam_tolerance = 2e-4;  // mm; below, lines are not fitted
 constexpr double same_direction = 1e-9;
 constexpr double least_corner = 0.2;  // |t⁺ − t⁻| of one that is made where no spline fits
 constexpr double split_window = 32;   // tolerances: how far from there
@@ -138,7 +139,7 @@ struct Smoother::Run {
 };
 
 Smoother::Smoother(double tolerance, double cam_tolerance)
-    : tolerance_(tolerance), cam_tolerance_(cam_tolerance), reduction_(tolerance) {}
+    : tolerance_(tolerance), cam_tolerance_(cam_tolerance), reduction_(std::min(tolerance, cam_tolerance)) {}
 Smoother::~Smoother() = default;
 
 void Smoother::push(Leg leg) {
@@ -192,6 +193,8 @@ double Smoother::turn_at(std::size_t joint, double window) const {
 
 Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
   if (goes_on(legs_[joint].curve, legs_[joint + 1].curve)) return Joint::through;
+  const bool fits = cam_tolerance_ >= least_cam_tolerance || (is_long(legs_[joint]) && is_long(legs_[joint + 1]));
+  if (!fits) return Joint::corner;
   const double window = turn_window * tolerance_, turn = turns_[joint];
   if (turn < corner_turn) return Joint::smooth;
   for (std::size_t i = joint; i-- > 0 && ends_[joint + 1] - ends_[i + 1] <= window;) {
@@ -230,7 +233,7 @@ void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
   const double length = geometry::length(leg.curve), rate = millimetres_per_length(leg.curve);
   const bool comes_smoothly = before == Joint::smooth, goes_smoothly = behind == Joint::smooth;
   const double span = span_length(leg, tolerance_);
-  if (length * rate <= long_leg * span && (comes_smoothly || goes_smoothly)) {
+  if (!is_long(leg) && (comes_smoothly || goes_smoothly)) {
     if (!run_) begin_run(leg, 0, before == Joint::through);
     extend_run(leg, 0, length);
     if (!goes_smoothly) end_run(leg, length, behind == Joint::through);
@@ -267,14 +270,23 @@ void Smoother::begin_run(const Leg& leg, double from, bool pinned) {
   run_->corner_before = std::exchange(corner_, false);
 }
 
+bool Smoother::is_long(const Leg& leg) const {
+  return length_of(leg) > long_leg * span_length(leg, tolerance_);
+}
+
+/// Legs that are fitted as a whole are what Q is for.
+double Smoother::tolerance_for(const Leg& leg) const {
+  return is_long(leg) ? tolerance_ : std::min(tolerance_, cam_tolerance_);
+}
+
 /// How far the polyline that stands for the leg may be from what was programmed, mm.
 double Smoother::spent_by(const Leg& leg) const {
-  return leg.spent + (is_line(leg.curve) ? 0 : arc_sagitta * tolerance_);
+  return leg.spent + (is_line(leg.curve) ? 0 : arc_sagitta * tolerance_for(leg));
 }
 
 /// What a spline may be off, mm.
 double Smoother::room_about(const Leg& leg) const {
-  return kept_share * std::min(tolerance_, cam_tolerance_) - spent_by(leg);
+  return kept_share * tolerance_for(leg) - spent_by(leg);
 }
 
 void Smoother::extend_run(const Leg& leg, double from, double to) {
@@ -294,7 +306,7 @@ void Smoother::extend_run(const Leg& leg, double from, double to) {
       bend = std::max(bend, norm(derivative(jet, &numeric::Jet::second)));
     }
     chords = static_cast<std::size_t>(
-        std::clamp(std::ceil((to - from) * std::sqrt(bend / (8 * arc_sagitta * tolerance_))), 1.0, 1e4));
+        std::clamp(std::ceil((to - from) * std::sqrt(bend / (8 * arc_sagitta * tolerance_for(leg)))), 1.0, 1e4));
   }
   for (std::size_t k = 1; k <= chords; ++k) {
     const double s = k == chords ? to : from + (to - from) * static_cast<double>(k) / static_cast<double>(chords);

@@ -22,7 +22,8 @@ namespace leadscrew::toolpath {
 
 class Smoother {
  public:
-  /// tolerance > 0, mm: no point of the path lies farther from what was programmed, nor the other way round.
+  /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥ 0,
+  /// mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
   Smoother(double tolerance, double cam_tolerance);
   ~Smoother();
 
@@ -62,6 +63,8 @@ class Smoother {
   void settle_run();
   bool begin_rest(bool corner);
   bool retreat();
+  bool is_long(const Leg& leg) const;
+  double tolerance_for(const Leg& leg) const;
   double spent_by(const Leg& leg) const;
   double room_about(const Leg& leg) const;
   void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
