@@ -51,6 +51,11 @@ inline std::vector<double> breaks(const Curve& curve) {
   const auto* nurbs = std::get_if<Nurbs>(&curve);
   return nurbs ? nurbs->breaks() : std::vector<double>();
 }
+/// How many polynomials the curve is made of from one path length to another, 0 ≤ from ≤ to ≤ length, less one.
+inline std::size_t borders(const Curve& curve, double from, double to) {
+  const auto* nurbs = std::get_if<Nurbs>(&curve);
+  return nurbs ? nurbs->map_borders(from, to) : 0;
+}
 /// What lies between two path lengths, 0 ≤ from < to ≤ length, by the same length.
 Curve part(const Curve& curve, double from, double to);
 

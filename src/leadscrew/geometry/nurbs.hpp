@@ -67,6 +67,8 @@ class Nurbs {
   Nurbs part(double from, double to) const;
   /// Pieces of the table u(s).
   std::size_t map_pieces() const { return record_count_; }
+  /// Borders of them from one arc length to another, 0 ≤ from ≤ to ≤ length: there q‴ bends.
+  std::size_t map_borders(double from, double to) const { return record_at(begin_ + to) - record_at(begin_ + from); }
 
  private:
   friend class NurbsAssembly;

@@ -14,7 +14,9 @@ using numeric::DoubleDouble;
 
 constexpr double turning_back = 1.5;  // ratio that stands for a motion that goes back
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int stop_looks = 32;  // of the proof that a stop keeps its limits
+constexpr int looks_per_polynomial = 4;
+constexpr std::size_t most_borders = 60;  // that are looked at so closely
+constexpr int stop_looks = 32;            // of the proof that a stop keeps its limits
 
 constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                                                      0.9602898564975363};
@@ -181,13 +183,17 @@ Emission emit(const SpeedProfile& profile, double begin, double end) {
 
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks) {
+  // Every polynomial of the curve is looked at.
+  const double end = evaluate(segment, segment.duration.value()).s;
+  const std::size_t borders = std::min(section.borders(segment.s0.value(), end), most_borders);
+  looks = std::max(looks, looks_per_polynomial * (static_cast<int>(borders) + 1));
   constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
   constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
   const auto has_table = [&](std::size_t piece) {
     return std::holds_alternative<geometry::Nurbs>(section.piece(piece).curve);
   };
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
-  const std::size_t last = section.piece_at(evaluate(segment, segment.duration.value()).s, Side::left);
+  const std::size_t last = section.piece_at(end, Side::left);
   const double on_curves = has_table(first) || has_table(last) ? map_steps : 1;
   Peak speed, rows;
   double feed = 0, fastest = 0, slowest = infinity;

@@ -22,13 +22,13 @@ void raise(AxisRatios& ratios, const numeric::Jet& q, const PathState& at, const
 
 /// Along a line every derivative is largest where a segment begins or ends: its polynomial is a cubic whose
 /// acceleration is monotonic and whose speed turns only where acceleration is 0, at a knot. On a curve the axes trade
-/// places with the angle: look at least every 0.05 rad, and 8 times a segment.
+/// places with the angle: look at least every 0.05 rad, 6 times a polynomial and 8 times a segment.
 int looks(const geometry::Curve& curve, const Segment& segment) {
   if (std::holds_alternative<geometry::Line>(curve)) return segment.c4 == 0 && segment.c5 == 0 ? 1 : 8;
+  const double begin = segment.s0.value(), end = evaluate(segment, segment.duration.value()).s;
   const auto* arc = std::get_if<geometry::Arc>(&curve);
-  if (!arc) return 8;
-  const double duration = segment.duration.value();
-  const double angle = arc->angle_rate() * (evaluate(segment, duration).s - segment.s0.value());
+  if (!arc) return std::clamp(6 * static_cast<int>(geometry::borders(curve, begin, end) + 1), 8, 256);
+  const double angle = arc->angle_rate() * (end - begin);
   return std::clamp(static_cast<int>(std::abs(angle) / 0.05), 8, 256);
 }
 

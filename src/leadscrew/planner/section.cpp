@@ -58,6 +58,18 @@ geometry::PointJet Section::jets(double s, Side side) const {
   return one_sided_jets(pieces_[index].curve, s - offsets_[index], side);
 }
 
+std::size_t Section::borders(double from, double to) const {
+  const std::size_t first = piece_at(from, Side::right), last = piece_at(to, Side::left);
+  std::size_t count = 0;
+  for (std::size_t p = first; p <= last; ++p) {
+    const geometry::Curve& curve = pieces_[p].curve;
+    const double begin = p == first ? from - offsets_[p] : 0, length = geometry::length(curve);
+    const double end = p == last ? std::min(to - offsets_[p], length) : length;
+    if (begin < end) count += geometry::borders(curve, begin, end);
+  }
+  return count + (last > first ? last - first : 0);
+}
+
 double greatest_square(const geometry::PointJet& jet, double feed, const machine::Machine& machine) {
   double speed = feed;
   for (const base::Axis axis : base::all_axes) {

@@ -38,6 +38,8 @@ class Section {
   std::size_t piece_at(double s, Side side) const;
   /// Position and derivatives by path length.
   geometry::PointJet jets(double s, Side side) const;
+  /// How many polynomials there are from one place to another, less one.
+  std::size_t borders(double from, double to) const;
   /// Programmed, units/s.
   double feed(double s, Side side) const { return pieces_[piece_at(s, side)].feed; }
 

@@ -22,8 +22,8 @@ namespace leadscrew::toolpath {
 
 class Smoother {
  public:
-  /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥ 0,
-  /// mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
+  /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥
+  /// 0, mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
   Smoother(double tolerance, double cam_tolerance);
   ~Smoother();
 
