@@ -7,6 +7,8 @@ namespace leadscrew::planner {
 
 namespace {
 
+constexpr double next_to_nothing = 0.01;  // of a limit, by the curve alone at the greatest speed
+constexpr std::size_t most_borders = 7;   // between polynomials, that an interval has sites for
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of the limits, for what lies between the places looked at and for the step from spline to quintics:
 constexpr double limit_margin = 0.9995;      // of acceleration and jerk
@@ -168,18 +170,33 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
     knot_caps_[k + 1] = cap(s[k + 1], Side::left, right);
     if (k > 0 && knots_.breaks[k]) add_site(k, 0, left);
     add_hull(k, {&left, &middle, &right});
-    bool peak = false;
-    for (std::size_t i = 0; i < middle.size(); ++i) {
-      const auto above = [](double m, double a, double b) {
-        return std::abs(m) > 1.001 * std::max(std::abs(a), std::abs(b));
-      };
-      peak = peak || above(middle[i].second, left[i].second, right[i].second) ||
-             above(middle[i].third, left[i].third, right[i].third);
-    }
-    if (peak) {
-      for (const double u : {0.25, 0.5, 0.75}) {
-        add_site(k, u, u == 0.5 ? middle : section.jets(s[k] + u * (s[k + 1] - s[k]), Side::left));
+    const double fastest = std::sqrt(std::max({middle_caps_[k], knot_caps_[k], knot_caps_[k + 1]}));
+    const auto is_above_ends = [&](const geometry::PointJet& here) {
+      for (const base::Axis axis : base::all_axes) {
+        const std::size_t i = base::index(axis);
+        const auto above = [](double m, double x, double y, double counts) {
+          return std::abs(m) > std::max(1.001 * std::max(std::abs(x), std::abs(y)), counts);
+        };
+        if (here[i].second == 0 && here[i].third == 0) continue;
+        const machine::AxisLimits& limits = machine_->limits(axis);
+        if (above(here[i].second, left[i].second, right[i].second,
+                  next_to_nothing * limits.acceleration / squared(fastest)) ||
+            above(here[i].third, left[i].third, right[i].third,
+                  next_to_nothing * limits.jerk / (squared(fastest) * fastest))) {
+          return true;
+        }
       }
+      return false;
+    };
+    // Where the curve is made of several polynomials, peaks may lie anywhere.
+    const bool peak = is_above_ends(middle);
+    const std::size_t borders = std::min(section.borders(s[k], s[k + 1]), most_borders);
+    const std::size_t inside = borders > 0 || peak ? std::max<std::size_t>(3, 2 * borders + 1) : 0;
+    for (std::size_t i = 1; i <= inside; ++i) {
+      const double u = static_cast<double>(i) / static_cast<double>(inside + 1);
+      const geometry::PointJet here =
+          2 * i == inside + 1 ? middle : section.jets(s[k] + u * (s[k + 1] - s[k]), Side::left);
+      if ((peak && inside == 3) || is_above_ends(here)) add_site(k, u, here);
     }
     add_site(k, 1, right);
     left = right;

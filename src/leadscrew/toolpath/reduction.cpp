@@ -25,10 +25,11 @@ double millimetres_per_length(const geometry::Curve& curve) {
 bool Reduction::join(const Leg& leg) {
   const auto* const open = std::get_if<geometry::Line>(&open_->curve);
   const auto* const line = std::get_if<geometry::Line>(&leg.curve);
-  if (!open || !line || open_->feed != leg.feed) return false;
+  if (!open || !line) return false;
   const Point end = to_millimetres(line->end());
   const double off = distance_to_segment(end_, start_, end);
-  const bool is_straight = open_->spent + off <= straight && distance(start_, end) > distance(start_, end_);
+  const bool is_straight =
+      open_->feed == leg.feed && open_->spent + off <= straight && distance(start_, end) > distance(start_, end_);
   // All that lies in a ball may be taken for its centre.
   const double radius = std::max(radius_, distance(start_, end_));
   const bool is_in_ball = std::max(radius, distance(start_, end)) <= ball_share * tolerance_;
@@ -40,6 +41,7 @@ bool Reduction::join(const Leg& leg) {
   if (!(length > 0) || feed_axes(open->start(), line->end()) != feed_axes(open->start(), open->end())) return false;
   open_->lines.push_back({open->length(), leg.line});
   open_->curve = geometry::Line(open->start(), line->end(), length);
+  open_->feed = std::min(open_->feed, leg.feed);
   open_->spent = spent;
   radius_ = radius;
   end_ = end;

@@ -10,12 +10,13 @@ using geometry::Point;
 
 namespace {
 
-constexpr double cone_slope = 0.1;       // |dℓ/du|
-constexpr std::size_t fewest_spans = 4;  // of a curve
-constexpr int most_rounds = 40;          // of a window
-constexpr double samples_per_span = 4;   // at least
-constexpr double sample_sagitta = 0.16;  // of the room, at curvature 1/ℓ or so
-constexpr double shortened_most = 0.5;   // by a round
+constexpr double cone_slope = 0.1;         // |dℓ/du|
+constexpr std::size_t fewest_spans = 4;    // of a curve
+constexpr double lengths_per_curve = 2.5;  // at least
+constexpr int most_rounds = 40;            // of a window
+constexpr double samples_per_span = 4;     // at least
+constexpr double sample_sagitta = 0.16;    // of the room, at curvature 1/ℓ or so
+constexpr double shortened_most = 0.5;     // by a round
 constexpr double shortened_least = 0.93;
 
 }  // namespace
@@ -244,6 +245,9 @@ bool TubeSpline::check() {
 
 TubeSpline::Outcome TubeSpline::settle() {
   if (!end_ && vertices_.back().u - begin_ < reach()) return Outcome::wants_more;
+  // A short curve has some lengths to bend in.
+  if (end_ && !begun_) longest_ = std::min(longest_, (vertices_.back().u - begin_) / lengths_per_curve);
+  begun_ = true;
   for (int round = 0; round < most_rounds; ++round) {
     place_knots();
     take_samples();

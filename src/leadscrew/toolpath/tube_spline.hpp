@@ -89,6 +89,7 @@ class TubeSpline {
   State start_;
   std::optional<State> end_;
   double begin_ = 0;
+  bool begun_ = false;  ///< has a window been tried?
   double longest_, shortest_;
   std::vector<Apex> apexes_;  ///< by u; none lies above another's cone
   std::size_t worst_ = 0;
