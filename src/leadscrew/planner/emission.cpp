@@ -213,9 +213,21 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
     rows.look(std::max(ratios.acceleration, ratios.jerk * on_curves) * between_looks);
   }
+  // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
+  double at_joints = 0;
+  for (std::size_t p = first + 1; p <= last; ++p) {
+    const double s = section.offset(p);
+    const PathState at = evaluate(segment, time_at(segment, s));
+    for (const Side side : {Side::left, Side::right}) {
+      const AxisRatios ratios = greatest_ratios(section.jets(s, side), at, machine);
+      at_joints = std::max({at_joints, ratios.acceleration, ratios.jerk * on_curves});
+      feed = std::max({feed, at.speed / (feed_factor * section.feed(s, side)), ratios.velocity});
+    }
+  }
   constexpr double rounding = 1e-9;
   const bool turns_back = slowest < -rounding * fastest;
-  return {std::max(speed.greatest(), feed), turns_back ? std::max(turning_back, rows.greatest()) : rows.greatest(),
+  const double rows_greatest = std::max(rows.greatest(), at_joints * between_looks);
+  return {std::max(speed.greatest(), feed), turns_back ? std::max(turning_back, rows_greatest) : rows_greatest,
           turns_back};
 }
 

@@ -15,10 +15,6 @@ std::string exactly(double value) {
   return {buffer, end.ptr};
 }
 
-std::string word(char letter, double value) {
-  return std::string(1, ' ') + letter + exactly(value);
-}
-
 std::string feed_word(double feed) {
   return word('F', feed * 60);
 }
@@ -53,6 +49,10 @@ double golden_section(Function&& f, double a, double b) {
 }
 
 }  // namespace
+
+std::string word(char letter, double value) {
+  return std::string(1, ' ') + letter + exactly(value);
+}
 
 geometry::NurbsForm plane_cubic() {
   // In Bernstein's basis a u + b u² + c u³ has the coefficients 0, a/3, (2a + b)/3, a + b + c.

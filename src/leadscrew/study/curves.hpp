@@ -17,6 +17,9 @@ struct PartProgram {
   base::AxisVector start{};  ///< machine coordinates, mm
 };
 
+/// A word of a block, such as " X1.25"; the number reads back bit for bit.
+std::string word(char letter, double value);
+
 /// The curve as one G6.2, in X and Y; feed in mm/s, > 0. Every number is written so that it reads back bit for bit.
 PartProgram program_of(const geometry::NurbsForm& curve, double feed);
 

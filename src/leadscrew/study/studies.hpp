@@ -25,6 +25,9 @@ Rows feed_fluctuation_rows(const Host& host);
 
 /// Times, limits and effort of the motion along the plane cubic, a circle and the butterfly, beside the numerical
 /// optima.
+Rows curve_rows(const Host& host);
+
+/// Those, and the same of short lines and corners blended within a tolerance.
 Rows limits_rows(const Host& host);
 
 }  // namespace leadscrew::study

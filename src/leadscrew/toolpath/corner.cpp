@@ -14,6 +14,7 @@ namespace {
 constexpr double turned_back = 1.99;  // |t_A − t_B|: from here on a stop is faster than any blend
 constexpr std::size_t looks = 33;     // at a blend, and at what it takes the place of
 constexpr double shrinking = 0.8;
+constexpr double nearly_whole = 0.8;
 constexpr int most_tries = 40;
 
 /// What was programmed where the curve is to be replaced, between `from` and `to` of its length.
@@ -112,12 +113,15 @@ std::optional<Blend> blend(const Corner& corner, double room) {
 
   const bool lines =
       std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
-  double d = std::min({8 * room / apart, corner.most_before * rate_before, corner.most_behind * rate_behind});
+  const double longest = 8 * room / apart;
+  double d = std::min({longest, corner.most_before * rate_before, corner.most_behind * rate_behind});
   const double least = 1e-3 * d;
   for (int k = 0; k < most_tries && d > least; ++k, d *= shrinking) {
-    // What would be left of a curve is all of it or enough to be one.
-    const double before = std::min(d / rate_before, corner.most_before);
-    const double behind = std::min(d / rate_behind, corner.most_behind);
+    // A curve that the other one lets have a little more is taken whole: what would be left of it is in the way.
+    const auto share = [&](double rate, double most) {
+      return most <= longest / rate && d / rate > nearly_whole * most ? most : d / rate;
+    };
+    const double before = share(rate_before, corner.most_before), behind = share(rate_behind, corner.most_behind);
     const geometry::NurbsForm form = form_of(corner, before, behind);
     if (!lines && !is_inside(corner, form, before, behind, room)) continue;
     std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(form);

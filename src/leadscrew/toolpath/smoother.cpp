@@ -31,7 +31,8 @@ constexpr double least_cam_tolerance = 2e-4;  // mm; below, lines are not fitted
 constexpr double same_direction = 1e-9;
 constexpr double least_corner = 0.2;  // |t⁺ − t⁻| of one that is made where no spline fits
 constexpr double split_window = 32;   // tolerances: how far from there
-constexpr double uncut_share = 0.9;   // of a curve that the blend at its end may take, if there was none at its start
+constexpr double rounding = 1e-9;
+constexpr double uncut_share = 0.9;  // of a curve that the blend at its end may take, if there was none at its start
 
 /// Length of a span of the splines at this feed, mm.
 double span_length(const Leg& leg, double tolerance) {
@@ -194,8 +195,12 @@ double Smoother::turn_at(std::size_t joint, double window) const {
 }
 
 Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
-  if (goes_on(legs_[joint].curve, legs_[joint + 1].curve)) return Joint::through;
-  const bool fits = cam_tolerance_ >= least_cam_tolerance || (is_long(legs_[joint]) && is_long(legs_[joint + 1]));
+  const Leg &before = legs_[joint], &behind = legs_[joint + 1];
+  const bool are_long = is_long(before) && is_long(behind);
+  const bool fits = cam_tolerance_ >= least_cam_tolerance || are_long;
+  // Short lines may run straight on by chance, where what they stand for bends.
+  const bool may_stand_for_a_curve = fits && !are_long && (is_line(before.curve) || is_line(behind.curve));
+  if (!may_stand_for_a_curve && goes_on(before.curve, behind.curve)) return Joint::through;
   if (!fits) return Joint::corner;
   const double window = turn_window * tolerance_, turn = turns_[joint];
   if (turn < corner_turn) return Joint::smooth;
@@ -329,7 +334,7 @@ void Smoother::end_run(const Leg& leg, double to, bool pinned) {
 }
 
 void Smoother::settle_run() {
-  for (;;) {
+  while (run_->spline.knows_enough()) {
     const std::vector<Vertex> around = run_->spline.vertices();
     const double from = run_->spline.settled();
     switch (run_->spline.settle()) {
@@ -463,10 +468,11 @@ void Smoother::add(Stretch stretch) {
 void Smoother::cut_corner(Stretch& behind) {
   const double length_before = geometry::length(last_->piece.curve),
                length_behind = geometry::length(behind.piece.curve);
-  const double most = last_->cut ? last_->length / 2 : uncut_share * length_before;
-  const Corner corner{
-      last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, std::min(most, length_before),
-      length_behind / 2};
+  // Half of each neighbour at most; all that a blend at its start has left, if that is no more.
+  double most = last_->cut ? last_->length / 2 : uncut_share * length_before;
+  if (most > (1 - rounding) * length_before) most = length_before;
+  const Corner corner{last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, most,
+                      length_behind / 2};
   std::optional<Blend> found = blend(corner, kept_share * tolerance_ - std::max(last_->spent, behind.spent));
   if (!found) return;
   Piece curve{found->curve, std::min(last_->piece.feed, behind.piece.feed), last_->piece.last_line(), false, nullptr};

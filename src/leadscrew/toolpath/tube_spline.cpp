@@ -244,7 +244,7 @@ bool TubeSpline::check() {
 }
 
 TubeSpline::Outcome TubeSpline::settle() {
-  if (!end_ && vertices_.back().u - begin_ < reach()) return Outcome::wants_more;
+  if (!knows_enough()) return Outcome::wants_more;
   // A short curve has some lengths to bend in.
   if (end_ && !begun_) longest_ = std::min(longest_, (vertices_.back().u - begin_) / lengths_per_curve);
   begun_ = true;

@@ -42,6 +42,8 @@ class TubeSpline {
   /// The end was another vertex, one that has not been settled: forgets all behind it, and that it was closed.
   void retreat_to(std::size_t vertex);
 
+  /// Is enough of the polyline known for another stretch?
+  bool knows_enough() const { return end_ || vertices_.back().u - begin_ >= reach(); }
   enum class Outcome { wants_more, settled, ended, failed };
   /// Settles a stretch, if enough is known: it is to be had from stretch(). `ended`: that was the last. `failed`: there
   /// is none that stays inside the tube and is worth it, about vertex worst().
