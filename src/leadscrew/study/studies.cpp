@@ -8,7 +8,7 @@ namespace {
 constexpr std::array<Study, 3> all = {{
     {"butterfly", "The butterfly by arc length, and the times of travelling it", butterfly_rows},
     {"feed-fluctuation", "Feed and chord errors of the rules that step a curve's parameter", feed_fluctuation_rows},
-    {"limits", "Time, limits and effort of motion along curves, short lines and corners, beside the optimum",
+    {"limits", "Time, limits and effort along curves beside the optimum, and along blended lines and corners",
      limits_rows},
 }};
 

@@ -82,7 +82,8 @@ void TubeSpline::place_knots() {
     t.back() = last;
     t.insert(t.end(), quintic_degree, last);
   } else {
-    while (t[t.size() - 1] > last) t.pop_back();  // no more spans than the polyline reaches
+    while (t.back() > last) t.pop_back();  // no more spans than the polyline reaches
+    if (t.size() == quintic_degree + 1) t.push_back(last);
     for (std::size_t k = 0; k < quintic_degree; ++k) t.push_back(t.back() + step_at(t.back()));
   }
   stretch_.points.assign(t.size() - quintic_degree - 1, Point{});

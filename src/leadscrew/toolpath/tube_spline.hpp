@@ -43,7 +43,7 @@ class TubeSpline {
   void retreat_to(std::size_t vertex);
 
   /// Is enough of the polyline known for another stretch?
-  bool knows_enough() const { return end_ || vertices_.back().u - begin_ >= reach(); }
+  bool knows_enough() const { return end_ || vertices_.back().u - begin_ >= reach() || vertices_.size() >= most_vertices; }
   enum class Outcome { wants_more, settled, ended, failed };
   /// Settles a stretch, if enough is known: it is to be had from stretch(). `ended`: that was the last. `failed`: there
   /// is none that stays inside the tube and is worth it, about vertex worst().
@@ -65,6 +65,7 @@ class TubeSpline {
   double reach() const { return window_spans * longest_ / spans_per_length; }
 
  private:
+  static constexpr std::size_t most_vertices = 16384;  // of a window
   static constexpr double window_spans = 24, settled_share = 3, spans_per_length = 1.25;
 
   /// Where ℓ was shortened.
