@@ -24,7 +24,7 @@ Host ticking() {
 }
 
 const Rows& rows() {
-  static const Rows rows = limits_rows(ticking());
+  static const Rows rows = curve_rows(ticking());
   return rows;
 }
 

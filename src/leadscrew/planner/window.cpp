@@ -29,24 +29,29 @@ constexpr std::size_t most_refined = 600, intervals_at_end = 8;
 constexpr int usual_looks = 12;  // of the proof, a segment
 constexpr int close_looks = 32;  // where knots lie far apart for how speed falls
 constexpr std::size_t stopping_intervals = 20;
-constexpr double granted_slowing = 1.0002;  // below, slowing time costs less than planning again
-constexpr std::size_t least_ahead = 16;     // intervals
+constexpr double granted_slowing = 1.0002;              // below, slowing time costs less than planning again
+constexpr double ways_to_stop = 4, stops_before = 1.2;  // of what the end of a window is felt by
+constexpr std::size_t least_ahead = 16;                 // intervals
 
-/// The knot that the next window begins at: as late as the end of this one still lies some stops ahead of it; stops
-/// from the greatest speed on the way there, for what rises to it behind a corner would rise farther if the end were
-/// farther.
+/// The knot that the next window begins at: as late as what lies before it does not feel the end of this one. Where
+/// some ways to stop lead to the end, speed is not what it would be if the end were farther; nor, for the time of a
+/// stop, is the way it rises to there. Behind a corner, where it is next to nothing, that ends sooner than stops from
+/// there say.
 std::size_t commit_until(const SpeedProfile& profile, const Section& section, const machine::Machine& machine) {
   const std::size_t n = profile.intervals();
+  const double end = profile.knots().s[n];
   std::size_t k = n;
-  double ahead = 0, longest = 0;
+  double since = 0, enough = infinity;
   while (k > 0) {
     --k;
-    ahead += travel_time(profile, k);
-    const double s = profile.knots().s[k];
-    const TangentLimits limits = tangent_limits(section.jets(s, Side::right), machine);
-    longest = std::max(longest, stop_time(std::sqrt(profile.square(k, 0)), limits));
-    if (n - k < least_ahead) continue;
-    if (ahead >= stops_ahead * longest) break;
+    since += travel_time(profile, k);
+    const double s = profile.knots().s[k], speed = std::sqrt(profile.square(k, 0));
+    const double stop = stop_time(speed, tangent_limits(section.jets(s, Side::right), machine));
+    if (end - s <= ways_to_stop * speed * stop / 2) {
+      since = 0;
+      enough = stops_before * stop;
+    }
+    if (n - k >= least_ahead && since >= enough) break;
   }
   return std::max({k, n / 4, std::size_t{1}});
 }

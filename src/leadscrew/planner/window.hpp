@@ -16,8 +16,8 @@
 
 namespace leadscrew::planner {
 
-/// Times to stop that lie between what is committed and the end of a window.
-inline constexpr double stops_ahead = 6;
+/// Times to stop that a window looks ahead of what it commits to, at the greatest speed.
+inline constexpr double stops_ahead = 4.5;
 
 /// A window that has been planned, on the section.
 struct Window {

@@ -91,12 +91,16 @@ double turn_between(const Point& a, const Point& b, const Point& c) {
   return norm(apart);
 }
 
-/// Arc length at parameter u.
+/// Arc length at parameter u: false position, which soon finds it where u is nearly the length, and bisection.
 double length_at(const geometry::Nurbs& curve, double u) {
-  double low = 0, high = curve.length();
-  for (int k = 0; k < 50 && high - low > 1e-12 * curve.length(); ++k) {
-    const double middle = (low + high) / 2;
-    (curve.parameter(middle) <= u ? low : high) = middle;
+  const double enough = 1e-10 * (curve.last_parameter() - curve.first_parameter());
+  double low = 0, high = curve.length(), u_low = curve.first_parameter(), u_high = curve.last_parameter();
+  for (int k = 0; k < 60; ++k) {
+    const double share = k % 3 == 2 ? 0.5 : (u - u_low) / (u_high - u_low);
+    const double s = low + std::clamp(share, 0.0, 1.0) * (high - low), here = curve.parameter(s);
+    if (std::abs(here - u) <= enough) return s;
+    (here < u ? low : high) = s;
+    (here < u ? u_low : u_high) = here;
   }
   return low;
 }

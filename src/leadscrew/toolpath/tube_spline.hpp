@@ -43,7 +43,9 @@ class TubeSpline {
   void retreat_to(std::size_t vertex);
 
   /// Is enough of the polyline known for another stretch?
-  bool knows_enough() const { return end_ || vertices_.back().u - begin_ >= reach() || vertices_.size() >= most_vertices; }
+  bool knows_enough() const {
+    return end_ || vertices_.back().u - begin_ >= reach() || vertices_.size() >= most_vertices;
+  }
   enum class Outcome { wants_more, settled, ended, failed };
   /// Settles a stretch, if enough is known: it is to be had from stretch(). `ended`: that was the last. `failed`: there
   /// is none that stays inside the tube and is worth it, about vertex worst().
