@@ -1,0 +1,229 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/referee/referee.hpp>
+#include <numbers>
+#include <random_numbers.hpp>
+#include <string>
+
+#include "worst_ratios.hpp"
+
+// Programs of short lines and corners under G64, judged by the referee: inside the tolerance, inside every limit, and
+// no slower than with a stop at every joint.
+
+namespace {
+
+using namespace leadscrew;
+using testing_support::any;
+using testing_support::logarithmic;
+using testing_support::worst_judged;
+using testing_support::worst_planned;
+
+/// mill3 with room for long programs, and rotary axes.
+machine::Machine wide_mill() {
+  machine::Machine machine = machine::mill3();
+  for (auto& axis : machine.axes) {
+    if (axis) axis->travel_min = -1e5, axis->travel_max = 1e5;
+  }
+  for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::U}) {
+    machine.axes[base::index(axis)] = machine::AxisLimits{-1e5, 1e5, 200, 1000, 20000, 0.001};
+  }
+  return machine;
+}
+
+struct Outcome {
+  pipeline::Summary summary;
+  referee::Verdict verdict;
+};
+
+Outcome run(const std::string& text, gcode::ReaderOptions options = {}) {
+  const machine::Machine machine = wide_mill();
+  const machine::ToolTable tools;
+  std::int64_t errors = 0;
+  const auto count = [&](const base::Diagnostic& problem) { errors += problem.severity == base::Severity::error; };
+  pipeline::Program program(gcode::text_source(text), machine, tools, options, count);
+  gcode::Reader judged(gcode::text_source(text), machine, tools, options, [](const base::Diagnostic&) {});
+  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, machine, machine.period);
+  while (program.prepare()) referee.observe(program.cycle().position);
+  EXPECT_EQ(errors, 0);
+  return {program.summary(), referee.conclude()};
+}
+
+Outcome run_with_stops(const std::string& text) {
+  gcode::ReaderOptions options;
+  options.path_mode = gcode::PathMode::exact_stop;
+  return run(text, options);
+}
+
+std::string word(char letter, double value, int decimals) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, " %c%.*f", letter, decimals, value);
+  return buffer;
+}
+
+bool keeps_promises(const Outcome& outcome) {
+  const referee::Verdict& verdict = outcome.verdict;
+  return verdict.violation_count == 0 && worst_judged(verdict) <= 1.001 && verdict.feed_max_ratio <= 1.001 &&
+         worst_planned(outcome.summary.plan) <= 1 + 1e-9 && verdict.deviation_mm <= verdict.tolerance_mm + 1e-6 &&
+         verdict.start_error_mm == 0 && verdict.end_error_mm <= 1e-9;
+}
+
+/// Lines of 1 µm to 100 mm that turn anyhow: little, sharply, back.
+std::string random_polyline() {
+  const int decimals = any(0, 2) == 0 ? 3 : 9;
+  const bool in_space = any(0, 3) == 0, alike = any(0, 3) == 0;
+  const double usual = logarithmic(1e-3, 100);
+  std::string text = "G21 G90 G17 G94 F6000\nG64" + word('P', logarithmic(1e-3, 1), 6) + '\n';
+  double x = 0, y = 0, z = 0, angle = any(0, 6283) / 1000.0;
+  for (int k = any(2, 30); k > 0; --k) {
+    const double length = alike ? std::clamp(usual * logarithmic(0.3, 3), 1e-3, 100.0) : logarithmic(1e-3, 100);
+    switch (any(0, 10)) {
+      case 0:
+        angle += std::numbers::pi;
+        break;
+      case 1:
+      case 2:
+      case 3:
+      case 4:
+        angle += any(-3142, 3142) / 1000.0;
+        break;
+      default:
+        angle += any(-400, 400) / 1000.0;
+    }
+    x += length * std::cos(angle);
+    y += length * std::sin(angle);
+    if (in_space) z += length * any(-1000, 1001) / 1000.0;
+    text += "G1" + word('X', x, decimals) + word('Y', y, decimals) + word('Z', z, decimals);
+    if (any(0, 20) == 0) text += word('F', any(200, 12000), 0);
+    text += '\n';
+  }
+  return text + "M2\n";
+}
+
+void keep_promises_and_lose_no_time() {
+  const std::string text = random_polyline();
+  RC_LOG() << text;
+  const Outcome outcome = run(text), stopping = run_with_stops(text);
+  RC_ASSERT(keeps_promises(outcome));
+  RC_ASSERT(outcome.summary.time_s <= stopping.summary.time_s + 0.001);  // words come every 1 ms
+}
+
+RC_GTEST_PROP(RandomPolylines, KeepEveryPromiseAndAreNoSlowerThanWithStops, ()) {
+  keep_promises_and_lose_no_time();
+}
+RC_GTEST_PROP(LongRandomPolylines, KeepEveryPromiseAndAreNoSlowerThanWithStops, ()) {
+  constexpr int programs = 2;  // a case
+  for (int k = 0; k < programs; ++k) keep_promises_and_lose_no_time();
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+const std::string head = "G21 G90 G17 G94 F6000 G64 P0.01\n";
+
+void expect_better_than_stops(const std::string& text) {
+  SCOPED_TRACE(text.substr(0, 300));
+  const Outcome outcome = run(text), stopping = run_with_stops(text);
+  EXPECT_TRUE(keeps_promises(outcome)) << outcome.verdict.deviation_mm << ' ' << worst_judged(outcome.verdict) << ' '
+                                       << worst_planned(outcome.summary.plan);
+  EXPECT_LE(outcome.summary.time_s, stopping.summary.time_s + 0.001);
+}
+
+TEST(BlendedPrograms, PassOverPointsThatAreGivenAgain) {
+  const std::string again = "G1 X5\nX5\nX5\nX5\nX5\nY5\nY5\nY5\nY5\nY5\nX0\nY0\n", once = "G1 X5\nY5\nX0\nY0\n";
+  expect_better_than_stops(head + again);
+  EXPECT_EQ(run(head + again).summary.time_s, run(head + once).summary.time_s);
+}
+
+TEST(BlendedPrograms, PassOverASpikeWithinTheTolerance) {
+  expect_better_than_stops(head + "G1 X10\nY0.003\nY0\nX20\n");
+  EXPECT_LE(run(head + "G1 X10\nY0.003\nY0\nX20\n").summary.time_s, run(head + "G1 X10\nX20\n").summary.time_s + 0.002);
+}
+
+TEST(BlendedPrograms, GoToTheTipOfASpikeBeyondIt) {
+  expect_better_than_stops(head + "G1 X10\nY0.5\nY0\nX20\n");
+}
+
+TEST(BlendedPrograms, StopWhereThePathTurnsBack) {
+  const std::string text = head + "G1 X10\nX0\nX10\n";
+  expect_better_than_stops(text);
+  EXPECT_EQ(run(text).summary.time_s, run_with_stops(text).summary.time_s);
+}
+
+TEST(BlendedPrograms, TakeTenThousandPointsInOneMicrometreForOne) {
+  std::string points;
+  std::uint32_t state = 1;
+  const auto next = [&] { return (state = state * 1664525 + 1013904223) / 4294967296e3; };
+  for (int k = 0; k < 10000; ++k) points += "X" + word(' ', 10 + next(), 6).substr(2) + word('Y', next(), 6) + '\n';
+  const Outcome outcome = run(head + "G1 X10\n" + points + "X20 Y0\n");
+  EXPECT_TRUE(keeps_promises(outcome));
+  EXPECT_LE(outcome.summary.time_s, run(head + "G1 X20\n").summary.time_s + 0.002);
+}
+
+TEST(BlendedPrograms, OfNoToleranceStop) {
+  const std::string text = "G21 G90 G17 G94 F6000 G64 P0\nG1 X10\nY10\nX10.05 Y10.1\nX0\n";
+  expect_better_than_stops(text);
+  EXPECT_EQ(run(text).summary.time_s, run_with_stops(text).summary.time_s);
+  EXPECT_LE(run(text).verdict.deviation_mm, 1e-6);
+}
+
+TEST(BlendedPrograms, BlendArcsHelicesAndPlanes) {
+  expect_better_than_stops(head + "G3 X10 Y0 I5\nG2 X20 Y0 I5\nG3 X20 Y0 I-3 J0\nG1 X30\n");
+  expect_better_than_stops(head + "G1 X10\nG3 X10 Y0 Z-5 J5 I0 P3\nG1 X20 Y0 Z-5\n");
+  expect_better_than_stops(head + "G18 G1 X10\nG3 X20 Z0 I5 K0\nG1 X20 Z5\nG19\nG2 Y5 Z5 J2.5 K0\nG1 Y10\n");
+  expect_better_than_stops(head + "G1 X10\nG3 X10 Y4 I0 J2\nG1 X0\nY0\nG2 X3 Y3 I3 J0\nG2 X6 Y0 I0 J-3\nG3 X8 Y2 J2 I0\n");
+}
+
+TEST(BlendedPrograms, BlendSplinesWithAnything) {
+  const std::string text = head + "G1 X10\nG5 I5 J0 P-5 Q5 X30 Y20\nG1 X20\nG5 I0 J-9 P9 Q0 X0 Y0\n";
+  expect_better_than_stops(text);
+  EXPECT_LT(run(text).summary.time_s, run_with_stops(text).summary.time_s - 0.02);
+}
+
+TEST(BlendedPrograms, BlendRotaryAndSecondaryAxes) {
+  expect_better_than_stops(head + "G1 A10\nA20\nB10\nA10 B5\nB0\n");
+  expect_better_than_stops(head + "G1 X10 A5\nX10 Y10 A9\nX0 B4\nY0 A0 B0\n");
+  expect_better_than_stops(head + "G1 U5\nX10 U5\nU0 X10 Y5\n");
+}
+
+TEST(BlendedPrograms, StopWhereFeedPassesFromLinearToRotaryAxes) {
+  const std::string text = head + "G1 X10\nA10\nX0\nA0 X10\n";
+  expect_better_than_stops(text);
+  EXPECT_EQ(run(text).summary.time_s, run_with_stops(text).summary.time_s);
+}
+
+TEST(BlendedPrograms, RestAtEventsAndDwellsAtTheirPoint) {
+  const std::string before = "G1 X10\nY5\n", behind = "Y10\nX0\nY0\n";
+  for (const std::string event : {"M8\n", "S500\n", "G4 P0.1\n"}) {
+    const std::string text = head + before + event + behind;
+    expect_better_than_stops(text);
+    EXPECT_GT(run(text).summary.time_s, run(head + before + behind).summary.time_s);
+  }
+}
+
+TEST(BlendedPrograms, FitNoLinesWhereQIsZero) {
+  std::string lines;
+  for (int k = 1; k < 60; ++k) {
+    lines += "G1" + word('X', 10 * std::sin(0.03 * k), 6) + word('Y', 10 - 10 * std::cos(0.03 * k), 6) + '\n';
+  }
+  const std::string mode = "G21 G90 G17 G94 F6000 G64 P0.01";
+  expect_better_than_stops(mode + " Q0\n" + lines);
+  expect_better_than_stops(mode + " Q0.001\n" + lines);
+  expect_better_than_stops(mode + '\n' + lines);
+  EXPECT_LE(run(mode + " Q0.001\n" + lines).verdict.deviation_mm, 0.001);
+  EXPECT_LT(run(mode + '\n' + lines).summary.time_s, run(mode + " Q0\n" + lines).summary.time_s);
+}
+
+TEST(BlendedPrograms, KeepTheProgrammedFeedWhereItChangesOnTheWay) {
+  std::string lines;
+  for (int k = 1; k < 200; ++k) {
+    lines += "G1" + word('X', 10 * std::sin(0.01 * k), 4) + word('Y', 10 - 10 * std::cos(0.01 * k), 4) +
+             word('F', k % 50 < 25 ? 600 : 3000, 0) + '\n';
+  }
+  expect_better_than_stops(head + lines);
+}
+
+}  // namespace
