@@ -124,7 +124,7 @@ std::optional<Blend> blend(const Corner& corner, double room) {
     const double before = share(rate_before, corner.most_before), behind = share(rate_behind, corner.most_behind);
     const geometry::NurbsForm form = form_of(corner, before, behind);
     if (!lines && !is_inside(corner, form, before, behind, room)) continue;
-    std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(form);
+    std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(form, table_of_short_spans);
     if (pieces.size() != 1) return std::nullopt;
     return Blend{std::move(pieces.front()), before, behind};
   }

@@ -25,8 +25,6 @@ constexpr double longest_smoothing = 2;                                     // l
 constexpr double shortest_smoothing = 0.5;                                  // tolerances
 constexpr double span_time = 0.005, shortest_span = 0.1, longest_span = 1;  // s, mm
 constexpr double span_of_tolerance = 10, longest_of_tolerance = 3;          // mm
-// Spans of a fit are much shorter than its radii, and what is granted is told by the shorter of the two.
-constexpr geometry::MapTolerance table_tolerance{1e-7, 1e-6, 1e-6};
 constexpr double least_cam_tolerance = 2e-4;  // mm; below, lines are not fitted
 constexpr double same_direction = 1e-9;
 constexpr double least_corner = 0.2;  // |t⁺ − t⁻| of one that is made where no spline fits
@@ -436,7 +434,7 @@ void Smoother::add_spline(const std::vector<Vertex>& around, double from, bool i
   while (marks.size() > 1 && marks[1].u <= from) marks.pop_front();
   bool corner = run_->is_first && run_->corner_before;
   run_->is_first = false;
-  for (const geometry::Nurbs& curve : geometry::smooth_pieces(form, table_tolerance)) {
+  for (const geometry::Nurbs& curve : geometry::smooth_pieces(form, table_of_short_spans)) {
     std::size_t mark = 0;
     while (mark + 1 < marks.size() && marks[mark + 1].u <= curve.first_parameter()) ++mark;
     for (double begin = 0; begin < curve.length();) {
