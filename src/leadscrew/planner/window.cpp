@@ -19,6 +19,11 @@ constexpr double repair_gap = 0.1;  // of a profile that is planned again
 constexpr double deep_gap = 10;     // of a profile from which limits can be tightened
 constexpr int repairs = 5;
 constexpr double repair_margin = 2e-4;
+/// Where tightened rows have not helped, as where a window begins and little can change, a profile that is farther inside
+/// may: it costs less than what the last round falls back to.
+constexpr double gap_of_round(int round) {
+  return round + 2 < repairs ? gap : round + 1 < repairs ? 10 * gap : 100 * gap;
+}
 constexpr int refinements = 3;
 constexpr double coarse_knots = 1.005;  // ratios above tell that knots lie too far apart
 constexpr double cruising = 0.02;       // of the acceleration
@@ -233,7 +238,7 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
   for (int round = 0; round <= repairs; ++round) {
     const bool last_round = round == repairs;
     if (!last_round) {
-      aim_ == Aim::rest ? profile.descend_to_creep() : profile.optimize(first_gap, gap);
+      aim_ == Aim::rest ? profile.descend_to_creep() : profile.optimize(first_gap, gap_of_round(round));
     }
     if (aim_ == Aim::fastest) profile.level_cruises();
     if (!emit(window)) return false;
