@@ -174,7 +174,8 @@ TEST(BlendedPrograms, BlendArcsHelicesAndPlanes) {
   expect_better_than_stops(head + "G3 X10 Y0 I5\nG2 X20 Y0 I5\nG3 X20 Y0 I-3 J0\nG1 X30\n");
   expect_better_than_stops(head + "G1 X10\nG3 X10 Y0 Z-5 J5 I0 P3\nG1 X20 Y0 Z-5\n");
   expect_better_than_stops(head + "G18 G1 X10\nG3 X20 Z0 I5 K0\nG1 X20 Z5\nG19\nG2 Y5 Z5 J2.5 K0\nG1 Y10\n");
-  expect_better_than_stops(head + "G1 X10\nG3 X10 Y4 I0 J2\nG1 X0\nY0\nG2 X3 Y3 I3 J0\nG2 X6 Y0 I0 J-3\nG3 X8 Y2 J2 I0\n");
+  expect_better_than_stops(head +
+                           "G1 X10\nG3 X10 Y4 I0 J2\nG1 X0\nY0\nG2 X3 Y3 I3 J0\nG2 X6 Y0 I0 J-3\nG3 X8 Y2 J2 I0\n");
 }
 
 TEST(BlendedPrograms, BlendSplinesWithAnything) {

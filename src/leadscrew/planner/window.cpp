@@ -19,8 +19,8 @@ constexpr double repair_gap = 0.1;  // of a profile that is planned again
 constexpr double deep_gap = 10;     // of a profile from which limits can be tightened
 constexpr int repairs = 5;
 constexpr double repair_margin = 2e-4;
-/// Where tightened rows have not helped, as where a window begins and little can change, a profile that is farther inside
-/// may: it costs less than what the last round falls back to.
+/// Where tightened rows have not helped, as where a window begins and little can change, a profile that is farther
+/// inside may: it costs less than what the last round falls back to.
 constexpr double gap_of_round(int round) {
   return round + 2 < repairs ? gap : round + 1 < repairs ? 10 * gap : 100 * gap;
 }

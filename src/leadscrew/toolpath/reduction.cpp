@@ -39,7 +39,9 @@ bool Reduction::join(const Leg& leg) {
   // Told in the same axes as before, or not at all.
   const double length = line_length(open->start(), line->end());
   if (!(length > 0) || feed_axes(open->start(), line->end()) != feed_axes(open->start(), open->end())) return false;
+  // What became one line may be shorter than its parts were.
   open_->lines.push_back({open->length(), leg.line});
+  for (LineMark& mark : open_->lines) mark.s = std::min(mark.s, length);
   open_->curve = geometry::Line(open->start(), line->end(), length);
   open_->feed = std::min(open_->feed, leg.feed);
   open_->spent = spent;

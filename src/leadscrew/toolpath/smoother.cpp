@@ -25,7 +25,7 @@ constexpr double longest_smoothing = 2;                                     // l
 constexpr double shortest_smoothing = 0.5;                                  // tolerances
 constexpr double span_time = 0.005, shortest_span = 0.1, longest_span = 1;  // s, mm
 constexpr double span_of_tolerance = 10, longest_of_tolerance = 3;          // mm
-constexpr double least_cam_tolerance = 2e-4;  // mm; below, lines are not fitted
+constexpr double least_cam_tolerance = 2e-4;                                // mm; below, lines are not fitted
 constexpr double same_direction = 1e-9;
 constexpr double least_corner = 0.2;  // |t⁺ − t⁻| of one that is made where no spline fits
 constexpr double split_window = 32;   // tolerances: how far from there

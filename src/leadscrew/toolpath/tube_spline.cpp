@@ -223,11 +223,14 @@ bool TubeSpline::check() {
   double worst = 1, greatest = 0;
   bool inside = true;
   std::vector<Apex> found;
+  // Towards an end that is none the curve is free, and what it does there is not settled.
+  const std::size_t judged = whole_ ? stretch_.spans() : std::max(settled_spans(), stretch_.spans() * 3 / 4);
   for (std::size_t i = 1; i < samples_.size(); ++i) {
     const Sample &a = samples_[i - 1], &b = samples_[i];
+    if (a.span >= judged) break;
     const double apart = b.u - a.u, bent = std::max(greatest_bend(a.span), greatest_bend(b.span));
     const double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].room;
-    greatest = std::max(greatest, share);
+    if (a.span < settled_spans()) greatest = std::max(greatest, share);
     if (!(share > 1)) continue;
     inside = false;
     const double u = a.distance > b.distance ? a.u : b.u;
@@ -244,6 +247,11 @@ bool TubeSpline::check() {
   return inside;
 }
 
+/// How many of the window's spans are settled if it is inside the tube.
+std::size_t TubeSpline::settled_spans() const {
+  return whole_ ? stretch_.spans() : std::max<std::size_t>(1, stretch_.spans() / settled_share);
+}
+
 TubeSpline::Outcome TubeSpline::settle() {
   if (!knows_enough()) return Outcome::wants_more;
   // A short curve has some lengths to bend in.
@@ -258,8 +266,7 @@ TubeSpline::Outcome TubeSpline::settle() {
         begin_ = vertices_.back().u;
         return Outcome::ended;
       }
-      const std::size_t spans =
-          std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(stretch_.spans()) / settled_share));
+      const std::size_t spans = settled_spans();
       const double end = stretch_.span_end(spans - 1);
       start_ = stretch_.state(spans, end);
       begin_ = end;

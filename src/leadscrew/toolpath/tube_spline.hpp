@@ -44,7 +44,7 @@ class TubeSpline {
 
   /// Is enough of the polyline known for another stretch?
   bool knows_enough() const {
-    return end_ || vertices_.back().u - begin_ >= reach() || vertices_.size() >= most_vertices;
+    return end_ || vertices_.back().u - begin_ > (1 + 1e-9) * reach() || vertices_.size() >= most_vertices;
   }
   enum class Outcome { wants_more, settled, ended, failed };
   /// Settles a stretch, if enough is known: it is to be had from stretch(). `ended`: that was the last. `failed`: there
@@ -68,7 +68,8 @@ class TubeSpline {
 
  private:
   static constexpr std::size_t most_vertices = 16384;  // of a window
-  static constexpr double window_spans = 24, settled_share = 3, spans_per_length = 1.25;
+  static constexpr double window_spans = 24, spans_per_length = 1.25;
+  static constexpr std::size_t settled_share = 3;
 
   /// Where ℓ was shortened.
   struct Apex {
@@ -89,6 +90,7 @@ class TubeSpline {
   void take_samples();
   void solve();
   bool check();
+  std::size_t settled_spans() const;
 
   std::vector<Vertex> vertices_;
   State start_;

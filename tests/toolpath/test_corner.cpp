@@ -1,0 +1,233 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <leadscrew/toolpath/corner.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
+#include <leadscrew/toolpath/frechet.hpp>
+#include <numbers>
+
+#include "polylines.hpp"
+
+namespace leadscrew::toolpath::testing {
+namespace {
+
+using geometry::Curve;
+using numeric::Jet;
+
+/// Which way a curve is to go from the corner: as it is, or as what leads to it.
+enum class Side { before, behind };
+
+/// From the corner, in mm, that far in a direction; or to the corner.
+Curve line(const Point& corner, const Point& direction, double millimetres, Side side) {
+  const Point here = from_millimetres(corner);
+  const Point away = from_millimetres(sum(corner, side == Side::before ? -millimetres : millimetres, direction));
+  const Point &start = side == Side::before ? away : here, &end = side == Side::before ? here : away;
+  return geometry::Line(start, end, line_length(start, end));
+}
+
+/// In one of the three planes, of a random radius and sweep, sometimes a helix.
+Curve random_arc(const Point& corner, Side side) {
+  const std::size_t first = any<std::size_t>(0, 3), second = (first + 1) % 3, normal = (first + 2) % 3;
+  const double radius = logarithmic(1, 50), sweep = (any(0, 2) == 0 ? 1 : -1) * uniform(0.2, 4);
+  const double rise = any(0, 3) == 0 ? uniform(-10, 10) : 0, angle = uniform(0, 2 * std::numbers::pi);
+  const double turn = side == Side::before ? -sweep : sweep;
+  const double x = corner[first] + radius * std::cos(angle), y = corner[second] + radius * std::sin(angle);
+  Point other = corner;
+  other[first] = x - radius * std::cos(angle + turn);
+  other[second] = y - radius * std::sin(angle + turn);
+  other[normal] += side == Side::before ? -rise : rise;
+  const auto [start, end] = side == Side::before ? std::pair{other, corner} : std::pair{corner, other};
+  return geometry::Arc(start, end, first, second, x, y, sweep, geometry::Arc::way(radius, sweep, rise));
+}
+
+/// A cubic that turns gently.
+Curve random_nurbs(const Point& corner, Side side) {
+  const double size = logarithmic(1, 10);
+  Point direction = random_direction({0, 1, 2});
+  geometry::NurbsForm form{3, {0, 0, 0, 0, 1, 1, 1, 1}, {corner}, {1, 1, 1, 1}};
+  for (int k = 0; k < 3; ++k) {
+    form.points.push_back(sum(form.points.back(), size * uniform(0.5, 1), direction));
+    direction = turned(direction, uniform(0, 0.7), {0, 1, 2});
+  }
+  if (side == Side::before) std::reverse(form.points.begin(), form.points.end());
+  return geometry::smooth_pieces(form).at(0);
+}
+
+Point random_place() {
+  return {uniform(-100, 100), uniform(-100, 100), uniform(-100, 100)};
+}
+
+/// The blend may take random parts of both.
+Corner corner_of(Curve before, Curve behind) {
+  Corner corner{std::move(before), std::move(behind), {}, {}, 0, 0};
+  corner.most_before = geometry::length(corner.before) * uniform(0.05, 1);
+  corner.most_behind = geometry::length(corner.behind) * uniform(0.05, 1);
+  return corner;
+}
+
+/// Two or three that feed is counted by, and some of those that go with them.
+std::vector<std::size_t> random_axes() {
+  static constexpr std::array<std::size_t, 9> by_rank = {0, 1, 2, 6, 7, 8, 3, 4, 5};  // X Y Z, U V W, A B C
+  const std::size_t group = 3 * any<std::size_t>(0, 3);
+  std::vector<std::size_t> axes{by_rank[group], by_rank[group + 1]};
+  for (std::size_t i = group + 2; i < by_rank.size(); ++i) {
+    if (any(0, 3) == 0) axes.push_back(by_rank[i]);
+  }
+  return axes;
+}
+
+/// Of the directions in the three axes that feed is counted by.
+double turn_of_feed(const Point& one, const Point& other, std::size_t first) {
+  Point a{}, b{};
+  for (std::size_t i = first; i < first + 3; ++i) a[i] = one[i], b[i] = other[i];
+  return std::acos(std::clamp(dot(a, b) / (norm(a) * norm(b)), -1.0, 1.0));
+}
+
+/// Lines that turn by an angle, and not all the way back in what feed is counted by.
+Corner corner_of_lines(double angle) {
+  const std::vector<std::size_t> axes = random_axes();
+  const Point place = scaled(uniform(0, 100), random_direction(axes));
+  Point in, out;
+  do {
+    in = random_direction(axes);
+    out = turned(in, angle, axes);
+  } while (turn_of_feed(in, out, axes[0]) > std::max(angle, 2.9) + 1e-6);
+  return corner_of(line(place, in, logarithmic(0.1, 50), Side::before),
+                   line(place, out, logarithmic(0.1, 50), Side::behind));
+}
+
+/// Unit tangent, and the curvature by mm.
+struct Bend {
+  Point tangent, curvature;
+};
+
+Bend bend_at(const Curve& curve, double s) {
+  const geometry::PointJet jet = geometry::jets(curve, s);
+  const Point first = derivative(jet, &Jet::first), second = derivative(jet, &Jet::second);
+  const double rate = norm(first);
+  const Point tangent = scaled(1 / rate, first);
+  return {tangent, scaled(1 / (rate * rate), sum(second, -dot(second, tangent), tangent))};
+}
+
+bool joins(const Curve& a, double at_a, const Curve& b, double at_b, double length) {
+  const Bend one = bend_at(a, at_a), other = bend_at(b, at_b);
+  const Point gap =
+      difference(to_millimetres(geometry::evaluate(a, at_a)), to_millimetres(geometry::evaluate(b, at_b)));
+  return norm(gap) <= 1e-12 && distance(one.tangent, other.tangent) <= 1e-6 &&
+         distance(one.curvature, other.curvature) <= 1e-6 * (norm(one.curvature) + 1 / length);
+}
+
+Polyline places_on(const Curve& curve, double from, double to, int count) {
+  Polyline places;
+  for (int k = 0; k <= count; ++k)
+    places.push_back(to_millimetres(geometry::evaluate(curve, from + (to - from) * k / count)));
+  return places;
+}
+
+/// Evenly by its parameter.
+Polyline places_on(const geometry::Nurbs& curve, int count) {
+  Polyline places;
+  for (int k = 0; k <= count; ++k) {
+    const double share = static_cast<double>(k) / count;
+    const double u = curve.first_parameter() + share * (curve.last_parameter() - curve.first_parameter());
+    places.push_back(derivative(curve.jets_at(u), &Jet::value));
+  }
+  return places;
+}
+
+/// Is it a blend of that corner that goes no farther than it may?
+void check_blend(const Corner& corner, const Blend& blend, double room) {
+  const double length = geometry::length(corner.before);
+  RC_ASSERT(blend.before > 0);
+  RC_ASSERT(blend.before <= corner.most_before);
+  RC_ASSERT(blend.behind > 0);
+  RC_ASSERT(blend.behind <= corner.most_behind);
+  const Curve curve = blend.curve;
+  const double size = blend.curve.length();
+  RC_ASSERT(joins(corner.before, length - blend.before, curve, 0, size));
+  RC_ASSERT(joins(curve, size, corner.behind, blend.behind, size));
+  Polyline legs = places_on(corner.before, length - blend.before, length, 200);
+  const Polyline behind = places_on(corner.behind, 0, blend.behind, 200);
+  legs.insert(legs.end(), behind.begin() + 1, behind.end());
+  const Polyline places = places_on(blend.curve, 200);
+  RC_ASSERT(is_frechet_within(legs, places, 1.001 * room));
+}
+
+RC_GTEST_PROP(Blend, OfLinesStaysInTheRoom, ()) {
+  const Corner corner = corner_of_lines(uniform(0.01, 2.9));
+  const double room = logarithmic(1e-3, 1);
+  const std::optional<Blend> found = blend(corner, room);
+  RC_ASSERT(found);
+  check_blend(corner, *found, room);
+}
+
+RC_GTEST_PROP(Blend, OfLinesAndArcsStaysInTheRoom, ()) {
+  const Point place = random_place();
+  const Curve arc_before = random_arc(place, Side::before), arc_behind = random_arc(place, Side::behind);
+  const Point direction = random_direction({0, 1, 2, 3});
+  const int kind = any(0, 3);
+  const Corner corner = corner_of(kind == 0 ? line(place, direction, logarithmic(0.1, 50), Side::before) : arc_before,
+                                  kind == 1 ? line(place, direction, logarithmic(0.1, 50), Side::behind) : arc_behind);
+  const double room = logarithmic(1e-3, 0.1);
+  const std::optional<Blend> found = blend(corner, room);
+  RC_CLASSIFY(!found);
+  if (found) check_blend(corner, *found, room);
+}
+
+RC_GTEST_PROP(Blend, OfLinesAndArcsThatTurnALittleStaysInTheRoom, ()) {
+  const Point place = random_place();
+  const Curve arc = random_arc(place, Side::behind);
+  const Point direction = turned(bend_at(arc, 0).tangent, logarithmic(1e-3, 1), {0, 1, 2});
+  const Corner corner = corner_of(line(place, direction, logarithmic(0.1, 50), Side::before), arc);
+  const double room = logarithmic(1e-3, 0.1);
+  const std::optional<Blend> found = blend(corner, room);
+  RC_CLASSIFY(!found);
+  if (found) check_blend(corner, *found, room);
+}
+
+RC_GTEST_PROP(Blend, OfNurbsStaysInTheRoom, ()) {
+  const Point place = random_place();
+  const int kind = any(0, 4);
+  const auto other = [&](Side side) {
+    return any(0, 2) == 0 ? random_arc(place, side)
+                          : line(place, random_direction({0, 1, 2}), logarithmic(0.1, 50), side);
+  };
+  const Corner corner = corner_of(kind < 2 ? random_nurbs(place, Side::before) : other(Side::before),
+                                  kind > 0 ? random_nurbs(place, Side::behind) : other(Side::behind));
+  const double room = logarithmic(1e-3, 0.1);
+  const std::optional<Blend> found = blend(corner, room);
+  RC_CLASSIFY(!found);
+  if (found) check_blend(corner, *found, room);
+}
+
+RC_GTEST_PROP(Blend, CutsTheCornerOfLongLinesByTheRoom, ()) {
+  Corner corner = corner_of_lines(uniform(0.3, 2.9));
+  corner.most_before = geometry::length(corner.before);
+  corner.most_behind = geometry::length(corner.behind);
+  const double room = 1e-3;
+  const std::optional<Blend> found = blend(corner, room);
+  RC_ASSERT(found);
+  const Point place = to_millimetres(geometry::start(corner.behind));
+  double nearest = INFINITY;
+  for (const Point& point : places_on(found->curve, 200)) nearest = std::min(nearest, distance(point, place));
+  RC_ASSERT(std::abs(nearest - room) <= 1e-6 * room);
+}
+
+RC_GTEST_PROP(Blend, IsNoneWhereLinesTurnBack, ()) {
+  RC_ASSERT(!blend(corner_of_lines(uniform(2.95, std::numbers::pi)), logarithmic(1e-3, 1)));
+}
+
+RC_GTEST_PROP(Blend, IsNoneWhereCurvesTurnBack, ()) {
+  const Point place = random_place();
+  const Curve behind = any(0, 2) == 0 ? random_arc(place, Side::behind) : random_nurbs(place, Side::behind);
+  const Point back = turned(scaled(-1, bend_at(behind, 0).tangent), uniform(0, 0.19), {0, 1, 2});
+  RC_ASSERT(!blend(corner_of(line(place, back, 10, Side::before), behind), logarithmic(1e-3, 1)));
+}
+
+TEST(Blend, IsNoneWhereLinesGoStraightOn) {
+  const Curve before = line({0, 0}, {1, 0}, 10, Side::before), behind = line({0, 0}, {1, 0}, 10, Side::behind);
+  EXPECT_FALSE(blend({before, behind, {}, {}, 5, 5}, 0.01));
+}
+
+}  // namespace
+}  // namespace leadscrew::toolpath::testing
