@@ -89,6 +89,19 @@ double turn_between(const Point& a, const Point& b, const Point& c) {
   return norm(apart);
 }
 
+/// Where a chord from s ends that stays within `sagitta` of the curve, or nearly: at `to` at last.
+double chord_end(const Curve& curve, double s, double to, double sagitta) {
+  constexpr int most_halvings = 20;
+  constexpr double fewest_chords = 4, nearly_all = 0.75;
+  const auto longest_at = [&](double place) {
+    const double bend = norm(derivative(geometry::jets(curve, place), &numeric::Jet::second));
+    return std::sqrt(8 * sagitta / std::max(bend, 1e-12));
+  };
+  double step = std::min(longest_at(s), geometry::length(curve) / fewest_chords);
+  for (int k = 0; k < most_halvings && s + step < to && longest_at(s + step) < nearly_all * step; ++k) step /= 2;
+  return s + step < to && s + step > s ? s + step : to;
+}
+
 /// Arc length at parameter u: false position, which soon finds it where u is nearly the length, and bisection.
 double length_at(const geometry::Nurbs& curve, double u) {
   const double enough = 1e-10 * (curve.last_parameter() - curve.first_parameter());
@@ -301,24 +314,19 @@ double Smoother::room_about(const Leg& leg) const {
 void Smoother::extend_run(const Leg& leg, double from, double to) {
   const double rate = millimetres_per_length(leg.curve);
   const double first = run_->u;
-  run_->marks.push_back({first, leg.feed, leg.line});
+  base::Line line = leg.line;
+  for (const LineMark& mark : leg.lines) {
+    if (mark.s <= from) line = mark.line;
+  }
+  run_->marks.push_back({first, leg.feed, line});
   for (const LineMark& mark : leg.lines) {
     if (mark.s > from && mark.s < to) run_->marks.push_back({first + (mark.s - from) * rate, leg.feed, mark.line});
   }
   const double room = room_about(leg);
   run_->spent = std::max(run_->spent, spent_by(leg));
-  std::size_t chords = 1;
-  if (!is_line(leg.curve)) {
-    double bend = 0;
-    for (int k = 0; k <= 8; ++k) {
-      const geometry::PointJet jet = geometry::jets(leg.curve, from + (to - from) * k / 8);
-      bend = std::max(bend, norm(derivative(jet, &numeric::Jet::second)));
-    }
-    chords = static_cast<std::size_t>(
-        std::clamp(std::ceil((to - from) * std::sqrt(bend / (8 * arc_sagitta * tolerance_for(leg)))), 1.0, 1e4));
-  }
-  for (std::size_t k = 1; k <= chords; ++k) {
-    const double s = k == chords ? to : from + (to - from) * static_cast<double>(k) / static_cast<double>(chords);
+  const double sagitta = arc_sagitta * tolerance_for(leg);
+  for (double s = from; s < to;) {
+    s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, sagitta);
     run_->spline.append({position(leg.curve, s), first + (s - from) * rate, room});
   }
   run_->u = first + (to - from) * rate;
