@@ -67,7 +67,7 @@ void Builder::move_along(const gcode::Move& move) {
     axes_ = axes;
     smoother_->push(Leg{curve, feed, move.line, {}, 0});
   }
-  if (move.path_mode != gcode::PathMode::exact_stop || settled_.empty()) return;
+  if (move.path_mode != gcode::PathMode::exact_stop || curves.empty()) return;
   if (auto* const last = std::get_if<Piece>(&settled_.back())) last->stop = true;
 }
 

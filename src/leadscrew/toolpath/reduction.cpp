@@ -11,6 +11,7 @@ using geometry::Point;
 namespace {
 
 constexpr double straight = 2e-7;        // mm: what rounding and three decimals of inches leave
+constexpr std::size_t most_lines = 4096;  // of the program in one leg
 constexpr double ball_share = 0.25;      // of the tolerance
 constexpr double greatest_share = 0.25;  // of the tolerance that may be spent
 
@@ -25,7 +26,7 @@ double millimetres_per_length(const geometry::Curve& curve) {
 bool Reduction::join(const Leg& leg) {
   const auto* const open = std::get_if<geometry::Line>(&open_->curve);
   const auto* const line = std::get_if<geometry::Line>(&leg.curve);
-  if (!open || !line) return false;
+  if (!open || !line || open_->lines.size() >= most_lines) return false;
   const Point end = to_millimetres(line->end());
   const double off = distance_to_segment(end_, start_, end);
   const bool is_straight =
@@ -41,7 +42,7 @@ bool Reduction::join(const Leg& leg) {
   if (!(length > 0) || feed_axes(open->start(), line->end()) != feed_axes(open->start(), open->end())) return false;
   // What became one line may be shorter than its parts were.
   open_->lines.push_back({open->length(), leg.line});
-  for (LineMark& mark : open_->lines) mark.s = std::min(mark.s, length);
+  for (auto mark = open_->lines.rbegin(); mark != open_->lines.rend() && mark->s > length; ++mark) mark->s = length;
   open_->curve = geometry::Line(open->start(), line->end(), length);
   open_->feed = std::min(open_->feed, leg.feed);
   open_->spent = spent;

@@ -98,7 +98,15 @@ double chord_end(const Curve& curve, double s, double to, double sagitta) {
     return std::sqrt(8 * sagitta / std::max(bend, 1e-12));
   };
   double step = std::min(longest_at(s), geometry::length(curve) / fewest_chords);
-  for (int k = 0; k < most_halvings && s + step < to && longest_at(s + step) < nearly_all * step; ++k) step /= 2;
+  // Looked at inside too: a bulge need not show at the ends.
+  const auto is_too_long = [&] {
+    if (geometry::borders(curve, s, std::min(s + step, to)) > 1) return true;
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+      if (longest_at(std::min(s + share * step, to)) < nearly_all * step) return true;
+    }
+    return false;
+  };
+  for (int k = 0; k < most_halvings && is_too_long(); ++k) step /= 2;
   return s + step < to && s + step > s ? s + step : to;
 }
 
@@ -366,8 +374,8 @@ void Smoother::settle_run() {
 
 /// The run goes on behind the spline, if it does.
 bool Smoother::begin_rest(bool corner) {
-  if (run_->rest.size() < 2) return false;
   const std::vector<Vertex> vertices = std::exchange(run_->rest, {});
+  if (vertices.empty() || (vertices.size() == 1 && run_->last)) return false;
   State state;
   state.derivative[0] = vertices.front().position;
   run_->spline = TubeSpline(state, vertices.front(), run_->spline.longest(), shortest_smoothing * tolerance_);
@@ -402,7 +410,7 @@ bool Smoother::retreat() {
     }
   }
   const bool splits = sharpest > least_corner;
-  const bool is_last = end + 1 == vertices.size() && run_->rest.empty();
+  const bool is_last = run_->last && end + 1 == vertices.size() && run_->rest.empty();
   run_->rest.insert(run_->rest.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(end),
                     run_->rest.empty() ? vertices.end() : vertices.end() - 1);
   if (splits) {
@@ -454,6 +462,12 @@ void Smoother::add_spline(const std::vector<Vertex>& around, double from, bool i
       double end = curve.length();
       while (++mark < marks.size() && marks[mark].u < curve.last_parameter()) {
         const double s = length_at(curve, marks[mark].u);
+        if (s > (1 - rounding) * curve.length()) continue;
+        if (s - begin <= rounding * curve.length()) {  // it begins here too
+          stretch.piece.feed = marks[mark].feed;
+          stretch.piece.line = marks[mark].line;
+          continue;
+        }
         if (marks[mark].feed != stretch.piece.feed && s > begin) {
           end = s;
           break;

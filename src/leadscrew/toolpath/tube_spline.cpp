@@ -190,13 +190,16 @@ void TubeSpline::solve() {
   matrix.factor(1e-15);
   std::vector<double> column(free);
   for (std::size_t k = 0; k < base::axis_count; ++k) {
-    bool moves = false;
-    for (std::size_t i = 0; i < free; ++i) {
-      column[i] = right[i][k];
-      moves = moves || column[i] != 0;
-    }
+    // Where all that is known of a coordinate is one value, rounding must not move it.
+    const double at = c[0][k];
+    const auto stands = [&](const Point& point) { return point[k] == at; };
+    const bool moves = !std::all_of(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(first), stands) ||
+                       !std::all_of(c.begin() + static_cast<std::ptrdiff_t>(last), c.end(), stands) ||
+                       std::any_of(samples_.begin(), samples_.end(),
+                                   [&](const Sample& sample) { return sample.position[k] != at; });
+    for (std::size_t i = 0; i < free; ++i) column[i] = right[i][k];
     if (moves) matrix.solve(column);
-    for (std::size_t i = 0; i < free; ++i) c[first + i][k] = moves ? column[i] : 0;
+    for (std::size_t i = 0; i < free; ++i) c[first + i][k] = moves ? column[i] : at;
   }
 }
 
@@ -269,6 +272,14 @@ TubeSpline::Outcome TubeSpline::settle() {
       const std::size_t spans = settled_spans();
       const double end = stretch_.span_end(spans - 1);
       start_ = stretch_.state(spans, end);
+      // A coordinate that stands still does so without rounding.
+      for (std::size_t k = 0; k < base::axis_count; ++k) {
+        const double at = stretch_.points[0][k];
+        if (!std::all_of(stretch_.points.begin(), stretch_.points.end(), [&](const Point& c) { return c[k] == at; }))
+          continue;
+        start_.derivative[0][k] = at;
+        for (std::size_t r = 1; r < start_.count; ++r) start_.derivative[r][k] = 0;
+      }
       begin_ = end;
       stretch_.points.resize(spans + quintic_degree);
       stretch_.knots.resize(spans + 2 * quintic_degree + 1);
