@@ -190,6 +190,14 @@ TEST(BlendedPrograms, BlendRotaryAndSecondaryAxes) {
   expect_better_than_stops(head + "G1 U5\nX10 U5\nU0 X10 Y5\n");
 }
 
+TEST(BlendedPrograms, SmoothRotaryAxesWhereTheLinearOnesStandSomewhere) {
+  std::string lines;
+  for (int k = 1; k < 60; ++k) lines += "G1" + word('A', 0.5 * k, 3) + word('B', 5 * std::sin(0.05 * k), 3) + '\n';
+  const std::string text = head + "G0 X10.1 Y3.3 Z7.7\n" + lines;
+  expect_better_than_stops(text);
+  EXPECT_LT(run(text).summary.time_s, run_with_stops(text).summary.time_s / 2);
+}
+
 TEST(BlendedPrograms, StopWhereFeedPassesFromLinearToRotaryAxes) {
   const std::string text = head + "G1 X10\nA10\nX0\nA0 X10\n";
   expect_better_than_stops(text);

@@ -10,10 +10,10 @@ using geometry::Point;
 
 namespace {
 
-constexpr double straight = 2e-7;        // mm: what rounding and three decimals of inches leave
+constexpr double straight = 2e-7;         // mm: what rounding and three decimals of inches leave
 constexpr std::size_t most_lines = 4096;  // of the program in one leg
-constexpr double ball_share = 0.25;      // of the tolerance
-constexpr double greatest_share = 0.25;  // of the tolerance that may be spent
+constexpr double ball_share = 0.25;       // of the tolerance
+constexpr double greatest_share = 0.25;   // of the tolerance that may be spent
 
 }  // namespace
 

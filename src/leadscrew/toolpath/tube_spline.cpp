@@ -193,10 +193,10 @@ void TubeSpline::solve() {
     // Where all that is known of a coordinate is one value, rounding must not move it.
     const double at = c[0][k];
     const auto stands = [&](const Point& point) { return point[k] == at; };
-    const bool moves = !std::all_of(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(first), stands) ||
-                       !std::all_of(c.begin() + static_cast<std::ptrdiff_t>(last), c.end(), stands) ||
-                       std::any_of(samples_.begin(), samples_.end(),
-                                   [&](const Sample& sample) { return sample.position[k] != at; });
+    const bool moves =
+        !std::all_of(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(first), stands) ||
+        !std::all_of(c.begin() + static_cast<std::ptrdiff_t>(last), c.end(), stands) ||
+        std::any_of(samples_.begin(), samples_.end(), [&](const Sample& sample) { return sample.position[k] != at; });
     for (std::size_t i = 0; i < free; ++i) column[i] = right[i][k];
     if (moves) matrix.solve(column);
     for (std::size_t i = 0; i < free; ++i) c[first + i][k] = moves ? column[i] : at;
