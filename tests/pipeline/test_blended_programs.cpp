@@ -198,8 +198,46 @@ TEST(BlendedPrograms, SmoothRotaryAxesWhereTheLinearOnesStandSomewhere) {
   EXPECT_LT(run(text).summary.time_s, run_with_stops(text).summary.time_s / 2);
 }
 
+/// By the length of X alone, such a curve has no derivatives: motion would creep past its crest.
+TEST(BlendedPrograms, DoNotSlowDownWhereTheLinearAxesTurnBackWhileARotaryOneGoesOn) {
+  std::string wave;
+  for (int k = 1; k <= 120; ++k) wave += "G1" + word('X', 2 * std::sin(0.1 * k), 3) + word('A', k, 3) + '\n';
+  expect_better_than_stops(head + wave);
+  EXPECT_LT(run(head + wave).summary.time_s, run_with_stops(head + wave).summary.time_s / 3);
+  const std::string crest = head + "G1 X-0.369\nX-0.368 Z-0.001 A-15.84\nX-0.269 A-185.24\n";
+  expect_better_than_stops(crest);
+  EXPECT_LT(run(crest).summary.time_s, run_with_stops(crest).summary.time_s - 0.05);
+  const std::string into_rotation = "G21 G90 G17 G94 F6000 G64 P0.75\nG1 X4 Y1.1 Z4\nZ4.002 A34.4\n";
+  expect_better_than_stops(into_rotation);
+  EXPECT_LT(run(into_rotation).summary.time_s, run_with_stops(into_rotation).summary.time_s - 0.05);
+}
+
+TEST(BlendedPrograms, KeepTheFeedOfTheLinearAxesWhereRotaryOnesMoveBesides) {
+  const machine::Machine machine = wide_mill();
+  const machine::ToolTable tools;
+  pipeline::Program program(gcode::text_source("G21 G90 G17 G94 F600 G64 P0.1\nG1 X20 A40\nX40 Y1 A90\nY40 A120\n"),
+                            machine, tools, {}, [](const base::Diagnostic&) {});
+  double fastest = 0;
+  int at_feed = 0;
+  while (program.prepare()) {
+    const double feed = program.cycle().feed;
+    fastest = std::max(fastest, feed);
+    at_feed += std::abs(feed - 10) < 0.01;
+  }
+  EXPECT_LE(fastest, 10 * (1 + 1e-6));
+  EXPECT_GT(at_feed, 5500);  // of 80 mm at 10 mm/s
+}
+
+/// Control points on a line but for one: a chord between places where the curve is straight passes over its bulge.
+TEST(BlendedPrograms, SeeABulgeBetweenStraightPartsOfASpline) {
+  std::string points;
+  for (int k = 1; k <= 40; ++k)
+    points += "X" + word(' ', 1 + 0.1 * k, 4).substr(2) + (k == 13 ? " Y0.25 P1\n" : " Y0.2 P1\n");
+  expect_better_than_stops(head + "G1 X1 Y0.2\nG5.2 P1 L4\n" + points + "G5.3\nG1 X10\n");
+}
+
 TEST(BlendedPrograms, StopWhereFeedPassesFromLinearToRotaryAxes) {
-  const std::string text = head + "G1 X10\nA10\nX0\nA0 X10\n";
+  const std::string text = head + "G1 X10\nA10\nX0\nA0\n";
   expect_better_than_stops(text);
   EXPECT_EQ(run(text).summary.time_s, run_with_stops(text).summary.time_s);
 }

@@ -62,8 +62,8 @@ RC_GTEST_PROP(Section, KnowsThePieceOnEitherSideOfABorder, ()) {
     RC_ASSERT(section.piece_at(begin, Side::right) == k);
     RC_ASSERT(section.piece_at(begin, Side::left) == (k == 0 ? 0 : k - 1));
     RC_ASSERT(section.piece_at(end, Side::left) == k);
-    RC_ASSERT(section.feed(begin, Side::right) == pieces[k].feed);
-    RC_ASSERT(section.feed(end, Side::left) == pieces[k].feed);
+    RC_ASSERT(section.greatest_speed(begin, Side::right, section.jets(begin, Side::right)) == pieces[k].feed);
+    RC_ASSERT(section.greatest_speed(end, Side::left, section.jets(end, Side::left)) == pieces[k].feed);
     for (const Side side : {Side::left, Side::right}) RC_ASSERT(section.piece_at((begin + end) / 2, side) == k);
   }
   RC_ASSERT(section.piece_at(section.length(), Side::right) == pieces.size() - 1);
@@ -123,7 +123,7 @@ TEST(Section, ForgetsNothingOfThePieceItIsOn) {
   section.append(line_piece({60}, {61}, 4));
   EXPECT_EQ(section.offset(2), 50);
   EXPECT_EQ(section.forget_before(50), 50);
-  EXPECT_EQ(section.feed(0.5, Side::left), 4);
+  EXPECT_EQ(section.greatest_speed(0.5, Side::left, section.jets(0.5, Side::left)), 4);
   EXPECT_EQ(section.forget_before(1), 0);  // the last piece stays
   section.clear();
   EXPECT_TRUE(section.empty());

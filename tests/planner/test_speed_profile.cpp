@@ -75,7 +75,7 @@ double brute_force_ratio(const SpeedProfile& profile, const Section& section, co
     for (const double u : {0.02, 0.3, 0.5, 0.7, 0.98}) {
       const double s = profile.knots().s[k] + u * profile.width(k), x = profile.square(k, u);
       const double slope = profile.square_slope(k, u), bend = profile.square_bend(k, u), speed = std::sqrt(x);
-      worst = std::max(worst, speed / section.feed(s, Side::left));
+      worst = std::max(worst, speed / section.greatest_speed(s, Side::left, section.jets(s, Side::left)));
       const auto jet = section.jets(s, Side::left);
       for (const base::Axis axis : base::all_axes) {
         if (!machine.has(axis)) continue;

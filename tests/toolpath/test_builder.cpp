@@ -48,6 +48,58 @@ TEST(Builder, TurnsInverseTimeIntoSpeed) {
   EXPECT_DOUBLE_EQ(only_piece(line_to({3, 4}, {gcode::Feed::Mode::per_second, 2})).feed, 10);
 }
 
+Move blended(Move move) {
+  move.path_mode = gcode::PathMode::blend;
+  move.tolerance = move.naive_cam_tolerance = 0.01;
+  return move;
+}
+
+/// 4 mm of arc at 50 mm of radius, in degrees.
+const double turned = 4.0 / 50 * 180 / std::numbers::pi;
+
+TEST(Builder, TellsSmoothedMovesByTheSpaceOfTolerancesWhereRotaryAxesMoveBesides) {
+  const Piece line = only_piece(blended(line_to({3, 0, 0, turned}))), exact = only_piece(line_to({3, 0, 0, turned}));
+  EXPECT_DOUBLE_EQ(geometry::length(line.curve), 5);
+  EXPECT_DOUBLE_EQ(geometry::length(exact.curve), 3);
+  EXPECT_DOUBLE_EQ(line.feed, exact.feed);
+  EXPECT_DOUBLE_EQ(line.greatest_speed(geometry::jets(line.curve, 1)), 10 * 5.0 / 3);
+  EXPECT_DOUBLE_EQ(exact.greatest_speed(geometry::jets(exact.curve, 1)), 10);
+
+  Move helix = blended(line_to({0, 2 * 2 / std::numbers::pi, 0, turned}));
+  helix.kind = Move::Kind::arc;
+  helix.center_second = 2 / std::numbers::pi;  // half a turn is 2 mm
+  helix.turns = 1;
+  EXPECT_DOUBLE_EQ(geometry::length(only_piece(helix).curve), std::hypot(2, 4));
+
+  Move curve = blended(line_to({3, 0, 0, turned}));
+  curve.kind = Move::Kind::nurbs;
+  curve.curve.degree = 1;
+  curve.curve.knots = {0, 0, 1, 1};
+  curve.curve.points = {{{}, 1}, {curve.end, 1}};
+  EXPECT_DOUBLE_EQ(geometry::length(only_piece(curve).curve), 5);
+}
+
+TEST(Builder, TellsSmoothedMovesByFeedWhereNothingElseMoves) {
+  const Piece linear = only_piece(blended(line_to({3, 4}))), rotary = only_piece(blended(line_to({0, 0, 0, 30, 40})));
+  EXPECT_DOUBLE_EQ(geometry::length(linear.curve), 5);
+  EXPECT_DOUBLE_EQ(geometry::length(rotary.curve), 50);
+  EXPECT_EQ(linear.feed_axes, toolpath::FeedAxes::none);
+  EXPECT_EQ(rotary.feed_axes, toolpath::FeedAxes::none);
+}
+
+TEST(Builder, StopsAtNoEarlierMoveForOneThatDoesNotMove) {
+  Builder builder;
+  builder.push(blended(line_to({1})));
+  Move standing = line_to({1});
+  standing.start = standing.end;
+  standing.path_mode = gcode::PathMode::exact_stop;
+  builder.push(standing);
+  builder.finish();
+  const auto element = builder.pop();
+  ASSERT_TRUE(element && std::holds_alternative<Piece>(*element));
+  EXPECT_FALSE(std::get<Piece>(*element).stop);
+}
+
 TEST(Builder, PassesOverMovesOfNoLength) {
   Builder builder;
   builder.push(line_to({}));

@@ -20,7 +20,8 @@ struct Word {
   Tick tick{};
   AxisVector position{};   ///< axis positions, mm or degrees
   double path_length = 0;  ///< travelled since the program's start, mm (degrees where only rotary axes move)
-  double feed = 0;         ///< speed along the path, mm/s (degrees/s where only rotary axes move)
+  double speed = 0;        ///< along the path, units of path_length per second
+  double feed = 0;         ///< speed by the axes that feed is counted by, mm/s (degrees/s where only rotary axes move)
   Line line{};             ///< source line of the block in motion
   MotionState state = MotionState::rest;
 };

@@ -68,6 +68,7 @@ class Mapper {
     for (std::size_t k = 0; k < metric_.count; ++k) {
       Jet q = curve_.numerator_jet(metric_.slot[k], x);
       if (curve_.rational) q = q * scale;
+      if (metric_.weight[k] != 1) q = q * Jet(metric_.weight[k]);
       c11 += q.first * q.first;
       c12 += q.first * q.second;
       c22 += q.second * q.second;

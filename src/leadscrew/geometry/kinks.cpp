@@ -21,8 +21,10 @@ double binomial(std::size_t n, std::size_t k) {
 
 /// D by Bernstein coefficients on [begin, end], which are vectors of the metric's coordinates.
 struct Hodograph {
-  std::array<std::array<double, 3>, most_bernstein> d{};
+  using Vector = std::array<double, base::axis_count>;
+  std::array<Vector, most_bernstein> d{};
   std::size_t degree = 0;
+  std::size_t count = 0;  ///< coordinates
   double begin = 0, end = 1;
 
   double largest() const {
@@ -30,19 +32,21 @@ struct Hodograph {
     for (std::size_t i = 0; i <= degree; ++i) square = std::max(square, dot(d[i], d[i]));
     return std::sqrt(square);
   }
-  static double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  double dot(const Vector& a, const Vector& b) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < count; ++k) sum += a[k] * b[k];
+    return sum;
   }
 
   bool is_in_front_of_a_plane() const {
-    std::array<double, 3> sum{};
+    Vector sum{};
     for (std::size_t i = 0; i <= degree; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += d[i][k];
+      for (std::size_t k = 0; k < count; ++k) sum[k] += d[i][k];
     }
     const double least = in_front * std::sqrt(dot(sum, sum)) * largest();
     if (least <= 0) return false;
     return std::all_of(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(degree) + 1,
-                       [&](const std::array<double, 3>& of) { return dot(of, sum) >= least; });
+                       [&](const Vector& of) { return dot(of, sum) >= least; });
   }
 
   /// de Casteljau's algorithm.
@@ -53,7 +57,7 @@ struct Hodograph {
       before.d[r] = e[0];
       after.d[degree - r] = e[degree - r];
       for (std::size_t i = 0; i + r < degree; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) e[i][k] = (e[i][k] + e[i + 1][k]) / 2;
+        for (std::size_t k = 0; k < count; ++k) e[i][k] = (e[i][k] + e[i + 1][k]) / 2;
       }
     }
     before.end = after.begin = (begin + end) / 2;
@@ -65,11 +69,12 @@ struct Hodograph {
 Hodograph hodograph(const RationalBezier& curve, const Metric& metric) {
   const std::size_t p = curve.degree;
   Hodograph result;
+  result.count = metric.count;
   result.degree = curve.rational ? 2 * p - 1 : p - 1;
   for (std::size_t k = 0; k < metric.count; ++k) {
     const Coefficients& n = curve.numerator[metric.slot[k]];
     for (std::size_t i = 0; i < p; ++i) {
-      const double slope = static_cast<double>(p) * (n[i + 1] - n[i]);
+      const double slope = metric.weight[k] * static_cast<double>(p) * (n[i + 1] - n[i]);
       if (!curve.rational) {
         result.d[i][k] = slope;
         continue;
@@ -77,7 +82,7 @@ Hodograph hodograph(const RationalBezier& curve, const Metric& metric) {
       const double w_slope = static_cast<double>(p) * (curve.weight[i + 1] - curve.weight[i]);
       for (std::size_t j = 0; j <= p; ++j) {
         const double share = binomial(p - 1, i) * binomial(p, j) / binomial(2 * p - 1, i + j);
-        result.d[i + j][k] += share * (slope * curve.weight[j] - n[j] * w_slope);
+        result.d[i + j][k] += share * (slope * curve.weight[j] - metric.weight[k] * n[j] * w_slope);
       }
     }
   }
@@ -94,18 +99,19 @@ double polish(const Hodograph& whole, double begin, double end) {
   double t = (begin + end) / 2;
   for (int step = 0; step < 60; ++step) {
     auto e = whole.d;
-    std::array<double, 3> slope{};
+    Hodograph::Vector slope{};
     for (std::size_t r = whole.degree; r > 0; --r) {
       if (r == 1) {
-        for (std::size_t k = 0; k < 3; ++k) slope[k] = static_cast<double>(whole.degree) * (e[1][k] - e[0][k]);
+        for (std::size_t k = 0; k < whole.count; ++k)
+          slope[k] = static_cast<double>(whole.degree) * (e[1][k] - e[0][k]);
       }
       for (std::size_t i = 0; i < r; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) e[i][k] += t * (e[i + 1][k] - e[i][k]);
+        for (std::size_t k = 0; k < whole.count; ++k) e[i][k] += t * (e[i + 1][k] - e[i][k]);
       }
     }
-    const double steepness = Hodograph::dot(slope, slope);
+    const double steepness = whole.dot(slope, slope);
     if (steepness == 0) break;
-    const double next = std::clamp(t - Hodograph::dot(e[0], slope) / steepness, begin, end);
+    const double next = std::clamp(t - whole.dot(e[0], slope) / steepness, begin, end);
     if (next == t) break;
     t = next;
   }
@@ -147,8 +153,8 @@ Kinks find_kinks(const RationalBezier& curve, const Metric& metric) {
   Search search;
   search.least_weight = least_weight(curve);
   const double largest = whole.largest();
-  kinks.at_start = std::sqrt(Hodograph::dot(whole.d[0], whole.d[0])) <= standing * largest;
-  kinks.at_end = std::sqrt(Hodograph::dot(whole.d[whole.degree], whole.d[whole.degree])) <= standing * largest;
+  kinks.at_start = std::sqrt(whole.dot(whole.d[0], whole.d[0])) <= standing * largest;
+  kinks.at_end = std::sqrt(whole.dot(whole.d[whole.degree], whole.d[whole.degree])) <= standing * largest;
   if (largest < shortest_examined * search.least_weight * search.least_weight) return kinks;
   search.examine(whole);
   // Next to nothing before or after a kink is no stretch of its own.

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <leadscrew/geometry/point.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace leadscrew::geometry {
@@ -43,7 +44,8 @@ struct NurbsTable;
 /// One smooth piece of a NURBS curve. Copies share the table, which is never changed.
 class Nurbs {
  public:
-  /// By the coordinates X Y Z where they move on the piece, else U V W, else A B C (degrees); > 0.
+  /// By the weighted coordinates, if it was made with weights; else by X Y Z where they move on the piece, else U V W,
+  /// else A B C (degrees); > 0.
   double length() const { return length_; }
   const Point& start() const { return start_; }
   const Point& end() const { return end_; }
@@ -99,9 +101,11 @@ class Nurbs {
 ///     about 1e-5 mm, which no machine tells from a corner,
 ///   - where the coordinates by which length is told begin or cease to move.
 ///
-/// tolerance: granted to u(s). The work is linear in the number of control points. A form that is none (counts, degree,
-/// knots, weights not as said above) gives no piece.
-std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance = {});
+/// tolerance: granted to u(s). weights: length is that of all coordinates, each times its weight > 0. The work is
+/// linear in the number of control points. A form that is none (counts, degree, knots, weights not as said above) gives
+/// no piece.
+std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance = {},
+                                 const std::optional<Point>& weights = std::nullopt);
 
 /// The lengths of all smooth pieces together, without making their tables.
 double feed_length(const NurbsForm& form);

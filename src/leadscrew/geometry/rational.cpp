@@ -84,7 +84,7 @@ double RationalTaylor::speed(const Metric& metric, double x) const {
   double sum = 0;
   if (!rational) {
     for (std::size_t k = 0; k < metric.count; ++k) {
-      const double slope = polynomial(numerator[metric.slot[k]], degree, x).slope;
+      const double slope = metric.weight[k] * polynomial(numerator[metric.slot[k]], degree, x).slope;
       sum += slope * slope;
     }
     return std::sqrt(sum);
@@ -92,7 +92,7 @@ double RationalTaylor::speed(const Metric& metric, double x) const {
   const ValueAndSlope w = polynomial(weight, degree, x);
   for (std::size_t k = 0; k < metric.count; ++k) {
     const ValueAndSlope n = polynomial(numerator[metric.slot[k]], degree, x);
-    const double slope = n.slope * w.value - n.value * w.slope;
+    const double slope = metric.weight[k] * (n.slope * w.value - n.value * w.slope);
     sum += slope * slope;
   }
   return std::sqrt(sum) / (w.value * w.value);

@@ -33,10 +33,16 @@ struct Moving {
   std::size_t count = 0;
 };
 
-/// The slots by which length is told.
+/// The slots by which length is told, each times its weight.
 struct Metric {
-  std::array<std::uint8_t, 3> slot{};
+  std::array<std::uint8_t, base::axis_count> slot{};
+  std::array<double, base::axis_count> weight{};
   std::size_t count = 0;
+
+  void add(std::size_t of, double times) {
+    slot[count] = static_cast<std::uint8_t>(of);
+    weight[count++] = times;
+  }
 
   friend bool operator==(const Metric&, const Metric&) = default;
 };

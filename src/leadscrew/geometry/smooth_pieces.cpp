@@ -34,20 +34,32 @@ Moving moving_coordinates(const std::vector<Point>& points) {
   return moving;
 }
 
-/// X Y Z, U V W, A B C: in this order, the first of which a coordinate moves among the control points of a span. Empty
-/// where nothing moves.
-Metric metric_of_span(const NurbsForm& form, const Moving& moving, std::size_t span) {
-  const std::size_t p = static_cast<std::size_t>(form.degree);
-  for (const std::size_t first : {0, 6, 3}) {
+bool moves_on_span(const NurbsForm& form, std::size_t coordinate, std::size_t span) {
+  for (std::size_t r = span - static_cast<std::size_t>(form.degree); r < span; ++r) {
+    if (form.points[r][coordinate] != form.points[r + 1][coordinate]) return true;
+  }
+  return false;
+}
+
+/// The weighted coordinates; without weights X Y Z, U V W or A B C: in this order, the first of which a coordinate
+/// moves among the control points of a span. Empty where nothing moves.
+Metric metric_of_span(const NurbsForm& form, const std::optional<Point>& weights, const Moving& moving,
+                      std::size_t span) {
+  const auto metric_of = [&](std::size_t first, std::size_t end) {
     Metric metric;
     bool moves = false;
     for (std::size_t k = 0; k < moving.count; ++k) {
       const std::size_t i = moving.coordinate[k];
-      if (i < first || i >= first + 3) continue;
-      metric.slot[metric.count++] = static_cast<std::uint8_t>(k);
-      for (std::size_t r = span - p; r < span; ++r) moves = moves || form.points[r][i] != form.points[r + 1][i];
+      if (i < first || i >= end) continue;
+      metric.add(k, weights ? (*weights)[i] : 1);
+      moves = moves || moves_on_span(form, i, span);
     }
-    if (moves) return metric;
+    return moves ? metric : Metric();
+  };
+  if (weights) return metric_of(0, base::axis_count);
+  for (const std::size_t first : {0, 6, 3}) {
+    const Metric metric = metric_of(first, first + 3);
+    if (metric.count > 0) return metric;
   }
   return {};
 }
@@ -93,8 +105,9 @@ EndDerivatives derivatives_at(const RationalTaylor& curve, const Metric& metric)
   double c11 = 0, c12 = 0;
   for (std::size_t k = 0; k < metric.count; ++k) {
     const Jet& q = jets[metric.slot[k]];
-    c11 += q.first * q.first;
-    c12 += q.first * q.second;
+    const double square = metric.weight[k] * metric.weight[k];
+    c11 += square * q.first * q.first;
+    c12 += square * q.first * q.second;
   }
   const double x1 = 1 / std::sqrt(c11), x2 = -c12 / (c11 * c11);
   EndDerivatives result;
@@ -153,14 +166,15 @@ void settle_joints(std::vector<Stretch>& stretches) {
 }
 
 /// The curve between its knots and kinks, in order; stretches where nothing moves are left out.
-std::vector<Stretch> stretches_of(const NurbsForm& form, const Moving& moving, bool rational) {
+std::vector<Stretch> stretches_of(const NurbsForm& form, const std::optional<Point>& weights, const Moving& moving,
+                                  bool rational) {
   const std::size_t p = static_cast<std::size_t>(form.degree), n = form.points.size();
   std::vector<Stretch> stretches;
   bool stood_still = false;
   for (std::size_t span = p; span < n; ++span) {
     if (form.knots[span] == form.knots[span + 1]) continue;
     Stretch stretch;
-    stretch.metric = metric_of_span(form, moving, span);
+    stretch.metric = metric_of_span(form, weights, moving, span);
     if (stretch.metric.count == 0) {
       stood_still = true;
       continue;
@@ -199,8 +213,8 @@ bool is_rational(const NurbsForm& form) {
 /// Fills a table, one smooth piece after another.
 class NurbsAssembly {
  public:
-  NurbsAssembly(const NurbsForm& form, const MapTolerance& tolerance)
-      : form_(form), tolerance_(tolerance), moving_(moving_coordinates(form.points)) {
+  NurbsAssembly(const NurbsForm& form, const MapTolerance& tolerance, const std::optional<Point>& weights)
+      : form_(form), tolerance_(tolerance), weights_(weights), moving_(moving_coordinates(form.points)) {
     table_->degree = static_cast<std::size_t>(form.degree);
     table_->rational = is_rational(form);
     table_->moving = moving_.coordinate;
@@ -210,7 +224,7 @@ class NurbsAssembly {
   }
 
   std::vector<Nurbs> pieces() {
-    const std::vector<Stretch> stretches = stretches_of(form_, moving_, table_->rational);
+    const std::vector<Stretch> stretches = stretches_of(form_, weights_, moving_, table_->rational);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const Stretch& stretch = stretches[i];
       if (stretch.joint == Joint::kink) begin_piece(stretch);
@@ -320,6 +334,7 @@ class NurbsAssembly {
 
   const NurbsForm& form_;
   const MapTolerance& tolerance_;
+  const std::optional<Point>& weights_;
   Moving moving_;
   std::shared_ptr<NurbsTable> table_ = std::make_shared<NurbsTable>();
   std::vector<Nurbs> pieces_;
@@ -328,15 +343,16 @@ class NurbsAssembly {
   std::vector<MapPiece> from_start_, from_end_;
 };
 
-std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance) {
+std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance,
+                                 const std::optional<Point>& weights) {
   if (!is_form(form)) return {};
-  return NurbsAssembly(form, tolerance).pieces();
+  return NurbsAssembly(form, tolerance, weights).pieces();
 }
 
 double feed_length(const NurbsForm& form) {
   if (!is_form(form)) return 0;
   double length = 0;
-  for (const Stretch& stretch : stretches_of(form, moving_coordinates(form.points), is_rational(form))) {
+  for (const Stretch& stretch : stretches_of(form, std::nullopt, moving_coordinates(form.points), is_rational(form))) {
     length += arc_length(stretch.curve, stretch.metric);
   }
   return length;

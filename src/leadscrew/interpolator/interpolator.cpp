@@ -118,7 +118,10 @@ base::Word Interpolator::next() {
   const toolpath::Piece& piece = chunk_->pieces[segment.piece];
   word.position = position(piece.curve, segment.piece, s);
   word.path_length += s.value();
-  word.feed = speed;
+  word.speed = word.feed = speed;
+  if (piece.feed_axes != toolpath::FeedAxes::none) {
+    word.feed *= toolpath::rate(geometry::jets(piece.curve, s.value()), piece.feed_axes);
+  }
   word.line = piece.line_at(s.value());
   return word;
 }

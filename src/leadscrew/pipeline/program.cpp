@@ -92,9 +92,9 @@ void Program::account(const base::Word& word) {
   summary_.words = base::count(word.tick);
   summary_.time_s = base::seconds(word.tick, machine_.period);
   const bool both_constant = before_ && before_->state == MotionState::constant && word.state == MotionState::constant;
-  if (both_constant && before_->line == word.line && before_->feed == word.feed) {
+  if (both_constant && before_->line == word.line && before_->speed == word.speed) {
     const double speed = (word.path_length - before_->path_length) / machine_.period.seconds();
-    summary_.ripple = std::max(summary_.ripple, std::abs(speed / word.feed - 1));
+    summary_.ripple = std::max(summary_.ripple, std::abs(speed / word.speed - 1));
   }
   before_ = word;
 }

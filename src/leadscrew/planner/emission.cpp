@@ -209,7 +209,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     const Side side = k == 0 ? Side::right : Side::left;
     const geometry::PointJet jet = section.jets(at.s, side);
     const AxisRatios ratios = greatest_ratios(jet, at, machine);
-    feed = std::max(feed, at.speed / (feed_factor * section.feed(at.s, side)));
+    feed = std::max(feed, at.speed / (feed_factor * section.greatest_speed(at.s, side, jet)));
     speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
     rows.look(std::max(ratios.acceleration, ratios.jerk * on_curves) * between_looks);
   }
@@ -219,9 +219,10 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     const double s = section.offset(p);
     const PathState at = evaluate(segment, time_at(segment, s));
     for (const Side side : {Side::left, Side::right}) {
-      const AxisRatios ratios = greatest_ratios(section.jets(s, side), at, machine);
+      const geometry::PointJet jet = section.jets(s, side);
+      const AxisRatios ratios = greatest_ratios(jet, at, machine);
       at_joints = std::max({at_joints, ratios.acceleration, ratios.jerk * on_curves});
-      feed = std::max({feed, at.speed / (feed_factor * section.feed(s, side)), ratios.velocity});
+      feed = std::max({feed, at.speed / (feed_factor * section.greatest_speed(s, side, jet)), ratios.velocity});
     }
   }
   constexpr double rounding = 1e-9;

@@ -72,7 +72,8 @@ class Placement {
     const auto ramp = [&](double s, Side side) {
       const geometry::PointJet jet = section_.jets(s, side);
       const TangentLimits t = tangent_limits(jet, machine_);
-      const double speed = std::sqrt(greatest_square(jet, stretch_.feed_factor * section_.feed(s, side), machine_));
+      const double speed =
+          std::sqrt(greatest_square(jet, stretch_.feed_factor * section_.greatest_speed(s, side, jet), machine_));
       // Where jerk is next to no limit, what counts is how long speed rises: far less than that is short enough.
       const double rise = std::min(speed / t.acceleration, std::sqrt(length() / t.acceleration));
       const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
@@ -112,9 +113,9 @@ class Placement {
 
   bool jumps(std::size_t p) const {
     const toolpath::Piece &a = section_.piece(p), &b = section_.piece(p + 1);
-    if (a.feed != b.feed) return true;
     const geometry::PointJet leaving = one_sided_jets(a.curve, geometry::length(a.curve), Side::left);
     const geometry::PointJet entering = one_sided_jets(b.curve, 0, Side::right);
+    if (a.feed != b.feed || a.feed_axes != b.feed_axes) return true;
     for (std::size_t i = 0; i < leaving.size(); ++i) {
       const double size = std::abs(leaving[i].third) + std::abs(entering[i].third);
       if (std::abs(leaving[i].third - entering[i].third) > 1e-6 * size) return true;
@@ -129,7 +130,8 @@ class Placement {
     sample.s = s;
     sample.a = t.acceleration;
     sample.j = t.jerk;
-    double cap = greatest_square(jet, stretch_.feed_factor * section_.feed(s, side), machine_), second = 0, third = 0;
+    double cap = greatest_square(jet, stretch_.feed_factor * section_.greatest_speed(s, side, jet), machine_),
+           second = 0, third = 0;
     for (const base::Axis axis : base::all_axes) {
       const numeric::Jet& q = jet[base::index(axis)];
       if (q.second != 0) cap = std::min(cap, machine_.limits(axis).acceleration / std::abs(q.second));

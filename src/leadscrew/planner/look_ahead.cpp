@@ -31,7 +31,7 @@ void LookAhead::append(const toolpath::Piece& piece) {
   for (const double s : {0.0, length / 2}) {
     const geometry::PointJet jet = geometry::jets(piece.curve, s);
     const TangentLimits limits = tangent_limits(jet, machine_);
-    double speed = piece.feed;
+    double speed = piece.greatest_speed(jet);
     for (const base::Axis axis : base::all_axes) {
       const double rate = std::abs(jet[base::index(axis)].first);
       if (rate > 1e-3) speed = std::min(speed, machine_.limits(axis).velocity / rate);

@@ -141,8 +141,9 @@ RestToRest plan(const geometry::Arc& arc, double feed, const machine::Machine& m
 }  // namespace
 
 RestToRest plan_piece(const toolpath::Piece& piece, const machine::Machine& machine) {
-  if (const auto* arc = std::get_if<geometry::Arc>(&piece.curve)) return plan(*arc, piece.feed, machine);
-  return plan(*std::get_if<geometry::Line>(&piece.curve), piece.feed, machine);
+  const double feed = piece.greatest_speed(geometry::jets(piece.curve, 0));  // everywhere the same
+  if (const auto* arc = std::get_if<geometry::Arc>(&piece.curve)) return plan(*arc, feed, machine);
+  return plan(*std::get_if<geometry::Line>(&piece.curve), feed, machine);
 }
 
 }  // namespace leadscrew::planner

@@ -74,7 +74,8 @@ void lay_out(const RestToRest& motion, double length, Chunk& chunk) {
 /// axes' limits along the path hardly change.
 bool has_closed_form(const Section& section) {
   const auto is_line = [&](const toolpath::Piece& piece) {
-    return std::holds_alternative<geometry::Line>(piece.curve) && piece.feed == section.piece(0).feed;
+    return std::holds_alternative<geometry::Line>(piece.curve) && piece.feed == section.piece(0).feed &&
+           piece.feed_axes == section.piece(0).feed_axes;
   };
   if (std::all_of(section.pieces().begin(), section.pieces().end(), is_line)) return true;
   const auto* arc = std::get_if<geometry::Arc>(&section.piece(0).curve);
@@ -153,7 +154,8 @@ bool Planner::take(const toolpath::Piece& piece) {
   if (last_) {
     const geometry::PointJet leaving = geometry::jets(last_->curve, geometry::length(last_->curve));
     const geometry::PointJet entering = geometry::jets(piece.curve, 0);
-    const double square = std::min(greatest_square(leaving, last_->feed, machine_), squared(piece.feed));
+    const double square = std::min(greatest_square(leaving, last_->greatest_speed(leaving), machine_),
+                                   squared(piece.greatest_speed(entering)));
     if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
       look_ahead_.close();
       return false;

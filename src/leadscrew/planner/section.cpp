@@ -70,8 +70,7 @@ std::size_t Section::borders(double from, double to) const {
   return count + (last > first ? last - first : 0);
 }
 
-double greatest_square(const geometry::PointJet& jet, double feed, const machine::Machine& machine) {
-  double speed = feed;
+double greatest_square(const geometry::PointJet& jet, double speed, const machine::Machine& machine) {
   for (const base::Axis axis : base::all_axes) {
     const double rate = std::abs(jet[base::index(axis)].first);
     if (rate > 0) speed = std::min(speed, machine.limits(axis).velocity / rate);

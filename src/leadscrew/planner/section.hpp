@@ -20,7 +20,7 @@ bool turns(const geometry::PointJet& jet);
 
 class Section {
  public:
-  /// Joined to the end of what is there. Piece::feed is in units of the piece's length per second.
+  /// Joined to the end of what is there.
   void append(const toolpath::Piece& piece);
   void clear();
   /// Forgets the pieces that end at or before `s`; returns by how much less every place on the section now is.
@@ -40,8 +40,10 @@ class Section {
   geometry::PointJet jets(double s, Side side) const;
   /// How many polynomials there are from one place to another, less one.
   std::size_t borders(double from, double to) const;
-  /// Programmed, units/s.
-  double feed(double s, Side side) const { return pieces_[piece_at(s, side)].feed; }
+  /// By programmed feed, units/s; `jet` is the section's there.
+  double greatest_speed(double s, Side side, const geometry::PointJet& jet) const {
+    return pieces_[piece_at(s, side)].greatest_speed(jet);
+  }
 
  private:
   std::deque<toolpath::Piece> pieces_;
@@ -52,8 +54,8 @@ inline double squared(double v) {
   return v * v;
 }
 
-/// Greatest x = ṡ² by programmed feed, axis velocities and chord error (Lin and Koren, eq. 3: ε = (VT)²/8ρ).
-double greatest_square(const geometry::PointJet& jet, double feed, const machine::Machine& machine);
+/// Greatest x = ṡ² by `speed`, axis velocities and chord error (Lin and Koren, eq. 3: ε = (VT)²/8ρ).
+double greatest_square(const geometry::PointJet& jet, double speed, const machine::Machine& machine);
 
 /// May motion run from a piece that ends with `leaving` into one that begins with `entering` without a stop? The
 /// derivatives must agree as closely as words at the machine's period can show: a kink Δq′ is a step Δq′·v of an axis'

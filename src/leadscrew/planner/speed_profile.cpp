@@ -157,7 +157,8 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   knot_caps_.assign(n + 1, infinity);
   middle_caps_.assign(n, infinity);
   const auto cap = [&](double at, Side side, const geometry::PointJet& jet) {
-    const double feed = feed_factor * section.feed(at, side), square = greatest_square(jet, feed, *machine_);
+    const double feed = feed_factor * section.greatest_speed(at, side, jet),
+                 square = greatest_square(jet, feed, *machine_);
     const bool by_feed = square == squared(feed);
     return (turns(jet) && !by_feed ? turning_margin : feed_margin) * square;
   };

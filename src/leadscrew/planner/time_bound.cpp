@@ -50,9 +50,9 @@ void TimeBound::push(const toolpath::Element& element) {
   if (!piece) return;
   if (!is_smooth(leaving_, geometry::jets(piece->curve, 0))) stop();
   if (const auto* line = std::get_if<geometry::Line>(&piece->curve)) {
-    add_straight(*line, piece->feed);
+    add_straight(*line, *piece);
   } else {
-    add_curved(piece->curve, piece->feed);
+    add_curved(*piece);
   }
   leaving_ = geometry::jets(piece->curve, geometry::length(piece->curve));
   if (piece->stop) stop();
@@ -62,11 +62,11 @@ void TimeBound::finish() {
   stop();
 }
 
-void TimeBound::add_straight(const geometry::Line& line, double feed) {
+void TimeBound::add_straight(const geometry::Line& line, const toolpath::Piece& piece) {
   const geometry::PointJet jet = line.jets(0);
   Interval interval;
   interval.length = line.length();
-  interval.x_max = interval.x_end_max = velocity_limit(jet, feed);
+  interval.x_max = interval.x_end_max = velocity_limit(jet, piece);
   interval.straight_b = infinity;
   for (const base::Axis axis : base::all_axes) {
     const double rate = std::abs(jet[base::index(axis)].first);
@@ -75,7 +75,8 @@ void TimeBound::add_straight(const geometry::Line& line, double feed) {
   add(interval);
 }
 
-void TimeBound::add_curved(const geometry::Curve& curve, double feed) {
+void TimeBound::add_curved(const toolpath::Piece& piece) {
+  const geometry::Curve& curve = piece.curve;
   const double length = geometry::length(curve);
   const std::vector<double> breaks = geometry::breaks(curve);
   auto stop_at = breaks.begin();
@@ -96,8 +97,8 @@ void TimeBound::add_curved(const geometry::Curve& curve, double feed) {
     }
     Interval interval;
     interval.length = s_next - s;
-    interval.x_max = velocity_limit(here, feed);
-    interval.x_end_max = velocity_limit(next, feed);
+    interval.x_max = velocity_limit(here, piece);
+    interval.x_end_max = velocity_limit(next, piece);
     add_rows(geometry::jets(curve, (s + s_next) / 2), interval);
     add(interval);
     here = next;
@@ -106,8 +107,8 @@ void TimeBound::add_curved(const geometry::Curve& curve, double feed) {
   }
 }
 
-double TimeBound::velocity_limit(const geometry::PointJet& jet, double feed) const {
-  double speed = feed;
+double TimeBound::velocity_limit(const geometry::PointJet& jet, const toolpath::Piece& piece) const {
+  double speed = piece.greatest_speed(jet);
   for (const base::Axis axis : base::all_axes) {
     const double rate = std::abs(jet[base::index(axis)].first);
     if (rate > 0) speed = std::min(speed, machine_.limits(axis).velocity / rate);

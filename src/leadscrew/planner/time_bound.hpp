@@ -49,15 +49,15 @@ class TimeBound {
     double reach = 0;                              ///< K
   };
 
-  void add_straight(const geometry::Line& line, double feed);
-  void add_curved(const geometry::Curve& curve, double feed);
+  void add_straight(const geometry::Line& line, const toolpath::Piece& piece);
+  void add_curved(const toolpath::Piece& piece);
   void add(const Interval& interval);
   void stop();
   void settle(std::size_t count, double x_beyond);
   static double greatest_start(const Interval& interval, double x_end);
   static double greatest_end(const Interval& interval, double x_begin);
   static double duration(const Interval& interval, double x_begin, double x_end);
-  double velocity_limit(const geometry::PointJet& jet, double feed) const;
+  double velocity_limit(const geometry::PointJet& jet, const toolpath::Piece& piece) const;
   void add_rows(const geometry::PointJet& middle, Interval& interval) const;
 
   const machine::Machine& machine_;

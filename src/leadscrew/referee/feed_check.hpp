@@ -3,9 +3,9 @@
 //
 // The way from word to word is their chord in the axes the feed is told in. Where both words lie on one arc the way is
 // longer than the chord: turned by θ about the centre, it is c·(θ/2)/sin(θ/2) in the plane, whichever radius the words
-// keep. Where both lie on one curve to a nanometre, the chord is stretched to the length of the curve between their
-// matches (matcher.hpp). Between words on different blocks the chord is all that words can tell; the greatest feed of
-// the blocks counts there, and none if one is a rapid.
+// keep within a thousandth of the arc's. Where both lie on one curve to a nanometre, the chord is stretched to the
+// length of the curve between their matches (matcher.hpp). Between words on different blocks the chord is all that
+// words can tell; the greatest feed of the blocks counts there, and none if one is a rapid.
 
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/time.hpp>

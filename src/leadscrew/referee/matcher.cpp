@@ -10,6 +10,7 @@ constexpr std::size_t most_pieces = 16384;         // looked ahead while the tra
 constexpr std::size_t most_pieces_departed = 256;  // and while it does not
 constexpr double search_factor = 16;               // of the least cost, while it does not
 constexpr double slack = 0.25;                     // of the tolerance: candidates that much beyond it are kept
+constexpr double on_arc = 1e-3;                    // of the radius: words farther off may bend otherwise
 constexpr double same_distance = 1e-9;             // mm; rounding is below
 constexpr double greatest_stretch = 4. / 3;        // of a chord; an arc's of 2½ radians
 
@@ -277,7 +278,8 @@ Passage Matcher::passage(std::size_t last) {
   result.line = matched.piece.line;
   const double place = matched.piece.angle_before + matched.next.place;
   if (one_block && matched.piece.block == matched_.block) {
-    if (matched.piece.kind == Piece::Kind::arc) {
+    const double off = std::max(matched.next.distance, matched_.distance);
+    if (matched.piece.kind == Piece::Kind::arc && off <= nanometre + on_arc * matched.piece.radius) {
       result.arc = &matched.piece;
       result.turn = std::abs(place - matched_.place);
     } else if (matched.piece.kind == Piece::Kind::curve && std::isfinite(result.feed.value)) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <leadscrew/toolpath/builder.hpp>
 #include <limits>
 
@@ -47,25 +48,32 @@ void Builder::push(const gcode::Move& move) {
 }
 
 void Builder::move_along(const gcode::Move& move) {
-  const std::vector<geometry::Curve> curves = curves_of(move);
+  std::vector<geometry::Curve> curves = curves_of(move);
   double length = 0;
   for (const geometry::Curve& curve : curves) length += geometry::length(curve);
   const double feed = speed(move.feed, length);
   const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
   if (!blends) flush();
+  FeedAxes counted_by = FeedAxes::none;
+  if (blends && !curves.empty()) {
+    const FeedAxes axes = feed_axes_of(curves.front());
+    const auto is_alike = [&](const geometry::Curve& curve) { return feed_axes_of(curve) == axes; };
+    if (std::all_of(curves.begin(), curves.end(), is_alike)) counted_by = beside_others(axes, move);
+    if (counted_by != FeedAxes::none) curves = curves_of(move, Length::of_tolerance);
+  }
   for (const geometry::Curve& curve : curves) {
     if (!blends) {
       settled_.emplace_back(Piece{curve, feed, move.line, false, nullptr});
       continue;
     }
-    const FeedAxes axes = feed_axes_of(curve);
+    const FeedAxes axes = counted_by != FeedAxes::none ? counted_by : feed_axes_of(curve);
     if (smoother_ && (smoother_->tolerance() != move.tolerance ||
                       smoother_->cam_tolerance() != move.naive_cam_tolerance || axes_ != axes)) {
       flush();
     }
-    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance);
+    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance, axes);
     axes_ = axes;
-    smoother_->push(Leg{curve, feed, move.line, {}, 0});
+    smoother_->push(Leg{curve, feed, move.line, {}, 0, counted_by});
   }
   if (move.path_mode != gcode::PathMode::exact_stop || curves.empty()) return;
   if (auto* const last = std::get_if<Piece>(&settled_.back())) last->stop = true;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <leadscrew/toolpath/corner.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/frechet.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <vector>
@@ -124,7 +125,7 @@ std::optional<Blend> blend(const Corner& corner, double room) {
     const double before = share(rate_before, corner.most_before), behind = share(rate_behind, corner.most_behind);
     const geometry::NurbsForm form = form_of(corner, before, behind);
     if (!lines && !is_inside(corner, form, before, behind, room)) continue;
-    std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(form, table_of_short_spans);
+    std::vector<geometry::Nurbs> pieces = fitted_pieces(form, corner.feed_axes);
     if (pieces.size() != 1) return std::nullopt;
     return Blend{std::move(pieces.front()), before, behind};
   }

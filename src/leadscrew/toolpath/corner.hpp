@@ -10,6 +10,7 @@
 //                           out while that on the other fades in. It cuts the corner by d|t_A − t_B|/8.
 
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/tube_spline.hpp>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@ struct Corner {
   /// Nurbs); empty where the curve itself was.
   std::span<const Vertex> programmed_before, programmed_behind;
   double most_before = 0, most_behind = 0;  ///< of each curve's length that the blend may take; > 0
+  FeedAxes feed_axes = FeedAxes::none;      ///< as of a Piece: whether length is that of tolerances
 };
 
 struct Blend {

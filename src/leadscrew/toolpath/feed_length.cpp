@@ -1,5 +1,7 @@
+#include <array>
 #include <cmath>
 #include <leadscrew/toolpath/feed_length.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
 
 namespace leadscrew::toolpath {
 
@@ -13,6 +15,10 @@ double distance_in(const Point& start, const Point& end, Axis a, Axis b, Axis c)
   const auto along = [&](Axis axis) { return end[index(axis)] - start[index(axis)]; };
   return std::hypot(along(a), along(b), along(c));
 }
+
+/// Spans of fits and blends are much shorter than their radii, and what is granted to a table of arc length is told by
+/// the shorter of the two.
+constexpr geometry::MapTolerance table_of_short_spans{1e-7, 1e-6, 1e-6};
 
 struct Turn {
   double radius = 0;
@@ -29,6 +35,17 @@ Turn turn(const gcode::Move& move) {
 double arc_length(const gcode::Move& move, const Turn& turn) {
   const std::size_t normal = index(gcode::normal_axis(move.plane));
   return geometry::Arc::way(turn.radius, turn.sweep, move.end[normal] - move.start[normal]);
+}
+
+/// What moves beside X Y Z goes on evenly with them.
+double with_others(double length, const gcode::Move& move) {
+  Point others = difference(to_millimetres(move.end), to_millimetres(move.start));
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) others[index(axis)] = 0;
+  return std::hypot(length, norm(others));
+}
+
+std::size_t first_of(FeedAxes axes) {
+  return index(axes == FeedAxes::xyz ? Axis::X : axes == FeedAxes::uvw ? Axis::U : Axis::A);
 }
 
 geometry::Curve arc(const gcode::Move& move, const Turn& turn, double length) {
@@ -75,19 +92,57 @@ double feed_length(const gcode::Move& move) {
   return 0;
 }
 
-std::vector<geometry::Curve> curves_of(const gcode::Move& move) {
+std::vector<geometry::Curve> curves_of(const gcode::Move& move, Length measure) {
+  const bool by_feed = measure == Length::of_feed;
   std::vector<geometry::Curve> curves;
   if (move.kind == gcode::Move::Kind::line) {
-    const double length = line_length(move.start, move.end);
+    const double length =
+        by_feed ? line_length(move.start, move.end) : distance(to_millimetres(move.start), to_millimetres(move.end));
     if (length > 0) curves.emplace_back(geometry::Line(move.start, move.end, length));
   } else if (move.kind == gcode::Move::Kind::arc) {
     const Turn turned = turn(move);
-    const double length = arc_length(move, turned);
-    if (length > 0) curves.push_back(arc(move, turned, length));
+    const double way = arc_length(move, turned), length = by_feed ? way : with_others(way, move);
+    if (way > 0) curves.push_back(arc(move, turned, length));
   } else if (move.kind == gcode::Move::Kind::nurbs) {
-    for (const geometry::Nurbs& piece : geometry::smooth_pieces(form(move.curve))) curves.emplace_back(piece);
+    const std::optional<Point> weights = by_feed ? std::nullopt : std::optional(weights_of_length());
+    for (const geometry::Nurbs& piece : geometry::smooth_pieces(form(move.curve), {}, weights))
+      curves.emplace_back(piece);
   }
   return curves;
+}
+
+FeedAxes beside_others(FeedAxes axes, std::span<const Point> points) {
+  const std::size_t first = first_of(axes);
+  for (const Point& point : points) {
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      if ((i < first || i >= first + 3) && point[i] != points.front()[i]) return axes;
+    }
+  }
+  return FeedAxes::none;
+}
+
+FeedAxes beside_others(FeedAxes axes, const gcode::Move& move) {
+  if (move.kind == gcode::Move::Kind::nurbs) return beside_others(axes, form(move.curve).points);
+  return beside_others(axes, std::array{move.start, move.end});
+}
+
+std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form, FeedAxes feed_axes) {
+  return geometry::smooth_pieces(form, table_of_short_spans,
+                                 feed_axes == FeedAxes::none ? std::nullopt : std::optional(weights_of_length()));
+}
+
+std::optional<Piece> straight_piece(const Point& start, const Point& end) {
+  const FeedAxes axes = beside_others(feed_axes(start, end), std::array{start, end});
+  const double length =
+      axes == FeedAxes::none ? line_length(start, end) : distance(to_millimetres(start), to_millimetres(end));
+  if (!(length > 0)) return std::nullopt;
+  return Piece{geometry::Line(start, end, length), 0, {}, false, nullptr, axes};
+}
+
+double rate(const geometry::PointJet& jet, FeedAxes axes) {
+  if (axes == FeedAxes::none) return 1;
+  const std::size_t first = first_of(axes);
+  return std::hypot(jet[first].first, jet[first + 1].first, jet[first + 2].first);
 }
 
 }  // namespace leadscrew::toolpath

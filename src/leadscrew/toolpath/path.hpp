@@ -3,6 +3,7 @@
 // dwells and events of the program, each pinned to its place.
 
 #include <algorithm>
+#include <cstdint>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/geometry/curve.hpp>
@@ -18,14 +19,26 @@ struct LineMark {
   base::Line line{};
 };
 
+/// Axes by whose motion feed is counted (RS274/NGC 2.1.2.5).
+enum class FeedAxes : std::uint8_t { none, xyz, uvw, abc };
+
+/// |dq/ds| of these axes alone, units of theirs per unit of the curve's length; 1 for none.
+double rate(const geometry::PointJet& jet, FeedAxes axes);
+
 struct Piece {
   geometry::Curve curve;
-  double feed = 0;  ///< greatest speed along the curve, units of its length per second; infinite for a rapid
+  double feed = 0;  ///< greatest speed, units of the length that it is counted by per second; infinite for a rapid
   base::Line line{};
   bool stop = false;  ///< rest at the end, whatever follows (G61.1)
   /// Where it was made of more than one move: ascending by s; none otherwise.
   std::shared_ptr<const std::vector<LineMark>> lines{};
+  /// Whose length feed is counted by; none: the curve's.
+  FeedAxes feed_axes = FeedAxes::none;
 
+  /// By feed, along the curve where it has these derivatives, units of its length per second.
+  double greatest_speed(const geometry::PointJet& jet) const {
+    return feed_axes == FeedAxes::none ? feed : feed / rate(jet, feed_axes);
+  }
   base::Line line_at(double s) const {
     if (!lines) return line;
     const auto behind = std::upper_bound(lines->begin(), lines->end(), s,

@@ -11,9 +11,6 @@
 namespace leadscrew::toolpath {
 
 inline constexpr std::size_t quintic_degree = 5;
-/// Spans of fits and blends are much shorter than their radii, and what is granted to a table of arc length is told by
-/// the shorter of the two.
-inline constexpr geometry::MapTolerance table_of_short_spans{1e-7, 1e-6, 1e-6};
 
 using Six = std::array<double, quintic_degree + 1>;
 

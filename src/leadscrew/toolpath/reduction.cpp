@@ -38,12 +38,14 @@ bool Reduction::join(const Leg& leg) {
   const double spent = std::min(open_->spent + off, radius);
   if (!is_straight && spent > greatest_share * tolerance_) return false;
   // Told in the same axes as before, or not at all.
-  const double length = line_length(open->start(), line->end());
-  if (!(length > 0) || feed_axes(open->start(), line->end()) != feed_axes(open->start(), open->end())) return false;
+  const std::optional<Piece> one = straight_piece(open->start(), line->end());
+  if (!one || feed_axes(open->start(), line->end()) != feed_axes(open->start(), open->end())) return false;
+  const double length = geometry::length(one->curve);
   // What became one line may be shorter than its parts were.
   open_->lines.push_back({open->length(), leg.line});
   for (auto mark = open_->lines.rbegin(); mark != open_->lines.rend() && mark->s > length; ++mark) mark->s = length;
-  open_->curve = geometry::Line(open->start(), line->end(), length);
+  open_->curve = one->curve;
+  open_->feed_axes = one->feed_axes;
   open_->feed = std::min(open_->feed, leg.feed);
   open_->spent = spent;
   radius_ = radius;

@@ -11,10 +11,11 @@ namespace leadscrew::toolpath {
 /// What one move asks for, or several that were made one.
 struct Leg {
   geometry::Curve curve;
-  double feed = 0;  ///< units of the curve's length per second
+  double feed = 0;  ///< as a Piece's
   base::Line line{};
   std::vector<LineMark> lines{};  ///< of the moves behind the first, by path length
   double spent = 0;               ///< how far the moves may be from the curve, mm
+  FeedAxes feed_axes = FeedAxes::none;
 };
 
 /// Millimetres of the space of tolerances (tolerance_space.hpp) per unit of the curve's length, at its start.

@@ -164,8 +164,11 @@ struct Smoother::Run {
   std::vector<Vertex> rest{};   ///< from where the spline is to end, if that is not the end of the run
 };
 
-Smoother::Smoother(double tolerance, double cam_tolerance)
-    : tolerance_(tolerance), cam_tolerance_(cam_tolerance), reduction_(std::min(tolerance, cam_tolerance)) {}
+Smoother::Smoother(double tolerance, double cam_tolerance, FeedAxes axes)
+    : tolerance_(tolerance),
+      cam_tolerance_(cam_tolerance),
+      axes_(axes),
+      reduction_(std::min(tolerance, cam_tolerance)) {}
 Smoother::~Smoother() = default;
 
 void Smoother::push(Leg leg) {
@@ -284,7 +287,8 @@ void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
 }
 
 void Smoother::add_exact(const Leg& leg, double from, double to) {
-  Stretch stretch{{leg.curve, leg.feed, leg.line, false, nullptr}, std::exchange(corner_, false), {}, leg.spent};
+  Stretch stretch{
+      {leg.curve, leg.feed, leg.line, false, nullptr, leg.feed_axes}, std::exchange(corner_, false), {}, leg.spent};
   if (!leg.lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(leg.lines);
   trim(stretch.piece, from, to);
   add(std::move(stretch));
@@ -423,14 +427,12 @@ bool Smoother::retreat() {
   }
   const Point here = run_->is_first ? run_->start : from_millimetres(run_->spline.position());
   const Point there = is_last ? run_->last_point : from_millimetres(vertices[end].position);
-  const double length = line_length(here, there);
-  if (length > 0) {
+  if (std::optional<Piece> line = straight_piece(here, there)) {
     std::deque<Run::Mark>& marks = run_->marks;
     while (marks.size() > 1 && marks[1].u <= settled) marks.pop_front();
-    add({{geometry::Line(here, there, length), marks.front().feed, marks.front().line, false, nullptr},
-         run_->is_first && run_->corner_before,
-         {},
-         run_->spent});
+    line->feed = marks.front().feed;
+    line->line = marks.front().line;
+    add({std::move(*line), run_->is_first && run_->corner_before, {}, run_->spent});
   }
   return begin_rest(false);
 }
@@ -450,11 +452,12 @@ void Smoother::add_spline(const std::vector<Vertex>& around, double from, bool i
   while (marks.size() > 1 && marks[1].u <= from) marks.pop_front();
   bool corner = run_->is_first && run_->corner_before;
   run_->is_first = false;
-  for (const geometry::Nurbs& curve : geometry::smooth_pieces(form, table_of_short_spans)) {
+  const FeedAxes feed_axes = beside_others(axes_, form.points);
+  for (const geometry::Nurbs& curve : fitted_pieces(form, feed_axes)) {
     std::size_t mark = 0;
     while (mark + 1 < marks.size() && marks[mark + 1].u <= curve.first_parameter()) ++mark;
     for (double begin = 0; begin < curve.length();) {
-      Stretch stretch{{curve, marks[mark].feed, marks[mark].line, false, nullptr},
+      Stretch stretch{{curve, marks[mark].feed, marks[mark].line, false, nullptr, feed_axes},
                       std::exchange(corner, false),
                       around,
                       run_->spent};
@@ -495,11 +498,13 @@ void Smoother::cut_corner(Stretch& behind) {
   // Half of each neighbour at most; all that a blend at its start has left, if that is no more.
   double most = last_->cut ? last_->length / 2 : uncut_share * length_before;
   if (most > (1 - rounding) * length_before) most = length_before;
+  const FeedAxes feed_axes = std::max(last_->piece.feed_axes, behind.piece.feed_axes);  // axes_ or none
   const Corner corner{last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, most,
-                      length_behind / 2};
+                      length_behind / 2,  feed_axes};
   std::optional<Blend> found = blend(corner, kept_share * tolerance_ - std::max(last_->spent, behind.spent));
   if (!found) return;
-  Piece curve{found->curve, std::min(last_->piece.feed, behind.piece.feed), last_->piece.last_line(), false, nullptr};
+  Piece curve{found->curve, std::min(last_->piece.feed, behind.piece.feed), last_->piece.last_line(), false, nullptr,
+              feed_axes};
   const double left = length_before - found->before;
   if (left > 0) {
     trim(last_->piece, 0, left);

@@ -24,7 +24,8 @@ class Smoother {
  public:
   /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥
   /// 0, mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
-  Smoother(double tolerance, double cam_tolerance);
+  /// Feed of all that is pushed is counted by `axes`.
+  Smoother(double tolerance, double cam_tolerance, FeedAxes axes = FeedAxes::xyz);
   ~Smoother();
 
   void push(Leg leg);
@@ -73,6 +74,7 @@ class Smoother {
   void release();
 
   double tolerance_, cam_tolerance_;
+  FeedAxes axes_;
   Reduction reduction_;
   std::deque<Leg> legs_;          ///< that are not done
   std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins

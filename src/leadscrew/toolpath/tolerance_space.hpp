@@ -25,6 +25,13 @@ inline geometry::Point from_millimetres(geometry::Point p) {
   return p;
 }
 
+/// Of the coordinates, in a length.
+inline geometry::Point weights_of_length() {
+  geometry::Point weights;
+  weights.fill(1);
+  return to_millimetres(weights);
+}
+
 inline double dot(const geometry::Point& a, const geometry::Point& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
