@@ -40,8 +40,9 @@ struct Outcome {
   referee::Verdict verdict;
 };
 
-Outcome run(const std::string& text, gcode::ReaderOptions options = {}) {
-  const machine::Machine machine = wide_mill();
+Outcome run(const std::string& text, gcode::ReaderOptions options = {}, base::Period period = {1'000'000}) {
+  machine::Machine machine = wide_mill();
+  machine.period = period;
   const machine::ToolTable tools;
   std::int64_t errors = 0;
   const auto count = [&](const base::Diagnostic& problem) { errors += problem.severity == base::Severity::error; };
@@ -226,6 +227,22 @@ TEST(BlendedPrograms, KeepTheFeedOfTheLinearAxesWhereRotaryOnesMoveBesides) {
   }
   EXPECT_LE(fastest, 10 * (1 + 1e-6));
   EXPECT_GT(at_feed, 5500);  // of 80 mm at 10 mm/s
+}
+
+/// All of the small circle lies within the wider tolerance of the line before.
+TEST(BlendedPrograms, AreFollowedFromAWideToleranceIntoANarrowOne) {
+  const Outcome outcome =
+      run("G21 G90 G17 G94 F600 G64 P0.178946\nG1 X10\nG64 P0.01\nG3 X10.1 Y-0.1 I0.1 J0\n"
+          "X10.2 Y0 I0 J0.1\nX10.1 Y0.1 I-0.1 J0\nX10 Y0 I0 J-0.1\nX10.1 Y-0.1 I0.1 J0\n");
+  EXPECT_TRUE(keeps_promises(outcome)) << outcome.verdict.deviation_mm;
+}
+
+/// Where a blend leaves an arc, it bends less: a chord there is not as much shorter than its way.
+TEST(BlendedPrograms, KeepTheFeedWhereABlendLeavesASmallArc) {
+  const std::string text = "G21 G90 G17 G94 F161 G64 P0.051694\nG2 Z-0.002 I0.091 J0.041\nG18\nG2 K-4.736 I-6.974\n";
+  for (const std::int64_t nanoseconds : {9'000'000, 9'227'532, 9'500'000, 12'000'000, 20'000'000}) {
+    EXPECT_LE(run(text, {}, {nanoseconds}).verdict.feed_max_ratio, 1.001) << nanoseconds;
+  }
 }
 
 /// Control points on a line but for one: a chord between places where the curve is straight passes over its bulge.

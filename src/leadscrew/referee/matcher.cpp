@@ -119,6 +119,21 @@ Matcher::Candidate Matcher::candidate_on(const Slot& slot, const Candidate& carr
   return best;
 }
 
+/// The better of the piece's own candidate and of the one that comes from before it, as they are when the rest of the
+/// piece's bend, its end `distance` from the chord, has been passed over: more of it by the one from before.
+Matcher::Candidate Matcher::past_bend(const Slot& slot, double distance, const Candidate& carried) const {
+  const Piece& piece = slot.piece;
+  const auto pass = [&](Candidate candidate) {
+    if (piece.kind != Piece::Kind::line) pass_bend(piece, piece.span, distance, candidate);
+    return candidate;
+  };
+  if (!slot.now.alive) return pass(carried);
+  const Candidate own = pass(slot.now);
+  if (!carried.alive) return own;
+  const Candidate before = pass(carried);
+  return own.margin < before.margin ? own : before;
+}
+
 /// Takes the better of the candidate from before piece i and of its own past the end of the piece; it dies of a margin
 /// beyond `most`.
 void Matcher::pass_to_end(std::size_t i, double most, Candidate& candidate) {
@@ -130,8 +145,7 @@ void Matcher::pass_to_end(std::size_t i, double most, Candidate& candidate) {
     candidate.alive = false;
     return;
   }
-  if (here.now.alive && (!candidate.alive || here.now.margin < candidate.margin)) candidate = here.now;
-  if (piece.kind != Piece::Kind::line) pass_bend(piece, piece.span, distance, candidate);
+  candidate = past_bend(here, distance, candidate);
   pass_over(distance, tolerance, piece.line, candidate);
   candidate.place = 0;
   candidate.distance = distance;
@@ -318,12 +332,8 @@ std::optional<Finding> Matcher::conclude() {
   while (count_ > 0) {
     if (count_ == 1) pull();
     const Slot& here = slot(0);
-    before_end = carried;
-    if (here.now.alive && (!carried.alive || here.now.margin < carried.margin)) before_end = here.now;
     end_ = here.piece.to;
-    if (here.piece.kind != Piece::Kind::line) {
-      pass_bend(here.piece, here.piece.span, metric_.distance(word_, end_), before_end);
-    }
+    before_end = past_bend(here, metric_.distance(word_, end_), carried);
     pass_to_end(0, std::numeric_limits<double>::infinity(), carried);
     drop_front();
   }

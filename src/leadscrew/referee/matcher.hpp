@@ -105,6 +105,7 @@ class Matcher {
 
   std::size_t step(const Reach& reach);
   Candidate candidate_on(const Slot& slot, const Candidate& carried);
+  Candidate past_bend(const Slot& slot, double distance, const Candidate& carried) const;
   void pass_to_end(std::size_t i, double most, Candidate& candidate);
   void pass_bend(const Piece& piece, double to, double distance, Candidate& candidate) const;
   void pass_over(double distance, double tolerance, base::Line line, Candidate& candidate) const;
