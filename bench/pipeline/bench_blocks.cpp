@@ -84,10 +84,10 @@ auto* const fine = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("prepare/lines of 5 µm", prepare, wave(0.005))->Iterations(1));
 auto* const coarse = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("prepare/lines of 0.1 mm", prepare, wave(0.1))->Iterations(1));
-auto* const sliced = long_program.size() < 100
-                         ? nullptr
-                         : leadscrew::bench::with_percentiles(
-                               benchmark::RegisterBenchmark("prepare/a slicer's program", prepare, long_program)
-                                   ->Iterations(1));
+auto* const sliced =
+    long_program.size() < 100
+        ? nullptr
+        : leadscrew::bench::with_percentiles(
+              benchmark::RegisterBenchmark("prepare/a slicer's program", prepare, long_program)->Iterations(1));
 
 }  // namespace

@@ -26,8 +26,8 @@ struct Summary {
   std::int64_t words = 0;   ///< servo periods
   double time_s = 0;        ///< words · period
   double dwell_s = 0;
-  double bound_s = 0;  ///< the least time without a jerk limit (planner::TimeBound); known at the end
-  double length_mm = 0;
+  double bound_s = 0;              ///< the least time without a jerk limit (planner::TimeBound); known at the end
+  double length_mm = 0;            ///< of the tool path, as Word::path_length
   double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
   double tolerance_mm = 0;         ///< the largest that applied
   double ripple = 0;  ///< largest relative departure of path length per period where the plan says constant speed
