@@ -79,12 +79,16 @@ TEST(Builder, TellsSmoothedMovesByTheSpaceOfTolerancesWhereRotaryAxesMoveBesides
   EXPECT_DOUBLE_EQ(geometry::length(only_piece(curve).curve), 5);
 }
 
-TEST(Builder, TellsSmoothedMovesByFeedWhereNothingElseMoves) {
-  const Piece linear = only_piece(blended(line_to({3, 4}))), rotary = only_piece(blended(line_to({0, 0, 0, 30, 40})));
+TEST(Builder, TellsSmoothedMovesByFeedWhereOnlyLinearAxesMove) {
+  const Piece linear = only_piece(blended(line_to({3, 4})));
   EXPECT_DOUBLE_EQ(geometry::length(linear.curve), 5);
-  EXPECT_DOUBLE_EQ(geometry::length(rotary.curve), 50);
   EXPECT_EQ(linear.feed_axes, toolpath::FeedAxes::none);
-  EXPECT_EQ(rotary.feed_axes, toolpath::FeedAxes::none);
+}
+
+TEST(Builder, TellsSmoothedMovesOfRotaryAxesInMillimetresAndTheirFeedInDegrees) {
+  const Piece rotary = only_piece(blended(line_to({0, 0, 0, turned * 3 / 4, turned})));
+  EXPECT_DOUBLE_EQ(geometry::length(rotary.curve), 5);
+  EXPECT_DOUBLE_EQ(rotary.greatest_speed(geometry::jets(rotary.curve, 1)), 10 * 4 / turned);
 }
 
 TEST(Builder, StopsAtNoEarlierMoveForOneThatDoesNotMove) {

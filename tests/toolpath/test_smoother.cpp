@@ -203,6 +203,18 @@ TEST(Smoother, NamesEveryLineOfAWave) {
   }
 }
 
+TEST(Smoother, NamesBothLinesOfACorner) {
+  Program program;
+  program.tolerance = program.cam_tolerance = 0.01;
+  program.line_to({10});
+  program.line_to({10, 10});
+  const std::vector<Piece> pieces = pieces_of(program.moves);
+  ASSERT_EQ(pieces.size(), 3u);
+  const double length = geometry::length(pieces[1].curve);
+  EXPECT_EQ(base::number(pieces[1].line_at(0.49 * length)), 1);
+  EXPECT_EQ(base::number(pieces[1].line_at(0.51 * length)), 2);
+}
+
 TEST(Smoother, NamesLinesWhereTheyWereProgrammed) {
   const Program program = wave(0.3, 0.01, 0.01);
   for (const Piece& piece : pieces_of(program.moves)) {
@@ -329,7 +341,7 @@ TEST(Smoother, FitsNoLinesWithoutACamTolerance) {
   // Each joint has a blend of its own, between what is left of its lines.
   std::size_t blends = 0, lines = 0;
   for (const Piece& piece : pieces_of(wave(0.3, 0.01, 0).moves)) {
-    EXPECT_FALSE(piece.lines);
+    EXPECT_EQ(piece.lines != nullptr, !std::holds_alternative<geometry::Line>(piece.curve));
     std::holds_alternative<geometry::Line>(piece.curve) ? ++lines : ++blends;
   }
   EXPECT_EQ(blends, 199u);

@@ -19,8 +19,8 @@ enum class MotionState : std::uint8_t {
 struct Word {
   Tick tick{};
   AxisVector position{};  ///< axis positions, mm or degrees
-  /// Travelled along the tool path since the program's start, mm; degrees where only rotary axes move. Where rotary
-  /// axes move beside linear ones on a smoothed path, a degree counts as its arc at a radius of 50 mm.
+  /// Travelled along the tool path since the program's start, mm; degrees where only rotary axes move. On a smoothed
+  /// path (G64), where a rotary axis moves, a degree counts as its arc at a radius of 50 mm.
   double path_length = 0;
   double speed = 0;  ///< along the path, units of path_length per second
   double feed = 0;   ///< speed by the axes that feed is counted by, mm/s (degrees/s where only rotary axes move)

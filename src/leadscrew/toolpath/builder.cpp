@@ -1,13 +1,11 @@
 #include <algorithm>
+#include <leadscrew/toolpath/allowance.hpp>
 #include <leadscrew/toolpath/builder.hpp>
 #include <limits>
 
 namespace leadscrew::toolpath {
 
 namespace {
-
-/// Below it, the path is kept as programmed: no machine tells the difference.
-constexpr double least_tolerance = 2e-4;  // mm
 
 double speed(const gcode::Feed& feed, double length) {
   switch (feed.mode) {
@@ -52,28 +50,24 @@ void Builder::move_along(const gcode::Move& move) {
   double length = 0;
   for (const geometry::Curve& curve : curves) length += geometry::length(curve);
   const double feed = speed(move.feed, length);
-  const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
+  const FeedAxes axes = curves.empty() ? FeedAxes::none : feed_axes_of(curves.front());
+  const auto is_alike = [&](const geometry::Curve& curve) { return feed_axes_of(curve) == axes; };
+  // A spline whose parts are counted by different axes is kept as it is.
+  const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance &&
+                      std::all_of(curves.begin(), curves.end(), is_alike);
   if (!blends) flush();
-  FeedAxes counted_by = FeedAxes::none;
-  if (blends && !curves.empty()) {
-    const FeedAxes axes = feed_axes_of(curves.front());
-    const auto is_alike = [&](const geometry::Curve& curve) { return feed_axes_of(curve) == axes; };
-    if (std::all_of(curves.begin(), curves.end(), is_alike)) counted_by = beside_others(axes, move);
-    if (counted_by != FeedAxes::none) curves = curves_of(move, Length::of_tolerance);
-  }
-  for (const geometry::Curve& curve : curves) {
-    if (!blends) {
-      settled_.emplace_back(Piece{curve, feed, move.line, false, nullptr});
-      continue;
-    }
-    const FeedAxes axes = counted_by != FeedAxes::none ? counted_by : feed_axes_of(curve);
-    if (smoother_ && (smoother_->tolerance() != move.tolerance ||
-                      smoother_->cam_tolerance() != move.naive_cam_tolerance || axes_ != axes)) {
+  if (!blends || curves.empty()) {
+    for (geometry::Curve& curve : curves)
+      settled_.emplace_back(Piece{std::move(curve), feed, move.line, false, nullptr});
+  } else {
+    const FeedAxes named = to_be_named(axes, move);
+    if (named != FeedAxes::none) curves = curves_of(move, Length::of_tolerance);
+    if (smoother_ &&
+        (smoother_->tolerance() != move.tolerance || smoother_->cam_tolerance() != move.naive_cam_tolerance)) {
       flush();
     }
-    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance, axes);
-    axes_ = axes;
-    smoother_->push(Leg{curve, feed, move.line, {}, 0, counted_by});
+    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance);
+    for (geometry::Curve& curve : curves) smoother_->push(Leg{std::move(curve), feed, move.line, {}, 0, axes, named});
   }
   if (move.path_mode != gcode::PathMode::exact_stop || curves.empty()) return;
   if (auto* const last = std::get_if<Piece>(&settled_.back())) last->stop = true;

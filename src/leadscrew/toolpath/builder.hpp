@@ -27,7 +27,6 @@ class Builder {
   void flush();
 
   std::optional<Smoother> smoother_;
-  FeedAxes axes_ = FeedAxes::none;  ///< of what is being smoothed
   std::deque<Element> settled_;
 };
 

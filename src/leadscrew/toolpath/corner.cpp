@@ -102,19 +102,12 @@ std::optional<Blend> blend(const Corner& corner, double room) {
   const double length_before = geometry::length(corner.before);
   const Point leaving = derivative(geometry::jets(corner.before, length_before), &numeric::Jet::first);
   const Point entering = derivative(geometry::jets(corner.behind, 0), &numeric::Jet::first);
-  const double rate_before = norm(leaving), rate_behind = norm(entering);
-  if (!(rate_before > 0) || !(rate_behind > 0)) return std::nullopt;
-  double apart = 0;
-  for (std::size_t i = 0; i < leaving.size(); ++i) {
-    const double d = leaving[i] / rate_before - entering[i] / rate_behind;
-    apart += d * d;
-  }
-  apart = std::sqrt(apart);
-  if (!(apart > 0) || apart >= turned_back) return std::nullopt;
+  const double rate_before = norm(leaving), rate_behind = norm(entering), apart = turn_between(leaving, entering);
 
   const bool lines =
       std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
-  const double longest = 8 * room / apart;
+  if (apart >= turned_back || (lines && !(apart > 0))) return std::nullopt;
+  const double longest = 8 * room / std::max(apart, 1e-12);  // by the turn; where only curvature steps, by trying
   double d = std::min({longest, corner.most_before * rate_before, corner.most_behind * rate_behind});
   const double least = 1e-3 * d;
   for (int k = 0; k < most_tries && d > least; ++k, d *= shrinking) {
@@ -125,7 +118,7 @@ std::optional<Blend> blend(const Corner& corner, double room) {
     const double before = share(rate_before, corner.most_before), behind = share(rate_behind, corner.most_behind);
     const geometry::NurbsForm form = form_of(corner, before, behind);
     if (!lines && !is_inside(corner, form, before, behind, room)) continue;
-    std::vector<geometry::Nurbs> pieces = fitted_pieces(form, corner.feed_axes);
+    std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
     if (pieces.size() != 1) return std::nullopt;
     return Blend{std::move(pieces.front()), before, behind};
   }

@@ -23,7 +23,6 @@ struct Corner {
   /// Nurbs); empty where the curve itself was.
   std::span<const Vertex> programmed_before, programmed_behind;
   double most_before = 0, most_behind = 0;  ///< of each curve's length that the blend may take; > 0
-  FeedAxes feed_axes = FeedAxes::none;      ///< as of a Piece: whether length is that of tolerances
 };
 
 struct Blend {

@@ -111,7 +111,8 @@ std::vector<geometry::Curve> curves_of(const gcode::Move& move, Length measure) 
   return curves;
 }
 
-FeedAxes beside_others(FeedAxes axes, std::span<const Point> points) {
+FeedAxes to_be_named(FeedAxes axes, std::span<const Point> points) {
+  if (axes == FeedAxes::abc) return axes;  // in degrees
   const std::size_t first = first_of(axes);
   for (const Point& point : points) {
     for (std::size_t i = 0; i < point.size(); ++i) {
@@ -121,18 +122,17 @@ FeedAxes beside_others(FeedAxes axes, std::span<const Point> points) {
   return FeedAxes::none;
 }
 
-FeedAxes beside_others(FeedAxes axes, const gcode::Move& move) {
-  if (move.kind == gcode::Move::Kind::nurbs) return beside_others(axes, form(move.curve).points);
-  return beside_others(axes, std::array{move.start, move.end});
+FeedAxes to_be_named(FeedAxes axes, const gcode::Move& move) {
+  if (move.kind == gcode::Move::Kind::nurbs) return to_be_named(axes, form(move.curve).points);
+  return to_be_named(axes, std::array{move.start, move.end});
 }
 
-std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form, FeedAxes feed_axes) {
-  return geometry::smooth_pieces(form, table_of_short_spans,
-                                 feed_axes == FeedAxes::none ? std::nullopt : std::optional(weights_of_length()));
+std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form) {
+  return geometry::smooth_pieces(form, table_of_short_spans, weights_of_length());
 }
 
 std::optional<Piece> straight_piece(const Point& start, const Point& end) {
-  const FeedAxes axes = beside_others(feed_axes(start, end), std::array{start, end});
+  const FeedAxes axes = to_be_named(feed_axes(start, end), std::array{start, end});
   const double length =
       axes == FeedAxes::none ? line_length(start, end) : distance(to_millimetres(start), to_millimetres(end));
   if (!(length > 0)) return std::nullopt;

@@ -3,8 +3,8 @@
 // V W where those stand still; of A B C (degrees) where all linear axes stand still. For an arc in the plane's axes,
 // radius · |sweep| takes the place of their straight distance; a NURBS curve's is the sum of its smooth pieces'.
 //
-// A path that is to be smoothed is told by the length of the space of tolerances (tolerance_space.hpp) where other axes
-// move beside those: where X turns back while A goes on, a curve by the length of X alone has no derivatives.
+// A path that is to be smoothed is told by the length of the space of tolerances (tolerance_space.hpp): where X turns
+// back while A goes on, a curve by the length of X alone has no derivatives; and motion passes from X to A.
 
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/geometry/curve.hpp>
@@ -27,13 +27,13 @@ enum class Length : std::uint8_t { of_feed, of_tolerance };
 /// The move as smooth curves, each beginning where the one before ends; none where it does not move.
 std::vector<geometry::Curve> curves_of(const gcode::Move& move, Length length = Length::of_feed);
 
-/// `axes`, where other coordinates than theirs differ among the points; else none: both lengths are the same.
-FeedAxes beside_others(FeedAxes axes, std::span<const geometry::Point> points);
-FeedAxes beside_others(FeedAxes axes, const gcode::Move& move);
+/// What a piece is to name (Piece::feed_axes) that is told by the length of tolerances, its feed counted by `axes`:
+/// none where both lengths are the same, no coordinate but theirs being different among the points.
+FeedAxes to_be_named(FeedAxes axes, std::span<const geometry::Point> points);
+FeedAxes to_be_named(FeedAxes axes, const gcode::Move& move);
 
-/// Smooth pieces of what was fitted, by the length that feed is counted by; if there are `feed_axes` as of a Piece, by
-/// that of tolerances.
-std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form, FeedAxes feed_axes);
+/// Smooth pieces of what was fitted, by the length of tolerances.
+std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form);
 
 /// A straight piece of a smoothed path, with the axes its feed is counted by; none of no length.
 std::optional<Piece> straight_piece(const geometry::Point& start, const geometry::Point& end);

@@ -13,10 +13,15 @@ struct Leg {
   geometry::Curve curve;
   double feed = 0;  ///< as a Piece's
   base::Line line{};
-  std::vector<LineMark> lines{};  ///< of the moves behind the first, by path length
-  double spent = 0;               ///< how far the moves may be from the curve, mm
-  FeedAxes feed_axes = FeedAxes::none;
+  std::vector<LineMark> lines{};        ///< of the moves behind the first, by path length
+  double spent = 0;                     ///< how far the moves may be from the curve, mm
+  FeedAxes axes = FeedAxes::xyz;        ///< by which feed is counted
+  FeedAxes feed_axes = FeedAxes::none;  ///< as a Piece's
 };
+
+inline bool is_line(const geometry::Curve& curve) {
+  return std::holds_alternative<geometry::Line>(curve);
+}
 
 /// Millimetres of the space of tolerances (tolerance_space.hpp) per unit of the curve's length, at its start.
 double millimetres_per_length(const geometry::Curve& curve);

@@ -13,8 +13,7 @@
 #include <deque>
 #include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/reduction.hpp>
-#include <leadscrew/toolpath/tube_spline.hpp>
-#include <memory>
+#include <leadscrew/toolpath/run.hpp>
 #include <optional>
 #include <vector>
 
@@ -24,9 +23,7 @@ class Smoother {
  public:
   /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥
   /// 0, mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
-  /// Feed of all that is pushed is counted by `axes`.
-  Smoother(double tolerance, double cam_tolerance, FeedAxes axes = FeedAxes::xyz);
-  ~Smoother();
+  Smoother(double tolerance, double cam_tolerance);
 
   void push(Leg leg);
   /// Nothing goes on smoothly from what was pushed last.
@@ -34,22 +31,11 @@ class Smoother {
   /// The next piece that nothing ahead can change.
   std::optional<Piece> pop();
 
-  double tolerance() const { return tolerance_; }
-  double cam_tolerance() const { return cam_tolerance_; }
+  double tolerance() const { return allowance_.tolerance; }
+  double cam_tolerance() const { return allowance_.cam_tolerance; }
 
  private:
   enum class Joint : std::uint8_t { end, corner, smooth, through };
-  struct Run;
-
-  /// A part of the path that is done but for its corners.
-  struct Stretch {
-    Piece piece;
-    bool corner_before = false;
-    std::vector<Vertex> programmed{};  ///< the polyline it was fitted to; none if it is what was programmed
-    double spent = 0;                  ///< of the tolerance, by what stands for what was programmed, mm
-    bool cut = false;                  ///< at its start, by a blend
-    double length = 0;                 ///< before that
-  };
 
   void take(Leg leg);
   void classify(bool all);
@@ -59,22 +45,12 @@ class Smoother {
   void follow(const Leg& leg, Joint before, Joint behind);
   void add_exact(const Leg& leg, double from, double to);
   void begin_run(const Leg& leg, double from, bool pinned);
-  void extend_run(const Leg& leg, double from, double to);
-  void end_run(const Leg& leg, double to, bool pinned);
-  void settle_run();
-  bool begin_rest(bool corner);
-  bool retreat();
-  bool is_long(const Leg& leg) const;
-  double tolerance_for(const Leg& leg) const;
-  double spent_by(const Leg& leg) const;
-  double room_about(const Leg& leg) const;
-  void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
+  void take_run(bool goes_on);
   void add(Stretch stretch);
   void cut_corner(Stretch& behind);
   void release();
 
-  double tolerance_, cam_tolerance_;
-  FeedAxes axes_;
+  Allowance allowance_;
   Reduction reduction_;
   std::deque<Leg> legs_;          ///< that are not done
   std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins
@@ -82,7 +58,7 @@ class Smoother {
   std::deque<double> turns_;      ///< at their ends, as far as known
   std::size_t followed_ = 0;      ///< legs that are done; turns look back at them
   Joint before_ = Joint::end;     ///< before the first leg that is not
-  std::unique_ptr<Run> run_;
+  std::optional<Run> run_;
   bool corner_ = false;          ///< is there one before what comes next?
   std::optional<Stretch> last_;  ///< that a corner may still cut
   std::deque<Piece> done_;

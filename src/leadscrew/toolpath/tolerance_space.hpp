@@ -57,6 +57,15 @@ inline geometry::Point sum(const geometry::Point& a, double share, const geometr
   return s;
 }
 
+/// |t⁺ − t⁻| = 2 sin(θ/2) of two directions; 2 if one is none.
+inline double turn_between(const geometry::Point& in, const geometry::Point& out) {
+  const double in_length = norm(in), out_length = norm(out);
+  if (!(in_length > 0) || !(out_length > 0)) return 2;
+  geometry::Point apart;
+  for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = out[i] / out_length - in[i] / in_length;
+  return norm(apart);
+}
+
 /// One of the jet's derivatives, in millimetres.
 inline geometry::Point derivative(const geometry::PointJet& jet, double numeric::Jet::* which) {
   geometry::Point d;

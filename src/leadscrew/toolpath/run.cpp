@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <leadscrew/toolpath/feed_length.hpp>
+#include <leadscrew/toolpath/run.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
+#include <utility>
+
+namespace leadscrew::toolpath {
+
+using geometry::Curve;
+using geometry::Point;
+
+namespace {
+
+constexpr double longest_smoothing = 2;     // lengths of a span
+constexpr double shortest_smoothing = 0.5;  // tolerances
+constexpr double least_corner = 0.2;        // |t⁺ − t⁻| of one that is made where no spline fits
+constexpr double split_window = 32;         // tolerances: how far from there
+constexpr double rounding = 1e-9;
+
+Point position(const Curve& curve, double s) {
+  return to_millimetres(geometry::evaluate(curve, s));
+}
+
+/// What a curve says of itself at s: position and three derivatives by mm.
+State state_at(const Curve& curve, double s, bool backwards) {
+  const geometry::PointJet jet = geometry::jets(curve, std::clamp(s, 0.0, geometry::length(curve)));
+  const double per_mm = (backwards ? -1 : 1) / millimetres_per_length(curve);
+  State state;
+  state.count = 4;
+  state.derivative[0] = position(curve, s);
+  state.derivative[1] = derivative(jet, &numeric::Jet::first);
+  state.derivative[2] = derivative(jet, &numeric::Jet::second);
+  state.derivative[3] = derivative(jet, &numeric::Jet::third);
+  double scale = 1;
+  for (std::size_t r = 1; r < state.count; ++r) {
+    scale *= per_mm;
+    for (double& x : state.derivative[r]) x *= scale;
+  }
+  return state;
+}
+
+/// Where a chord from s ends that stays within `sagitta` of the curve, or nearly: at `to` at last.
+double chord_end(const Curve& curve, double s, double to, double sagitta) {
+  constexpr int most_halvings = 20;
+  constexpr double fewest_chords = 4, nearly_all = 0.75;
+  const auto longest_at = [&](double place) {
+    const double bend = norm(derivative(geometry::jets(curve, place), &numeric::Jet::second));
+    return std::sqrt(8 * sagitta / std::max(bend, 1e-12));
+  };
+  double step = std::min(longest_at(s), geometry::length(curve) / fewest_chords);
+  // Looked at inside too: a bulge need not show at the ends.
+  const auto is_too_long = [&] {
+    if (geometry::borders(curve, s, std::min(s + step, to)) > 1) return true;
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+      if (longest_at(std::min(s + share * step, to)) < nearly_all * step) return true;
+    }
+    return false;
+  };
+  for (int k = 0; k < most_halvings && is_too_long(); ++k) step /= 2;
+  return s + step < to && s + step > s ? s + step : to;
+}
+
+/// Arc length at parameter u: false position, which soon finds it where u is nearly the length, and bisection.
+double length_at(const geometry::Nurbs& curve, double u) {
+  const double enough = 1e-10 * (curve.last_parameter() - curve.first_parameter());
+  double low = 0, high = curve.length(), u_low = curve.first_parameter(), u_high = curve.last_parameter();
+  for (int k = 0; k < 60; ++k) {
+    const double share = k % 3 == 2 ? 0.5 : (u - u_low) / (u_high - u_low);
+    const double s = low + std::clamp(share, 0.0, 1.0) * (high - low), here = curve.parameter(s);
+    if (std::abs(here - u) <= enough) return s;
+    (here < u ? low : high) = s;
+    (here < u ? u_low : u_high) = here;
+  }
+  return low;
+}
+
+}  // namespace
+
+Run::Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before)
+    : allowance_(allowance),
+      start_(geometry::evaluate(leg.curve, from)),
+      corner_before_(corner_before),
+      spline_(spline_from(leg, from, pinned)) {}
+
+TubeSpline Run::spline_from(const Leg& leg, double from, bool pinned) const {
+  State state = state_at(leg.curve, from, false);
+  if (!pinned) state.count = 1;
+  const Vertex vertex{state.derivative[0], 0, allowance_.room_about(leg)};
+  return {state, vertex, longest_smoothing * allowance_.span_length(leg), shortest_smoothing * allowance_.tolerance};
+}
+
+void Run::extend(const Leg& leg, double from, double to) {
+  const double rate = millimetres_per_length(leg.curve);
+  const double first = u_;
+  base::Line line = leg.line;
+  for (const LineMark& mark : leg.lines) {
+    if (mark.s <= from) line = mark.line;
+  }
+  marks_.push_back({first, leg.feed, leg.axes, line});
+  for (const LineMark& mark : leg.lines) {
+    if (mark.s > from && mark.s < to) marks_.push_back({first + (mark.s - from) * rate, leg.feed, leg.axes, mark.line});
+  }
+  const double room = allowance_.room_about(leg);
+  spent_ = std::max(spent_, allowance_.spent_by(leg));
+  const double sagitta = allowance_.sagitta(leg);
+  for (double s = from; s < to;) {
+    s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, sagitta);
+    spline_.append({position(leg.curve, s), first + (s - from) * rate, room});
+  }
+  u_ = first + (to - from) * rate;
+  settle();
+}
+
+void Run::end(const Leg& leg, double to, bool pinned) {
+  State state = state_at(leg.curve, to, true);
+  if (!pinned) state.count = 1;
+  end_ = last_point_ = geometry::evaluate(leg.curve, to);
+  last_ = state;
+  spline_.close(state);
+  settle();
+}
+
+void Run::settle() {
+  while (spline_.knows_enough()) {
+    const std::vector<Vertex> around = spline_.vertices();
+    const double from = spline_.settled();
+    switch (spline_.settle()) {
+      case TubeSpline::Outcome::wants_more:
+        return;
+      case TubeSpline::Outcome::settled:
+        add_spline(around, from, false);
+        break;
+      case TubeSpline::Outcome::ended:
+        add_spline(around, from, true);
+        if (!begin_rest(true)) return;
+        break;
+      case TubeSpline::Outcome::failed:
+        if (!retreat()) return;
+        break;
+    }
+  }
+}
+
+/// The run goes on behind the spline, if it does.
+bool Run::begin_rest(bool corner) {
+  const std::vector<Vertex> vertices = std::exchange(rest_, {});
+  if (vertices.empty() || (vertices.size() == 1 && last_)) return false;
+  State state;
+  state.derivative[0] = vertices.front().position;
+  spline_ = TubeSpline(state, vertices.front(), spline_.longest(), shortest_smoothing * allowance_.tolerance);
+  for (std::size_t i = 1; i < vertices.size(); ++i) spline_.append(vertices[i]);
+  start_ = from_millimetres(vertices.front().position);
+  is_first_ = true;
+  corner_before_ = corner;
+  if (last_) {
+    spline_.close(*last_);
+    end_ = last_point_;
+  }
+  return true;
+}
+
+/// No spline was found: it is to end at the sharpest vertex near by, with a corner there. Where there is none, a
+/// straight line leads to the next vertex: it stays inside the tube wherever in it the curve has come to, and the
+/// motion stops at its ends. False if the run ends there.
+bool Run::retreat() {
+  const std::vector<Vertex> vertices = spline_.vertices();
+  const double settled = spline_.settled();
+  std::size_t next = 1;
+  while (next + 1 < vertices.size() && vertices[next].u <= settled) ++next;
+  const double worst = vertices[spline_.worst()].u;
+  std::size_t end = next;
+  double sharpest = least_corner;
+  for (std::size_t i = next; i + 1 < vertices.size(); ++i) {
+    if (std::abs(vertices[i].u - worst) > split_window * allowance_.tolerance) continue;
+    const double turn = turn_between(difference(vertices[i].position, vertices[i - 1].position),
+                                     difference(vertices[i + 1].position, vertices[i].position));
+    if (turn > sharpest) {
+      sharpest = turn;
+      end = i;
+    }
+  }
+  const bool splits = sharpest > least_corner;
+  const bool is_last = last_ && end + 1 == vertices.size() && rest_.empty();
+  rest_.insert(rest_.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(end),
+                    rest_.empty() ? vertices.end() : vertices.end() - 1);
+  if (splits) {
+    State state;
+    state.derivative[0] = vertices[end].position;
+    spline_.retreat_to(end);
+    spline_.close(state);
+    end_ = from_millimetres(vertices[end].position);
+    return true;
+  }
+  const Point here = is_first_ ? start_ : from_millimetres(spline_.position());
+  const Point there = is_last ? last_point_ : from_millimetres(vertices[end].position);
+  if (std::optional<Piece> line = straight_piece(here, there)) {
+    std::deque<Mark>& marks = marks_;
+    while (marks.size() > 1 && marks[1].u <= settled) marks.pop_front();
+    const Mark& mark = marks.front();
+    line->feed = mark.feed;
+    line->feed_axes = to_be_named(mark.axes, std::array{here, there});
+    line->line = mark.line;
+    done_.push_back({std::move(*line), is_first_ && corner_before_, {}, spent_, false, 0, mark.axes});
+  }
+  return begin_rest(false);
+}
+
+/// What has been settled of the spline, from `from` on, as pieces. `around`: the polyline there.
+void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_last) {
+  const QuinticSpline& spline = spline_.stretch();
+  geometry::NurbsForm form;
+  form.degree = static_cast<int>(quintic_degree);
+  form.knots = spline.knots;
+  form.weights.assign(spline.points.size(), 1.0);
+  for (const Point& point : spline.points) form.points.push_back(from_millimetres(point));
+  if (is_first_) form.points.front() = start_;
+  if (is_last) form.points.back() = end_;
+
+  std::deque<Mark>& marks = marks_;
+  while (marks.size() > 1 && marks[1].u <= from) marks.pop_front();
+  bool corner = is_first_ && corner_before_;
+  is_first_ = false;
+  for (const geometry::Nurbs& curve : fitted_pieces(form)) {
+    std::size_t mark = 0;
+    while (mark + 1 < marks.size() && marks[mark + 1].u <= curve.first_parameter()) ++mark;
+    for (double begin = 0; begin < curve.length();) {
+      Stretch stretch{{curve, 0, {}, false, nullptr}, std::exchange(corner, false), around, spent_};
+      const auto take = [&](const Mark& from_here) {
+        stretch.piece.feed = from_here.feed;
+        stretch.piece.feed_axes = to_be_named(from_here.axes, form.points);
+        stretch.piece.line = from_here.line;
+        stretch.axes = from_here.axes;
+      };
+      take(marks[mark]);
+      std::vector<LineMark> lines;
+      double end = curve.length();
+      while (++mark < marks.size() && marks[mark].u < curve.last_parameter()) {
+        const double s = length_at(curve, marks[mark].u);
+        if (s > (1 - rounding) * curve.length()) continue;
+        if (s - begin <= rounding * curve.length()) {  // it begins here too
+          take(marks[mark]);
+          continue;
+        }
+        if (marks[mark].feed != stretch.piece.feed || marks[mark].axes != stretch.axes) {
+          end = s;
+          break;
+        }
+        lines.push_back({s - begin, marks[mark].line});
+      }
+      if (!lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(std::move(lines));
+      if (begin > 0 || end < curve.length()) stretch.piece.curve = curve.part(begin, end);
+      done_.push_back(std::move(stretch));
+      begin = end;
+    }
+  }
+}
+
+}  // namespace leadscrew::toolpath

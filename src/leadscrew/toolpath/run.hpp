@@ -1,0 +1,66 @@
+#pragma once
+// A run of the path that is fitted: short legs joined smoothly and the nearest parts of long ones, as a spline through
+// the tube around them (tube_spline.hpp). Where no spline stays inside, it ends at the sharpest vertex near by, with a
+// corner there, and another begins.
+
+#include <deque>
+#include <leadscrew/toolpath/allowance.hpp>
+#include <leadscrew/toolpath/tube_spline.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace leadscrew::toolpath {
+
+/// A part of the path that is done but for its corners.
+struct Stretch {
+  Piece piece;
+  bool corner_before = false;
+  std::vector<Vertex> programmed{};  ///< the polyline it was fitted to; none if it is what was programmed
+  double spent = 0;                  ///< of the tolerance, by what stands for what was programmed, mm
+  bool cut = false;                  ///< at its start, by a blend
+  double length = 0;                 ///< before that
+  FeedAxes axes = FeedAxes::xyz;     ///< by which feed is counted
+};
+
+class Run {
+ public:
+  /// From a place on the leg, with its direction and bend if `pinned`, else in any direction.
+  Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before);
+
+  /// Goes on along the leg, 0 ≤ from < to ≤ its length.
+  void extend(const Leg& leg, double from, double to);
+  /// Ends at a place on the leg, where extend() has led to; not to be extended any more.
+  void end(const Leg& leg, double to, bool pinned);
+  /// What has been settled since the last call, in order.
+  std::vector<Stretch> take() { return std::exchange(done_, {}); }
+
+ private:
+  struct Mark {
+    double u = 0;
+    double feed = 0;
+    FeedAxes axes{};
+    base::Line line{};
+  };
+
+  TubeSpline spline_from(const Leg& leg, double from, bool pinned) const;
+  void settle();
+  bool begin_rest(bool corner);
+  bool retreat();
+  void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
+
+  Allowance allowance_;
+  double u_ = 0;                   ///< as far as it is known
+  std::deque<Mark> marks_{};       ///< by u; the first holds where the next stretch begins
+  geometry::Point start_, end_{};  ///< where the spline begins and is to end, in the axes' units
+  double spent_ = 0;               ///< by any of its legs
+  bool is_first_ = true;           ///< has nothing of the spline been settled?
+  bool corner_before_;             ///< of the spline
+  std::optional<State> last_{};    ///< at the end of the run, once that is known
+  geometry::Point last_point_{};   ///< likewise, in the axes' units
+  std::vector<Vertex> rest_{};     ///< from where the spline is to end, if that is not the end of the run
+  TubeSpline spline_;
+  std::vector<Stretch> done_;
+};
+
+}  // namespace leadscrew::toolpath
