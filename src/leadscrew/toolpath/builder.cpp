@@ -62,11 +62,12 @@ void Builder::move_along(const gcode::Move& move) {
   } else {
     const FeedAxes named = to_be_named(axes, move);
     if (named != FeedAxes::none) curves = curves_of(move, Length::of_tolerance);
-    if (smoother_ &&
-        (smoother_->tolerance() != move.tolerance || smoother_->cam_tolerance() != move.naive_cam_tolerance)) {
+    if (smoother_ && (smoother_->tolerance() != move.tolerance ||
+                      smoother_->cam_tolerance() != move.naive_cam_tolerance || axes_ != axes)) {
       flush();
     }
     if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance);
+    axes_ = axes;
     for (geometry::Curve& curve : curves) smoother_->push(Leg{std::move(curve), feed, move.line, {}, 0, axes, named});
   }
   if (move.path_mode != gcode::PathMode::exact_stop || curves.empty()) return;

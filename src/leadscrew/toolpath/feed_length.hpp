@@ -4,7 +4,7 @@
 // radius · |sweep| takes the place of their straight distance; a NURBS curve's is the sum of its smooth pieces'.
 //
 // A path that is to be smoothed is told by the length of the space of tolerances (tolerance_space.hpp): where X turns
-// back while A goes on, a curve by the length of X alone has no derivatives; and motion passes from X to A.
+// back while A goes on, a curve by the length of X alone has no derivatives.
 
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/geometry/curve.hpp>

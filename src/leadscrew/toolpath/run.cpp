@@ -184,7 +184,7 @@ bool Run::retreat() {
   const bool splits = sharpest > least_corner;
   const bool is_last = last_ && end + 1 == vertices.size() && rest_.empty();
   rest_.insert(rest_.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(end),
-                    rest_.empty() ? vertices.end() : vertices.end() - 1);
+               rest_.empty() ? vertices.end() : vertices.end() - 1);
   if (splits) {
     State state;
     state.derivative[0] = vertices[end].position;
@@ -202,7 +202,7 @@ bool Run::retreat() {
     line->feed = mark.feed;
     line->feed_axes = to_be_named(mark.axes, std::array{here, there});
     line->line = mark.line;
-    done_.push_back({std::move(*line), is_first_ && corner_before_, {}, spent_, false, 0, mark.axes});
+    done_.push_back({std::move(*line), is_first_ && corner_before_, {}, spent_});
   }
   return begin_rest(false);
 }
@@ -231,7 +231,6 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
         stretch.piece.feed = from_here.feed;
         stretch.piece.feed_axes = to_be_named(from_here.axes, form.points);
         stretch.piece.line = from_here.line;
-        stretch.axes = from_here.axes;
       };
       take(marks[mark]);
       std::vector<LineMark> lines;
@@ -243,7 +242,7 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
           take(marks[mark]);
           continue;
         }
-        if (marks[mark].feed != stretch.piece.feed || marks[mark].axes != stretch.axes) {
+        if (marks[mark].feed != stretch.piece.feed) {
           end = s;
           break;
         }

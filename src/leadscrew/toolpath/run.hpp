@@ -20,7 +20,6 @@ struct Stretch {
   double spent = 0;                  ///< of the tolerance, by what stands for what was programmed, mm
   bool cut = false;                  ///< at its start, by a blend
   double length = 0;                 ///< before that
-  FeedAxes axes = FeedAxes::xyz;     ///< by which feed is counted
 };
 
 class Run {

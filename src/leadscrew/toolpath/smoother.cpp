@@ -186,7 +186,6 @@ void Smoother::take_run(bool goes_on) {
 void Smoother::add_exact(const Leg& leg, double from, double to) {
   Stretch stretch{
       {leg.curve, leg.feed, leg.line, false, nullptr, leg.feed_axes}, std::exchange(corner_, false), {}, leg.spent};
-  stretch.axes = leg.axes;
   if (!leg.lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(leg.lines);
   trim(stretch.piece, from, to);
   add(std::move(stretch));
@@ -210,14 +209,8 @@ void Smoother::cut_corner(Stretch& behind) {
   std::optional<Blend> found = blend(corner, allowance_.room_beside(std::max(last_->spent, behind.spent)));
   if (!found) return;
   Piece curve{found->curve, 0, last_->piece.last_line(), false, nullptr};
-  if (last_->axes == behind.axes) {
-    curve.feed = std::min(last_->piece.feed, behind.piece.feed);
-    curve.feed_axes = std::max(last_->piece.feed_axes, behind.piece.feed_axes);  // none or the same
-  } else {  // no faster than where the blend meets either
-    curve.feed =
-        std::min(last_->piece.greatest_speed(geometry::jets(last_->piece.curve, length_before - found->before)),
-                 behind.piece.greatest_speed(geometry::jets(behind.piece.curve, found->behind)));
-  }
+  curve.feed = std::min(last_->piece.feed, behind.piece.feed);
+  curve.feed_axes = std::max(last_->piece.feed_axes, behind.piece.feed_axes);  // none or the same
   if (curve.line != behind.piece.line) {
     const LineMark half_way{found->curve.length() / 2, behind.piece.line};
     curve.lines = std::make_shared<const std::vector<LineMark>>(1, half_way);
