@@ -40,9 +40,7 @@ struct Outcome {
   referee::Verdict verdict;
 };
 
-Outcome run(const std::string& text, gcode::ReaderOptions options = {}, base::Period period = {1'000'000}) {
-  machine::Machine machine = wide_mill();
-  machine.period = period;
+Outcome run_on(const machine::Machine& machine, const std::string& text, gcode::ReaderOptions options = {}) {
   const machine::ToolTable tools;
   std::int64_t errors = 0;
   const auto count = [&](const base::Diagnostic& problem) { errors += problem.severity == base::Severity::error; };
@@ -52,6 +50,12 @@ Outcome run(const std::string& text, gcode::ReaderOptions options = {}, base::Pe
   while (program.prepare()) referee.observe(program.cycle().position);
   EXPECT_EQ(errors, 0);
   return {program.summary(), referee.conclude()};
+}
+
+Outcome run(const std::string& text, gcode::ReaderOptions options = {}, base::Period period = {1'000'000}) {
+  machine::Machine machine = wide_mill();
+  machine.period = period;
+  return run_on(machine, text, options);
 }
 
 Outcome run_with_stops(const std::string& text) {
@@ -257,6 +261,17 @@ TEST(BlendedPrograms, StopWhereFeedPassesFromLinearToRotaryAxes) {
   const std::string text = head + "G1 X10\nA10\nX0\nA0\n";
   expect_better_than_stops(text);
   EXPECT_EQ(run(text).summary.time_s, run_with_stops(text).summary.time_s);
+}
+
+/// X turns back by so little that motion runs through.
+TEST(BlendedPrograms, KeepTheFeedOfLinearAxesThatTurnBackUnseen) {
+  machine::Machine machine = wide_mill();
+  machine.period = {4'000'000};
+  for (auto& axis : machine.axes) {
+    if (axis) axis->acceleration = 20'000, axis->jerk = 1e6;
+  }
+  const std::string text = "G21 G90 G94 F0.03\nG64 P0.1\nG1 X0.00005 A0.5\nG64 P0.05\nX0 A1\nM2\n";
+  EXPECT_LE(run_on(machine, text).verdict.feed_max_ratio, 1.001);
 }
 
 /// A line into a tangent arc: nothing turns there, but curvature steps.

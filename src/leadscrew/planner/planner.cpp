@@ -74,8 +74,9 @@ void lay_out(const RestToRest& motion, double length, Chunk& chunk) {
 /// axes' limits along the path hardly change.
 bool has_closed_form(const Section& section) {
   const auto is_line = [&](const toolpath::Piece& piece) {
-    return std::holds_alternative<geometry::Line>(piece.curve) && piece.feed == section.piece(0).feed &&
-           piece.feed_axes == section.piece(0).feed_axes;
+    // Where feed is counted by some axes only, lines may differ in how fast it lets them be travelled.
+    const bool is_alike = piece.feed == section.piece(0).feed && piece.feed_axes == toolpath::FeedAxes::none;
+    return std::holds_alternative<geometry::Line>(piece.curve) && (is_alike || section.size() == 1);
   };
   if (std::all_of(section.pieces().begin(), section.pieces().end(), is_line)) return true;
   const auto* arc = std::get_if<geometry::Arc>(&section.piece(0).curve);
