@@ -81,6 +81,7 @@ bool keeps_promises(const Outcome& outcome) {
 std::string random_polyline() {
   const int decimals = any(0, 2) == 0 ? 3 : 9;
   const bool in_space = any(0, 3) == 0, alike = any(0, 3) == 0;
+  const int seldom = any(0, 4) == 0 ? 2 : 20;  // how often feed changes
   const double usual = logarithmic(1e-3, 100);
   std::string text = "G21 G90 G17 G94 F6000\nG64" + word('P', logarithmic(1e-3, 1), 6) + '\n';
   double x = 0, y = 0, z = 0, angle = any(0, 6283) / 1000.0;
@@ -102,8 +103,9 @@ std::string random_polyline() {
     x += length * std::cos(angle);
     y += length * std::sin(angle);
     if (in_space) z += length * any(-1000, 1001) / 1000.0;
-    text += "G1" + word('X', x, decimals) + word('Y', y, decimals) + word('Z', z, decimals);
-    if (any(0, 20) == 0) text += word('F', any(200, 12000), 0);
+    text += (any(0, 3 * seldom) == 0 ? "G0" : "G1") + word('X', x, decimals) + word('Y', y, decimals) +
+            word('Z', z, decimals);
+    if (any(0, seldom) == 0) text += word('F', any(200, 12000), 0);
     text += '\n';
   }
   return text + "M2\n";
@@ -310,6 +312,15 @@ TEST(BlendedPrograms, KeepTheProgrammedFeedWhereItChangesOnTheWay) {
              word('F', k % 50 < 25 ? 600 : 3000, 0) + '\n';
   }
   expect_better_than_stops(head + lines);
+}
+
+/// The slower of two moves lasts as long as it takes; a blend must not make the faster one wait for it.
+TEST(BlendedPrograms, AreNoSlowerWhereMovesOfUnlikeFeedsMeet) {
+  expect_better_than_stops("G21 G90 G17 G94 F60 G64 P0.5\nG1 X3\nG0 Y20\n");
+  expect_better_than_stops("G21 G90 G17 G94 F60 G64 P0.5\nG0 X20\nG1 Y3\nG0 X0\n");
+  expect_better_than_stops("G21 G90 G17 G94 F6000 G64 P1 Q0\nG1 X100\nF600 G3 X125 Y25 J25\n");
+  expect_better_than_stops("G21 G90 G17 G94 F600 G64 P1 Q0\nG3 X25 Y25 J25\nF6000 G1 Y100\n");
+  expect_better_than_stops("G21 G90 G17 G94 F6000 G64 P1\nG1 X30 A40\nF60 X31 Y1 A41\nG0 X0 Y0 A0\n");
 }
 
 }  // namespace

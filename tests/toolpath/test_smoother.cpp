@@ -215,6 +215,35 @@ TEST(Smoother, NamesBothLinesOfACorner) {
   EXPECT_EQ(base::number(pieces[1].line_at(0.51 * length)), 2);
 }
 
+/// Lines of 1 mm that are one, up to a corner and from it on: the blend takes the place of some.
+TEST(Smoother, NamesEveryLineThatABlendTakesThePlaceOf) {
+  Program program;
+  program.tolerance = program.cam_tolerance = 1;
+  for (int k = 1; k <= 20; ++k) program.line_to({1.0 * k});
+  for (int k = 1; k <= 20; ++k) program.line_to({20, 1.0 * k});
+  std::vector<std::int64_t> lines = lines_of(pieces_of(program.moves));
+  EXPECT_TRUE(std::is_sorted(lines.begin(), lines.end()));
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  EXPECT_EQ(lines.size(), 40u);
+}
+
+/// Each half of the blend at the feed of its line.
+TEST(Smoother, ChangesTheFeedInTheMiddleOfACorner) {
+  Program program;
+  program.tolerance = program.cam_tolerance = 0.1;
+  program.line_to({10});
+  program.line_to({10, 10});
+  program.moves.back().feed.value = 5 * program.moves.front().feed.value;
+  const std::vector<Piece> pieces = pieces_of(program.moves);
+  ASSERT_EQ(pieces.size(), 4u);
+  EXPECT_EQ(pieces[1].feed, program.moves.front().feed.value);
+  EXPECT_EQ(pieces[2].feed, program.moves.back().feed.value);
+  EXPECT_EQ(base::number(pieces[1].last_line()), 1);
+  EXPECT_EQ(base::number(pieces[2].line), 2);
+  EXPECT_NEAR(geometry::length(pieces[1].curve), geometry::length(pieces[2].curve), 1e-6);
+  EXPECT_EQ(geometry::end(pieces[1].curve), geometry::start(pieces[2].curve));
+}
+
 TEST(Smoother, NamesLinesWhereTheyWereProgrammed) {
   const Program program = wave(0.3, 0.01, 0.01);
   for (const Piece& piece : pieces_of(program.moves)) {

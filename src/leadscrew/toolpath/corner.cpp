@@ -120,7 +120,9 @@ std::optional<Blend> blend(const Corner& corner, double room) {
     if (!lines && !is_inside(corner, form, before, behind, room)) continue;
     std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
     if (pieces.size() != 1) return std::nullopt;
-    return Blend{std::move(pieces.front()), before, behind};
+    const double way_before = before * rate_before, way_behind = behind * rate_behind;
+    const double middle = pieces.front().length() * way_before / (way_before + way_behind);
+    return Blend{std::move(pieces.front()), before, behind, middle};
   }
   return std::nullopt;
 }

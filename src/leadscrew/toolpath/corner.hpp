@@ -28,6 +28,7 @@ struct Corner {
 struct Blend {
   geometry::Nurbs curve;
   double before = 0, behind = 0;  ///< lengths that it takes the place of
+  double corner = 0;              ///< of the curve's length: the share of the one before
 };
 
 /// The longest blend found whose Fréchet distance from what was programmed is within `room`, mm. None where the path

@@ -38,22 +38,57 @@ bool goes_on(const Curve& first, const Curve& second) {
   return true;
 }
 
+/// The lines that a part of a piece was asked for by.
+struct Lines {
+  base::Line first{};
+  std::vector<LineMark> marks;  ///< of the others, from the beginning of the part
+};
+
+/// Between two path lengths; places are told by what stands for that part, which is so much longer.
+Lines lines_between(const Piece& piece, double from, double to, double longer = 1) {
+  Lines lines{piece.line, {}};
+  if (!piece.lines) return lines;
+  for (const LineMark& mark : *piece.lines) {
+    if (mark.s <= from) {
+      lines.first = mark.line;
+    } else if (mark.s < to) {
+      lines.marks.push_back({longer * (mark.s - from), mark.line});
+    }
+  }
+  return lines;
+}
+
+void name(Piece& piece, Lines lines) {
+  piece.line = lines.first;
+  piece.lines = lines.marks.empty() ? nullptr : std::make_shared<const std::vector<LineMark>>(std::move(lines.marks));
+}
+
 /// Leaves what lies between two path lengths.
 void trim(Piece& piece, double from, double to) {
   if (from == 0 && to == geometry::length(piece.curve)) return;
   piece.curve = geometry::part(piece.curve, from, to);
-  if (!piece.lines) return;
-  std::vector<LineMark> lines;
-  base::Line first = piece.line;
-  for (const LineMark& mark : *piece.lines) {
-    if (mark.s <= from) {
-      first = mark.line;
-    } else if (mark.s < to) {
-      lines.push_back({mark.s - from, mark.line});
-    }
+  name(piece, lines_between(piece, from, to));
+}
+
+/// The blend between two pieces, each half with the lines and the feed of what it takes the place of.
+std::vector<Piece> pieces_of(const Blend& blend, const Piece& before, const Piece& behind) {
+  const double length = blend.curve.length(), length_before = geometry::length(before.curve);
+  const FeedAxes axes = std::max(before.feed_axes, behind.feed_axes);  // none or the same
+  Lines first = lines_between(before, length_before - blend.before, length_before, blend.corner / blend.before);
+  Lines second = lines_between(behind, 0, blend.behind, (length - blend.corner) / blend.behind);
+  std::vector<Piece> pieces;
+  if (before.feed == behind.feed) {
+    const base::Line last = first.marks.empty() ? first.first : first.marks.back().line;
+    if (second.first != last) first.marks.push_back({blend.corner, second.first});
+    for (const LineMark& mark : second.marks) first.marks.push_back({blend.corner + mark.s, mark.line});
+    pieces.push_back({blend.curve, before.feed, {}, false, nullptr, axes});
+  } else {
+    pieces.push_back({blend.curve.part(0, blend.corner), before.feed, {}, false, nullptr, axes});
+    pieces.push_back({blend.curve.part(blend.corner, length), behind.feed, {}, false, nullptr, axes});
+    name(pieces.back(), std::move(second));
   }
-  piece.line = first;
-  piece.lines = lines.empty() ? nullptr : std::make_shared<const std::vector<LineMark>>(std::move(lines));
+  name(pieces.front(), std::move(first));
+  return pieces;
 }
 
 }  // namespace
@@ -208,13 +243,7 @@ void Smoother::cut_corner(Stretch& behind) {
                       length_behind / 2};
   std::optional<Blend> found = blend(corner, allowance_.room_beside(std::max(last_->spent, behind.spent)));
   if (!found) return;
-  Piece curve{found->curve, 0, last_->piece.last_line(), false, nullptr};
-  curve.feed = std::min(last_->piece.feed, behind.piece.feed);
-  curve.feed_axes = std::max(last_->piece.feed_axes, behind.piece.feed_axes);  // none or the same
-  if (curve.line != behind.piece.line) {
-    const LineMark half_way{found->curve.length() / 2, behind.piece.line};
-    curve.lines = std::make_shared<const std::vector<LineMark>>(1, half_way);
-  }
+  std::vector<Piece> pieces = pieces_of(*found, last_->piece, behind.piece);
   const double left = length_before - found->before;
   if (left > 0) {
     trim(last_->piece, 0, left);
@@ -223,7 +252,8 @@ void Smoother::cut_corner(Stretch& behind) {
   behind.length = length_behind;
   behind.cut = true;
   trim(behind.piece, found->behind, length_behind);
-  last_->piece = std::move(curve);
+  if (pieces.size() > 1) done_.push_back(std::move(pieces.front()));
+  last_->piece = std::move(pieces.back());
 }
 
 void Smoother::release() {
