@@ -14,7 +14,7 @@ using numeric::DoubleDouble;
 
 constexpr double turning_back = 1.5;  // ratio that stands for a motion that goes back
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int looks_per_polynomial = 4;
+constexpr int looks_per_polynomial = 6;
 constexpr std::size_t most_borders = 60;  // that are looked at so closely
 constexpr int stop_looks = 32;            // of the proof that a stop keeps its limits
 
@@ -59,6 +59,31 @@ class Peak {
  private:
   int looks_ = 0;
   double last_ = 0, before_last_ = 0, greatest_ = 0;
+};
+
+/// Of every axis by itself: where one takes over from another, the greater of both has a kink, whose peak no parabola
+/// finds.
+class Peaks {
+ public:
+  void look(const LimitRatios& ratios) {
+    for (std::size_t i = 0; i < base::axis_count; ++i) {
+      velocity_[i].look(ratios[i].velocity);
+      acceleration_[i].look(ratios[i].acceleration);
+      jerk_[i].look(ratios[i].jerk);
+    }
+  }
+  AxisRatios greatest() const {
+    AxisRatios greatest;
+    for (std::size_t i = 0; i < base::axis_count; ++i) {
+      greatest.velocity = std::max(greatest.velocity, velocity_[i].greatest());
+      greatest.acceleration = std::max(greatest.acceleration, acceleration_[i].greatest());
+      greatest.jerk = std::max(greatest.jerk, jerk_[i].greatest());
+    }
+    return greatest;
+  }
+
+ private:
+  std::array<Peak, base::axis_count> velocity_, acceleration_, jerk_;
 };
 
 /// The time at which the segment passes a place inside it, by bisection and Newton.
@@ -195,7 +220,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
   const std::size_t last = section.piece_at(end, Side::left);
   const double on_curves = has_table(first) || has_table(last) ? map_steps : 1;
-  Peak speed, rows;
+  Peaks peaks;
   double feed = 0, fastest = 0, slowest = infinity;
   PathState before;
   const double duration = segment.duration.value();
@@ -208,28 +233,35 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     before = at;
     const Side side = k == 0 ? Side::right : Side::left;
     const geometry::PointJet jet = section.jets(at.s, side);
-    const AxisRatios ratios = greatest_ratios(jet, at, machine);
+    LimitRatios ratios{};
+    raise_limit_ratios(jet, at, machine, ratios);
+    if (turns(jet)) {
+      for (AxisRatios& axis : ratios) axis.velocity *= between_looks;
+    }
+    peaks.look(ratios);
     feed = std::max(feed, at.speed / (feed_factor * section.greatest_speed(at.s, side, jet)));
-    speed.look(turns(jet) ? ratios.velocity * between_looks : ratios.velocity);
-    rows.look(std::max(ratios.acceleration, ratios.jerk * on_curves) * between_looks);
   }
   // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
-  double at_joints = 0;
+  LimitRatios at_joints{};
   for (std::size_t p = first + 1; p <= last; ++p) {
     const double s = section.offset(p);
     const PathState at = evaluate(segment, time_at(segment, s));
     for (const Side side : {Side::left, Side::right}) {
       const geometry::PointJet jet = section.jets(s, side);
-      const AxisRatios ratios = greatest_ratios(jet, at, machine);
-      at_joints = std::max({at_joints, ratios.acceleration, ratios.jerk * on_curves});
-      feed = std::max({feed, at.speed / (feed_factor * section.greatest_speed(s, side, jet)), ratios.velocity});
+      raise_limit_ratios(jet, at, machine, at_joints);
+      feed = std::max(feed, at.speed / (feed_factor * section.greatest_speed(s, side, jet)));
     }
+  }
+  AxisRatios greatest = peaks.greatest();
+  for (const AxisRatios& axis : at_joints) {
+    greatest.velocity = std::max(greatest.velocity, axis.velocity);
+    greatest.acceleration = std::max(greatest.acceleration, axis.acceleration);
+    greatest.jerk = std::max(greatest.jerk, axis.jerk);
   }
   constexpr double rounding = 1e-9;
   const bool turns_back = slowest < -rounding * fastest;
-  const double rows_greatest = std::max(rows.greatest(), at_joints * between_looks);
-  return {std::max(speed.greatest(), feed), turns_back ? std::max(turning_back, rows_greatest) : rows_greatest,
-          turns_back};
+  const double rows = std::max(greatest.acceleration, greatest.jerk * on_curves) * between_looks;
+  return {std::max(greatest.velocity, feed), turns_back ? std::max(turning_back, rows) : rows, turns_back};
 }
 
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,

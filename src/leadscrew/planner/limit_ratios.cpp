@@ -34,12 +34,11 @@ int looks(const geometry::Curve& curve, const Segment& segment) {
 
 }  // namespace
 
-AxisRatios greatest_ratios(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine) {
-  AxisRatios ratios;
+void raise_limit_ratios(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine,
+                        LimitRatios& ratios) {
   for (const Axis axis : base::all_axes) {
-    if (machine.has(axis)) raise(ratios, jet[base::index(axis)], at, machine.limits(axis));
+    if (machine.has(axis)) raise(ratios[base::index(axis)], jet[base::index(axis)], at, machine.limits(axis));
   }
-  return ratios;
 }
 
 void raise_limit_ratios(const Chunk& chunk, const machine::Machine& machine, LimitRatios& ratios) {
@@ -49,10 +48,7 @@ void raise_limit_ratios(const Chunk& chunk, const machine::Machine& machine, Lim
     const int count = looks(curve, segment);
     for (int k = 0; k <= count; ++k) {
       const PathState at = evaluate(segment, segment.duration.value() * k / count);
-      const geometry::PointJet jet = one_sided_jets(curve, at.s, k == 0 ? Side::right : Side::left);
-      for (const Axis axis : base::all_axes) {
-        if (machine.has(axis)) raise(ratios[base::index(axis)], jet[base::index(axis)], at, machine.limits(axis));
-      }
+      raise_limit_ratios(one_sided_jets(curve, at.s, k == 0 ? Side::right : Side::left), at, machine, ratios);
     }
   }
 }

@@ -15,8 +15,9 @@ struct AxisRatios {
 };
 using LimitRatios = std::array<AxisRatios, base::axis_count>;
 
-/// The largest ratios of any axis at one instant.
-AxisRatios greatest_ratios(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine);
+/// Raises the ratios of every axis the machine has to those at one instant, where these are larger.
+void raise_limit_ratios(const geometry::PointJet& jet, const PathState& at, const machine::Machine& machine,
+                        LimitRatios& ratios);
 
 /// What a chunk's motion asks of each axis over what the axis can, evaluated from jets of the path and the polynomials
 /// of time, at both ends of every segment, and inside where curvature couples the two. Raises `ratios` where it is
