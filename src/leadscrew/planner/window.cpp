@@ -17,7 +17,7 @@ constexpr double cold_gap = 20;     // of creep
 constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly optimal already
 constexpr double repair_gap = 0.1;  // of a profile that is planned again
 constexpr double deep_gap = 10;     // of a profile from which limits can be tightened
-constexpr int repairs = 5;
+constexpr int repairs = 7;
 constexpr double repair_margin = 2e-4;
 /// Where tightened rows have not helped, as where a window begins and little can change, a profile that is farther
 /// inside may: it costs less than what the last round falls back to.
