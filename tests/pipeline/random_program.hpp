@@ -103,6 +103,7 @@ class RandomProgram {
   /// A curve as a CAM writes it: lines of much the same length that turn little, rounded.
   void short_lines() {
     const double length = logarithmic(0.002, 5), bend = any(-1000, 1001) / 1000.0, waver = any(0, 200) / 1000.0;
+    const double turn = any(0, 4) == 0 ? small_size() / 10 : 0;  // of A, degrees a line
     double angle = any(0, 6283) / 1000.0;
     for (int k = any(2, 30); k > 0; --k) {
       angle += 0.3 * bend + waver * any(-1000, 1001) / 1000.0;
@@ -111,6 +112,10 @@ class RandomProgram {
       text_ += "G1";
       word('X', at_[0]);
       word('Y', at_[1]);
+      if (turn > 0) {
+        at_[3] = rounded(at_[3] + turn * std::cos(2 * angle));
+        word('A', at_[3]);
+      }
       text_ += '\n';
     }
   }
@@ -192,7 +197,8 @@ class RandomProgram {
   }
 
   /// G6.2 from here, of degree 2 to 4, with knots that may coincide and weights other than 1. Its control points go
-  /// round in a wavy way: a cusp is as good as impossible.
+  /// round in a wavy way: a cusp is as good as impossible. Some turn A besides, and some stand still in X and Y
+  /// meanwhile.
   void nurbs() {
     const int order = any(3, 6), points = order + any(0, 8);
     const double size = *rc::gen::element(0.5, 5.0, 40.0), step = any(20, 100) / 100.0;
@@ -205,14 +211,21 @@ class RandomProgram {
     const double last = knots.back() + 1;
     knots.resize(static_cast<std::size_t>(points + order), last);
     text_ += "G6.2 P" + std::to_string(order);
-    const double x = at_[0], y = at_[1];
+    const double x = at_[0], y = at_[1], turn = any(0, 3) == 0 ? small_size() : 0;  // of A, degrees a point
+    const bool stands = turn > 0 && any(0, 2) == 0;
     for (int k = 0; k < points; ++k) {
       word('K', knots[static_cast<std::size_t>(k)]);
       const double radius = size * (1 + any(-100, 101) / 1000.0), angle = k * step;
-      at_[0] = k == 0 ? x : rounded(x + radius * std::cos(angle) - size);
-      at_[1] = k == 0 ? y : rounded(y + radius * std::sin(angle));
+      if (k == 0 || !stands || k <= points / 2) {
+        at_[0] = k == 0 ? x : rounded(x + radius * std::cos(angle) - size);
+        at_[1] = k == 0 ? y : rounded(y + radius * std::sin(angle));
+      }
       word('X', at_[0]);
       word('Y', at_[1]);
+      if (turn > 0) {
+        if (k > 0) at_[3] = rounded(at_[3] + turn * (1 + any(-100, 101) / 1000.0));
+        word('A', at_[3]);
+      }
       if (k > 0 && any(0, 3) == 0) word('R', any(500, 2000) / 1000.0);
       text_ += '\n';
     }
@@ -241,8 +254,9 @@ class RandomProgram {
     }
   }
 
-  /// Lines that do not turn, some with a feed of their own.
+  /// Lines that do not turn, some with a feed of their own, some with A.
   void straight_on() {
+    const double turn = any(0, 4) == 0 ? rounded(small_size()) : 0;
     const std::array<double, 3> way = {rounded(small_size()), rounded(small_size() / 2), 0.008};
     for (int k = any(2, 6); k > 0; --k) {
       const int times = any(1, 4);
@@ -250,6 +264,10 @@ class RandomProgram {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         at_[axis] = rounded(at_[axis] + times * way[axis]);
         word("XYZ"[axis], at_[axis]);
+      }
+      if (turn > 0) {
+        at_[3] = rounded(at_[3] + times * turn);
+        word('A', at_[3]);
       }
       if (any(0, 3) == 0) text_ += " F" + std::to_string(any(300, 9000));
       text_ += '\n';

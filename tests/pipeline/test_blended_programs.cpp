@@ -127,6 +127,29 @@ RC_GTEST_PROP(LongRandomPolylines, KeepEveryPromiseAndAreNoSlowerThanWithStops, 
   for (int k = 0; k < programs; ++k) keep_promises_and_lose_no_time();
 }
 
+/// Short lines along waves of X and A, rounded: one axis after another is the one at its limit.
+std::string random_waves() {
+  const double step = logarithmic(0.05, 0.6), height = logarithmic(0.1, 2), turn = logarithmic(0.5, 8);
+  const double tolerance = logarithmic(1e-3, 0.1), cam_share = any(0, 2) == 0 ? 0.3 : 1;
+  const double rate = logarithmic(0.2, 1.2), other_rate = logarithmic(0.2, 1.2), ahead = any(0, 6283) / 1000.0;
+  std::string text = "G21 G90 G17 G94" + word('F', logarithmic(500, 8000), 1) + "\nG64" + word('P', tolerance, 5) +
+                     word('Q', cam_share * tolerance, 5) + '\n';
+  for (int k = 0, lines = any(20, 80); k < lines; ++k) {
+    text += "G1" + word('X', height * std::sin(rate * k), 3) + word('Y', step * k, 3) +
+            word('A', turn * std::sin(other_rate * k + ahead), 3) + '\n';
+  }
+  return text + "M2\n";
+}
+
+RC_GTEST_PROP(RandomWaves, KeepEveryPromise, ()) {
+  machine::Machine machine = wide_mill();
+  machine.axes[base::index(base::Axis::X)] = machine::AxisLimits{-1e5, 1e5, 500, 3000, 50000, 0.001};
+  machine.axes[base::index(base::Axis::A)] = machine::AxisLimits{-1e5, 1e5, 90, 500, 5000, 0.001};
+  const std::string text = random_waves();
+  RC_LOG() << text;
+  RC_ASSERT(keeps_promises(run_on(machine, text)));
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 const std::string head = "G21 G90 G17 G94 F6000 G64 P0.01\n";
@@ -257,6 +280,28 @@ TEST(BlendedPrograms, SeeABulgeBetweenStraightPartsOfASpline) {
   for (int k = 1; k <= 40; ++k)
     points += "X" + word(' ', 1 + 0.1 * k, 4).substr(2) + (k == 13 ? " Y0.25 P1\n" : " Y0.2 P1\n");
   expect_better_than_stops(head + "G1 X1 Y0.2\nG5.2 P1 L4\n" + points + "G5.3\nG1 X10\n");
+}
+
+/// A line that is one whatever the mode.
+TEST(BlendedPrograms, DoNotStopWhereThePathModeChangesOnAStraightLine) {
+  const std::string before = "G21 G90 G17 G94 F6000 G64 P0.01\nG1 X10 A20\n", behind = "X20 A40\n";
+  const double whole = run(before + behind).summary.time_s;
+  EXPECT_NEAR(run(before + "G61\n" + behind).summary.time_s, whole, 0.0021);
+  EXPECT_NEAR(run(before + "G64 P0.0001\n" + behind).summary.time_s, whole, 0.0021);
+}
+
+/// Feed passes from X to A, at the border of two spans, and back: motion goes on.
+TEST(BlendedPrograms, RunThroughSplinesWhoseLinearAxesStandOnSomeSpans) {
+  const std::string spline =
+      "G6.2 P4 K0 X0 A0\nK0 X1 A1\nK0 X2 A5\nK0 X3 A6\nK1 X3 A7\nK2 X3 A9\nK3 X3 A12\nK4 X3 A13\nK5 X4 A14\n"
+      "K6 X6 A15\nK7\nK7\nK7\nK7\n";
+  for (const std::string mode : {"G61\n", "G64 P0.01\n"}) {
+    for (const std::string feed : {"F6000 ", "F60 "}) {
+      const Outcome outcome = run("G21 G90 G17 G94 " + feed + mode + spline);
+      EXPECT_TRUE(keeps_promises(outcome)) << mode << feed << outcome.verdict.feed_max_ratio;
+      EXPECT_LT(outcome.summary.time_s, 2 * outcome.summary.bound_s);
+    }
+  }
 }
 
 TEST(BlendedPrograms, StopWhereFeedPassesFromLinearToRotaryAxes) {

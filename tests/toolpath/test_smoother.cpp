@@ -126,7 +126,7 @@ void append_places(Polyline& places, const geometry::Curve& curve, double tolera
 Polyline programmed(const Program& program) {
   Polyline places;
   for (const Move& move : program.moves) {
-    for (const geometry::Curve& curve : curves_of(move)) append_places(places, curve, program.tolerance);
+    for (const Piece& piece : toolpath::pieces_of(move)) append_places(places, piece.curve, program.tolerance);
   }
   return places;
 }
@@ -344,7 +344,7 @@ void expect_as_programmed(const Program& program) {
   const std::vector<Piece> pieces = pieces_of(program.moves);
   ASSERT_EQ(pieces.size(), program.moves.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const geometry::Curve curve = curves_of(program.moves[i]).at(0);
+    const geometry::Curve curve = toolpath::pieces_of(program.moves[i]).at(0).curve;
     EXPECT_TRUE(same(pieces[i], {curve, program.feed, program.moves[i].line, pieces[i].stop, nullptr}));
     EXPECT_EQ(pieces[i].stop, program.moves[i].path_mode == gcode::PathMode::exact_stop);
   }

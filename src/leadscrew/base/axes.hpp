@@ -39,6 +39,7 @@ class AxisSet {
 
   constexpr bool contains(Axis axis) const { return (bits_ >> index(axis)) & 1u; }
   constexpr void insert(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ | (1u << index(axis))); }
+  constexpr void insert(AxisSet others) { bits_ = static_cast<std::uint16_t>(bits_ | others.bits_); }
   constexpr void erase(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ & ~(1u << index(axis))); }
   constexpr bool empty() const { return bits_ == 0; }
   constexpr std::uint16_t bits() const { return bits_; }

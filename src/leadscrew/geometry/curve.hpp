@@ -51,6 +51,10 @@ inline std::vector<double> breaks(const Curve& curve) {
   const auto* nurbs = std::get_if<Nurbs>(&curve);
   return nurbs ? nurbs->breaks() : std::vector<double>();
 }
+/// Coordinates that differ.
+base::AxisSet moving(const Point& start, const Point& end);
+/// Coordinates that move on the curve.
+base::AxisSet moving(const Curve& curve);
 /// How many polynomials the curve is made of from one path length to another, 0 ≤ from ≤ to ≤ length, less one.
 inline std::size_t borders(const Curve& curve, double from, double to) {
   const auto* nurbs = std::get_if<Nurbs>(&curve);

@@ -33,6 +33,24 @@ Curve part(const Curve& curve, double from, double to) {
   return geometry::visit([&](const auto& kind) { return Curve(kind.part(from, to)); }, curve);
 }
 
+base::AxisSet moving(const Point& start, const Point& end) {
+  base::AxisSet set;
+  for (const base::Axis axis : base::all_axes) {
+    if (start[base::index(axis)] != end[base::index(axis)]) set.insert(axis);
+  }
+  return set;
+}
+
+base::AxisSet moving(const Curve& curve) {
+  if (const auto* nurbs = std::get_if<Nurbs>(&curve)) return nurbs->moving();
+  base::AxisSet set = moving(geometry::start(curve), geometry::end(curve));
+  if (const auto* arc = std::get_if<Arc>(&curve)) {
+    set.insert(base::all_axes[arc->first()]);
+    set.insert(base::all_axes[arc->second()]);
+  }
+  return set;
+}
+
 double Arc::way(double radius, DoubleDouble sweep, double rise) {
   return std::hypot(radius * std::abs(sweep.value()), rise);
 }

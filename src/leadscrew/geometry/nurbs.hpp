@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <leadscrew/base/axes.hpp>
 #include <leadscrew/geometry/point.hpp>
 #include <memory>
 #include <optional>
@@ -49,6 +50,8 @@ class Nurbs {
   double length() const { return length_; }
   const Point& start() const { return start_; }
   const Point& end() const { return end_; }
+  /// Coordinates that move on the piece.
+  base::AxisSet moving() const { return moving_; }
 
   /// No allocation; bounded work: a search among the table's pieces and three polynomials.
   Point evaluate(numeric::DoubleDouble s) const;
@@ -86,6 +89,7 @@ class Nurbs {
   std::uint32_t first_bucket_ = 0, bucket_count_ = 0;
   std::uint32_t first_break_ = 0, break_count_ = 0;
   double first_parameter_ = 0, last_parameter_ = 0;
+  base::AxisSet moving_;
   Point start_{};
   Point end_{};
 };
@@ -99,7 +103,7 @@ class Nurbs {
 ///   - where |dC/du| vanishes: cusps, reversals, coinciding control points; and where the radius of curvature falls
 ///   below
 ///     about 1e-5 mm, which no machine tells from a corner,
-///   - where the coordinates by which length is told begin or cease to move.
+///   - where other coordinates are the first to move in the order X Y Z, U V W, A B C.
 ///
 /// tolerance: granted to u(s). weights: length is that of all coordinates, each times its weight > 0. The work is
 /// linear in the number of control points. A form that is none (counts, degree, knots, weights not as said above) gives

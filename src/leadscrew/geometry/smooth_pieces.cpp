@@ -41,27 +41,34 @@ bool moves_on_span(const NurbsForm& form, std::size_t coordinate, std::size_t sp
   return false;
 }
 
-/// The weighted coordinates; without weights X Y Z, U V W or A B C: in this order, the first of which a coordinate
-/// moves among the control points of a span. Empty where nothing moves.
-Metric metric_of_span(const NurbsForm& form, const std::optional<Point>& weights, const Moving& moving,
-                      std::size_t span) {
-  const auto metric_of = [&](std::size_t first, std::size_t end) {
-    Metric metric;
-    bool moves = false;
-    for (std::size_t k = 0; k < moving.count; ++k) {
-      const std::size_t i = moving.coordinate[k];
-      if (i < first || i >= end) continue;
-      metric.add(k, weights ? (*weights)[i] : 1);
-      moves = moves || moves_on_span(form, i, span);
-    }
-    return moves ? metric : Metric();
-  };
-  if (weights) return metric_of(0, base::axis_count);
-  for (const std::size_t first : {0, 6, 3}) {
-    const Metric metric = metric_of(first, first + 3);
-    if (metric.count > 0) return metric;
+base::AxisSet moving_on_span(const NurbsForm& form, const Moving& moving, std::size_t span) {
+  base::AxisSet set;
+  for (std::size_t k = 0; k < moving.count; ++k) {
+    if (moves_on_span(form, moving.coordinate[k], span)) set.insert(base::all_axes[moving.coordinate[k]]);
   }
-  return {};
+  return set;
+}
+
+/// X, U or A: in this order, the first of X Y Z, U V W or A B C of which one moves.
+std::size_t first_to_move(base::AxisSet moving) {
+  for (const std::size_t first : {0, 6, 3}) {
+    for (std::size_t i = first; i < first + 3; ++i) {
+      if (moving.contains(base::all_axes[i])) return first;
+    }
+  }
+  return base::axis_count;
+}
+
+/// The weighted coordinates; without weights the three from the first to move.
+Metric metric_of_span(base::AxisSet moving_on_span, const std::optional<Point>& weights, const Moving& moving) {
+  const std::size_t first = first_to_move(moving_on_span);
+  Metric metric;
+  for (std::size_t k = 0; k < moving.count; ++k) {
+    const std::size_t i = moving.coordinate[k];
+    if (weights) metric.add(k, (*weights)[i]);
+    if (!weights && i >= first && i < first + 3) metric.add(k, 1);
+  }
+  return metric;
 }
 
 /// How a stretch begins, seen from the one before.
@@ -76,6 +83,7 @@ enum class Joint : std::uint8_t {
 struct Stretch {
   RationalBezier curve;
   Metric metric;
+  base::AxisSet moving;
   SingularEnds singular;
   double longest = 0;  ///< bound of the length
   Joint joint = Joint::kink;
@@ -174,8 +182,9 @@ std::vector<Stretch> stretches_of(const NurbsForm& form, const std::optional<Poi
   for (std::size_t span = p; span < n; ++span) {
     if (form.knots[span] == form.knots[span + 1]) continue;
     Stretch stretch;
-    stretch.metric = metric_of_span(form, weights, moving, span);
-    if (stretch.metric.count == 0) {
+    stretch.moving = moving_on_span(form, moving, span);
+    stretch.metric = metric_of_span(stretch.moving, weights, moving);
+    if (stretch.moving.empty()) {
       stood_still = true;
       continue;
     }
@@ -184,14 +193,15 @@ std::vector<Stretch> stretches_of(const NurbsForm& form, const std::optional<Poi
     const Kinks kinks = find_kinks(stretch.curve, stretch.metric);
     const bool first = stretches.empty();
     const bool cut = first || stood_still || kinks.at_start || stretches.back().singular.end ||
-                     stretches.back().metric != stretch.metric;
+                     first_to_move(stretches.back().moving) != first_to_move(stretch.moving);
     stretch.joint = cut ? Joint::kink : joint_at_knot(form, span);
     stretch.singular.begin = kinks.at_start;
     stood_still = false;
     double cut_off = 0;
     for (const double t : kinks.inside) {
       const auto [before, after] = split(stretch.curve, (t - cut_off) / (1 - cut_off));
-      stretches.push_back({before, stretch.metric, {stretch.singular.begin, true}, stretch.longest, stretch.joint});
+      stretches.push_back(
+          {before, stretch.metric, stretch.moving, {stretch.singular.begin, true}, stretch.longest, stretch.joint});
       stretch.curve = after;
       stretch.singular.begin = true;
       stretch.joint = Joint::kink;
@@ -256,6 +266,7 @@ class NurbsAssembly {
   }
 
   void add(const Stretch& stretch) {
+    piece_.moving_.insert(stretch.moving);
     from_start_.clear();
     from_end_.clear();
     map_arc_length(stretch.curve, stretch.metric, stretch.singular, tolerance_, from_start_, from_end_);

@@ -7,25 +7,16 @@ namespace leadscrew::toolpath {
 
 namespace {
 
-double speed(const gcode::Feed& feed, double length) {
-  switch (feed.mode) {
+double feed_of(const gcode::Move& move) {
+  switch (move.feed.mode) {
     case gcode::Feed::Mode::units_per_second:
-      return feed.value;
+      return move.feed.value;
     case gcode::Feed::Mode::per_second:
-      return feed.value * length;
+      return move.feed.value * feed_length(move);
     case gcode::Feed::Mode::rapid:
       break;
   }
   return std::numeric_limits<double>::infinity();
-}
-
-FeedAxes feed_axes_of(const geometry::Curve& curve) {
-  if (std::holds_alternative<geometry::Line>(curve)) return feed_axes(geometry::start(curve), geometry::end(curve));
-  if (std::holds_alternative<geometry::Arc>(curve)) return FeedAxes::xyz;
-  const geometry::PointJet jet = geometry::jets(curve, geometry::length(curve) / 2);
-  geometry::Point direction{};
-  for (std::size_t i = 0; i < direction.size(); ++i) direction[i] = jet[i].first;
-  return feed_axes({}, direction);
 }
 
 }  // namespace
@@ -46,32 +37,27 @@ void Builder::push(const gcode::Move& move) {
 }
 
 void Builder::move_along(const gcode::Move& move) {
-  std::vector<geometry::Curve> curves = curves_of(move);
-  double length = 0;
-  for (const geometry::Curve& curve : curves) length += geometry::length(curve);
-  const double feed = speed(move.feed, length);
-  const FeedAxes axes = curves.empty() ? FeedAxes::none : feed_axes_of(curves.front());
-  const auto is_alike = [&](const geometry::Curve& curve) { return feed_axes_of(curve) == axes; };
+  std::vector<Piece> pieces = pieces_of(move);
+  const double feed = pieces.empty() ? 0 : feed_of(move);
+  for (Piece& piece : pieces) piece.feed = feed;
+  const auto axes_of = [](const Piece& piece) { return feed_axes(geometry::moving(piece.curve)); };
+  const FeedAxes axes = pieces.empty() ? FeedAxes::none : axes_of(pieces.front());
   // A spline whose parts are counted by different axes is kept as it is.
   const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance &&
-                      std::all_of(curves.begin(), curves.end(), is_alike);
+                      std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return axes_of(p) == axes; });
   if (!blends) flush();
-  if (!blends || curves.empty()) {
-    for (geometry::Curve& curve : curves)
-      settled_.emplace_back(Piece{std::move(curve), feed, move.line, false, nullptr});
+  if (!blends || pieces.empty()) {
+    for (Piece& piece : pieces) settled_.emplace_back(std::move(piece));
   } else {
-    const FeedAxes named = to_be_named(axes, move);
-    if (named != FeedAxes::none) curves = curves_of(move, Length::of_tolerance);
     if (smoother_ && (smoother_->tolerance() != move.tolerance ||
-                      smoother_->cam_tolerance() != move.naive_cam_tolerance || axes_ != axes)) {
+                      smoother_->cam_tolerance() != move.naive_cam_tolerance || smoother_->axes() != axes)) {
       flush();
     }
-    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance);
-    axes_ = axes;
-    for (geometry::Curve& curve : curves) smoother_->push(Leg{std::move(curve), feed, move.line, {}, 0, axes, named});
+    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance, axes);
+    for (Piece& piece : pieces) smoother_->push(Leg{std::move(piece.curve), feed, move.line, {}, 0, piece.feed_axes});
   }
-  if (move.path_mode != gcode::PathMode::exact_stop || curves.empty()) return;
-  if (auto* const last = std::get_if<Piece>(&settled_.back())) last->stop = true;
+  if (move.path_mode != gcode::PathMode::exact_stop || pieces.empty()) return;
+  std::get<Piece>(settled_.back()).stop = true;
 }
 
 /// What follows cannot change what was pushed so far.

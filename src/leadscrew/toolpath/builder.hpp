@@ -27,7 +27,6 @@ class Builder {
   void flush();
 
   std::optional<Smoother> smoother_;
-  FeedAxes axes_ = FeedAxes::none;  ///< by which its feed is counted
   std::deque<Element> settled_;
 };
 

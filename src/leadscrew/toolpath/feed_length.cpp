@@ -1,4 +1,3 @@
-#include <array>
 #include <cmath>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
@@ -10,11 +9,6 @@ namespace {
 using base::Axis;
 using base::index;
 using geometry::Point;
-
-double distance_in(const Point& start, const Point& end, Axis a, Axis b, Axis c) {
-  const auto along = [&](Axis axis) { return end[index(axis)] - start[index(axis)]; };
-  return std::hypot(along(a), along(b), along(c));
-}
 
 /// Spans of fits and blends are much shorter than their radii, and what is granted to a table of arc length is told by
 /// the shorter of the two.
@@ -65,24 +59,26 @@ geometry::NurbsForm form(const gcode::NurbsCurve& curve) {
 
 }  // namespace
 
-FeedAxes feed_axes(const Point& start, const Point& end) {
-  if (distance_in(start, end, Axis::X, Axis::Y, Axis::Z) > 0) return FeedAxes::xyz;
-  if (distance_in(start, end, Axis::U, Axis::V, Axis::W) > 0) return FeedAxes::uvw;
-  return distance_in(start, end, Axis::A, Axis::B, Axis::C) > 0 ? FeedAxes::abc : FeedAxes::none;
+FeedAxes feed_axes(base::AxisSet moving) {
+  for (const FeedAxes axes : {FeedAxes::xyz, FeedAxes::uvw, FeedAxes::abc}) {
+    for (std::size_t i = first_of(axes); i < first_of(axes) + 3; ++i) {
+      if (moving.contains(base::all_axes[i])) return axes;
+    }
+  }
+  return FeedAxes::none;
+}
+
+FeedAxes to_be_named(FeedAxes axes, base::AxisSet moving) {
+  if (axes == FeedAxes::abc) return axes;  // in degrees
+  for (std::size_t i = first_of(axes); i < first_of(axes) + 3; ++i) moving.erase(base::all_axes[i]);
+  return moving.empty() ? FeedAxes::none : axes;
 }
 
 double line_length(const Point& start, const Point& end) {
-  switch (feed_axes(start, end)) {
-    case FeedAxes::xyz:
-      return distance_in(start, end, Axis::X, Axis::Y, Axis::Z);
-    case FeedAxes::uvw:
-      return distance_in(start, end, Axis::U, Axis::V, Axis::W);
-    case FeedAxes::abc:
-      return distance_in(start, end, Axis::A, Axis::B, Axis::C);
-    case FeedAxes::none:
-      break;
-  }
-  return 0;
+  const FeedAxes axes = feed_axes(geometry::moving(start, end));
+  if (axes == FeedAxes::none) return 0;
+  const std::size_t i = first_of(axes);
+  return std::hypot(end[i] - start[i], end[i + 1] - start[i + 1], end[i + 2] - start[i + 2]);
 }
 
 double feed_length(const gcode::Move& move) {
@@ -92,51 +88,41 @@ double feed_length(const gcode::Move& move) {
   return 0;
 }
 
-std::vector<geometry::Curve> curves_of(const gcode::Move& move, Length measure) {
-  const bool by_feed = measure == Length::of_feed;
-  std::vector<geometry::Curve> curves;
+std::optional<Piece> straight_piece(const Point& start, const Point& end, FeedAxes axes) {
+  const FeedAxes named = to_be_named(axes, geometry::moving(start, end));
+  const double length =
+      named == FeedAxes::none ? line_length(start, end) : distance(to_millimetres(start), to_millimetres(end));
+  if (!(length > 0)) return std::nullopt;
+  return Piece{geometry::Line(start, end, length), 0, {}, false, nullptr, named};
+}
+
+std::vector<Piece> pieces_of(const gcode::Move& move) {
+  std::vector<Piece> pieces;
   if (move.kind == gcode::Move::Kind::line) {
-    const double length =
-        by_feed ? line_length(move.start, move.end) : distance(to_millimetres(move.start), to_millimetres(move.end));
-    if (length > 0) curves.emplace_back(geometry::Line(move.start, move.end, length));
+    const FeedAxes axes = feed_axes(geometry::moving(move.start, move.end));
+    if (std::optional<Piece> piece = straight_piece(move.start, move.end, axes)) pieces.push_back(std::move(*piece));
   } else if (move.kind == gcode::Move::Kind::arc) {
     const Turn turned = turn(move);
-    const double way = arc_length(move, turned), length = by_feed ? way : with_others(way, move);
-    if (way > 0) curves.push_back(arc(move, turned, length));
+    const double way = arc_length(move, turned);
+    if (!(way > 0)) return pieces;
+    const FeedAxes named = to_be_named(FeedAxes::xyz, geometry::moving(move.start, move.end));
+    const double length = named == FeedAxes::none ? way : with_others(way, move);
+    pieces.push_back({arc(move, turned, length), 0, {}, false, nullptr, named});
   } else if (move.kind == gcode::Move::Kind::nurbs) {
-    const std::optional<Point> weights = by_feed ? std::nullopt : std::optional(weights_of_length());
-    for (const geometry::Nurbs& piece : geometry::smooth_pieces(form(move.curve), {}, weights))
-      curves.emplace_back(piece);
+    const geometry::NurbsForm curve = form(move.curve);
+    base::AxisSet moving;
+    for (const Point& point : curve.points) moving.insert(geometry::moving(curve.points.front(), point));
+    const bool is_mixed = to_be_named(feed_axes(moving), moving) != FeedAxes::none;
+    const std::optional<Point> weights = is_mixed ? std::optional(weights_of_length()) : std::nullopt;
+    for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, {}, weights))
+      pieces.push_back({piece, 0, {}, false, nullptr, to_be_named(feed_axes(piece.moving()), piece.moving())});
   }
-  return curves;
-}
-
-FeedAxes to_be_named(FeedAxes axes, std::span<const Point> points) {
-  if (axes == FeedAxes::abc) return axes;  // in degrees
-  const std::size_t first = first_of(axes);
-  for (const Point& point : points) {
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      if ((i < first || i >= first + 3) && point[i] != points.front()[i]) return axes;
-    }
-  }
-  return FeedAxes::none;
-}
-
-FeedAxes to_be_named(FeedAxes axes, const gcode::Move& move) {
-  if (move.kind == gcode::Move::Kind::nurbs) return to_be_named(axes, form(move.curve).points);
-  return to_be_named(axes, std::array{move.start, move.end});
+  for (Piece& piece : pieces) piece.line = move.line;
+  return pieces;
 }
 
 std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form) {
   return geometry::smooth_pieces(form, table_of_short_spans, weights_of_length());
-}
-
-std::optional<Piece> straight_piece(const Point& start, const Point& end) {
-  const FeedAxes axes = to_be_named(feed_axes(start, end), std::array{start, end});
-  const double length =
-      axes == FeedAxes::none ? line_length(start, end) : distance(to_millimetres(start), to_millimetres(end));
-  if (!(length > 0)) return std::nullopt;
-  return Piece{geometry::Line(start, end, length), 0, {}, false, nullptr, axes};
 }
 
 double rate(const geometry::PointJet& jet, FeedAxes axes) {

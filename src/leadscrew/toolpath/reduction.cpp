@@ -38,8 +38,9 @@ bool Reduction::join(const Leg& leg) {
   const double spent = std::min(open_->spent + off, radius);
   if (!is_straight && spent > greatest_share * tolerance_) return false;
   // Told in the same axes as before, or not at all.
-  const std::optional<Piece> one = straight_piece(open->start(), line->end());
-  if (!one || feed_axes(open->start(), line->end()) != feed_axes(open->start(), open->end())) return false;
+  const FeedAxes axes = feed_axes(geometry::moving(open->start(), open->end()));
+  const std::optional<Piece> one = straight_piece(open->start(), line->end(), axes);
+  if (!one || feed_axes(geometry::moving(one->curve)) != axes) return false;
   const double length = geometry::length(one->curve);
   // What became one line may be shorter than its parts were.
   open_->lines.push_back({open->length(), leg.line});

@@ -15,7 +15,6 @@ struct Leg {
   base::Line line{};
   std::vector<LineMark> lines{};        ///< of the moves behind the first, by path length
   double spent = 0;                     ///< how far the moves may be from the curve, mm
-  FeedAxes axes = FeedAxes::xyz;        ///< by which feed is counted
   FeedAxes feed_axes = FeedAxes::none;  ///< as a Piece's
 };
 

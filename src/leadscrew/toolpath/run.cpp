@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/run.hpp>
@@ -78,8 +77,9 @@ double length_at(const geometry::Nurbs& curve, double u) {
 
 }  // namespace
 
-Run::Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before)
+Run::Run(const Allowance& allowance, FeedAxes axes, const Leg& leg, double from, bool pinned, bool corner_before)
     : allowance_(allowance),
+      axes_(axes),
       start_(geometry::evaluate(leg.curve, from)),
       corner_before_(corner_before),
       spline_(spline_from(leg, from, pinned)) {}
@@ -98,9 +98,9 @@ void Run::extend(const Leg& leg, double from, double to) {
   for (const LineMark& mark : leg.lines) {
     if (mark.s <= from) line = mark.line;
   }
-  marks_.push_back({first, leg.feed, leg.axes, line});
+  marks_.push_back({first, leg.feed, line});
   for (const LineMark& mark : leg.lines) {
-    if (mark.s > from && mark.s < to) marks_.push_back({first + (mark.s - from) * rate, leg.feed, leg.axes, mark.line});
+    if (mark.s > from && mark.s < to) marks_.push_back({first + (mark.s - from) * rate, leg.feed, mark.line});
   }
   const double room = allowance_.room_about(leg);
   spent_ = std::max(spent_, allowance_.spent_by(leg));
@@ -195,12 +195,11 @@ bool Run::retreat() {
   }
   const Point here = is_first_ ? start_ : from_millimetres(spline_.position());
   const Point there = is_last ? last_point_ : from_millimetres(vertices[end].position);
-  if (std::optional<Piece> line = straight_piece(here, there)) {
+  if (std::optional<Piece> line = straight_piece(here, there, axes_)) {
     std::deque<Mark>& marks = marks_;
     while (marks.size() > 1 && marks[1].u <= settled) marks.pop_front();
     const Mark& mark = marks.front();
     line->feed = mark.feed;
-    line->feed_axes = to_be_named(mark.axes, std::array{here, there});
     line->line = mark.line;
     done_.push_back({std::move(*line), is_first_ && corner_before_, {}, spent_});
   }
@@ -229,7 +228,7 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
       Stretch stretch{{curve, 0, {}, false, nullptr}, std::exchange(corner, false), around, spent_};
       const auto take = [&](const Mark& from_here) {
         stretch.piece.feed = from_here.feed;
-        stretch.piece.feed_axes = to_be_named(from_here.axes, form.points);
+        stretch.piece.feed_axes = to_be_named(axes_, curve.moving());
         stretch.piece.line = from_here.line;
       };
       take(marks[mark]);

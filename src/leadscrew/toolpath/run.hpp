@@ -25,7 +25,7 @@ struct Stretch {
 class Run {
  public:
   /// From a place on the leg, with its direction and bend if `pinned`, else in any direction.
-  Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before);
+  Run(const Allowance& allowance, FeedAxes axes, const Leg& leg, double from, bool pinned, bool corner_before);
 
   /// Goes on along the leg, 0 ≤ from < to ≤ its length.
   void extend(const Leg& leg, double from, double to);
@@ -38,7 +38,6 @@ class Run {
   struct Mark {
     double u = 0;
     double feed = 0;
-    FeedAxes axes{};
     base::Line line{};
   };
 
@@ -49,6 +48,7 @@ class Run {
   void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
 
   Allowance allowance_;
+  FeedAxes axes_;
   double u_ = 0;                   ///< as far as it is known
   std::deque<Mark> marks_{};       ///< by u; the first holds where the next stretch begins
   geometry::Point start_, end_{};  ///< where the spline begins and is to end, in the axes' units

@@ -93,8 +93,8 @@ std::vector<Piece> pieces_of(const Blend& blend, const Piece& before, const Piec
 
 }  // namespace
 
-Smoother::Smoother(double tolerance, double cam_tolerance)
-    : allowance_{tolerance, cam_tolerance}, reduction_(std::min(tolerance, cam_tolerance)) {}
+Smoother::Smoother(double tolerance, double cam_tolerance, FeedAxes axes)
+    : allowance_{tolerance, cam_tolerance}, axes_(axes), reduction_(std::min(tolerance, cam_tolerance)) {}
 
 void Smoother::push(Leg leg) {
   if (std::optional<Leg> reduced = reduction_.push(std::move(leg))) take(std::move(*reduced));
@@ -209,7 +209,7 @@ void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
 }
 
 void Smoother::begin_run(const Leg& leg, double from, bool pinned) {
-  run_.emplace(allowance_, leg, from, pinned, std::exchange(corner_, false));
+  run_.emplace(allowance_, axes_, leg, from, pinned, std::exchange(corner_, false));
 }
 
 /// What has been settled of the run.

@@ -23,7 +23,8 @@ class Smoother {
  public:
   /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥
   /// 0, mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
-  Smoother(double tolerance, double cam_tolerance);
+  /// Feed is counted by these axes all along.
+  Smoother(double tolerance, double cam_tolerance, FeedAxes axes);
 
   void push(Leg leg);
   /// Nothing goes on smoothly from what was pushed last.
@@ -33,6 +34,7 @@ class Smoother {
 
   double tolerance() const { return allowance_.tolerance; }
   double cam_tolerance() const { return allowance_.cam_tolerance; }
+  FeedAxes axes() const { return axes_; }
 
  private:
   enum class Joint : std::uint8_t { end, corner, smooth, through };
@@ -51,6 +53,7 @@ class Smoother {
   void release();
 
   Allowance allowance_;
+  FeedAxes axes_;
   Reduction reduction_;
   std::deque<Leg> legs_;          ///< that are not done
   std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins
