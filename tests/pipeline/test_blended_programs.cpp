@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/pipeline/program.hpp>
@@ -9,6 +10,7 @@
 #include <numbers>
 #include <random_numbers.hpp>
 #include <string>
+#include <string_view>
 
 #include "worst_ratios.hpp"
 
@@ -111,20 +113,59 @@ std::string random_polyline() {
   return text + "M2\n";
 }
 
-void keep_promises_and_lose_no_time() {
-  const std::string text = random_polyline();
+/// By up to twice the usual way, each of these axes.
+void move(std::string& text, std::array<double, 5>& at, std::string_view axes, double usual) {
+  constexpr std::string_view letters = "XYABU";
+  for (const char letter : axes) {
+    double& place = at[letters.find(letter)];
+    place += usual * any(-2000, 2001) / 1000.0;
+    text += word(letter, place, 3);
+  }
+}
+
+void keep_promises_and_lose_no_time(const std::string& text) {
   RC_LOG() << text;
   const Outcome outcome = run(text), stopping = run_with_stops(text);
   RC_ASSERT(keeps_promises(outcome));
   RC_ASSERT(outcome.summary.time_s <= stopping.summary.time_s + 0.001);  // words come every 1 ms
 }
 
+/// Lines along some of the axes each, at feeds of their own.
+std::string random_turns() {
+  std::string text = "G21 G90 G17 G94 F6000\nG64" + word('P', logarithmic(1e-3, 1), 6) + '\n';
+  const double usual = logarithmic(0.01, 30);
+  const int sorts = any(2, 5);  // how many kinds of lines there are: the fewer, the more often the axes change
+  std::array<double, 5> at{};
+  for (int k = any(2, 30); k > 0; --k) {
+    text += any(0, 12) == 0 ? "G0" : "G1";
+    switch (any(0, sorts)) {
+      case 0:
+        move(text, at, "X", usual);
+        break;
+      case 1:
+        move(text, at, "A", usual);
+        break;
+      case 2:
+        move(text, at, "XYA", usual);
+        break;
+      default:
+        move(text, at, any(0, 2) == 0 ? "UB" : "AB", usual);
+    }
+    if (any(0, 8) == 0) text += word('F', logarithmic(100, 12000), 0);
+    text += '\n';
+  }
+  return text + "M2\n";
+}
+
+RC_GTEST_PROP(RandomTurns, KeepEveryPromiseAndAreNoSlowerThanWithStops, ()) {
+  keep_promises_and_lose_no_time(random_turns());
+}
 RC_GTEST_PROP(RandomPolylines, KeepEveryPromiseAndAreNoSlowerThanWithStops, ()) {
-  keep_promises_and_lose_no_time();
+  keep_promises_and_lose_no_time(random_polyline());
 }
 RC_GTEST_PROP(LongRandomPolylines, KeepEveryPromiseAndAreNoSlowerThanWithStops, ()) {
   constexpr int programs = 2;  // a case
-  for (int k = 0; k < programs; ++k) keep_promises_and_lose_no_time();
+  for (int k = 0; k < programs; ++k) keep_promises_and_lose_no_time(random_polyline());
 }
 
 /// Short lines along waves of X and A, rounded: one axis after another is the one at its limit.
@@ -304,10 +345,12 @@ TEST(BlendedPrograms, RunThroughSplinesWhoseLinearAxesStandOnSomeSpans) {
   }
 }
 
-TEST(BlendedPrograms, StopWhereFeedPassesFromLinearToRotaryAxes) {
-  const std::string text = head + "G1 X10\nA10\nX0\nA0\n";
-  expect_better_than_stops(text);
-  EXPECT_EQ(run(text).summary.time_s, run_with_stops(text).summary.time_s);
+TEST(BlendedPrograms, RunFromLinearAxesIntoRotaryOnes) {
+  for (const std::string& text : {head + "G1 X10\nA10\nX0\nA0\n", head + "G1 X10 A5\nA20\nX0 A25\nF600 A40\nU5\n",
+                                  head + "G1 X10\nF60 A10\nG0 X0\nG1 F600 X5\nU3 B3\nG0 A0 B9\nX0\n"}) {
+    expect_better_than_stops(text);
+    EXPECT_LT(run(text).summary.time_s, run_with_stops(text).summary.time_s - 0.05);
+  }
 }
 
 /// X turns back by so little that motion runs through.

@@ -210,16 +210,17 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
                        double feed_factor, int looks) {
   // Every polynomial of the curve is looked at.
   const double end = evaluate(segment, segment.duration.value()).s;
-  const std::size_t borders = std::min(section.borders(segment.s0.value(), end), most_borders);
-  looks = std::max(looks, looks_per_polynomial * (static_cast<int>(borders) + 1));
+  const std::size_t borders = section.borders(segment.s0.value(), end);
+  looks = std::max(looks, looks_per_polynomial * (static_cast<int>(std::min(borders, most_borders)) + 1));
   constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
   constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
+  constexpr double dense_steps = 1 + 1e-3;    // where there are so many that not all are looked at: at a cusp
   const auto has_table = [&](std::size_t piece) {
     return std::holds_alternative<geometry::Nurbs>(section.piece(piece).curve);
   };
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
   const std::size_t last = section.piece_at(end, Side::left);
-  const double on_curves = has_table(first) || has_table(last) ? map_steps : 1;
+  const double on_curves = borders > most_borders ? dense_steps : has_table(first) || has_table(last) ? map_steps : 1;
   Peaks peaks;
   double feed = 0, fastest = 0, slowest = infinity;
   PathState before;

@@ -115,7 +115,7 @@ class Placement {
     const toolpath::Piece &a = section_.piece(p), &b = section_.piece(p + 1);
     const geometry::PointJet leaving = one_sided_jets(a.curve, geometry::length(a.curve), Side::left);
     const geometry::PointJet entering = one_sided_jets(b.curve, 0, Side::right);
-    if (a.feed != b.feed || a.feed_axes != b.feed_axes) return true;
+    if (!a.is_fed_as(b)) return true;
     for (std::size_t i = 0; i < leaving.size(); ++i) {
       const double size = std::abs(leaving[i].third) + std::abs(entering[i].third);
       if (std::abs(leaving[i].third - entering[i].third) > 1e-6 * size) return true;

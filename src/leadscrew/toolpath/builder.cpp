@@ -40,20 +40,16 @@ void Builder::move_along(const gcode::Move& move) {
   std::vector<Piece> pieces = pieces_of(move);
   const double feed = pieces.empty() ? 0 : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
-  const auto axes_of = [](const Piece& piece) { return feed_axes(geometry::moving(piece.curve)); };
-  const FeedAxes axes = pieces.empty() ? FeedAxes::none : axes_of(pieces.front());
-  // A spline whose parts are counted by different axes is kept as it is.
-  const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance &&
-                      std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return axes_of(p) == axes; });
+  const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
   if (!blends) flush();
   if (!blends || pieces.empty()) {
     for (Piece& piece : pieces) settled_.emplace_back(std::move(piece));
   } else {
-    if (smoother_ && (smoother_->tolerance() != move.tolerance ||
-                      smoother_->cam_tolerance() != move.naive_cam_tolerance || smoother_->axes() != axes)) {
+    if (smoother_ &&
+        (smoother_->tolerance() != move.tolerance || smoother_->cam_tolerance() != move.naive_cam_tolerance)) {
       flush();
     }
-    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance, axes);
+    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance);
     for (Piece& piece : pieces) smoother_->push(Leg{std::move(piece.curve), feed, move.line, {}, 0, piece.feed_axes});
   }
   if (move.path_mode != gcode::PathMode::exact_stop || pieces.empty()) return;

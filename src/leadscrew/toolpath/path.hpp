@@ -35,10 +35,13 @@ struct Piece {
   /// Whose length feed is counted by; none: the curve's.
   FeedAxes feed_axes = FeedAxes::none;
 
-  /// By feed, along the curve where it has these derivatives, units of its length per second.
+  /// By feed, along the curve where it has these derivatives, units of its length per second; infinite where the axes
+  /// stand by which feed is counted.
   double greatest_speed(const geometry::PointJet& jet) const {
     return feed_axes == FeedAxes::none ? feed : feed / rate(jet, feed_axes);
   }
+  /// Are they equally fast wherever they are the same curve?
+  bool is_fed_as(const Piece& other) const { return feed == other.feed && feed_axes == other.feed_axes; }
   base::Line line_at(double s) const {
     if (!lines) return line;
     const auto behind = std::upper_bound(lines->begin(), lines->end(), s,

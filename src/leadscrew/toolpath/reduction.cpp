@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/reduction.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <utility>
@@ -38,7 +37,7 @@ bool Reduction::join(const Leg& leg) {
   const double spent = std::min(open_->spent + off, radius);
   if (!is_straight && spent > greatest_share * tolerance_) return false;
   // Told in the same axes as before, or not at all.
-  const FeedAxes axes = feed_axes(geometry::moving(open->start(), open->end()));
+  const FeedAxes axes = axes_of(*open_);
   const std::optional<Piece> one = straight_piece(open->start(), line->end(), axes);
   if (!one || feed_axes(geometry::moving(one->curve)) != axes) return false;
   const double length = geometry::length(one->curve);

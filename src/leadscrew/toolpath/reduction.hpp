@@ -2,6 +2,7 @@
 // Fewer legs that say the same: lines that run straight on are one, and so is what happens within a small part of the
 // tolerance.
 
+#include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <optional>
 #include <vector>
@@ -20,6 +21,11 @@ struct Leg {
 
 inline bool is_line(const geometry::Curve& curve) {
   return std::holds_alternative<geometry::Line>(curve);
+}
+
+/// By which its feed is counted.
+inline FeedAxes axes_of(const Leg& leg) {
+  return feed_axes(geometry::moving(leg.curve));
 }
 
 /// Millimetres of the space of tolerances (tolerance_space.hpp) per unit of the curve's length, at its start.

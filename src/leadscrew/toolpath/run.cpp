@@ -77,9 +77,9 @@ double length_at(const geometry::Nurbs& curve, double u) {
 
 }  // namespace
 
-Run::Run(const Allowance& allowance, FeedAxes axes, const Leg& leg, double from, bool pinned, bool corner_before)
+Run::Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before)
     : allowance_(allowance),
-      axes_(axes),
+      axes_(axes_of(leg)),
       start_(geometry::evaluate(leg.curve, from)),
       corner_before_(corner_before),
       spline_(spline_from(leg, from, pinned)) {}
@@ -201,7 +201,7 @@ bool Run::retreat() {
     const Mark& mark = marks.front();
     line->feed = mark.feed;
     line->line = mark.line;
-    done_.push_back({std::move(*line), is_first_ && corner_before_, {}, spent_});
+    done_.push_back({std::move(*line), axes_, is_first_ && corner_before_, {}, spent_});
   }
   return begin_rest(false);
 }
@@ -225,7 +225,7 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
     std::size_t mark = 0;
     while (mark + 1 < marks.size() && marks[mark + 1].u <= curve.first_parameter()) ++mark;
     for (double begin = 0; begin < curve.length();) {
-      Stretch stretch{{curve, 0, {}, false, nullptr}, std::exchange(corner, false), around, spent_};
+      Stretch stretch{{curve, 0, {}, false, nullptr}, axes_, std::exchange(corner, false), around, spent_};
       const auto take = [&](const Mark& from_here) {
         stretch.piece.feed = from_here.feed;
         stretch.piece.feed_axes = to_be_named(axes_, curve.moving());

@@ -15,6 +15,7 @@ namespace leadscrew::toolpath {
 /// A part of the path that is done but for its corners.
 struct Stretch {
   Piece piece;
+  FeedAxes axes{};  ///< by which feed is counted
   bool corner_before = false;
   std::vector<Vertex> programmed{};  ///< the polyline it was fitted to; none if it is what was programmed
   double spent = 0;                  ///< of the tolerance, by what stands for what was programmed, mm
@@ -25,7 +26,7 @@ struct Stretch {
 class Run {
  public:
   /// From a place on the leg, with its direction and bend if `pinned`, else in any direction.
-  Run(const Allowance& allowance, FeedAxes axes, const Leg& leg, double from, bool pinned, bool corner_before);
+  Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before);
 
   /// Goes on along the leg, 0 ≤ from < to ≤ its length.
   void extend(const Leg& leg, double from, double to);
@@ -48,7 +49,7 @@ class Run {
   void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
 
   Allowance allowance_;
-  FeedAxes axes_;
+  FeedAxes axes_;                  ///< by which the feed of all its legs is counted
   double u_ = 0;                   ///< as far as it is known
   std::deque<Mark> marks_{};       ///< by u; the first holds where the next stretch begins
   geometry::Point start_, end_{};  ///< where the spline begins and is to end, in the axes' units

@@ -70,31 +70,33 @@ void trim(Piece& piece, double from, double to) {
   name(piece, lines_between(piece, from, to));
 }
 
-/// The blend between two pieces, each half with the lines and the feed of what it takes the place of.
-std::vector<Piece> pieces_of(const Blend& blend, const Piece& before, const Piece& behind) {
-  const double length = blend.curve.length(), length_before = geometry::length(before.curve);
-  const FeedAxes axes = std::max(before.feed_axes, behind.feed_axes);  // none or the same
-  Lines first = lines_between(before, length_before - blend.before, length_before, blend.corner / blend.before);
-  Lines second = lines_between(behind, 0, blend.behind, (length - blend.corner) / blend.behind);
-  std::vector<Piece> pieces;
-  if (before.feed == behind.feed) {
+/// The blend between two, each half with the lines and the feed of what it takes the place of.
+std::vector<Piece> pieces_of(const Blend& blend, const Stretch& before, const Stretch& behind) {
+  const double length = blend.curve.length(), length_before = geometry::length(before.piece.curve);
+  Lines first = lines_between(before.piece, length_before - blend.before, length_before, blend.corner / blend.before);
+  Lines second = lines_between(behind.piece, 0, blend.behind, (length - blend.corner) / blend.behind);
+  Piece one{blend.curve, before.piece.feed, {}, false, nullptr, to_be_named(before.axes, blend.curve.moving())};
+  Piece other = one;
+  other.feed = behind.piece.feed;
+  other.feed_axes = to_be_named(behind.axes, blend.curve.moving());
+  if (one.is_fed_as(other)) {
     const base::Line last = first.marks.empty() ? first.first : first.marks.back().line;
     if (second.first != last) first.marks.push_back({blend.corner, second.first});
     for (const LineMark& mark : second.marks) first.marks.push_back({blend.corner + mark.s, mark.line});
-    pieces.push_back({blend.curve, before.feed, {}, false, nullptr, axes});
-  } else {
-    pieces.push_back({blend.curve.part(0, blend.corner), before.feed, {}, false, nullptr, axes});
-    pieces.push_back({blend.curve.part(blend.corner, length), behind.feed, {}, false, nullptr, axes});
-    name(pieces.back(), std::move(second));
+    name(one, std::move(first));
+    return {one};
   }
-  name(pieces.front(), std::move(first));
-  return pieces;
+  one.curve = blend.curve.part(0, blend.corner);
+  other.curve = blend.curve.part(blend.corner, length);
+  name(one, std::move(first));
+  name(other, std::move(second));
+  return {one, other};
 }
 
 }  // namespace
 
-Smoother::Smoother(double tolerance, double cam_tolerance, FeedAxes axes)
-    : allowance_{tolerance, cam_tolerance}, axes_(axes), reduction_(std::min(tolerance, cam_tolerance)) {}
+Smoother::Smoother(double tolerance, double cam_tolerance)
+    : allowance_{tolerance, cam_tolerance}, reduction_(std::min(tolerance, cam_tolerance)) {}
 
 void Smoother::push(Leg leg) {
   if (std::optional<Leg> reduced = reduction_.push(std::move(leg))) take(std::move(*reduced));
@@ -142,6 +144,7 @@ double Smoother::turn_at(std::size_t joint, double window) const {
 
 Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
   const Leg &before = legs_[joint], &behind = legs_[joint + 1];
+  if (axes_of(before) != axes_of(behind)) return goes_on(before.curve, behind.curve) ? Joint::through : Joint::corner;
   const bool are_long = allowance_.is_long(before) && allowance_.is_long(behind);
   const bool fits = allowance_.cam_tolerance >= least_tolerance || are_long;
   // Short lines may run straight on by chance, where what they stand for bends.
@@ -209,7 +212,7 @@ void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
 }
 
 void Smoother::begin_run(const Leg& leg, double from, bool pinned) {
-  run_.emplace(allowance_, axes_, leg, from, pinned, std::exchange(corner_, false));
+  run_.emplace(allowance_, leg, from, pinned, std::exchange(corner_, false));
 }
 
 /// What has been settled of the run.
@@ -219,8 +222,11 @@ void Smoother::take_run(bool goes_on) {
 }
 
 void Smoother::add_exact(const Leg& leg, double from, double to) {
-  Stretch stretch{
-      {leg.curve, leg.feed, leg.line, false, nullptr, leg.feed_axes}, std::exchange(corner_, false), {}, leg.spent};
+  Stretch stretch{{leg.curve, leg.feed, leg.line, false, nullptr, leg.feed_axes},
+                  axes_of(leg),
+                  std::exchange(corner_, false),
+                  {},
+                  leg.spent};
   if (!leg.lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(leg.lines);
   trim(stretch.piece, from, to);
   add(std::move(stretch));
@@ -243,7 +249,7 @@ void Smoother::cut_corner(Stretch& behind) {
                       length_behind / 2};
   std::optional<Blend> found = blend(corner, allowance_.room_beside(std::max(last_->spent, behind.spent)));
   if (!found) return;
-  std::vector<Piece> pieces = pieces_of(*found, last_->piece, behind.piece);
+  std::vector<Piece> pieces = pieces_of(*found, *last_, behind);
   const double left = length_before - found->before;
   if (left > 0) {
     trim(last_->piece, 0, left);

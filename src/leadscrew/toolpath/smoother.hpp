@@ -4,7 +4,8 @@
 //   legs ─reduction─▶ legs ─joints─▶ runs and corners ─▶ pieces
 //
 //   - Legs too short to matter beside the tolerance, and lines that run straight on, become one (Reduction).
-//   - A joint is a corner where the direction turns by 81° or more within eight tolerances; elsewhere it is smooth.
+//   - A joint is a corner where the direction turns by 81° or more within eight tolerances, or feed comes to be counted
+//     by other axes; elsewhere it is smooth.
 //   - Short legs that are joined smoothly, and the nearest parts of long ones, are a run: a spline through the tube
 //   around
 //     them (TubeSpline). The rest of the long ones stays what it is.
@@ -23,8 +24,7 @@ class Smoother {
  public:
   /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥
   /// 0, mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
-  /// Feed is counted by these axes all along.
-  Smoother(double tolerance, double cam_tolerance, FeedAxes axes);
+  Smoother(double tolerance, double cam_tolerance);
 
   void push(Leg leg);
   /// Nothing goes on smoothly from what was pushed last.
@@ -34,7 +34,6 @@ class Smoother {
 
   double tolerance() const { return allowance_.tolerance; }
   double cam_tolerance() const { return allowance_.cam_tolerance; }
-  FeedAxes axes() const { return axes_; }
 
  private:
   enum class Joint : std::uint8_t { end, corner, smooth, through };
@@ -53,7 +52,6 @@ class Smoother {
   void release();
 
   Allowance allowance_;
-  FeedAxes axes_;
   Reduction reduction_;
   std::deque<Leg> legs_;          ///< that are not done
   std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins
