@@ -1,0 +1,74 @@
+#pragma once
+// The digital integrator (DDA): each addition of the integrand p to the remainder r overflows the capacity q as often
+// as p/q says.
+
+#include <leadscrew/pulse/pulse.hpp>
+
+namespace leadscrew::pulse {
+
+class Integrator {
+ public:
+  constexpr Integrator() = default;
+  /// capacity: q > 0, as many as an n-bit register has values (2ⁿ) or any other. preload: 0 ≤ r < q.
+  constexpr Integrator(std::int64_t capacity, std::int64_t preload) : capacity_(capacity), remainder_(preload) {}
+
+  /// Does it overflow? 0 ≤ integrand. With an integrand above the capacity the remainder grows: at most one pulse a
+  /// clock.
+  constexpr bool add(std::int64_t integrand) {
+    remainder_ += integrand;
+    const bool overflows = remainder_ >= capacity_;
+    remainder_ -= overflows ? capacity_ : 0;
+    return overflows;
+  }
+
+  constexpr std::int64_t capacity() const { return capacity_; }
+  constexpr std::int64_t remainder() const { return remainder_; }
+
+ private:
+  std::int64_t capacity_ = 1, remainder_ = 0;
+};
+
+/// What the remainders hold at first. Empty ones are what Koren's program has and what a cleared register holds; half
+/// full ones halve the error of a line, for they round where empty ones cut off.
+enum class Preload : std::uint8_t {
+  none,          ///< 0
+  half,          ///< ⌊q/2⌋
+  half_lagging,  ///< ⌊q/2⌋ in the axis whose integrand is the smaller one at the start, 0 in the other
+  full,          ///< q − 1
+};
+
+constexpr std::int64_t preloaded(Preload preload, std::int64_t capacity, bool is_lagging) {
+  switch (preload) {
+    case Preload::half:
+      return capacity / 2;
+    case Preload::half_lagging:
+      return is_lagging ? capacity / 2 : 0;
+    case Preload::full:
+      return capacity - 1;
+    case Preload::none:
+      break;
+  }
+  return 0;
+}
+
+/// Feed: a clock, divided. Koren's program has q0 = 3000 and f = 100·V0 for V0 in inches a minute, so that the clock of
+/// 5000 a second gives 30 in/min at one command an interrupt.
+class FeedDda {
+ public:
+  /// 0 ≤ word ≤ capacity
+  constexpr FeedDda(std::int64_t capacity, std::int64_t word) : word_(word), integrator_(capacity, 0) {}
+
+  /// Is there a command at this clock?
+  constexpr bool step() { return integrator_.add(word_); }
+  /// Feed override: from now on.
+  constexpr void feed(std::int64_t word) { word_ = word; }
+
+  constexpr std::int64_t word() const { return word_; }
+  constexpr std::int64_t remainder() const { return integrator_.remainder(); }
+
+ private:
+  std::int64_t word_;
+  Integrator integrator_;
+};
+
+}  // namespace leadscrew::pulse

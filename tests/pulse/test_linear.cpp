@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <leadscrew/pulse/linear.hpp>
+
+#include "tracing.hpp"
+
+// "Linear interpolators and closed loops" (lecture); Koren's feed-rate example.
+
+namespace leadscrew::pulse::testing {
+namespace {
+
+static_assert(root(25, 0) == 5 && root(24, 0) == 5 && root(20, 0) == 4 && root(0, 8) == 0);
+static_assert(root(2, 16) == 92682);  // √2·2¹⁶ = 92681.9
+static_assert(root((std::int64_t{1} << 62) - 1, 0) == std::int64_t{1} << 31);
+static_assert(capacity_for(25) == 5 && capacity_for(26) == 6 && capacity_for(0) == 1);
+
+constexpr std::int64_t reach = 256;  // BLU, of the lines tried
+
+template <typename Make>
+void expect_on_every_line(const Make& make, double bound, std::int64_t step = 1) {
+  double worst = 0;
+  for (std::int64_t a = -reach; a <= reach; a += step) {
+    for (std::int64_t b = -reach; b <= reach; b += step) {
+      if (a == 0 && b == 0) continue;
+      const Trace found = trace_line(make(Point{a, b}), {a, b});
+      ASSERT_TRUE(found.ends) << a << ' ' << b;
+      worst = std::max(worst, found.worst);
+    }
+  }
+  EXPECT_LE(worst, bound);
+}
+
+LinearDda<2> along(Point way, std::int64_t capacity, Preload preload) {
+  return {{way.x, way.y}, capacity, preload};
+}
+
+TEST(LinearDda, KeepsWithinABluWhereItsCapacityIsTheLength) {
+  const auto capacity = [](Point way) { return capacity_for(way.x * way.x + way.y * way.y); };
+  expect_on_every_line([&](Point way) { return along(way, capacity(way), Preload::none); }, 0.9999);
+  expect_on_every_line([&](Point way) { return along(way, capacity(way), Preload::half); }, 0.7072);
+}
+
+TEST(LinearDda, KeepsWithinABluInABinaryRegister) {
+  expect_on_every_line([](Point way) { return along(way, 512, Preload::none); }, 0.9999, 3);
+  expect_on_every_line([](Point way) { return along(way, 512, Preload::half); }, 0.7072, 3);
+}
+
+/// m = 2ⁿ.
+TEST(LinearDda, TakesAsManyClocksAsItsRegisterHasValues) {
+  for (int bits = 1; bits <= 8; ++bits) {
+    const std::int64_t capacity = std::int64_t{1} << bits;
+    for (std::int64_t a = 1; a < capacity; ++a) {
+      for (const Preload preload : {Preload::none, Preload::half}) {
+        LinearDda<1> line({a}, capacity, preload);
+        std::int64_t steps = 0;
+        for (std::int64_t clock = 0; clock < capacity; ++clock) steps += line.step().step[0];
+        EXPECT_EQ(steps, a);
+        EXPECT_TRUE(line.done());
+      }
+    }
+  }
+}
+
+TEST(LinearDda, CarriesNineAxesToTheirEnd) {
+  const std::array<std::int64_t, 9> way = {7, -1000, 0, 999, 1, -3, 500, 333, -64};
+  LinearDda<9> line(way, 1000, Preload::half);
+  std::array<std::int64_t, 9> at{};
+  for (int clock = 0; clock <= 1000; ++clock) {
+    const Pulse<9> pulse = line.step();
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      at[i] += pulse.step[i];
+      EXPECT_LE(std::abs(static_cast<double>(at[i]) - static_cast<double>(way[i]) * std::min(clock + 1, 1000) / 1000), 1);
+    }
+  }
+  EXPECT_EQ(at, way);
+  EXPECT_TRUE(line.done());
+}
+
+TEST(LinearPointComparison, KeepsWithinABlu) {
+  expect_on_every_line([](Point way) { return LinearPointComparison(way); }, 1);
+}
+
+TEST(LinearPointComparison, StepsOneAxisAClock) {
+  const Trace found = trace_line(LinearPointComparison({4, -3}), {4, -3});
+  EXPECT_EQ(found.clocks, 7);
+  EXPECT_EQ(found.pulses, 7);
+}
+
+TEST(LinearBresenham, KeepsWithinHalfABlu) {
+  expect_on_every_line([](Point way) { return LinearBresenham(way); }, 0.5);
+}
+
+TEST(LinearBresenham, TakesAsManyClocksAsTheLongerAxisHasSteps) {
+  EXPECT_EQ(trace_line(LinearBresenham({-40, 23}), {-40, 23}).clocks, 40);
+  EXPECT_EQ(trace_line(LinearBresenham({0, 23}), {0, 23}).clocks, 23);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+std::int64_t commands(FeedDda feed, std::int64_t clocks) {
+  std::int64_t count = 0;
+  for (std::int64_t clock = 0; clock < clocks; ++clock) count += feed.step();
+  return count;
+}
+
+/// f = 100·V0, q0 = 3000, 5000 interrupts a second: V0 = 30 in/min gives a command each, 12.34 in/min 2056.67 a second.
+TEST(KorenFeed, GivesSoManyCommandsASecond) {
+  constexpr std::int64_t minute = 5000 * 60;
+  EXPECT_EQ(commands({3000, 3000}, 5000), 5000);
+  EXPECT_EQ(commands({3000, 1234}, minute), 123400);  // 2056.67 a second
+  EXPECT_EQ(commands({3000, 0}, minute), 0);
+}
+
+/// A 13-bit register clocked 1024 times a second, with the loads 1, 2 and 4: first overflow after 8, 4 and 2 s.
+TEST(LectureTimer, Takes8And4And2Seconds) {
+  for (const std::int64_t load : {1, 2, 4}) {
+    Integrator timer(std::int64_t{1} << 13, 0);
+    std::int64_t clock = 1;
+    while (!timer.add(load)) ++clock;
+    EXPECT_EQ(clock, 1024 * 8 / load);
+  }
+}
+
+}  // namespace
+}  // namespace leadscrew::pulse::testing
