@@ -17,17 +17,17 @@ namespace {
 constexpr Arc quarter{{5, 0}, {0, 5}, Direction::counterclockwise};
 
 TEST(FpgaTable1, PointComparisonTakes10StepsAndErrs0877) {
-  const Trace found = trace_arc(CircularSearch(Search::point_comparison, quarter), quarter);
+  const Trace found = trace_arc(CircularSearch<Search::point_comparison>(quarter), quarter);
   EXPECT_TRUE(found.ends);
   EXPECT_EQ(found.clocks, 10);
   EXPECT_NEAR(found.worst, 0.877, 5e-4);
   // As its text says, with F = 0 inward, it would be 1.
-  EXPECT_NEAR(trace_arc(CircularSearch(Search::point_comparison, quarter, OnCircle::inward), quarter).worst, 1, 1e-12);
+  EXPECT_NEAR(trace_arc(CircularSearch<Search::point_comparison, OnCircle::inward>(quarter), quarter).worst, 1, 1e-12);
 }
 
 TEST(FpgaTable1, LeastErrorTakes7StepsAndErrs0385) {
-  for (const Search method : {Search::least_error, Search::improved_least_error}) {
-    const Trace found = trace_arc(CircularSearch(method, quarter), quarter);
+  for (const Trace& found : {trace_arc(CircularSearch<Search::least_error>(quarter), quarter),
+                             trace_arc(CircularSearch<Search::improved_least_error>(quarter), quarter)}) {
     EXPECT_TRUE(found.ends);
     EXPECT_EQ(found.clocks, 7);
     EXPECT_NEAR(found.worst, 0.385, 5e-4);
@@ -42,11 +42,29 @@ TEST(FpgaTable1, DdaTakes8ClocksAndErrs0385) {
   EXPECT_NEAR(found.worst, 0.385, 5e-4);
 }
 
-constexpr bool ends_at_compile_time(CircularSearch state) {
+constexpr bool ends_at_compile_time(CircularSearch<Search::least_error> state) {
   while (!state.done()) state.step();
   return state.at() == quarter.end;
 }
-static_assert(ends_at_compile_time(CircularSearch(Search::least_error, quarter)));
+static_assert(ends_at_compile_time(CircularSearch<Search::least_error>(quarter)));
+
+/// Of the three steps that the quadrant allows, by brute force.
+TEST(LeastError, TakesTheStepNearestToTheCircle) {
+  for (std::int64_t radius = 1; radius <= 60; ++radius) {
+    for (const Direction direction : {Direction::clockwise, Direction::counterclockwise}) {
+      CircularSearch<Search::least_error> circle({{radius, 0}, {radius, 0}, direction});
+      while (!circle.done()) {
+        const Point at = circle.at();
+        const auto [sx, sy] = tangent(quadrant(at, direction), direction).step;
+        const auto off = [&](std::int64_t x, std::int64_t y) { return absolute(x * x + y * y - radius * radius); };
+        const std::int64_t least = std::min({off(at.x + sx, at.y), off(at.x, at.y + sy), off(at.x + sx, at.y + sy)});
+        circle.step();
+        ASSERT_EQ(off(circle.at().x, circle.at().y), least) << radius << ": " << at.x << ' ' << at.y;
+        ASSERT_EQ(absolute(circle.deviation()), least);
+      }
+    }
+  }
+}
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -58,7 +76,7 @@ struct Method {
 
 template <Search method, OnCircle on_circle = OnCircle::outward>
 Trace search(const Arc& arc) {
-  return trace_arc(CircularSearch(method, arc, on_circle), arc);
+  return trace_arc(CircularSearch<method, on_circle>(arc), arc);
 }
 template <Order order, Preload preload, int places = 0>
 Trace dda(const Arc& arc) {
@@ -103,23 +121,23 @@ TEST_P(OnEveryLatticeArc, EndsExactlyAndStaysWithinItsBound) {
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, OnEveryLatticeArc,
-    ::testing::Values(
-        Method{"PointComparison", search<Search::point_comparison>, 0.9995, 0.9995},
-        Method{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 1},
-        Method{"LeastError", search<Search::least_error>, 0.5, 0.5},
-        Method{"ImprovedLeastError", search<Search::improved_least_error>, 0.5, 0.586},  // .586 at R² = 2 alone
-        Method{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.55, 2.04},
-        Method{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.16, 1.65},
-        Method{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.14, 1.62},
-        Method{"ParallelFull", dda<Order::parallel, Preload::full>, 0.95, 1.42},
-        Method{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.45, 1.92},
-        Method{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.94, 1.43},
-        Method{"XFirstHalfWide", dda<Order::x_first, Preload::half, 8>, 0.94, 1.43},
-        Method{"ShrinkingFirstEmpty", dda<Order::shrinking_first, Preload::none>, 1.45, 1.92},
-        Method{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.94, 1.43},
-        Method{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 0.97, 1.28},
-        Method{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.94, 1.43},
-        Method{"GrowingFirstHalfWide", dda<Order::growing_first, Preload::half, 8>, 0.94, 1.43}),
+    ::testing::Values(Method{"PointComparison", search<Search::point_comparison>, 0.9995, 0.9995},
+                      Method{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 1},
+                      Method{"LeastError", search<Search::least_error>, 0.5, 0.5},
+                      Method{"ImprovedLeastError", search<Search::improved_least_error>, 0.5,
+                             0.586},  // .586 at R² = 2 alone
+                      Method{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.55, 2.04},
+                      Method{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.16, 1.65},
+                      Method{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.14, 1.62},
+                      Method{"ParallelFull", dda<Order::parallel, Preload::full>, 0.95, 1.42},
+                      Method{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.45, 1.92},
+                      Method{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.94, 1.43},
+                      Method{"XFirstHalfWide", dda<Order::x_first, Preload::half, 8>, 0.94, 1.43},
+                      Method{"ShrinkingFirstEmpty", dda<Order::shrinking_first, Preload::none>, 1.45, 1.92},
+                      Method{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.94, 1.43},
+                      Method{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 0.97, 1.28},
+                      Method{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.94, 1.43},
+                      Method{"GrowingFirstHalfWide", dda<Order::growing_first, Preload::half, 8>, 0.94, 1.43}),
     [](const auto& test) { return test.param.name; });
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -127,8 +145,8 @@ INSTANTIATE_TEST_SUITE_P(
 struct CircleBound {
   std::string name;
   Trace (*trace)(const Arc&);
-  double worst;             ///< on full circles, BLU
-  double clocks_per_radius; ///< about
+  double worst;              ///< on full circles, BLU
+  double clocks_per_radius;  ///< about
 };
 
 class OnEveryCircle : public ::testing::TestWithParam<CircleBound> {
@@ -154,20 +172,20 @@ TEST_P(LongOnEveryCircle, EndsWhereItBeganAndStaysWithinItsBound) {
   run_to(4096);
 }
 
-const auto circle_bounds = ::testing::Values(
-    CircleBound{"PointComparison", search<Search::point_comparison>, 1, 8},
-    CircleBound{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 8},
-    CircleBound{"LeastError", search<Search::least_error>, 0.5, 5.65685},
-    CircleBound{"ImprovedLeastError", search<Search::improved_least_error>, 0.5, 5.65685},
-    CircleBound{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.8026, 6.28319},
-    CircleBound{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.2951, 6.28319},
-    CircleBound{"ParallelFull", dda<Order::parallel, Preload::full>, 0.99976, 6.28319},
-    CircleBound{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.32, 6.28319},
-    CircleBound{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.4676, 6.28319},
-    CircleBound{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.9656, 6.28319},
-    CircleBound{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.9505, 6.28319},
-    CircleBound{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 1.0225, 6.28319},
-    CircleBound{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.9656, 6.28319});
+const auto circle_bounds =
+    ::testing::Values(CircleBound{"PointComparison", search<Search::point_comparison>, 1, 8},
+                      CircleBound{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 8},
+                      CircleBound{"LeastError", search<Search::least_error>, 0.5, 5.65685},
+                      CircleBound{"ImprovedLeastError", search<Search::improved_least_error>, 0.5, 5.65685},
+                      CircleBound{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.8026, 6.28319},
+                      CircleBound{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.2951, 6.28319},
+                      CircleBound{"ParallelFull", dda<Order::parallel, Preload::full>, 0.99976, 6.28319},
+                      CircleBound{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.32, 6.28319},
+                      CircleBound{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.4676, 6.28319},
+                      CircleBound{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.9656, 6.28319},
+                      CircleBound{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.9505, 6.28319},
+                      CircleBound{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 1.0225, 6.28319},
+                      CircleBound{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.9656, 6.28319});
 const auto name_of_bound = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, OnEveryCircle, circle_bounds, name_of_bound);
 INSTANTIATE_TEST_SUITE_P(LongMethods, LongOnEveryCircle, circle_bounds, name_of_bound);
@@ -181,8 +199,8 @@ TEST(CircularEnds, AreReachedWhereTheyAreOffTheCircle) {
       if (std::abs(std::hypot(double(x), double(y)) - 20) > 0.5) continue;
       for (const Direction direction : {Direction::clockwise, Direction::counterclockwise}) {
         const Arc arc{{12, 16}, {x, y}, direction};
-        for (const Search method : {Search::point_comparison, Search::least_error, Search::improved_least_error}) {
-          const Trace found = trace_arc(CircularSearch(method, arc), arc);
+        for (const Trace& found : {search<Search::point_comparison>(arc), search<Search::least_error>(arc),
+                                   search<Search::improved_least_error>(arc)}) {
           EXPECT_TRUE(found.ends) << x << ' ' << y;
           worst = std::max(worst, found.worst);
         }

@@ -69,7 +69,8 @@ TEST(LinearDda, CarriesNineAxesToTheirEnd) {
     const Pulse<9> pulse = line.step();
     for (std::size_t i = 0; i < at.size(); ++i) {
       at[i] += pulse.step[i];
-      EXPECT_LE(std::abs(static_cast<double>(at[i]) - static_cast<double>(way[i]) * std::min(clock + 1, 1000) / 1000), 1);
+      EXPECT_LE(std::abs(static_cast<double>(at[i]) - static_cast<double>(way[i]) * std::min(clock + 1, 1000) / 1000),
+                1);
     }
   }
   EXPECT_EQ(at, way);

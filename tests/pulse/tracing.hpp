@@ -8,10 +8,10 @@
 namespace leadscrew::pulse::testing {
 
 struct Trace {
-  double worst = 0;          ///< distance of a lattice point from the curve, BLU
-  std::int64_t clocks = 0;   ///< until it was done
-  std::int64_t pulses = 0;   ///< clocks with a step
-  bool ends = false;         ///< done, and where it was to end
+  double worst = 0;         ///< distance of a lattice point from the curve, BLU
+  std::int64_t clocks = 0;  ///< until it was done
+  std::int64_t pulses = 0;  ///< clocks with a step
+  bool ends = false;        ///< done, and where it was to end
 };
 
 /// From `start` on, at most so many clocks; `distance` of a point from the curve.

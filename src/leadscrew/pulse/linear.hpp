@@ -57,13 +57,19 @@ constexpr std::int64_t capacity_for(std::int64_t squared_length) {
 }
 
 /// F = |a|·y − |b|·x beside the line to (a, b), x and y counted along it: above it F > 0, where x steps; below it y
-/// does. On it, x steps, so that a line along an axis needs no exception. One axis a clock; ends after |a| + |b| clocks.
+/// does. On it, x steps, so that a line along an axis needs no exception. One axis a clock; ends after |a| + |b|
+/// clocks.
 class LinearPointComparison {
  public:
   static constexpr std::size_t axes = 2;
 
   constexpr explicit LinearPointComparison(Point way)
-      : a_(absolute(way.x)), b_(absolute(way.y)), left_x_(a_), left_y_(b_), sign_x_(sign(way.x)), sign_y_(sign(way.y)) {}
+      : a_(absolute(way.x)),
+        b_(absolute(way.y)),
+        left_x_(a_),
+        left_y_(b_),
+        sign_x_(sign(way.x)),
+        sign_y_(sign(way.y)) {}
 
   constexpr bool done() const { return left_x_ == 0 && left_y_ == 0; }
 
