@@ -33,8 +33,9 @@ constexpr Arc circle{{radius, 0}, {radius, 0}, Direction::counterclockwise};
 
 template <typename Make>
 void add(const char* name, const Make& make) {
-  benchmark::RegisterBenchmark(name, [make](benchmark::State& state) { clocks(state, make); })
-      ->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark(name, [make](benchmark::State& state) {
+    clocks(state, make);
+  })->Unit(benchmark::kMicrosecond);
 }
 
 const bool added = [] {

@@ -30,4 +30,14 @@ Rows curve_rows(const Host& host);
 /// Those, and the same of short lines and corners blended within a tolerance.
 Rows limits_rows(const Host& host);
 
+/// Table I of "Interpolator for a computer numerical control system": the cosine after half a turn by four methods.
+Rows table_1_rows(const Host& host);
+/// Its orders of truncation errors, and that of its own method.
+Rows orders_rows(const Host& host);
+/// Its half circle by integers, and what other conventions make of it.
+Rows half_circle_rows(const Host& host);
+
+/// The comparison of "Four circular interpolators in an FPGA".
+Rows fpga_rows(const Host& host);
+
 }  // namespace leadscrew::study
