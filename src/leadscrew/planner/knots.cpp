@@ -12,6 +12,9 @@ constexpr double per_ramp = 40;          // knots while speed rises from rest or
 constexpr double cruise_knots = 8;       // of a cruise, while speed could rise from rest
 constexpr double cruise_time = 0.02;     // s between knots of a cruise that need not lie closer
 constexpr double cruise_grading = 0.1;   // of the distance from where the cruise begins or ends
+constexpr double slow_change = 0.05;     // of x, from sample to sample, where feed asks for another speed slowly
+constexpr double slow_tangent = 0.02;    // of the tangent acceleration that this may take
+constexpr double change_of_knot = 0.1;   // of x between knots there
 constexpr double grading = 0.25;         // |dh/ds|
 constexpr double ramp_grading = 0.25;    // h over distance from rest
 constexpr double merged_breaks = 1e-5;   // of the width around them
@@ -33,6 +36,7 @@ struct Sample {
   double h_curve = 0;   // bound of h by the curve
   double a = 0, j = 0;
   double h = 0;
+  bool is_by_feed = false;  // is it feed that says the greatest?
 };
 
 class Placement {
@@ -130,8 +134,8 @@ class Placement {
     sample.s = s;
     sample.a = t.acceleration;
     sample.j = t.jerk;
-    double cap = greatest_square(jet, stretch_.feed_factor * section_.greatest_speed(s, side, jet), machine_),
-           second = 0, third = 0;
+    const double feed = stretch_.feed_factor * section_.greatest_speed(s, side, jet);
+    double cap = greatest_square(jet, feed, machine_), second = 0, third = 0;
     for (const base::Axis axis : base::all_axes) {
       const numeric::Jet& q = jet[base::index(axis)];
       if (q.second != 0) cap = std::min(cap, machine_.limits(axis).acceleration / std::abs(q.second));
@@ -140,6 +144,7 @@ class Placement {
       third += q.third * q.third;
     }
     sample.greatest = cap;
+    sample.is_by_feed = cap == feed * feed;
     const double d = from_rest(s);
     cap = std::min(cap, std::pow(4.5 * t.jerk * d * d, 2.0 / 3));
     sample.cap = sample.reach = cap;
@@ -156,7 +161,14 @@ class Placement {
     return std::min({ramp_width(sample, sample.cap, per_ramp), sample.h_curve, std::max(ramp_grading * d, 1e-12)});
   }
 
-  static bool is_same(double cap, double other) { return std::abs(cap - other) <= 1e-9 * cap; }
+  /// Or so nearly that speed follows without effort: where feed is counted by some of the axes it may be asked to
+  /// change all along a curve.
+  static bool is_same(const Sample& a, const Sample& b) {
+    const double change = std::abs(a.cap - b.cap);
+    if (change <= 1e-9 * a.cap) return true;
+    return a.is_by_feed && b.is_by_feed && change <= slow_change * std::min(a.cap, b.cap) &&
+           change <= 2 * slow_tangent * std::min(a.a, b.a) * std::abs(a.s - b.s);
+  }
   static double cruise_width(const Sample& sample, double x) {
     return std::max(ramp_width(sample, x, cruise_knots), cruise_time * std::sqrt(x));
   }
@@ -203,8 +215,7 @@ class Placement {
     const double width = right.s - left.s;
     if (depth == deepest || width <= 2 * std::min(width_by_cap(left), width_by_cap(right))) return;
     const Sample middle = at((left.s + right.s) / 2, Side::left);
-    const bool is_cruise = middle.cap == middle.greatest && is_same(left.cap, middle.cap) &&
-                           is_same(middle.cap, right.cap) && left.cap == left.greatest && right.cap == right.greatest;
+    const bool is_cruise = middle.cap == middle.greatest && is_same(left, middle) && is_same(middle, right) && left.cap == left.greatest && right.cap == right.greatest;
     if (is_cruise && width <= 2 * std::min(widest(left), widest(right))) return;
     bisect(left, middle, depth + 1);
     samples_.push_back(middle);
@@ -223,7 +234,7 @@ class Placement {
   void widths() {
     std::vector<double> alone(samples_.size(), 0.0);  // distance to where the greatest speed changes
     const auto same = [](const Sample& a, const Sample& b) {
-      return a.reach == a.cap && b.reach == b.cap && is_same(a.cap, b.cap);
+      return a.reach == a.cap && b.reach == b.cap && is_same(a, b);
     };
     for (std::size_t i = 1; i < samples_.size(); ++i) {
       if (same(samples_[i - 1], samples_[i])) alone[i] = alone[i - 1] + samples_[i].s - samples_[i - 1].s;
@@ -241,6 +252,14 @@ class Placement {
       const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
       const double cruise = std::min(cruise_width(sample, sample.reach), cruise_grading * beyond);
       sample.h = std::min({std::max(ramp, cruise), sample.h_curve, ramp_grading * d});
+    }
+    for (std::size_t i = 1; i < samples_.size(); ++i) {
+      Sample &a = samples_[i - 1], &b = samples_[i];
+      const double change = std::abs(a.cap - b.cap) / std::min(a.cap, b.cap);
+      if (!(change > 1e-9) || !same(a, b)) continue;
+      const double widest = change_of_knot / change * (b.s - a.s);
+      for (Sample* const sample : {&a, &b})
+        sample->h = std::min(sample->h, std::max(widest, ramp_width(*sample, sample->reach, per_ramp)));
     }
     if (stretch_.kept.size() > 1) {  // what is new goes on from the last interval that is there
       const double joint = stretch_.kept.back(), width = joint - *(stretch_.kept.end() - 2);

@@ -13,6 +13,12 @@ constexpr double straight = 2e-7;         // mm: what rounding and three decimal
 constexpr std::size_t most_lines = 4096;  // of the program in one leg
 constexpr double ball_share = 0.25;       // of the tolerance
 constexpr double greatest_share = 0.25;   // of the tolerance that may be spent
+constexpr double rounding = 1e-9;
+
+/// That feed lets a curve take whose direction is nearly that at its start, s.
+double least_time(const geometry::Curve& curve, double feed, FeedAxes axes) {
+  return geometry::length(curve) * rate(geometry::jets(curve, 0), axes) / feed;
+}
 
 }  // namespace
 
@@ -40,13 +46,17 @@ bool Reduction::join(const Leg& leg) {
   const FeedAxes axes = axes_of(*open_);
   const std::optional<Piece> one = straight_piece(open->start(), line->end(), axes);
   if (!one || feed_axes(geometry::moving(one->curve)) != axes) return false;
-  const double length = geometry::length(one->curve);
+  const double length = geometry::length(one->curve), feed = std::min(open_->feed, leg.feed);
+  // The lesser feed is kept by all of it, but no longer than all of them would take one by one.
+  const double seconds = seconds_ + least_time(leg.curve, leg.feed, leg.feed_axes);
+  if (least_time(one->curve, feed, one->feed_axes) > seconds * (1 + rounding)) return false;
   // What became one line may be shorter than its parts were.
   open_->lines.push_back({open->length(), leg.line});
   for (auto mark = open_->lines.rbegin(); mark != open_->lines.rend() && mark->s > length; ++mark) mark->s = length;
   open_->curve = one->curve;
   open_->feed_axes = one->feed_axes;
-  open_->feed = std::min(open_->feed, leg.feed);
+  open_->feed = feed;
+  seconds_ = seconds;
   open_->spent = spent;
   radius_ = radius;
   end_ = end;
@@ -59,6 +69,7 @@ std::optional<Leg> Reduction::push(Leg leg) {
   start_ = to_millimetres(geometry::start(leg.curve));
   end_ = to_millimetres(geometry::end(leg.curve));
   radius_ = 0;
+  seconds_ = least_time(leg.curve, leg.feed, leg.feed_axes);
   open_ = std::move(leg);
   return done;
 }

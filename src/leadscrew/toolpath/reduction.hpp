@@ -45,6 +45,7 @@ class Reduction {
   double tolerance_;
   std::optional<Leg> open_;
   geometry::Point start_{}, end_{};  ///< of the open leg, mm
+  double seconds_ = 0;               ///< that feed lets its legs take, one by one
   double radius_ = 0;                ///< of the ball about its start in which all its inner vertices lie
 };
 
