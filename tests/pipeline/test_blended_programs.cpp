@@ -411,4 +411,35 @@ TEST(BlendedPrograms, AreNoSlowerWhereMovesOfUnlikeFeedsMeet) {
   expect_better_than_stops("G21 G90 G17 G94 F6000 G64 P1\nG1 X30 A40\nF60 X31 Y1 A41\nG0 X0 Y0 A0\n");
 }
 
+/// A curve that begins with a double control point: its table of arc length lies dense there, but it is straight.
+TEST(BlendedPrograms, SampleCurvesNoFinerThanTheToleranceAsks) {
+  const std::string mode = "G21 G90 G17 G94 ";
+  const std::string from_a_double_point =
+      "G6.2 P4 K0 Z0 R1\nK0 Z0 R1\nK0 Z0.1071 R1\nK0 Z0.0377 R1\nK1 Z0.1257 R1\nK2 Z0.1257 R1\nK3 Z0.0697 R1.86\n"
+      "K4 Z-0.0330 R1\nK5\nK5\nK5\nK5\n";
+  expect_better_than_stops(mode + "F588 G64 P0.0384\nG1 X-2\n" + from_a_double_point);
+  expect_better_than_stops(mode + "F588 G64 P0.0384\nG1 X-0.2476\n" + from_a_double_point);
+  expect_better_than_stops(mode +
+                           "F417 G64 P0.01735 Q0.0052\nG1 Y0.509\nG6.2 P3 K0 Z0 Y0.509 R1\nK0 Z0 Y0.3159 R1\n"
+                           "K0 Z-0.2222 Y0.5303 R1\nK1 Z0.0024 Y0.3019 R1\nK5\nK5\nK5\n");
+  expect_better_than_stops(
+      mode +
+      "F3498 G64 P0.01\nG3 X12.08963 Y1.91024 A0.0303 B0.5019 I6.11639 J0.50213\n"
+      "G2 X11.88669 Y2.03784 Z-0.5322 I0.17335 J0.50089\n"
+      "G3 X12.20947 Y1.79225 Z-1.9179 I-0.04448 J-0.39337\nG6.2 P3 K0 Z-1.9179 R1\nK0 Z-9.0590 R1\n"
+      "K0 Z-9.0590 R1\nK2 Z-15.1771 R1\nK3 Z-31.9880 R0.59\nK4\nK4\nK4\n");
+  expect_better_than_stops(mode +
+                           "F419 G64 P0.20399 Q0.0612\nG1 X-0.6344 Y-0.9959\n"
+                           "G17 G5 X-10.3589 Y5.9892 I3.1501 J-0.6296 P-3.0229 Q-6.9086\n");
+}
+
+/// Along the blend the speed that feed allows changes by many powers of ten.
+TEST(BlendedPrograms, PlanBlendsIntoASlowFeedOfOtherAxesInReasonableTime) {
+  expect_better_than_stops("G21 G90 G17 G94 G64 P0.05\nG1 Z0.3536 B-1.2162 U0.0030 F1500\nG1 X0.0001 F0.0036\n");
+}
+
+TEST(BlendedPrograms, DoNotMakeMovesOneAtALesserFeedThatTakesLonger) {
+  expect_better_than_stops("G21 G90 G17 G94 G64 P1\nG1 X0.2 F6000\nG1 X0.21 F1\nG1 Y5 F6000\n");
+}
+
 }  // namespace

@@ -23,7 +23,8 @@ TEST(Chopped, CutsTowardsZero) {
 }
 
 const char* digits_of(std::size_t column) {
-  constexpr std::array<const char*, 6> names = {"T = 1", "T = 0.1", "T = 0.01", "T = 0.001", "T = 0.0001", "T = 0.00001"};
+  constexpr std::array<const char*, 6> names = {"T = 1",     "T = 0.1",    "T = 0.01",
+                                                "T = 0.001", "T = 0.0001", "T = 0.00001"};
   return names[column];
 }
 

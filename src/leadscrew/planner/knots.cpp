@@ -215,7 +215,8 @@ class Placement {
     const double width = right.s - left.s;
     if (depth == deepest || width <= 2 * std::min(width_by_cap(left), width_by_cap(right))) return;
     const Sample middle = at((left.s + right.s) / 2, Side::left);
-    const bool is_cruise = middle.cap == middle.greatest && is_same(left, middle) && is_same(middle, right) && left.cap == left.greatest && right.cap == right.greatest;
+    const bool is_cruise = middle.cap == middle.greatest && is_same(left, middle) && is_same(middle, right) &&
+                           left.cap == left.greatest && right.cap == right.greatest;
     if (is_cruise && width <= 2 * std::min(widest(left), widest(right))) return;
     bisect(left, middle, depth + 1);
     samples_.push_back(middle);

@@ -18,8 +18,7 @@ class FreeCircle {
   static constexpr std::size_t axes = 2;
 
   /// capacity q > 0, ≥ |coordinates|; 0 ≤ preload < q. Orders: x_first and parallel.
-  constexpr FreeCircle(Point start, std::int64_t capacity, std::int64_t preload, Order order,
-                       Accumulation accumulation)
+  constexpr FreeCircle(Point start, std::int64_t capacity, std::int64_t preload, Order order, Accumulation accumulation)
       : at_(start),
         capacity_(capacity),
         remainder_x_(preload),

@@ -111,7 +111,8 @@ Row half_turn_row(Method method, std::size_t column) {
   }
   Row row = exact_row(what, blu, figure, four_digits(exact));
   row.why = decimal(exact, 2) + " before rounding to four digits";
-  if (method == Method::tustin && t == 0.1) row.why += "; at nT = 3.0 it is 9996.4, so it was read there, or is a misprint";
+  if (method == Method::tustin && t == 0.1)
+    row.why += "; at nT = 3.0 it is 9996.4, so it was read there, or is a misprint";
   if (method == Method::state_transition && t == 0.001) row.why += "; one off in the last digit";
   return row;
 }

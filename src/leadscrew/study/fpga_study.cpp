@@ -53,9 +53,10 @@ Rows fpga_rows(const Host&) {
                        "the least of |F|, whatever wins a tie", 792));
   append(rows, rows_of("improved least error", 7, 0.385, along(CircularSearch<Search::improved_least_error>(quarter)),
                        "", 724));
-  append(rows, rows_of("DDA", 8, 0.385,
-                       along(pulse::CircularDda(quarter, {pulse::Order::parallel, pulse::Preload::half_lagging})),
-                       "steps are clocks, one of which makes no pulse; capacity R, only the lagging axis half full", 724));
+  append(rows,
+         rows_of("DDA", 8, 0.385,
+                 along(pulse::CircularDda(quarter, {pulse::Order::parallel, pulse::Preload::half_lagging})),
+                 "steps are clocks, one of which makes no pulse; capacity R, only the lagging axis half full", 724));
   return rows;
 }
 

@@ -106,7 +106,7 @@ std::optional<Blend> blend(const Corner& corner, double room) {
 
   const bool lines =
       std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
-  if (apart >= turned_back || (lines && !(apart > 0))) return std::nullopt;
+  if (!(apart < turned_back) || (lines && !(apart > 0))) return std::nullopt;
   const double longest = 8 * room / std::max(apart, 1e-12);  // by the turn; where only curvature steps, by trying
   double d = std::min({longest, corner.most_before * rate_before, corner.most_behind * rate_behind});
   const double least = 1e-3 * d;

@@ -22,7 +22,7 @@ Point position(const Curve& curve, double s) {
   return to_millimetres(geometry::evaluate(curve, s));
 }
 
-/// What a curve says of itself at s: position and three derivatives by mm.
+/// What a curve says of itself at s: position and three derivatives by mm; at a cusp, where it has none, the position.
 State state_at(const Curve& curve, double s, bool backwards) {
   const geometry::PointJet jet = geometry::jets(curve, std::clamp(s, 0.0, geometry::length(curve)));
   const double per_mm = (backwards ? -1 : 1) / millimetres_per_length(curve);
@@ -36,6 +36,10 @@ State state_at(const Curve& curve, double s, bool backwards) {
   for (std::size_t r = 1; r < state.count; ++r) {
     scale *= per_mm;
     for (double& x : state.derivative[r]) x *= scale;
+  }
+  const auto is_number = [](double x) { return std::isfinite(x); };
+  for (std::size_t r = state.count; r-- > 1;) {
+    if (!std::all_of(state.derivative[r].begin(), state.derivative[r].end(), is_number)) state.count = 1;
   }
   return state;
 }
@@ -57,7 +61,10 @@ double chord_end(const Curve& curve, double s, double to, double sagitta) {
     }
     return false;
   };
-  for (int k = 0; k < most_halvings && is_too_long(); ++k) step /= 2;
+  // A way as short as that is within the sagitta of its chord whatever it does.
+  const double shortest = sagitta / millimetres_per_length(curve);
+  for (int k = 0; k < most_halvings && step > shortest && is_too_long(); ++k) step /= 2;
+  step = std::max(step, shortest);
   return s + step < to && s + step > s ? s + step : to;
 }
 
@@ -161,9 +168,9 @@ bool Run::begin_rest(bool corner) {
   return true;
 }
 
-/// No spline was found: it is to end at the sharpest vertex near by, with a corner there. Where there is none, a
-/// straight line leads to the next vertex: it stays inside the tube wherever in it the curve has come to, and the
-/// motion stops at its ends. False if the run ends there.
+/// No spline was found: it is to end at the sharpest vertex near by, with a corner there; where there is none, where it
+/// was farthest outside. Where that is the next vertex, a straight line leads there: it stays inside the tube wherever
+/// in it the curve has come to, and the motion stops at its ends. False if the run ends there.
 bool Run::retreat() {
   const std::vector<Vertex> vertices = spline_.vertices();
   const double settled = spline_.settled();
@@ -181,7 +188,8 @@ bool Run::retreat() {
       end = i;
     }
   }
-  const bool splits = sharpest > least_corner;
+  if (sharpest <= least_corner && spline_.worst() + 1 < vertices.size()) end = std::max(end, spline_.worst());
+  const bool splits = sharpest > least_corner || end > next;
   const bool is_last = last_ && end + 1 == vertices.size() && rest_.empty();
   rest_.insert(rest_.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(end),
                rest_.empty() ? vertices.end() : vertices.end() - 1);

@@ -234,7 +234,7 @@ bool TubeSpline::check() {
     const double apart = b.u - a.u, bent = std::max(greatest_bend(a.span), greatest_bend(b.span));
     const double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].room;
     if (a.span < settled_spans()) greatest = std::max(greatest, share);
-    if (!(share > 1)) continue;
+    if (share <= 1) continue;  // what is no number is outside
     inside = false;
     const double u = a.distance > b.distance ? a.u : b.u;
     found.push_back({u, smoothing_length(u) * std::clamp(std::sqrt(0.9 / share), shortened_most, shortened_least)});
