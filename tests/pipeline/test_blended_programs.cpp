@@ -442,4 +442,26 @@ TEST(BlendedPrograms, DoNotMakeMovesOneAtALesserFeedThatTakesLonger) {
   expect_better_than_stops("G21 G90 G17 G94 G64 P1\nG1 X0.2 F6000\nG1 X0.21 F1\nG1 Y5 F6000\n");
 }
 
+/// A hairpin inside the tolerance: no spline is to turn back nearly on the spot.
+TEST(BlendedPrograms, StopRatherThanCreepRoundAHairpin) {
+  const std::string mode = "G21 G90 G17 G94 F784 G64 ";
+  expect_better_than_stops(
+      mode +
+      "P0.173442\nG1 X26.134 Y106.063\nX33.536 Y53.543\nX33.493 Y53.849\nX33.415 Y54.331\n"
+      "X33.414 Y54.343\nX37.548 Y48.384\nX37.359 Y48.854 F9937\nX36.796 Y50.430\nX36.269 Y51.103\n");
+  expect_better_than_stops(mode +
+                           "P0.228417\nG1 X-2.135 F6000\nA0.938\nA-1.069\nA-0.061\nA1.31\nA0.413\nA1.787\nA3.154\n"
+                           "A3.911 F3156\nA4.722\nA6.289\nA6.155\nX-2.531\nA4.275\nA4.734 F2101\nA4.013\nX-0.856\n");
+}
+
+/// Whatever its control points do to the parameter.
+TEST(BlendedPrograms, TakeACurveAlongOneAxisForALine) {
+  const std::string spline =
+      "G6.2 P3 K0 X0.7446 R1\nK0 X2.7466 R1\nK0 X2.7466 R1\nK1 X2.7466 R1\nK2 X3.3602 R1\nK3\nK3\nK3\n";
+  expect_better_than_stops("G21 G90 G17 G94 F516 G64 P0.05\nG1 X0.7446 Y0.1203 U2.5985\n" + spline +
+                           "G1 X3.4 Y0.5 U1\n");
+  EXPECT_EQ(run("G21 G90 G17 G94 F6000 G61\nG1 X0.7446\n" + spline).summary.time_s,
+            run("G21 G90 G17 G94 F6000 G61\nG1 X0.7446\nX2.7466\nX3.3602\n").summary.time_s);
+}
+
 }  // namespace

@@ -5,6 +5,7 @@
 // of the house: a programmed A45 is 45 in the word that leaves, bit for bit. Angles inside formulas are radians.
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -41,6 +42,7 @@ class AxisSet {
   constexpr void insert(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ | (1u << index(axis))); }
   constexpr void insert(AxisSet others) { bits_ = static_cast<std::uint16_t>(bits_ | others.bits_); }
   constexpr void erase(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ & ~(1u << index(axis))); }
+  constexpr int size() const { return std::popcount(bits_); }
   constexpr bool empty() const { return bits_ == 0; }
   constexpr std::uint16_t bits() const { return bits_; }
 

@@ -275,8 +275,11 @@ Chunk LookAhead::hand_out() {
   chunk.length = end - begin_;
   chunk.tail_length = window.end - end;
   const toolpath::Piece& last = section_.piece(last_piece);
-  chunk.rest = geometry::evaluate(last.curve, DoubleDouble(window.end - section_.offset(last_piece)));
-  chunk.rest_line = last.line_at(window.end - section_.offset(last_piece));
+  // At the end of a piece exactly there: the way on it, which has been rounded, may fall short of its length.
+  const double offset = section_.offset(last_piece), length = geometry::length(last.curve);
+  const double on_piece = window.end >= offset + length ? length : window.end - offset;
+  chunk.rest = geometry::evaluate(last.curve, DoubleDouble(on_piece));
+  chunk.rest_line = last.line_at(on_piece);
   last_begin_ = begin_;
   last_tail_end_ = tail_end_;
   begin_ = end;

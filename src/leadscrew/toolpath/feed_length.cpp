@@ -115,10 +115,18 @@ std::vector<Piece> pieces_of(const gcode::Move& move) {
     const bool is_mixed = to_be_named(feed_axes(moving), moving) != FeedAxes::none;
     const std::optional<Point> weights = is_mixed ? std::optional(weights_of_length()) : std::nullopt;
     for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, {}, weights))
-      pieces.push_back({piece, 0, {}, false, nullptr, to_be_named(feed_axes(piece.moving()), piece.moving())});
+      pieces.push_back(
+          {simplest(piece), 0, {}, false, nullptr, to_be_named(feed_axes(piece.moving()), piece.moving())});
   }
   for (Piece& piece : pieces) piece.line = move.line;
   return pieces;
+}
+
+geometry::Curve simplest(const geometry::Curve& curve) {
+  const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
+  if (!nurbs || nurbs->moving().size() != 1) return curve;
+  const Point &start = nurbs->start(), &end = nurbs->end();
+  return geometry::Line(start, end, distance(to_millimetres(start), to_millimetres(end)));
 }
 
 std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form) {

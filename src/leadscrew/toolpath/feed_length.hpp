@@ -31,6 +31,10 @@ std::vector<Piece> pieces_of(const gcode::Move& move);
 /// A straight one whose feed is counted by `axes`; none of no length.
 std::optional<Piece> straight_piece(const geometry::Point& start, const geometry::Point& end, FeedAxes axes);
 
+/// The same curve: a piece of a spline that moves along one coordinate alone is a straight line, whatever its parameter
+/// does.
+geometry::Curve simplest(const geometry::Curve& curve);
+
 /// Smooth pieces of what was fitted, by the length of tolerances.
 std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form);
 

@@ -236,7 +236,7 @@ void Smoother::add_exact(const Leg& leg, double from, double to) {
 /// Corners are cut as soon as both sides are known.
 void Smoother::add(Stretch stretch) {
   if (last_ && stretch.corner_before) cut_corner(stretch);
-  if (last_) done_.push_back(std::move(last_->piece));
+  if (last_) emit(std::move(last_->piece));
   last_ = std::move(stretch);
 }
 
@@ -254,17 +254,23 @@ void Smoother::cut_corner(Stretch& behind) {
   const double left = length_before - found->before;
   if (left > 0) {
     trim(last_->piece, 0, left);
-    done_.push_back(std::move(last_->piece));
+    emit(std::move(last_->piece));
   }
   behind.length = length_behind;
   behind.cut = true;
   trim(behind.piece, found->behind, length_behind);
-  if (pieces.size() > 1) done_.push_back(std::move(pieces.front()));
+  if (pieces.size() > 1) emit(std::move(pieces.front()));
   last_->piece = std::move(pieces.back());
 }
 
+/// What no corner can cut any more.
+void Smoother::emit(Piece piece) {
+  piece.curve = simplest(piece.curve);
+  done_.push_back(std::move(piece));
+}
+
 void Smoother::release() {
-  if (last_) done_.push_back(std::move(last_->piece));
+  if (last_) emit(std::move(last_->piece));
   last_.reset();
 }
 

@@ -49,6 +49,7 @@ class Smoother {
   void take_run(bool goes_on);
   void add(Stretch stretch);
   void cut_corner(Stretch& behind);
+  void emit(Piece piece);
   void release();
 
   Allowance allowance_;

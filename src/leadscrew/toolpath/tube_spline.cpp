@@ -3,6 +3,7 @@
 #include <leadscrew/numeric/banded.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/tube_spline.hpp>
+#include <utility>
 
 namespace leadscrew::toolpath {
 
@@ -18,6 +19,8 @@ constexpr double samples_per_span = 4;     // at least
 constexpr double sample_sagitta = 0.16;    // of the room, at curvature 1/ℓ or so
 constexpr double shortened_most = 0.5;     // by a round
 constexpr double shortened_least = 0.93;
+constexpr double back = -0.7;          // cosine of the angle between chords that turn back
+constexpr double least_advance = 0.3;  // of the parameter, of chords that do not
 
 }  // namespace
 
@@ -216,18 +219,33 @@ bool TubeSpline::check() {
   for (std::size_t i = 0; i < bend.size(); ++i) bend[i] = 4 / (t[i + 6] - t[i + 2]) * distance(slope[i + 1], slope[i]);
   const auto greatest_bend = [&](std::size_t span) { return *std::max_element(&bend[span], &bend[span] + 4); };
 
+  // Towards an end that is none the curve is free, and what it does there is not settled.
+  const std::size_t judged = whole_ ? stretch_.spans() : std::max(settled_spans(), stretch_.spans() * 3 / 4);
+  turns_back_ = false;
+  Point before{}, way_before{};
+  double last_u = 0, u_before = 0;
   for (Sample& sample : samples_) {
     Point there{};
     for (std::size_t a = 0; a < sample.basis.size(); ++a) {
       for (std::size_t k = 0; k < there.size(); ++k) there[k] += sample.basis[a] * c[sample.span + a][k];
     }
     sample.distance = distance(there, sample.position);
+    // Nearly on the spot: motion would all but stop, at a bend that is hard to plan.
+    const Point way = difference(there, before);
+    const double along = dot(way, way_before), lengths = norm(way) * norm(way_before);
+    if (&sample - samples_.data() > 1 && sample.span < judged && along < back * lengths &&
+        norm(way) + norm(way_before) < least_advance * (sample.u - u_before)) {
+      turns_back_ = true;
+      worst_ = sample.vertex;
+    }
+    u_before = std::exchange(last_u, sample.u);
+    way_before = way;
+    before = there;
   }
+  if (turns_back_) return false;
   double worst = 1, greatest = 0;
   bool inside = true;
   std::vector<Apex> found;
-  // Towards an end that is none the curve is free, and what it does there is not settled.
-  const std::size_t judged = whole_ ? stretch_.spans() : std::max(settled_spans(), stretch_.spans() * 3 / 4);
   for (std::size_t i = 1; i < samples_.size(); ++i) {
     const Sample &a = samples_[i - 1], &b = samples_[i];
     if (a.span >= judged) break;
@@ -289,7 +307,7 @@ TubeSpline::Outcome TubeSpline::settle() {
       std::erase_if(apexes_, [&](const Apex& apex) { return apex.u < begin_ - 10 * longest_; });
       return Outcome::settled;
     }
-    if (smoothing_length(vertices_[worst_].u) < shortest_) break;
+    if (turns_back_ || smoothing_length(vertices_[worst_].u) < shortest_) break;
   }
   return Outcome::failed;
 }

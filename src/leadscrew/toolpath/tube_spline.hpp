@@ -100,6 +100,7 @@ class TubeSpline {
   double longest_, shortest_;
   std::vector<Apex> apexes_;  ///< by u; none lies above another's cone
   std::size_t worst_ = 0;
+  bool turns_back_ = false;  ///< did it there, nearly on the spot?
   double greatest_share_ = 0;
 
   // The window.
