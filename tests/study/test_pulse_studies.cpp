@@ -64,6 +64,18 @@ TEST(Koren10001, ComesOut) {
   EXPECT_EQ(ours(rows, "as in hardware, remainders half full", "radius after half a turn"), 10002);
 }
 
+TEST(LectureStudy, ComesOut) {
+  const Rows rows = lecture_rows({});
+  for (const Row& row : rows) {
+    const Verdict expected = row.what == "out of the feed DDA" ? Verdict::reproduced
+                             : row.what == "feed of Y"         ? Verdict::differs
+                             : row.published.has_value()       ? Verdict::exact
+                                                               : Verdict::measured;
+    EXPECT_EQ(row.verdict, expected) << row.group << ": " << row.what << ' ' << row.ours.value_or(NAN);
+  }
+  EXPECT_EQ(rows.size(), 23u);
+}
+
 TEST(FpgaTable1Study, ComesOut) {
   const Rows rows = fpga_rows({});
   ASSERT_EQ(rows.size(), 12u);

@@ -40,4 +40,7 @@ Rows half_circle_rows(const Host& host);
 /// The comparison of "Four circular interpolators in an FPGA".
 Rows fpga_rows(const Host& host);
 
+/// The three problems of "Interpolators linear", lecture 12: rates of a pulse-driven axis, DDAs of a line, a timer.
+Rows lecture_rows(const Host& host);
+
 }  // namespace leadscrew::study

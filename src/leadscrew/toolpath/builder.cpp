@@ -66,10 +66,11 @@ void Builder::flush() {
 
 std::optional<Element> Builder::pop() {
   if (settled_.empty() && smoother_) {
-    if (std::optional<Piece> piece = smoother_->pop()) return Element(std::move(*piece));
+    if (std::optional<Piece> piece = smoother_->pop()) settled_.emplace_back(std::move(*piece));
   }
-  if (settled_.empty()) return std::nullopt;
-  std::optional<Element> element(std::move(settled_.front()));
+  std::optional<Element> element;
+  if (settled_.empty()) return element;
+  element.emplace(std::move(settled_.front()));
   settled_.pop_front();
   return element;
 }
