@@ -40,8 +40,11 @@ inline std::string limits_of(const machine::Machine& machine) {
 /// Writes a program block by block, keeping count of where it is.
 class RandomProgram {
  public:
-  static std::string make(int most_blocks = 24) {
+  enum class Turning : std::uint8_t { lines_and_arcs, everything };  // that may move A besides
+
+  static std::string make(int most_blocks = 24, Turning turning = Turning::everything) {
     RandomProgram program;
+    program.turning_ = turning;
     program.text_ = "G21 G90 G94 G17 F600\n";
     program.path_mode();
     const int blocks = any(1, most_blocks + 1);
@@ -103,7 +106,7 @@ class RandomProgram {
   /// A curve as a CAM writes it: lines of much the same length that turn little, rounded.
   void short_lines() {
     const double length = logarithmic(0.002, 5), bend = any(-1000, 1001) / 1000.0, waver = any(0, 200) / 1000.0;
-    const double turn = any(0, 4) == 0 ? small_size() / 10 : 0;  // of A, degrees a line
+    const double turn = turns(4) ? small_size() / 10 : 0;  // of A, degrees a line
     double angle = any(0, 6283) / 1000.0;
     for (int k = any(2, 30); k > 0; --k) {
       angle += 0.3 * bend + waver * any(-1000, 1001) / 1000.0;
@@ -120,6 +123,8 @@ class RandomProgram {
     }
   }
 
+  /// Once in so many times.
+  bool turns(int seldom) { return turning_ == Turning::everything && any(0, seldom) == 0; }
   double size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 30.0, 200.0); }
   double small_size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 10.0); }
   double rounded(double value) { return std::round(value * 1000) / 1000; }
@@ -211,7 +216,7 @@ class RandomProgram {
     const double last = knots.back() + 1;
     knots.resize(static_cast<std::size_t>(points + order), last);
     text_ += "G6.2 P" + std::to_string(order);
-    const double x = at_[0], y = at_[1], turn = any(0, 3) == 0 ? small_size() : 0;  // of A, degrees a point
+    const double x = at_[0], y = at_[1], turn = turns(3) ? small_size() : 0;  // of A, degrees a point
     const bool stands = turn > 0 && any(0, 2) == 0;
     for (int k = 0; k < points; ++k) {
       word('K', knots[static_cast<std::size_t>(k)]);
@@ -256,7 +261,7 @@ class RandomProgram {
 
   /// Lines that do not turn, some with a feed of their own, some with A.
   void straight_on() {
-    const double turn = any(0, 4) == 0 ? rounded(small_size()) : 0;
+    const double turn = turns(4) ? rounded(small_size()) : 0;
     const std::array<double, 3> way = {rounded(small_size()), rounded(small_size() / 2), 0.008};
     for (int k = any(2, 6); k > 0; --k) {
       const int times = any(1, 4);
@@ -294,6 +299,7 @@ class RandomProgram {
     }
   }
 
+  Turning turning_ = Turning::everything;
   std::string text_;
   std::array<double, 4> at_{};
   std::size_t plane_ = 0;

@@ -39,7 +39,7 @@ void keep_every_promise() {
   std::string text;
   std::optional<int> ticks;
   for (int blocks = 24; !ticks; blocks = std::max(1, blocks / 2)) {
-    text = RandomProgram::make(blocks);
+    text = RandomProgram::make(blocks, RandomProgram::Turning::lines_and_arcs);
     RC_LOG() << text << limits_of(machine);
     ticks = ticks_of(text, machine);
   }

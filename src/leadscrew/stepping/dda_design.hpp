@@ -22,10 +22,10 @@ struct DdaRange {
 };
 
 struct DdaDesign {
-  int axis_bits = 0;                ///< n: the fewest that hold the travel in steps
-  int feed_bits = 0;                ///< m: the fewest that hold the greatest feed word
-  std::int64_t feed_word_max = 0;   ///< S of the greatest feed along the least distance, rounded up
-  double clock_pps = 0;             ///< f, pulses/s
+  int axis_bits = 0;               ///< n: the fewest that hold the travel in steps
+  int feed_bits = 0;               ///< m: the fewest that hold the greatest feed word
+  std::int64_t feed_word_max = 0;  ///< S of the greatest feed along the least distance, rounded up
+  double clock_pps = 0;            ///< f, pulses/s
 };
 
 DdaDesign design_dda(const DdaRange& range);
