@@ -17,12 +17,12 @@ constexpr double cold_gap = 20;     // of creep
 constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly optimal already
 constexpr double repair_gap = 0.1;  // of a profile that is planned again
 constexpr double deep_gap = 10;     // of a profile from which limits can be tightened
-constexpr int repairs = 7;
+constexpr int repairs = 7, repairs_of_change = 5;  // knots come between soon where feed has changed
 constexpr double repair_margin = 2e-4;
 /// Where tightened rows have not helped, as where a window begins and little can change, a profile that is farther
 /// inside may: it costs less than what the last round falls back to.
-constexpr double gap_of_round(int round) {
-  return round + 2 < repairs ? gap : round + 1 < repairs ? 10 * gap : 100 * gap;
+constexpr double gap_of_round(int round, int rounds) {
+  return round + 2 < rounds ? gap : round + 1 < rounds ? 10 * gap : 100 * gap;
 }
 constexpr int refinements = 3;
 constexpr double coarse_knots = 1.005;  // ratios above tell that knots lie too far apart
@@ -235,15 +235,16 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
   SpeedProfile& profile = window.profile;
   if (aim_ == Aim::fastest && profile.is_too_fast()) profile.descend();
   double first_gap = warm_gap;
-  for (int round = 0; round <= repairs; ++round) {
-    const bool last_round = round == repairs;
+  const int rounds = stretch_.changes_from > 0 ? repairs_of_change : repairs;
+  for (int round = 0; round <= rounds; ++round) {
+    const bool last_round = round == rounds;
     if (!last_round) {
-      aim_ == Aim::rest ? profile.descend_to_creep() : profile.optimize(first_gap, gap_of_round(round));
+      aim_ == Aim::rest ? profile.descend_to_creep() : profile.optimize(first_gap, gap_of_round(round, rounds));
     }
     if (aim_ == Aim::fastest) profile.level_cruises();
     if (!emit(window)) return false;
     if (window.worst <= 1) return true;
-    const bool coarse = window.worst > coarse_knots || round + 1 >= repairs;  // or repairs have not helped
+    const bool coarse = window.worst > coarse_knots || round + 1 >= rounds;  // or repairs have not helped
     if (finer != nullptr && coarse && refine(*finer, window)) return false;
     if (last_round) return false;
     profile.retreat();
