@@ -12,11 +12,11 @@ namespace {
 using numeric::DoubleDouble;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double gap = 1e-3;        // of the time, to the optimum
-constexpr double cold_gap = 20;     // of creep
-constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly optimal already
-constexpr double repair_gap = 0.1;  // of a profile that is planned again
-constexpr double deep_gap = 10;     // of a profile from which limits can be tightened
+constexpr double gap = 1e-3;                       // of the time, to the optimum
+constexpr double cold_gap = 20;                    // of creep
+constexpr double warm_gap = 0.3;                   // of a window whose beginning is nearly optimal already
+constexpr double repair_gap = 0.1;                 // of a profile that is planned again
+constexpr double deep_gap = 10;                    // of a profile from which limits can be tightened
 constexpr int repairs = 7, repairs_of_change = 5;  // knots come between soon where feed has changed
 constexpr double repair_margin = 2e-4;
 /// Where tightened rows have not helped, as where a window begins and little can change, a profile that is farther
