@@ -40,6 +40,21 @@ double random_place(const Nurbs& piece) {
   return std::clamp(*rc::gen::arbitrary<bool>() ? from_end : piece.length() - from_end, 1e-11, piece.length() - 1e-11);
 }
 
+/// The curve in smooth pieces, each sometimes cut once or twice.
+std::vector<Nurbs> random_parts(const NurbsForm& form) {
+  std::vector<Nurbs> parts;
+  for (const Nurbs& piece : smooth_pieces(form)) {
+    parts.push_back(piece);
+    for (int cuts = *rc::gen::inRange(0, 3); cuts > 0 && parts.back().length() > 1e-2; --cuts) {
+      const Nurbs whole = parts.back();
+      const double at = whole.length() * *rc::gen::inRange(20, 81) / 100.0;
+      parts.back() = whole.part(0, at);
+      parts.push_back(whole.part(at, whole.length()));
+    }
+  }
+  return parts;
+}
+
 RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
   const NurbsForm form = random_form();
   for (const Nurbs& piece : smooth_pieces(form)) {
@@ -47,6 +62,7 @@ RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
     const double from = piece.length() * *rc::gen::inRange(0, 900) / 1000.0;
     const double to = from + (piece.length() - from) * *rc::gen::inRange(1, 1001) / 1000.0;
     const Nurbs part = piece.part(from, to);
+    const double granted = 1e-7 * part.length();  // of speed, all along
     RC_ASSERT(part.length() == to - from);
     RC_ASSERT(part.start() == piece.evaluate(from));
     RC_ASSERT(part.end() == piece.evaluate(to));
@@ -57,12 +73,12 @@ RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
     RC_ASSERT(part.breaks() == breaks);
     for (int k = 0; k <= 10; ++k) {
       const double s = part.length() * k / 10;
-      // Where a cusp lies between, its remainder of 1e-15 mm is as far as rounding of s can lead.
+      // Where a cusp lies between, its remainder of 1e-15 mm is as far as rounding of s can lead. Where it was cut, the
+      // table is another, within what is granted to it.
       const Point here = part.evaluate(s), there = piece.evaluate(DoubleDouble(from) + DoubleDouble(s));
       for (std::size_t i = 0; i < here.size(); ++i) {
-        RC_ASSERT(std::abs(here[i] - there[i]) <= 16 * ulp(size_of(form)) + 4 * ulp(piece.length()) * 100);
+        RC_ASSERT(std::abs(here[i] - there[i]) <= 16 * ulp(size_of(form)) + 400 * ulp(piece.length()) + granted);
       }
-      RC_ASSERT(std::abs(part.parameter(s) - piece.parameter(from + s)) <= 1e-9);
     }
     // A part of a part.
     const Nurbs last = part.part(part.length() / 2, part.length());
@@ -73,7 +89,7 @@ RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
 RC_GTEST_PROP(RandomNurbs, LieOnTheCurve, ()) {
   const NurbsForm form = random_form();
   const double size = size_of(form);
-  for (const Nurbs& piece : smooth_pieces(form)) {
+  for (const Nurbs& piece : random_parts(form)) {
     if (piece.length() < 1e-9) continue;
     for (int k = 0; k < 10; ++k) {
       const double s = random_place(piece), u = piece.parameter(s);
@@ -92,12 +108,34 @@ RC_GTEST_PROP(RandomNurbs, LieOnTheCurve, ()) {
 RC_GTEST_PROP(RandomNurbs, AreTravelledAtUnitSpeed, ()) {
   const NurbsForm form = random_form();
   const std::size_t first = first_of_metric(form);
-  for (const Nurbs& piece : smooth_pieces(form)) {
+  for (const Nurbs& piece : random_parts(form)) {
     if (piece.length() < 1e-9) continue;
     for (int k = 0; k < 10; ++k) {
       const double s = random_place(piece);
       const double noise = 1e-13 * size_of(form) / std::min(s, piece.length() - s);
       RC_ASSERT(std::abs(speed(piece.jets(s), first) - 1) <= 1.1e-7 + noise);
+    }
+  }
+}
+
+/// |q′| = 1 and (|q′|²)′ = 0, as of a curve that was never mapped.
+RC_GTEST_PROP(RandomNurbs, AreExactWhereTheyAreCut, ()) {
+  const NurbsForm form = random_form();
+  for (const Nurbs& piece : smooth_pieces(form)) {
+    if (piece.length() < 1e-3) continue;
+    const double at = piece.length() * *rc::gen::inRange(1, 1000) / 1000.0;
+    const Nurbs before = piece.part(0, at), behind = piece.part(at, piece.length());
+    RC_ASSERT(before.end() == behind.start());
+    const std::size_t first = first_of_metric(form);
+    for (const PointJet& jet : {before.jets(before.length()), behind.jets(0)}) {
+      double along = 0, bend = 0;
+      for (std::size_t i = first; i < first + 3; ++i) {
+        along += jet[i].first * jet[i].second;
+        bend = std::max(bend, std::abs(jet[i].second));
+      }
+      const double noise = 1e-13 * size_of(form) / std::min(at, piece.length() - at);
+      RC_ASSERT(std::abs(speed(jet, first) - 1) <= 1e-12 + noise);
+      RC_ASSERT(std::abs(along) <= (3e-8 + noise) * (bend + 1 / piece.length()));
     }
   }
 }

@@ -64,7 +64,7 @@ void keep_every_promise() {
   RC_ASSERT(verdict.start_error_mm == 0);
   RC_ASSERT(verdict.end_error_mm <= 1e-9);
   RC_ASSERT(live.refused_windows() == 0);
-  RC_ASSERT(live.longest_wait <= 50);                                       // ms
+  RC_ASSERT(live.longest_wait <= 0.05);                                     // s
   for (const base::Word& word : live.words) RC_ASSERT(word.feed >= -1e-6);  // never back
 }
 

@@ -118,15 +118,9 @@ class Mapper {
     return piece;
   }
 
-  /// The quintic with x, x′, x″ at both ends.
   static MapPiece quintic(const Interval& interval, double h, const Node& begin, const Node& end) {
-    MapPiece piece{interval.begin, interval.end, h, {}, false};
-    const double d = interval.end - interval.begin - (begin.x1 + begin.x2 / 2 * h) * h;
-    const double e = (end.x1 - begin.x1 - begin.x2 * h) * h, f = (end.x2 - begin.x2) * h * h;
-    const double cubed = h * h * h;
-    piece.c = {begin.x1, begin.x2 / 2, (10 * d - 4 * e + f / 2) / cubed, (-15 * d + 7 * e - f) / (cubed * h),
-               (6 * d - 3 * e + f / 2) / (cubed * h * h)};
-    return piece;
+    const double way = interval.end - interval.begin;
+    return {interval.begin, interval.end, h, quintic_map(way, h, {begin.x1, begin.x2}, {end.x1, end.x2}), false};
   }
 
   bool is_good(const MapPiece& piece, const Node& begin, const Node& end) const {
@@ -208,6 +202,14 @@ double rough_length(const RationalTaylor& curve, const Metric& metric, double a,
 }
 
 }  // namespace
+
+std::array<double, 5> quintic_map(double way, double h, const MapEnd& begin, const MapEnd& end) {
+  const double d = way - (begin.first + begin.second / 2 * h) * h;
+  const double e = (end.first - begin.first - begin.second * h) * h, f = (end.second - begin.second) * h * h;
+  const double cubed = h * h * h;
+  return {begin.first, begin.second / 2, (10 * d - 4 * e + f / 2) / cubed, (-15 * d + 7 * e - f) / (cubed * h),
+          (6 * d - 3 * e + f / 2) / (cubed * h * h)};
+}
 
 void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular,
                     const MapTolerance& tolerance, std::vector<MapPiece>& pieces_from_start,

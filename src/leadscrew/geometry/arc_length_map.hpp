@@ -35,6 +35,14 @@ struct MapPiece {
   bool is_straight = false;   ///< a remainder, to be travelled along its chord
 };
 
+/// x′ and x″ at an end of a piece.
+struct MapEnd {
+  double first = 0, second = 0;
+};
+
+/// Coefficients of σ … σ⁵ with these derivatives at both ends, so far apart: `way` of x within the length h.
+std::array<double, 5> quintic_map(double way, double h, const MapEnd& begin, const MapEnd& end);
+
 /// Whether |C′| vanishes at an end, or the curvature is as good as infinite there.
 struct SingularEnds {
   bool begin = false, end = false;

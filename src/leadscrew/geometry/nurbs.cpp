@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <leadscrew/geometry/nurbs.hpp>
+#include <cmath>
+#include <leadscrew/geometry/arc_length_map.hpp>
 #include <leadscrew/geometry/nurbs_table.hpp>
 #include <leadscrew/geometry/rational.hpp>
 
@@ -9,6 +10,8 @@ using numeric::DoubleDouble;
 using numeric::Jet;
 
 namespace {
+
+constexpr double beside_node = 1e-3;  // of the way to the next
 
 /// c[0] + c[1] x + … + c[degree] x^degree.
 template <std::size_t degree>
@@ -54,7 +57,56 @@ PointJet record_jets(const NurbsTable& table, const double* record, double x, co
   return jets;
 }
 
+/// A record's polynomials, counted from another x.
+void add_polynomials(const NurbsTable& table, const double* numbers, double x, std::vector<double>& out) {
+  const std::size_t degree = table.degree;
+  Coefficients weight{1};
+  if (table.rational) {
+    std::copy_n(numbers, degree, weight.begin() + 1);
+    weight = shifted(weight, x);
+    for (std::size_t i = 1; i <= degree; ++i) out.push_back(weight[i] / weight[0]);
+    numbers += degree;
+  }
+  for (std::size_t k = 0; k < table.moving_count; ++k, numbers += degree + 2) {
+    Coefficients numerator{};
+    std::copy_n(numbers + 1, degree + 1, numerator.begin());
+    numerator = shifted(numerator, x);
+    const double moved = numerator[0] / weight[0];
+    out.push_back(numbers[0] + moved);
+    for (std::size_t i = 0; i <= degree; ++i) out.push_back((numerator[i] - moved * weight[i]) / weight[0]);
+  }
+}
+
+/// Where the table is to be exact: x′ = 1/v and x″ = −v₁/v³ (arc_length_map.hpp).
+MapEnd exact_end(const NurbsTable& table, const double* record, double x, const Point& weights, const Point& rest) {
+  const PointJet jets = record_jets(table, record, x, rest);
+  double c11 = 0, c12 = 0;
+  for (std::size_t i = 0; i < jets.size(); ++i) {
+    const double square = weights[i] * weights[i];
+    c11 += square * jets[i].first * jets[i].first;
+    c12 += square * jets[i].first * jets[i].second;
+  }
+  return {1 / std::sqrt(c11), -c12 / (c11 * c11)};
+}
+
 }  // namespace
+
+std::size_t first_to_move(base::AxisSet moving) {
+  for (const std::size_t first : {0, 6, 3}) {
+    for (std::size_t i = first; i < first + 3; ++i) {
+      if (moving.contains(base::all_axes[i])) return first;
+    }
+  }
+  return base::axis_count;
+}
+
+Point length_weights(base::AxisSet moving, const std::optional<Point>& weights) {
+  if (weights) return *weights;
+  Point weight{};
+  const std::size_t first = first_to_move(moving);
+  for (std::size_t i = first; i < first + 3 && i < weight.size(); ++i) weight[i] = 1;
+  return weight;
+}
 
 /// A place on a piece: its record, and the parameter x in it with derivatives by s.
 struct Nurbs::Located {
@@ -83,7 +135,6 @@ std::size_t Nurbs::record_at(double s) const {
 Point Nurbs::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
-  s = s + begin_;
   const NurbsTable& table = *table_;
   const std::size_t index = record_at(s.hi);
   const double* const record = table.record(index);
@@ -109,9 +160,8 @@ Point Nurbs::evaluate(DoubleDouble s) const {
 }
 
 Nurbs::Located Nurbs::locate(double s) const {
-  const std::size_t index = record_at(std::clamp(s, 0.0, length_) + begin_);
+  const std::size_t index = record_at(std::clamp(s, 0.0, length_));
   const double* const record = table_->record(index);
-  s += begin_;
   const double sigma = s - table_->nodes[index] - record[NurbsTable::s_low];
   return {record, polynomial_jet(record + NurbsTable::map, 4, sigma) * Jet::parameter(sigma)};
 }
@@ -157,21 +207,93 @@ PointJet Nurbs::jets_at(double u) const {
 std::vector<double> Nurbs::breaks() const {
   std::vector<double> inside;
   for (std::uint32_t i = 0; i < break_count_; ++i) {
-    const double s = table_->breaks[first_break_ + i] - begin_;
+    const double s = table_->breaks[first_break_ + i];
     if (s > 0 && s < length_) inside.push_back(s);
   }
   return inside;
 }
 
 Nurbs Nurbs::part(double from, double to) const {
-  Nurbs part = *this;
+  if (from == 0 && to == length_) return *this;
+  const auto table = std::make_shared<NurbsTable>();
+  table->degree = table_->degree;
+  table->rational = table_->rational;
+  table->moving = table_->moving;
+  table->moving_count = table_->moving_count;
+  table->stride = table_->stride;
+  table->weights = table_->weights;
+  const std::size_t first = record_at(from), last = record_at(to);
+  for (std::size_t record = first; record <= last; ++record) add_part(record, from, to, *table);
+
+  Nurbs part;
+  for (const double s : breaks()) {
+    if (s > from && s - from < to - from) table->breaks.push_back(s - from);
+  }
+  part.break_count_ = static_cast<std::uint32_t>(table->breaks.size());
+  part.record_count_ = static_cast<std::uint32_t>(table->nodes.size());
+  part.length_ = to - from;
   part.first_parameter_ = parameter(from);
   part.last_parameter_ = parameter(to);
+  part.moving_ = moving_;
   part.start_ = evaluate(from);
   part.end_ = evaluate(to);
-  part.begin_ = begin_ + from;
-  part.length_ = to - from;
+  part.add_buckets(*table);
+  part.table_ = table;
   return part;
+}
+
+/// What of the record lies between two lengths of this piece.
+void Nurbs::add_part(std::size_t record, double from, double to, NurbsTable& table) const {
+  const double* const numbers = table_->record(record);
+  const auto begin_of = [&](std::size_t index) {
+    return DoubleDouble(table_->nodes[index]) + DoubleDouble(table_->record(index)[NurbsTable::s_low]);
+  };
+  const bool is_last = record + 1 == first_record_ + record_count_;
+  const DoubleDouble begin = begin_of(record), end = is_last ? DoubleDouble(length_) : begin_of(record + 1);
+  const double width = (end - begin).value();
+  const double low = (DoubleDouble(from) - begin).value(), high = (DoubleDouble(to) - begin).value();
+  const double sigma = std::max(low, 0.0), end_sigma = std::min(high, width);
+  if (!(sigma < end_sigma) && !table.nodes.empty()) return;
+  // Beside a node the table is as good as exact; what is short is left as it is.
+  const auto is_inside = [&](double at) { return at > beside_node * width && at < (1 - beside_node) * width; };
+  const bool is_long = end_sigma - sigma > beside_node * width;
+  const bool cuts_begin = is_long && is_inside(low), cuts_end = is_long && is_inside(high);
+
+  Coefficients map{};
+  std::copy_n(numbers + NurbsTable::map, 5, map.begin() + 1);
+  const auto map_end = [&](double at, bool is_exact) -> MapEnd {
+    const Jet x = polynomial_jet(map.data(), 5, at);
+    return is_exact ? exact_end(*table_, numbers, x.value, length_weights(moving_, table_->weights), start_)
+                    : MapEnd{x.first, x.second};
+  };
+  const double x = sigma > 0 ? polynomial_jet(map.data(), 5, sigma).value : 0;
+  Coefficients moved = sigma > 0 ? shifted(map, sigma) : map;
+  if (cuts_begin || cuts_end) {
+    const double way = polynomial_jet(map.data(), 5, end_sigma).value - x;
+    const auto c = quintic_map(way, end_sigma - sigma, map_end(sigma, cuts_begin), map_end(end_sigma, cuts_end));
+    std::copy(c.begin(), c.end(), moved.begin() + 1);
+  }
+  const DoubleDouble s = sigma > 0 ? DoubleDouble() : begin - DoubleDouble(from);
+  table.nodes.push_back(s.hi);
+  std::vector<double>& out = table.records;
+  out.push_back(s.lo);
+  out.insert(out.end(), moved.begin() + 1, moved.end());
+  out.push_back(numbers[NurbsTable::parameter] + numbers[NurbsTable::width] * x);
+  out.push_back(numbers[NurbsTable::width]);
+  add_polynomials(*table_, numbers + NurbsTable::polynomials, x, out);
+}
+
+void Nurbs::add_buckets(NurbsTable& table) {
+  const std::uint32_t last = first_record_ + record_count_ - 1;
+  first_bucket_ = static_cast<std::uint32_t>(table.buckets.size());
+  bucket_count_ = 2 * record_count_;
+  buckets_per_length_ = bucket_count_ / length_;
+  std::uint32_t record = first_record_;
+  for (std::uint32_t bucket = 0; bucket <= bucket_count_; ++bucket) {
+    const double s = bucket / buckets_per_length_;
+    while (record < last && table.nodes[record + 1] <= s) ++record;
+    table.buckets.push_back(record);
+  }
 }
 
 }  // namespace leadscrew::geometry

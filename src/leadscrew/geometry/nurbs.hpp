@@ -68,22 +68,24 @@ class Nurbs {
   /// Arc lengths inside (0, length), ascending, where q‴ has a step or a bend: knots at which the B-spline is only C2
   /// or C3.
   std::vector<double> breaks() const;
-  /// What lies between two arc lengths, 0 ≤ from < to ≤ length; it shares the table.
+  /// What lies between two arc lengths, 0 ≤ from < to ≤ length. There its table is exact, as it is where its pieces
+  /// meet: whatever goes on with the curve's own direction and curvature joins it without a step.
   Nurbs part(double from, double to) const;
   /// Pieces of the table u(s).
   std::size_t map_pieces() const { return record_count_; }
   /// Borders of them from one arc length to another, 0 ≤ from ≤ to ≤ length: there q‴ bends.
-  std::size_t map_borders(double from, double to) const { return record_at(begin_ + to) - record_at(begin_ + from); }
+  std::size_t map_borders(double from, double to) const { return record_at(to) - record_at(from); }
 
  private:
   friend class NurbsAssembly;
   struct Located;
   std::size_t record_at(double s) const;
   Located locate(double s) const;
+  void add_part(std::size_t record, double from, double to, NurbsTable& table) const;
+  void add_buckets(NurbsTable& table);
 
   std::shared_ptr<const NurbsTable> table_;
   double length_ = 0;
-  double begin_ = 0;  ///< arc length in the table where the piece begins
   double buckets_per_length_ = 0;
   std::uint32_t first_record_ = 0, record_count_ = 0;
   std::uint32_t first_bucket_ = 0, bucket_count_ = 0;

@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
+#include <leadscrew/geometry/point.hpp>
+#include <optional>
 #include <vector>
 
 namespace leadscrew::geometry {
@@ -26,6 +28,7 @@ struct NurbsTable {
   std::size_t moving_count = 0;
   std::array<std::uint8_t, base::axis_count> moving{};  ///< coordinates that move, ascending
   std::size_t stride = 0;                               ///< numbers in a record
+  std::optional<Point> weights;                         ///< by which length is told
 
   std::vector<double> nodes;           ///< arc length at the beginning of each record, from 0 on each smooth piece
   std::vector<double> records;         ///< stride numbers for each
@@ -34,5 +37,10 @@ struct NurbsTable {
 
   const double* record(std::size_t index) const { return records.data() + index * stride; }
 };
+
+/// X, U or A: in this order, the first of X Y Z, U V W or A B C of which one moves.
+std::size_t first_to_move(base::AxisSet moving);
+/// By which coordinates length is told, times what: `weights`; else once for the three from the first to move.
+Point length_weights(base::AxisSet moving, const std::optional<Point>& weights);
 
 }  // namespace leadscrew::geometry

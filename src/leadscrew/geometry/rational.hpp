@@ -27,6 +27,14 @@ inline numeric::Jet polynomial_jet(const double* c, std::size_t degree, double x
 inline constexpr std::size_t most_coefficients = 6;  // degree 5
 using Coefficients = std::array<double, most_coefficients>;
 
+/// The polynomial's powers about another place (Horner's scheme, repeated).
+inline Coefficients shifted(Coefficients c, double by) {
+  for (std::size_t k = 0; k + 1 < most_coefficients; ++k) {
+    for (std::size_t i = most_coefficients - 1; i-- > k;) c[i] += by * c[i + 1];
+  }
+  return c;
+}
+
 /// The coordinates that move somewhere on the curve, ascending. What follows counts these only, as slots.
 struct Moving {
   std::array<std::uint8_t, base::axis_count> coordinate{};

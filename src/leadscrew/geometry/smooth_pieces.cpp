@@ -49,24 +49,12 @@ base::AxisSet moving_on_span(const NurbsForm& form, const Moving& moving, std::s
   return set;
 }
 
-/// X, U or A: in this order, the first of X Y Z, U V W or A B C of which one moves.
-std::size_t first_to_move(base::AxisSet moving) {
-  for (const std::size_t first : {0, 6, 3}) {
-    for (std::size_t i = first; i < first + 3; ++i) {
-      if (moving.contains(base::all_axes[i])) return first;
-    }
-  }
-  return base::axis_count;
-}
-
-/// The weighted coordinates; without weights the three from the first to move.
+/// By slots.
 Metric metric_of_span(base::AxisSet moving_on_span, const std::optional<Point>& weights, const Moving& moving) {
-  const std::size_t first = first_to_move(moving_on_span);
+  const Point weight = length_weights(moving_on_span, weights);
   Metric metric;
   for (std::size_t k = 0; k < moving.count; ++k) {
-    const std::size_t i = moving.coordinate[k];
-    if (weights) metric.add(k, (*weights)[i]);
-    if (!weights && i >= first && i < first + 3) metric.add(k, 1);
+    if (weight[moving.coordinate[k]] > 0) metric.add(k, weight[moving.coordinate[k]]);
   }
   return metric;
 }
@@ -229,6 +217,7 @@ class NurbsAssembly {
     table_->rational = is_rational(form);
     table_->moving = moving_.coordinate;
     table_->moving_count = moving_.count;
+    table_->weights = weights;
     table_->stride =
         NurbsTable::polynomials + (table_->rational ? table_->degree : 0) + moving_.count * (table_->degree + 2);
   }
@@ -297,14 +286,6 @@ class NurbsAssembly {
     s_ = s_ + piece.length;
   }
 
-  /// The polynomial's powers about another place (Horner's scheme, repeated).
-  static Coefficients shifted(Coefficients c, double by) {
-    for (std::size_t k = 0; k + 1 < most_coefficients; ++k) {
-      for (std::size_t i = most_coefficients - 1; i-- > k;) c[i] += by * c[i + 1];
-    }
-    return c;
-  }
-
   static Coefficients chord(const RationalTaylor& taylor, std::size_t slot, const MapPiece& piece) {
     const double begin = taylor.jet(slot, piece.x_begin).value, end = taylor.jet(slot, piece.x_end).value;
     return {begin, (end - begin) / (piece.x_end - piece.x_begin)};
@@ -317,21 +298,8 @@ class NurbsAssembly {
     piece_.length_ = s_.value();
     piece_.last_parameter_ = stretch.curve.parameter + stretch.curve.width;
     piece_.end_ = place(stretch.curve, stretch.curve.degree);
-    add_buckets();
+    piece_.add_buckets(*table_);
     pieces_.push_back(piece_);
-  }
-
-  void add_buckets() {
-    const std::uint32_t last = piece_.first_record_ + piece_.record_count_ - 1;
-    piece_.first_bucket_ = static_cast<std::uint32_t>(table_->buckets.size());
-    piece_.bucket_count_ = 2 * piece_.record_count_;
-    piece_.buckets_per_length_ = piece_.bucket_count_ / piece_.length_;
-    std::uint32_t record = piece_.first_record_;
-    for (std::uint32_t bucket = 0; bucket <= piece_.bucket_count_; ++bucket) {
-      const double s = bucket / piece_.buckets_per_length_;
-      while (record < last && table_->nodes[record + 1] <= s) ++record;
-      table_->buckets.push_back(record);
-    }
   }
 
   /// Pieces meet in one point; a clamped curve begins and ends at its first and last control points.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double turned_back = 1.99;  // |t_A − t_B|: from here on a stop is faster than any blend
 constexpr std::size_t looks = 33;     // at a blend, and at what it takes the place of
+constexpr double sharpest_between_looks = 1.5;  // |t⁺ − t⁻|; between lines it stays below
 constexpr double shrinking = 0.8;
 constexpr double nearly_whole = 0.8;
 constexpr int most_tries = 40;
@@ -85,14 +86,27 @@ Point bezier_point(const geometry::NurbsForm& form, double u) {
   return to_millimetres(p[0]);
 }
 
-bool is_inside(const Corner& corner, const geometry::NurbsForm& form, double before, double behind, double room) {
+std::vector<Point> shape_of(const geometry::NurbsForm& form) {
+  std::vector<Point> shape;
+  for (std::size_t k = 0; k < looks; ++k)
+    shape.push_back(bezier_point(form, static_cast<double>(k) / static_cast<double>(looks - 1)));
+  return shape;
+}
+
+/// Does it turn back nearly on the spot, as the blend of much of two curves may? Motion would all but stop there.
+bool turns_back(const std::vector<Point>& shape) {
+  for (std::size_t k = 2; k < shape.size(); ++k) {
+    const Point in = difference(shape[k - 1], shape[k - 2]), out = difference(shape[k], shape[k - 1]);
+    if (turn_between(in, out) > sharpest_between_looks) return true;
+  }
+  return false;
+}
+
+bool is_inside(const Corner& corner, const std::vector<Point>& shape, double before, double behind, double room) {
   const double length = geometry::length(corner.before);
   std::vector<Point> path = programmed(corner.before, corner.programmed_before, length - before, length);
   const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, 0, behind);
   path.insert(path.end(), rest.begin(), rest.end());
-  std::vector<Point> shape;
-  for (std::size_t k = 0; k < looks; ++k)
-    shape.push_back(bezier_point(form, static_cast<double>(k) / static_cast<double>(looks - 1)));
   return is_frechet_within(path, shape, room);
 }
 
@@ -117,7 +131,10 @@ std::optional<Blend> blend(const Corner& corner, double room) {
     };
     const double before = share(rate_before, corner.most_before), behind = share(rate_behind, corner.most_behind);
     const geometry::NurbsForm form = form_of(corner, before, behind);
-    if (!lines && !is_inside(corner, form, before, behind, room)) continue;
+    if (!lines) {
+      const std::vector<Point> shape = shape_of(form);
+      if (turns_back(shape) || !is_inside(corner, shape, before, behind, room)) continue;
+    }
     std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
     if (pieces.size() != 1) return std::nullopt;
     const double way_before = before * rate_before, way_behind = behind * rate_behind;
