@@ -2,7 +2,11 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include "live_program.hpp"
 #include "random_program.hpp"
@@ -91,6 +95,64 @@ TEST(Interventions, DoNotTurnMotionBack) {
     ASSERT_GE(live.words[k].position[1], live.words[k - 1].position[1] - 1e-12) << k;
   }
 }
+
+struct Refused {
+  const char* name;
+  std::array<std::array<double, 3>, 4> limits;  ///< of X Y Z A: velocity, acceleration, jerk
+  std::string text;
+  std::vector<Intervention> interventions;
+};
+
+void PrintTo(const Refused& refused, std::ostream* out) {
+  *out << refused.name;
+}
+
+const std::vector<Refused> refused = {
+    // A blend that took so much of a small circle that it turned on the spot.
+    {"BlendOfASmallCircle",
+     {{{13.657902382103508, 42.413025607206329, 85008.43979625887},
+       {9.3680673495698414, 11884.153556045134, 45250.712408053369},
+       {50.820625300424418, 17435.413625033107, 35238.296621030153},
+       {15.459021612109872, 54.373245276937467, 2950923.0175137473}}},
+     "G21 G90 G94 G17 F6290\nG64 P0.812516\nG3 X0.1 Y-0.1 I0.1 J0\nG3 X0.2 Y0 I0 J0.1\nG3 X0.1 Y0.1 I-0.1 J0\n"
+     "G2 X-0.073 Y0.196 I-0.095 J0.033 P3\nM2\n",
+     {{16, 0.3, 0}, {184, 0.9, 0}, {379, 0.5, 15}, {513, 0.01, 300}, {751, 1.3, 0}, {983, 1, 0}}},
+    // Knots that were kept lay so much wider than new ones would that none were placed behind them.
+    {"CurvesAtLowSpeed",
+     {{{378.23176934224921, 20554.657980115575, 205246.45490792816},
+       {181.37941813024145, 35.522314475559497, 3897.4105814707045},
+       {381.32563692890477, 707.80276477637472, 5966.1995207567998},
+       {338.58678553934459, 2840.8169772097344, 606.0398057634452}}},
+     "G21 G90 G94 G17 F600\nG61.1\nG1 X0.045 Y4.83 Z-0.001 A0.084\nG5 I2.705 J2.445 P-3.89 Q-4.065 X14.195 Y6.215\n"
+     "G5 P-2.96 Q-1.435 X27.27 Y8.105\nM2\n",
+     {{1195, 0.01, 15}, {1824, 0.3, 15}, {2394, 0.3, 0}, {2733, 1, 45}, {3190, 0, 0}, {3541, 0.5, 0}, {3729, 1, 0}}},
+    {"LineWithMuchJerk",
+     {{{11.210681243761924, 382.64430564302427, 26637.09709924354},
+       {372.80180321363912, 39.918779525150413, 138405.02559461631},
+       {5.9073677037878944, 50.293198310593475, 2586.7215011904791},
+       {268.89207611118957, 141.25676458071382, 140196.11130150454}}},
+     "G21 G90 G94 G17 F600\nG61\nG1 X0 Y-0.069 Z-0.001\nG4 P0.101\nG2 X12.196 Y-18.834 A-19.77 I-1842.126 J-1210.612\n"
+     "G1 X12.197 Y5.256 Z-0.001\nM2\n",
+     {{2063, 0, 0}, {4651, 0.9, 0}, {6372, 0.01, 0}, {8008, 2, 45}, {8119, 1, 0}}}};
+
+class Interrupted : public testing::TestWithParam<Refused> {};
+
+/// Found at random, where the planner once gave up and let the motion come to rest.
+TEST_P(Interrupted, GoOn) {
+  machine::Machine machine;
+  machine.period = {1'000'000};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [velocity, acceleration, jerk] = GetParam().limits[i];
+    machine.axes[i] = machine::AxisLimits{-1e5, 1e5, velocity, acceleration, jerk, 0.001};
+  }
+  LiveProgram live(GetParam().text, machine);
+  EXPECT_TRUE(live.run(GetParam().interventions, 100 * most_ticks));
+  EXPECT_EQ(live.diagnostics, 0);
+  EXPECT_EQ(live.refused_windows(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Interrupted, testing::ValuesIn(refused),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 /// Ticks from the request at `tick` until speed is and stays at most `speed`.
 std::int64_t ticks_until(const LiveProgram& live, std::int64_t tick, double speed) {

@@ -180,9 +180,23 @@ class Placement {
   /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there; farther where
   /// the greatest speed is the same. From where they suffice for all knots that there may be, none.
   void sample() {
+    const std::vector<double> breaks = breaks_;
+    const double joint = stretch_.kept.empty() ? first_knot() : stretch_.kept.back();
+    const double beyond = sample_from(first_knot(), joint);
+    if (reaches_end_ || joint == first_knot() || beyond > static_cast<double>(more_knots)) return;
+    // What is kept has wider knots than would be placed there now: it is not what they are to suffice for.
+    samples_.clear();
+    breaks_ = breaks;
+    reaches_end_ = true;
+    ends_between_breaks_ = false;
+    sample_from(joint, joint);
+  }
+
+  /// For how many knots beyond `joint` they are.
+  double sample_from(double from, double joint) {
     constexpr double least_cuts = 8, most_widths = 32;  // of a cut
     const double enough = 2.0 * static_cast<double>(most() + rest_knots);
-    double from = first_knot(), knots = 0;
+    double knots = 0, beyond = 0;
     for (std::size_t b = 0; b < breaks_.size(); ++b) {
       const double to = breaks_[b];
       if (!(to > from)) continue;
@@ -195,7 +209,7 @@ class Placement {
           if (previous.s > from) breaks_.push_back(previous.s);
           ends_between_breaks_ = previous.s > from;
           reaches_end_ = false;
-          return;
+          return beyond;
         }
         const double cut = std::min(
             {longest_cut, most_widths * cruise_width(previous, previous.greatest), most_widths * previous.h_curve});
@@ -204,12 +218,17 @@ class Placement {
         std::size_t i = samples_.size() - 1;
         bisect(previous, next, 0);
         samples_.push_back(next);
-        for (; i + 1 < samples_.size(); ++i)
-          knots += (samples_[i + 1].s - samples_[i].s) / std::max(widest(samples_[i]), widest(samples_[i + 1]));
+        for (; i + 1 < samples_.size(); ++i) {
+          const double there =
+              (samples_[i + 1].s - samples_[i].s) / std::max(widest(samples_[i]), widest(samples_[i + 1]));
+          knots += there;
+          if (samples_[i + 1].s > joint) beyond += there;
+        }
         previous = next;
       }
       from = to;
     }
+    return beyond;
   }
   void bisect(const Sample& left, const Sample& right, int depth) {
     const double width = right.s - left.s;

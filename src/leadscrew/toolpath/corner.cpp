@@ -12,8 +12,8 @@ using geometry::PointJet;
 
 namespace {
 
-constexpr double turned_back = 1.99;  // |t_A − t_B|: from here on a stop is faster than any blend
-constexpr std::size_t looks = 33;     // at a blend, and at what it takes the place of
+constexpr double turned_back = 1.99;            // |t_A − t_B|: from here on a stop is faster than any blend
+constexpr std::size_t looks = 33;               // at a blend, and at what it takes the place of
 constexpr double sharpest_between_looks = 1.5;  // |t⁺ − t⁻|; between lines it stays below
 constexpr double shrinking = 0.8;
 constexpr double nearly_whole = 0.8;
