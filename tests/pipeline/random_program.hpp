@@ -40,11 +40,8 @@ inline std::string limits_of(const machine::Machine& machine) {
 /// Writes a program block by block, keeping count of where it is.
 class RandomProgram {
  public:
-  enum class Turning : std::uint8_t { lines_and_arcs, everything };  // that may move A besides
-
-  static std::string make(int most_blocks = 24, Turning turning = Turning::everything) {
+  static std::string make(int most_blocks = 24) {
     RandomProgram program;
-    program.turning_ = turning;
     program.text_ = "G21 G90 G94 G17 F600\n";
     program.path_mode();
     const int blocks = any(1, most_blocks + 1);
@@ -124,7 +121,7 @@ class RandomProgram {
   }
 
   /// Once in so many times.
-  bool turns(int seldom) { return turning_ == Turning::everything && any(0, seldom) == 0; }
+  bool turns(int seldom) { return any(0, seldom) == 0; }
   double size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 30.0, 200.0); }
   double small_size() { return *rc::gen::element(0.0, 0.002, 0.1, 3.0, 10.0); }
   double rounded(double value) { return std::round(value * 1000) / 1000; }
@@ -299,7 +296,6 @@ class RandomProgram {
     }
   }
 
-  Turning turning_ = Turning::everything;
   std::string text_;
   std::array<double, 4> at_{};
   std::size_t plane_ = 0;
