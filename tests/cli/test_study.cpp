@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <leadscrew/cli/share_out.hpp>
+#include <vector>
+
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
@@ -21,7 +24,15 @@ TEST(Study, ListNamesWhatThereIs) {
     EXPECT_TRUE(contains(text.output, study["title"].get<std::string>()));
   }
   EXPECT_EQ(names, (Names{"butterfly", "feed-fluctuation", "limits", "table-1", "orders", "10001", "fpga-table-1",
-                          "lecture"}));
+                          "bounds", "lecture"}));
+}
+
+TEST(ShareOut, DoesEachPartOnce) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
+    std::vector<int> done(count);
+    share_out(count, [&](std::size_t i) { ++done[i]; });
+    EXPECT_EQ(done, std::vector<int>(count, 1));
+  }
 }
 
 TEST(Study, RowsAreWhatTheContractSays) {

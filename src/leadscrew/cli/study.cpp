@@ -7,6 +7,7 @@
 #include <ctime>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/study/studies.hpp>
 
@@ -216,7 +217,7 @@ Status study(const Arguments& arguments, Console& console) {
   const auto chosen =
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study; });
   if (chosen == known.end()) return Status::usage;
-  const study::Rows rows = chosen->rows({thread_cpu_seconds, wall_seconds});
+  const study::Rows rows = chosen->rows({thread_cpu_seconds, wall_seconds, share_out});
   const std::string text =
       arguments.json ? json_text_of(chosen->name, rows) : study_table(rows, terminal_width(), style);
   return worse(status_of(rows), write_output(console, text));

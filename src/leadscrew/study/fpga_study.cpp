@@ -1,6 +1,6 @@
-#include <cmath>
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/circular_search.hpp>
+#include <leadscrew/study/lattice_path.hpp>
 #include <leadscrew/study/studies.hpp>
 
 // "Four circular interpolators in an FPGA": steps and errors of its methods on one quarter circle.
@@ -16,30 +16,16 @@ using pulse::Search;
 constexpr std::int64_t radius = 5;
 constexpr Arc quarter{{radius, 0}, {0, radius}, pulse::Direction::counterclockwise};
 
-struct Found {
-  double clocks = 0, worst = 0;
-};
-
 template <pulse::Interpolator State>
-Found along(State state) {
-  Found found;
-  pulse::Point at = quarter.start;
-  while (!state.done()) {
-    const auto pulse = state.step();
-    at.x += pulse.step[0];
-    at.y += pulse.step[1];
-    ++found.clocks;
-    const double distance = std::hypot(static_cast<double>(at.x), static_cast<double>(at.y));
-    found.worst = std::max(found.worst, std::abs(distance - static_cast<double>(radius)));
-  }
-  return found;
+LatticePath along(State state) {
+  return follow_arc(std::move(state), quarter);
 }
 
-Rows rows_of(const std::string& method, double steps, double error, const Found& found, const std::string& why,
+Rows rows_of(const std::string& method, double steps, double error, const LatticePath& path, const std::string& why,
              int elements) {
-  Row error_row = exact_row("greatest error", {"BLU", 3}, error, found.worst);
+  Row error_row = exact_row("greatest error", {"BLU", 3}, error, radial_error(path, radius * radius));
   error_row.why = why;
-  return under(method, {exact_row("steps", {"", 0}, steps, found.clocks), std::move(error_row),
+  return under(method, {exact_row("steps", {"", 0}, steps, static_cast<double>(path.clocks)), std::move(error_row),
                         not_run_row("logic elements", "published " + std::to_string(elements) +
                                                           ": a figure of their device and compiler")});
 }

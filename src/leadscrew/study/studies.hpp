@@ -40,6 +40,9 @@ Rows half_circle_rows(const Host& host);
 /// The comparison of "Four circular interpolators in an FPGA".
 Rows fpga_rows(const Host& host);
 
+/// Greatest errors, clocks and pulses of every interpolator: circles to R = 4096, arcs of R² ≤ 900, lines to 256.
+Rows bounds_rows(const Host& host);
+
 /// The three problems of "Interpolators linear", lecture 12: rates of a pulse-driven axis, DDAs of a line, a timer.
 Rows lecture_rows(const Host& host);
 

@@ -1,0 +1,72 @@
+#include <leadscrew/pulse/free_circle.hpp>
+#include <leadscrew/study/bounds.hpp>
+#include <leadscrew/study/lattice_path.hpp>
+#include <numbers>
+
+namespace leadscrew::study {
+
+namespace {
+
+using pulse::Accumulation;
+using pulse::Order;
+
+constexpr std::int64_t greatest = 2000;  // R, BLU
+
+struct Turn {
+  double error = 0;  ///< greatest of the turn, BLU
+  double drift = 0;  ///< of the radius, from begin to end of the turn, BLU
+};
+using Turns = std::vector<Turn>;  // R = 1, 2, …
+
+/// ⌊2πR⌋ commands, with remainders half full.
+Turn turn(std::int64_t radius, Order order, Accumulation accumulation) {
+  const auto commands = static_cast<std::int64_t>(2 * std::numbers::pi * static_cast<double>(radius));
+  pulse::FreeCircle circle({radius, 0}, radius, radius / 2, order, accumulation);
+  LatticePath path;
+  std::int64_t square = path.least = path.greatest = radius * radius;
+  for (std::int64_t k = 0; k < commands; ++k) {
+    circle.step();
+    square = circle.at().x * circle.at().x + circle.at().y * circle.at().y;
+    path.least = std::min(path.least, square);
+    path.greatest = std::max(path.greatest, square);
+  }
+  return {radial_error(path, radius * radius), std::sqrt(static_cast<double>(square)) - static_cast<double>(radius)};
+}
+
+Turns turns(const Host& host, Order order, Accumulation accumulation) {
+  Turns all(greatest);
+  share_out(host, all.size(),
+            [&](std::size_t i) { all[i] = turn(static_cast<std::int64_t>(i) + 1, order, accumulation); });
+  return all;
+}
+
+double worst_from(const Turns& turns, std::size_t radius) {
+  double worst = 0;
+  for (std::size_t r = radius; r <= turns.size(); ++r) worst = std::max(worst, turns[r - 1].error);
+  return worst;
+}
+
+double mean_drift(const Turns& turns) {
+  double sum = 0;
+  for (const Turn& each : turns) sum += each.drift;
+  return sum / static_cast<double>(turns.size());
+}
+
+}  // namespace
+
+Rows free_circle_bounds(const Host& host) {
+  const Turns magnitudes = turns(host, Order::x_first, Accumulation::sign_magnitude);
+  const Turns floors = turns(host, Order::x_first, Accumulation::floor);
+  const Turns hardware = turns(host, Order::parallel, Accumulation::floor);
+  Rows rows = {limit_row("magnitudes, greatest error to R = 2000", {"BLU", 3}, 1.026, worst_from(magnitudes, 1), 5e-4),
+               limit_row("two's complement, greatest error of R = 20 … 2000", {"BLU", 2}, 1.2, worst_from(floors, 20)),
+               measured_row("two's complement, drift of a turn, mean", {"BLU", 3}, mean_drift(floors))};
+  rows = under("free circles by eq. 27, half", std::move(rows));
+  Row drift = reproduced_row("two's complement, drift of a turn, mean to R = 2000", {"BLU", 3}, std::numbers::pi,
+                             mean_drift(hardware), 0.1);
+  drift.why = "Euler's method grows by e^2πT a turn: π BLU with T = 1/R, whatever the radius";
+  append(rows, under("free circles as in hardware, half", {std::move(drift)}));
+  return rows;
+}
+
+}  // namespace leadscrew::study
