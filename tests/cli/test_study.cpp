@@ -24,7 +24,7 @@ TEST(Study, ListNamesWhatThereIs) {
     EXPECT_TRUE(contains(text.output, study["title"].get<std::string>()));
   }
   EXPECT_EQ(names, (Names{"butterfly", "feed-fluctuation", "limits", "table-1", "orders", "10001", "fpga-table-1",
-                          "bounds", "lecture"}));
+                          "lecture", "koren-feed", "digital-integrals", "bounds"}));
 }
 
 TEST(ShareOut, DoesEachPartOnce) {
@@ -96,7 +96,8 @@ TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {
            Misuse{{"study", "buterfly"}, "no study \"buterfly\"; did you mean butterfly?"},
            Misuse{{"study", "feed-fluctuations"}, "did you mean feed-fluctuation?"},
            Misuse{{"study", "zzz"},
-                  "there are list, butterfly, feed-fluctuation, limits, table-1, orders, 10001, fpga-table-1, lecture"},
+                  "there are list, butterfly, feed-fluctuation, limits, table-1, orders, 10001, fpga-table-1, lecture, "
+                  "koren-feed, digital-integrals, bounds"},
            Misuse{{"study"}, "NAME"},
            Misuse{{"study", "list", "--machine", "mill3"}, "no option --machine"},
            Misuse{{"stduy", "list"}, "did you mean study?"},

@@ -8,45 +8,10 @@
 
 #include "tracing.hpp"
 
-// Published figures: "Four circular interpolators in an FPGA", its comparison on the arc of radius 5 from (5, 0) to
-// (0, 5); Koren's half circle of 10 001 BLU. Bounds: of every arc between lattice points of one circle.
+// Bounds: of every arc between lattice points of one circle, and of every circle.
 
 namespace leadscrew::pulse::testing {
 namespace {
-
-constexpr Arc quarter{{5, 0}, {0, 5}, Direction::counterclockwise};
-
-TEST(FpgaTable1, PointComparisonTakes10StepsAndErrs0877) {
-  const Trace found = trace_arc(CircularSearch<Search::point_comparison>(quarter), quarter);
-  EXPECT_TRUE(found.ends);
-  EXPECT_EQ(found.clocks, 10);
-  EXPECT_NEAR(found.worst, 0.877, 5e-4);
-  // As its text says, with F = 0 inward, it would be 1.
-  EXPECT_NEAR(trace_arc(CircularSearch<Search::point_comparison, OnCircle::inward>(quarter), quarter).worst, 1, 1e-12);
-}
-
-TEST(FpgaTable1, LeastErrorTakes7StepsAndErrs0385) {
-  for (const Trace& found : {trace_arc(CircularSearch<Search::least_error>(quarter), quarter),
-                             trace_arc(CircularSearch<Search::improved_least_error>(quarter), quarter)}) {
-    EXPECT_TRUE(found.ends);
-    EXPECT_EQ(found.clocks, 7);
-    EXPECT_NEAR(found.worst, 0.385, 5e-4);
-  }
-}
-
-TEST(FpgaTable1, DdaTakes8ClocksAndErrs0385) {
-  const Trace found = trace_arc(CircularDda(quarter, {Order::parallel, Preload::half_lagging}), quarter);
-  EXPECT_TRUE(found.ends);
-  EXPECT_EQ(found.clocks, 8);
-  EXPECT_EQ(found.pulses, 7);
-  EXPECT_NEAR(found.worst, 0.385, 5e-4);
-}
-
-constexpr bool ends_at_compile_time(CircularSearch<Search::least_error> state) {
-  while (!state.done()) state.step();
-  return state.at() == quarter.end;
-}
-static_assert(ends_at_compile_time(CircularSearch<Search::least_error>(quarter)));
 
 /// Of the three steps that the quadrant allows, by brute force.
 TEST(LeastError, TakesTheStepNearestToTheCircle) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <leadscrew/study/row.hpp>
 #include <string_view>
 

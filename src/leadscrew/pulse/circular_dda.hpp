@@ -24,6 +24,8 @@ struct CircularDdaOptions {
   Preload preload = Preload::half;  ///< at the start of every quadrant
   int places = 0;  ///< binary places of the radius in the capacity, 0 … 16: 0 as published; more where feed on circles
                    ///< of irrational radius is to be exact
+  int bits = 0;    ///< of the registers, where the capacity is 2ⁿ: every coordinate of the arc below it, places 0; 0
+                   ///< where it is the radius
 };
 
 class CircularDda {
@@ -34,7 +36,7 @@ class CircularDda {
       : arc_(arc),
         options_(options),
         radius_(root(arc.squared_radius(), 0)),
-        capacity_(root(arc.squared_radius(), options.places)),
+        capacity_(options.bits > 0 ? std::int64_t{1} << options.bits : root(arc.squared_radius(), options.places)),
         at_(arc.start),
         quadrant_(quadrant(arc.start, arc.direction)),
         borders_(borders(arc)) {

@@ -17,7 +17,8 @@ class FreeCircle {
  public:
   static constexpr std::size_t axes = 2;
 
-  /// capacity q > 0, ≥ |coordinates|; 0 ≤ preload < q. Orders: x_first and parallel.
+  /// capacity q > 0, ≥ |coordinates|; 0 ≤ preload < q, or −1, which with magnitudes is 0 where only r > q overflows.
+  /// Orders: x_first and parallel.
   constexpr FreeCircle(Point start, std::int64_t capacity, std::int64_t preload, Order order, Accumulation accumulation)
       : at_(start),
         capacity_(capacity),

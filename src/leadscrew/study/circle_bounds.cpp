@@ -74,10 +74,7 @@ const std::vector<Method>& methods() {
        2},
       {"DDA, parallel, empty", dda<Order::parallel, Preload::none>, turn, {{1.8025, 4, 4096}}, none, none, 0, 960},
       {"DDA, parallel, half", dda<Order::parallel, Preload::half>, turn, {{1.29, 2, 2000}}, none, none, 0, 0},
-      {"DDA, parallel, half in the lagging axis",
-       dda<Order::parallel, Preload::half_lagging>,
-       turn,
-       {{1.31, 2, 500}}},
+      {"DDA, parallel, half in the lagging axis", dda<Order::parallel, Preload::half_lagging>, turn, {{1.31, 2, 500}}},
       {"DDA, parallel, full", dda<Order::parallel, Preload::full>, turn, {{0.9995, 4, 4096}}},
       {"DDA, x first, empty", dda<Order::x_first, Preload::none>, turn, {{1.4675, 4, 4096}}, 1.45, 1.92, 0, 4624},
       {"DDA, x first, half", dda<Order::x_first, Preload::half>, turn, {{0.9655, 4, 4096}}, 0.94, 1.43, 0, 4032},
@@ -274,8 +271,8 @@ Rows rows_of(const Method& method, const Arcs& arcs) {
   Rows rows = {error_row("greatest error in one quadrant", method.one_quadrant, arcs.one_quadrant.error),
                error_row("greatest error through more", method.more, more)};
   if (method.exception > 0) {
-    rows.push_back(exact_row("greatest error where R² = " + std::to_string(method.exception), {"BLU", 3}, 0.586,
-                             arcs.exception));
+    rows.push_back(
+        exact_row("greatest error where R² = " + std::to_string(method.exception), {"BLU", 3}, 0.586, arcs.exception));
     rows.back().why = "the exception: left out of the above";
   }
   rows.push_back(limit_row("arcs that do not end at their end", {"arcs", 0}, 0, static_cast<double>(arcs.not_ended)));
@@ -310,9 +307,8 @@ Rows circle_bounds(const Host& host, std::int64_t radius) {
 Rows arc_bounds(const Host& host) {
   const std::vector<LatticeCircle> circles = lattice_circles();
   std::vector<Arcs> found(methods().size() * circles.size());
-  share_out(host, found.size(), [&](std::size_t i) {
-    found[i] = try_arcs(methods()[i / circles.size()], circles[i % circles.size()]);
-  });
+  share_out(host, found.size(),
+            [&](std::size_t i) { found[i] = try_arcs(methods()[i / circles.size()], circles[i % circles.size()]); });
   Rows rows;
   for (std::size_t m = 0; m < methods().size(); ++m) {
     Arcs all;

@@ -82,6 +82,22 @@ double half_turn(Method method, double t) {
   return 1000 * (radius + std::abs(at.x.value()) - radius * std::abs(std::cos(count * t)));
 }
 
+/// The radius itself after half a turn, in thousandths.
+double half_turn_radius(Method method, double t) {
+  Place<Chopped> at;
+  for (double n = 0; n < std::floor(std::numbers::pi / t); ++n) at = step(method, at, t);
+  return 1000 * std::hypot(at.x.value(), at.y.value());
+}
+
+Rows radius_rows() {
+  Rows rows;
+  for (const Method method : {Method::tustin, Method::runge_kutta}) {
+    rows.push_back(measured_row(name_of(method) + ", T = 1", blu, half_turn_radius(method, 1)));
+    rows.back().why = "what the table calls radius is the error of the cosine, added to R";
+  }
+  return under("the radius itself", std::move(rows));
+}
+
 double four_digits(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
   return std::round(value / unit) * unit;
@@ -163,6 +179,28 @@ double eq27_error(double t) {
   return worst;
 }
 
+/// What stays the same along eq. 27, by R², at its farthest from that.
+double eq27_invariant_error(double t) {
+  double x = 1, y = 0, worst = 0;
+  for (double angle = 0; angle < 2 * std::numbers::pi; angle += t) {
+    x -= t * y;
+    y += t * x;
+    worst = std::max(worst, std::abs(x * x - t * x * y + y * y - 1));
+  }
+  return worst;
+}
+
+Rows eq27_rows() {
+  Row order = reproduced_row("exponent of T, greatest of a turn", {"", 2}, 4, slope(eq27_error, 1e-3), 0.05);
+  order.why = "published T⁴; but x² − Txy + y² stays what it is: an ellipse, T/4 off the circle, that never grows";
+  constexpr double circle = 10000;  // BLU
+  Row ellipse = exact_row("greatest error of a turn, T = 1/R", {"BLU", 2}, 0.25, circle * eq27_error(1 / circle));
+  ellipse.why = "R T/4; of the method, without rounding to steps";
+  Row invariant = limit_row("farthest that x² − Txy + y² is from R²", {"", 0}, 0, eq27_invariant_error(1e-3), 1e-11);
+  invariant.why = "by R²; no error grows from turn to turn";
+  return under("the proposed method, eq. 27", {std::move(order), std::move(ellipse), std::move(invariant)});
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 using pulse::Accumulation;
@@ -176,6 +214,15 @@ double half_circle(Order order, Accumulation accumulation, std::int64_t preload)
   return static_cast<double>(pulse::absolute(circle.at().x));
 }
 
+/// What Euler's method adds to the radius in so much of a turn, with the step 1/R that a DDA has.
+Row euler_drift_row(const std::string& what, double turns, double expected) {
+  constexpr double blu_radius = 10000;
+  const double count = std::floor(2 * std::numbers::pi * turns * blu_radius);
+  Row row = exact_row(what, {"BLU", 2}, expected, blu_radius * radius_error(euler<double>, 1 / blu_radius, count));
+  row.why = "R(e^2πT − 1), of every radius";
+  return row;
+}
+
 }  // namespace
 
 Rows table_1_rows(const Host&) {
@@ -185,6 +232,7 @@ Rows table_1_rows(const Host&) {
     for (std::size_t column = 0; column < steps.size(); ++column) of_method.push_back(half_turn_row(method, column));
     append(rows, under(name_of(method), std::move(of_method)));
   }
+  append(rows, radius_rows());
   return rows;
 }
 
@@ -193,9 +241,7 @@ Rows orders_rows(const Host&) {
   append(rows, order_rows("Heun, eq. 23", heun, 0.01, 4));
   const auto classical = [](const Place<double>& at, double t) { return runge_kutta<double>(at.x, at.y, t); };
   append(rows, order_rows("Runge-Kutta", classical, 0.1, 6));
-  Row proposed = reproduced_row("exponent of T, greatest of a turn", {"", 2}, 4, slope(eq27_error, 1e-3), 0.05);
-  proposed.why = "published T⁴; but x² − Txy + y² stays what it is: an ellipse, T/4 off the circle, that never grows";
-  append(rows, under("the proposed method, eq. 27", {std::move(proposed)}));
+  append(rows, eq27_rows());
   return rows;
 }
 
@@ -204,6 +250,9 @@ Rows half_circle_rows(const Host&) {
   Row koren = exact_row(what, blu, 10001, half_circle(Order::x_first, Accumulation::sign_magnitude, 0));
   koren.why = "magnitudes are accumulated, the pulse gets the sign";
   Rows rows = under("eq. 27, remainders empty", {std::move(koren)});
+  // r > q overflows where r − 1 ≥ q does.
+  append(rows, under("eq. 27, remainders empty, r > q",
+                     {exact_row(what, blu, 10001, half_circle(Order::x_first, Accumulation::sign_magnitude, -1))}));
   const auto variant = [&](const char* group, Order order, Accumulation accumulation, std::int64_t preload) {
     append(rows, under(group, {measured_row(what, blu, half_circle(order, accumulation, preload))}));
   };
@@ -211,6 +260,9 @@ Rows half_circle_rows(const Host&) {
   variant("eq. 27, two's complement", Order::x_first, Accumulation::floor, 0);
   variant("as in hardware, remainders empty", Order::parallel, Accumulation::sign_magnitude, 0);
   variant("as in hardware, remainders half full", Order::parallel, Accumulation::sign_magnitude, 5000);
+  variant("as in hardware, two's complement, half full", Order::parallel, Accumulation::floor, 5000);
+  append(rows, under("Euler's method in real numbers", {euler_drift_row("drift of half a turn", 0.5, 1.57),
+                                                        euler_drift_row("drift of a turn", 1, 3.14)}));
   return rows;
 }
 

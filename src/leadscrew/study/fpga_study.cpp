@@ -30,6 +30,22 @@ Rows rows_of(const std::string& method, double steps, double error, const Lattic
                                                           ": a figure of their device and compiler")});
 }
 
+/// What other conventions would make of the same arc.
+Rows other_rows() {
+  using pulse::CircularDda;
+  using pulse::Order;
+  using pulse::Preload;
+  const auto error_of = [](const std::string& what, const LatticePath& path) {
+    return measured_row(what, {"BLU", 3}, radial_error(path, radius * radius));
+  };
+  return under(
+      "greatest error by other conventions",
+      {error_of("point comparison, F = 0 inward",
+                along(CircularSearch<Search::point_comparison, pulse::OnCircle::inward>(quarter))),
+       error_of("DDA, both axes half full", along(CircularDda(quarter, {Order::parallel, Preload::half}))),
+       error_of("DDA, both half full, x first", along(CircularDda(quarter, {Order::x_first, Preload::half})))});
+}
+
 }  // namespace
 
 Rows fpga_rows(const Host&) {
@@ -43,6 +59,7 @@ Rows fpga_rows(const Host&) {
          rows_of("DDA", 8, 0.385,
                  along(pulse::CircularDda(quarter, {pulse::Order::parallel, pulse::Preload::half_lagging})),
                  "steps are clocks, one of which makes no pulse; capacity R, only the lagging axis half full", 724));
+  append(rows, other_rows());
   return rows;
 }
 

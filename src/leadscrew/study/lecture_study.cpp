@@ -11,20 +11,25 @@ namespace {
 
 constexpr Scale whole = {"", 0};
 
-Row because(Row row, std::string why) {
-  row.why = std::move(why);
-  return row;
-}
-
 /// N20 X20 Y40 F100, N30 X50 Y80; encoder of 200 holes on a screw of 4 mm.
 Rows encoder_rows() {
   constexpr double pitch = 4, holes = 200, feed = 100, way_x = 50 - 20, way_y = 80 - 40;
-  const double blu = pitch / holes, length = std::hypot(way_x, way_y), feed_x = feed * way_x / length;
-  return under("problem 1: a pulse-driven axis",
-               {exact_row("basic length unit", {"mm", 2}, 0.02, blu), exact_row("feed of X", {"mm/min", 0}, 60, feed_x),
-                because(exact_row("pulse rate of X", {"ppm", 0}, 3000, feed_x / blu),
-                        "at steady state the encoder gives as many as the interpolator"),
-                exact_row("pulses of X", whole, 1500, way_x / blu)});
+  const double blu = pitch / holes, length = std::hypot(way_x, way_y), feed_x = feed * way_x / length,
+               feed_y = feed * way_y / length;
+  return under(
+      "problem 1: a pulse-driven axis",
+      {exact_row("basic length unit", {"mm", 2}, 0.02, blu), exact_row("feed of X", {"mm/min", 0}, 60, feed_x),
+       because(exact_row("pulse rate of X", {"ppm", 0}, 3000, feed_x / blu),
+               "at steady state the encoder gives as many as the interpolator"),
+       exact_row("pulses of X", whole, 1500, way_x / blu), exact_row("feed of Y", {"mm/min", 0}, 80, feed_y),
+       exact_row("pulse rate of Y", {"ppm", 0}, 4000, feed_y / blu), exact_row("pulses of Y", whole, 2000, way_y / blu),
+       exact_row("time", {"s", 0}, 30, length / feed * 60)});
+}
+
+/// As the lecture calculates it: f S/2ᵐ with S = 10 V/L, V 300 000 BLU/min and L = √(10000² + 5000²), rounded.
+double rounded_feed_pps(const stepping::DdaDesign& design) {
+  const double clock = std::floor(design.clock_pps), length = std::round(std::hypot(10000, 5000));
+  return clock * (10 * 300000 / length) / std::ldexp(1.0, design.feed_bits);
 }
 
 /// 600 × 600 mm, 12 m/min along 50 mm or more, steps of 10 µm; (20, 10) to (120, 60) at 3 m/min.
@@ -36,15 +41,17 @@ Rows dda_rows() {
   const double to_mm_min = table.blu_mm * 60;
   Rows rows = {
       exact_row("bits of the axis DDAs", whole, 16, design.axis_bits),
+      because(exact_row("2ⁿ − 1", whole, 65536, std::ldexp(1.0, design.axis_bits) - 1), "a misprint: 2¹⁶ itself"),
       exact_row("bits of the feed DDA", whole, 12, design.feed_bits),
       exact_row("greatest feed word", whole, 2400, static_cast<double>(design.feed_word_max)),
       because(exact_row("clock", {"pps", 0}, 447392, std::floor(design.clock_pps)), "2²⁸/600, rounded down"),
-      because(reproduced_row("out of the feed DDA", {"pps", 2}, 29309.43, ideal.feed_pps, 1),
-              "published with the length rounded to 11180 BLU, which gives 29309.45"),
+      because(reproduced_row("out of the feed DDA", {"pps", 2}, 29309.43, rounded_feed_pps(design), 0.03),
+              "of the clock and of a length of 11180 BLU, both rounded; no rounding gives the last digits"),
+      measured_row("out of the feed DDA, nothing rounded", {"pps", 2}, ideal.feed_pps),
       exact_row("steps of X", {"pps", 0}, 4472, ideal.axis_pps[0]),
       exact_row("steps of Y", {"pps", 0}, 2236, ideal.axis_pps[1]),
       because(exact_row("feed of X", {"mm/min", 0}, 2683, ideal.axis_pps[0] * to_mm_min), "not rounded: 2683.28"),
-      because(exact_row("feed of Y", {"mm/min", 1}, 1341.5, ideal.axis_pps[1] * to_mm_min),
+      because(exact_row("feed of Y, not rounded", {"mm/min", 1}, 1341.5, ideal.axis_pps[1] * to_mm_min),
               "published from 2236 pps, rounded: 1341.64 it is"),
       exact_row("feed along the line", {"m/min", 3}, 3, ideal.feed_mm_min / 1000),
   };

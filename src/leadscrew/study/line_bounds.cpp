@@ -92,11 +92,11 @@ Rows rows_of(const Method& method, const Found& found) {
   Row error = method.bound > 0 ? limit_row(what, {"BLU", 3}, method.bound, found.error, 5e-4)
                                : measured_row(what, {"BLU", 4}, found.error);
   if (method.bound == 0) error.why = "the table of bounds has none";
-  return under(std::string("lines, ") + method.name,
-               {std::move(error),
-                limit_row(std::string("clocks, farthest from ") + method.clocks, {"", 3}, method.clocks_bound,
-                          found.beside),
-                limit_row("lines that do not end at their end", {"", 0}, 0, static_cast<double>(found.not_ended))});
+  return under(
+      std::string("lines, ") + method.name,
+      {std::move(error),
+       limit_row(std::string("clocks, farthest from ") + method.clocks, {"", 3}, method.clocks_bound, found.beside),
+       limit_row("lines that do not end at their end", {"", 0}, 0, static_cast<double>(found.not_ended))});
 }
 
 }  // namespace

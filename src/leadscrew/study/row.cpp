@@ -68,6 +68,11 @@ Row not_run_row(std::string what, std::string why) {
   return {{}, std::move(what), {}, {}, {}, Verdict::not_run, std::move(why)};
 }
 
+Row because(Row row, std::string why) {
+  row.why = std::move(why);
+  return row;
+}
+
 Rows under(const std::string& group, Rows rows) {
   for (Row& each : rows) each.group = group;
   return rows;

@@ -54,6 +54,8 @@ Row limit_row(std::string what, Scale scale, double limit, double ours, double a
 Row measured_row(std::string what, Scale scale, double ours);
 Row not_run_row(std::string what, std::string why);
 
+/// The row, with a word on it.
+Row because(Row row, std::string why);
 /// The rows under one heading, with that heading.
 Rows under(const std::string& group, Rows rows);
 void append(Rows& rows, Rows more);

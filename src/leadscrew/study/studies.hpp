@@ -36,14 +36,19 @@ Rows table_1_rows(const Host& host);
 Rows orders_rows(const Host& host);
 /// Its half circle by integers, and what other conventions make of it.
 Rows half_circle_rows(const Host& host);
+/// Its integrators, feed words and clocks: eqs. 1 to 5 and 14 to 21.
+Rows feed_code_rows(const Host& host);
 
 /// The comparison of "Four circular interpolators in an FPGA".
 Rows fpga_rows(const Host& host);
 
-/// Greatest errors, clocks and pulses of every interpolator: circles to R = 4096, arcs of R² ≤ 900, lines to 256.
-Rows bounds_rows(const Host& host);
-
 /// The three problems of "Interpolators linear", lecture 12: rates of a pulse-driven axis, DDAs of a line, a timer.
 Rows lecture_rows(const Host& host);
+
+/// What "Digital integral interpolator based on LabVIEW" says of n-bit registers.
+Rows digital_integrals_rows(const Host& host);
+
+/// Greatest errors, clocks and pulses of every interpolator: circles to R = 4096, arcs of R² ≤ 900, lines to 256.
+Rows bounds_rows(const Host& host);
 
 }  // namespace leadscrew::study

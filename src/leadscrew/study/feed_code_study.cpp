@@ -1,0 +1,117 @@
+#include <leadscrew/pulse/circular_dda.hpp>
+#include <leadscrew/pulse/linear.hpp>
+#include <leadscrew/stepping/feed_code.hpp>
+#include <leadscrew/study/studies.hpp>
+
+// Koren, "Interpolator for a computer numerical control system": feed words and clocks, by formula and by registers.
+
+namespace leadscrew::study {
+
+namespace {
+
+constexpr double blu_inch = 0.0001, inch = 25.4;  // in, mm
+constexpr Scale pps = {"pps", 0};
+constexpr Scale plain = {"", 0};
+
+/// Clocks until an interpolator that is stepped by the commands of a feed DDA has ended.
+template <pulse::Interpolator State>
+double clocks_to_end(pulse::FeedDda feed, State state) {
+  std::int64_t clocks = 0;
+  for (; !state.done(); ++clocks) {
+    if (feed.step()) state.step();
+  }
+  return static_cast<double>(clocks);
+}
+
+/// 2 in at 10 in/min, by four-digit words and ways of up to 12 in.
+Rows inverse_time_rows() {
+  constexpr double feed_in_min = 10, way_in = 2;
+  constexpr stepping::InverseTimeCode code{120000, 10000};
+  const double feed_pps = feed_in_min / 60 / blu_inch, way = way_in / blu_inch;
+  const double by_inches = 10 * feed_in_min / way_in, by_pulses = code.word(feed_pps, way);
+  const auto steps = static_cast<std::int64_t>(way);
+  const pulse::FeedDda feed(code.feed_capacity, static_cast<std::int64_t>(by_pulses + 0.5));
+  const pulse::LinearDda<2> line({steps, 0}, code.capacity, pulse::Preload::none);
+  return under("inverse-time code, eqs. 14 to 18",
+               {because(exact_row("q", {"BLU", 0}, 120000, 12 / blu_inch), "12 in in steps of 0.0001 in"),
+                because(exact_row("clock, eq. 18", pps, 2e6, code.clock_pps()), "q q0/600, q0 = 10 000 words of feed"),
+                because(exact_row("reciprocal of the time of 2 in at 10 in/min", {"1/min", 0}, 5, by_inches / 10),
+                        "f counts tenths of it"),
+                because(exact_row("f by pulses, eqs. 16 and 17", plain, by_inches, by_pulses),
+                        "beside f by inches, eqs. 14 and 15, where a radius stands for the length of a line"),
+                because(exact_row("time of that line, by its registers", {"s", 3}, 60 / (by_inches / 10),
+                                  clocks_to_end(feed, line) / code.clock_pps()),
+                        "feed DDA and axis DDA clocked at 2 MHz")});
+}
+
+std::int64_t commands(std::int64_t word, std::int64_t clocks) {
+  pulse::FeedDda feed(3000, word);
+  std::int64_t count = 0;
+  for (std::int64_t clock = 0; clock < clocks; ++clock) count += feed.step();
+  return count;
+}
+
+/// 30 in/min at most, told to 0.01 in/min.
+Rows direct_rows() {
+  constexpr stepping::DirectFeedCode code{30 * inch, 0.01 * inch, blu_inch * inch};
+  constexpr std::int64_t second = 5000, minute = 60 * second;
+  const auto a_second = static_cast<double>(commands(1234, minute)) / 60;
+  return under(
+      "q = L, eqs. 19 to 21",
+      {exact_row("clock", pps, 5000, code.clock_pps()), exact_row("from interrupt to interrupt", {"µs", 0}, 200, 1e6 / code.clock_pps()),
+       exact_row("q0", plain, 3000, code.feed_capacity()),
+       because(exact_row("f of 30 in/min, eq. 21", plain, 3000, code.word(30 * inch)), "100 V0"),
+       because(exact_row("commands an interrupt at f = 3000", plain, 1, static_cast<double>(commands(3000, second)) / second),
+               "clocked for a second"),
+       because(exact_row("commands at f = 1234", {"pps", 2}, 2056.67, a_second), "clocked for a minute"),
+       because(exact_row("their feed, eq. 20", {"in/min", 2}, 12.34, a_second * blu_inch * 60), "V = w0 f/q0")});
+}
+
+/// 170 µs of 200.
+Rows load_rows() {
+  constexpr double interrupt = 200, program = 170, instruction = 2;  // µs
+  return under("the NC program's share of the computer",
+               {exact_row("instructions", plain, 85, program / instruction),
+                because(exact_row("load", {"%", 0}, 85, 100 * program / interrupt), "15 % are left for adaptive control"),
+                not_run_row("time of the program", "published 170 µs: of their computer, an HP 2100A")});
+}
+
+/// Pulses of a DDA that overflows where r > q, from the remainder r, beside those of one that does where r ≥ q.
+bool is_same_as_lower_by_one(std::int64_t capacity, std::int64_t integrand, std::int64_t remainder) {
+  pulse::Integrator integrator(capacity, remainder - 1);
+  for (std::int64_t clock = 0; clock < 2 * capacity; ++clock) {
+    remainder += integrand;
+    const bool overflows = remainder > capacity;
+    remainder -= overflows ? capacity : 0;
+    if (integrator.add(integrand) != overflows) return false;
+  }
+  return true;
+}
+
+Rows integrator_rows() {
+  constexpr std::int64_t greatest = 32;
+  std::int64_t tried = 0, others = 0;
+  for (std::int64_t capacity = 1; capacity <= greatest; ++capacity) {
+    for (std::int64_t integrand = 0; integrand <= capacity; ++integrand) {
+      for (std::int64_t remainder = 0; remainder <= capacity; ++remainder) {
+        ++tried;
+        others += !is_same_as_lower_by_one(capacity, integrand, remainder);
+      }
+    }
+  }
+  return under("the DDA integrator, eqs. 1 to 5",
+               {because(exact_row("registers that differ, r > q beside r − 1 ≥ q", plain, 0, static_cast<double>(others)),
+                        "of " + std::to_string(tried) + ": every capacity to 32, integrand and remainder")});
+}
+
+}  // namespace
+
+Rows feed_code_rows(const Host&) {
+  Rows rows = integrator_rows();
+  append(rows, inverse_time_rows());
+  append(rows, direct_rows());
+  append(rows, load_rows());
+  return rows;
+}
+
+}  // namespace leadscrew::study
