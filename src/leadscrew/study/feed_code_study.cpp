@@ -58,10 +58,12 @@ Rows direct_rows() {
   const auto a_second = static_cast<double>(commands(1234, minute)) / 60;
   return under(
       "q = L, eqs. 19 to 21",
-      {exact_row("clock", pps, 5000, code.clock_pps()), exact_row("from interrupt to interrupt", {"µs", 0}, 200, 1e6 / code.clock_pps()),
+      {exact_row("clock", pps, 5000, code.clock_pps()),
+       exact_row("from interrupt to interrupt", {"µs", 0}, 200, 1e6 / code.clock_pps()),
        exact_row("q0", plain, 3000, code.feed_capacity()),
        because(exact_row("f of 30 in/min, eq. 21", plain, 3000, code.word(30 * inch)), "100 V0"),
-       because(exact_row("commands an interrupt at f = 3000", plain, 1, static_cast<double>(commands(3000, second)) / second),
+       because(exact_row("commands an interrupt at f = 3000", plain, 1,
+                         static_cast<double>(commands(3000, second)) / second),
                "clocked for a second"),
        because(exact_row("commands at f = 1234", {"pps", 2}, 2056.67, a_second), "clocked for a minute"),
        because(exact_row("their feed, eq. 20", {"in/min", 2}, 12.34, a_second * blu_inch * 60), "V = w0 f/q0")});
@@ -70,10 +72,11 @@ Rows direct_rows() {
 /// 170 µs of 200.
 Rows load_rows() {
   constexpr double interrupt = 200, program = 170, instruction = 2;  // µs
-  return under("the NC program's share of the computer",
-               {exact_row("instructions", plain, 85, program / instruction),
-                because(exact_row("load", {"%", 0}, 85, 100 * program / interrupt), "15 % are left for adaptive control"),
-                not_run_row("time of the program", "published 170 µs: of their computer, an HP 2100A")});
+  return under(
+      "the NC program's share of the computer",
+      {exact_row("instructions", plain, 85, program / instruction),
+       because(exact_row("load", {"%", 0}, 85, 100 * program / interrupt), "15 % are left for adaptive control"),
+       not_run_row("time of the program", "published 170 µs: of their computer, an HP 2100A")});
 }
 
 /// Pulses of a DDA that overflows where r > q, from the remainder r, beside those of one that does where r ≥ q.
@@ -99,9 +102,10 @@ Rows integrator_rows() {
       }
     }
   }
-  return under("the DDA integrator, eqs. 1 to 5",
-               {because(exact_row("registers that differ, r > q beside r − 1 ≥ q", plain, 0, static_cast<double>(others)),
-                        "of " + std::to_string(tried) + ": every capacity to 32, integrand and remainder")});
+  return under(
+      "the DDA integrator, eqs. 1 to 5",
+      {because(exact_row("registers that differ, r > q beside r − 1 ≥ q", plain, 0, static_cast<double>(others)),
+               "of " + std::to_string(tried) + ": every capacity to 32, integrand and remainder")});
 }
 
 }  // namespace
