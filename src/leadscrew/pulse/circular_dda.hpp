@@ -78,6 +78,7 @@ class CircularDda {
   constexpr const Integrator& y() const { return y_; }
   constexpr std::int64_t left_x() const { return left_x_; }
   constexpr std::int64_t left_y() const { return left_y_; }
+  constexpr int in_quadrant() const { return quadrant_; }  ///< 0 … 3
 
  private:
   constexpr bool is_parallel() const { return options_.order == Order::parallel; }

@@ -58,6 +58,7 @@ class CircularSearch {
 
   constexpr Point at() const { return at_; }
   constexpr std::int64_t deviation() const { return f_; }  ///< F
+  constexpr int in_quadrant() const { return quadrant_; }  ///< 0 … 3
 
  private:
   struct Steps {

@@ -15,7 +15,12 @@ class LinearDda {
   /// where a line takes 2ⁿ clocks; or its length rounded up, where feed is the rate of the clock. The line ends at its
   /// end whatever the preload.
   constexpr LinearDda(const std::array<std::int64_t, axes>& way, std::int64_t capacity, Preload preload)
-      : LinearDda(way, capacity, preloaded(preload, capacity, true)) {}
+      : LinearDda(way, capacity, 0) {
+    std::int64_t longest = 0;
+    for (const std::int64_t integrand : integrand_) longest = integrand > longest ? integrand : longest;
+    for (std::size_t i = 0; i < axes; ++i)
+      integrator_[i] = {capacity, preloaded(preload, capacity, integrand_[i] < longest)};
+  }
   constexpr LinearDda(const std::array<std::int64_t, axes>& way, std::int64_t capacity, std::int64_t preload) {
     for (std::size_t i = 0; i < axes; ++i) {
       integrand_[i] = left_[i] = absolute(way[i]);
@@ -40,6 +45,7 @@ class LinearDda {
     return pulse;
   }
 
+  constexpr std::int64_t integrand(std::size_t axis) const { return integrand_[axis]; }
   constexpr std::int64_t left(std::size_t axis) const { return left_[axis]; }
   constexpr const Integrator& integrator(std::size_t axis) const { return integrator_[axis]; }
 
@@ -83,6 +89,8 @@ class LinearPointComparison {
   }
 
   constexpr std::int64_t deviation() const { return deviation_; }  ///< F
+  constexpr std::int64_t left_x() const { return left_x_; }
+  constexpr std::int64_t left_y() const { return left_y_; }
 
  private:
   std::int64_t a_, b_, left_x_, left_y_, deviation_ = 0;
@@ -117,6 +125,7 @@ class LinearBresenham {
 
   /// Twice the distance from the line along the shorter axis, times the longer way, less that way.
   constexpr std::int64_t deviation() const { return deviation_; }
+  constexpr std::int64_t left() const { return left_; }  ///< steps of the longer axis
 
  private:
   bool is_steep_;

@@ -1,0 +1,31 @@
+#pragma once
+// What one interpolator makes of one curve, in figures.
+
+#include <leadscrew/stepping/pulse_run.hpp>
+#include <vector>
+
+namespace leadscrew::stepping {
+
+/// The least and the greatest value of a register.
+struct RegisterRange {
+  std::string_view name;
+  std::int64_t least = 0, greatest = 0;
+
+  int width() const;  ///< bits that hold both in two's complement
+};
+
+struct PulseFigures {
+  std::int64_t clocks = 0;
+  std::int64_t pulses = 0;  ///< clocks with a step
+  double max_error = 0;     ///< greatest distance of a place from the curve, BLU
+  double rms_error = 0;     ///< over the places after each pulse, BLU
+  pulse::Point worst;       ///< where it is greatest first; the start where it is 0
+  std::int64_t worst_clock = 0;
+  pulse::Point end;                      ///< where it comes to stand
+  std::vector<RegisterRange> registers;  ///< over all clocks, as loaded among them
+};
+
+/// Runs it to its end.
+PulseFigures measure(PulseRun run, const PulseCurve& curve);
+
+}  // namespace leadscrew::stepping
