@@ -24,6 +24,7 @@ constexpr std::string_view main_examples =
     "Examples:\n"
     "  leadscrew run part.ngc                     plan it for the built-in mill, show time and limits\n"
     "  leadscrew check part.ngc                   only read it\n"
+    "  leadscrew pulse --arc --start 5,0 --end 0,5   an arc in single steps, by every method\n"
     "  leadscrew run --help                       every option of run\n";
 
 constexpr std::string_view run_examples =
@@ -48,6 +49,17 @@ constexpr std::string_view verify_examples =
     "\n"
     "TRACE is CSV with columns t and axis letters, or NPY. Without --period its rows must be evenly spaced in t.\n";
 
+constexpr std::string_view pulse_examples =
+    "Examples:\n"
+    "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
+    "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
+    "  leadscrew pulse --line --end 11,-7 --method dda,bresenham --bits 4 --table\n"
+    "  leadscrew pulse --line --end 300,40 --method koren --preload zero --path --json\n"
+    "\n"
+    "Integers are BLU. A full circle ends where it starts. Each method's conventions are by default those with which "
+    "it\n"
+    "gives its published figures; --json names all that were in force.\n";
+
 constexpr std::string_view study_examples =
     "Examples:\n"
     "  leadscrew study list                       what there is\n"
@@ -63,6 +75,7 @@ struct UsageError : std::runtime_error {
 struct Texts {
   std::optional<std::string> period, mode, tolerance, start, color, interpolator;
   std::string judged_program;  ///< of verify, one
+  PulseTexts pulse;
 };
 
 std::string shell_quoted(std::string_view text) {
@@ -146,6 +159,36 @@ CLI::App* add_verify(CLI::App& app, Arguments& arguments, Texts& texts) {
   return verify;
 }
 
+CLI::App* add_pulse(CLI::App& app, Arguments& arguments, Texts& all) {
+  PulseTexts& texts = all.pulse;
+  CLI::App* pulse = app.add_subcommand("pulse", "One line or arc in reference pulses, clock by clock");
+  pulse->add_flag("--arc", texts.arc, "An arc");
+  pulse->add_flag("--line", texts.line, "A straight line");
+  pulse->add_option("--start", texts.start, "Where it starts (of a line, default: 0,0)")->type_name("X,Y");
+  pulse->add_option("--end", texts.end, "Where it ends")->type_name("X,Y");
+  pulse->add_option("--center", texts.center, "Of an arc (default: 0,0)")->type_name("X,Y");
+  pulse->add_flag("--cw", texts.clockwise, "Clockwise");
+  pulse->add_flag("--ccw", texts.counterclockwise, "Counterclockwise (default)");
+  pulse->add_option("--method", texts.methods, "Some of " + names_of_pulse_methods() + " (default: all)")
+      ->type_name("LIST");
+  pulse->add_option("--bits", texts.bits, "Width of the registers; the capacity of dda is then 2^N")->type_name("N");
+  pulse->add_option("--preload", texts.preload, "Of the remainders: zero, half, half-lagging or full")
+      ->type_name("LOAD");
+  pulse->add_option("--tie", texts.tie, "Where point comparison goes on the circle: outward or inward")
+      ->type_name("WAY");
+  pulse
+      ->add_option("--order", texts.order,
+                   "Of the integrators of arcs: parallel, x-first, shrinking-first or growing-first")
+      ->type_name("ORDER");
+  pulse->add_flag("--table", texts.table, "Every register at every clock, as text");
+  pulse->add_flag("--path", texts.path, "Every place, in JSON");
+  pulse->add_option("--vcd", texts.vcd, "Write every register at every clock")->type_name("FILE.vcd");
+  pulse->add_option("--svg", texts.svg, "Write the steps over the true curve")->type_name("FILE.svg");
+  add_output(*pulse, arguments, all);
+  pulse->footer(std::string(pulse_examples));
+  return pulse;
+}
+
 CLI::App* add_study(CLI::App& app, Arguments& arguments, Texts& texts) {
   CLI::App* study = app.add_subcommand("study", "Published tables and figures made again, ours beside them");
   study->add_option("NAME", arguments.study, "Which; list says what there is")->required()->type_name("");
@@ -189,6 +232,11 @@ void take_values(const Texts& texts, Arguments& arguments) {
     arguments.tolerance = value_of("--tolerance", *texts.tolerance, parse_tolerance(*texts.tolerance));
   if (texts.start) arguments.start = value_of("--start", *texts.start, parse_axis_values(*texts.start));
   if (texts.interpolator) arguments.interpolator = step_rule(*texts.interpolator);
+  if (arguments.command == Arguments::Command::pulse) {
+    auto pulse = parse_pulse(texts.pulse, arguments.json);
+    if (!pulse) throw UsageError(pulse.error());
+    arguments.pulse = std::move(*pulse);
+  }
   if (texts.color) arguments.color = color_choice(*texts.color);
 }
 
@@ -228,8 +276,7 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::vector<std::string_view> views(known.begin(), known.end());
-  const auto meant = nearest(word, views);
-  return meant ? fmt::format("; did you mean {}?", *meant) : "";
+  return cli::did_you_mean(word, std::span(views));
 }
 
 void check_study(const Arguments& arguments) {
@@ -256,11 +303,11 @@ Answer usage(const std::string& where, const std::string& message) {
   return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
 }
 
-constexpr std::string_view commands_there_are = "; there are run, check and verify for programs, and study";
+constexpr std::string_view commands_there_are = "; there are run, check and verify for programs, pulse and study";
 
 /// The first word must be a command; CLI11 would say less.
 std::optional<Answer> check_command(int count, const char* const* values) {
-  const std::vector<std::string> known = {"run", "check", "verify", "study"};
+  const std::vector<std::string> known = {"run", "check", "verify", "pulse", "study"};
   if (count < 2) return usage("leadscrew", fmt::format("no command{}", commands_there_are));
   const std::string word = values[1];
   if (word.empty() || word[0] != '-') {
@@ -282,7 +329,8 @@ class Parser {
     app_.require_subcommand(1);
     app_.footer(std::string(main_examples) + "\n" + std::string(exit_statuses));
     commands_ = {add_run(app_, arguments_, texts_), add_check(app_, arguments_, texts_),
-                 add_verify(app_, arguments_, texts_), add_study(app_, arguments_, texts_)};
+                 add_verify(app_, arguments_, texts_), add_pulse(app_, arguments_, texts_),
+                 add_study(app_, arguments_, texts_)};
   }
 
   std::variant<Arguments, Answer> parse(int count, const char* const* values) {
@@ -291,6 +339,7 @@ class Parser {
       arguments_.command = app_.got_subcommand(commands_[0])   ? Arguments::Command::run
                            : app_.got_subcommand(commands_[1]) ? Arguments::Command::check
                            : app_.got_subcommand(commands_[2]) ? Arguments::Command::verify
+                           : app_.got_subcommand(commands_[3]) ? Arguments::Command::pulse
                                                                : Arguments::Command::study;
       arguments_.command_line = command_line(count, values);
       if (arguments_.command == Arguments::Command::verify) arguments_.programs = {texts_.judged_program};
@@ -324,7 +373,7 @@ class Parser {
   Arguments arguments_;
   Texts texts_;
   CLI::App app_{"CNC part programs into motion.", "leadscrew"};
-  std::array<CLI::App*, 4> commands_{};
+  std::array<CLI::App*, 5> commands_{};
 };
 
 }  // namespace

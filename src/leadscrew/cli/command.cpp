@@ -5,6 +5,7 @@
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/cli/verify.hpp>
@@ -38,8 +39,9 @@ std::string_view schema_of(Arguments::Command command) {
       return check_schema;
     case Arguments::Command::verify:
       return verify_schema;
+    case Arguments::Command::pulse:
     case Arguments::Command::study:
-      break;  // works on no program
+      break;  // work on no program
   }
   return run_schema;
 }
@@ -56,6 +58,7 @@ Status end_without_job(const Arguments& arguments, const DiagnosticLog& log, Con
 
 Status perform(const Arguments& arguments) {
   Console console(arguments.color, arguments.quiet);
+  if (arguments.command == Arguments::Command::pulse) return pulse(arguments, console);
   if (arguments.command == Arguments::Command::study) return study(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
@@ -67,6 +70,7 @@ Status perform(const Arguments& arguments) {
       return check(*job, console);
     case Arguments::Command::verify:
       return verify(*job, console);
+    case Arguments::Command::pulse:
     case Arguments::Command::study:
       break;
   }

@@ -79,6 +79,10 @@ Json json_of_rejected(std::string_view schema, const std::string& program, const
           {"diagnostics", list_of(log.all())}};
 }
 
+Json json_of_diagnostics(const DiagnosticLog& log) {
+  return list_of(log.all());
+}
+
 Json json_of_run(const std::string& program, const Job& job, const RunFigures& figures, const DiagnosticLog& log) {
   const pipeline::Summary& summary = figures.summary;
   const referee::Verdict& verdict = figures.verdict;

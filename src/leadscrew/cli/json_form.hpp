@@ -21,6 +21,9 @@ inline constexpr std::string_view verify_schema = "leadscrew.verify/1";
 Json json_of_rejected(std::string_view schema, const std::string& program, const std::string& machine,
                       const DiagnosticLog& log);
 
+/// The list of them, as it stands under "diagnostics".
+Json json_of_diagnostics(const DiagnosticLog& log);
+
 Json json_of_run(const std::string& program, const Job& job, const RunFigures& figures, const DiagnosticLog& log);
 Json json_of_check(const std::string& program, const Job& job, const Reading& reading, const DiagnosticLog& log);
 Json json_of_verify(const std::string& program, const Job& job, const VerifyFigures& figures, const DiagnosticLog& log);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace leadscrew::cli {
@@ -10,5 +11,8 @@ namespace leadscrew::cli {
 /// The known word the fewest insertions, removals, changes and swaps of neighbours (Damerau 1964) away, if that is
 /// fewer than half of the word's letters.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known);
+
+/// "; did you mean run?", or nothing where no known word is near.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace leadscrew::cli

@@ -59,6 +59,10 @@ OutputPaths output_paths(const Arguments& arguments, const std::string& program)
   return paths;
 }
 
+bool is_same_output(const std::string& path, const std::string& other) {
+  return !is_special(path) && normal(path) == normal(other);
+}
+
 base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program) {
   for (const auto& path : paths.all()) {
     if (path && program.is_same(*path)) {
@@ -68,7 +72,7 @@ base::Result<void> check_paths(const OutputPaths& paths, const InputFile& progra
   const auto all = paths.all();
   for (std::size_t i = 1; i < all.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (!all[i] || !all[k] || is_special(*all[i]) || normal(*all[i]) != normal(*all[k])) continue;
+      if (!all[i] || !all[k] || !is_same_output(*all[i], *all[k])) continue;
       return usage(fmt::format("{} and {} name the same file", *all[k], *all[i]), "give each output a name of its own");
     }
   }

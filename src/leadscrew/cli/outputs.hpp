@@ -27,6 +27,9 @@ struct OutputPaths {
 /// is standard input.
 OutputPaths output_paths(const Arguments& arguments, const std::string& program);
 
+/// Do both name one regular file, or one that is yet to be made?
+bool is_same_output(const std::string& path, const std::string& other);
+
 /// What is wrong with these paths before anything is done: a name that is neither .csv nor .npy, or that of the program
 /// itself.
 base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program);

@@ -45,15 +45,17 @@ struct Content {
 /// Without bits the registers are as wide as the interpolators can have them.
 void check_register(Problems& problems, const Content& content, std::optional<int> bits) {
   const std::int64_t greatest = bits ? (std::int64_t{1} << *bits) - 1 : pulse::greatest_coordinate;
-  const std::int64_t value = absolute(content.value);
-  if (value <= greatest) return;
+  if (content.value >= -greatest && content.value <= greatest) return;
   const std::string width = bits ? " of " + std::to_string(*bits) + (*bits == 1 ? " bit" : " bits") : "";
-  const int needed = std::bit_width(static_cast<std::uint64_t>(value));
+  std::string hint = "make the curve smaller, or the BLU larger";
+  if (bits) {
+    const int needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
+    hint = std::to_string(needed) + " bits would hold it";
+  }
   add(problems, "register-overflow",
       content.meaning + " is " + std::to_string(content.value) + ": register " + content.name + width +
           " holds no more than " + std::to_string(greatest),
-      bits && value <= pulse::greatest_coordinate ? std::to_string(needed) + " bits would hold it"
-                                                  : "make the curve smaller, or the BLU larger");
+      std::move(hint));
 }
 
 /// As they were given: beyond the greatest even their differences might be out of range.

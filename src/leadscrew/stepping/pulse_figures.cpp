@@ -28,28 +28,36 @@ int RegisterRange::width() const {
   return 1 + std::bit_width(std::max(magnitude(least), magnitude(greatest)));
 }
 
-PulseFigures measure(PulseRun run, const PulseCurve& curve) {
-  const PulseError error(curve);
-  PulseFigures figures;
-  figures.worst = run.at();
-  figures.registers = ranges_of(run.registers());
-  double squares = 0;
-  while (!run.done()) {
-    const pulse::Pulse<2> pulse = run.step();
-    widen(figures.registers, run.registers());
-    if (pulse == pulse::Pulse<2>{}) continue;
-    ++figures.pulses;
-    const double distance = std::abs(error(run.at()));
-    squares += distance * distance;
-    if (distance <= figures.max_error) continue;
-    figures.max_error = distance;
-    figures.worst = run.at();
-    figures.worst_clock = run.clock();
-  }
-  figures.clocks = run.clock();
-  figures.end = run.at();
-  figures.rms_error = figures.pulses > 0 ? std::sqrt(squares / static_cast<double>(figures.pulses)) : 0;
+PulseMeasurement::PulseMeasurement(const PulseRun& run, const PulseCurve& curve) : run_(run), error_(curve) {
+  figures_.worst = run_.at();
+  figures_.registers = ranges_of(run_.registers());
+}
+
+void PulseMeasurement::step() {
+  const pulse::Pulse<2> pulse = run_.step();
+  widen(figures_.registers, run_.registers());
+  if (pulse == pulse::Pulse<2>{}) return;
+  ++figures_.pulses;
+  const double distance = std::abs(error_(run_.at()));
+  squares_ += distance * distance;
+  if (distance <= figures_.max_error) return;
+  figures_.max_error = distance;
+  figures_.worst = run_.at();
+  figures_.worst_clock = run_.clock();
+}
+
+PulseFigures PulseMeasurement::figures() const {
+  PulseFigures figures = figures_;
+  figures.clocks = run_.clock();
+  figures.end = run_.at();
+  figures.rms_error = figures.pulses > 0 ? std::sqrt(squares_ / static_cast<double>(figures.pulses)) : 0;
   return figures;
+}
+
+PulseFigures measure(const PulseRun& run, const PulseCurve& curve) {
+  PulseMeasurement measurement(run, curve);
+  while (!measurement.done()) measurement.step();
+  return measurement.figures();
 }
 
 }  // namespace leadscrew::stepping

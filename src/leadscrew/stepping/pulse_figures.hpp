@@ -25,7 +25,25 @@ struct PulseFigures {
   std::vector<RegisterRange> registers;  ///< over all clocks, as loaded among them
 };
 
+/// Takes them clock by clock.
+class PulseMeasurement {
+ public:
+  PulseMeasurement(const PulseRun& run, const PulseCurve& curve);
+
+  const PulseRun& run() const { return run_; }
+  bool done() const { return run_.done(); }
+  void step();
+  /// Of the clocks until now.
+  PulseFigures figures() const;
+
+ private:
+  PulseRun run_;
+  PulseError error_;
+  PulseFigures figures_;
+  double squares_ = 0;
+};
+
 /// Runs it to its end.
-PulseFigures measure(PulseRun run, const PulseCurve& curve);
+PulseFigures measure(const PulseRun& run, const PulseCurve& curve);
 
 }  // namespace leadscrew::stepping

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <leadscrew/cli/nearest.hpp>
+#include <leadscrew/cli/pulse_arguments.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+using stepping::PulseMethod;
+
+template <class... Values>
+auto wrong(fmt::format_string<Values...> text, Values&&... values) {
+  return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
+}
+
+template <class T>
+Parsed<T> parse_integer(std::string_view text) {
+  T value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return wrong("is not a whole number");
+  return value;
+}
+
+/// x,y in BLU.
+Parsed<pulse::Point> parse_point(std::string_view option, std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return wrong("{} {}: needs two numbers, such as 5,0", option, text);
+  const auto x = parse_integer<std::int64_t>(text.substr(0, comma));
+  const auto y = parse_integer<std::int64_t>(text.substr(comma + 1));
+  if (!x || !y) return wrong("{} {}: coordinates are whole numbers of BLU, such as 5,0", option, text);
+  return pulse::Point{*x, *y};
+}
+
+/// One of the named values.
+template <class T, std::size_t count>
+Parsed<T> parse_name(std::string_view option, std::string_view text, const std::array<T, count>& known) {
+  std::array<std::string_view, count> names;
+  std::transform(known.begin(), known.end(), names.begin(), [](T value) { return stepping::name(value); });
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found != names.end()) return known[static_cast<std::size_t>(found - names.begin())];
+  return wrong("{} {}: is none of {}{}", option, text, fmt::join(names, ", "), did_you_mean(text, names));
+}
+
+Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
+  std::vector<PulseMethod> methods;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const auto method = parse_name("--method", text.substr(0, comma), stepping::all_pulse_methods);
+    if (!method) return tl::unexpected(method.error());
+    if (std::find(methods.begin(), methods.end(), *method) != methods.end())
+      return wrong("--method: {} is named twice", stepping::name(*method));
+    methods.push_back(*method);
+    if (comma == std::string_view::npos) return methods;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+Parsed<stepping::PulseCurve> parse_curve(const PulseTexts& texts) {
+  using Shape = stepping::PulseCurve::Shape;
+  if (texts.arc == texts.line) return wrong("needs either --arc or --line");
+  if (texts.clockwise && texts.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
+  if (!texts.end) return wrong("--end is missing: where the {} ends, such as 0,5", texts.arc ? "arc" : "line");
+  if (texts.arc && !texts.start) return wrong("--start is missing: where the arc starts, such as 5,0");
+  if (texts.line && (texts.center || texts.clockwise || texts.counterclockwise))
+    return wrong("{} is for arcs", texts.center ? "--center" : texts.clockwise ? "--cw" : "--ccw");
+  stepping::PulseCurve curve;
+  curve.shape = texts.arc ? Shape::arc : Shape::line;
+  curve.direction = texts.clockwise ? pulse::Direction::clockwise : pulse::Direction::counterclockwise;
+  for (const auto& [option, text, point] : {std::tuple("--start", &texts.start, &curve.start),
+                                            {"--end", &texts.end, &curve.end},
+                                            {"--center", &texts.center, &curve.center}}) {
+    if (!*text) continue;
+    const auto parsed = parse_point(option, **text);
+    if (!parsed) return tl::unexpected(parsed.error());
+    *point = *parsed;
+  }
+  return curve;
+}
+
+template <class T, std::size_t count>
+Parsed<void> take_name(std::string_view option, const std::optional<std::string>& text,
+                       const std::array<T, count>& known, std::optional<T>& value) {
+  if (!text) return {};
+  const auto parsed = parse_name(option, *text, known);
+  if (!parsed) return tl::unexpected(parsed.error());
+  value = *parsed;
+  return {};
+}
+
+Parsed<stepping::PulseOptions> parse_options(const PulseTexts& texts) {
+  stepping::PulseOptions options;
+  if (texts.bits) {
+    const auto bits = parse_integer<int>(*texts.bits);
+    if (!bits || *bits < 1 || *bits > stepping::most_pulse_bits)
+      return wrong("--bits {}: is not a whole number from 1 to {}", *texts.bits, stepping::most_pulse_bits);
+    options.bits = *bits;
+  }
+  const auto taken =
+      take_name("--preload", texts.preload, stepping::all_preloads, options.preload)
+          .and_then([&] { return take_name("--tie", texts.tie, stepping::all_ties, options.tie); })
+          .and_then([&] { return take_name("--order", texts.order, stepping::all_orders, options.order); });
+  if (!taken) return tl::unexpected(taken.error());
+  return options;
+}
+
+/// An option that none of the methods has would be ignored.
+Parsed<void> check_use(const PulseArguments& arguments) {
+  const bool is_arc = arguments.curve.is_arc();
+  const auto is_any = [&](std::initializer_list<PulseMethod> methods) {
+    return std::find_first_of(arguments.methods.begin(), arguments.methods.end(), methods.begin(), methods.end()) !=
+           arguments.methods.end();
+  };
+  const bool integrates = is_any({PulseMethod::dda, PulseMethod::koren});
+  if (arguments.options.preload && !integrates) return wrong("--preload is for dda and koren");
+  if (arguments.options.order && !(integrates && is_arc)) return wrong("--order is for arcs by dda and koren");
+  if (arguments.options.tie && !(is_arc && is_any({PulseMethod::point_comparison})))
+    return wrong("--tie is for arcs by point-comparison");
+  return {};
+}
+
+}  // namespace
+
+std::string names_of_pulse_methods() {
+  std::string names;
+  for (const PulseMethod method : stepping::all_pulse_methods)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", stepping::name(method));
+  return names;
+}
+
+Parsed<PulseArguments> parse_pulse(const PulseTexts& texts, bool json) {
+  PulseArguments arguments{.path = texts.path, .table = texts.table, .vcd = texts.vcd, .svg = texts.svg};
+  const auto curve = parse_curve(texts);
+  if (!curve) return tl::unexpected(curve.error());
+  const auto options = parse_options(texts);
+  if (!options) return tl::unexpected(options.error());
+  arguments.curve = *curve;
+  arguments.options = *options;
+  arguments.methods = {stepping::all_pulse_methods.begin(), stepping::all_pulse_methods.end()};
+  if (texts.methods) {
+    auto methods = parse_methods(*texts.methods);
+    if (!methods) return tl::unexpected(methods.error());
+    arguments.methods = std::move(*methods);
+  }
+  if (texts.path && !json) return wrong("--path is for --json; --table is the same as text");
+  if (texts.table && json) return wrong("--table is text; with --json, --path gives every place");
+  if (const auto used = check_use(arguments); !used) return tl::unexpected(used.error());
+  return arguments;
+}
+
+}  // namespace leadscrew::cli

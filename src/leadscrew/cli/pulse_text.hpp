@@ -1,0 +1,25 @@
+#pragma once
+// What interpolators of reference pulses make, as people and programs read it.
+
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/trace/pulses.hpp>
+#include <string>
+#include <vector>
+
+namespace leadscrew::cli {
+
+inline constexpr std::string_view pulse_schema = "leadscrew.pulse/1";
+
+using AllPulses = std::vector<trace::MeasuredPulses>;
+
+/// A line of figures for each method, and the conventions that were in force.
+std::string pulse_summary(const stepping::PulseCurve& curve, const AllPulses& pulses, const Style& style);
+
+/// Every register at every clock.
+std::string pulse_table(const stepping::PulseCurve& curve, const trace::MeasuredPulses& pulses, const Style& style);
+
+Json json_of_pulses(const stepping::PulseCurve& curve, const AllPulses& pulses, bool with_path);
+Json json_of_rejected_pulses(const stepping::PulseCurve& curve, const DiagnosticLog& log);
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,29 @@
+#pragma once
+// Interpolators at work, side by side: their registers over time, and their steps beside the true curve.
+
+#include <leadscrew/stepping/pulse_figures.hpp>
+#include <leadscrew/trace/sink.hpp>
+#include <vector>
+
+namespace leadscrew::trace {
+
+/// One interpolator, loaded, and what measure() makes of it.
+struct MeasuredPulses {
+  stepping::PulseRun run;
+  stepping::PulseFigures figures;
+};
+
+/// A value-change dump: a scope for each method, with dx and dy (−1, 0, 1) and its registers, at each clock; X and Y
+/// too, where the curve's coordinates are not the registers' own. A microsecond of it is a clock.
+base::Result<void> write_pulse_dump(const stepping::PulseCurve& curve, const std::vector<MeasuredPulses>& pulses,
+                                    const ByteSink& sink);
+
+/// A picture: a panel for each method, with its steps, the true curve and the worst place. Of a curve too large to see
+/// its steps the surroundings of the worst place are shown.
+base::Result<void> write_pulse_picture(const stepping::PulseCurve& curve, const std::vector<MeasuredPulses>& pulses,
+                                       const ByteSink& sink);
+
+/// "arc from (5, 0) to (0, 5) about (0, 0), counterclockwise", "line from (0, 0) to (7, 3)".
+std::string title_of(const stepping::PulseCurve& curve);
+
+}  // namespace leadscrew::trace

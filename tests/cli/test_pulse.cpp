@@ -1,0 +1,361 @@
+// `leadscrew pulse`: figures, conventions, paths, tables, dumps, pictures, and what it refuses.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <leadscrew/stepping/pulse_run.hpp>
+
+#include "command.hpp"
+#include "value_changes.hpp"
+
+namespace leadscrew::cli::testing {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Koren's and the FPGA paper's quarter of a circle of 5 BLU, and what follows it.
+Words quarter(const Words& more) {
+  Words words = {"pulse", "--arc", "--start", "5,0", "--end", "0,5", "--center", "0,0", "--ccw"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+Names keys_of(const Json& object) {
+  Names keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+TEST(Pulse, GivesTheFpgaTable) {
+  const Folder folder;
+  const Outcome outcome =
+      leadscrew(folder, quarter({"--method", "point-comparison,dda,min-error,improved-min-error", "--json"}));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  const Json object = outcome.json();
+  EXPECT_EQ(object["schema"], "leadscrew.pulse/1");
+  struct Published {
+    const char* method;
+    int clocks, pulses;
+    double error;
+  };
+  ASSERT_EQ(object["methods"].size(), 4u);
+  std::size_t at = 0;
+  for (const auto& [name, clocks, pulses, error] :
+       {Published{"point-comparison", 10, 10, 0.877}, Published{"dda", 8, 7, 0.385},
+        Published{"min-error", 7, 7, 0.385}, Published{"improved-min-error", 7, 7, 0.385}}) {
+    const Json& method = object["methods"][at++];
+    EXPECT_EQ(method["method"], name);
+    EXPECT_EQ(method["clocks"], clocks) << name;
+    EXPECT_EQ(method["pulses"], pulses) << name;
+    EXPECT_NEAR(method["max_error_blu"], error, 5e-4) << name;
+    EXPECT_EQ(method["end"], Json({0, 5})) << name;
+    EXPECT_FALSE(method.contains("path"));
+  }
+}
+
+TEST(Pulse, HasTheKeysOfTheContract) {
+  const Folder folder;
+  const Json object = leadscrew(folder, quarter({"--path", "--json"})).json();
+  ASSERT_EQ(object["methods"].size(), 6u);
+  for (const Json& method : object["methods"]) {
+    EXPECT_EQ(keys_of(method), (Names{"method", "pulses", "clocks", "max_error_blu", "rms_error_blu", "worst", "end",
+                                      "path", "options"}));
+    double worst = 0, squares = 0;
+    Json before = {5, 0};
+    for (const Json& place : method["path"]) {
+      const double x = place[0], y = place[1], error = std::abs(std::hypot(x, y) - 5);
+      worst = std::max(worst, error);
+      squares += error * error;
+      EXPECT_LE(std::abs(x - before[0].get<double>()), 1);
+      EXPECT_LE(std::abs(y - before[1].get<double>()), 1);
+      EXPECT_NE(place, before);
+      before = place;
+    }
+    EXPECT_EQ(method["path"].size(), method["pulses"]);
+    EXPECT_EQ(method["path"].back(), method["end"]);
+    EXPECT_NEAR(method["max_error_blu"], worst, 1e-12);
+    EXPECT_NEAR(method["rms_error_blu"], std::sqrt(squares / method["pulses"].get<double>()), 1e-12);
+  }
+}
+
+TEST(Pulse, NamesTheConventionsThatWereInForce) {
+  const Folder folder;
+  const auto options = [&](const Words& more) {
+    Words words = more;
+    words.push_back("--json");
+    return leadscrew(folder, quarter(words)).json()["methods"][0]["options"];
+  };
+  EXPECT_EQ(options({"--method", "dda"}), Json({{"capacity", 5},
+                                                {"preload", "half-lagging"},
+                                                {"order", "parallel"},
+                                                {"end_rule", "counters-by-quadrant-drained"}}));
+  EXPECT_EQ(options({"--method", "dda", "--bits", "4", "--preload", "zero", "--order", "x-first"}),
+            Json({{"bits", 4},
+                  {"capacity", 16},
+                  {"preload", "zero"},
+                  {"order", "x-first"},
+                  {"end_rule", "counters-by-quadrant-drained"}}));
+  EXPECT_EQ(options({"--method", "point-comparison", "--tie", "inward"})["tie"], "inward");
+  EXPECT_EQ(options({"--method", "koren"})["order"], "x-first");
+  EXPECT_EQ(options({"--method", "koren"})["preload"], "half");
+}
+
+/// With F = 0 inward, as its text has it, point comparison is 1 BLU off.
+TEST(Pulse, ConventionsCount) {
+  const Folder folder;
+  const auto method = [&](const Words& more) {
+    Words words = more;
+    words.push_back("--json");
+    return leadscrew(folder, quarter(words)).json()["methods"][0];
+  };
+  EXPECT_NEAR(method({"--method", "point-comparison", "--tie", "inward"})["max_error_blu"], 1, 1e-12);
+  EXPECT_NEAR(method({"--method", "dda", "--preload", "half"})["max_error_blu"], 0.831, 5e-4);
+  EXPECT_NEAR(method({"--method", "dda", "--preload", "half", "--order", "x-first"})["max_error_blu"], 0.657, 5e-4);
+  EXPECT_GT(method({"--method", "dda", "--bits", "5"})["clocks"], 32);
+}
+
+TEST(Pulse, GoesAllTheWayRoundWhereItEndsAtItsStart) {
+  const Folder folder;
+  const Json object = leadscrew(folder, {"pulse", "--arc", "--start", "-7,3", "--end=-7,3", "--center", "-2,3", "--cw",
+                                         "--json", "--method", "point-comparison"})
+                          .json();
+  EXPECT_EQ(object["methods"][0]["pulses"], 40);
+  EXPECT_EQ(object["direction"], "cw");
+}
+
+TEST(Pulse, DrawsALineOf4BitsIn16Clocks) {
+  const Folder folder;
+  const Json object =
+      leadscrew(folder, {"pulse", "--line", "--end", "-11,7", "--method", "dda,koren", "--bits", "4", "--json"}).json();
+  EXPECT_EQ(object["shape"], "line");
+  EXPECT_EQ(object["methods"][0]["clocks"], 16);
+  EXPECT_EQ(object["methods"][1]["options"]["capacity"], 14);  // √170, rounded up
+  EXPECT_EQ(object["methods"][1]["end"], Json({-11, 7}));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST(PulseText, ShowsEveryRegisterOfAShortCurve) {
+  const Folder folder;
+  const std::string text = leadscrew(folder, quarter({"--method", "dda"})).output;
+  EXPECT_TRUE(contains(text, "0.385"));
+  EXPECT_TRUE(contains(text, "  clock  dx  dy  x  y  rx  ry  nx  ny  q\n"));
+  EXPECT_TRUE(contains(text, "      3  -1   1  4  3   0   0   4   2  5\n"));
+  EXPECT_FALSE(contains(text, "\033["));
+  EXPECT_TRUE(contains(leadscrew(folder, quarter({"--color", "always"})).output, "\033["));
+  EXPECT_EQ(leadscrew(folder, quarter({"--quiet"})).output, "");
+}
+
+TEST(PulseText, ShowsTablesOfSeveralWhenAsked) {
+  const Folder folder;
+  const Words two = {"--method", "min-error,koren"};
+  EXPECT_FALSE(contains(leadscrew(folder, quarter(two)).output, "clock  dx"));
+  const std::string text = leadscrew(folder, quarter({two[0], two[1], "--table"})).output;
+  EXPECT_TRUE(contains(text, "\nmin-error\n  clock  dx  dy  x  y  F\n"));
+  EXPECT_TRUE(contains(text, "\nkoren\n  clock  dx  dy  x  y  rx  ry  nx  ny  q\n"));
+}
+
+/// Beside the centre the table shows places as well as registers.
+TEST(PulseText, ShowsPlacesWhereTheyAreNotTheRegisters) {
+  const Folder folder;
+  const std::string text = leadscrew(folder, {"pulse", "--arc", "--start", "15,0", "--end", "10,5", "--center", "10,0",
+                                              "--method", "min-error"})
+                               .output;
+  EXPECT_TRUE(contains(text, "   X  Y  x  y  F\n")) << text;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+using stepping::PulseMethod;
+
+/// Every signal of a scope at every clock, beside the interpolator itself.
+void expect_equal(const Dump& dump, stepping::PulseRun run, std::string scope, const stepping::PulseCurve& curve) {
+  std::replace(scope.begin(), scope.end(), '-', '_');
+  while (true) {
+    const std::int64_t clock = run.clock();
+    const auto value = [&](const std::string& name) {
+      EXPECT_TRUE(dump.signals.contains(scope + "." + name)) << scope << ' ' << name;
+      return dump.signals.at(scope + "." + name).at(clock);
+    };
+    ASSERT_EQ(value("dx"), run.last().step[0]) << scope << clock;
+    ASSERT_EQ(value("dy"), run.last().step[1]) << scope << clock;
+    if (curve.origin() != pulse::Point{}) {
+      ASSERT_EQ(value("X"), run.at().x) << scope << clock;
+      ASSERT_EQ(value("Y"), run.at().y) << scope << clock;
+    }
+    const stepping::Registers registers = run.registers();
+    for (const stepping::Register& each : registers.all())
+      ASSERT_EQ(value(std::string(each.name)), each.value) << scope << clock << each.name;
+    if (run.done()) break;
+    run.step();
+  }
+  EXPECT_EQ(dump.signals.at(scope + ".dx").at(run.clock() + 1), 0);
+  EXPECT_GT(dump.last, run.clock());
+}
+
+TEST(PulseDump, HasEveryRegisterAtEveryClock) {
+  const Folder folder;
+  using Shape = stepping::PulseCurve::Shape;
+  const stepping::PulseCurve around{Shape::arc, {-30, 1}, {-30, 1}, {-17, 1}, pulse::Direction::clockwise};
+  ASSERT_EQ(leadscrew(folder, {"pulse", "--arc", "--start", "-30,1", "--end", "-30,1", "--center", "-17,1", "--cw",
+                               "--quiet", "--vcd", "arc.vcd"})
+                .status,
+            0);
+  const stepping::PulseCurve across{Shape::line, {}, {90, -37}, {}, {}};
+  ASSERT_EQ(leadscrew(folder, {"pulse", "--line", "--end", "90,-37", "--quiet", "--vcd", "line.vcd"}).status, 0);
+  EXPECT_EQ(folder.names(), (Names{"arc.vcd", "line.vcd"}));
+  const Dump arc = read_dump(folder.read("arc.vcd")), line = read_dump(folder.read("line.vcd"));
+  for (const Dump* dump : {&arc, &line}) {
+    EXPECT_EQ(dump->timescale, "1 us");
+    EXPECT_TRUE(dump->has_initial_values);
+    EXPECT_EQ(dump->first, 0);
+  }
+  for (const PulseMethod method : stepping::all_pulse_methods) {
+    expect_equal(arc, stepping::PulseRun(method, around), std::string(stepping::name(method)), around);
+    expect_equal(line, stepping::PulseRun(method, across), std::string(stepping::name(method)), across);
+  }
+}
+
+TEST(PulseDump, ShowsRegistersOfNBitsWithASign) {
+  const Folder folder;
+  leadscrew(folder, quarter({"--method", "dda", "--bits", "10", "--quiet", "--vcd", "made.vcd"}));
+  const Dump dump = read_dump(folder.read("made.vcd"));
+  for (const char* name : {"x", "y", "rx", "ry", "nx", "ny"})
+    EXPECT_EQ(dump.signals.at(std::string("dda.") + name).width, 11);
+  EXPECT_EQ(dump.signals.at("dda.q").width, 12);
+  EXPECT_EQ(dump.signals.at("dda.dx").width, 2);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++count;
+  return count;
+}
+
+TEST(PulsePicture, HasAPanelForEachMethod) {
+  const Folder folder;
+  EXPECT_EQ(leadscrew(folder, quarter({"--quiet", "--svg", "made.svg"})).status, 0);
+  const std::string picture = folder.read("made.svg");
+  EXPECT_EQ(picture.substr(0, 4), "<svg");
+  EXPECT_TRUE(picture.ends_with("</svg>\n"));
+  EXPECT_EQ(count_of(picture, "class=\"steps\""), 6u + 1);  // and the legend's
+  EXPECT_EQ(count_of(picture, "class=\"worst\""), 6u + 1);
+  for (const PulseMethod method : stepping::all_pulse_methods)
+    EXPECT_TRUE(contains(picture, ">" + std::string(stepping::name(method)) + "<"));
+  EXPECT_TRUE(contains(picture, "greatest error 0.8769 BLU, at (4, 1)"));
+  EXPECT_TRUE(contains(picture, "prefers-color-scheme:dark"));
+}
+
+/// However long the path, what is shown is around its worst place.
+TEST(PulsePicture, OfALargeCircleIsNoLarger) {
+  const Folder folder;
+  EXPECT_EQ(leadscrew(folder, {"pulse", "--arc", "--start", "100000,0", "--end", "100000,0", "--method", "koren",
+                               "--quiet", "--svg", "made.svg"})
+                .status,
+            0);
+  const std::string picture = folder.read("made.svg");
+  EXPECT_LT(picture.size(), 20000u);
+  EXPECT_TRUE(contains(picture, "around the worst place"));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct Misuse {
+  Words arguments;
+  const char* said;
+};
+
+TEST(PulseUsage, ErrorsSayWhatWasMeantAndDoNothing) {
+  const Folder folder;
+  for (const auto& [arguments, said] : {
+           Misuse{{"pulse"}, "either --arc or --line"},
+           Misuse{{"pulse", "--arc", "--line", "--end", "1,1"}, "either --arc or --line"},
+           Misuse{{"pulse", "--arc", "--start", "5,0"}, "--end is missing"},
+           Misuse{{"pulse", "--arc", "--end", "5,0"}, "--start is missing"},
+           Misuse{{"pulse", "--line"}, "--end is missing"},
+           Misuse{{"pulse", "--line", "--end", "5"}, "--end 5: needs two numbers"},
+           Misuse{{"pulse", "--line", "--end", "5,1.5"}, "whole numbers of BLU"},
+           Misuse{{"pulse", "--line", "--end", "5,1,2"}, "whole numbers of BLU"},
+           Misuse{{"pulse", "--line", "--end", "5,1", "--center", "0,0"}, "--center is for arcs"},
+           Misuse{{"pulse", "--line", "--end", "5,1", "--cw"}, "--cw is for arcs"},
+           Misuse{quarter({"--cw"}), "an arc goes one way"},
+           Misuse{quarter({"--method", "min-eror"}), "did you mean min-error?"},
+           Misuse{quarter({"--method", "dda,dda"}), "dda is named twice"},
+           Misuse{quarter({"--method", "dda,"}), "is none of point-comparison, dda"},
+           Misuse{quarter({"--preload", "hlaf"}), "did you mean half?"},
+           Misuse{quarter({"--tie", "inwards"}), "did you mean inward?"},
+           Misuse{quarter({"--order", "y-first"}), "did you mean x-first?"},
+           Misuse{quarter({"--bits", "0"}), "from 1 to 30"},
+           Misuse{quarter({"--bits", "31"}), "from 1 to 30"},
+           Misuse{quarter({"--bits", "8.5"}), "from 1 to 30"},
+           Misuse{quarter({"--method", "min-error", "--preload", "half"}), "--preload is for dda and koren"},
+           Misuse{quarter({"--method", "dda", "--tie", "inward"}), "--tie is for arcs by point-comparison"},
+           Misuse{{"pulse", "--line", "--end", "5,1", "--order", "parallel"}, "--order is for arcs"},
+           Misuse{quarter({"--path"}), "--path is for --json"},
+           Misuse{quarter({"--table", "--json"}), "--table is text"},
+           Misuse{quarter({"--metod", "dda"}), "did you mean --method?"},
+           Misuse{quarter({"--machine", "mill3"}), "no option --machine"},
+           Misuse{quarter({"--vcd", "made", "--svg", "./made"}), "name the same file"},
+           Misuse{{"puls"}, "did you mean pulse?"},
+       }) {
+    const Outcome outcome = leadscrew(folder, arguments);
+    EXPECT_EQ(outcome.status, 2) << said;
+    EXPECT_EQ(outcome.output, "") << said;
+    EXPECT_TRUE(contains(outcome.errors, said)) << said << "\n" << outcome.errors;
+    EXPECT_EQ(folder.names(), Names{}) << said;
+  }
+}
+
+TEST(PulseRejection, NamesTheRegisterOrTheValue) {
+  const Folder folder;
+  for (const auto& [arguments, said] : {
+           Misuse{{"pulse", "--arc", "--start", "5,0", "--end", "0,4"}, "[end-off-circle]"},
+           Misuse{{"pulse", "--arc", "--start", "2,2", "--end", "2,5", "--center", "2,2"}, "[zero-radius]"},
+           Misuse{{"pulse", "--line", "--start", "3,4", "--end", "3,4"}, "[no-way]"},
+           Misuse{{"pulse", "--line", "--end", "256,1", "--bits", "8"}, "register Jx of 8 bits holds no more than 255"},
+           Misuse{quarter({"--bits", "2"}), "register x of 2 bits holds no more than 3"},
+           Misuse{{"pulse", "--line", "--end", "1,-9999999999"}, "y of the end is -9999999999: register y holds"},
+       }) {
+    Words words = arguments;
+    words.insert(words.end(), {"--vcd", "made.vcd"});
+    const Outcome outcome = leadscrew(folder, words);
+    EXPECT_EQ(outcome.status, 3) << said;
+    EXPECT_EQ(outcome.output, "") << said;
+    EXPECT_TRUE(contains(outcome.errors, said)) << outcome.errors;
+    words.push_back("--json");
+    const Json object = leadscrew(folder, words).json();
+    EXPECT_EQ(object["schema"], "leadscrew.pulse/1");
+    EXPECT_EQ(object["methods"], Json::array());
+    EXPECT_GE(object["diagnostics"].size(), 1u);
+    EXPECT_EQ(folder.names(), Names{}) << said;
+  }
+}
+
+TEST(PulseFiles, ThatCannotBeWrittenAreNotThere) {
+  const Folder folder;
+  EXPECT_EQ(leadscrew(folder, quarter({"--vcd", "made.vcd", "--svg", "none/made.svg"})).status, 4);
+  EXPECT_EQ(folder.names(), Names{});
+  EXPECT_EQ(leadscrew(folder, quarter({"--vcd", "/dev/full"})).status, 4);
+}
+
+/// Some 5·10⁹ clocks: it would take half a minute.
+TEST(PulseInterrupt, EndsALongRun) {
+  const Folder folder;
+  Running running(folder, {"pulse", "--arc", "--start", "1073741824,0", "--end", "1073741824,0", "--vcd", "made.vcd"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  running.send(SIGINT);
+  EXPECT_EQ(running.wait().status, 130);
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(Pulse, HelpShowsExamples) {
+  const Folder folder;
+  const Outcome outcome = leadscrew(folder, {"pulse", "--help"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(contains(outcome.output, "leadscrew pulse --arc --start 5,0 --end 0,5"));
+  EXPECT_TRUE(contains(outcome.output, "point-comparison, dda, min-error, improved-min-error, bresenham, koren"));
+}
+
+}  // namespace
+}  // namespace leadscrew::cli::testing
