@@ -1,0 +1,266 @@
+// Steps that follow words: when they come, how they keep their distances, and that none is lost.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <allocations.hpp>
+#include <random_numbers.hpp>
+
+#include "stepping_support.hpp"
+
+namespace leadscrew::stepping::testing {
+namespace {
+
+using testing_support::any;
+using testing_support::logarithmic;
+
+/// Positions in BLU, with speeds up to `fastest`, BLU a period, that change by up to a tenth of it and rest now and
+/// then.
+std::vector<double> random_walk(int periods, double fastest) {
+  std::vector<double> positions = {any(-100000, 100000) / 128.0};
+  double speed = 0;
+  for (int k = 0; k < periods; ++k) {
+    const int kind = any(0, 16);
+    speed += fastest * any(-1000, 1001) / 1e4;
+    if (kind == 0) speed = 0;
+    speed = std::clamp(speed, -fastest, fastest);
+    positions.push_back(positions.back() + speed);
+  }
+  return positions;
+}
+
+struct Case {
+  StepTiming timing;
+  machine::Machine machine;
+  std::vector<base::Word> words;
+};
+
+/// On any clock and with any period, at up to 95 % of the rate that timing allows.
+Case any_case() {
+  Case made;
+  made.timing.clock_hz = std::llround(logarithmic(1e4, 1e7));
+  made.timing.step_length_ns = std::llround(logarithmic(100, 1e5));
+  made.timing.step_space_ns = std::llround(logarithmic(100, 1e5));
+  made.timing.direction_setup_ns = any(0, 20000);
+  made.timing.direction_hold_ns = any(0, 20000);
+  const base::Period period{std::llround(logarithmic(1e4, 2e7))};
+  const double rate = static_cast<double>(made.timing.clock_hz) / static_cast<double>(in_ticks(made.timing).pitch());
+  const double blu = logarithmic(1e-4, 1e-1);
+  made.machine = mill_with(rate * blu, blu, period);
+  const double fastest = std::min(0.95 * rate * period.seconds(), 300.0);
+  made.words = words_along_x(random_walk(any(1, 12), fastest * any(1, 101) / 100), blu);
+  return made;
+}
+
+/// A step beyond a half and back that follow each other faster than a drive can turn are not made.
+bool turns_in_time(const std::vector<Crossing>& crossings, const StepTicks& ticks) {
+  for (std::size_t k = 1; k < crossings.size(); ++k) {
+    const long double apart = std::ceil(crossings[k].tick) - std::ceil(crossings[k - 1].tick);
+    if (crossings[k].direction != crossings[k - 1].direction && apart < ticks.reversal() + 2) return false;
+  }
+  return true;
+}
+
+void expect_as_by_brute_force(const Case& tried) {
+  const BruteForce force(tried.words, tried.machine.limits(base::Axis::X), tried.machine.period, tried.timing.clock_hz);
+  const std::vector<Crossing> crossings = force.crossings(2000);
+  const StepTicks ticks = in_ticks(tried.timing);
+  RC_PRE(turns_in_time(crossings, ticks));
+  const Made made = steps_of(tried.words, tried.machine, tried.timing);
+  RC_ASSERT(made.events.size() == crossings.size());
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    const StepEvent event = made.events[k];
+    RC_ASSERT(event.direction() == crossings[k].direction);
+    const auto after = static_cast<double>(static_cast<long double>(event.tick()) - crossings[k].tick);
+    RC_ASSERT(after > -1e-3);
+    if (after <= 1 + 1e-3) continue;
+    RC_ASSERT(k > 0u);  // only the step before can hold a step up
+    const std::int64_t apart = event.direction() == made.events[k - 1].direction() ? ticks.pitch() : ticks.reversal();
+    RC_ASSERT(event.tick() == made.events[k - 1].tick() + apart);
+  }
+}
+
+RC_GTEST_PROP(Steps, LieWithinOneTickOfTheirCrossings, ()) {
+  expect_as_by_brute_force(any_case());
+}
+
+RC_GTEST_PROP(Steps, KeepTheirDistances, ()) {
+  const Case tried = any_case();
+  const StepTicks ticks = in_ticks(tried.timing);
+  const Made made = steps_of(tried.words, tried.machine, tried.timing);
+  for (std::size_t k = 1; k < made.events.size(); ++k) {
+    const StepEvent event = made.events[k], before = made.events[k - 1];
+    const bool turns = event.direction() != before.direction();
+    RC_ASSERT(event.tick() - before.tick() >= (turns ? ticks.reversal() : ticks.pitch()));
+  }
+}
+
+/// Within half a BLU at the word, so within a BLU at the first tick after it.
+RC_GTEST_PROP(Steps, StayWithHalfABluOfWords, ()) {
+  const Case tried = any_case();
+  const Made made = steps_of(tried.words, tried.machine, tried.timing);
+  const double blu = tried.machine.limits(base::Axis::X).blu;
+  const long double period = static_cast<long double>(tried.machine.period.nanoseconds) *
+                             static_cast<long double>(tried.timing.clock_hz) / 1e9L;
+  double count = std::round(tried.words[0].position[0] / blu);
+  double worst = 0;
+  std::size_t next = 0;
+  for (const base::Word& word : tried.words) {
+    const long double tick = std::ceil(static_cast<long double>(base::count(word.tick)) * period - 1e-4L);
+    for (; next < made.events.size() && static_cast<long double>(made.events[next].tick()) <= tick; ++next) {
+      count += made.events[next].direction();
+    }
+    worst = std::max(worst, std::fabs(count - word.position[0] / blu));
+  }
+  RC_ASSERT(worst < 1);
+  RC_ASSERT(made.report.greatest_error < 1);
+}
+
+/// Several axes in one stream are what each is alone.
+RC_GTEST_PROP(Steps, OfSeveralAxesComeInOrder, ()) {
+  Case tried = any_case();
+  const double blu = tried.machine.limits(base::Axis::X).blu;
+  const double fastest = tried.machine.limits(base::Axis::X).velocity * tried.machine.period.seconds() / blu / 2;
+  std::array<std::vector<double>, 3> alone;
+  for (auto& axis : alone) axis = random_walk(8, std::min(fastest, 2000.0));
+  std::vector<base::Word> words = words_along_x(alone[0], blu);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    for (std::size_t axis = 0; axis < alone.size(); ++axis) words[k].position[axis] = alone[axis][k] * blu;
+  }
+  const Made made = steps_of(words, tried.machine, tried.timing);
+  RC_ASSERT(std::ranges::is_sorted(made.events, {}, &StepEvent::tick));
+  for (std::size_t axis = 0; axis < alone.size(); ++axis) {
+    std::vector<StepEvent> expected;
+    for (const StepEvent event : steps_of(words_along_x(alone[axis], blu), tried.machine, tried.timing).events) {
+      expected.emplace_back(event.tick(), base::all_axes[axis], event.direction());
+    }
+    std::vector<StepEvent> found;
+    std::ranges::copy_if(made.events, std::back_inserter(found),
+                         [&](StepEvent event) { return base::index(event.axis()) == axis; });
+    RC_ASSERT(found == expected);
+  }
+}
+
+TEST(Steps, AtAnEvenRateAreEven) {
+  std::vector<double> positions;
+  for (int k = 0; k <= 500; ++k) positions.push_back(200.0 * k);
+  const Made made = steps_of(words_along_x(positions, 0.001), machine::mill3(), {.clock_hz = 1'000'000});
+  ASSERT_EQ(made.events.size(), 100000u);
+  for (std::size_t k = 300; k + 300 < made.events.size(); ++k) {
+    ASSERT_EQ(made.events[k + 1].tick() - made.events[k].tick(), 5) << k;
+  }
+}
+
+/// Up to 500 BLU a period and down again by 1 BLU a period each period.
+TEST(Steps, AtTheGreatestRateNeedNotWait) {
+  std::vector<double> positions = {0};
+  for (int k = 0; k <= 2000; ++k) positions.push_back(positions.back() - std::min({k, 500, 2000 - k}));
+  const Made made = steps_of(words_along_x(positions, 0.001), mill_with(500, 0.001), {.clock_hz = 1'000'000});
+  EXPECT_EQ(made.events.size(), static_cast<std::size_t>(-positions.back()));
+  EXPECT_LE(made.report.greatest_delay, 1);
+  EXPECT_LE(made.report.greatest_error, 0.5 + 1e-6);
+}
+
+TEST(Steps, DoNotChatterWhereWordsStandOnAHalf) {
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> positions = {sign * 100000.25};
+    for (int k = 0; k < 1000; ++k) positions.push_back(sign * (100000.5 + (k % 3 - 1) * 1e-9));
+    const Made made = steps_of(words_along_x(positions, 0.001), machine::mill3(), {});
+    EXPECT_LE(made.events.size(), 1u);
+  }
+}
+
+/// A straight run that stops dead: no step beyond, none back.
+TEST(Steps, NeverOvershootWordsThatStop) {
+  const Made made = steps_of(words_along_x({0, 180, 360, 540, 540, 540, 540}, 0.001), machine::mill3(), {});
+  EXPECT_EQ(made.events.size(), 540u);
+  EXPECT_TRUE(std::ranges::all_of(made.events, [](StepEvent event) { return event.direction() == 1; }));
+}
+
+TEST(Steps, OfWordsThatAreTooFastComeLateAndAreNotLost) {
+  const machine::Machine machine = machine::mill3();
+  auto generator = StepGenerator::create(machine, {}).value();
+  std::int64_t sum = 0, last = -10;
+  const auto sink = [&](std::span<const StepEvent> events) {
+    for (const StepEvent event : events) {
+      sum += event.direction();
+      EXPECT_GE(event.tick(), last + 2);
+      last = event.tick();
+    }
+  };
+  std::vector<double> positions = {0, 1700, 3400, 3400, -90, -4000.2, -4000.2};
+  for (const base::Word& word : words_along_x(positions, 0.001)) generator.follow(word, sink);
+  generator.finish(sink);
+  EXPECT_EQ(sum, -4000);
+  EXPECT_EQ(generator.count(base::Axis::X), -4000);
+  EXPECT_GT(generator.report().postponed, 1000);
+  EXPECT_GT(generator.report().greatest_error, 1000);
+  ASSERT_TRUE(generator.complaint());
+  EXPECT_EQ(generator.complaint()->code, "step-late");
+}
+
+TEST(Steps, TakeNoMemory) {
+  std::vector<double> positions;
+  for (int k = 0; k <= 200; ++k) positions.push_back(2000 * std::sin(k / 20.0));
+  const auto words = words_along_x(positions, 0.001);
+  auto generator = StepGenerator::create(machine::mill3(), {}).value();
+  std::int64_t count = 0;
+  const auto sink = [&](std::span<const StepEvent> events) { count += static_cast<std::int64_t>(events.size()); };
+  const auto before = testing_support::allocations();
+  for (const base::Word& word : words) generator.follow(word, sink);
+  generator.finish(sink);
+  EXPECT_EQ(testing_support::allocations(), before);
+  EXPECT_EQ(count, generator.report().steps);
+  EXPECT_GT(count, 10000);
+}
+
+/// A Lissajous figure of three axes until so many steps are made: at every word each axis' steps sum up to within half
+/// a BLU of it.
+void expect_none_lost_over(std::int64_t steps) {
+  const machine::Machine machine = mill_with(400, 0.001);
+  auto generator = StepGenerator::create(machine, {.clock_hz = 3'000'000}).value();
+  std::array<std::int64_t, 3> sum{};
+  std::array<std::int64_t, 3> last{-9, -9, -9};
+  std::int64_t count = 0;
+  bool apart = true;
+  const auto sink = [&](std::span<const StepEvent> events) {
+    for (const StepEvent event : events) {
+      const std::size_t axis = base::index(event.axis());
+      sum[axis] += event.direction();
+      apart = apart && event.tick() >= last[axis] + 6;
+      last[axis] = event.tick();
+    }
+    count += static_cast<std::int64_t>(events.size());
+  };
+  base::Word word;
+  base::AxisVector before{};
+  double worst = 0;
+  for (std::int64_t k = 0; count < steps; ++k) {
+    word.tick = base::Tick{k};
+    const double t = static_cast<double>(k) / 1000;
+    word.position = {60 * std::sin(5 * t), 47 * std::sin(7.1 * t + 1), 20 * std::cos(11.3 * t)};
+    generator.follow(word, sink);
+    if (k > 0) {  // the period before has been made
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double start = axis == 0 ? 0 : std::round(axis == 1 ? 47 * std::sin(1.0) / 0.001 : 20 / 0.001);
+        if (k > 1) worst = std::max(worst, std::fabs(start + static_cast<double>(sum[axis]) - before[axis] / 0.001));
+      }
+    }
+    before = word.position;
+  }
+  EXPECT_LE(worst, 0.5 + 2e-6);
+  EXPECT_TRUE(apart);
+  EXPECT_EQ(generator.report().steps, count);
+  EXPECT_LE(generator.report().greatest_error, 0.5 + 2e-6);
+}
+
+TEST(Steps, LoseNoneOverAMillion) {
+  expect_none_lost_over(1'000'000);
+}
+
+TEST(LongSteps, LoseNoneOverAHundredMillion) {
+  expect_none_lost_over(100'000'000);
+}
+
+}  // namespace
+}  // namespace leadscrew::stepping::testing
