@@ -19,6 +19,8 @@ enum class Search : std::uint8_t { point_comparison, least_error, improved_least
 /// text says inward.
 enum class OnCircle : std::uint8_t { outward, inward };
 
+/// In each quadrant one coordinate shrinks to 0 while the other grows. Both are kept by what the next step of them adds
+/// to F: 1 − 2|x| and 2|y| + 1 where x shrinks, the other way round where y does.
 template <Search method, OnCircle on_circle = OnCircle::outward>
 class CircularSearch {
  public:
@@ -26,96 +28,118 @@ class CircularSearch {
 
   constexpr explicit CircularSearch(const Arc& arc)
       : end_(arc.end),
-        at_(arc.start),
         direction_(arc.direction),
         x_ends_(absolute(arc.end.y) >= absolute(arc.end.x)),
         quadrant_(quadrant(arc.start, arc.direction)),
         borders_(borders(arc)) {
-    enter();
+    enter(arc.start);
   }
 
-  constexpr bool done() const { return left_ <= 0 && at_ == end_; }
+  constexpr bool done() const { return has_come_out_ && out_ == end_; }
 
   constexpr Pulse<2> step() {
-    if (left_ <= 0) return correct();
-    const auto [x_steps, y_steps] = choose();
-    // Masks, for a branch would go the wrong way every third clock.
-    f_ += (-x_steps & by_x_) + (-y_steps & by_y_);
-    by_x_ += 2 * x_steps;
-    by_y_ += 2 * y_steps;
-    left_ -= x_ends_ ? x_steps : y_steps;
-    const Pulse<2> pulse{{static_cast<std::int8_t>(-x_steps & sign_x_), static_cast<std::int8_t>(-y_steps & sign_y_)}};
-    at_.x += pulse.step[0];
-    at_.y += pulse.step[1];
-    // No quadrant is left but over an axis.
-    if ((at_.x == 0 || at_.y == 0) && left_ > 0 && quadrant(at_, direction_) != quadrant_) {
-      quadrant_ = quadrant(at_, direction_);
-      --borders_;
-      enter();
-    }
+    if (has_come_out_) return correct();
+    const auto [shrinks, grows] = choose();
+    f_ += (shrinks & by_shrinking_) + (grows & by_growing_);
+    by_shrinking_ -= 2 * shrinks;
+    by_growing_ -= 2 * grows;
+    const std::int64_t crossed = (shrinks ^ grows) & y_shrinks_;
+    const Pulse<2> pulse{{static_cast<std::int8_t>((shrinks ^ crossed) & sign_x_),
+                          static_cast<std::int8_t>((grows ^ crossed) & sign_y_)}};
+    if (by_shrinking_ == last_shrinking_ || by_growing_ == last_growing_) leave();
     return pulse;
   }
 
-  constexpr Point at() const { return at_; }
+  constexpr Point at() const {
+    if (has_come_out_) return out_;
+    const std::int64_t shrinking = (by_shrinking_ - 1) / 2, growing = (by_growing_ - 1) / 2;  // along the tangent
+    return y_shrinks_ ? Point{sign_x_ * growing, sign_y_ * shrinking} : Point{sign_x_ * shrinking, sign_y_ * growing};
+  }
   constexpr std::int64_t deviation() const { return f_; }  ///< F
   constexpr int in_quadrant() const { return quadrant_; }  ///< 0 … 3
 
  private:
+  /// Masks, for a branch would go the wrong way every third clock: −1 where the axis steps, else 0.
   struct Steps {
-    std::int64_t x = 0, y = 0;  // 0 or 1
+    std::int64_t shrinking = 0, growing = 0;
   };
+  static constexpr std::int64_t where_negative(std::int64_t value) { return value >> 63; }
 
   constexpr Steps choose() const {
     if constexpr (method == Search::point_comparison) {
-      const bool inward = on_circle == OnCircle::inward ? f_ >= 0 : f_ > 0;
-      return {inward == x_shrinks_, inward != x_shrinks_};
-    } else if constexpr (method == Search::least_error) {
-      // |F + a + b| ≤ |F + a| where b(2F + 2a + b) ≤ 0; what the shrinking axis adds is below 0, the other's above.
-      const std::int64_t twice = 2 * f_ + by_x_ + by_y_;
-      const std::int64_t shrinks = twice + (x_shrinks_ ? by_y_ : by_x_) >= 0;
-      const std::int64_t grows = twice + (x_shrinks_ ? by_x_ : by_y_) <= 0;
-      return x_shrinks_ ? Steps{shrinks, grows} : Steps{grows, shrinks};
+      const std::int64_t outward = where_negative(on_circle == OnCircle::inward ? f_ : f_ - 1);
+      return {~outward, outward};
     } else {
-      const std::int64_t x = absolute(at_.x), y = absolute(at_.y);
-      const bool y_is_long = x > y || (x == y && x_shrinks_);
-      const bool both = asks_for_both(y_is_long ? x : y, y_is_long ? by_y_ : by_x_, y_is_long == x_shrinks_);
-      return {both || !y_is_long, both || y_is_long};
+      // Of two steps, which add a and b: |F + a + b| < |F + b| where a(2F + 2b + a) < 0. As a < 0 for the shrinking
+      // axis, and b > 0 for the other, and both are odd, neither bracket is 0.
+      const std::int64_t shrinks = ~where_negative(2 * (f_ + by_growing_) + by_shrinking_);
+      const std::int64_t grows = where_negative(2 * (f_ + by_shrinking_) + by_growing_);
+      if constexpr (method == Search::least_error) return {shrinks, grows};
+      // w² = v² − F − b: the place on the circle beside the next one of the long axis. It is nearer to v ∓ 1 than to v
+      // where 4w² has passed (2v ∓ 1)², which is where the same brackets change sign.
+      const std::int64_t growing_is_long = where_negative(by_shrinking_ + by_growing_ - 3);
+      return {shrinks | ~growing_is_long, grows | growing_is_long};
     }
   }
 
-  /// The place on the circle beside the next one of the long axis: w² = v² − F − (what the long axis' step adds). It
-  /// is nearer to v ∓ 1 than to v where 4w² has passed (2v ∓ 1)²: twice F and the like is enough to tell.
-  constexpr bool asks_for_both(std::int64_t v, std::int64_t by_long, bool shrinks) const {
-    const std::int64_t beyond = 4 * (f_ + by_long);  // 4v² − 4w²
-    return shrinks ? beyond >= 4 * v - 1 : beyond <= -4 * v - 1;
-  }
-
   /// A quadrant. In the last one the axis that is fast near the end says when it is reached.
-  constexpr void enter() {
+  constexpr void enter(Point at) {
     const auto [sign_x, sign_y] = tangent(quadrant_, direction_).step;
+    const bool x_shrinks = ((quadrant_ & 1) == 0) == (direction_ == Direction::counterclockwise);
     sign_x_ = sign_x;
     sign_y_ = sign_y;
-    by_x_ = 2 * sign_x * at_.x + 1;
-    by_y_ = 2 * sign_y * at_.y + 1;
-    x_shrinks_ = ((quadrant_ & 1) == 0) == (direction_ == Direction::counterclockwise);
-    if (borders_ <= 0) left_ = x_ends_ ? sign_x * (end_.x - at_.x) : sign_y * (end_.y - at_.y);
+    y_shrinks_ = x_shrinks ? 0 : -1;
+    by_shrinking_ = 1 - 2 * absolute(x_shrinks ? at.x : at.y);
+    by_growing_ = 1 + 2 * absolute(x_shrinks ? at.y : at.x);
+    last_shrinking_ = 1;
+    last_growing_ = 0;
+    if (borders_ > 0) return;
+    const std::int64_t left = left_from(at);
+    if (left <= 0) {
+      has_come_out_ = true;
+      out_ = at;
+    } else if (x_ends_ != x_shrinks) {
+      last_growing_ = by_growing_ + 2 * left;
+    } else if (by_shrinking_ + 2 * left < 1) {
+      last_shrinking_ = by_shrinking_ + 2 * left;
+    }
+  }
+
+  /// Out of the quadrant, or to the end of the path.
+  constexpr void leave() {
+    const Point at = this->at();
+    if (borders_ > 0 || left_from(at) > 0) {
+      quadrant_ = after(quadrant_, direction_);
+      --borders_;
+      enter(at);
+    } else {
+      has_come_out_ = true;
+      out_ = at;
+    }
+  }
+
+  /// Steps from here to the end.
+  constexpr std::int64_t left_from(Point at) const {
+    return x_ends_ ? sign_x_ * (end_.x - at.x) : sign_y_ * (end_.y - at.y);
   }
 
   /// To an end that is not where the path has come out.
   constexpr Pulse<2> correct() {
-    const Pulse<2> pulse{{sign(end_.x - at_.x), sign(end_.y - at_.y)}};
-    at_.x += pulse.step[0];
-    at_.y += pulse.step[1];
+    const Pulse<2> pulse{{sign(end_.x - out_.x), sign(end_.y - out_.y)}};
+    out_.x += pulse.step[0];
+    out_.y += pulse.step[1];
     return pulse;
   }
 
-  Point end_, at_;
-  std::int64_t f_ = 0, by_x_ = 0, by_y_ = 0;     ///< F, and what a step of x or y adds to it
-  std::int64_t left_ = 4 * greatest_coordinate;  ///< steps to the end, once that is in this quadrant
+  std::int64_t f_ = 0, by_shrinking_ = 0, by_growing_ = 0;  ///< F, and what a step of either axis adds to it
+  std::int64_t last_shrinking_ = 1, last_growing_ = 0;      ///< what they are where the quadrant, or the path, ends
+  std::int64_t sign_x_ = 0, sign_y_ = 0;
+  std::int64_t y_shrinks_ = 0;  ///< a mask
+  bool has_come_out_ = false;
+  Point end_, out_;  ///< out_: where the path has come out
   Direction direction_;
-  bool x_ends_, x_shrinks_ = false;
+  bool x_ends_;
   int quadrant_, borders_;
-  std::int8_t sign_x_ = 0, sign_y_ = 0;
 };
 
 }  // namespace leadscrew::pulse
