@@ -26,14 +26,15 @@ TEST(BoundsStudy, KeepsEveryBoundAndCountsEveryEndlessArc) {
   const Rows& rows = quick_bounds();
   std::set<std::string> whats;
   for (const Row& row : rows) {
-    const bool is_count = row.what.starts_with("endless") || row.what.ends_with("R² = 2");
+    const bool is_count = row.what.starts_with("endless") || row.what.ends_with("R² = 2") ||
+                          row.group.find("one counter") != std::string::npos;
     const bool is_mean = row.what.starts_with("clocks by R") || row.what.ends_with("mean to R = 2000");
     const Verdict told = is_count ? Verdict::exact : is_mean ? Verdict::reproduced : Verdict::kept;
     EXPECT_EQ(row.verdict, row.published.has_value() ? told : Verdict::measured) << row.group << ": " << row.what;
     EXPECT_TRUE(row.published.has_value() || !row.what.starts_with("greatest error") || !row.why.empty()) << row.group;
     EXPECT_TRUE(whats.insert(row.group + row.what).second) << "twice: " << row.group << ": " << row.what;
   }
-  EXPECT_EQ(rows.size(), 257u);
+  EXPECT_EQ(rows.size(), 261u);
 }
 
 TEST(BoundsStudy, ReachesTheBoundsItIsToldOf) {

@@ -1,8 +1,9 @@
 #pragma once
-// The circle generator bare: two integrators that feed one another, both coordinates signed, without quadrants,
-// counters or an end. What it drifts by is what the methods of interpolation are compared for.
+// The circle generator bare: two integrators that feed one another, both coordinates signed, without quadrants. What
+// it drifts by is what the methods of interpolation are compared for, and whether one counter an axis can end an arc.
 
 #include <leadscrew/pulse/circular_dda.hpp>
+#include <limits>
 
 namespace leadscrew::pulse {
 
@@ -12,13 +13,12 @@ enum class Accumulation : std::uint8_t {
   floor,           ///< the remainder stays in 0 … q − 1 and may borrow: two's complement
 };
 
-/// Counterclockwise.
 class FreeCircle {
  public:
   static constexpr std::size_t axes = 2;
 
-  /// capacity q > 0, ≥ |coordinates|; 0 ≤ preload < q, or −1, which with magnitudes is 0 where only r > q overflows.
-  /// Orders: x_first and parallel.
+  /// Counterclockwise, without an end. capacity q > 0, ≥ |coordinates|; 0 ≤ preload < q, or −1, which with magnitudes
+  /// is 0 where only r > q overflows. Orders: x_first and parallel.
   constexpr FreeCircle(Point start, std::int64_t capacity, std::int64_t preload, Order order, Accumulation accumulation)
       : at_(start),
         capacity_(capacity),
@@ -27,14 +27,35 @@ class FreeCircle {
         is_parallel_(order == Order::parallel),
         accumulation_(accumulation) {}
 
-  constexpr bool done() const { return false; }
+  /// Along an arc, the counter of each axis loaded once with all steps that the axis has to make; at zero the axis
+  /// stands still. The arc may end elsewhere than at its end, or never. Capacity R.
+  constexpr FreeCircle(const Arc& arc, Preload preload, Order order, Accumulation accumulation)
+      : FreeCircle(arc.start, root(arc.squared_radius(), 0), 0, order, accumulation) {
+    remainder_x_ = remainder_y_ = preloaded(preload, capacity_, true);
+    sense_ = static_cast<std::int64_t>(arc.direction);
+    left_x_ = left_y_ = 0;
+    int in = quadrant(arc.start, arc.direction);
+    Point from = arc.start;
+    for (int left = borders(arc); left >= 0; --left) {
+      const Point to = left == 0 ? arc.end : border(in, arc.direction, capacity_);
+      left_x_ += absolute(to.x - from.x);
+      left_y_ += absolute(to.y - from.y);
+      from = to;
+      in = after(in, arc.direction);
+    }
+  }
+
+  constexpr bool done() const { return left_x_ == 0 && left_y_ == 0; }
 
   constexpr Pulse<2> step() {
     const std::int64_t old_x = at_.x;
-    const std::int8_t x = overflow(remainder_x_, -at_.y);
+    const std::int8_t x = left_x_ > 0 ? overflow(remainder_x_, -sense_ * at_.y) : std::int8_t{0};
     at_.x += x;
-    const std::int8_t y = overflow(remainder_y_, is_parallel_ ? old_x : at_.x);
+    const std::int64_t integrand = sense_ * (is_parallel_ ? old_x : at_.x);
+    const std::int8_t y = left_y_ > 0 ? overflow(remainder_y_, integrand) : std::int8_t{0};
     at_.y += y;
+    left_x_ -= x != 0;
+    left_y_ -= y != 0;
     return {{x, y}};
   }
 
@@ -55,7 +76,8 @@ class FreeCircle {
   }
 
   Point at_;
-  std::int64_t capacity_, remainder_x_, remainder_y_;
+  std::int64_t capacity_, remainder_x_, remainder_y_, sense_ = 1;
+  std::int64_t left_x_ = std::numeric_limits<std::int64_t>::max(), left_y_ = left_x_;
   bool is_parallel_;
   Accumulation accumulation_;
 };

@@ -52,6 +52,50 @@ double mean_drift(const Turns& turns) {
   return sum / static_cast<double>(turns.size());
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Full circles, both ways, that one counter an axis does not stop where they began.
+struct Missed {
+  std::int64_t elsewhere = 0, endless = 0;
+};
+
+Missed missed_by(std::int64_t radius, Order order, pulse::Preload preload) {
+  Missed missed;
+  for (const pulse::Direction direction : {pulse::Direction::clockwise, pulse::Direction::counterclockwise}) {
+    const pulse::Arc circle{{radius, 0}, {radius, 0}, direction};
+    pulse::FreeCircle state(circle, preload, order, Accumulation::sign_magnitude);
+    std::int64_t clocks = 40 * radius + 100;
+    for (; !state.done() && clocks > 0; --clocks) state.step();
+    missed.endless += !state.done();
+    missed.elsewhere += state.done() && state.at() != circle.end;
+  }
+  return missed;
+}
+
+Row missed_row(const Host& host, const std::string& what, Order order, pulse::Preload preload,
+               std::optional<double> published) {
+  std::vector<Missed> each(greatest);
+  share_out(host, each.size(),
+            [&](std::size_t i) { each[i] = missed_by(static_cast<std::int64_t>(i) + 1, order, preload); });
+  Missed all;
+  for (const Missed& missed : each) {
+    all.elsewhere += missed.elsewhere;
+    all.endless += missed.endless;
+  }
+  const auto count = static_cast<double>(all.elsewhere + all.endless);
+  Row row = published ? exact_row(what, {"circles", 0}, *published, count) : measured_row(what, {"circles", 0}, count);
+  return because(std::move(row), std::to_string(all.endless) + " of them endless, of 4000: R = 1 … 2000, both ways");
+}
+
+Rows counted_rows(const Host& host) {
+  using pulse::Preload;
+  return under("free circles that one counter an axis does not end where they began",
+               {missed_row(host, "eq. 27, half", Order::x_first, Preload::half, 0),
+                missed_row(host, "as in hardware, empty", Order::parallel, Preload::none, 4000),
+                missed_row(host, "as in hardware, half", Order::parallel, Preload::half, 4000),
+                missed_row(host, "as in hardware, full", Order::parallel, Preload::full, std::nullopt)});
+}
+
 }  // namespace
 
 Rows free_circle_bounds(const Host& host) {
@@ -66,6 +110,7 @@ Rows free_circle_bounds(const Host& host) {
                              mean_drift(hardware), 0.1);
   drift.why = "Euler's method grows by e^2πT a turn: π BLU with T = 1/R, whatever the radius";
   append(rows, under("free circles as in hardware, half", {std::move(drift)}));
+  append(rows, counted_rows(host));
   return rows;
 }
 
