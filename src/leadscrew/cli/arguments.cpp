@@ -24,7 +24,8 @@ constexpr std::string_view main_examples =
     "Examples:\n"
     "  leadscrew run part.ngc                     plan it for the built-in mill, show time and limits\n"
     "  leadscrew check part.ngc                   only read it\n"
-    "  leadscrew pulse --arc --start 5,0 --end 0,5   an arc in single steps, by every method\n"
+    "  leadscrew pulse --line --end 11,7          a line in single steps, by every method\n"
+    "  leadscrew design --help                    size digital integrators\n"
     "  leadscrew run --help                       every option of run\n";
 
 constexpr std::string_view run_examples =
@@ -49,17 +50,6 @@ constexpr std::string_view verify_examples =
     "\n"
     "TRACE is CSV with columns t and axis letters, or NPY. Without --period its rows must be evenly spaced in t.\n";
 
-constexpr std::string_view pulse_examples =
-    "Examples:\n"
-    "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
-    "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
-    "  leadscrew pulse --line --end 11,-7 --method dda,bresenham --bits 4 --table\n"
-    "  leadscrew pulse --line --end 300,40 --method koren --preload zero --path --json\n"
-    "\n"
-    "Integers are BLU. A full circle ends where it starts. Each method's conventions are by default those with which "
-    "it\n"
-    "gives its published figures; --json names all that were in force.\n";
-
 constexpr std::string_view study_examples =
     "Examples:\n"
     "  leadscrew study list                       what there is\n"
@@ -76,6 +66,7 @@ struct Texts {
   std::optional<std::string> period, mode, tolerance, start, color, interpolator;
   std::string judged_program;  ///< of verify, one
   PulseTexts pulse;
+  DesignTexts design;
 };
 
 std::string shell_quoted(std::string_view text) {
@@ -197,6 +188,30 @@ CLI::App* add_study(CLI::App& app, Arguments& arguments, Texts& texts) {
   return study;
 }
 
+CLI::App* add_design(CLI::App& app, Arguments& arguments, Texts& all) {
+  DesignTexts& texts = all.design;
+  CLI::App* design = app.add_subcommand("design", "Size digital integrators: bits, clock, feed word, rates");
+  design->add_option("--travel", texts.travel, "Greatest way of an axis")->type_name("MM");
+  design->add_option("--blu", texts.blu, "Basic length unit: a step")->type_name("MM");
+  design->add_option("--max-feed", texts.max_feed, "Greatest feed")->type_name("MM/MIN");
+  design->add_option("--min-distance", texts.min_distance, "Shortest line at the greatest feed")->type_name("MM");
+  design->add_option("--from", texts.from, "Where a line starts (default: 0)")->type_name("X,Y,...");
+  design->add_option("--to", texts.to, "Where it ends")->type_name("X,Y,...");
+  design->add_option("--feed", texts.feed, "Along it")->type_name("MM/MIN");
+  design->add_flag("--timer", texts.timer, "A timer: first overflow after each delay");
+  design->add_option("--clock", texts.clock, "Of the timer")->type_name("PULSES/S");
+  design->add_option("--delays", texts.delays, "Of the timer")->type_name("S,...");
+  design->add_flag("--inverse-time", texts.inverse_time, "Feed words of the inverse-time code, and of software");
+  design->add_option("--distance", texts.distance, "Length of a line, for --inverse-time")->type_name("UNITS");
+  design->add_option("--radius", texts.radius, "Radius of an arc, for --inverse-time")->type_name("UNITS");
+  design->add_option("--resolution", texts.resolution, "Of the feed in software (default: 0.01)")
+      ->type_name("UNITS/MIN");
+  design->add_option("--digits", texts.digits, "Of the inverse-time code (default: 4)")->type_name("N");
+  add_output(*design, arguments, all);
+  design->footer(std::string(design_examples));
+  return design;
+}
+
 template <class T>
 T value_of(std::string_view option, const std::string& text, Parsed<T> parsed) {
   if (!parsed) throw UsageError(fmt::format("{} {}: {}", option, text, parsed.error()));
@@ -236,6 +251,11 @@ void take_values(const Texts& texts, Arguments& arguments) {
     auto pulse = parse_pulse(texts.pulse, arguments.json);
     if (!pulse) throw UsageError(pulse.error());
     arguments.pulse = std::move(*pulse);
+  }
+  if (arguments.command == Arguments::Command::design) {
+    auto design = parse_design(texts.design);
+    if (!design) throw UsageError(design.error());
+    arguments.design = std::move(*design);
   }
   if (texts.color) arguments.color = color_choice(*texts.color);
 }
@@ -303,11 +323,12 @@ Answer usage(const std::string& where, const std::string& message) {
   return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
 }
 
-constexpr std::string_view commands_there_are = "; there are run, check and verify for programs, pulse and study";
+constexpr std::string_view commands_there_are =
+    "; there are run, check and verify for programs, pulse, study and design";
 
 /// The first word must be a command; CLI11 would say less.
 std::optional<Answer> check_command(int count, const char* const* values) {
-  const std::vector<std::string> known = {"run", "check", "verify", "pulse", "study"};
+  const std::vector<std::string> known = {"run", "check", "verify", "pulse", "study", "design"};
   if (count < 2) return usage("leadscrew", fmt::format("no command{}", commands_there_are));
   const std::string word = values[1];
   if (word.empty() || word[0] != '-') {
@@ -328,9 +349,9 @@ class Parser {
     app_.set_help_flag("-h,--help", "This text");
     app_.require_subcommand(1);
     app_.footer(std::string(main_examples) + "\n" + std::string(exit_statuses));
-    commands_ = {add_run(app_, arguments_, texts_), add_check(app_, arguments_, texts_),
+    commands_ = {add_run(app_, arguments_, texts_),    add_check(app_, arguments_, texts_),
                  add_verify(app_, arguments_, texts_), add_pulse(app_, arguments_, texts_),
-                 add_study(app_, arguments_, texts_)};
+                 add_study(app_, arguments_, texts_),  add_design(app_, arguments_, texts_)};
   }
 
   std::variant<Arguments, Answer> parse(int count, const char* const* values) {
@@ -340,7 +361,8 @@ class Parser {
                            : app_.got_subcommand(commands_[1]) ? Arguments::Command::check
                            : app_.got_subcommand(commands_[2]) ? Arguments::Command::verify
                            : app_.got_subcommand(commands_[3]) ? Arguments::Command::pulse
-                                                               : Arguments::Command::study;
+                           : app_.got_subcommand(commands_[4]) ? Arguments::Command::study
+                                                               : Arguments::Command::design;
       arguments_.command_line = command_line(count, values);
       if (arguments_.command == Arguments::Command::verify) arguments_.programs = {texts_.judged_program};
       take_values(texts_, arguments_);
@@ -373,7 +395,7 @@ class Parser {
   Arguments arguments_;
   Texts texts_;
   CLI::App app_{"CNC part programs into motion.", "leadscrew"};
-  std::array<CLI::App*, 5> commands_{};
+  std::array<CLI::App*, 6> commands_{};
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/design_arguments.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/cli/status.hpp>
@@ -16,12 +17,13 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Command { run, check, verify, pulse, study };
+  enum class Command { run, check, verify, pulse, study, design };
 
   Command command = Command::run;
   std::vector<std::string> programs;   ///< one or more; of verify one
   std::string judged_trace;            ///< of verify
   PulseArguments pulse;                ///< of pulse
+  DesignArguments design;              ///< of design
   std::string study;                   ///< of study: the name of one that there is, or "list"
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine
   std::optional<std::string> tools;    ///< file

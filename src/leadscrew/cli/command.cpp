@@ -2,6 +2,7 @@
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/check.hpp>
 #include <leadscrew/cli/command.hpp>
+#include <leadscrew/cli/design.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
@@ -41,6 +42,7 @@ std::string_view schema_of(Arguments::Command command) {
       return verify_schema;
     case Arguments::Command::pulse:
     case Arguments::Command::study:
+    case Arguments::Command::design:
       break;  // work on no program
   }
   return run_schema;
@@ -60,6 +62,7 @@ Status perform(const Arguments& arguments) {
   Console console(arguments.color, arguments.quiet);
   if (arguments.command == Arguments::Command::pulse) return pulse(arguments, console);
   if (arguments.command == Arguments::Command::study) return study(arguments, console);
+  if (arguments.command == Arguments::Command::design) return design(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
   if (!job) return end_without_job(arguments, log, console);
@@ -72,6 +75,7 @@ Status perform(const Arguments& arguments) {
       return verify(*job, console);
     case Arguments::Command::pulse:
     case Arguments::Command::study:
+    case Arguments::Command::design:
       break;
   }
   return Status::usage;

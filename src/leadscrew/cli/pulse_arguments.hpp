@@ -5,6 +5,7 @@
 #include <leadscrew/stepping/pulse_method.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace leadscrew::cli {
@@ -26,6 +27,17 @@ struct PulseTexts {
 
 /// Says in whole sentences what is wrong. `json`: that is asked for.
 Parsed<PulseArguments> parse_pulse(const PulseTexts& texts, bool json);
+
+inline constexpr std::string_view pulse_examples =
+    "Examples:\n"
+    "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
+    "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
+    "  leadscrew pulse --line --end 11,-7 --method dda,bresenham --bits 4 --table\n"
+    "  leadscrew pulse --line --end 300,40 --method koren --preload zero --path --json\n"
+    "\n"
+    "Integers are BLU. A full circle ends where it starts. Each method's conventions are by default those with which "
+    "it\n"
+    "gives its published figures; --json names all that were in force.\n";
 
 /// "point-comparison, dda, …": every method there is.
 std::string names_of_pulse_methods();

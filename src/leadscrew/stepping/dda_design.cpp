@@ -56,7 +56,7 @@ DdaTimer design_timer(double clock_pps, const std::vector<double>& delays) {
   DdaTimer timer;
   double longest = 0;
   for (const double delay : delays) longest = std::max(longest, delay * clock_pps);
-  timer.bits = static_cast<int>(std::ceil(std::log2(longest * (1 - rounding))));
+  timer.bits = std::max(1, static_cast<int>(std::ceil(std::log2(longest * (1 - rounding)))));
   const double capacity = std::ldexp(1.0, timer.bits);
   for (const double delay : delays) {
     timer.loads.push_back(std::max<std::int64_t>(1, std::llround(capacity / (delay * clock_pps))));

@@ -49,7 +49,7 @@ void check_register(Problems& problems, const Content& content, std::optional<in
   const std::string width = bits ? " of " + std::to_string(*bits) + (*bits == 1 ? " bit" : " bits") : "";
   std::string hint = "make the curve smaller, or the BLU larger";
   if (bits) {
-    const int needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
+    const auto needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
     hint = std::to_string(needed) + " bits would hold it";
   }
   add(problems, "register-overflow",

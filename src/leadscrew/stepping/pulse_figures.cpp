@@ -25,7 +25,7 @@ std::vector<RegisterRange> ranges_of(const Registers& loaded) {
 
 int RegisterRange::width() const {
   const auto magnitude = [](std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? ~value : value); };
-  return 1 + std::bit_width(std::max(magnitude(least), magnitude(greatest)));
+  return 1 + static_cast<int>(std::bit_width(std::max(magnitude(least), magnitude(greatest))));
 }
 
 PulseMeasurement::PulseMeasurement(const PulseRun& run, const PulseCurve& curve) : run_(run), error_(curve) {

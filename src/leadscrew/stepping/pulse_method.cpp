@@ -13,7 +13,8 @@ using pulse::Preload;
 
 /// The fewest bits that hold the longer way of a line.
 int bits_for(pulse::Point way) {
-  return std::bit_width(static_cast<std::uint64_t>(std::max(pulse::absolute(way.x), pulse::absolute(way.y))));
+  const std::int64_t longer = std::max(pulse::absolute(way.x), pulse::absolute(way.y));
+  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(longer)));
 }
 
 std::int64_t radius_of(const pulse::Arc& arc) {

@@ -1,0 +1,49 @@
+#include <cmath>
+#include <leadscrew/stepping/inverse_time.hpp>
+
+namespace leadscrew::stepping {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // of a quotient of decimals that is meant to be whole
+constexpr double seconds_per_minute = 60;
+
+std::int64_t rounded_up(double value) {
+  return static_cast<std::int64_t>(std::ceil(value * (1 - rounding)));
+}
+
+}  // namespace
+
+InverseTimeDesign design_inverse_time(const InverseTimeRange& range) {
+  InverseTimeDesign design;
+  design.capacity = rounded_up(range.max_distance / range.blu);
+  design.feed_capacity = 1;
+  for (int digit = 0; digit < range.digits; ++digit) design.feed_capacity *= 10;
+  design.clock_pps = static_cast<double>(design.capacity) * static_cast<double>(design.feed_capacity) / 600;
+  design.software_feed_capacity = rounded_up(range.max_feed / range.resolution);
+  // At f = q₀ there is a command at every interrupt.
+  design.software_clock_pps =
+      static_cast<double>(design.software_feed_capacity) * range.resolution / range.blu / seconds_per_minute;
+  return design;
+}
+
+FeedWord inverse_time_word(const InverseTimeRange& range, double distance, double feed, bool rounded) {
+  FeedWord word;
+  word.word = 10 * feed / distance;
+  if (rounded) word.word = std::round(word.word);
+  word.feed = word.word * distance / 10;
+  word.feed_pps = word.feed / range.blu / seconds_per_minute;
+  return word;
+}
+
+FeedWord software_word(const InverseTimeRange& range, double feed, bool rounded) {
+  const InverseTimeDesign design = design_inverse_time(range);
+  FeedWord word;
+  word.word = feed / range.resolution;
+  if (rounded) word.word = std::round(word.word);
+  word.feed_pps = design.software_clock_pps * word.word / static_cast<double>(design.software_feed_capacity);
+  word.feed = word.feed_pps * range.blu * seconds_per_minute;
+  return word;
+}
+
+}  // namespace leadscrew::stepping
