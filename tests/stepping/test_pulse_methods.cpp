@@ -192,7 +192,8 @@ RC_GTEST_PROP(RegisterRange, IsAsWideAsTwosComplementNeeds, (std::int32_t a, std
     return range.least >= -half && range.greatest < half;
   };
   RC_ASSERT(holds(range.width()));
-  RC_ASSERT(range.width() == 1 || !holds(range.width() - 1));
+  const bool is_least = range.width() == 1 || !holds(range.width() - 1);
+  RC_ASSERT(is_least);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
