@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/stepping/feed_words.hpp>
+#include <leadscrew/stepping/lattice_arc.hpp>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace leadscrew::stepping {
+
+namespace {
+
+constexpr double rounding = 1e-9;
+
+// Of an axis' acceleration, along the path; the rest is for what changes by steps: words, and directions where blocks
+// meet. In curves the two below are used at a right angle.
+constexpr double along_path = 0.8, along_curve = 0.6 * along_path, across_curve = 0.8 * along_path;
+
+constexpr double longest_braking = 0x1p21;  // commands: the feed register counts them times its capacity
+
+base::Diagnostic refused(const Block& block, std::string_view code, std::string message, std::string hint) {
+  return {base::Severity::error, code, std::move(message), std::move(hint), {"", base::number(block.line), 0}, ""};
+}
+
+double real(std::int64_t value) {
+  return static_cast<double>(value);
+}
+
+bool in_plane(const Block& block, std::size_t axis) {
+  return block.kind == Block::Kind::arc && (axis == block.first_axis || axis == block.second_axis);
+}
+
+/// Greatest steps of an axis a command.
+double greatest_share(const Block& block, std::size_t axis) {
+  if (in_plane(block, axis)) return real(block.circle_commands) / real(block.commands);
+  return std::abs(real(block.way[axis])) / real(block.commands);
+}
+
+/// How much an axis' acceleration in a curve exceeds the square of the command rate over the radius: DDAs go at one
+/// speed; where one axis steps at every command the other one's rate is the tangent, whose second derivative is 2√2 at
+/// an eighth of a turn.
+double curving(Method method) {
+  const bool is_search = method != Method::koren && method != Method::dda && method != Method::point_comparison;
+  return is_search ? 2 * std::numbers::sqrt2 : 1;
+}
+
+/// Steps of the arc's axes a command, where it passes `at`.
+void set_tangent(const Block& block, pulse::Point at, Method method, std::array<double, base::axis_count>& steps) {
+  const double radius = std::hypot(real(at.x), real(at.y)), sense = static_cast<double>(block.arc.direction);
+  const double x = -sense * real(at.y) / radius, y = sense * real(at.x) / radius;
+  double scale = real(block.circle_commands) / real(block.commands);
+  if (method == Method::point_comparison) {
+    scale /= std::abs(x) + std::abs(y);
+  } else if (curving(method) > 1) {
+    scale /= std::max(std::abs(x), std::abs(y));
+  }
+  steps[block.first_axis] = x * scale;
+  steps[block.second_axis] = y * scale;
+}
+
+void set_directions(PlannedBlock& planned, Method method) {
+  const Block& block = planned.block;
+  for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
+    planned.entry[axis] = planned.exit[axis] = real(block.way[axis]) / real(block.commands);
+  }
+  if (block.kind != Block::Kind::arc) return;
+  set_tangent(block, block.arc.start, method, planned.entry);
+  set_tangent(block, block.arc.end, method, planned.exit);
+}
+
+struct AxisRate {
+  double rate = std::numeric_limits<double>::infinity();  // commands/s
+  base::Axis axis = base::Axis::X;
+};
+
+AxisRate greatest_by_velocity(const Block& block, const machine::Machine& machine) {
+  AxisRate greatest;
+  for (const base::Axis axis : base::all_axes) {
+    const double share = greatest_share(block, base::index(axis));
+    if (share == 0) continue;
+    const machine::AxisLimits& limits = machine.limits(axis);
+    const double rate = limits.velocity / limits.blu / share;
+    if (rate < greatest.rate) greatest = {rate, axis};
+  }
+  return greatest;
+}
+
+void limit_acceleration(PlannedBlock& planned, const machine::Machine& machine, Method method) {
+  const Block& block = planned.block;
+  const bool is_arc = block.kind == Block::Kind::arc;
+  planned.acceleration = std::numeric_limits<double>::infinity();
+  for (const base::Axis axis : base::all_axes) {
+    const double share = greatest_share(block, base::index(axis));
+    if (share == 0) continue;
+    const machine::AxisLimits& limits = machine.limits(axis);
+    const double acceleration = limits.acceleration / limits.blu;  // steps/s²
+    planned.acceleration = std::min(planned.acceleration, (is_arc ? along_curve : along_path) * acceleration / share);
+    if (!in_plane(block, base::index(axis))) continue;
+    const double radius = std::sqrt(real(block.arc.squared_radius()));
+    const double rate = std::sqrt(across_curve * acceleration * radius / curving(method)) / share;
+    planned.greatest_rate = std::min(planned.greatest_rate, rate);
+  }
+  planned.greatest_rate = std::min(planned.greatest_rate, std::sqrt(2 * planned.acceleration * longest_braking));
+}
+
+/// Of three axes' ways, mm or degrees.
+double length_of(const Block& block, std::size_t first, const machine::Machine& machine) {
+  double square = 0;
+  for (std::size_t i = first; i < first + 3; ++i) {
+    if (block.way[i] == 0) continue;
+    const double way = real(block.way[i]) * machine.limits(base::all_axes[i]).blu;
+    square += way * way;
+  }
+  return std::sqrt(square);
+}
+
+/// By which the feed is meant: that of the lattice's path.
+double feed_length(const Block& block, const machine::Machine& machine) {
+  double length = length_of(block, base::index(base::Axis::X), machine);
+  if (block.kind == Block::Kind::arc) {
+    const double radius = std::sqrt(real(block.arc.squared_radius()));
+    const double blu = machine.limits(base::all_axes[block.first_axis]).blu;
+    return std::hypot(length, radius * sweep(block.arc) * blu);
+  }
+  for (const base::Axis first : {base::Axis::U, base::Axis::A}) {
+    if (length == 0) length = length_of(block, base::index(first), machine);
+  }
+  return length;
+}
+
+std::string per_second(double rate) {
+  return gcode::text(rate) + " a second";
+}
+
+}  // namespace
+
+std::int64_t word_of(double rate, const PulseOptions& options) {
+  const double word = rate / real(options.clock_pps) * real(options.feed_capacity);
+  return word < real(options.feed_capacity) ? std::llround(word) : options.feed_capacity;
+}
+
+std::int64_t acceleration_word(double acceleration, const PulseOptions& options) {
+  const double word = acceleration / real(options.clock_pps) / real(options.clock_pps) * real(options.feed_capacity);
+  return static_cast<std::int64_t>(std::min(word, real(options.feed_capacity)));
+}
+
+base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& move, double share,
+                                      const machine::Machine& machine, const PulseOptions& options) {
+  PlannedBlock planned;
+  planned.block = block;
+  set_directions(planned, options.method);
+  const AxisRate by_velocity = greatest_by_velocity(block, machine);
+  // A word f is a command every ⌊q0/f⌋ or ⌈q0/f⌉ clocks.
+  const std::int64_t greatest_word = options.feed_capacity / options.step_clocks;
+  const double by_clock = real(options.clock_pps), by_step = by_clock / real(options.step_clocks);
+  planned.greatest_rate = std::min({by_velocity.rate, by_step});
+  planned.rate = planned.greatest_rate;
+
+  if (move.feed.mode != gcode::Feed::Mode::rapid) {
+    const double seconds = move.feed.mode == gcode::Feed::Mode::per_second
+                               ? share / move.feed.value
+                               : feed_length(block, machine) / move.feed.value;
+    planned.rate = real(block.commands) / seconds;
+    // Rounding to the lattice may have made the way longer by a step, of arcs by two.
+    const double least = real(block.commands - (block.kind == Block::Kind::arc ? 2 : 1)) / seconds * (1 - rounding);
+    const std::string asked = "the feed asks for " + per_second(planned.rate);
+    if (least > by_clock) {
+      return base::failure(refused(block, "pulse-rate",
+                                   "pulses: " + asked + ", the clock gives " + per_second(by_clock),
+                                   "program a lower feed or take a faster clock"));
+    }
+    if (least > by_step) {
+      return base::failure(refused(block, "pulse-step-length",
+                                   "pulses: " + asked + ", the step length allows " + per_second(by_step),
+                                   "program a lower feed or shorten the steps"));
+    }
+    if (options.shape == Shape::constant && least > by_velocity.rate) {
+      return base::failure(refused(
+          block, "pulse-velocity",
+          "pulses: " + asked + ", axis " + base::letter(by_velocity.axis) + " allows " + per_second(by_velocity.rate),
+          "program a lower feed, or have the feed shaped to what the axes can do"));
+    }
+    planned.rate = std::min(planned.rate, planned.greatest_rate);
+  }
+  if (options.shape == Shape::accelerate) {
+    limit_acceleration(planned, machine, options.method);
+    planned.rate = std::min(planned.rate, planned.greatest_rate);
+    if (acceleration_word(planned.acceleration, options) == 0) {
+      return base::failure(refused(block, "pulse-feed-word",
+                                   "pulses: an acceleration of " + gcode::text(planned.acceleration) +
+                                       " pulses/s2 adds no unit to the feed register at a clock",
+                                   "widen the feed register or take a slower clock"));
+    }
+  }
+  planned.block.greatest_word = std::min(word_of(planned.greatest_rate, options), greatest_word);
+  planned.block.feed_word = std::min(word_of(planned.rate, options), planned.block.greatest_word);
+  if (planned.block.feed_word == 0) {
+    return base::failure(refused(block, "pulse-feed-word",
+                                 "pulses: " + per_second(planned.rate) + " are no unit of the feed register",
+                                 "program a higher feed, widen the feed register or take a slower clock"));
+  }
+  return planned;
+}
+
+}  // namespace leadscrew::stepping

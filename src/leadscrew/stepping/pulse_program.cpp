@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <leadscrew/stepping/nc_program.hpp>
+#include <leadscrew/stepping/pulse_program.hpp>
+#include <utility>
+
+namespace leadscrew::stepping {
+
+namespace {
+
+base::Diagnostic in_file(base::Diagnostic problem, const std::string& file) {
+  problem.place.file = file;
+  return problem;
+}
+
+}  // namespace
+
+std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+                          const gcode::ReaderOptions& reading, const PulseOptions& options,
+                          const gcode::DiagnosticSink& sink) {
+  gcode::Reader reader(std::move(source), machine, tools, reading, sink);
+  BlockMaker maker(machine, options, reading.start);
+  std::int64_t errors = 0;
+  gcode::Move move;
+  while (reader.next(move)) {
+    maker.load(move);
+    while (auto planned = maker.next()) {
+      if (*planned) continue;
+      ++errors;
+      sink(in_file(std::move(planned->error()), reading.file));
+    }
+  }
+  return errors + reader.errors() + (reader.source_failure() ? 1 : 0);
+}
+
+PulseProgram::PulseProgram(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+                           gcode::ReaderOptions reading, const PulseOptions& options, gcode::DiagnosticSink sink)
+    : options_(options),
+      sink_(sink),
+      file_(reading.file),
+      reader_(std::move(source), machine, tools, reading, std::move(sink)),
+      maker_(machine, options, reading.start),
+      ahead_(machine),
+      feed_(options.feed_capacity) {}
+
+std::int64_t PulseProgram::errors() const {
+  return errors_ + reader_.errors() + (reader_.source_failure() ? 1 : 0);
+}
+
+void PulseProgram::override_feed(int thousandths) {
+  override_ = std::clamp(thousandths, 1, greatest_override);
+  aim();
+}
+
+bool PulseProgram::next(TimedPulse& made) {
+  for (;;) {
+    while (interpolator_.done()) {
+      if (!begin_block()) return false;
+    }
+    tick_ += feed_.skip(commands_left_);
+    --commands_left_;
+    ++commands_;
+    made.pulse = interpolator_.step();
+    if (made.pulse == AxisPulse{}) continue;
+    made.tick = tick_;
+    made.line = planned_.block.line;
+    return true;
+  }
+}
+
+/// Reads on until so much is known that nothing behind can matter, or until the first problem.
+void PulseProgram::fill() {
+  const std::size_t enough = options_.shape == Shape::accelerate ? LookAhead::most_blocks : 1;
+  while (reading_ && ahead_.size() < enough) {
+    auto planned = maker_.next();
+    if (!planned) {
+      reading_ = errors() == 0 && reader_.next(move_);
+      if (reading_) maker_.load(move_);
+    } else if (*planned) {
+      ahead_.push(**planned);
+    } else {
+      sink_(in_file(std::move(planned->error()), file_));
+      ++errors_;
+      reading_ = false;
+    }
+  }
+}
+
+void PulseProgram::aim() {
+  const Block& block = planned_.block;
+  feed_.aim(std::clamp<std::int64_t>(block.feed_word * override_ / full_override, 1,
+                                     std::max<std::int64_t>(block.greatest_word, 1)));
+}
+
+bool PulseProgram::begin_block() {
+  fill();
+  if (ahead_.is_empty()) return false;
+  const double speed = this->speed();
+  const LookAhead::Next next = ahead_.pop();
+  planned_ = next.planned;
+  const Block& block = planned_.block;
+  if (block.kind == Block::Kind::dwell) {
+    tick_ += block.dwell_clocks;
+    return true;
+  }
+  interpolator_ = BlockInterpolator(block, options_.method, options_.interpolation);
+  commands_left_ = block.commands - uncertain_commands(block);
+  aim();
+  begin_feed(next, speed);
+  return true;
+}
+
+void PulseProgram::begin_feed(const LookAhead::Next& next, double speed) {
+  if (options_.shape == Shape::constant) {
+    feed_.begin_constant();
+    return;
+  }
+  const auto word = [&](double rate) { return std::max<std::int64_t>(1, word_of(rate, options_)); };
+  const double rate = std::clamp(speed / norm(planned_.entry), rest_rate(planned_), next.entry_rate);
+  feed_.begin(word(rate), word(next.exit_rate), acceleration_word(planned_.acceleration, options_));
+}
+
+double PulseProgram::speed() const {
+  if (planned_.block.commands == 0) return 0;
+  const double share = static_cast<double>(feed_.word()) / static_cast<double>(options_.feed_capacity);
+  return share * static_cast<double>(options_.clock_pps) * norm(planned_.exit);
+}
+
+}  // namespace leadscrew::stepping
