@@ -290,6 +290,34 @@ TEST(PulseProgram, KeepsTheLengthOfSteps) {
   EXPECT_EQ(least, 7);
 }
 
+/// Of every axis over spans of one step to thousands.
+TEST(PulseProgram, KeepsTheVelocityOfEveryAxis) {
+  for (const Method method : methods) {
+    Conditions conditions;
+    conditions.options.method = method;
+    conditions.machine.axes[0]->velocity = 60;
+    conditions.machine.axes[1]->velocity = 50;
+    std::array<std::vector<std::int64_t>, 3> ticks;
+    // Rapids, lines at the limit of Y, and circles that are a fifth slower: point comparison makes 4/π as many steps.
+    const Pulsed pulsed = pulse("G61 G0 X7 Y20 Z3\nX0 Y0 Z10\nG1 Y30 X1 F2900\nG3 I5 F2300\nG2 I-5 Z4 P2\n", conditions,
+                                [&](const TimedPulse& made) {
+                                  for (std::size_t i = 0; i < 3; ++i) {
+                                    if (made.pulse.step[i] != 0) ticks[i].push_back(made.tick);
+                                  }
+                                });
+    ASSERT_EQ(pulsed.problems, "");
+    constexpr std::array clocks_a_step = {1e6 / 60'000, 1e6 / 50'000, 1e6 / 200'000};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const std::size_t span : {1u, 2u, 5u, 20u, 100u, 1000u, 5000u}) {
+        for (std::size_t k = span; k < ticks[i].size(); ++k) {
+          const auto least = (static_cast<double>(span) - 2) * clocks_a_step[i];
+          ASSERT_GE(static_cast<double>(ticks[i][k] - ticks[i][k - span]), least) << i << " " << span;
+        }
+      }
+    }
+  }
+}
+
 TEST(PulseProgram, ChecksAProgramFromEndToEndFirst) {
   const Conditions conditions;
   std::string found;

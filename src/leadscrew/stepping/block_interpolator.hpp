@@ -43,12 +43,12 @@ class BlockInterpolator {
 
   bool done() const { return !turns() && !goes_straight(); }
 
-  /// What one command makes; at most one step of each axis.
-  AxisPulse step() {
-    AxisPulse pulse;
-    const bool turns_now = step_straight(pulse);
-    if (turns_now) step_circle(pulse);
-    return pulse;
+  /// What one command makes; at most one step of each axis. Is there any?
+  bool step(AxisPulse& pulse) {
+    pulse = {};
+    const Stepped straight = step_straight(pulse);
+    const bool turned = straight.clocks_circle && step_circle(pulse);
+    return turned || straight.any;
   }
 
   /// Steps that the counter of an axis still holds; in the plane of an arc those of the quadrant, as far as the method
@@ -78,24 +78,32 @@ class BlockInterpolator {
     });
   }
 
-  /// Does the circle, too, have its clock now?
-  bool step_straight(AxisPulse& pulse) {
-    if (lanes_ == 0) return has_circle_;
-    return with(straight_, [&](auto& straight) {
+  struct Stepped {
+    bool any = false, clocks_circle = false;
+  };
+
+  Stepped step_straight(AxisPulse& pulse) {
+    Stepped stepped{false, has_circle_ && lanes_ == 0};
+    with(straight_, [&](auto& straight) {
       const bool circle_is_late = has_circle_ && straight.left(0) == 0;
       const auto lane_pulse = straight.step();
-      for (std::size_t lane = has_circle_; lane < lanes_; ++lane) pulse.step[axis_of_[lane]] = lane_pulse.step[lane];
-      return has_circle_ && (circle_is_late || lane_pulse.step[0] != 0);
+      for (std::size_t lane = has_circle_; lane < lanes_; ++lane) {
+        pulse.step[axis_of_[lane]] = lane_pulse.step[lane];
+        stepped.any |= lane_pulse.step[lane] != 0;
+      }
+      stepped.clocks_circle = has_circle_ && (circle_is_late || lane_pulse.step[0] != 0);
+      return true;
     });
+    return stepped;
   }
 
-  void step_circle(AxisPulse& pulse) {
-    with(circle_, [&](auto& circle) {
+  bool step_circle(AxisPulse& pulse) {
+    return with(circle_, [&](auto& circle) {
       if (circle.done()) return false;
       const auto [x, y] = circle.step().step;
       pulse.step[first_] = x;
       pulse.step[second_] = y;
-      return true;
+      return x != 0 || y != 0;
     });
   }
 

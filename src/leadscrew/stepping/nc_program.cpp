@@ -111,7 +111,8 @@ AxisPulse NcProgram::interpolator_routine(Operations& count) {
     ++count.tests;
     ++count.stores;
   }
-  const AxisPulse pulse = interpolator_.step();
+  AxisPulse pulse;
+  interpolator_.step(pulse);
   for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
     if (pulse.step[axis] == 0) continue;
     if (block_.kind != Block::Kind::point_to_point) ++count.additions;  // r ← r − q

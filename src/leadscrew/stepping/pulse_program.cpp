@@ -59,8 +59,7 @@ bool PulseProgram::next(TimedPulse& made) {
     tick_ += feed_.skip(commands_left_);
     --commands_left_;
     ++commands_;
-    made.pulse = interpolator_.step();
-    if (made.pulse == AxisPulse{}) continue;
+    if (!interpolator_.step(made.pulse)) continue;
     made.tick = tick_;
     made.line = planned_.block.line;
     return true;
