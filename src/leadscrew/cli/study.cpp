@@ -82,6 +82,7 @@ Tone tone_of(study::Verdict verdict) {
     case study::Verdict::exceeded:
       return Tone::error;
     case study::Verdict::measured:
+    case study::Verdict::not_reproducible:
       return Tone::faint;
   }
   return Tone::faint;

@@ -76,7 +76,7 @@ Rows load_rows() {
       "the NC program's share of the computer",
       {exact_row("instructions", plain, 85, program / instruction),
        because(exact_row("load", {"%", 0}, 85, 100 * program / interrupt), "15 % are left for adaptive control"),
-       not_run_row("time of the program", "published 170 µs: of their computer, an HP 2100A")});
+       not_reproducible_row("time of the program", {"µs", 0}, program, "of their computer, an HP 2100A")});
 }
 
 /// Pulses of a DDA that overflows where r > q, from the remainder r, beside those of one that does where r ≥ q.

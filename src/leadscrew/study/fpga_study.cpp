@@ -26,8 +26,7 @@ Rows rows_of(const std::string& method, double steps, double error, const Lattic
   Row error_row = exact_row("greatest error", {"BLU", 3}, error, radial_error(path, radius * radius));
   error_row.why = why;
   return under(method, {exact_row("steps", {"", 0}, steps, static_cast<double>(path.clocks)), std::move(error_row),
-                        not_run_row("logic elements", "published " + std::to_string(elements) +
-                                                          ": a figure of their device and compiler")});
+                        not_reproducible_row("logic elements", {"", 0}, elements, "of their device and compiler")});
 }
 
 /// What other conventions would make of the same arc.

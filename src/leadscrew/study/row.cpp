@@ -34,6 +34,8 @@ std::string_view name(Verdict verdict) {
       return "measured";
     case Verdict::not_run:
       return "not run";
+    case Verdict::not_reproducible:
+      return "not reproducible";
   }
   return "";
 }
@@ -66,6 +68,10 @@ Row measured_row(std::string what, Scale scale, double ours) {
 
 Row not_run_row(std::string what, std::string why) {
   return {{}, std::move(what), {}, {}, {}, Verdict::not_run, std::move(why)};
+}
+
+Row not_reproducible_row(std::string what, Scale scale, double published, std::string why) {
+  return {{}, std::move(what), published, {}, scale, Verdict::not_reproducible, std::move(why)};
 }
 
 Row because(Row row, std::string why) {

@@ -12,15 +12,16 @@
 namespace leadscrew::study {
 
 enum class Verdict : std::uint8_t {
-  exact,       ///< equal to every digit that was published
-  reproduced,  ///< within the accuracy that is told of the published figure
-  differs,     ///< neither
-  no_worse,    ///< as good as the published figure, or better
-  worse,       ///< not as good
-  kept,        ///< within the limit
-  exceeded,    ///< beyond the limit
-  measured,    ///< nothing was published to compare with
-  not_run,     ///< could not be measured; `why` says why
+  exact,             ///< equal to every digit that was published
+  reproduced,        ///< within the accuracy that is told of the published figure
+  differs,           ///< neither
+  no_worse,          ///< as good as the published figure, or better
+  worse,             ///< not as good
+  kept,              ///< within the limit
+  exceeded,          ///< beyond the limit
+  measured,          ///< nothing was published to compare with
+  not_run,           ///< could not be measured; `why` says why
+  not_reproducible,  ///< a figure of equipment that is not here; `why` says which
 };
 
 /// "exact", "no worse", …
@@ -53,6 +54,7 @@ Row at_most_row(std::string what, Scale scale, double published, double ours, do
 Row limit_row(std::string what, Scale scale, double limit, double ours, double accuracy = 0);
 Row measured_row(std::string what, Scale scale, double ours);
 Row not_run_row(std::string what, std::string why);
+Row not_reproducible_row(std::string what, Scale scale, double published, std::string why);
 
 /// The row, with a word on it.
 Row because(Row row, std::string why);
