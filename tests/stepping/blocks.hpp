@@ -14,20 +14,20 @@ inline NcProgram::BlockSource source(std::vector<Block> blocks) {
   };
 }
 
-inline Block with_word(Block block, std::int64_t word, Method method = Method::koren) {
+inline Block with_word(Block block, std::int64_t word, PulseMethod method = PulseMethod::koren) {
   count_commands(block, method);
   block.feed_word = word;
   block.greatest_word = std::int64_t{1} << 40;
   return block;
 }
 
-inline Block line(const LatticeVector& way, std::int64_t word, Method method = Method::koren) {
+inline Block line(const LatticeVector& way, std::int64_t word, PulseMethod method = PulseMethod::koren) {
   Block block;
   block.way = way;
   return with_word(block, word, method);
 }
 
-inline Block arc(const pulse::Arc& arc, std::int64_t word, Method method = Method::koren,
+inline Block arc(const pulse::Arc& arc, std::int64_t word, PulseMethod method = PulseMethod::koren,
                  const LatticeVector& way = {}) {
   Block block;
   block.kind = Block::Kind::arc;

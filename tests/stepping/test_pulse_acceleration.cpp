@@ -69,8 +69,8 @@ const std::string contour =
     "G2 X-8.8 Y30 I3 P2 Z-4\nG3 X-5 Y26 R4\nG61.1 G1 Y20\nY10\nG0 X0 Y0 Z0\n";
 
 TEST(PulseAcceleration, IsKeptAlongAContour) {
-  for (const Method method : {Method::koren, Method::dda, Method::point_comparison, Method::least_error,
-                              Method::improved_least_error, Method::bresenham}) {
+  for (const PulseMethod method : {PulseMethod::koren, PulseMethod::dda, PulseMethod::point_comparison,
+                                   PulseMethod::min_error, PulseMethod::improved_min_error, PulseMethod::bresenham}) {
     Conditions conditions;
     conditions.options.method = method;
     EXPECT_LT(excess(contour, conditions, Shape::accelerate), allowed) << static_cast<int>(method);

@@ -19,7 +19,7 @@ constexpr auto arc = PulseCurve::Shape::arc;
 
 constexpr PulseCurve quarter{arc, {5, 0}, {0, 5}, {}, Direction::counterclockwise};
 
-PulseFigures figures_of(PulseMethod method, const PulseCurve& curve, const PulseOptions& options = {}) {
+PulseFigures figures_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options = {}) {
   return measure(PulseRun(method, curve, options), curve);
 }
 

@@ -17,9 +17,12 @@ using testing::Conditions;
 using testing::pulse;
 using testing::Pulsed;
 
-constexpr std::array methods = {
-    Method::koren,    Method::dda, Method::point_comparison, Method::least_error, Method::improved_least_error,
-    Method::bresenham};
+constexpr std::array methods = {PulseMethod::koren,
+                                PulseMethod::dda,
+                                PulseMethod::point_comparison,
+                                PulseMethod::min_error,
+                                PulseMethod::improved_min_error,
+                                PulseMethod::bresenham};
 
 /// Of the last move, in steps: read without any of the room.
 LatticeVector programmed_end(const std::string& text, const Conditions& conditions) {
@@ -48,7 +51,7 @@ void expect_to_end(const std::string& example, const Conditions& conditions) {
   EXPECT_GT(pulsed.pulses, 3000) << example;
 }
 
-class Examples : public ::testing::TestWithParam<const char*> {};
+class PulsedExamples : public ::testing::TestWithParam<const char*> {};
 
 Conditions for_examples() {
   Conditions conditions;
@@ -61,18 +64,18 @@ Conditions for_examples() {
   return conditions;
 }
 
-TEST_P(Examples, SumToTheirEnds) {
+TEST_P(PulsedExamples, SumToTheirEnds) {
   Conditions conditions = for_examples();
-  for (const Method method : methods) {
+  for (const PulseMethod method : methods) {
     conditions.options.method = method;
     expect_to_end(GetParam(), conditions);
   }
-  conditions.options.method = Method::koren;
+  conditions.options.method = PulseMethod::koren;
   conditions.options.shape = Shape::accelerate;
   expect_to_end(GetParam(), conditions);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Examples,
+INSTANTIATE_TEST_SUITE_P(All, PulsedExamples,
                          ::testing::Values("01-plate.ngc", "02-helical-bore.ngc", "03-arcs-in-three-planes.ngc",
                                            "04-square.ngc", "05-finishing.ngc", "06-drilling.ngc", "07-rotary.ngc",
                                            "08-work-offsets.ngc", "09-butterfly.ngc", "10-cubic.ngc",
@@ -143,7 +146,9 @@ RC_GTEST_PROP(PulseProgram, TravelsArcsOfTheLatticeAtTheirFeed, ()) {
                            word('Y', a * mm_per_step) + " I0 J0\n";
   const Pulsed pulsed = pulse(text, conditions);
   const double steps = std::hypot(a, b) * std::numbers::pi / 2 * (ccw ? 1 : 3);
-  const double allowed = steps > 6000 ? 0.001 * steps : conditions.options.method == Method::point_comparison ? 6 : 4;
+  const double allowed = steps > 6000                                                 ? 0.001 * steps
+                         : conditions.options.method == PulseMethod::point_comparison ? 6
+                                                                                      : 4;
   RC_ASSERT(pulsed.problems == "");
   RC_LOG() << text << steps << " steps";
   RC_ASSERT(std::abs(seconds(pulsed, conditions) * 10'000 - steps) <= allowed);
@@ -168,7 +173,7 @@ RC_GTEST_PROP(PulseProgram, StaysByTheProgrammedCircle, ()) {
 
 TEST(PulseProgram, GoesAlongHelicesEvenly) {
   Conditions conditions;
-  for (const Method method : methods) {
+  for (const PulseMethod method : methods) {
     conditions.options.method = method;
     double x = 5000, y = 0, z = 0, turned = 0, worst = 0;
     conditions.start = {5, 0, 0};
@@ -182,7 +187,7 @@ TEST(PulseProgram, GoesAlongHelicesEvenly) {
     });
     EXPECT_EQ(pulsed.sum, (LatticeVector{-5000, 5000, -7000}));
     // Where an axis steps at every command the angle goes up to a seventh of an octant's way ahead of the commands.
-    EXPECT_LT(worst, method == Method::koren || method == Method::dda ? 2 : 15);
+    EXPECT_LT(worst, method == PulseMethod::koren || method == PulseMethod::dda ? 2 : 15);
     const double length = std::hypot(3.25 * 2 * std::numbers::pi * 5, 7);
     EXPECT_NEAR(seconds(pulsed, conditions), length / (1000.0 / 60), 0.001 * length / (1000.0 / 60));
   }
@@ -292,7 +297,7 @@ TEST(PulseProgram, KeepsTheLengthOfSteps) {
 
 /// Of every axis over spans of one step to thousands.
 TEST(PulseProgram, KeepsTheVelocityOfEveryAxis) {
-  for (const Method method : methods) {
+  for (const PulseMethod method : methods) {
     Conditions conditions;
     conditions.options.method = method;
     conditions.machine.axes[0]->velocity = 60;

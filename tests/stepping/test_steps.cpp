@@ -91,7 +91,8 @@ RC_GTEST_PROP(Steps, KeepTheirDistances, ()) {
   for (std::size_t k = 1; k < made.events.size(); ++k) {
     const StepEvent event = made.events[k], before = made.events[k - 1];
     const bool turns = event.direction() != before.direction();
-    RC_ASSERT(event.tick() - before.tick() >= (turns ? ticks.reversal() : ticks.pitch()));
+    const std::int64_t pitch = ticks.length + ticks.space, turn = ticks.length + ticks.hold + ticks.setup;
+    RC_ASSERT(event.tick() - before.tick() >= (turns ? std::max(pitch, turn) : pitch));
   }
 }
 
@@ -159,6 +160,20 @@ TEST(Steps, AtTheGreatestRateNeedNotWait) {
   EXPECT_EQ(made.events.size(), static_cast<std::size_t>(-positions.back()));
   EXPECT_LE(made.report.greatest_delay, 1);
   EXPECT_LE(made.report.greatest_error, 0.5 + 1e-6);
+}
+
+/// A summit 1e-4 BLU above a half, passed in 63 µs: the step back waits until the drive has turned.
+TEST(Steps, GiveADriveTimeToTurn) {
+  std::vector<double> positions;
+  for (int k = -3; k <= 3; ++k) positions.push_back(0.5001 - 0.1 * k * k);
+  const StepTiming timing{.clock_hz = 1'000'000, .direction_setup_ns = 100'000, .direction_hold_ns = 50'000};
+  const Made made = steps_of(words_along_x(positions, 0.001), machine::mill3(), timing);
+  ASSERT_EQ(made.events.size(), 2u);
+  EXPECT_EQ(made.events[0].direction(), 1);
+  EXPECT_EQ(made.events[1].direction(), -1);
+  EXPECT_EQ(made.events[1].tick() - made.events[0].tick(), 1 + 50 + 100);
+  EXPECT_EQ(made.report.postponed, 1);
+  EXPECT_NEAR(static_cast<double>(made.report.greatest_delay), 151 - 63, 2);
 }
 
 TEST(Steps, DoNotChatterWhereWordsStandOnAHalf) {

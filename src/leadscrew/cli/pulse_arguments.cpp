@@ -91,8 +91,8 @@ Parsed<void> take_name(std::string_view option, const std::optional<std::string>
   return {};
 }
 
-Parsed<stepping::PulseOptions> parse_options(const PulseTexts& texts) {
-  stepping::PulseOptions options;
+Parsed<stepping::MethodOptions> parse_options(const PulseTexts& texts) {
+  stepping::MethodOptions options;
   if (texts.bits) {
     const auto bits = parse_integer<int>(*texts.bits);
     if (!bits || *bits < 1 || *bits > stepping::most_pulse_bits)

@@ -13,7 +13,7 @@ namespace leadscrew::cli {
 struct PulseArguments {
   stepping::PulseCurve curve;
   std::vector<stepping::PulseMethod> methods;  ///< one or more, none twice
-  stepping::PulseOptions options;
+  stepping::MethodOptions options;
   bool path = false;   ///< every place, in JSON
   bool table = false;  ///< every register at every clock, as text
   std::optional<std::string> vcd, svg;

@@ -20,26 +20,26 @@ std::int64_t length_rounded_up(const LatticeVector& way, std::int64_t more) {
   return estimate < 0x1p62 ? pulse::capacity_for(square) : static_cast<std::int64_t>(std::ceil(std::sqrt(estimate)));
 }
 
-bool is_dda(Method method) {
-  return method == Method::koren || method == Method::dda;
+bool is_dda(PulseMethod method) {
+  return method == PulseMethod::koren || method == PulseMethod::dda;
 }
 
-std::int64_t line_commands(const LatticeVector& way, Method method) {
+std::int64_t line_commands(const LatticeVector& way, PulseMethod method) {
   if (is_dda(method)) return length_rounded_up(way, 0);
   std::int64_t sum = 0, longest = 0;
   for (const std::int64_t of_axis : way) {
     sum += pulse::absolute(of_axis);
     longest = std::max(longest, pulse::absolute(of_axis));
   }
-  return method == Method::point_comparison ? sum : longest;
+  return method == PulseMethod::point_comparison ? sum : longest;
 }
 
 /// Commands from 0 to an angle ≥ 0 on a circle of radius 1: ∫ dθ of a DDA, ∫ |sin θ| + |cos θ| dθ where axes step one
 /// by one, ∫ max(|sin θ|, |cos θ|) dθ where the faster one always steps.
-double commands_to(double angle, Method method) {
+double commands_to(double angle, PulseMethod method) {
   if (is_dda(method)) return angle;
   const double quarters = std::floor(angle / quarter_turn), rest = angle - quarters * quarter_turn;
-  if (method == Method::point_comparison) return quarters * 2 + std::sin(rest) + 1 - std::cos(rest);
+  if (method == PulseMethod::point_comparison) return quarters * 2 + std::sin(rest) + 1 - std::cos(rest);
   const double eighth = quarter_turn / 2;
   const double within = rest <= eighth ? std::sin(rest) : 2 * std::sin(eighth) - std::cos(rest);
   return quarters * 2 * std::sin(eighth) + within;
@@ -52,7 +52,7 @@ double angle_of(pulse::Point at, pulse::Direction direction) {
   return angle < 0 ? angle + 4 * quarter_turn : angle;
 }
 
-std::int64_t circle_commands(const pulse::Arc& arc, Method method) {
+std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method) {
   const double from = angle_of(arc.start, arc.direction);
   double to = angle_of(arc.end, arc.direction);
   if (to <= from) to += 4 * quarter_turn;
@@ -62,13 +62,13 @@ std::int64_t circle_commands(const pulse::Arc& arc, Method method) {
 
 }  // namespace
 
-void count_commands(Block& block, Method method) {
+void count_commands(Block& block, PulseMethod method) {
   switch (block.kind) {
     case Block::Kind::line:
       block.commands = line_commands(block.way, method);
       break;
     case Block::Kind::point_to_point:
-      block.commands = line_commands(block.way, Method::bresenham);
+      block.commands = line_commands(block.way, PulseMethod::bresenham);
       break;
     case Block::Kind::arc:
       block.circle_commands = circle_commands(block.arc, method);
@@ -80,13 +80,13 @@ void count_commands(Block& block, Method method) {
   }
 }
 
-BlockInterpolator::BlockInterpolator(const Block& block, Method method, const InterpolationOptions& options) {
+BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   if (block.kind == Block::Kind::dwell) return;
   load_straight(block, method, options);
   if (block.kind == Block::Kind::arc) load_circle(block, method, options);
 }
 
-void BlockInterpolator::load_straight(const Block& block, Method method, const InterpolationOptions& options) {
+void BlockInterpolator::load_straight(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   has_circle_ = block.kind == Block::Kind::arc;
   LatticeVector way{};
   if (has_circle_) way[lanes_++] = block.circle_commands;
@@ -101,7 +101,7 @@ void BlockInterpolator::load_straight(const Block& block, Method method, const I
     straight_.emplace<PointToPoint<base::axis_count>>(way);
     return;
   }
-  if (method == Method::point_comparison && block.kind == Block::Kind::line) {
+  if (method == PulseMethod::point_comparison && block.kind == Block::Kind::line) {
     straight_.emplace<LinePointComparison<base::axis_count>>(way);
     return;
   }
@@ -118,26 +118,26 @@ void BlockInterpolator::load_straight(const Block& block, Method method, const I
   }
 }
 
-void BlockInterpolator::load_circle(const Block& block, Method method, const InterpolationOptions& options) {
+void BlockInterpolator::load_circle(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   first_ = block.first_axis;
   second_ = block.second_axis;
   switch (method) {
-    case Method::koren:
+    case PulseMethod::koren:
       circle_.emplace<ProgramCircle>(block.arc,
                                      pulse::CircularDdaOptions{pulse::Order::x_first, options.preload, options.places});
       break;
-    case Method::dda:
+    case PulseMethod::dda:
       circle_.emplace<ProgramCircle>(
           block.arc, pulse::CircularDdaOptions{pulse::Order::parallel, options.preload, options.places});
       break;
-    case Method::point_comparison:
+    case PulseMethod::point_comparison:
       circle_.emplace<pulse::CircularSearch<pulse::Search::point_comparison>>(block.arc);
       break;
-    case Method::least_error:
+    case PulseMethod::min_error:
+    case PulseMethod::bresenham:
       circle_.emplace<pulse::CircularSearch<pulse::Search::least_error>>(block.arc);
       break;
-    case Method::improved_least_error:
-    case Method::bresenham:
+    case PulseMethod::improved_min_error:
       circle_.emplace<pulse::CircularSearch<pulse::Search::improved_least_error>>(block.arc);
       break;
   }

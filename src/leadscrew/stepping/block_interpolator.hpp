@@ -19,11 +19,10 @@
 #include <leadscrew/stepping/line_point_comparison.hpp>
 #include <leadscrew/stepping/point_to_point.hpp>
 #include <leadscrew/stepping/program_circle.hpp>
+#include <leadscrew/stepping/pulse_method.hpp>
 #include <variant>
 
 namespace leadscrew::stepping {
-
-enum class Method : std::uint8_t { koren, dda, point_comparison, least_error, improved_least_error, bresenham };
 
 struct InterpolationOptions {
   pulse::Preload preload = pulse::Preload::half;  ///< of DDAs; Koren's registers begin empty
@@ -32,14 +31,14 @@ struct InterpolationOptions {
 
 /// Fills in how many commands a block takes by a method: of a line exactly so many or up to one less; of an arc within
 /// a few.
-void count_commands(Block& block, Method method);
+void count_commands(Block& block, PulseMethod method);
 
 class BlockInterpolator {
  public:
   /// Of nothing: done.
   BlockInterpolator() = default;
   /// Of a block with counted commands.
-  BlockInterpolator(const Block& block, Method method, const InterpolationOptions& options);
+  BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options);
 
   bool done() const { return !turns() && !goes_straight(); }
 
@@ -62,8 +61,8 @@ class BlockInterpolator {
                               pulse::CircularSearch<pulse::Search::least_error>,
                               pulse::CircularSearch<pulse::Search::improved_least_error>>;
 
-  void load_straight(const Block& block, Method method, const InterpolationOptions& options);
-  void load_circle(const Block& block, Method method, const InterpolationOptions& options);
+  void load_straight(const Block& block, PulseMethod method, const InterpolationOptions& options);
+  void load_circle(const Block& block, PulseMethod method, const InterpolationOptions& options);
 
   bool turns() const {
     return with(circle_, [](const auto& circle) { return !circle.done(); });

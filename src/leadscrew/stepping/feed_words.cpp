@@ -40,17 +40,18 @@ double greatest_share(const Block& block, std::size_t axis) {
 /// How much an axis' acceleration in a curve exceeds the square of the command rate over the radius: DDAs go at one
 /// speed; where one axis steps at every command the other one's rate is the tangent, whose second derivative is 2√2 at
 /// an eighth of a turn.
-double curving(Method method) {
-  const bool is_search = method != Method::koren && method != Method::dda && method != Method::point_comparison;
+double curving(PulseMethod method) {
+  const bool is_search =
+      method != PulseMethod::koren && method != PulseMethod::dda && method != PulseMethod::point_comparison;
   return is_search ? 2 * std::numbers::sqrt2 : 1;
 }
 
 /// Steps of the arc's axes a command, where it passes `at`.
-void set_tangent(const Block& block, pulse::Point at, Method method, std::array<double, base::axis_count>& steps) {
+void set_tangent(const Block& block, pulse::Point at, PulseMethod method, std::array<double, base::axis_count>& steps) {
   const double radius = std::hypot(real(at.x), real(at.y)), sense = static_cast<double>(block.arc.direction);
   const double x = -sense * real(at.y) / radius, y = sense * real(at.x) / radius;
   double scale = real(block.circle_commands) / real(block.commands);
-  if (method == Method::point_comparison) {
+  if (method == PulseMethod::point_comparison) {
     scale /= std::abs(x) + std::abs(y);
   } else if (curving(method) > 1) {
     scale /= std::max(std::abs(x), std::abs(y));
@@ -59,7 +60,7 @@ void set_tangent(const Block& block, pulse::Point at, Method method, std::array<
   steps[block.second_axis] = y * scale;
 }
 
-void set_directions(PlannedBlock& planned, Method method) {
+void set_directions(PlannedBlock& planned, PulseMethod method) {
   const Block& block = planned.block;
   for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
     planned.entry[axis] = planned.exit[axis] = real(block.way[axis]) / real(block.commands);
@@ -86,7 +87,7 @@ AxisRate greatest_by_velocity(const Block& block, const machine::Machine& machin
   return greatest;
 }
 
-void limit_acceleration(PlannedBlock& planned, const machine::Machine& machine, Method method) {
+void limit_acceleration(PlannedBlock& planned, const machine::Machine& machine, PulseMethod method) {
   const Block& block = planned.block;
   const bool is_arc = block.kind == Block::Kind::arc;
   planned.acceleration = std::numeric_limits<double>::infinity();

@@ -65,7 +65,7 @@ void NcProgram::initiate() {
       return;
     }
     block_ = *next;
-    interpolator_ = BlockInterpolator(block_, Method::koren, options_.interpolation);
+    interpolator_ = BlockInterpolator(block_, PulseMethod::koren, options_.interpolation);
     dwell_left_ = block_.kind == Block::Kind::dwell ? block_.dwell_clocks : 0;
     load_feed();
 

@@ -23,7 +23,7 @@ std::int64_t radius_of(const pulse::Arc& arc) {
 
 /// "Four circular interpolators in an FPGA" has 8 clocks and .385 BLU of a capacity R, old coordinates and half a load
 /// in the lagging axis; the lecture and the teaching interpolator draw lines with 2ⁿ and cleared registers.
-PulseConventions of_hardware(const PulseCurve& curve, const PulseOptions& options) {
+PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force{.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
   if (curve.is_arc()) {
     in_force.capacity = options.bits ? std::int64_t{1} << *options.bits : radius_of(curve.arc());
@@ -40,7 +40,7 @@ PulseConventions of_hardware(const PulseCurve& curve, const PulseOptions& option
 /// Koren's program: capacity R or L, so that the feed is the clock's; y by the new x (eq. 27). It starts with empty
 /// remainders, which give his 10 001 BLU of a circle that runs freely; counters end each quadrant here, and half full
 /// remainders bring the error of circles from 1.47 to .97 BLU and that of lines from 1 to .71.
-PulseConventions of_software(const PulseCurve& curve, const PulseOptions& options) {
+PulseConventions of_software(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force{.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
   in_force.preload = options.preload.value_or(Preload::half);
   if (curve.is_arc()) {
@@ -54,7 +54,7 @@ PulseConventions of_software(const PulseCurve& curve, const PulseOptions& option
 }
 
 /// Outward from the circle by default: the paper's text says inward, its .877 BLU come of outward.
-std::string_view tie_of(PulseMethod method, const PulseCurve& curve, const PulseOptions& options) {
+std::string_view tie_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options) {
   switch (method) {
     case PulseMethod::point_comparison:
       return curve.is_arc() ? name(options.tie.value_or(OnCircle::outward)) : "x";
@@ -92,7 +92,7 @@ std::string_view name(Order order) {
   return names[static_cast<std::size_t>(order)];
 }
 
-PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const PulseOptions& options) {
+PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force{.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
   const bool integrates = method == PulseMethod::dda || method == PulseMethod::koren;
   if (method == PulseMethod::dda) in_force = of_hardware(curve, options);

@@ -40,7 +40,7 @@ std::string_view name(pulse::OnCircle tie);
 std::string_view name(pulse::Order order);
 
 /// Conventions that were asked for; each method has a default of its own for what was not.
-struct PulseOptions {
+struct MethodOptions {
   std::optional<int> bits;  ///< 1 … 30: of the registers; the capacity of `dda` is 2ⁿ
   std::optional<pulse::Preload> preload;
   std::optional<pulse::OnCircle> tie;
@@ -59,6 +59,6 @@ struct PulseConventions {
   std::string_view end;  ///< how the end is found
 };
 
-PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const PulseOptions& options);
+PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options);
 
 }  // namespace leadscrew::stepping

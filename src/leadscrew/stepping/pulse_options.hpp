@@ -11,7 +11,7 @@ enum class Shape : std::uint8_t {
 };
 
 struct PulseOptions {
-  Method method = Method::koren;
+  PulseMethod method = PulseMethod::koren;
   InterpolationOptions interpolation{};
   std::int64_t clock_pps = 1'000'000;                  ///< 1 … 10⁹; Koren's is 5000
   std::int64_t feed_capacity = std::int64_t{1} << 40;  ///< q0, 1 … 2⁴⁰; Koren's is 3000

@@ -41,7 +41,7 @@ void add_registers(Registers& registers, const pulse::LinearBresenham& state) {
 }  // namespace
 
 PulseRun::State PulseRun::load(PulseMethod method, const PulseCurve& curve, const PulseConventions& conventions,
-                               const PulseOptions& options) {
+                               const MethodOptions& options) {
   const bool integrates = conventions.capacity.has_value();
   const pulse::Preload preload = conventions.preload.value_or(pulse::Preload::none);
   if (!curve.is_arc()) {
@@ -62,7 +62,7 @@ PulseRun::State PulseRun::load(PulseMethod method, const PulseCurve& curve, cons
   return Search<pulse::Search::point_comparison>(arc);
 }
 
-PulseRun::PulseRun(PulseMethod method, const PulseCurve& curve, const PulseOptions& options)
+PulseRun::PulseRun(PulseMethod method, const PulseCurve& curve, const MethodOptions& options)
     : method_(method),
       conventions_(conventions_of(method, curve, options)),
       state_(load(method, curve, conventions_, options)),

@@ -29,7 +29,7 @@ class Registers {
 class PulseRun {
  public:
   /// A curve and bits that problems_of() finds nothing wrong with.
-  PulseRun(PulseMethod method, const PulseCurve& curve, const PulseOptions& options = {});
+  PulseRun(PulseMethod method, const PulseCurve& curve, const MethodOptions& options = {});
 
   PulseMethod method() const { return method_; }
   const PulseConventions& conventions() const { return conventions_; }
@@ -53,7 +53,7 @@ class PulseRun {
                    pulse::LinearPointComparison, pulse::LinearBresenham>;
 
   static State load(PulseMethod method, const PulseCurve& curve, const PulseConventions& conventions,
-                    const PulseOptions& options);
+                    const MethodOptions& options);
 
   PulseMethod method_;
   PulseConventions conventions_;

@@ -5,7 +5,8 @@
 // The speed at a word is half the way from the word before to the word after. That is wrong by jerk·T²/6 only, so the
 // cubic strays from a motion whose words it follows by a twentieth of jerk·T³, where straight lines between words
 // would stray by acceleration·T²/8: with the limits of mill3 and T = 1 ms, 0.001 BLU instead of 0.125 BLU, and steps
-// at 200 mm/s lie right to 1/200 of a microsecond instead of 0.6 µs.
+// at 200 mm/s lie right to 1/200 of a microsecond instead of 0.6 µs. Next to a turn between two words the cubic strays
+// as lines do: there, staying between the words (below) takes speed away.
 
 #include <algorithm>
 #include <cmath>
