@@ -63,7 +63,7 @@ struct UsageError : std::runtime_error {
 
 /// Options as text, before their values are looked at.
 struct Texts {
-  std::optional<std::string> period, mode, tolerance, start, color, interpolator;
+  std::optional<std::string> period, mode, tolerance, start, color, interpolator, pulse_method, step_clock;
   std::string judged_program;  ///< of verify, one
   PulseTexts pulse;
   DesignTexts design;
@@ -119,6 +119,13 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& texts) {
                   "Parameter steps along curves: arc-length (default), taylor1, taylor2, newton or uniform")
       ->type_name("RULE");
   run->add_option("--trace", arguments.trace, "Write the words: .csv or .npy")->type_name("FILE");
+  run->add_option("--pulses", arguments.pulses, "Write steps and directions: .vcd or .csv")->type_name("FILE");
+  run->add_option(
+         "--pulse-method", texts.pulse_method,
+         "Of --pulses: by an interpolator of the papers, not steps that follow the words: " + names_of_pulse_methods())
+      ->type_name("NAME");
+  run->add_flag("--accelerate", arguments.accelerate, "Of --pulse-method: feed rises and falls as the axes can");
+  run->add_option("--step-clock", texts.step_clock, "Of --pulses: 10kHz to 10MHz (default 1MHz)")->type_name("HZ");
   run->add_option("--report", arguments.report, "Write one self-contained page")->type_name("FILE.html");
   run->add_option("--picture", arguments.picture, "Write the path alone, coloured by speed")->type_name("FILE.svg");
   run->add_option("--out", arguments.out, "Write DIR/NAME.csv, .html and .svg of each program")->type_name("DIR");
@@ -257,16 +264,29 @@ void take_values(const Texts& texts, Arguments& arguments) {
     if (!design) throw UsageError(design.error());
     arguments.design = std::move(*design);
   }
+  if (texts.pulse_method)
+    arguments.pulse_method = value_of("--pulse-method", *texts.pulse_method, parse_pulse_method(*texts.pulse_method));
+  if (texts.step_clock)
+    arguments.step_clock = value_of("--step-clock", *texts.step_clock, parse_frequency(*texts.step_clock));
   if (texts.color) arguments.color = color_choice(*texts.color);
 }
 
 void check_outputs(const Arguments& arguments) {
   if (arguments.programs.size() < 2) return;
-  for (const auto& [option, path] :
-       {std::pair("--trace", &arguments.trace), {"--report", &arguments.report}, {"--picture", &arguments.picture}}) {
+  for (const auto& [option, path] : {std::pair("--trace", &arguments.trace),
+                                     {"--pulses", &arguments.pulses},
+                                     {"--report", &arguments.report},
+                                     {"--picture", &arguments.picture}}) {
     if (!*path) continue;
     throw UsageError(fmt::format("{} is for one program; with several, --out DIR writes the files of each", option));
   }
+}
+
+void check_pulses(const Arguments& arguments) {
+  if (arguments.accelerate && !arguments.pulse_method)
+    throw UsageError("--accelerate is of --pulse-method; steps that follow the words have the words' acceleration");
+  if (arguments.pulse_method && !arguments.pulses)
+    throw UsageError("--pulse-method is of --pulses FILE, which is missing");
 }
 
 void check_standard_input(const Arguments& arguments) {
@@ -369,6 +389,7 @@ class Parser {
       check_study(arguments_);
       check_standard_input(arguments_);
       check_outputs(arguments_);
+      check_pulses(arguments_);
       check_names(arguments_);
       return arguments_;
     } catch (const CLI::CallForHelp&) {

@@ -9,6 +9,7 @@
 #include <leadscrew/cli/status.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/interpolator/parameter_steps.hpp>
+#include <leadscrew/stepping/pulse_method.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -32,7 +33,10 @@ struct Arguments {
   std::optional<gcode::PathMode> mode;
   std::optional<double> tolerance;                                           ///< mm
   interpolator::StepRule interpolator = interpolator::StepRule::arc_length;  ///< parameter steps along curves
-  std::optional<std::string> trace, report, picture, out;
+  std::optional<std::string> trace, report, picture, pulses, out;
+  std::optional<stepping::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
+  bool accelerate = false;                            ///< of a pulse_method: keep the axes' acceleration
+  std::int64_t step_clock = 1'000'000;                ///< of --pulses, Hz
   bool json = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;

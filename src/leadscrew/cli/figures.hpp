@@ -6,6 +6,7 @@
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/cli/cycle_times.hpp>
 #include <leadscrew/cli/job.hpp>
+#include <leadscrew/cli/step_output.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
@@ -26,7 +27,8 @@ struct RunFigures {
   pipeline::Summary summary;
   referee::Verdict verdict;
   Effort effort;
-  std::vector<std::string> files;  ///< written
+  std::vector<std::string> files{};    ///< written
+  std::optional<StepFigures> steps{};  ///< where they were asked for
 
   /// Did the motion keep what it must, by plan and by referee?
   bool kept() const;

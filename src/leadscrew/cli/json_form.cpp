@@ -69,6 +69,13 @@ Json violations_of(const referee::Verdict& verdict) {
   return list;
 }
 
+Json json_of_steps(const StepFigures& steps) {
+  Json json = {
+      {"method", steps.method}, {"clock_hz", steps.clock_hz}, {"steps", steps.steps}, {"time_s", steps.time_s}};
+  json["error_blu"] = steps.error_blu ? Json(*steps.error_blu) : Json(nullptr);
+  return json;
+}
+
 }  // namespace
 
 Json json_of_rejected(std::string_view schema, const std::string& program, const std::string& machine,
@@ -86,28 +93,30 @@ Json json_of_diagnostics(const DiagnosticLog& log) {
 Json json_of_run(const std::string& program, const Job& job, const RunFigures& figures, const DiagnosticLog& log) {
   const pipeline::Summary& summary = figures.summary;
   const referee::Verdict& verdict = figures.verdict;
-  return {{"schema", run_schema},
-          {"program", program},
-          {"machine", job.machine.name},
-          {"period_s", job.machine.period.seconds()},
-          {"words", summary.words},
-          {"blocks", summary.blocks},
-          {"moves", summary.moves},
-          {"length_mm", summary.length_mm},
-          {"time_s", summary.time_s},
-          {"dwell_s", summary.dwell_s},
-          {"bound_s", summary.bound_s},
-          {"deviation_mm", verdict.deviation_mm},
-          {"tolerance_mm", summary.tolerance_mm},
-          {"feed",
-           {{"programmed_max_mm_s", summary.feed_programmed_max},
-            {"max_ratio", verdict.feed_max_ratio},
-            {"ripple", summary.ripple}}},
-          {"axes", axes_of(verdict)},
-          {"plan", plan_of(summary.plan, job.machine)},
-          {"violation_count", verdict.violation_count},
-          {"cpu", cpu_of(figures.effort)},
-          {"diagnostics", list_of(log.all())}};
+  Json json = {{"schema", run_schema},
+               {"program", program},
+               {"machine", job.machine.name},
+               {"period_s", job.machine.period.seconds()},
+               {"words", summary.words},
+               {"blocks", summary.blocks},
+               {"moves", summary.moves},
+               {"length_mm", summary.length_mm},
+               {"time_s", summary.time_s},
+               {"dwell_s", summary.dwell_s},
+               {"bound_s", summary.bound_s},
+               {"deviation_mm", verdict.deviation_mm},
+               {"tolerance_mm", summary.tolerance_mm},
+               {"feed",
+                {{"programmed_max_mm_s", summary.feed_programmed_max},
+                 {"max_ratio", verdict.feed_max_ratio},
+                 {"ripple", summary.ripple}}},
+               {"axes", axes_of(verdict)},
+               {"plan", plan_of(summary.plan, job.machine)},
+               {"violation_count", verdict.violation_count},
+               {"cpu", cpu_of(figures.effort)},
+               {"diagnostics", list_of(log.all())}};
+  if (figures.steps) json["pulses"] = json_of_steps(*figures.steps);
+  return json;
 }
 
 Json json_of_check(const std::string& program, const Job& job, const Reading& reading, const DiagnosticLog& log) {

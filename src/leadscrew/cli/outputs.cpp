@@ -39,6 +39,15 @@ base::Result<std::unique_ptr<OutputFile>> create(const std::string& path, Output
   return std::make_unique<OutputFile>(std::move(*file));
 }
 
+base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
+                                std::string_view other) {
+  if (!path || is_special(*path)) return {};
+  const std::string ending = extension(*path);
+  if (ending == one || ending == other) return {};
+  return usage(fmt::format("{} {}: ends in neither {} nor {}", option, *path, one, other),
+               "the ending says the format");
+}
+
 /// The path by which two spellings of one file are equal.
 std::filesystem::path normal(const std::string& path) {
   std::error_code error;
@@ -49,7 +58,7 @@ std::filesystem::path normal(const std::string& path) {
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
-  OutputPaths paths{arguments.trace, arguments.report, arguments.picture};
+  OutputPaths paths{arguments.trace, arguments.report, arguments.picture, arguments.pulses};
   if (!arguments.out) return paths;
   const std::string stem = program == "-" ? "stdin" : std::filesystem::path(program).stem().string();
   const std::string base = (std::filesystem::path(*arguments.out) / stem).string();
@@ -76,10 +85,8 @@ base::Result<void> check_paths(const OutputPaths& paths, const InputFile& progra
       return usage(fmt::format("{} and {} name the same file", *all[k], *all[i]), "give each output a name of its own");
     }
   }
-  if (!paths.trace || is_special(*paths.trace)) return {};
-  const std::string ending = extension(*paths.trace);
-  if (ending == ".csv" || ending == ".npy") return {};
-  return usage(fmt::format("--trace {}: ends in neither .csv nor .npy", *paths.trace), "the ending says the format");
+  if (auto trace = check_ending("--trace", paths.trace, ".csv", ".npy"); !trace) return trace;
+  return check_ending("--pulses", paths.pulses, ".vcd", ".csv");
 }
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
@@ -89,6 +96,11 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   }
   if (paths.trace) {
     if (auto opened = outputs.open_trace(*paths.trace); !opened) return base::failure(opened.error());
+  }
+  if (paths.pulses) {
+    auto opened = StepOutput::open(*paths.pulses, job);
+    if (!opened) return base::failure(opened.error());
+    outputs.steps_ = std::move(*opened);
   }
   for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_), {&paths.picture, &outputs.picture_}}) {
     if (!*path) continue;
@@ -116,6 +128,9 @@ base::Result<void> Outputs::open_trace(const std::string& path) {
 
 base::Result<void> Outputs::write(const base::Word& word) {
   if (recording_) recording_->observe(word);
+  if (steps_) {
+    if (auto written = steps_->write(word); !written) return written;
+  }
   if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->write(word);
   if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) return npy->write(word);
   return {};
@@ -136,6 +151,15 @@ base::Result<void> Outputs::finish_trace() {
   if (npy == nullptr) return {};
   if (auto finished = npy->finish(); !finished) return finished;
   return trace_->rewrite_start(npy->header());
+}
+
+std::array<OutputFile*, 4> Outputs::files() const {
+  return {trace_.get(), report_.get(), picture_.get(), steps_ ? &steps_->file() : nullptr};
+}
+
+std::optional<StepFigures> Outputs::step_figures() const {
+  if (!steps_) return std::nullopt;
+  return steps_->figures();
 }
 
 base::Result<std::vector<std::string>> Outputs::publish() {

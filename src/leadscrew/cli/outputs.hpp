@@ -1,10 +1,11 @@
 #pragma once
-// The files of one run: a trace, a report, a picture. They appear together when all is done, or not at all.
+// The files of one run: a trace, steps, a report, a picture. They appear together when all is done, or not at all.
 
 #include <array>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/output_file.hpp>
+#include <leadscrew/cli/step_output.hpp>
 #include <leadscrew/trace/recording.hpp>
 #include <leadscrew/trace/report.hpp>
 #include <leadscrew/trace/words.hpp>
@@ -18,20 +19,20 @@ namespace leadscrew::cli {
 
 /// Which files a run was asked to write.
 struct OutputPaths {
-  std::optional<std::string> trace, report, picture;
+  std::optional<std::string> trace, report, picture, pulses;
 
-  std::array<std::optional<std::string>, 3> all() const { return {trace, report, picture}; }
+  std::array<std::optional<std::string>, 4> all() const { return {trace, report, picture, pulses}; }
 };
 
-/// --trace, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them. `program`: path, "-"
-/// is standard input.
+/// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them. `program`:
+/// path, "-" is standard input.
 OutputPaths output_paths(const Arguments& arguments, const std::string& program);
 
 /// Do both name one regular file, or one that is yet to be made?
 bool is_same_output(const std::string& path, const std::string& other);
 
-/// What is wrong with these paths before anything is done: a name that is neither .csv nor .npy, or that of the program
-/// itself.
+/// What is wrong with these paths before anything is done: a name whose ending says no format that there is, or that of
+/// the program itself.
 base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program);
 
 class Outputs {
@@ -45,6 +46,12 @@ class Outputs {
   const trace::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// Writes the report and the picture, whichever was asked for.
   base::Result<void> write_pages(const trace::Report& report);
+  /// Writes the steps that are left.
+  base::Result<void> finish_steps(const InputFile& program) {
+    return steps_ ? steps_->finish(program) : base::Result<void>();
+  }
+  /// What steps were written, if they were asked for.
+  std::optional<StepFigures> step_figures() const;
   /// Ends the trace and gives all files their names; returns these.
   base::Result<std::vector<std::string>> publish();
 
@@ -54,11 +61,12 @@ class Outputs {
   explicit Outputs(const Job& job) : job_(&job) {}
   base::Result<void> open_trace(const std::string& path);
   base::Result<void> finish_trace();
-  std::array<OutputFile*, 3> files() const { return {trace_.get(), report_.get(), picture_.get()}; }
+  std::array<OutputFile*, 4> files() const;
 
   const Job* job_;
   std::unique_ptr<OutputFile> trace_, report_, picture_;  ///< their sinks refer to them
   Writer writer_;
+  std::unique_ptr<StepOutput> steps_;
   std::optional<trace::Recording> recording_;
 };
 

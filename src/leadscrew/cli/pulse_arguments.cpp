@@ -124,6 +124,15 @@ Parsed<void> check_use(const PulseArguments& arguments) {
 
 }  // namespace
 
+Parsed<PulseMethod> parse_pulse_method(std::string_view text) {
+  for (const PulseMethod method : stepping::all_pulse_methods) {
+    if (text == stepping::name(method)) return method;
+  }
+  std::vector<std::string_view> names;
+  for (const PulseMethod method : stepping::all_pulse_methods) names.push_back(stepping::name(method));
+  return wrong("is none of {}{}", names_of_pulse_methods(), did_you_mean(text, names));
+}
+
 std::string names_of_pulse_methods() {
   std::string names;
   for (const PulseMethod method : stepping::all_pulse_methods)

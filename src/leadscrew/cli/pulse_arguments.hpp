@@ -39,6 +39,9 @@ inline constexpr std::string_view pulse_examples =
     "it\n"
     "gives its published figures; --json names all that were in force.\n";
 
+/// One of their names; what is wrong follows "--option TEXT: ".
+Parsed<stepping::PulseMethod> parse_pulse_method(std::string_view text);
+
 /// "point-comparison, dda, …": every method there is.
 std::string names_of_pulse_methods();
 

@@ -72,6 +72,21 @@ Parsed<base::Period> parse_period(std::string_view text) {
   return base::Period{static_cast<std::int64_t>(whole)};
 }
 
+Parsed<std::int64_t> parse_frequency(std::string_view text) {
+  constexpr std::string_view what = "needs a number and a unit, such as 1MHz or 250kHz";
+  const auto unit_begin =
+      std::find_if(text.begin(), text.end(), [](char c) { return c == 'k' || c == 'M' || c == 'H'; });
+  const auto digits = static_cast<std::size_t>(unit_begin - text.begin());
+  const std::string_view unit = text.substr(digits);
+  const auto value = parse_number(text.substr(0, digits));
+  if (!value || (!unit.empty() && unit != "Hz" && unit != "kHz" && unit != "MHz")) return wrong(std::string(what));
+  const double hertz = *value * (unit == "kHz" ? 1e3 : unit == "MHz" ? 1e6 : 1);
+  if (!(hertz >= 10e3 && hertz <= 10e6)) return wrong("lies outside 10kHz to 10MHz");
+  const double whole = std::round(hertz);
+  if (std::abs(hertz - whole) > 1e-6) return wrong("is no whole number of Hz");
+  return static_cast<std::int64_t>(whole);
+}
+
 Parsed<double> parse_tolerance(std::string_view text) {
   const auto value = parse_number(text);
   if (!value) return wrong("needs a number of millimetres, such as 0.01");

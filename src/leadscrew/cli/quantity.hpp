@@ -21,6 +21,9 @@ Parsed<double> parse_number(std::string_view text);
 /// 1ms, 250us, 62.5us: a whole number of nanoseconds from 10 us to 20 ms.
 Parsed<base::Period> parse_period(std::string_view text);
 
+/// 10kHz … 10MHz, a whole number of Hz: 1MHz, 250kHz, 48000Hz or 48000.
+Parsed<std::int64_t> parse_frequency(std::string_view text);
+
 /// A tolerance in millimetres, 0 or more.
 Parsed<double> parse_tolerance(std::string_view text);
 

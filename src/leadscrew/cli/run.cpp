@@ -61,6 +61,7 @@ class ProgramRun {
     const OutputPaths paths = output_paths(job_.arguments, program_);
     if (auto sound = check_paths(paths, *file); !sound) return failed(sound.error());
     const Reading reading = read_program(*file, job_, console_, log_);
+    if (log_.errors() == 0) check_steps(*file, job_, log_);
     if (log_.errors() > 0) return std::nullopt;
     auto figures = move(*file, paths, reading);
     console_.clear_progress();
@@ -79,6 +80,8 @@ class ProgramRun {
     if (!outputs) return base::failure(outputs.error());
     auto figures = make_words(file, *outputs, reading);
     if (!figures) return figures;
+    if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
+    figures->steps = outputs->step_figures();
     if (auto same = file.unchanged(); !same) return base::failure(same.error());
     if (outputs->recording() != nullptr) {
       const auto report = report_of(file, job_, *figures, log_, *outputs->recording());
@@ -114,7 +117,7 @@ class ProgramRun {
     if (program.source_failure()) return base::failure(*program.source_failure());
     referee::Verdict verdict = referee.conclude();
     if (reader.source_failure()) return base::failure(*reader.source_failure());
-    return RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds), {}};
+    return RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};
   }
 
   std::string program_;

@@ -74,6 +74,13 @@ std::string violations_text(const referee::Verdict& verdict, const Style& style)
   return text;
 }
 
+std::string steps_text(const StepFigures& steps) {
+  std::string text = fmt::format("{} at a clock of {:g} kHz, the last at {}", steps.steps,
+                                 static_cast<double>(steps.clock_hz) / 1e3, seconds_text(steps.time_s));
+  if (steps.error_blu) return text + fmt::format("; within {:.3f} BLU of the words", *steps.error_blu);
+  return text + "; by " + steps.method;
+}
+
 std::string verdict_text(bool kept, const Style& style) {
   return "  " +
          (kept ? style(Tone::good, "kept: every limit and the tolerance")
@@ -99,6 +106,7 @@ std::string run_summary(const std::string& program, const Job& job, const RunFig
   text += axis_table(verdict, &summary.plan, style);
   text += violations_text(verdict, style);
   text += verdict_text(figures.kept(), style);
+  if (figures.steps) text += row("steps", steps_text(*figures.steps));
   for (const std::string& file : figures.files) text += row("wrote", printable(file));
   return text;
 }

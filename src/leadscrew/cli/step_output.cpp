@@ -1,0 +1,123 @@
+#include <array>
+#include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/step_output.hpp>
+#include <leadscrew/stepping/pulse_program.hpp>
+#include <string_view>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr std::int64_t pulses_between_looks = 4096;
+
+bool is_of_pulses(const base::Diagnostic& problem) {
+  return problem.code.substr(0, 6) == "pulse-";
+}
+
+stepping::StepTiming timing_of(const Arguments& arguments) {
+  stepping::StepTiming timing;
+  timing.clock_hz = arguments.step_clock;
+  return timing;
+}
+
+}  // namespace
+
+stepping::PulseOptions pulse_options(const Arguments& arguments) {
+  stepping::PulseOptions options;
+  if (arguments.pulse_method) options.method = *arguments.pulse_method;
+  const stepping::StepTicks ticks = stepping::in_ticks(timing_of(arguments));
+  options.clock_pps = arguments.step_clock;
+  options.step_clocks = ticks.pitch();
+  options.interpolation.places = 16;
+  if (arguments.accelerate) options.shape = stepping::Shape::accelerate;
+  return options;
+}
+
+void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
+  if (!job.arguments.pulses || !job.arguments.pulse_method) return;
+  // What the reader has to say has been said.
+  stepping::check_pulses(file.source(), job.machine, job.tools, job.reader_options(file.name()),
+                         pulse_options(job.arguments), [&](const base::Diagnostic& problem) {
+                           if (is_of_pulses(problem)) log.add(problem);
+                         });
+}
+
+base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& path, const Job& job) {
+  const stepping::StepTiming timing = timing_of(job.arguments);
+  std::optional<stepping::StepGenerator> generator;
+  if (!job.arguments.pulse_method) {
+    auto created = stepping::StepGenerator::create(job.machine, timing);
+    if (!created) return base::failure(created.error());
+    generator.emplace(std::move(*created));
+  }
+  auto file = OutputFile::create(path, OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  std::unique_ptr<StepOutput> output(new StepOutput(std::move(*file), job));
+  output->generator_ = std::move(generator);
+  if (path.size() > 4 && path.substr(path.size() - 4) == ".csv") {
+    output->writer_.emplace<trace::StepCsvWriter>(output->file_.sink(), timing);
+  } else {
+    output->writer_.emplace<trace::StepVcdWriter>(output->file_.sink(), job.machine.axis_set(), timing);
+  }
+  return output;
+}
+
+void StepOutput::put(std::span<const stepping::StepEvent> events) {
+  steps_ += static_cast<std::int64_t>(events.size());
+  last_tick_ = events.back().tick();
+  if (!state_) return;
+  if (auto* csv = std::get_if<trace::StepCsvWriter>(&writer_)) state_ = csv->write(events);
+  if (auto* vcd = std::get_if<trace::StepVcdWriter>(&writer_)) state_ = vcd->write(events);
+}
+
+base::Result<void> StepOutput::write(const base::Word& word) {
+  if (generator_) generator_->follow(word, [this](auto events) { put(events); });
+  return state_;
+}
+
+base::Result<void> StepOutput::finish(const InputFile& program) {
+  if (generator_) {
+    generator_->finish([this](auto events) { put(events); });
+    if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
+  } else if (auto written = write_program(program); !written) {
+    return written;
+  }
+  if (!state_) return state_;
+  if (auto* csv = std::get_if<trace::StepCsvWriter>(&writer_)) return csv->finish();
+  return std::get<trace::StepVcdWriter>(writer_).finish();
+}
+
+base::Result<void> StepOutput::write_program(const InputFile& program) {
+  std::optional<base::Diagnostic> problem;
+  stepping::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program.name()),
+                                pulse_options(job_->arguments), [&](const base::Diagnostic& found) {
+                                  if (is_of_pulses(found) && !problem) problem = found;
+                                });
+  stepping::TimedPulse made;
+  for (std::int64_t count = 1; state_ && pulses.next(made); ++count) {
+    std::array<stepping::StepEvent, base::axis_count> events;
+    std::size_t steps = 0;
+    for (const base::Axis axis : base::all_axes) {
+      const std::int8_t step = made.pulse.step[base::index(axis)];
+      if (step != 0) events[steps++] = {made.tick, axis, step};
+    }
+    put({events.data(), steps});
+    if (count % pulses_between_looks == 0 && interrupted()) return base::failure(interruption());
+  }
+  if (pulses.source_failure()) return base::failure(*pulses.source_failure());
+  if (problem) return base::failure(*problem);
+  return state_;
+}
+
+StepFigures StepOutput::figures() const {
+  const Arguments& arguments = job_->arguments;
+  StepFigures figures;
+  figures.method = arguments.pulse_method ? std::string(stepping::name(*arguments.pulse_method)) : "words";
+  figures.clock_hz = arguments.step_clock;
+  figures.steps = steps_;
+  figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.step_clock);
+  if (generator_) figures.error_blu = generator_->report().greatest_error;
+  return figures;
+}
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,63 @@
+#pragma once
+// A program's steps as a file: those that follow its words, or those of a published interpolator in their place.
+
+#include <cstdint>
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/cli/input_file.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <leadscrew/cli/output_file.hpp>
+#include <leadscrew/stepping/pulse_options.hpp>
+#include <leadscrew/stepping/step_generator.hpp>
+#include <leadscrew/trace/step_dump.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace leadscrew::cli {
+
+/// What was written.
+struct StepFigures {
+  std::string method;  ///< "words", or the interpolator's name
+  std::int64_t clock_hz = 0;
+  std::int64_t steps = 0;
+  double time_s = 0;                ///< of the last step
+  std::optional<double> error_blu;  ///< greatest distance from the words; none of other methods
+};
+
+/// Of the interpolator that the command line names.
+stepping::PulseOptions pulse_options(const Arguments& arguments);
+
+/// Reads and plans the program for the interpolator that the command line names, if it names one: what lattice, clock
+/// or machine cannot give goes to the log. The program must have been read without an error.
+void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log);
+
+class StepOutput {
+ public:
+  /// .vcd or .csv; the job must outlive it. Errors: those of the file, and of stepping::validate().
+  static base::Result<std::unique_ptr<StepOutput>> open(const std::string& path, const Job& job);
+
+  /// Words of successive periods, from where the program begins.
+  base::Result<void> write(const base::Word& word);
+  /// The words have ended: writes what is left, or all steps of the interpolator's.
+  base::Result<void> finish(const InputFile& program);
+
+  OutputFile& file() { return file_; }
+  StepFigures figures() const;
+
+ private:
+  using Writer = std::variant<std::monostate, trace::StepCsvWriter, trace::StepVcdWriter>;
+
+  StepOutput(OutputFile file, const Job& job) : file_(std::move(file)), job_(&job) {}
+  void put(std::span<const stepping::StepEvent> events);
+  base::Result<void> write_program(const InputFile& program);
+
+  OutputFile file_;
+  const Job* job_;
+  Writer writer_;
+  std::optional<stepping::StepGenerator> generator_;  ///< where steps follow words
+  std::int64_t steps_ = 0, last_tick_ = 0;
+  base::Result<void> state_;
+};
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+
+#include "command.hpp"
+#include "value_changes.hpp"
+
+// run --pulses: steps as files, summed by readers that know nothing of what wrote them.
+
+namespace leadscrew::cli::testing {
+namespace {
+
+/// Where the steps of a CSV lead, BLU, by axis; ticks must not fall.
+std::map<std::string, std::int64_t> ends_of_rows(const std::string& text) {
+  std::map<std::string, std::int64_t> ends;
+  std::istringstream rows(text);
+  std::string row;
+  std::getline(rows, row);
+  EXPECT_EQ(row, "tick,t,axis,direction");
+  std::int64_t last = -1;
+  while (std::getline(rows, row)) {
+    std::istringstream cells(row);
+    std::string tick, time, axis, direction;
+    std::getline(cells, tick, ',');
+    std::getline(cells, time, ',');
+    std::getline(cells, axis, ',');
+    std::getline(cells, direction, ',');
+    const std::int64_t now = std::stoll(tick);
+    EXPECT_GE(now, last);
+    last = now;
+    ends[axis] += std::stoll(direction);
+  }
+  return ends;
+}
+
+const std::string bracket =
+    "G21 G90 G94 G17 F1200\nG1 X10\nG3 X15 Y5 J5\nG1 X15.0004 Y20.2506 Z-1.5\nG2 X10.0004 Y20.2506 I-2.5\nM2\n";
+
+class Stepped : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Stepped, LeadToTheProgrammedEnd) {
+  Folder folder;
+  folder.write("part.ngc", bracket);
+  std::vector<std::string> words = {"run", "part.ngc", "--pulses", "steps.csv", "--json"};
+  if (*GetParam() != '\0') words.insert(words.end(), {"--pulse-method", GetParam()});
+  const Outcome outcome = leadscrew(folder, words);
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const auto ends = ends_of_rows(folder.read("steps.csv"));
+  EXPECT_EQ(ends.at("X"), 10000);
+  EXPECT_EQ(ends.at("Y"), 20251);
+  EXPECT_EQ(ends.at("Z"), -1500);
+  const Json pulses = outcome.json()["pulses"];
+  EXPECT_EQ(pulses["method"], *GetParam() != '\0' ? GetParam() : "words");
+  EXPECT_EQ(pulses["clock_hz"], 1'000'000);
+  if (pulses["method"] == "words") {
+    EXPECT_LT(pulses["error_blu"], 1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Stepped,
+                         ::testing::Values("", "koren", "dda", "point-comparison", "min-error", "improved-min-error",
+                                           "bresenham"));
+
+/// Steps of a signal pair: rising edges, each the way that the direction then shows.
+std::int64_t end_of_signals(Dump& dump, const std::string& axis) {
+  Dump::Signal &steps = dump.signals.at("steps." + axis + "_step"), &direction = dump.signals.at("steps." + axis + "_dir");
+  std::int64_t end = 0;
+  for (const auto& [time, value] : steps.changes) {
+    if (value != 0) end += direction.at(time) != 0 ? 1 : -1;
+  }
+  return end;
+}
+
+TEST(StepsOfRun, AreSignalsOfDrives) {
+  Folder folder;
+  folder.write("part.ngc", bracket);
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--pulse-method", "dda", "--accelerate"}}) {
+    std::vector<std::string> words = {"run", "part.ngc", "--quiet", "--pulses", "steps.vcd", "--step-clock", "2MHz"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = leadscrew(folder, words);
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    Dump dump = read_dump(folder.read("steps.vcd"));
+    EXPECT_EQ(dump.timescale, "1 ns");
+    EXPECT_EQ(end_of_signals(dump, "X"), 10000);
+    EXPECT_EQ(end_of_signals(dump, "Y"), 20251);
+    EXPECT_EQ(end_of_signals(dump, "Z"), -1500);
+  }
+}
+
+struct Refused {
+  std::vector<std::string> words;
+  int status;
+  std::string says;
+};
+
+class RefusedSteps : public ::testing::TestWithParam<Refused> {};
+
+TEST_P(RefusedSteps, LeaveNoFile) {
+  Folder folder;
+  folder.write("part.ngc", bracket);
+  std::vector<std::string> words = {"run", "part.ngc"};
+  words.insert(words.end(), GetParam().words.begin(), GetParam().words.end());
+  const Outcome outcome = leadscrew(folder, words);
+  EXPECT_EQ(outcome.status, GetParam().status);
+  EXPECT_NE(outcome.errors.find(GetParam().says), std::string::npos) << outcome.errors;
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Every, RefusedSteps,
+    ::testing::Values(Refused{{"--pulses", "steps.txt"}, 2, "ends in neither .vcd nor .csv"},
+                      Refused{{"--pulse-method", "dda"}, 2, "--pulses FILE"},
+                      Refused{{"--pulses", "steps.csv", "--accelerate"}, 2, "--pulse-method"},
+                      Refused{{"--pulses", "steps.csv", "--pulse-method", "dad"}, 2, "did you mean dda?"},
+                      Refused{{"--pulses", "steps.csv", "--step-clock", "5kHz"}, 2, "outside 10kHz to 10MHz"},
+                      Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz"}, 3, "step-rate"},
+                      Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz", "--pulse-method", "koren"}, 3,
+                              "pulse-"}));
+
+}  // namespace
+}  // namespace leadscrew::cli::testing
