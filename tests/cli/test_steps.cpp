@@ -64,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(Every, Stepped,
 
 /// Steps of a signal pair: rising edges, each the way that the direction then shows.
 std::int64_t end_of_signals(Dump& dump, const std::string& axis) {
-  Dump::Signal &steps = dump.signals.at("steps." + axis + "_step"), &direction = dump.signals.at("steps." + axis + "_dir");
+  Dump::Signal &steps = dump.signals.at("steps." + axis + "_step"),
+               &direction = dump.signals.at("steps." + axis + "_dir");
   std::int64_t end = 0;
   for (const auto& [time, value] : steps.changes) {
     if (value != 0) end += direction.at(time) != 0 ? 1 : -1;
@@ -115,8 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{{"--pulses", "steps.csv", "--pulse-method", "dad"}, 2, "did you mean dda?"},
                       Refused{{"--pulses", "steps.csv", "--step-clock", "5kHz"}, 2, "outside 10kHz to 10MHz"},
                       Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz"}, 3, "step-rate"},
-                      Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz", "--pulse-method", "koren"}, 3,
-                              "pulse-"}));
+                      Refused{
+                          {"--pulses", "steps.csv", "--step-clock", "10kHz", "--pulse-method", "koren"}, 3, "pulse-"}));
 
 }  // namespace
 }  // namespace leadscrew::cli::testing

@@ -1,6 +1,6 @@
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/linear.hpp>
-#include <leadscrew/stepping/feed_code.hpp>
+#include <leadscrew/stepping/inverse_time.hpp>
 #include <leadscrew/study/studies.hpp>
 
 // Koren, "Interpolator for a computer numerical control system": feed words and clocks, by formula and by registers.
@@ -9,7 +9,9 @@ namespace leadscrew::study {
 
 namespace {
 
-constexpr double blu_inch = 0.0001, inch = 25.4;  // in, mm
+constexpr double blu_inch = 0.0001;
+/// Ways of up to 12 in by four-digit words; up to 30 in/min, told to 0.01 in/min.
+constexpr stepping::InverseTimeRange range{12, blu_inch, 30, 0.01, 4};
 constexpr Scale pps = {"pps", 0};
 constexpr Scale plain = {"", 0};
 
@@ -23,25 +25,27 @@ double clocks_to_end(pulse::FeedDda feed, State state) {
   return static_cast<double>(clocks);
 }
 
-/// 2 in at 10 in/min, by four-digit words and ways of up to 12 in.
+/// 2 in at 10 in/min.
 Rows inverse_time_rows() {
   constexpr double feed_in_min = 10, way_in = 2;
-  constexpr stepping::InverseTimeCode code{120000, 10000};
+  const stepping::InverseTimeDesign design = stepping::design_inverse_time(range);
   const double feed_pps = feed_in_min / 60 / blu_inch, way = way_in / blu_inch;
-  const double by_inches = 10 * feed_in_min / way_in, by_pulses = code.word(feed_pps, way);
+  const double by_inches = stepping::inverse_time_word(range, way_in, feed_in_min, false).word;
+  const double by_pulses = 600 * feed_pps / way;
   const auto steps = static_cast<std::int64_t>(way);
-  const pulse::FeedDda feed(code.feed_capacity, static_cast<std::int64_t>(by_pulses + 0.5));
-  const pulse::LinearDda<2> line({steps, 0}, code.capacity, pulse::Preload::none);
-  return under("inverse-time code, eqs. 14 to 18",
-               {because(exact_row("q", {"BLU", 0}, 120000, 12 / blu_inch), "12 in in steps of 0.0001 in"),
-                because(exact_row("clock, eq. 18", pps, 2e6, code.clock_pps()), "q q0/600, q0 = 10 000 words of feed"),
-                because(exact_row("reciprocal of the time of 2 in at 10 in/min", {"1/min", 0}, 5, by_inches / 10),
-                        "f counts tenths of it"),
-                because(exact_row("f by pulses, eqs. 16 and 17", plain, by_inches, by_pulses),
-                        "beside f by inches, eqs. 14 and 15, where a radius stands for the length of a line"),
-                because(exact_row("time of that line, by its registers", {"s", 3}, 60 / (by_inches / 10),
-                                  clocks_to_end(feed, line) / code.clock_pps()),
-                        "feed DDA and axis DDA clocked at 2 MHz")});
+  const pulse::FeedDda feed(design.feed_capacity, static_cast<std::int64_t>(by_pulses + 0.5));
+  const pulse::LinearDda<2> line({steps, 0}, design.capacity, pulse::Preload::none);
+  return under(
+      "inverse-time code, eqs. 14 to 18",
+      {because(exact_row("q", {"BLU", 0}, 120000, static_cast<double>(design.capacity)), "12 in in steps of 0.0001 in"),
+       because(exact_row("clock, eq. 18", pps, 2e6, design.clock_pps), "q q0/600, q0 = 10 000 words of feed"),
+       because(exact_row("reciprocal of the time of 2 in at 10 in/min", {"1/min", 0}, 5, by_inches / 10),
+               "f counts tenths of it"),
+       because(exact_row("f by pulses, eqs. 16 and 17", plain, by_inches, by_pulses),
+               "beside f by inches, eqs. 14 and 15, where a radius stands for the length of a line"),
+       because(exact_row("time of that line, by its registers", {"s", 3}, 60 / (by_inches / 10),
+                         clocks_to_end(feed, line) / design.clock_pps),
+               "feed DDA and axis DDA clocked at 2 MHz")});
 }
 
 std::int64_t commands(std::int64_t word, std::int64_t clocks) {
@@ -51,17 +55,17 @@ std::int64_t commands(std::int64_t word, std::int64_t clocks) {
   return count;
 }
 
-/// 30 in/min at most, told to 0.01 in/min.
 Rows direct_rows() {
-  constexpr stepping::DirectFeedCode code{30 * inch, 0.01 * inch, blu_inch * inch};
+  const stepping::InverseTimeDesign design = stepping::design_inverse_time(range);
+  const double clock = design.software_clock_pps, capacity = static_cast<double>(design.software_feed_capacity);
   constexpr std::int64_t second = 5000, minute = 60 * second;
   const auto a_second = static_cast<double>(commands(1234, minute)) / 60;
   return under(
       "q = L, eqs. 19 to 21",
-      {exact_row("clock", pps, 5000, code.clock_pps()),
-       exact_row("from interrupt to interrupt", {"µs", 0}, 200, 1e6 / code.clock_pps()),
-       exact_row("q0", plain, 3000, code.feed_capacity()),
-       because(exact_row("f of 30 in/min, eq. 21", plain, 3000, code.word(30 * inch)), "100 V0"),
+      {exact_row("clock", pps, 5000, clock), exact_row("from interrupt to interrupt", {"µs", 0}, 200, 1e6 / clock),
+       exact_row("q0", plain, 3000, capacity),
+       because(exact_row("f of 30 in/min, eq. 21", plain, 3000, stepping::software_word(range, 30, true).word),
+               "100 V0"),
        because(exact_row("commands an interrupt at f = 3000", plain, 1,
                          static_cast<double>(commands(3000, second)) / second),
                "clocked for a second"),
