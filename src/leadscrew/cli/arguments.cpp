@@ -32,6 +32,7 @@ constexpr std::string_view run_examples =
     "Examples:\n"
     "  leadscrew run part.ngc\n"
     "  leadscrew run part.ngc --machine machines/heavy3.toml --trace part.csv --report part.html\n"
+    "  leadscrew run part.ngc --pulses part.vcd   steps and directions that follow the motion\n"
     "  leadscrew run *.ngc --out results          results/NAME.csv, .html and .svg of each\n"
     "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
     "\n"
@@ -109,7 +110,7 @@ void add_motion(CLI::App& command, Arguments&, Texts& texts) {
 }
 
 CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& texts) {
-  CLI::App* run = app.add_subcommand("run", "Plan and interpolate; summary, report, picture, traces");
+  CLI::App* run = app.add_subcommand("run", "Plan and interpolate; summary, report, picture, traces, steps");
   run->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
   add_common(*run, arguments, texts);
   run->add_option("--period", texts.period, "Servo period, such as 1ms or 250us, in place of the machine's")
