@@ -171,6 +171,15 @@ class Running {
 
   void send(int signal) const { ::kill(process_, signal); }
 
+  /// Does it handle the signal by now?
+  bool handles(int signal) const {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.starts_with("SigCgt:")) return ((std::stoull(line.substr(7), nullptr, 16) >> (signal - 1)) & 1) != 0;
+    }
+    return false;
+  }
+
   bool has_ended() {
     if (process_ > 0 && ::waitpid(process_, &state_, WNOHANG) == process_) process_ = 0;
     return process_ == 0;

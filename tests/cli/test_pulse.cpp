@@ -343,7 +343,7 @@ TEST(PulseFiles, ThatCannotBeWrittenAreNotThere) {
 TEST(PulseInterrupt, EndsALongRun) {
   const Folder folder;
   Running running(folder, {"pulse", "--arc", "--start", "1073741824,0", "--end", "1073741824,0", "--vcd", "made.vcd"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ASSERT_TRUE(eventually([&] { return running.handles(SIGINT); }));
   running.send(SIGINT);
   EXPECT_EQ(running.wait().status, 130);
   EXPECT_EQ(folder.names(), Names{});

@@ -1,17 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/stepping/dda_design.hpp>
+#include <leadscrew/stepping/rounded_up.hpp>
 
 namespace leadscrew::stepping {
 
 namespace {
-
-constexpr double rounding = 1e-9;  // of a quotient of decimals that is meant to be whole
-constexpr double seconds_per_minute = 60;
-
-std::int64_t rounded_up(double value) {
-  return static_cast<std::int64_t>(std::ceil(value * (1 - rounding)));
-}
 
 /// The fewest bits that hold the value.
 int bits_for(std::int64_t value) {
@@ -56,7 +50,7 @@ DdaTimer design_timer(double clock_pps, const std::vector<double>& delays) {
   DdaTimer timer;
   double longest = 0;
   for (const double delay : delays) longest = std::max(longest, delay * clock_pps);
-  timer.bits = std::max(1, static_cast<int>(std::ceil(std::log2(longest * (1 - rounding)))));
+  timer.bits = std::max(1, static_cast<int>(std::ceil(std::log2(longest * (1 - quotient_rounding)))));
   const double capacity = std::ldexp(1.0, timer.bits);
   for (const double delay : delays) {
     timer.loads.push_back(std::max<std::int64_t>(1, std::llround(capacity / (delay * clock_pps))));

@@ -1,18 +1,10 @@
 #include <cmath>
 #include <leadscrew/stepping/inverse_time.hpp>
+#include <leadscrew/stepping/rounded_up.hpp>
 
 namespace leadscrew::stepping {
 
-namespace {
-
-constexpr double rounding = 1e-9;  // of a quotient of decimals that is meant to be whole
-constexpr double seconds_per_minute = 60;
-
-std::int64_t rounded_up(double value) {
-  return static_cast<std::int64_t>(std::ceil(value * (1 - rounding)));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 InverseTimeDesign design_inverse_time(const InverseTimeRange& range) {
   InverseTimeDesign design;
