@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <string>
@@ -132,6 +133,38 @@ TEST(Degenerate, Cusp) {
   // x′ = 30(1 − 2t)², y′ = 30(1 − 2t): up, and back down the other side.
   passes("G5 X10 Y0 I10 J10 P-10 Q10 F3000\nM2\n", {10});
   passes("G5.1 X0 Y0 I10 J0 F3000\nM2\n", {});  // there and back on a line
+}
+
+/// A parabola with a tip of so small a radius that nothing tells of it but the curve itself: to go round it takes no
+/// longer than to stop there.
+TEST(Degenerate, NurbsThatTurnsBackRoundATip) {
+  const auto parabola = [](double radius) {
+    const double half = std::sqrt(20 * radius);
+    char text[120];
+    std::snprintf(text, sizeof text, "F3000\nG6.2 P3 K0 X0 Y0\nK0 X%.9f Y20\nK0 X%.9f Y0\nK1\nK1\nK1\nM2\n", half,
+                  2 * half);
+    return std::string(text);
+  };
+  const double with_stop = run(parabola(0), machine::mill3()).summary.time_s;
+  for (const double radius : {1e-9, 1e-8, 1e-7, 3.2e-7, 1e-6, 3.2e-6, 1e-5, 1e-4, 1e-3}) {
+    SCOPED_TRACE(radius);
+    const Outcome outcome = run(parabola(radius), machine::mill3());
+    passes(outcome, {outcome.last[0]});
+    EXPECT_LE(outcome.summary.time_s, with_stop + 0.002);
+  }
+}
+
+/// The same where a rotary axis turns back and a linear one all but stands.
+TEST(Degenerate, NurbsWhoseRotaryAxisTurnsBackRoundATip) {
+  machine::Machine machine = machine::mill3();
+  machine.axes[base::index(base::Axis::A)] = machine::AxisLimits{-36000, 36000, 90, 500, 5000, 0.001};
+  const std::string spline =
+      "G6.2 P4 K0 X-10.8897 A21.0189\nK0 X-11.5127 A20.4811\nK0 X-11.2813 A20.6084\nK0 X-11.2813 A20.2807\n"
+      "K1 X-11.2813 A19.8355\nK2 X-11.2785 A20.5157\nK3 X-11.3497 A20.5157\nK4 X-10.8409 A19.9465\n"
+      "K5\nK5\nK5\nK5\nM2\n";
+  const Outcome outcome = run("F1652 G1 X-10.8897 A21.0189\nG61.1\n" + spline, machine);
+  passes(outcome, {-10.8409, 0, 0, 19.9465});
+  EXPECT_LE(outcome.summary.time_s, 3);
 }
 
 TEST(Degenerate, StraightNurbs) {

@@ -19,6 +19,7 @@ constexpr double grading = 0.25;         // |dh/ds|
 constexpr double ramp_grading = 0.25;    // h over distance from rest
 constexpr double merged_breaks = 1e-5;   // of the width around them
 constexpr int deepest = 40;              // bisections
+constexpr std::size_t most_unseen = 8;   // polynomials of a curve between samples; more are about a bend between them
 constexpr double unknown_room = 0.03;    // of the way of a ramp, left before what is not known
 constexpr double shortest_ramp = 1e-13;  // of the way along the section: what rounding leaves of its knots
 constexpr std::size_t rest_knots = 100;  // it takes about as many to come to rest: no window ends so short of it
@@ -232,11 +233,12 @@ class Placement {
   }
   void bisect(const Sample& left, const Sample& right, int depth) {
     const double width = right.s - left.s;
-    if (depth == deepest || width <= 2 * std::min(width_by_cap(left), width_by_cap(right))) return;
+    const bool sees_all = section_.borders(left.s, right.s) <= most_unseen;
+    if (depth == deepest || (sees_all && width <= 2 * std::min(width_by_cap(left), width_by_cap(right)))) return;
     const Sample middle = at((left.s + right.s) / 2, Side::left);
     const bool is_cruise = middle.cap == middle.greatest && is_same(left, middle) && is_same(middle, right) &&
                            left.cap == left.greatest && right.cap == right.greatest;
-    if (is_cruise && width <= 2 * std::min(widest(left), widest(right))) return;
+    if (is_cruise && sees_all && width <= 2 * std::min(widest(left), widest(right))) return;
     bisect(left, middle, depth + 1);
     samples_.push_back(middle);
     bisect(middle, right, depth + 1);
