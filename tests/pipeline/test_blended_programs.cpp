@@ -411,6 +411,34 @@ TEST(BlendedPrograms, AreNoSlowerWhereMovesOfUnlikeFeedsMeet) {
   expect_better_than_stops("G21 G90 G17 G94 F6000 G64 P1\nG1 X30 A40\nF60 X31 Y1 A41\nG0 X0 Y0 A0\n");
 }
 
+/// Feed is counted by the linear axes: where the other move hardly has any of them, what the blend takes into it would
+/// creep.
+TEST(BlendedPrograms, TakeLittleOfAFastMoveIntoASlowOneOfRotaryAxes) {
+  for (const std::string tolerance : {"P1", "P0.1", "P0.01", "P0.001"}) {
+    const std::string mode = "G21 G90 G17 G94 G64 " + tolerance + "\n";
+    expect_better_than_stops(mode + "G1 Z4 F6000\nX0.001 B-5 F10\n");
+    expect_better_than_stops(mode + "G1 X0.001 B-5 F10\nZ4 F6000\n");
+    expect_better_than_stops(mode + "G1 Z4 F6000\nX0.2 B-5 F51\n");
+  }
+}
+
+TEST(BlendedPrograms, MakeNoDetourWhereTheToleranceIsAboveARadius) {
+  expect_better_than_stops("G21 G90 G17 G94 G64 P2 F97\nG2 J-1\nG1 Y10\n");
+  expect_better_than_stops("G21 G90 G17 G94 G64 P0.25 F97\nG2 J-0.076\nG1 Y2.5\n");
+  expect_better_than_stops("G21 G90 G17 G94 G64 P0.01 F1000\nG1 X1\nG3 X1 Y0 I-0.005 J0 P5\nG1 X2 Y1\n");
+}
+
+/// Too sharp for even looks at the curve to see.
+TEST(BlendedPrograms, StayInsideTheToleranceAboutTheTipOfASpline) {
+  expect_better_than_stops(
+      "G21 G90 G17 G94 F257 G64 P0.004\nG1 Y0.1\nG3 I-0.01\n"
+      "G5 X-0.027 Y0.13523 I0 J0 P-0.003 Q0.003\nG3 X-0.025 Y0.14 U0.1 J-0.000235\n");
+  expect_better_than_stops(
+      "G20 G90 G17 G94 F257\nG64 P0.00364\nG1 Y0.10425 Z0.10015 X0.00519\nG3 I-0.006 J0.000228\n"
+      "G5 X-0.02698 Y0.13523 I0.0139 J0.0071 P-0.0033 Q0.0026\n"
+      "G3 X-0.0252114 Y0.1374589 U0.13924 I0.002585 J-0.000235\n");
+}
+
 /// A curve that begins with a double control point: its table of arc length lies dense there, but it is straight.
 TEST(BlendedPrograms, SampleCurvesNoFinerThanTheToleranceAsks) {
   const std::string mode = "G21 G90 G17 G94 ";

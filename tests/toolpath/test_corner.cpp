@@ -53,6 +53,16 @@ Curve random_nurbs(const Point& corner, Side side) {
   return geometry::smooth_pieces(form).at(0);
 }
 
+/// One that may turn back round a tip, as long as a blend of that room reaches.
+Curve sharp_nurbs(const Point& corner, double room, Side side) {
+  geometry::NurbsForm form{3, {0, 0, 0, 0, 1, 1, 1, 1}, {corner}, {1, 1, 1, 1}};
+  for (int k = 0; k < 3; ++k)
+    form.points.push_back(sum(form.points.back(), room * uniform(0.5, 5), random_direction({0, 1})));
+  if (side == Side::before) std::reverse(form.points.begin(), form.points.end());
+  const std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(form);
+  return side == Side::before ? pieces.back() : pieces.front();
+}
+
 Point random_place() {
   return {uniform(-100, 100), uniform(-100, 100), uniform(-100, 100)};
 }
@@ -198,6 +208,25 @@ RC_GTEST_PROP(Blend, OfNurbsStaysInTheRoom, ()) {
   const std::optional<Blend> found = blend(corner, room);
   RC_CLASSIFY(!found);
   if (found) check_blend(corner, *found, room);
+}
+
+/// Even looks need not see a tip.
+RC_GTEST_PROP(Blend, OfSharpNurbsStaysInTheRoom, ()) {
+  const Point place = random_place();
+  const double room = logarithmic(1e-3, 0.1);
+  const Curve other = line(place, random_direction({0, 1}), 10 * room, Side::behind);
+  const Corner corner = corner_of(sharp_nurbs(place, room, Side::before),
+                                  any(0, 2) == 0 ? other : sharp_nurbs(place, room, Side::behind));
+  const std::optional<Blend> found = blend(corner, room);
+  RC_CLASSIFY(!found);
+  if (!found) return;
+  const double length = geometry::length(corner.before);
+  Polyline legs = places_on(corner.before, length - found->before, length, 600);
+  const Polyline behind = places_on(corner.behind, 0, found->behind, 600);
+  legs.insert(legs.end(), behind.begin() + 1, behind.end());
+  // Between places they are no farther than half a step from a curve.
+  const double step = (found->before + found->behind) / 600 + found->curve.length() / 300;
+  RC_ASSERT(is_frechet_within(legs, places_on(found->curve, 300), room + step / 2));
 }
 
 RC_GTEST_PROP(Blend, CutsTheCornerOfLongLinesByTheRoom, ()) {

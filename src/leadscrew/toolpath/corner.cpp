@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <leadscrew/toolpath/corner.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/frechet.hpp>
+#include <leadscrew/toolpath/reduction.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
+#include <utility>
 #include <vector>
 
 namespace leadscrew::toolpath {
@@ -13,22 +16,48 @@ using geometry::PointJet;
 namespace {
 
 constexpr double turned_back = 1.99;            // |t_A − t_B|: from here on a stop is faster than any blend
-constexpr std::size_t looks = 33;               // at a blend, and at what it takes the place of
+constexpr std::size_t looks = 33;               // at a blend, for how it turns
 constexpr double sharpest_between_looks = 1.5;  // |t⁺ − t⁻|; between lines it stays below
 constexpr double shrinking = 0.8;
 constexpr double nearly_whole = 0.8;
 constexpr int most_tries = 40;
+constexpr double granted_share = 1.0 / 200;  // of the room, for polylines that stand for curves
+constexpr int deepest = 14;                  // halvings of a curve
+constexpr double table_of_length = 1e-7;     // what a curve's length may be short of
+constexpr double most_lengthened = 1.02;     // of the way: more is a detour
 
-/// What was programmed where the curve is to be replaced, between `from` and `to` of its length.
-std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vertex> polyline, double from, double to) {
+/// A curve of length l between the ends of a chord c is no farther from it than √(l² − c²)/2, Fréchet's distance: what
+/// is at the share t of the length is at most √(t(1 − t)(l² − c²)) from the place at that share of the chord.
+bool is_chord(double length, const Point& a, const Point& b, double granted) {
+  const double chord = distance(a, b);
+  return (length - chord) * (length + chord) <= 4 * granted * granted;
+}
+
+/// Appends points that stand for the curve between two of its lengths, the last one included. rate: mm per length.
+void follow(const geometry::Curve& curve, double rate, double from, const Point& a, double to, const Point& b,
+            double granted, int depth, std::vector<Point>& points) {
+  if (depth == 0 || is_chord(rate * (to - from) * (1 + table_of_length), a, b, granted)) {
+    points.push_back(b);
+    return;
+  }
+  const double middle = (from + to) / 2;
+  const Point place = to_millimetres(geometry::evaluate(curve, middle));
+  follow(curve, rate, from, a, middle, place, granted, depth - 1, points);
+  follow(curve, rate, middle, place, to, b, granted, depth - 1, points);
+}
+
+/// What was programmed where the curve is to be replaced, between `from` and `to` of its length, within `granted` mm.
+std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vertex> polyline, double from, double to,
+                              double granted) {
   std::vector<Point> points;
   const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
   if (polyline.empty() || !nurbs) {
-    const std::size_t count = std::holds_alternative<geometry::Line>(curve) ? 2 : looks;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(count - 1);
-      points.push_back(to_millimetres(geometry::evaluate(curve, from + share * (to - from))));
-    }
+    const Point a = to_millimetres(geometry::evaluate(curve, from)), b = to_millimetres(geometry::evaluate(curve, to));
+    points.push_back(a);
+    if (std::holds_alternative<geometry::Line>(curve))
+      points.push_back(b);
+    else
+      follow(curve, millimetres_per_length(curve), from, a, to, b, granted, deepest, points);
     return points;
   }
   const double begin = nurbs->parameter(from), end = nurbs->parameter(to);
@@ -78,23 +107,48 @@ geometry::NurbsForm form_of(const Corner& corner, double before, double behind) 
   return quintic(start, start_first, start_second, end, end_first, end_second);
 }
 
-Point bezier_point(const geometry::NurbsForm& form, double u) {
-  std::vector<Point> p = form.points;
-  for (std::size_t n = p.size(); n-- > 1;) {
-    for (std::size_t i = 0; i < n; ++i) p[i] = sum(p[i], u, difference(p[i + 1], p[i]));
-  }
-  return to_millimetres(p[0]);
+using ControlPoints = std::array<Point, 6>;
+
+ControlPoints control_points(const geometry::NurbsForm& form) {
+  ControlPoints points;
+  std::transform(form.points.begin(), form.points.end(), points.begin(), to_millimetres);
+  return points;
 }
 
-std::vector<Point> shape_of(const geometry::NurbsForm& form) {
-  std::vector<Point> shape;
+/// de Casteljau's algorithm: to the place at u, through the control points of what lies before and behind it.
+std::pair<ControlPoints, ControlPoints> split(ControlPoints p, double u) {
+  ControlPoints before, behind;
+  for (std::size_t r = 0; r < p.size(); ++r) {
+    before[r] = p[0];
+    behind[p.size() - 1 - r] = p[p.size() - 1 - r];
+    for (std::size_t i = 0; i + r + 1 < p.size(); ++i) p[i] = sum(p[i], u, difference(p[i + 1], p[i]));
+  }
+  return {before, behind};
+}
+
+/// The same for the blend, which is no longer than its control polygon.
+void follow(const ControlPoints& p, double granted, int depth, std::vector<Point>& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < p.size(); ++i) length += distance(p[i - 1], p[i]);
+  if (depth == 0 || is_chord(length, p.front(), p.back(), granted)) {
+    points.push_back(p.back());
+    return;
+  }
+  const auto [before, behind] = split(p, 0.5);
+  follow(before, granted, depth - 1, points);
+  follow(behind, granted, depth - 1, points);
+}
+
+/// At even steps of the parameter.
+std::array<Point, looks> shape_of(const ControlPoints& points) {
+  std::array<Point, looks> shape;
   for (std::size_t k = 0; k < looks; ++k)
-    shape.push_back(bezier_point(form, static_cast<double>(k) / static_cast<double>(looks - 1)));
+    shape[k] = split(points, static_cast<double>(k) / static_cast<double>(looks - 1)).second[0];
   return shape;
 }
 
 /// Does it turn back nearly on the spot, as the blend of much of two curves may? Motion would all but stop there.
-bool turns_back(const std::vector<Point>& shape) {
+bool turns_back(const std::array<Point, looks>& shape) {
   for (std::size_t k = 2; k < shape.size(); ++k) {
     const Point in = difference(shape[k - 1], shape[k - 2]), out = difference(shape[k], shape[k - 1]);
     if (turn_between(in, out) > sharpest_between_looks) return true;
@@ -102,12 +156,14 @@ bool turns_back(const std::vector<Point>& shape) {
   return false;
 }
 
-bool is_inside(const Corner& corner, const std::vector<Point>& shape, double before, double behind, double room) {
-  const double length = geometry::length(corner.before);
-  std::vector<Point> path = programmed(corner.before, corner.programmed_before, length - before, length);
-  const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, 0, behind);
+bool is_inside(const Corner& corner, const ControlPoints& blend, double before, double behind, double room) {
+  const double length = geometry::length(corner.before), granted = granted_share * room;
+  std::vector<Point> path = programmed(corner.before, corner.programmed_before, length - before, length, granted);
+  const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, 0, behind, granted);
   path.insert(path.end(), rest.begin(), rest.end());
-  return is_frechet_within(path, shape, room);
+  std::vector<Point> shape{blend.front()};
+  follow(blend, granted, deepest, shape);
+  return is_frechet_within(path, shape, room - 2 * granted);
 }
 
 }  // namespace
@@ -121,7 +177,8 @@ std::optional<Blend> blend(const Corner& corner, double room) {
   const bool lines =
       std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
   if (!(apart < turned_back) || (lines && !(apart > 0))) return std::nullopt;
-  const double longest = 8 * room / std::max(apart, 1e-12);  // by the turn; where only curvature steps, by trying
+  const double provable = lines ? room : (1 - 2.5 * granted_share) * room;
+  const double longest = 8 * provable / std::max(apart, 1e-12);  // by the turn; where only curvature steps, by trying
   double d = std::min({longest, corner.most_before * rate_before, corner.most_behind * rate_behind});
   const double least = 1e-3 * d;
   for (int k = 0; k < most_tries && d > least; ++k, d *= shrinking) {
@@ -132,12 +189,13 @@ std::optional<Blend> blend(const Corner& corner, double room) {
     const double before = share(rate_before, corner.most_before), behind = share(rate_behind, corner.most_behind);
     const geometry::NurbsForm form = form_of(corner, before, behind);
     if (!lines) {
-      const std::vector<Point> shape = shape_of(form);
-      if (turns_back(shape) || !is_inside(corner, shape, before, behind, room)) continue;
+      const ControlPoints points = control_points(form);
+      if (turns_back(shape_of(points)) || !is_inside(corner, points, before, behind, room)) continue;
     }
     std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
-    if (pieces.size() != 1) return std::nullopt;
+    if (pieces.size() != 1) continue;
     const double way_before = before * rate_before, way_behind = behind * rate_behind;
+    if (pieces.front().length() > most_lengthened * (way_before + way_behind)) continue;
     const double middle = pieces.front().length() * way_before / (way_before + way_behind);
     return Blend{std::move(pieces.front()), before, behind, middle};
   }

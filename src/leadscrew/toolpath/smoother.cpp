@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/toolpath/corner.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/smoother.hpp>
@@ -21,7 +22,9 @@ constexpr double widest_window = 4;  // turn windows, where the leg is as long
 constexpr double reach_into = 6;     // lengths of a span
 constexpr double same_direction = 1e-9;
 constexpr double rounding = 1e-9;
-constexpr double uncut_share = 0.9;  // of a curve that the blend at its end may take, if there was none at its start
+constexpr double granted_time = 0.005;  // s that a blend may cost more by feed than what it takes the place of
+constexpr int most_shortened = 40;      // times
+constexpr double uncut_share = 0.9;     // of a curve that the blend at its end may take, if there was none at its start
 
 Point position(const Curve& curve, double s) {
   return to_millimetres(geometry::evaluate(curve, s));
@@ -69,6 +72,20 @@ void trim(Piece& piece, double from, double to) {
   if (from == 0 && to == geometry::length(piece.curve)) return;
   piece.curve = geometry::part(piece.curve, from, to);
   name(piece, lines_between(piece, from, to));
+}
+
+/// How long a part of a piece takes by feed alone, s: where feed is counted by some of the axes that move, a blend of
+/// two moves may have more of them than either.
+double time_by_feed(const Piece& piece, double from, double to) {
+  if (piece.feed_axes == FeedAxes::none || !std::isfinite(piece.feed)) return (to - from) / piece.feed;
+  const auto per_length = [&](double s) { return rate(geometry::jets(piece.curve, s), piece.feed_axes) / piece.feed; };
+  const double middle = (from + to) / 2;
+  return numeric::integrate_gauss_8(per_length, from, middle) + numeric::integrate_gauss_8(per_length, middle, to);
+}
+double time_by_feed(const std::vector<Piece>& pieces) {
+  double time = 0;
+  for (const Piece& piece : pieces) time += time_by_feed(piece, 0, geometry::length(piece.curve));
+  return time;
 }
 
 /// The blend between two, each half with the lines and the feed of what it takes the place of.
@@ -246,11 +263,24 @@ void Smoother::cut_corner(Stretch& behind) {
   // Half of each neighbour at most; all that a blend at its start has left, if that is no more.
   double most = last_->cut ? last_->length / 2 : uncut_share * length_before;
   if (most > (1 - rounding) * length_before) most = length_before;
-  const Corner corner{last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, most,
-                      length_behind / 2};
-  std::optional<Blend> found = blend(corner, allowance_.room_beside(std::max(last_->spent, behind.spent)));
+  Corner corner{last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, most, length_behind / 2};
+  const double room = allowance_.room_beside(std::max(last_->spent, behind.spent));
+  std::optional<Blend> found = blend(corner, room);
+  std::vector<Piece> pieces;
+  for (int k = 0; found; ++k) {
+    pieces = pieces_of(*found, *last_, behind);
+    const double costs = time_by_feed(pieces) -
+                         time_by_feed(last_->piece, length_before - found->before, length_before) -
+                         time_by_feed(behind.piece, 0, found->behind);
+    if (costs <= granted_time) break;
+    if (k == most_shortened) return;
+    // Nearly in proportion to its size.
+    const double share = std::max(0.5, 0.9 * granted_time / costs);
+    corner.most_before = share * found->before;
+    corner.most_behind = share * found->behind;
+    found = blend(corner, room);
+  }
   if (!found) return;
-  std::vector<Piece> pieces = pieces_of(*found, *last_, behind);
   const double left = length_before - found->before;
   if (left > 0) {
     trim(last_->piece, 0, left);
