@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace leadscrew::base {
 
@@ -31,5 +32,10 @@ struct Diagnostic {
   Place place;
   std::string source;  ///< the line of text the place is in, or the part of it around the column; may be empty
 };
+
+/// An error of a value, not of a text: it has no place.
+inline Diagnostic problem(std::string_view code, std::string message, std::string hint) {
+  return {Severity::error, code, std::move(message), std::move(hint), {}, {}};
+}
 
 }  // namespace leadscrew::base

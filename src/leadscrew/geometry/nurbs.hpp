@@ -31,6 +31,17 @@ struct NurbsForm {
   std::vector<double> weights;  ///< n, > 0
 };
 
+/// Of a curve with degree, knots and points, each with position and weight, as the reader gives it.
+template <class Programmed>
+NurbsForm form_of(const Programmed& curve) {
+  NurbsForm form{curve.degree, curve.knots, {}, {}};
+  for (const auto& point : curve.points) {
+    form.points.push_back(point.position);
+    form.weights.push_back(point.weight);
+  }
+  return form;
+}
+
 /// What is granted to the table of u(s), > 0, for the speed g = |dq/ds| and its derivatives by s; k is the larger of
 /// the curvature and the reciprocal of the length of a span. g″ has a step where two pieces of the table meet, and so
 /// has q‴: jerk by about as much, relative, where motion along a bend is as fast as jerk allows.

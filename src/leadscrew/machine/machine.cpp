@@ -1,22 +1,14 @@
-#include <charconv>
 #include <cmath>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <string_view>
-#include <utility>
 
 namespace leadscrew::machine {
 
 namespace {
 
-std::string text(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, end.ptr};
-}
-
-base::Diagnostic problem(std::string_view code, std::string message, std::string hint) {
-  return {base::Severity::error, code, std::move(message), std::move(hint), {}, {}};
-}
+using base::problem;
+using base::text;
 
 void check_limit(std::vector<base::Diagnostic>& problems, char axis, std::string_view what, double value) {
   if (value > 0 && std::isfinite(value)) return;

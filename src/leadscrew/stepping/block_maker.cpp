@@ -27,15 +27,6 @@ base::AxisVector between(const base::AxisVector& from, const base::AxisVector& t
   return result;
 }
 
-geometry::NurbsForm form(const gcode::NurbsCurve& curve) {
-  geometry::NurbsForm form{curve.degree, curve.knots, {}, {}};
-  for (const gcode::ControlPoint& point : curve.points) {
-    form.points.push_back(point.position);
-    form.weights.push_back(point.weight);
-  }
-  return form;
-}
-
 /// By length, 1/mm or 1/degree: at what the chord's error is an eighth of its square by this.
 double curvature(const geometry::Nurbs& piece, double s) {
   double square = 0;
@@ -81,7 +72,7 @@ void BlockMaker::load(const gcode::Move& move) {
                               move.end[first] - move.center_first, move.end[second] - move.center_second, move.turns)
             .hi);
   } else if (move.kind == gcode::Move::Kind::nurbs) {
-    chords_.pieces = geometry::smooth_pieces(form(move.curve));
+    chords_.pieces = geometry::smooth_pieces(geometry::form_of(move.curve));
   }
 }
 

@@ -22,7 +22,7 @@ std::string text(double value) {
 }
 
 void add(Problems& problems, std::string_view code, std::string message, std::string hint) {
-  problems.push_back({base::Severity::error, code, std::move(message), std::move(hint), {}, {}});
+  problems.push_back(base::problem(code, std::move(message), std::move(hint)));
 }
 
 struct Named {

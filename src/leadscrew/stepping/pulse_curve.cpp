@@ -32,7 +32,7 @@ std::string decimal(double value) {
 }
 
 void add(Problems& problems, std::string_view code, std::string message, std::string hint) {
-  problems.push_back({base::Severity::error, code, std::move(message), std::move(hint), {}, {}});
+  problems.push_back(base::problem(code, std::move(message), std::move(hint)));
 }
 
 /// A register, what it would hold, and in which words.

@@ -1,29 +1,21 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/stepping/step_timing.hpp>
 #include <string>
-#include <utility>
 
 namespace leadscrew::stepping {
 
 namespace {
+
+using base::problem;
+using base::text;
 
 constexpr std::int64_t slowest_clock = 10'000;
 constexpr std::int64_t fastest_clock = 10'000'000;
 constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
 constexpr double rounding = 1e-12;  // of velocity/BLU
 constexpr double farthest = 4e9;    // BLU; there doubles are half a hysteresis apart (axis_steps.cpp)
-
-std::string text(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, end.ptr};
-}
-
-base::Diagnostic problem(std::string_view code, std::string message, std::string hint) {
-  return {base::Severity::error, code, std::move(message), std::move(hint), {}, {}};
-}
 
 std::int64_t ticks(std::int64_t nanoseconds, std::int64_t clock_hz) {
   return (nanoseconds * clock_hz + nanoseconds_per_second - 1) / nanoseconds_per_second;

@@ -48,15 +48,6 @@ geometry::Curve arc(const gcode::Move& move, const Turn& turn, double length) {
                        length);
 }
 
-geometry::NurbsForm form(const gcode::NurbsCurve& curve) {
-  geometry::NurbsForm form{curve.degree, curve.knots, {}, {}};
-  for (const gcode::ControlPoint& point : curve.points) {
-    form.points.push_back(point.position);
-    form.weights.push_back(point.weight);
-  }
-  return form;
-}
-
 }  // namespace
 
 FeedAxes feed_axes(base::AxisSet moving) {
@@ -84,7 +75,7 @@ double line_length(const Point& start, const Point& end) {
 double feed_length(const gcode::Move& move) {
   if (move.kind == gcode::Move::Kind::line) return line_length(move.start, move.end);
   if (move.kind == gcode::Move::Kind::arc) return arc_length(move, turn(move));
-  if (move.kind == gcode::Move::Kind::nurbs) return geometry::feed_length(form(move.curve));
+  if (move.kind == gcode::Move::Kind::nurbs) return geometry::feed_length(geometry::form_of(move.curve));
   return 0;
 }
 
@@ -109,7 +100,7 @@ std::vector<Piece> pieces_of(const gcode::Move& move) {
     const double length = named == FeedAxes::none ? way : with_others(way, move);
     pieces.push_back({arc(move, turned, length), 0, {}, false, nullptr, named});
   } else if (move.kind == gcode::Move::Kind::nurbs) {
-    const geometry::NurbsForm curve = form(move.curve);
+    const geometry::NurbsForm curve = geometry::form_of(move.curve);
     base::AxisSet moving;
     for (const Point& point : curve.points) moving.insert(geometry::moving(curve.points.front(), point));
     const bool is_mixed = to_be_named(feed_axes(moving), moving) != FeedAxes::none;
