@@ -17,6 +17,16 @@ void check_limit(std::vector<base::Diagnostic>& problems, char axis, std::string
                              "give a number above 0"));
 }
 
+void check_screws(std::vector<base::Diagnostic>& problems, const Machine& machine) {
+  for (const base::Axis axis : base::all_axes) {
+    check_screw(axis, machine.screw(axis), problems);
+    if (machine.has(axis) || machine.screw(axis).none()) continue;
+    problems.push_back(
+        problem("pitch-axis", std::string("axis ") + base::letter(axis) + ": its screw has errors, but it is not there",
+                "give errors for axes of the machine"));
+  }
+}
+
 }  // namespace
 
 Machine mill3() {
@@ -63,6 +73,7 @@ std::vector<base::Diagnostic> validate(const Machine& machine) {
     check_limit(problems, name, "the greatest jerk", limits.jerk);
     check_limit(problems, name, "the basic length unit", limits.blu);
   }
+  check_screws(problems, machine);
   if (!any)
     problems.push_back(problem("machine-axes", "the machine has no axis", "give at least one, such as [axis.X]"));
   return problems;

@@ -1,11 +1,13 @@
 #pragma once
-// The machine as data: which axes it has, how far, how fast and how abruptly each may move, its basic length unit, its
-// servo period and its tolerances. Nothing here reads a file; the command turns machine files into this.
+// The machine as data: which axes it has, how far, how fast and how abruptly each may move, its basic length unit, the
+// errors of its screws, its servo period and its tolerances. Nothing here reads a file; the command turns machine files
+// into this.
 
 #include <array>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
+#include <leadscrew/machine/screw_errors.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +33,8 @@ struct Machine {
   double tolerance = 0.01;                                       ///< mm; of G64 without P; ≥ 0
   double chord_error = 0.001;                                    ///< mm; > 0
   std::array<std::optional<AxisLimits>, base::axis_count> axes;  ///< an axis the machine lacks is empty
+  std::array<ScrewErrors, base::axis_count>
+      screws;  ///< no motion knows of them; stepping::Compensation makes them good
 
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
   base::AxisSet axis_set() const {
@@ -42,12 +46,14 @@ struct Machine {
   }
   /// Limits of an axis the machine has.
   const AxisLimits& limits(base::Axis axis) const { return *axes[base::index(axis)]; }
+  const ScrewErrors& screw(base::Axis axis) const { return screws[base::index(axis)]; }
 };
 
 /// The built-in three-axis mill.
 Machine mill3();
 
-/// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`.
+/// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`,
+/// those of check_screw(), and `pitch-axis` for screws of axes that the machine lacks.
 std::vector<base::Diagnostic> validate(const Machine& machine);
 
 }  // namespace leadscrew::machine

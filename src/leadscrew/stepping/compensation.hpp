@@ -1,18 +1,16 @@
 #pragma once
-// Errors of lead screws, made good between words and steps.
+// Errors of lead screws (machine/screw_errors.hpp), made good between words and steps.
 //
-//   real position                     A table says how far from its command an axis really is, at some commands and
-//        │            ╱┈┈ nominal      straight between them. Its real position is then a rising broken line of the
-//        │         ╱╱┈                 command, and the command that leads to a position is read from the same line
-//        │      ╱─╱                    the other way: exactly, without iteration.
-//        │   ╱╱┈
-//        └──────────────▶ command      A screw has play: when its axis turns back, the nut stays until the command
-//                                      has gone back by the backlash.
+// The real position of an axis is a rising broken line of its command. The command that leads to a position is read
+// from the same line the other way: exactly, without iteration. Where the axis turns back, its command goes further
+// back by the backlash.
 //
 // Both depend on the way the axis runs. Where it turns, its command goes over from that of one way to that of the
 // other, no faster than the axis may go, on top of what words ask, and as softly as it may accelerate.
+//
+// Words are compensated, not what lies between them: where the error of a table changes its slope by d, steps that
+// follow the words round the bend off by at most d·v·T/4, at velocity v and period T.
 
-#include <array>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -20,34 +18,10 @@
 
 namespace leadscrew::stepping {
 
-/// One line of a table: commanded to `position`, the axis is at position + error. mm or degrees.
-struct PitchError {
-  double position = 0;
-  double error = 0;
-};
-
-/// Of one axis. Beyond its ends a table goes on with its first and last errors; an empty one has none.
-struct ScrewErrors {
-  std::vector<PitchError> table;  ///< positions rising; where the axis runs towards +, or both ways
-  /// Where it runs towards −; empty: the same. Errors there are not below those of the table, but for the backlash.
-  std::vector<PitchError> backward_table;
-  double backlash = 0;         ///< mm or degrees; ≥ 0
-  double takeup_velocity = 0;  ///< mm/s or degrees/s, at most, for going over; 0: the axis' greatest
-};
-
-using MachineErrors = std::array<ScrewErrors, base::axis_count>;
-
-/// Errors may change by so much of the way from entry to entry: more is no screw, but a misprint.
-inline constexpr double greatest_pitch_slope = 0.1;
-
-/// Everything that is wrong with the errors. Codes: `pitch-value`, `pitch-order`, `pitch-slope`, `backlash`, each with
-/// axis and entry (counted from 1), and `pitch-axis` for an axis that the machine lacks.
-std::vector<base::Diagnostic> validate(const MachineErrors& errors, const machine::Machine& machine);
-
 class Compensation {
  public:
-  /// The first of the problems that validate() finds, if any.
-  static base::Result<Compensation> create(const MachineErrors& errors, const machine::Machine& machine);
+  /// The first of the problems that machine::validate() finds, if any.
+  static base::Result<Compensation> create(const machine::Machine& machine);
 
   /// The word with commands for positions. Words of successive periods; at the first, axes are taken to have come from
   /// below.
@@ -55,6 +29,9 @@ class Compensation {
 
   /// Has every axis gone over to its way? After the last word, apply it again and again until it is so.
   bool settled() const;
+
+  /// How far commands have been from their positions, at most; mm or degrees.
+  base::AxisVector greatest_corrections() const;
 
   /// The machine as the steps see it: an axis whose real position runs slower than its command has a greater velocity.
   machine::Machine stretched(const machine::Machine& machine) const;
@@ -64,12 +41,12 @@ class Compensation {
   class Screw {
    public:
     Screw() = default;
-    explicit Screw(const std::vector<PitchError>& table);
+    explicit Screw(const std::vector<machine::PitchError>& table);
     double command_for(double position) const;
     double stretch() const;  ///< greatest speed of the command over that of the position
 
    private:
-    std::vector<PitchError> table_;
+    std::vector<machine::PitchError> table_;
     std::vector<double> real_;  ///< position + error
   };
 
@@ -86,6 +63,7 @@ class Compensation {
     double over = 0;   ///< share of the way from the forward to the backward command, 0 … 1
     double speed = 0;  ///< of going over, towards 1, units/s
     double command = 0;
+    double greatest_correction = 0;  ///< of all words so far
 
     double target() const { return runs_backward ? 1 : 0; }
     void turn(double position);

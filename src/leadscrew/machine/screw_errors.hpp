@@ -1,0 +1,41 @@
+#pragma once
+// How far lead screws are from their ideal, as measured: errors of pitch in tables, and play.
+//
+//   real position                     A table says how far from its command an axis really is, at some commands and
+//        │            ╱┈┈ nominal      straight between them. Its real position is then a rising broken line of the
+//        │         ╱╱┈                 command.
+//        │      ╱─╱
+//        │   ╱╱┈                       A screw has play: when its axis turns back, the nut stays until the command
+//        └──────────────▶ command      has gone back by the backlash.
+
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/diagnostic.hpp>
+#include <vector>
+
+namespace leadscrew::machine {
+
+/// One line of a table: commanded to `position`, the axis is at position + error. mm or degrees.
+struct PitchError {
+  double position = 0;
+  double error = 0;
+};
+
+/// Of one axis. Beyond its ends a table goes on with its first and last errors; an empty one has none.
+struct ScrewErrors {
+  std::vector<PitchError> table;  ///< positions rising; where the axis runs towards +, or both ways
+  /// Where it runs towards −; empty: the same. Errors there are not below those of the table, but for the backlash.
+  std::vector<PitchError> backward_table;
+  double backlash = 0;         ///< mm or degrees; ≥ 0
+  double takeup_velocity = 0;  ///< mm/s or degrees/s, at most, for taking it up; ≥ 0, and 0: the axis' greatest
+
+  bool none() const { return table.empty() && backward_table.empty() && backlash == 0; }
+};
+
+/// Errors may change by so much of the way from entry to entry: more is no screw, but a misprint.
+inline constexpr double greatest_pitch_slope = 0.1;
+
+/// Adds every way in which they contradict the ranges above. Codes: `pitch-value`, `pitch-order`, `pitch-slope`, each
+/// with its entry, counted from 1; `backlash`, `backlash-takeup`.
+void check_screw(base::Axis axis, const ScrewErrors& errors, std::vector<base::Diagnostic>& problems);
+
+}  // namespace leadscrew::machine
