@@ -73,6 +73,12 @@ Json json_of_steps(const StepFigures& steps) {
   Json json = {
       {"method", steps.method}, {"clock_hz", steps.clock_hz}, {"steps", steps.steps}, {"time_s", steps.time_s}};
   json["error_blu"] = steps.error_blu ? Json(*steps.error_blu) : Json(nullptr);
+  json["compensation"] = Json::array();
+  for (const Correction& correction : steps.corrections) {
+    const char* key = base::is_rotary(correction.axis) ? "greatest_correction_deg" : "greatest_correction_mm";
+    json["compensation"].push_back(
+        {{"name", std::string(1, base::letter(correction.axis))}, {key, correction.greatest}});
+  }
   return json;
 }
 

@@ -6,39 +6,23 @@
 #include <cmath>
 #include <filesystem>
 #include <leadscrew/cli/machine_file.hpp>
+#include <leadscrew/cli/machine_keys.hpp>
 #include <leadscrew/cli/nearest.hpp>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
+#include <tuple>
 
 namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> machine_keys = {"name",         "kinematics",     "period_us",
-                                                          "tolerance_mm", "chord_error_mm", "axis"};
-
-struct AxisKeys {
-  std::string_view travel, velocity, acceleration, jerk, blu;
-
-  std::array<std::string_view, 5> all() const { return {travel, velocity, acceleration, jerk, blu}; }
-};
-
-constexpr AxisKeys linear_keys = {"travel_mm", "max_velocity_mm_s", "max_acceleration_mm_s2", "max_jerk_mm_s3",
-                                  "blu_mm"};
-constexpr AxisKeys rotary_keys = {"travel_deg", "max_velocity_deg_s", "max_acceleration_deg_s2", "max_jerk_deg_s3",
-                                  "blu_deg"};
-
-constexpr const AxisKeys& keys_of(base::Axis axis) {
-  return base::is_rotary(axis) ? rotary_keys : linear_keys;
-}
-
-constexpr std::array<std::string_view, base::axis_count> axis_names = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
-
 /// Named by the contract, and not yet more than names.
 constexpr std::array<std::string_view, 6> later_kinematics = {"table-table-ac", "table-table-bc", "head-head-bc",
                                                               "head-head-ac",   "head-b-table-c", "head-b-table-a"};
+
+constexpr const char* pitch_hint = "entries [position, error], such as [[-100, 0], [100, 0.012]]";
 
 std::string_view type_text(const toml::node& node) {
   switch (node.type()) {
@@ -59,6 +43,18 @@ std::string_view type_text(const toml::node& node) {
     default:
       return "a date or time";
   }
+}
+
+std::optional<std::array<double, 2>> pair_of(const toml::node& node) {
+  const toml::array* pair = node.as_array();
+  if (pair == nullptr || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number()) return std::nullopt;
+  return std::array{*(*pair)[0].value<double>(), *(*pair)[1].value<double>()};
+}
+
+/// Why it is none.
+std::string not_a_pair(std::string_view what, const toml::node& node) {
+  return node.is_array() ? fmt::format("{} is a list, but not of two numbers", what)
+                         : fmt::format("{} is {}, not a list of two numbers", what, type_text(node));
 }
 
 std::string joined(std::span<const std::string_view> words) {
@@ -86,8 +82,9 @@ class MachineReader {
       read_axes(*root);
       judge();
     }
-    std::stable_sort(result_.diagnostics.begin(), result_.diagnostics.end(),
-                     [](auto& a, auto& b) { return a.place.line < b.place.line; });
+    std::stable_sort(result_.diagnostics.begin(), result_.diagnostics.end(), [](auto& a, auto& b) {
+      return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+    });
     return std::move(result_);
   }
 
@@ -150,7 +147,7 @@ class MachineReader {
 
   void read_axis(const toml::table& table, base::Axis axis) {
     const AxisKeys& keys = keys_of(axis);
-    const std::string section = fmt::format("axis.{}", base::letter(axis));
+    const std::string section = section_of(axis);
     const std::set<std::string_view> misspelt = check_keys(table, keys.all(), section);
     positions_[section] = table.source().begin;
     // What is missing or wrong has been reported; a sound value in its place keeps machine::validate() from doing so
@@ -158,32 +155,60 @@ class MachineReader {
     machine::AxisLimits limits{
         .travel_min = -1, .travel_max = 1, .velocity = 1, .acceleration = 1, .jerk = 1, .blu = 1};
     const auto take = [&](std::string_view key, double& value) {
-      if (const auto given = required(table, key, section, misspelt)) value = *given;
+      if (const auto given = required(table, key, axis, misspelt)) value = *given;
     };
     take(keys.velocity, limits.velocity);
     take(keys.acceleration, limits.acceleration);
     take(keys.jerk, limits.jerk);
     take(keys.blu, limits.blu);
-    read_travel(table, keys.travel, section, misspelt, limits);
+    read_travel(table, axis, misspelt, limits);
     result_.machine.axes[base::index(axis)] = limits;
+    read_screw(table, axis);
   }
 
-  void read_travel(const toml::table& table, std::string_view key, const std::string& section,
-                   const std::set<std::string_view>& misspelt, machine::AxisLimits& limits) {
+  void read_travel(const toml::table& table, base::Axis axis, const std::set<std::string_view>& misspelt,
+                   machine::AxisLimits& limits) {
+    const std::string_view key = keys_of(axis).travel;
     const toml::node* node = table.get(key);
-    if (node == nullptr) return missing(table, key, section, misspelt);
-    const toml::array* pair = node->as_array();
-    const bool is_pair = pair != nullptr && pair->size() == 2 && (*pair)[0].is_number() && (*pair)[1].is_number();
-    if (!is_pair) {
-      report("machine-type", node->source().begin,
-             pair != nullptr ? fmt::format("{} is a list, but not of two numbers", key)
-                             : fmt::format("{} is {}, not a list of two numbers", key, type_text(*node)),
-             "such as [-500, 500]");
-      return;
+    if (node == nullptr) return missing(table, key, axis, misspelt);
+    const auto pair = pair_of(*node);
+    if (!pair) return report("machine-type", node->source().begin, not_a_pair(key, *node), "such as [-500, 500]");
+    positions_[fmt::format("{}.{}", section_of(axis), key)] = node->source().begin;
+    limits.travel_min = pair->front();
+    limits.travel_max = pair->back();
+  }
+
+  void read_screw(const toml::table& table, base::Axis axis) {
+    const AxisKeys& keys = keys_of(axis);
+    machine::ScrewErrors& screw = result_.machine.screws[base::index(axis)];
+    screw.table = pitch_errors(table, keys.pitch_errors, axis);
+    screw.backward_table = pitch_errors(table, keys.pitch_errors_backward, axis);
+    if (const auto backlash = number(table, keys.backlash, section_of(axis))) screw.backlash = *backlash;
+    if (const auto takeup = number(table, keys.takeup, section_of(axis))) screw.takeup_velocity = *takeup;
+  }
+
+  /// An entry that is none keeps its place in the list, as no number.
+  std::vector<machine::PitchError> pitch_errors(const toml::table& table, std::string_view key, base::Axis axis) {
+    std::vector<machine::PitchError> errors;
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return errors;
+    if (!node->is_array()) {
+      report("machine-type", node->source().begin, fmt::format("{} is {}, not a list", key, type_text(*node)),
+             pitch_hint);
+      return errors;
     }
-    positions_[section + "." + std::string(key)] = node->source().begin;
-    limits.travel_min = *(*pair)[0].value<double>();
-    limits.travel_max = *(*pair)[1].value<double>();
+    for (const toml::node& entry : *node->as_array()) {
+      const std::size_t index = errors.size();
+      const auto pair = pair_of(entry);
+      if (pair) {
+        positions_[fmt::format("{}.{}[{}]", section_of(axis), key, index)] = entry.source().begin;
+      } else {
+        report("machine-type", entry.source().begin, not_a_pair(fmt::format("entry {} of {}", index + 1, key), entry),
+               pitch_hint);
+      }
+      errors.push_back(pair ? machine::PitchError{pair->front(), pair->back()} : machine::PitchError{NAN, NAN});
+    }
+    return errors;
   }
 
   /// Reports keys that are not known; returns the known ones that were probably meant.
@@ -228,22 +253,17 @@ class MachineReader {
     return node->value<double>();
   }
 
-  std::optional<double> required(const toml::table& table, std::string_view key, const std::string& section,
+  std::optional<double> required(const toml::table& table, std::string_view key, base::Axis axis,
                                  const std::set<std::string_view>& misspelt) {
-    if (!table.contains(key)) missing(table, key, section, misspelt);
-    return number(table, key, section);
+    if (!table.contains(key)) missing(table, key, axis, misspelt);
+    return number(table, key, section_of(axis));
   }
 
-  void missing(const toml::table& table, std::string_view key, const std::string& section,
+  void missing(const toml::table& table, std::string_view key, base::Axis axis,
                const std::set<std::string_view>& misspelt) {
     if (misspelt.contains(key)) return;
-    report("machine-missing", table.source().begin, fmt::format("[{}] lacks {}", section, key),
-           fmt::format("an axis gives {}", joined(keys_of(axis_of(section)).all())));
-  }
-
-  static base::Axis axis_of(std::string_view section) {
-    const auto name = std::find(axis_names.begin(), axis_names.end(), section.substr(section.size() - 1));
-    return base::all_axes[static_cast<std::size_t>(name - axis_names.begin())];
+    report("machine-missing", table.source().begin, fmt::format("[{}] lacks {}", section_of(axis), key),
+           fmt::format("an axis gives {}", joined(keys_of(axis).needed())));
   }
 
   /// Whether the values make sense is for the room of machines to say; where they stand is known here.
@@ -251,8 +271,11 @@ class MachineReader {
     for (base::Diagnostic problem : machine::validate(result_.machine)) {
       // An axis was meant, and what is wrong with it has been said.
       if (problem.code == "machine-axes" && has_axis_) continue;
+      const auto found = positions_.find(slot_of(problem));
+      // Of an entry that is none it has been said too.
+      if (problem.code == "pitch-value" && found == positions_.end()) continue;
       if (problem.code == "machine-kinematics") improve_kinematics(problem);
-      const Position position = position_of(problem);  // reads the message, which is given away below
+      const Position position = found == positions_.end() ? Position{} : found->second;
       report(problem.code, position, std::move(problem.message), std::move(problem.hint));
     }
   }
@@ -267,33 +290,10 @@ class MachineReader {
     }
   }
 
-  Position position_of(const base::Diagnostic& problem) const {
-    const auto found = positions_.find(slot_of(problem));
-    return found == positions_.end() ? Position{} : found->second;
-  }
-
-  /// The key that a problem of machine::validate() is about.
-  static std::string slot_of(const base::Diagnostic& problem) {
-    if (problem.code == "machine-kinematics") return "kinematics";
-    if (problem.code == "machine-period") return "period_us";
-    if (problem.code == "machine-tolerance") return "tolerance_mm";
-    if (problem.code == "machine-chord-error") return "chord_error_mm";
-    constexpr std::string_view opening = "axis ";
-    if (!problem.message.starts_with(opening) || problem.message.size() <= opening.size()) return {};
-    const std::string section = std::string("axis.") + problem.message[opening.size()];
-    const AxisKeys& keys = keys_of(axis_of(section));
-    const auto says = [&](std::string_view word) { return problem.message.find(word) != std::string::npos; };
-    if (problem.code == "machine-travel") return fmt::format("{}.{}", section, keys.travel);
-    if (says("velocity")) return fmt::format("{}.{}", section, keys.velocity);
-    if (says("acceleration")) return fmt::format("{}.{}", section, keys.acceleration);
-    if (says("jerk")) return fmt::format("{}.{}", section, keys.jerk);
-    return fmt::format("{}.{}", section, keys.blu);
-  }
-
   std::string_view text_;
   std::string file_;
   MachineFile result_;
-  std::map<std::string, Position> positions_;  ///< of values, by "axis.X.key" or "key"
+  std::map<std::string, Position> positions_;  ///< of values, by slot (machine_keys.hpp)
   bool has_axis_ = false;                      ///< some axis was named that could not be taken
 };
 

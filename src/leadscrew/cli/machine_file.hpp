@@ -15,7 +15,8 @@ struct MachineFile {
 };
 
 /// Codes: `machine-syntax`, `machine-key` (not known), `machine-type`, `machine-missing`, and those of
-/// machine::validate(). Of the keys outside [axis.…] each has a default; an axis must give all of its keys.
+/// machine::validate(). Of the keys outside [axis.…] each has a default; an axis must give its limits,
+/// not the errors of its screw.
 MachineFile read_machine(std::string_view text, const std::string& file);
 
 }  // namespace leadscrew::cli

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/step_output.hpp>
@@ -8,10 +11,31 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t pulses_between_looks = 4096;
+constexpr std::int64_t pulses_between_looks = 4096, words_between_looks = 4096;
 
 bool is_of_pulses(const base::Diagnostic& problem) {
   return problem.code.substr(0, 6) == "pulse-";
+}
+
+std::vector<base::Axis> axes_with_errors(const machine::Machine& machine) {
+  std::vector<base::Axis> axes;
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.screw(axis).none()) axes.push_back(axis);
+  }
+  return axes;
+}
+
+/// Interpolators of blocks make steps without words.
+void check_screws(const Job& job, DiagnosticLog& log) {
+  std::vector<char> letters;
+  for (const base::Axis axis : axes_with_errors(job.machine)) letters.push_back(base::letter(axis));
+  if (letters.empty()) return;
+  log.add(base::problem(
+      "pulse-compensation",
+      fmt::format("--pulse-method {} cannot make good the errors that machine {} gives for {}",
+                  stepping::name(*job.arguments.pulse_method), job.machine.name, fmt::join(letters, ", ")),
+      "leave --pulse-method out, for steps that follow the words; or give a machine without pitch "
+      "errors and backlash"));
 }
 
 stepping::StepTiming timing_of(const Arguments& arguments) {
@@ -35,6 +59,7 @@ stepping::PulseOptions pulse_options(const Arguments& arguments) {
 
 void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
   if (!job.arguments.pulses || !job.arguments.pulse_method) return;
+  check_screws(job, log);
   // What the reader has to say has been said.
   stepping::check_pulses(file.source(), job.machine, job.tools, job.reader_options(file.name()),
                          pulse_options(job.arguments), [&](const base::Diagnostic& problem) {
@@ -44,15 +69,20 @@ void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
 
 base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& path, const Job& job) {
   const stepping::StepTiming timing = timing_of(job.arguments);
+  std::optional<stepping::Compensation> compensation;
   std::optional<stepping::StepGenerator> generator;
   if (!job.arguments.pulse_method) {
-    auto created = stepping::StepGenerator::create(job.machine, timing);
-    if (!created) return base::failure(created.error());
-    generator.emplace(std::move(*created));
+    auto compensating = stepping::Compensation::create(job.machine);
+    if (!compensating) return base::failure(compensating.error());
+    auto generating = stepping::StepGenerator::create(compensating->stretched(job.machine), timing);
+    if (!generating) return base::failure(generating.error());
+    compensation.emplace(std::move(*compensating));
+    generator.emplace(std::move(*generating));
   }
   auto file = OutputFile::create(path, OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   std::unique_ptr<StepOutput> output(new StepOutput(std::move(*file), job));
+  output->compensation_ = std::move(compensation);
   output->generator_ = std::move(generator);
   if (path.size() > 4 && path.substr(path.size() - 4) == ".csv") {
     output->writer_.emplace<trace::StepCsvWriter>(output->file_.sink(), timing);
@@ -71,14 +101,29 @@ void StepOutput::put(std::span<const stepping::StepEvent> events) {
 }
 
 base::Result<void> StepOutput::write(const base::Word& word) {
-  if (generator_) generator_->follow(word, [this](auto events) { put(events); });
+  if (generator_) follow(word);
   return state_;
+}
+
+void StepOutput::follow(const base::Word& word) {
+  last_word_ = word;
+  generator_->follow(compensation_->apply(word), [this](auto events) { put(events); });
+}
+
+/// An axis that has turned shortly before the end still goes over to its way.
+base::Result<void> StepOutput::follow_to_the_end() {
+  for (std::int64_t count = 1; state_ && last_word_ && !compensation_->settled(); ++count) {
+    follow(*last_word_);
+    if (count % words_between_looks == 0 && interrupted()) return base::failure(interruption());
+  }
+  generator_->finish([this](auto events) { put(events); });
+  if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
+  return {};
 }
 
 base::Result<void> StepOutput::finish(const InputFile& program) {
   if (generator_) {
-    generator_->finish([this](auto events) { put(events); });
-    if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
+    if (auto followed = follow_to_the_end(); !followed) return followed;
   } else if (auto written = write_program(program); !written) {
     return written;
   }
@@ -116,7 +161,12 @@ StepFigures StepOutput::figures() const {
   figures.clock_hz = arguments.step_clock;
   figures.steps = steps_;
   figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.step_clock);
-  if (generator_) figures.error_blu = generator_->report().greatest_error;
+  if (!generator_) return figures;
+  figures.error_blu = generator_->report().greatest_error;
+  const base::AxisVector greatest = compensation_->greatest_corrections();
+  for (const base::Axis axis : axes_with_errors(job_->machine)) {
+    figures.corrections.push_back({axis, greatest[base::index(axis)]});
+  }
   return figures;
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 // A program's steps as a file: those that follow its words, or those of a published interpolator in their place.
+//
+//   words ──▶ compensation of the machine's screws ──▶ steps ──▶ file
 
 #include <cstdint>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/cli/input_file.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/output_file.hpp>
+#include <leadscrew/stepping/compensation.hpp>
 #include <leadscrew/stepping/pulse_options.hpp>
 #include <leadscrew/stepping/step_generator.hpp>
 #include <leadscrew/trace/step_dump.hpp>
@@ -13,23 +16,33 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace leadscrew::cli {
+
+/// How far the steps of an axis were led from its words, so that its screw would be where they are.
+struct Correction {
+  base::Axis axis = base::Axis::X;
+  double greatest = 0;  ///< mm or degrees
+};
 
 /// What was written.
 struct StepFigures {
   std::string method;  ///< "words", or the interpolator's name
   std::int64_t clock_hz = 0;
   std::int64_t steps = 0;
-  double time_s = 0;                ///< of the last step
-  std::optional<double> error_blu;  ///< greatest distance from the words; none of other methods
+  double time_s = 0;                    ///< of the last step
+  std::optional<double> error_blu;      ///< greatest distance from the words, compensated; none of other methods
+  std::vector<Correction> corrections;  ///< of axes whose screws have errors
 };
 
 /// Of the interpolator that the command line names.
 stepping::PulseOptions pulse_options(const Arguments& arguments);
 
 /// Reads and plans the program for the interpolator that the command line names, if it names one: what lattice, clock
-/// or machine cannot give goes to the log. The program must have been read without an error.
+/// or machine cannot give goes to the log, and `pulse-compensation` where its screws have errors: they can be made good
+/// between words and steps alone, and interpolators of blocks know no words. The program must have been read without an
+/// error.
 void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log);
 
 class StepOutput {
@@ -50,12 +63,17 @@ class StepOutput {
 
   StepOutput(OutputFile file, const Job& job) : file_(std::move(file)), job_(&job) {}
   void put(std::span<const stepping::StepEvent> events);
+  void follow(const base::Word& word);
+  base::Result<void> follow_to_the_end();
   base::Result<void> write_program(const InputFile& program);
 
   OutputFile file_;
   const Job* job_;
   Writer writer_;
-  std::optional<stepping::StepGenerator> generator_;  ///< where steps follow words
+  // Where steps follow words:
+  std::optional<stepping::Compensation> compensation_;
+  std::optional<stepping::StepGenerator> generator_;
+  std::optional<base::Word> last_word_;
   std::int64_t steps_ = 0, last_tick_ = 0;
   base::Result<void> state_;
 };

@@ -77,8 +77,18 @@ std::string violations_text(const referee::Verdict& verdict, const Style& style)
 std::string steps_text(const StepFigures& steps) {
   std::string text = fmt::format("{} at a clock of {:g} kHz, the last at {}", steps.steps,
                                  static_cast<double>(steps.clock_hz) / 1e3, seconds_text(steps.time_s));
-  if (steps.error_blu) return text + fmt::format("; within {:.3f} BLU of the words", *steps.error_blu);
-  return text + "; by " + steps.method;
+  if (!steps.error_blu) return text + "; by " + steps.method;
+  return text + fmt::format("; within {:.3f} BLU of the {}words", *steps.error_blu,
+                            steps.corrections.empty() ? "" : "compensated ");
+}
+
+std::string corrections_text(const std::vector<Correction>& corrections) {
+  std::string text = "made good by up to";
+  for (const Correction& correction : corrections) {
+    text += fmt::format("{} {:.3g} {} in {}", &correction == corrections.data() ? "" : ",", correction.greatest,
+                        base::is_rotary(correction.axis) ? "degrees" : "mm", base::letter(correction.axis));
+  }
+  return text;
 }
 
 std::string verdict_text(bool kept, const Style& style) {
@@ -107,6 +117,8 @@ std::string run_summary(const std::string& program, const Job& job, const RunFig
   text += violations_text(verdict, style);
   text += verdict_text(figures.kept(), style);
   if (figures.steps) text += row("steps", steps_text(*figures.steps));
+  if (figures.steps && !figures.steps->corrections.empty())
+    text += row("screws", corrections_text(figures.steps->corrections));
   for (const std::string& file : figures.files) text += row("wrote", printable(file));
   return text;
 }
