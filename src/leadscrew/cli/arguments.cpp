@@ -28,17 +28,6 @@ constexpr std::string_view main_examples =
     "  leadscrew design --help                    size digital integrators\n"
     "  leadscrew run --help                       every option of run\n";
 
-constexpr std::string_view run_examples =
-    "Examples:\n"
-    "  leadscrew run part.ngc\n"
-    "  leadscrew run part.ngc --machine machines/heavy3.toml --trace part.csv --report part.html\n"
-    "  leadscrew run part.ngc --pulses part.vcd   steps and directions that follow the motion\n"
-    "  leadscrew run *.ngc --out results          results/NAME.csv, .html and .svg of each\n"
-    "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
-    "\n"
-    "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
-    "every call that makes a word, the two looks at the clock included.\n";
-
 constexpr std::string_view check_examples =
     "Examples:\n"
     "  leadscrew check part.ngc\n"
@@ -64,8 +53,9 @@ struct UsageError : std::runtime_error {
 
 /// Options as text, before their values are looked at.
 struct Texts {
-  std::optional<std::string> period, mode, tolerance, start, color, interpolator, pulse_method, step_clock;
+  std::optional<std::string> period, mode, tolerance, start, color;
   std::string judged_program;  ///< of verify, one
+  RunTexts run;
   PulseTexts pulse;
   DesignTexts design;
 };
@@ -109,27 +99,28 @@ void add_motion(CLI::App& command, Arguments&, Texts& texts) {
   command.add_option("--tolerance", texts.tolerance, "In place of P of G64 and the machine's, mm")->type_name("MM");
 }
 
-CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& texts) {
+CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
+  RunTexts& texts = all.run;
   CLI::App* run = app.add_subcommand("run", "Plan and interpolate; summary, report, picture, traces, steps");
   run->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
-  add_common(*run, arguments, texts);
-  run->add_option("--period", texts.period, "Servo period, such as 1ms or 250us, in place of the machine's")
+  add_common(*run, arguments, all);
+  run->add_option("--period", all.period, "Servo period, such as 1ms or 250us, in place of the machine's")
       ->type_name("TIME");
-  add_motion(*run, arguments, texts);
+  add_motion(*run, arguments, all);
   run->add_option("--interpolator", texts.interpolator,
                   "Parameter steps along curves: arc-length (default), taylor1, taylor2, newton or uniform")
       ->type_name("RULE");
-  run->add_option("--trace", arguments.trace, "Write the words: .csv or .npy")->type_name("FILE");
-  run->add_option("--pulses", arguments.pulses, "Write steps and directions: .vcd or .csv")->type_name("FILE");
+  run->add_option("--trace", texts.trace, "Write the words: .csv or .npy")->type_name("FILE");
+  run->add_option("--pulses", texts.pulses, "Write steps and directions: .vcd or .csv")->type_name("FILE");
   run->add_option(
          "--pulse-method", texts.pulse_method,
          "Of --pulses: by an interpolator of the papers, not steps that follow the words: " + names_of_pulse_methods())
       ->type_name("NAME");
-  run->add_flag("--accelerate", arguments.accelerate, "Of --pulse-method: feed rises and falls as the axes can");
+  run->add_flag("--accelerate", texts.accelerate, "Of --pulse-method: feed rises and falls as the axes can");
   run->add_option("--step-clock", texts.step_clock, "Of --pulses: 10kHz to 10MHz (default 1MHz)")->type_name("HZ");
-  run->add_option("--report", arguments.report, "Write one self-contained page")->type_name("FILE.html");
-  run->add_option("--picture", arguments.picture, "Write the path alone, coloured by speed")->type_name("FILE.svg");
-  run->add_option("--out", arguments.out, "Write DIR/NAME.csv, .html and .svg of each program")->type_name("DIR");
+  run->add_option("--report", texts.report, "Write one self-contained page")->type_name("FILE.html");
+  run->add_option("--picture", texts.picture, "Write the path alone, coloured by speed")->type_name("FILE.svg");
+  run->add_option("--out", texts.out, "Write DIR/NAME.csv, .html and .svg of each program")->type_name("DIR");
   run->footer(std::string(run_examples));
   return run;
 }
@@ -239,22 +230,17 @@ ColorChoice color_choice(const std::string& text) {
   throw UsageError(fmt::format("--color {}: is none of auto, always, never", text));
 }
 
-interpolator::StepRule step_rule(const std::string& text) {
-  std::string known;
-  for (const interpolator::StepRule rule : interpolator::all_step_rules) {
-    if (text == interpolator::name(rule)) return rule;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", interpolator::name(rule));
-  }
-  throw UsageError(fmt::format("--interpolator {}: is none of {}", text, known));
-}
-
 void take_values(const Texts& texts, Arguments& arguments) {
   if (texts.period) arguments.period = value_of("--period", *texts.period, parse_period(*texts.period));
   if (texts.mode) arguments.mode = path_mode(*texts.mode);
   if (texts.tolerance)
     arguments.tolerance = value_of("--tolerance", *texts.tolerance, parse_tolerance(*texts.tolerance));
   if (texts.start) arguments.start = value_of("--start", *texts.start, parse_axis_values(*texts.start));
-  if (texts.interpolator) arguments.interpolator = step_rule(*texts.interpolator);
+  if (arguments.command == Arguments::Command::run) {
+    auto run = parse_run(texts.run, arguments.programs.size());
+    if (!run) throw UsageError(run.error());
+    arguments.run = std::move(*run);
+  }
   if (arguments.command == Arguments::Command::pulse) {
     auto pulse = parse_pulse(texts.pulse, arguments.json);
     if (!pulse) throw UsageError(pulse.error());
@@ -265,29 +251,7 @@ void take_values(const Texts& texts, Arguments& arguments) {
     if (!design) throw UsageError(design.error());
     arguments.design = std::move(*design);
   }
-  if (texts.pulse_method)
-    arguments.pulse_method = value_of("--pulse-method", *texts.pulse_method, parse_pulse_method(*texts.pulse_method));
-  if (texts.step_clock)
-    arguments.step_clock = value_of("--step-clock", *texts.step_clock, parse_frequency(*texts.step_clock));
   if (texts.color) arguments.color = color_choice(*texts.color);
-}
-
-void check_outputs(const Arguments& arguments) {
-  if (arguments.programs.size() < 2) return;
-  for (const auto& [option, path] : {std::pair("--trace", &arguments.trace),
-                                     {"--pulses", &arguments.pulses},
-                                     {"--report", &arguments.report},
-                                     {"--picture", &arguments.picture}}) {
-    if (!*path) continue;
-    throw UsageError(fmt::format("{} is for one program; with several, --out DIR writes the files of each", option));
-  }
-}
-
-void check_pulses(const Arguments& arguments) {
-  if (arguments.accelerate && !arguments.pulse_method)
-    throw UsageError("--accelerate is of --pulse-method; steps that follow the words have the words' acceleration");
-  if (arguments.pulse_method && !arguments.pulses)
-    throw UsageError("--pulse-method is of --pulses FILE, which is missing");
 }
 
 void check_standard_input(const Arguments& arguments) {
@@ -297,7 +261,7 @@ void check_standard_input(const Arguments& arguments) {
 }
 
 void check_names(const Arguments& arguments) {
-  if (!arguments.out) return;
+  if (!arguments.run.out) return;
   std::set<std::string> stems;
   for (const std::string& program : arguments.programs) {
     const std::string stem = std::filesystem::path(program).stem();
@@ -389,8 +353,6 @@ class Parser {
       take_values(texts_, arguments_);
       check_study(arguments_);
       check_standard_input(arguments_);
-      check_outputs(arguments_);
-      check_pulses(arguments_);
       check_names(arguments_);
       return arguments_;
     } catch (const CLI::CallForHelp&) {

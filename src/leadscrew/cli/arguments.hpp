@@ -6,10 +6,9 @@
 #include <leadscrew/cli/design_arguments.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/cli/run_arguments.hpp>
 #include <leadscrew/cli/status.hpp>
 #include <leadscrew/gcode/move.hpp>
-#include <leadscrew/interpolator/parameter_steps.hpp>
-#include <leadscrew/stepping/pulse_method.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,6 +22,7 @@ struct Arguments {
   Command command = Command::run;
   std::vector<std::string> programs;   ///< one or more; of verify one
   std::string judged_trace;            ///< of verify
+  RunArguments run;                    ///< of run
   PulseArguments pulse;                ///< of pulse
   DesignArguments design;              ///< of design
   std::string study;                   ///< of study: the name of one that there is, or "list"
@@ -31,12 +31,7 @@ struct Arguments {
   std::vector<AxisValue> start;        ///< machine coordinates, mm or degrees; axes not named start at zero
   std::optional<base::Period> period;
   std::optional<gcode::PathMode> mode;
-  std::optional<double> tolerance;                                           ///< mm
-  interpolator::StepRule interpolator = interpolator::StepRule::arc_length;  ///< parameter steps along curves
-  std::optional<std::string> trace, report, picture, pulses, out;
-  std::optional<stepping::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
-  bool accelerate = false;                            ///< of a pulse_method: keep the axes' acceleration
-  std::int64_t step_clock = 1'000'000;                ///< of --pulses, Hz
+  std::optional<double> tolerance;  ///< mm
   bool json = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;

@@ -58,10 +58,10 @@ std::filesystem::path normal(const std::string& path) {
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
-  OutputPaths paths{arguments.trace, arguments.report, arguments.picture, arguments.pulses};
-  if (!arguments.out) return paths;
+  OutputPaths paths{arguments.run.trace, arguments.run.report, arguments.run.picture, arguments.run.pulses};
+  if (!arguments.run.out) return paths;
   const std::string stem = program == "-" ? "stdin" : std::filesystem::path(program).stem().string();
-  const std::string base = (std::filesystem::path(*arguments.out) / stem).string();
+  const std::string base = (std::filesystem::path(*arguments.run.out) / stem).string();
   if (!paths.trace) paths.trace = base + ".csv";
   if (!paths.report) paths.report = base + ".html";
   if (!paths.picture) paths.picture = base + ".svg";
@@ -91,8 +91,8 @@ base::Result<void> check_paths(const OutputPaths& paths, const InputFile& progra
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   Outputs outputs(job);
-  if (job.arguments.out) {
-    if (auto made = make_folder(*job.arguments.out); !made) return base::failure(made.error());
+  if (job.arguments.run.out) {
+    if (auto made = make_folder(*job.arguments.run.out); !made) return base::failure(made.error());
   }
   if (paths.trace) {
     if (auto opened = outputs.open_trace(*paths.trace); !opened) return base::failure(opened.error());

@@ -99,7 +99,7 @@ class ProgramRun {
     Progress progress{.work = "moving", .total = file.size()};
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
-    program.step_by(job_.arguments.interpolator);
+    program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
     StopWatch watch;

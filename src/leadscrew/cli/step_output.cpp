@@ -33,14 +33,14 @@ void check_screws(const Job& job, DiagnosticLog& log) {
   log.add(base::problem(
       "pulse-compensation",
       fmt::format("--pulse-method {} cannot make good the errors that machine {} gives for {}",
-                  stepping::name(*job.arguments.pulse_method), job.machine.name, fmt::join(letters, ", ")),
+                  stepping::name(*job.arguments.run.pulse_method), job.machine.name, fmt::join(letters, ", ")),
       "leave --pulse-method out, for steps that follow the words; or give a machine without pitch "
       "errors and backlash"));
 }
 
 stepping::StepTiming timing_of(const Arguments& arguments) {
   stepping::StepTiming timing;
-  timing.clock_hz = arguments.step_clock;
+  timing.clock_hz = arguments.run.step_clock;
   return timing;
 }
 
@@ -48,17 +48,17 @@ stepping::StepTiming timing_of(const Arguments& arguments) {
 
 stepping::PulseOptions pulse_options(const Arguments& arguments) {
   stepping::PulseOptions options;
-  if (arguments.pulse_method) options.method = *arguments.pulse_method;
+  if (arguments.run.pulse_method) options.method = *arguments.run.pulse_method;
   const stepping::StepTicks ticks = stepping::in_ticks(timing_of(arguments));
-  options.clock_pps = arguments.step_clock;
+  options.clock_pps = arguments.run.step_clock;
   options.step_clocks = ticks.pitch();
   options.interpolation.places = 16;
-  if (arguments.accelerate) options.shape = stepping::Shape::accelerate;
+  if (arguments.run.accelerate) options.shape = stepping::Shape::accelerate;
   return options;
 }
 
 void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
-  if (!job.arguments.pulses || !job.arguments.pulse_method) return;
+  if (!job.arguments.run.pulses || !job.arguments.run.pulse_method) return;
   check_screws(job, log);
   // What the reader has to say has been said.
   stepping::check_pulses(file.source(), job.machine, job.tools, job.reader_options(file.name()),
@@ -71,7 +71,7 @@ base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& pa
   const stepping::StepTiming timing = timing_of(job.arguments);
   std::optional<stepping::Compensation> compensation;
   std::optional<stepping::StepGenerator> generator;
-  if (!job.arguments.pulse_method) {
+  if (!job.arguments.run.pulse_method) {
     auto compensating = stepping::Compensation::create(job.machine);
     if (!compensating) return base::failure(compensating.error());
     auto generating = stepping::StepGenerator::create(compensating->stretched(job.machine), timing);
@@ -157,10 +157,10 @@ base::Result<void> StepOutput::write_program(const InputFile& program) {
 StepFigures StepOutput::figures() const {
   const Arguments& arguments = job_->arguments;
   StepFigures figures;
-  figures.method = arguments.pulse_method ? std::string(stepping::name(*arguments.pulse_method)) : "words";
-  figures.clock_hz = arguments.step_clock;
+  figures.method = arguments.run.pulse_method ? std::string(stepping::name(*arguments.run.pulse_method)) : "words";
+  figures.clock_hz = arguments.run.step_clock;
   figures.steps = steps_;
-  figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.step_clock);
+  figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.run.step_clock);
   if (!generator_) return figures;
   figures.error_blu = generator_->report().greatest_error;
   const base::AxisVector greatest = compensation_->greatest_corrections();

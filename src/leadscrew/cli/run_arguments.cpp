@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <leadscrew/cli/pulse_arguments.hpp>
+#include <leadscrew/cli/run_arguments.hpp>
+#include <utility>
+
+namespace leadscrew::cli {
+
+namespace {
+
+template <class... Values>
+auto wrong(fmt::format_string<Values...> text, Values&&... values) {
+  return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
+}
+
+Parsed<interpolator::StepRule> parse_step_rule(std::string_view text) {
+  std::string known;
+  for (const interpolator::StepRule rule : interpolator::all_step_rules) {
+    if (text == interpolator::name(rule)) return rule;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", interpolator::name(rule));
+  }
+  return wrong("is none of {}", known);
+}
+
+/// An option's value, where it is given.
+template <class Target, class Value>
+Parsed<void> take(std::string_view option, const std::optional<std::string>& text,
+                  Parsed<Value> (*parse)(std::string_view), Target& target) {
+  if (!text) return {};
+  auto value = parse(*text);
+  if (!value) return wrong("{} {}: {}", option, *text, value.error());
+  target = std::move(*value);
+  return {};
+}
+
+Parsed<void> check_files(const RunTexts& texts, std::size_t programs) {
+  if (programs < 2) return {};
+  for (const auto& [option, path] : {std::pair("--trace", &texts.trace),
+                                     {"--pulses", &texts.pulses},
+                                     {"--report", &texts.report},
+                                     {"--picture", &texts.picture}}) {
+    if (*path) return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
+  }
+  return {};
+}
+
+Parsed<void> check_pulses(const RunTexts& texts) {
+  if (texts.accelerate && !texts.pulse_method)
+    return wrong("--accelerate is of --pulse-method; steps that follow the words have the words' acceleration");
+  if (texts.pulse_method && !texts.pulses) return wrong("--pulse-method is of --pulses FILE, which is missing");
+  return {};
+}
+
+}  // namespace
+
+Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs) {
+  RunArguments run;
+  run.trace = texts.trace;
+  run.report = texts.report;
+  run.picture = texts.picture;
+  run.pulses = texts.pulses;
+  run.out = texts.out;
+  run.accelerate = texts.accelerate;
+  for (const Parsed<void>& taken : {take("--interpolator", texts.interpolator, parse_step_rule, run.interpolator),
+                                    take("--pulse-method", texts.pulse_method, parse_pulse_method, run.pulse_method),
+                                    take("--step-clock", texts.step_clock, parse_frequency, run.step_clock),
+                                    check_files(texts, programs), check_pulses(texts)}) {
+    if (!taken) return tl::unexpected(taken.error());
+  }
+  return run;
+}
+
+}  // namespace leadscrew::cli

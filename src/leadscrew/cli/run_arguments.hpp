@@ -1,0 +1,44 @@
+#pragma once
+// What the command line asks `leadscrew run` for, beside what other commands are asked for too.
+
+#include <cstdint>
+#include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/interpolator/parameter_steps.hpp>
+#include <leadscrew/stepping/pulse_method.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::cli {
+
+struct RunArguments {
+  interpolator::StepRule interpolator = interpolator::StepRule::arc_length;  ///< parameter steps along curves
+  std::optional<std::string> trace, report, picture, pulses, out;
+  std::optional<stepping::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
+  bool accelerate = false;                            ///< of a pulse_method: keep the axes' acceleration
+  std::int64_t step_clock = 1'000'000;                ///< of --pulses, Hz
+};
+
+/// Options as text, before their values are looked at.
+struct RunTexts {
+  std::optional<std::string> trace, report, picture, pulses, out;
+  std::optional<std::string> interpolator, pulse_method, step_clock;
+  bool accelerate = false;
+};
+
+/// Says in whole sentences what is wrong. `programs`: so many are named.
+Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs);
+
+inline constexpr std::string_view run_examples =
+    "Examples:\n"
+    "  leadscrew run part.ngc\n"
+    "  leadscrew run part.ngc --machine machines/heavy3.toml --trace part.csv --report part.html\n"
+    "  leadscrew run part.ngc --pulses part.vcd   steps and directions that follow the motion\n"
+    "  leadscrew run part.ngc --pulses part.csv --machine machines/mill3-worn.toml   its screws' errors made good\n"
+    "  leadscrew run *.ngc --out results          results/NAME.csv, .html and .svg of each\n"
+    "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
+    "\n"
+    "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
+    "every call that makes a word, the two looks at the clock included.\n";
+
+}  // namespace leadscrew::cli
