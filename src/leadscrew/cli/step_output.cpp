@@ -32,7 +32,7 @@ void check_screws(const Job& job, DiagnosticLog& log) {
   if (letters.empty()) return;
   log.add(base::problem(
       "pulse-compensation",
-      fmt::format("--pulse-method {} cannot make good the errors that machine {} gives for {}",
+      fmt::format("--pulse-method {} cannot make good the errors of screws that machine {} gives for {}",
                   stepping::name(*job.arguments.run.pulse_method), job.machine.name, fmt::join(letters, ", ")),
       "leave --pulse-method out, for steps that follow the words; or give a machine without pitch "
       "errors and backlash"));

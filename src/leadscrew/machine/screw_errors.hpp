@@ -23,7 +23,8 @@ struct PitchError {
 /// Of one axis. Beyond its ends a table goes on with its first and last errors; an empty one has none.
 struct ScrewErrors {
   std::vector<PitchError> table;  ///< positions rising; where the axis runs towards +, or both ways
-  /// Where it runs towards −; empty: the same. Errors there are not below those of the table, but for the backlash.
+  /// Where it runs towards −; empty: the same. What was measured on the way back holds the backlash already; what is
+  /// given as backlash comes on top.
   std::vector<PitchError> backward_table;
   double backlash = 0;         ///< mm or degrees; ≥ 0
   double takeup_velocity = 0;  ///< mm/s or degrees/s, at most, for taking it up; ≥ 0, and 0: the axis' greatest
