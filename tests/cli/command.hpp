@@ -264,6 +264,13 @@ inline std::string machine_text(double acceleration = 1000, double jerk = 20000)
   return text.str();
 }
 
+/// The same with these lines in [axis.X], from line 12 on.
+inline std::string with_screw(const std::string& lines) {
+  std::string text = machine_text();
+  const std::string last = "blu_mm = 0.001\n";
+  return text.insert(text.find(last) + last.size(), lines);
+}
+
 inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
