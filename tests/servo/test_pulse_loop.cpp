@@ -1,0 +1,313 @@
+// The pulse-driven loop: the lecture's figures, small steps of integration, and that no pulse is ever lost.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <leadscrew/servo/pulse_loop.hpp>
+#include <random_numbers.hpp>
+#include <vector>
+
+namespace leadscrew::servo::testing {
+namespace {
+
+using testing_support::any;
+using testing_support::logarithmic;
+
+/// 10 V over 256 counts, an encoder of 200 holes; the motor makes up the rest of Kv.
+PulseLoopOptions options_with(double kv, double time_constant, int bits = 16) {
+  PulseLoopOptions options{.converter = 10.0 / 256, .amplifier = 4, .holes = 200, .time_constant = time_constant};
+  options.motor = kv / (options.converter * options.amplifier * options.holes);
+  options.counter_bits = bits;
+  return options;
+}
+
+PulseLoop made(const PulseLoopOptions& options) {
+  return PulseLoop::create(options).value();
+}
+
+/// What a run of N pulses at a constant rate shows, the first after one interval.
+struct Observed {
+  double mean = 0;         ///< of UDC over time, second 5 … 25
+  double rate = 0;         ///< of the encoder in the same time, pulses/s
+  std::int64_t least = 0;  ///< of UDC in the same time
+  std::int64_t most = 0;
+  double settled = 0;  ///< seconds: PDC and UDC are 0 and the screw is slower than a pulse a second
+};
+
+class Observer {
+ public:
+  Observer(PulseLoop& loop, int rate) : loop_(loop), rate_(rate) { seen_.least = 1 << 30; }
+
+  Observed run() {
+    for (int k = 1; loop_.to_come() > 0; ++k) {
+      run_until(static_cast<double>(k) / rate_);
+      loop_.pulse(1);
+    }
+    while (!(loop_.following_error() == 0 && std::fabs(loop_.velocity()) < 1)) run_until(time_ + 1e-4);
+    seen_.settled = time_;
+    seen_.mean /= 20;
+    seen_.rate /= 20;
+    return seen_;
+  }
+
+ private:
+  void run_until(double time) {
+    while (time_ < time) {
+      const auto udc = loop_.following_error();
+      const auto passed = loop_.run(time - time_);
+      look(static_cast<double>(udc), passed);
+      time_ = passed.encoder_pulse == 0 ? time : time_ + passed.seconds;
+    }
+  }
+
+  void look(double udc, const PulseLoop::Passed& passed) {
+    const double from = std::max(time_, 5.0), to = std::min(time_ + passed.seconds, 25.0);
+    if (to < from) return;
+    seen_.mean += udc * (to - from);
+    seen_.rate += passed.encoder_pulse;
+    if (to == from) return;
+    seen_.least = std::min(seen_.least, static_cast<std::int64_t>(udc));
+    seen_.most = std::max(seen_.most, static_cast<std::int64_t>(udc));
+  }
+
+  PulseLoop& loop_;
+  int rate_;
+  double time_ = 0;
+  Observed seen_;
+};
+
+/// 30 mm at 60 mm/min with a pitch of 4 mm and 200 holes: 1500 pulses of 0.02 mm at 50 a second. UDC = f/Kv.
+TEST(PulseLoopFigures, OfTheLectureAtAGainOf20) {
+  PulseLoop loop = made(options_with(20, 0.02));
+  loop.load(1500);
+  const Observed seen = Observer(loop, 50).run();
+  EXPECT_NEAR(seen.mean, 2.5, 0.005);
+  EXPECT_NEAR(seen.rate, 50, 0.05 + 1e-9);
+  EXPECT_EQ(seen.least, 2);
+  EXPECT_EQ(seen.most, 3);
+  EXPECT_NEAR(seen.settled, 30.13, 0.005);
+  EXPECT_EQ(loop.commanded(), 1500);
+  EXPECT_EQ(loop.encoder_count(), 1500);
+  EXPECT_EQ(loop.overflows(), 0);
+}
+
+TEST(PulseLoopFigures, OfTheLectureAtAGainOf5) {
+  PulseLoop loop = made(options_with(5, 0.02));
+  loop.load(1500);
+  const Observed seen = Observer(loop, 50).run();
+  EXPECT_NEAR(seen.mean, 10, 0.005);
+  EXPECT_NEAR(seen.rate, 50, 0.05 + 1e-9);
+  EXPECT_NEAR(static_cast<double>(seen.most), 10, 1);
+  EXPECT_NEAR(seen.settled, 30.56, 0.005);
+  EXPECT_EQ(loop.encoder_count(), 1500);
+}
+
+TEST(PulseLoop, GainIsTheProductOfItsParts) {
+  const PulseLoopOptions options{.converter = 0.1, .amplifier = 5, .motor = 0.2, .holes = 200, .time_constant = 0.02};
+  EXPECT_DOUBLE_EQ(options.gain(), 20);
+}
+
+TEST(PulseLoop, LetsAsManyPulsesPassAsTheDownCounterHolds) {
+  PulseLoop loop = made(options_with(20, 0.02));
+  EXPECT_FALSE(loop.pulse(1));
+  loop.load(3);
+  int passed = 0;
+  for (int k = 0; k < 10; ++k) passed += loop.pulse(k % 2 == 0 ? 1 : -1) ? 1 : 0;
+  EXPECT_EQ(passed, 3);
+  EXPECT_EQ(loop.to_come(), 0);
+  EXPECT_EQ(loop.following_error(), 1);  // + − +
+  EXPECT_EQ(loop.commanded(), 1);
+}
+
+/// One pulse: v = Kv(1 − e^(−t/τ)), x = Kv(t − τ(1 − e^(−t/τ))) reaches 1 at the time that is returned; then coasting.
+TEST(PulseLoop, FindsTheEncoderPulseWhereTheMotionHasIt) {
+  const double kv = 8, lag = 0.05;
+  PulseLoop loop = made(options_with(kv, lag));
+  loop.load(1);
+  loop.pulse(1);
+  const auto passed = loop.run(10);
+  ASSERT_EQ(passed.encoder_pulse, 1);
+  EXPECT_NEAR(kv * (passed.seconds - lag * (1 - std::exp(-passed.seconds / lag))), 1, 4e-16 * kv);
+  EXPECT_NEAR(loop.velocity(), kv * (1 - std::exp(-passed.seconds / lag)), 1e-14);
+  EXPECT_EQ(loop.following_error(), 0);
+  EXPECT_TRUE(loop.comes_to_rest());
+  const double rest = 1 + loop.velocity() * lag;
+  EXPECT_EQ(loop.run(10).encoder_pulse, 0);
+  EXPECT_NEAR(loop.position(), rest, 1e-12);
+}
+
+/// The same loop by Runge and Kutta's method in small steps; the encoder is floor(θ).
+class SmallStepLoop {
+ public:
+  SmallStepLoop(double kv, double lag, double start) : kv_(kv), lag_(lag), position_(start) {}
+
+  void pulse(int direction) { difference_ += direction; }
+
+  template <class OnPulse>
+  void step(long double step, OnPulse&& on_pulse) {
+    const auto slope = [&](long double v) { return (kv_ * static_cast<long double>(difference_) - v) / lag_; };
+    const long double v1 = velocity_, a1 = slope(v1), v2 = v1 + step / 2 * a1, a2 = slope(v2);
+    const long double v3 = v1 + step / 2 * a2, a3 = slope(v3), v4 = v1 + step * a3, a4 = slope(v4);
+    position_ += step / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+    velocity_ += step / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    const auto count = static_cast<std::int64_t>(std::floor(position_));
+    if (count != count_) on_pulse(static_cast<int>(count - count_));
+    difference_ -= count - count_;
+    count_ = count;
+  }
+
+ private:
+  long double kv_, lag_, position_, velocity_ = 0;
+  std::int64_t difference_ = 0, count_ = 0;
+};
+
+struct EncoderPulse {
+  double time;
+  int way;
+};
+
+/// Pulses one way, as many back, with pauses that let some of the motion run out.
+TEST(PulseLoop, AgreesWithSmallStepsPulseByPulse) {
+  constexpr int ticks = 1200000;  // of 1 µs
+  constexpr double tick = 1e-6;
+  for (const double lag : {0.004, 0.02, 0.06}) {
+    PulseLoopOptions options = options_with(30, lag);
+    options.start = 0.37;
+    PulseLoop loop = made(options);
+    loop.load(1000);
+    SmallStepLoop reference(30, lag, 0.37);
+    std::vector<EncoderPulse> ours, theirs;
+    double time = 0;
+    for (int k = 0; k < ticks; ++k) {
+      if (k % 3001 == 3000) {
+        const int direction = k < ticks * 2 / 5 ? 1 : -1;
+        for (const double due = k * tick; time < due;) {
+          const auto passed = loop.run(due - time);
+          time = passed.encoder_pulse == 0 ? due : time + passed.seconds;
+          if (passed.encoder_pulse != 0) ours.push_back({time, passed.encoder_pulse});
+        }
+        loop.pulse(direction);
+        reference.pulse(direction);
+      }
+      reference.step(tick, [&](int way) { theirs.push_back({(k + 1) * tick, way}); });
+    }
+    ASSERT_GT(ours.size(), 200u);
+    ASSERT_GE(theirs.size(), ours.size());
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+      ASSERT_EQ(ours[k].way, theirs[k].way) << k << " lag " << lag;
+      ASSERT_NEAR(ours[k].time, theirs[k].time, 2e-5) << k << " lag " << lag;
+    }
+  }
+}
+
+void settle(PulseLoop& loop, double seconds) {
+  for (int k = 0; k < 100 && !loop.comes_to_rest(); ++k) loop.run_through(seconds / 100);
+}
+
+RC_GTEST_PROP(PulseLoop, EndsWhereItWasSentWhateverThePulses, ()) {
+  const double kv = logarithmic(1, 100), lag = logarithmic(0.01, 4) / kv;
+  PulseLoopOptions options = options_with(kv, lag);
+  options.start = any(0, 1000) / 1000.0;
+  PulseLoop loop = made(options);
+  const int pulses = any(1, 2000);
+  loop.load(pulses);
+  const double interval = logarithmic(0.01, 10) / kv;
+  int sent = 0, direction = 1;
+  for (int k = 0; k < pulses; ++k) {
+    loop.run_through(interval * any(0, 1000) / 500.0);
+    if (any(0, 50) == 0) direction = -direction;
+    RC_ASSERT(loop.pulse(direction));
+    sent += direction;
+    RC_ASSERT(loop.commanded() == sent);
+    RC_ASSERT(loop.encoder_count() + loop.following_error() == sent);
+    RC_ASSERT(std::floor(loop.position()) == static_cast<double>(loop.encoder_count()));
+  }
+  settle(loop, 100 / kv + 100 * lag);
+  RC_ASSERT(loop.comes_to_rest());
+  RC_ASSERT(loop.following_error() == 0);
+  RC_ASSERT(loop.encoder_count() == sent);
+  RC_ASSERT(loop.overflows() == 0);
+}
+
+/// Kv·τ ≤ 1/4: the loop does not overshoot, so that UDC stays below what the greatest rate needs, and a pulse on either
+/// side.
+RC_GTEST_PROP(PulseLoop, KeepsItsCounterBoundedByTheRate, ()) {
+  const double kv = logarithmic(1, 100), lag = logarithmic(0.001, 0.25) / kv;
+  PulseLoop loop = made(options_with(kv, lag));
+  loop.load(1 << 20);
+  const double greatest = logarithmic(0.1, 100) * kv;
+  for (int k = 0; k < 2000; ++k) {
+    loop.run_through((1 + any(0, 3)) / greatest);
+    loop.pulse(1);
+    RC_ASSERT(std::fabs(static_cast<double>(loop.following_error())) <= greatest / kv + 2);
+  }
+}
+
+/// Four bits hold −8 … 7.
+TEST(PulseLoop, ReportsEveryPulseItsCounterHasNoRoomFor) {
+  for (const int direction : {1, -1}) {
+    PulseLoop loop = made(options_with(20, 0.02, 4));
+    loop.load(100);
+    const int room = direction > 0 ? 7 : 8;
+    for (int k = 0; k < 20; ++k) loop.pulse(direction);
+    EXPECT_EQ(loop.following_error(), direction * room);
+    EXPECT_EQ(loop.overflows(), 20 - room);
+    EXPECT_EQ(loop.lost(), direction * (20 - room));
+    loop.run_through(10);
+    EXPECT_EQ(loop.encoder_count(), direction * room);
+    EXPECT_EQ(loop.commanded(), direction * 20);
+  }
+}
+
+/// Ten million pulses, each with an interval and now and then a direction of its own, at 100 … 20000 a second.
+TEST(LongPulseLoop, LosesNoneOfTenMillionPulses) {
+  PulseLoop loop = made(options_with(40, 0.005, 12));
+  constexpr std::int64_t pulses = 10'000'000;
+  loop.load(pulses);
+  std::uint64_t state = 1980;
+  const auto random = [&] { return (state = state * 6364136223846793005u + 1442695040888963407u) >> 33; };
+  std::int64_t sent = 0, greatest = 0;
+  int direction = 1;
+  double rate = 1000;
+  for (std::int64_t k = 0; k < pulses; ++k) {
+    if (random() % 10000 == 0) direction = -direction;
+    if (random() % 5000 == 0) rate = 100 * std::pow(200, static_cast<double>(random()) / 2147483648.0);
+    loop.run_through(static_cast<double>(random() % 2001) / 1000 / rate);
+    loop.pulse(direction);
+    sent += direction;
+    greatest = std::max(greatest, std::abs(loop.following_error()));
+  }
+  settle(loop, 5);
+  EXPECT_EQ(loop.to_come(), 0);
+  EXPECT_EQ(loop.commanded(), sent);
+  EXPECT_EQ(loop.encoder_count(), sent);
+  EXPECT_TRUE(loop.comes_to_rest());
+  EXPECT_EQ(loop.overflows(), 0);
+  EXPECT_GT(greatest, 400);
+  EXPECT_LT(greatest, 600);  // 20000/40 and what random intervals add
+}
+
+std::string refusal(const PulseLoopOptions& options) {
+  const auto loop = PulseLoop::create(options);
+  return loop ? "" : std::string(loop.error().code) + ": " + loop.error().message;
+}
+
+TEST(PulseLoop, SaysWhichOptionIsWrong) {
+  const PulseLoopOptions sound = options_with(20, 0.02);
+  EXPECT_EQ(refusal(sound), "");
+  PulseLoopOptions options = sound;
+  options.converter = 0;
+  EXPECT_EQ(refusal(options), "servo-pulse-loop: the gain of the converter is 0");
+  options = sound;
+  options.time_constant = -1;
+  EXPECT_EQ(refusal(options), "servo-pulse-loop: the time constant is -1");
+  options = sound;
+  options.counter_bits = 33;
+  EXPECT_EQ(refusal(options), "servo-pulse-loop: the number of bits of the up-down counter is 33");
+  options = sound;
+  options.start = 1.5;
+  EXPECT_EQ(refusal(options), "servo-pulse-loop: the start is 1.5");
+}
+
+}  // namespace
+}  // namespace leadscrew::servo::testing
