@@ -10,8 +10,8 @@
 // where it stops it stays, unless the drive pulls harder than the friction at rest. Under a constant command it stops
 // once at the most.
 //
-// Play between screw and slide (backlash) holds the slide at friction's mercy: it moves only where a flank pushes it,
-// and its mass counts in the drive all the time.
+// Within the play (backlash) the slide stands, for it moves only where a flank pushes it. Its mass is taken to belong
+// to the drive all the time.
 
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/servo/drive.hpp>

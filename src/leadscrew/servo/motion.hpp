@@ -1,5 +1,5 @@
 #pragma once
-// Motion under a constant pull: what every loop of this room is made of. Between two changes of its command a drive
+// Motion under a constant pull, of which every loop of this room is made: between two changes of its command a drive
 // obeys
 //
 //   x′ = v,   v′ = a − d·v
@@ -9,8 +9,7 @@
 //   v(t) = v + (a − d·v)·φ₁      φ₁ = (1 − e^(−d·t))/d      → t     as d → 0
 //   x(t) = x + v·φ₁ + a·φ₂       φ₂ = (t − φ₁)/d            → t²/2
 //
-// A drive with the transfer function K/(s(τs + 1)) has a = K·u/τ and d = 1/τ; a mass that is pushed by a force has d =
-// 0.
+// A drive with the transfer function K/(s(τs + 1)) has a = K·u/τ and d = 1/τ; a mass pushed by a force has d = 0.
 
 #include <cmath>
 #include <limits>

@@ -14,9 +14,8 @@
 //
 // In the steady state UDC = f/Kv, where f is the rate of pulses: the encoder gives as many as the interpolator. Between
 // two pulses of either kind the drive is constant and the motion is known in closed form. The next encoder pulse is
-// found in it to the last digits, so that nothing depends on a step of simulation. (A. Roy Choudhury, "Computer Control
-// of Machine Tools and Processes", lecture 12, problem 13.1; Y. Koren, "Computer Control of Manufacturing Systems", on
-// reference-pulse loops.)
+// found in it to the last digits, so that nothing depends on a step of simulation.
+// Source: A. Roy Choudhury, "Computer Numerical Control of Machine Tools and Processes", lecture 12, problem 13.1.
 
 #include <cstdint>
 #include <leadscrew/base/result.hpp>
