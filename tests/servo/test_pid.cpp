@@ -163,6 +163,19 @@ TEST(PidWindup, IsKeptFromGrowingWithTheTimeAtTheLimit) {
   EXPECT_GT(unguarded.overshoot, 20 * guarded.overshoot);
 }
 
+/// P and D are 0, I·T = 1/8: up to the limit of 1 it sums eight errors, and no ninth; one that leads back it does.
+TEST(PidWindup, StopsTheSumAtTheLimitAndLetsItReturn) {
+  Pid pid = Pid::create({.gains = {0, 1, 0}, .velocity_forward = 1, .limit = 1}, 0.125).value();
+  for (int k = 0; k < 20; ++k) pid.command({1}, 0);
+  EXPECT_EQ(pid.sum(), 8);
+  EXPECT_EQ(pid.command({.position = 1, .velocity = 5}, 0), 1);
+  EXPECT_EQ(pid.sum(), 8);
+  EXPECT_EQ(pid.command({.position = -1, .velocity = 5}, 0), 1);  // at its limit still, by what is fed forward
+  EXPECT_EQ(pid.sum(), 7);
+  EXPECT_EQ(pid.command({.position = -1, .velocity = -5}, 0), -1);
+  EXPECT_EQ(pid.sum(), 7);
+}
+
 TEST(PidWindup, GuardChangesNothingBelowTheLimit) {
   Pid guarded = Pid::create({.gains = {2, 30, 5}, .limit = 100}, 0.01).value();
   Pid unguarded = Pid::create({.gains = {2, 30, 5}, .limit = 100, .anti_windup = AntiWindup::none}, 0.01).value();

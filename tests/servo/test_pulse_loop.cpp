@@ -136,6 +136,50 @@ TEST(PulseLoop, FindsTheEncoderPulseWhereTheMotionHasIt) {
   EXPECT_NEAR(loop.position(), rest, 1e-12);
 }
 
+/// Sent on and back before it has counted a pulse: it turns, and passes the edge that it began on.
+TEST(PulseLoop, FindsTheEncoderPulseBehindATurn) {
+  const double kv = 8, lag = 0.05, first = 0.1;
+  PulseLoop loop = made(options_with(kv, lag));
+  loop.load(3);
+  loop.pulse(1);
+  ASSERT_EQ(loop.run(first).encoder_pulse, 0);
+  const double x = loop.position(), v = loop.velocity();
+  EXPECT_GT(v, 0);
+  loop.pulse(-1);
+  loop.pulse(-1);
+  const auto passed = loop.run(10);
+  ASSERT_EQ(passed.encoder_pulse, -1);
+  EXPECT_EQ(loop.encoder_count(), -1);
+  EXPECT_EQ(loop.following_error(), 0);
+  const double t = passed.seconds;
+  EXPECT_GT(t, lag * std::log1p(v / kv));  // when it turned
+  EXPECT_NEAR(x - kv * t + lag * (v + kv) * (1 - std::exp(-t / lag)), 0, 1e-14);
+}
+
+RC_GTEST_PROP(PulseLoop, KnowsWhetherAnotherEncoderPulseComes, ()) {
+  const double kv = logarithmic(1, 100), lag = logarithmic(0.1, 8) / kv;
+  PulseLoop loop = made(options_with(kv, lag));
+  loop.load(10);
+  for (int k = 0; k < 10; ++k) {
+    loop.pulse(1);
+    loop.run_through(logarithmic(0.1, 3) / kv);
+  }
+  int stayed = 0, went_on = 0;
+  for (int k = 0; k < 3000; ++k) {
+    if (loop.following_error() == 0) {
+      PulseLoop left_alone = loop;
+      const bool comes = left_alone.run(60 * lag).encoder_pulse != 0;
+      RC_ASSERT(comes == !loop.comes_to_rest());
+      (comes ? went_on : stayed) += 1;
+    } else {
+      RC_ASSERT(!loop.comes_to_rest());
+    }
+    loop.run(0.1 / kv);
+  }
+  RC_ASSERT(stayed > 0);
+  if (kv * lag > 6) RC_ASSERT(went_on > 0);
+}
+
 /// The same loop by Runge and Kutta's method in small steps; the encoder is floor(θ).
 class SmallStepLoop {
  public:
