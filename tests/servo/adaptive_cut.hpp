@@ -2,6 +2,7 @@
 // A cut under adaptive control, millisecond by millisecond: the feed follows the override with a lag, the sensor gives
 // the force's mean over each millisecond.
 
+#include <algorithm>
 #include <cmath>
 #include <leadscrew/servo/adaptive_feed.hpp>
 #include <leadscrew/servo/cutting_force.hpp>
@@ -43,7 +44,7 @@ class AdaptiveCut {
   /// One millisecond. What the sensor says is what `sense` makes of the force.
   template <class Sense>
   void step(Sense&& sense) {
-    constexpr int parts = 8;
+    const int parts = std::max(4, 32 * options_.teeth / options_.turn);  // at least 32 while a tooth passes
     double force = 0, travelled = 0;
     for (int part = 0; part < parts; ++part) {
       const double before = motion_.position;

@@ -49,10 +49,11 @@ RC_GTEST_PROP(AdaptiveFeed, BringsTheForceBackWhenTheDepthDoubles, ()) {
 RC_GTEST_PROP(AdaptiveFeed, ComesToRestWithoutALimitCycle, ()) {
   CutOptions options = any_cut();
   options.noise = 1e-9;
+  options.edge_share = any(0, 41) / 100.0;
   AdaptiveCut cut(options);
   for (const Engagement& engagement : {Engagement{2, 4}, Engagement{3, 4}, Engagement{1.5, 6}, Engagement{1.2, 4}}) {
     cut.engagement = engagement;
-    cut.run(500 + 30 * options.turn);
+    cut.run(1500 + 60 * options.turn);
     const auto settled = std::minmax_element(cut.overrides.end() - 10 * options.turn, cut.overrides.end());
     RC_ASSERT(cut.adaptive().failure() == SensorFailure::none);
     RC_ASSERT(*settled.second - *settled.first < 1e-4 * *settled.second);
