@@ -20,7 +20,7 @@ void for_each_pulse_case(const Visit& visit) {
   visit("circle/improved-least-error", [=] { return CircularSearch<Search::improved_least_error>(circle); });
   visit("line/dda", [] { return LinearDda<2>({30000, 20000}, capacity_for(1300000000), Preload::half); });
   visit("line/dda/three-axes", [] { return LinearDda<3>({30000, 20000, 7000}, 40000, Preload::half); });
-  visit("line/point-comparison", [] { return LinearPointComparison({30000, 20000}); });
+  visit("line/point-comparison", [] { return LinearPointComparison<2>({30000, 20000}); });
   visit("line/bresenham", [] { return LinearBresenham({30000, 20000}); });
 }
 

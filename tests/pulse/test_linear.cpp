@@ -78,13 +78,36 @@ TEST(LinearDda, CarriesNineAxesToTheirEnd) {
 }
 
 TEST(LinearPointComparison, KeepsWithinABlu) {
-  expect_on_every_line([](Point way) { return LinearPointComparison(way); }, 1);
+  expect_on_every_line([](Point way) { return LinearPointComparison<2>({way.x, way.y}); }, 1);
 }
 
 TEST(LinearPointComparison, StepsOneAxisAClock) {
-  const Trace found = trace_line(LinearPointComparison({4, -3}), {4, -3});
+  const Trace found = trace_line(LinearPointComparison<2>({4, -3}), {4, -3});
   EXPECT_EQ(found.clocks, 7);
   EXPECT_EQ(found.pulses, 7);
+}
+
+/// The first of those that have the greatest share of their way left: of nine axes, two of which stand still.
+TEST(LinearPointComparison, StepsTheAxisThatIsFurthestBehind) {
+  const std::array<std::int64_t, 9> way = {0, -100, 7, 0, 64, -3, 50, 33, -64};
+  LinearPointComparison<9> line(way);
+  std::array<std::int64_t, 9> at{};
+  for (int clock = 0; clock < 100 + 7 + 64 + 3 + 50 + 33 + 64; ++clock) {
+    const auto share_left = [&](std::size_t i) { return 1 - static_cast<double>(at[i]) / static_cast<double>(way[i]); };
+    const Pulse<9> pulse = line.step();
+    const auto stepped = static_cast<std::size_t>(
+        std::ranges::find_if(pulse.step, [](std::int8_t step) { return step != 0; }) - pulse.step.begin());
+    ASSERT_LT(stepped, 9u);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      if (way[i] == 0 || i == stepped) continue;
+      const double ahead = share_left(stepped) - share_left(i);  // two shares are equal or 1/6400 apart
+      ASSERT_TRUE(ahead > 1e-6 || (ahead > -1e-6 && stepped < i)) << clock << ' ' << i;
+    }
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] += pulse.step[i];
+    ASSERT_EQ(line.left(stepped), std::abs(way[stepped] - at[stepped]));
+  }
+  EXPECT_EQ(at, way);
+  EXPECT_TRUE(line.done());
 }
 
 TEST(LinearBresenham, KeepsWithinHalfABlu) {

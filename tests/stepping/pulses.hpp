@@ -44,8 +44,14 @@ struct Pulsed {
   std::int64_t last = 0;    ///< tick of the last one
   std::int64_t ticks = 0;   ///< of the whole program
   std::int64_t commands = 0;
-  bool is_ordered = true;  ///< at most one pulse a clock, none empty, no step but one
+  bool is_ordered = true;  ///< by ticks and axes, at most one step of an axis at each
   std::string problems;    ///< "3 pulse-rate; ": lines and codes
+};
+
+/// All steps of one tick.
+struct TimedPulse {
+  std::int64_t tick = 0;  ///< of the clock, from 1
+  AxisPulse pulse;        ///< not empty
 };
 
 /// Calls `each` for every pulse.
@@ -57,16 +63,20 @@ Pulsed pulse(const std::string& text, const Conditions& conditions, const Each& 
                          if (d.severity != base::Severity::error) return;
                          result.problems += std::to_string(d.place.line) + " " + std::string(d.code) + "; ";
                        });
-  TimedPulse made;
-  while (program.next(made)) {
-    result.is_ordered &= made.tick > result.last && made.pulse != AxisPulse{};
-    for (std::size_t i = 0; i < made.pulse.step.size(); ++i) {
-      result.is_ordered &= std::abs(made.pulse.step[i]) <= 1;
-      result.sum[i] += made.pulse.step[i];
+  std::array<StepEvent, 256> room;
+  for (auto steps = program.next(room); !steps.empty(); steps = program.next(room)) {
+    for (std::size_t i = 0; i < steps.size();) {
+      TimedPulse made{steps[i].tick(), {}};
+      for (std::size_t before = i; i < steps.size() && steps[i].tick() == made.tick; ++i) {
+        result.is_ordered &= i == before || steps[i - 1].axis() < steps[i].axis();
+        made.pulse.step[base::index(steps[i].axis())] = static_cast<std::int8_t>(steps[i].direction());
+        result.sum[base::index(steps[i].axis())] += steps[i].direction();
+      }
+      result.is_ordered &= made.tick > result.last;
+      ++result.pulses;
+      result.last = made.tick;
+      each(made);
     }
-    ++result.pulses;
-    result.last = made.tick;
-    each(made);
   }
   result.ticks = program.ticks();
   result.commands = program.commands();

@@ -14,6 +14,7 @@ namespace {
 using testing::Conditions;
 using testing::pulse;
 using testing::Pulsed;
+using testing::TimedPulse;
 
 /// Positions of the first three axes by time, every `grid` clocks.
 struct Sampled {

@@ -16,6 +16,7 @@ namespace {
 using testing::Conditions;
 using testing::pulse;
 using testing::Pulsed;
+using testing::TimedPulse;
 
 constexpr std::array methods = {PulseMethod::koren,
                                 PulseMethod::dda,
@@ -237,6 +238,34 @@ TEST(PulseProgram, MakesThePulsesOfTheNcProgram) {
   EXPECT_TRUE(program.done());
 }
 
+/// One clock at a time, or as many as find room.
+RC_GTEST_PROP(PulseProgram, MakesTheSameStepsWhateverTheRoom, ()) {
+  Conditions conditions;
+  conditions.options.method = *rc::gen::elementOf(methods);
+  conditions.options.shape = *rc::gen::element(Shape::constant, Shape::accelerate);
+  const std::string feed = "G61 F" + std::to_string(*rc::gen::inRange(300, 5000)) + "\n";
+  const std::string text = feed +
+                           "G1 X1.1 Y-0.7\nX1 Y0.4 Z0.3\nA2 B-1 U1.1\nA0 B0 U0 V1 W2 C3\nG3 X0 Y0.5 R0.6\nG4 P0.001\n" +
+                           "G18 G2 X0.5 Z0.2 R0.4\nG17 G3 I0.4 J0.1 Z1 P2\nG2 X-1 Y0 R3 Z0 A1\nG0 X0 Z2\nM2\n";
+  const auto steps_with = [&](std::size_t room_for) {
+    PulseProgram program(gcode::text_source(text), conditions.machine, conditions.tools, {}, conditions.options,
+                         [](const base::Diagnostic& d) { RC_FAIL(d.message); });
+    std::vector<StepEvent> all, room(room_for);
+    base::Line line{};
+    for (auto steps = program.next(room); !steps.empty(); steps = program.next(room)) {
+      if (room_for == base::axis_count) RC_ASSERT(steps.front().tick() == steps.back().tick());
+      RC_ASSERT(program.ticks() == steps.back().tick());
+      RC_ASSERT(program.line() >= line);
+      line = program.line();
+      all.insert(all.end(), steps.begin(), steps.end());
+    }
+    return all;
+  };
+  const std::vector<StepEvent> one_by_one = steps_with(base::axis_count);
+  RC_ASSERT(one_by_one.size() > 9000u);
+  RC_ASSERT(steps_with(*rc::gen::inRange<std::size_t>(base::axis_count + 1, 3000)) == one_by_one);
+}
+
 TEST(PulseProgram, TakesInverseTimeAndDwells) {
   const Conditions conditions;
   // Four seconds, one and a half, and as fast as the machine can: 0.2 s.
@@ -250,12 +279,12 @@ TEST(PulseProgram, TakesAnOverrideWhileItRuns) {
   const std::string text = "G61 G1 X10 F600\nM2\n";
   PulseProgram program(gcode::text_source(text), conditions.machine, conditions.tools, {}, conditions.options,
                        [](const base::Diagnostic& d) { ADD_FAILURE() << d.message; });
-  TimedPulse made;
-  for (int i = 0; i < 5000; ++i) ASSERT_TRUE(program.next(made));
-  EXPECT_NEAR(static_cast<double>(made.tick), 500'000, 100);
+  std::array<StepEvent, base::axis_count> room;  // for one step of one axis and no more
+  for (int i = 0; i < 5000; ++i) ASSERT_EQ(program.next(room).size(), 1u);
+  EXPECT_NEAR(static_cast<double>(program.ticks()), 500'000, 100);
   program.override_feed(500);
-  while (program.next(made)) continue;
-  EXPECT_NEAR(static_cast<double>(made.tick), 1'500'000, 300);
+  while (!program.next(room).empty()) continue;
+  EXPECT_NEAR(static_cast<double>(program.ticks()), 1'500'000, 300);
 }
 
 TEST(PulseProgram, RefusesWhatItCannotGive) {

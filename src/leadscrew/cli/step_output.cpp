@@ -11,7 +11,8 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t pulses_between_looks = 4096, words_between_looks = 4096;
+constexpr std::size_t steps_between_looks = 4096;
+constexpr std::int64_t words_between_looks = 4096;
 
 bool is_of_pulses(const base::Diagnostic& problem) {
   return problem.code.substr(0, 6) == "pulse-";
@@ -138,16 +139,10 @@ base::Result<void> StepOutput::write_program(const InputFile& program) {
                                 pulse_options(job_->arguments), [&](const base::Diagnostic& found) {
                                   if (is_of_pulses(found) && !problem) problem = found;
                                 });
-  stepping::TimedPulse made;
-  for (std::int64_t count = 1; state_ && pulses.next(made); ++count) {
-    std::array<stepping::StepEvent, base::axis_count> events;
-    std::size_t steps = 0;
-    for (const base::Axis axis : base::all_axes) {
-      const std::int8_t step = made.pulse.step[base::index(axis)];
-      if (step != 0) events[steps++] = {made.tick, axis, step};
-    }
-    put({events.data(), steps});
-    if (count % pulses_between_looks == 0 && interrupted()) return base::failure(interruption());
+  std::array<stepping::StepEvent, steps_between_looks> room;
+  for (auto steps = pulses.next(room); state_ && !steps.empty(); steps = pulses.next(room)) {
+    put(steps);
+    if (interrupted()) return base::failure(interruption());
   }
   if (pulses.source_failure()) return base::failure(*pulses.source_failure());
   if (problem) return base::failure(*problem);

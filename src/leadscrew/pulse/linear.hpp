@@ -1,5 +1,5 @@
 #pragma once
-// Straight lines: the DDA for any number of axes; point comparison and Bresenham's in a plane.
+// Straight lines: the DDA and point comparison for any number of axes, Bresenham's in a plane.
 
 #include <leadscrew/pulse/integrator.hpp>
 
@@ -62,39 +62,68 @@ constexpr std::int64_t capacity_for(std::int64_t squared_length) {
   return capacity > 0 ? capacity : 1;
 }
 
-/// F = |a|·y − |b|·x beside the line to (a, b), x and y counted along it: above it F > 0, where x steps; below it y
-/// does. On it, x steps, so that a line along an axis needs no exception. One axis a clock; ends after |a| + |b|
+/// One axis a clock, the one that is furthest behind; of those that are equally far the first. Ends after Σ |way|
 /// clocks.
+///
+/// In a plane, for the way (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above the line
+/// F > 0, where x steps; below it y does. Of more axes the one that has most of its way left is found by products.
+template <std::size_t axis_count>
 class LinearPointComparison {
  public:
-  static constexpr std::size_t axes = 2;
+  static constexpr std::size_t axes = axis_count;
 
-  constexpr explicit LinearPointComparison(Point way)
-      : a_(absolute(way.x)),
-        b_(absolute(way.y)),
-        left_x_(a_),
-        left_y_(b_),
-        sign_x_(sign(way.x)),
-        sign_y_(sign(way.y)) {}
-
-  constexpr bool done() const { return left_x_ == 0 && left_y_ == 0; }
-
-  constexpr Pulse<2> step() {
-    if (done()) return {};
-    const bool along_x = left_x_ > 0 && (deviation_ >= 0 || left_y_ == 0);
-    deviation_ += along_x ? -b_ : a_;
-    left_x_ -= along_x;
-    left_y_ -= !along_x;
-    return along_x ? Pulse<2>{{sign_x_, 0}} : Pulse<2>{{0, sign_y_}};
+  /// Way of each axis, signed, |way| ≤ greatest_coordinate.
+  constexpr explicit LinearPointComparison(const std::array<std::int64_t, axes>& way) {
+    for (std::size_t i = 0; i < axes; ++i) {
+      way_[i] = left_[i] = absolute(way[i]);
+      sign_[i] = sign(way[i]);
+      all_left_ += left_[i];
+      whole_[i] = way_[i] > 0 ? way_[i] : 1;  // of no way nothing is left
+    }
   }
 
-  constexpr std::int64_t deviation() const { return deviation_; }  ///< F
-  constexpr std::int64_t left_x() const { return left_x_; }
-  constexpr std::int64_t left_y() const { return left_y_; }
+  constexpr bool done() const { return all_left_ == 0; }
+
+  constexpr Pulse<axes> step() {
+    Pulse<axes> pulse;
+    if (done()) return pulse;
+    const std::size_t last = furthest_behind();
+    for (std::size_t i = 0; i < axes; ++i) {
+      // A mask, for a branch would go the wrong way.
+      const std::int64_t steps = -static_cast<std::int64_t>(i == last);
+      left_[i] += steps;
+      pulse.step[i] = static_cast<std::int8_t>(sign_[i] & steps);
+    }
+    if constexpr (axes == 2) f_ += last == 0 ? -way_[1] : way_[0];
+    --all_left_;
+    return pulse;
+  }
+
+  /// F.
+  constexpr std::int64_t deviation() const
+    requires(axes == 2)
+  {
+    return f_;
+  }
+  constexpr std::int64_t left(std::size_t axis) const { return left_[axis]; }
 
  private:
-  std::int64_t a_, b_, left_x_, left_y_, deviation_ = 0;
-  std::int8_t sign_x_, sign_y_;
+  constexpr std::size_t furthest_behind() const {
+    if constexpr (axes == 2) return f_ < 0 || way_[0] == 0;
+    std::size_t last = 0;
+    std::int64_t left = left_[0], whole = whole_[0];
+    for (std::size_t i = 1; i < axes; ++i) {
+      const std::int64_t is_further = (left * whole_[i] - left_[i] * whole) >> 63;
+      last = is_further != 0 ? i : last;
+      left ^= (left ^ left_[i]) & is_further;
+      whole ^= (whole ^ whole_[i]) & is_further;
+    }
+    return last;
+  }
+
+  std::array<std::int64_t, axes> way_{}, whole_{}, left_{};
+  std::array<std::int8_t, axes> sign_{};
+  std::int64_t all_left_ = 0, f_ = 0;
 };
 
 /// Bresenham's line: the longer axis steps at every clock, the other where the line is half a BLU away; so do the

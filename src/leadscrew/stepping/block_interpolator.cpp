@@ -82,79 +82,144 @@ void count_commands(Block& block, PulseMethod method) {
 
 BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   if (block.kind == Block::Kind::dwell) return;
-  load_straight(block, method, options);
-  if (block.kind == Block::Kind::arc) load_circle(block, method, options);
+  if (block.kind == Block::Kind::arc) {
+    load_arc(block, method, options);
+  } else {
+    load_line(block, method, options);
+  }
 }
 
-void BlockInterpolator::load_straight(const Block& block, PulseMethod method, const InterpolationOptions& options) {
-  has_circle_ = block.kind == Block::Kind::arc;
+void BlockInterpolator::load_line(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   LatticeVector way{};
-  if (has_circle_) way[lanes_++] = block.circle_commands;
-  for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
-    if (block.way[axis] == 0) continue;
-    axis_of_[lanes_] = axis;
-    way[lanes_++] = block.way[axis];
+  std::size_t axes = 0;
+  for (const base::Axis axis : base::all_axes) {
+    if (block.way[base::index(axis)] == 0) continue;
+    lanes_[axes] = {axes, axis};
+    way[axes++] = block.way[base::index(axis)];
   }
-  if (has_circle_ && lanes_ == 1) lanes_ = 0;  // nothing but the circle: every command is its clock
-  if (lanes_ == 0) return;
+  for (std::size_t lane = axes; lane < lanes_.size(); ++lane) lanes_[lane].index = lane;
   if (block.kind == Block::Kind::point_to_point) {
-    straight_.emplace<PointToPoint<base::axis_count>>(way);
-    return;
+    state_ = PointToPoint<base::axis_count>(way);
+  } else if (axes <= 2) {
+    load_line<2>(block, way, method, options);
+  } else if (axes == 3) {
+    load_line<3>(block, way, method, options);
+  } else if (axes <= 5) {
+    load_line<5>(block, way, method, options);
+  } else {
+    load_line<base::axis_count>(block, way, method, options);
   }
-  if (method == PulseMethod::point_comparison && block.kind == Block::Kind::line) {
-    straight_.emplace<LinePointComparison<base::axis_count>>(way);
+}
+
+template <std::size_t axes>
+void BlockInterpolator::load_line(const Block& block, const LatticeVector& way, PulseMethod method,
+                                  const InterpolationOptions& options) {
+  std::array<std::int64_t, axes> ways;
+  std::copy_n(way.begin(), axes, ways.begin());
+  if (method == PulseMethod::point_comparison) {
+    state_ = pulse::LinearPointComparison<axes>(ways);
     return;
   }
   // With the longest way as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the shorter
   // axes where they are more than half a step behind.
   const std::int64_t capacity = block.commands;
-  const bool is_bresenham = block.kind == Block::Kind::line && !is_dda(method);
   const std::int64_t preload =
-      is_bresenham ? (capacity - 1) / 2 : pulse::preloaded(options.preload, capacity, /*is_lagging=*/true);
-  if (lanes_ <= 3) {
-    straight_.emplace<pulse::LinearDda<3>>(std::array{way[0], way[1], way[2]}, capacity, preload);
-  } else {
-    straight_.emplace<pulse::LinearDda<base::axis_count>>(way, capacity, preload);
+      is_dda(method) ? pulse::preloaded(options.preload, capacity, /*is_lagging=*/true) : (capacity - 1) / 2;
+  state_ = pulse::LinearDda<axes>(ways, capacity, preload);
+}
+
+void BlockInterpolator::load_arc(const Block& block, PulseMethod method, const InterpolationOptions& options) {
+  const auto dda = [&](pulse::Order order) {
+    return ProgramCircle(block.arc, {order, options.preload, options.places});
+  };
+  switch (method) {
+    case PulseMethod::koren:
+      return load_arc(block, dda(pulse::Order::x_first), options);
+    case PulseMethod::dda:
+      return load_arc(block, dda(pulse::Order::parallel), options);
+    case PulseMethod::point_comparison:
+      return load_arc(block, PointComparison(block.arc), options);
+    case PulseMethod::min_error:
+    case PulseMethod::bresenham:
+      return load_arc(block, LeastError(block.arc), options);
+    case PulseMethod::improved_min_error:
+      return load_arc(block, ImprovedLeastError(block.arc), options);
   }
 }
 
-void BlockInterpolator::load_circle(const Block& block, PulseMethod method, const InterpolationOptions& options) {
-  first_ = block.first_axis;
-  second_ = block.second_axis;
-  switch (method) {
-    case PulseMethod::koren:
-      circle_.emplace<ProgramCircle>(block.arc,
-                                     pulse::CircularDdaOptions{pulse::Order::x_first, options.preload, options.places});
-      break;
-    case PulseMethod::dda:
-      circle_.emplace<ProgramCircle>(
-          block.arc, pulse::CircularDdaOptions{pulse::Order::parallel, options.preload, options.places});
-      break;
-    case PulseMethod::point_comparison:
-      circle_.emplace<pulse::CircularSearch<pulse::Search::point_comparison>>(block.arc);
-      break;
-    case PulseMethod::min_error:
-    case PulseMethod::bresenham:
-      circle_.emplace<pulse::CircularSearch<pulse::Search::least_error>>(block.arc);
-      break;
-    case PulseMethod::improved_min_error:
-      circle_.emplace<pulse::CircularSearch<pulse::Search::improved_least_error>>(block.arc);
-      break;
+template <typename Circle>
+void BlockInterpolator::load_arc(const Block& block, const Circle& circle, const InterpolationOptions& options) {
+  // The circle's commands, and the ways of the axes beside it.
+  LatticeVector way{block.circle_commands};
+  std::size_t beside = 0;
+  lanes_[0] = {0, base::all_axes[block.first_axis]};
+  lanes_[1] = {1, base::all_axes[block.second_axis]};
+  for (const base::Axis axis : base::all_axes) {
+    if (block.way[base::index(axis)] == 0) continue;
+    lanes_[2 + beside] = {2 + beside, axis};
+    way[++beside] = block.way[base::index(axis)];
+  }
+  for (std::size_t lane = 2 + beside; lane < lanes_.size(); ++lane) lanes_[lane].index = lane;
+  std::sort(lanes_.begin(), lanes_.begin() + static_cast<std::ptrdiff_t>(2 + beside),
+            [](const Lane& a, const Lane& b) { return a.axis < b.axis; });
+  const std::int64_t capacity = block.commands;
+  const std::int64_t preload = pulse::preloaded(options.preload, capacity, /*is_lagging=*/true);
+  if (beside == 0) {
+    state_ = circle;
+  } else if (beside == 1) {
+    state_ = Helix<Circle, 1>(circle, {std::array{way[0], way[1]}, capacity, preload});
+  } else {
+    std::array<std::int64_t, 1 + all_beside> ways;
+    std::copy_n(way.begin(), ways.size(), ways.begin());
+    state_ = Helix<Circle, all_beside>(circle, {ways, capacity, preload});
   }
 }
+
+AxisPulse BlockInterpolator::step() {
+  AxisPulse made;
+  std::visit(
+      [&](auto& state) {
+        const auto pulse = state.step();
+        for (std::size_t i = 0; i < pulse.step.size(); ++i) {
+          made.step[base::index(lanes_[i].axis)] += pulse.step[lanes_[i].index];
+        }
+      },
+      state_);
+  return made;
+}
+
+namespace {
+
+std::int64_t left(const ProgramCircle& circle, std::size_t lane) {
+  return lane == 0 ? circle.left_x() : circle.left_y();
+}
+
+template <pulse::Search method>
+std::int64_t left(const pulse::CircularSearch<method>&, std::size_t) {
+  return 0;
+}
+
+template <typename Circle, std::size_t beside>
+std::int64_t left(const Helix<Circle, beside>& helix, std::size_t lane) {
+  return lane < Circle::axes ? left(helix.circle(), lane) : helix.straight().left(lane - 1);
+}
+
+template <typename Line>
+std::int64_t left(const Line& line, std::size_t lane) {
+  return line.left(lane);
+}
+
+}  // namespace
 
 std::int64_t BlockInterpolator::left(std::size_t axis) const {
   std::int64_t steps = 0;
-  if (has_circle_ && (axis == first_ || axis == second_)) {
-    if (const auto* circle = std::get_if<ProgramCircle>(&circle_)) {
-      steps = axis == first_ ? circle->left_x() : circle->left_y();
-    }
-    return steps;
-  }
-  for (std::size_t lane = has_circle_; lane < lanes_; ++lane) {
-    if (axis_of_[lane] != axis) continue;
-    with(straight_, [&](const auto& straight) { return (steps = straight.left(lane)) > 0; });
-  }
+  std::visit(
+      [&]<typename Interpolator>(const Interpolator& state) {
+        for (std::size_t i = 0; i < Interpolator::axes; ++i) {
+          if (base::index(lanes_[i].axis) == axis) steps += stepping::left(state, lanes_[i].index);
+        }
+      },
+      state_);
   return steps;
 }
 

@@ -9,17 +9,19 @@
 //   improved          command                                      at every command
 //   bresenham         the same                                     as improved
 //
-// Axes beside the plane of an arc go with it as along a straight line, one of whose ways is the circle's: a linear DDA
-// with q = √(n² + Σ Δ²) has the circle's n commands as its first integrand and clocks the circle by that one's
-// overflows.
+// Axes beside the plane of an arc go with it (helix.hpp): the first integrand of their DDA, with q = √(n² + Σ Δ²), is
+// the circle's n commands.
+//
+// Which of them it is matters once a run of commands: each has a loop of its own.
 
 #include <leadscrew/pulse/circular_search.hpp>
 #include <leadscrew/pulse/linear.hpp>
 #include <leadscrew/stepping/block.hpp>
-#include <leadscrew/stepping/line_point_comparison.hpp>
+#include <leadscrew/stepping/helix.hpp>
 #include <leadscrew/stepping/point_to_point.hpp>
 #include <leadscrew/stepping/program_circle.hpp>
 #include <leadscrew/stepping/pulse_method.hpp>
+#include <leadscrew/stepping/step_writer.hpp>
 #include <variant>
 
 namespace leadscrew::stepping {
@@ -40,14 +42,18 @@ class BlockInterpolator {
   /// Of a block with counted commands.
   BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options);
 
-  bool done() const { return !turns() && !goes_straight(); }
+  bool done() const {
+    return std::visit([](const auto& state) { return state.done(); }, state_);
+  }
 
-  /// What one command makes; at most one step of each axis. Is there any?
-  bool step(AxisPulse& pulse) {
-    pulse = {};
-    const Stepped straight = step_straight(pulse);
-    const bool turned = straight.clocks_circle && step_circle(pulse);
-    return turned || straight.any;
+  /// What one command makes; at most one step of each axis.
+  AxisPulse step();
+
+  /// One command after the other, each after as many clocks as the feed says, until it is done or there is no room: at
+  /// most so many, > 0. How many there were.
+  template <typename Feed>
+  std::int64_t run(Feed& feed, std::int64_t most, StepWriter& steps) {
+    return std::visit([&](auto& state) { return run(state, feed, most, steps); }, state_);
   }
 
   /// Steps that the counter of an axis still holds; in the plane of an arc those of the quadrant, as far as the method
@@ -55,73 +61,59 @@ class BlockInterpolator {
   std::int64_t left(std::size_t axis) const;
 
  private:
-  using Straight = std::variant<std::monostate, pulse::LinearDda<3>, pulse::LinearDda<base::axis_count>,
-                                LinePointComparison<base::axis_count>, PointToPoint<base::axis_count>>;
-  using Circle = std::variant<std::monostate, ProgramCircle, pulse::CircularSearch<pulse::Search::point_comparison>,
-                              pulse::CircularSearch<pulse::Search::least_error>,
-                              pulse::CircularSearch<pulse::Search::improved_least_error>>;
+  template <pulse::Search method>
+  using Search = pulse::CircularSearch<method>;
+  using LeastError = Search<pulse::Search::least_error>;
+  using ImprovedLeastError = Search<pulse::Search::improved_least_error>;
+  using PointComparison = Search<pulse::Search::point_comparison>;
+  template <std::size_t axes>
+  using Dda = pulse::LinearDda<axes>;
+  template <std::size_t axes>
+  using Comparison = pulse::LinearPointComparison<axes>;
+  static constexpr std::size_t all = base::axis_count, all_beside = all - 2;
+  // Of few axes and of all, for those that stand still take their time too.
+  using State = std::variant<PointToPoint<all>,                                                               //
+                             Dda<2>, Dda<3>, Dda<5>, Dda<all>,                                                //
+                             Comparison<2>, Comparison<3>, Comparison<5>, Comparison<all>,                    //
+                             ProgramCircle, Helix<ProgramCircle, 1>, Helix<ProgramCircle, all_beside>,        //
+                             PointComparison, Helix<PointComparison, 1>, Helix<PointComparison, all_beside>,  //
+                             LeastError, Helix<LeastError, 1>, Helix<LeastError, all_beside>,                 //
+                             ImprovedLeastError, Helix<ImprovedLeastError, 1>, Helix<ImprovedLeastError, all_beside>>;
 
-  void load_straight(const Block& block, PulseMethod method, const InterpolationOptions& options);
-  void load_circle(const Block& block, PulseMethod method, const InterpolationOptions& options);
+  void load_line(const Block& block, PulseMethod method, const InterpolationOptions& options);
+  template <std::size_t axes>
+  void load_line(const Block& block, const LatticeVector& way, PulseMethod method, const InterpolationOptions& options);
+  void load_arc(const Block& block, PulseMethod method, const InterpolationOptions& options);
+  template <typename Circle>
+  void load_arc(const Block& block, const Circle& circle, const InterpolationOptions& options);
 
-  bool turns() const {
-    return with(circle_, [](const auto& circle) { return !circle.done(); });
-  }
-  bool goes_straight() const {
-    return with(straight_, [&](const auto& straight) {
-      if (!has_circle_) return !straight.done();
-      for (std::size_t lane = 1; lane < lanes_; ++lane) {
-        if (straight.left(lane) > 0) return true;
-      }
-      return false;
-    });
-  }
-
-  struct Stepped {
-    bool any = false, clocks_circle = false;
+  /// Of an interpolator's axes.
+  struct Lane {
+    std::size_t index = 0;
+    base::Axis axis = base::Axis::X;
   };
 
-  Stepped step_straight(AxisPulse& pulse) {
-    Stepped stepped{false, has_circle_ && lanes_ == 0};
-    with(straight_, [&](auto& straight) {
-      const bool circle_is_late = has_circle_ && straight.left(0) == 0;
-      const auto lane_pulse = straight.step();
-      for (std::size_t lane = has_circle_; lane < lanes_; ++lane) {
-        pulse.step[axis_of_[lane]] = lane_pulse.step[lane];
-        stepped.any |= lane_pulse.step[lane] != 0;
-      }
-      stepped.clocks_circle = has_circle_ && (circle_is_late || lane_pulse.step[0] != 0);
-      return true;
-    });
-    return stepped;
+  template <typename Interpolator, typename Feed>
+  std::int64_t run(Interpolator& interpolator, Feed& feed, std::int64_t most, StepWriter& steps) {
+    // What is not seen from elsewhere can be kept in the processor's registers.
+    Interpolator state = interpolator;
+    Feed clock = feed;
+    StepWriter writer = steps;
+    std::int64_t commands = 0;
+    while (!state.done() && commands < most && !writer.is_full()) {
+      writer.pass(clock.skip());
+      const auto pulse = state.step();
+      for (std::size_t i = 0; i < Interpolator::axes; ++i) writer.put(lanes_[i].axis, pulse.step[lanes_[i].index]);
+      ++commands;
+    }
+    interpolator = state;
+    feed = clock;
+    steps = writer;
+    return commands;
   }
 
-  bool step_circle(AxisPulse& pulse) {
-    return with(circle_, [&](auto& circle) {
-      if (circle.done()) return false;
-      const auto [x, y] = circle.step().step;
-      pulse.step[first_] = x;
-      pulse.step[second_] = y;
-      return x != 0 || y != 0;
-    });
-  }
-
-  /// What a visitor says of the kind that the variant holds; false of none.
-  template <typename Variant, typename Visitor>
-  static bool with(Variant& variant, const Visitor& visitor) {
-    if (auto* second = std::get_if<1>(&variant)) return visitor(*second);
-    if (auto* third = std::get_if<2>(&variant)) return visitor(*third);
-    if (auto* fourth = std::get_if<3>(&variant)) return visitor(*fourth);
-    if (auto* fifth = std::get_if<4>(&variant)) return visitor(*fifth);
-    return false;
-  }
-
-  bool has_circle_ = false;
-  std::size_t first_ = 0, second_ = 1;  // axes of the circle
-  std::size_t lanes_ = 0;  // of the straight part; its first one is the circle's clock, if there is a circle
-  std::array<std::size_t, base::axis_count> axis_of_{};
-  Straight straight_;
-  Circle circle_;
+  State state_ = PointToPoint<all>({});
+  std::array<Lane, base::axis_count> lanes_{};  // in the order of axes; those beyond the block's never step
 };
 
 }  // namespace leadscrew::stepping

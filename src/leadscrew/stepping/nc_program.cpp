@@ -111,8 +111,7 @@ AxisPulse NcProgram::interpolator_routine(Operations& count) {
     ++count.tests;
     ++count.stores;
   }
-  AxisPulse pulse;
-  interpolator_.step(pulse);
+  const AxisPulse pulse = interpolator_.step();
   for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
     if (pulse.step[axis] == 0) continue;
     if (block_.kind != Block::Kind::point_to_point) ++count.additions;  // r ← r − q

@@ -12,6 +12,16 @@ base::Diagnostic in_file(base::Diagnostic problem, const std::string& file) {
   return problem;
 }
 
+/// The feed where its word changes.
+struct Changing {
+  RampedFeed* feed;
+  std::int64_t commands_left;
+
+  std::int64_t skip() { return feed->skip(commands_left--); }
+};
+
+constexpr std::int64_t most_changing = 64;  // commands, before it is seen whether the word is steady by now
+
 }  // namespace
 
 std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
@@ -51,19 +61,22 @@ void PulseProgram::override_feed(int thousandths) {
   aim();
 }
 
-bool PulseProgram::next(TimedPulse& made) {
-  for (;;) {
-    while (interpolator_.done()) {
-      if (!begin_block()) return false;
-    }
-    tick_ += feed_.skip(commands_left_);
-    --commands_left_;
-    ++commands_;
-    if (!interpolator_.step(made.pulse)) continue;
-    made.tick = tick_;
-    made.line = planned_.block.line;
-    return true;
+std::span<const StepEvent> PulseProgram::next(std::span<StepEvent> room) {
+  StepWriter steps(room, tick_);
+  while (interpolator_.done()) {
+    if (!begin_block()) return steps.written();
+    steps.pass(tick_ - steps.tick());
   }
+  while (!interpolator_.done() && !steps.is_full()) {
+    const std::int64_t steady = feed_.steady(commands_left_);
+    Changing changing{&feed_, commands_left_};
+    const std::int64_t made = steady > 0 ? interpolator_.run(feed_.at_its_word(), steady, steps)
+                                         : interpolator_.run(changing, most_changing, steps);
+    commands_left_ -= made;
+    commands_ += made;
+  }
+  tick_ = steps.tick();
+  return steps.written();
 }
 
 /// Reads on until so much is known that nothing behind can matter, or until the first problem.

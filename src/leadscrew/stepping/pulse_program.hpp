@@ -1,7 +1,7 @@
 #pragma once
-// A part program as reference pulses, one a call, in bounded memory.
+// A part program as steps of reference pulses, as many a call as are wanted, in bounded memory.
 //
-//   text ─gcode::Reader─▶ moves ─BlockMaker─▶ blocks ─LookAhead─▶ RampedFeed ──command──▶ BlockInterpolator ─▶ pulses
+//   text ─gcode::Reader─▶ moves ─BlockMaker─▶ blocks ─LookAhead─▶ RampedFeed ──command──▶ BlockInterpolator ─▶ steps
 //
 // Steps happen at ticks of the clock, the first at tick 1 or later; at each of them an axis makes at most one step. Of
 // any method, the steps of a program sum to its end on the lattice, exactly, and no axis exceeds its velocity by more
@@ -17,12 +17,6 @@
 
 namespace leadscrew::stepping {
 
-struct TimedPulse {
-  std::int64_t tick = 0;  ///< of the clock, from 1
-  AxisPulse pulse;        ///< not empty
-  base::Line line{};      ///< of the part program
-};
-
 /// Reads and plans a whole program without a pulse: each problem goes to the sink, those of the reader too. How many
 /// errors there are; a program that has one must not be moved.
 std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
@@ -35,13 +29,17 @@ class PulseProgram {
   PulseProgram(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                gcode::ReaderOptions reading, const PulseOptions& options, gcode::DiagnosticSink sink);
 
-  /// The next clock with a step; false at the program's end, and at its first problem.
-  bool next(TimedPulse& made);
+  /// The next steps in order, all those of the last tick too: of one clock at least, of one block, and as many as find
+  /// room, which is for base::axis_count or more. None at the program's end, and at its first problem.
+  std::span<const StepEvent> next(std::span<StepEvent> room);
+
+  /// Of the part program: where the last steps come from.
+  base::Line line() const { return planned_.block.line; }
 
   /// Thousandths of the programmed feed, 1 … 2000, from the next command on; clamped at each block's greatest word.
   void override_feed(int thousandths);
 
-  /// Of the clock, so far; once next() has said false the whole duration, dwells at the end included.
+  /// Of the clock, so far; once next() has had no step the whole duration, dwells at the end included.
   std::int64_t ticks() const { return tick_; }
   std::int64_t commands() const { return commands_; }  ///< of feed, so far
   std::int64_t errors() const;                         ///< of reading and planning, so far

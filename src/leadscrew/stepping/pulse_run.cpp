@@ -27,10 +27,10 @@ void add_registers(Registers& registers, const pulse::LinearDda<2>& state) {
   registers.add("q", state.integrator(0).capacity());
 }
 
-void add_registers(Registers& registers, const pulse::LinearPointComparison& state) {
+void add_registers(Registers& registers, const pulse::LinearPointComparison<2>& state) {
   registers.add("F", state.deviation());
-  registers.add("nx", state.left_x());
-  registers.add("ny", state.left_y());
+  registers.add("nx", state.left(0));
+  registers.add("ny", state.left(1));
 }
 
 void add_registers(Registers& registers, const pulse::LinearBresenham& state) {
@@ -47,7 +47,7 @@ PulseRun::State PulseRun::load(PulseMethod method, const PulseCurve& curve, cons
   if (!curve.is_arc()) {
     const pulse::Point way = curve.way();
     if (integrates) return pulse::LinearDda<2>({way.x, way.y}, *conventions.capacity, preload);
-    if (method == PulseMethod::point_comparison) return pulse::LinearPointComparison(way);
+    if (method == PulseMethod::point_comparison) return pulse::LinearPointComparison<2>({way.x, way.y});
     return pulse::LinearBresenham(way);
   }
   const pulse::Arc arc = curve.arc();

@@ -50,7 +50,7 @@ class PulseRun {
       std::variant<Search<pulse::Search::point_comparison>,
                    Search<pulse::Search::point_comparison, pulse::OnCircle::inward>, Search<pulse::Search::least_error>,
                    Search<pulse::Search::improved_least_error>, pulse::CircularDda, pulse::LinearDda<2>,
-                   pulse::LinearPointComparison, pulse::LinearBresenham>;
+                   pulse::LinearPointComparison<2>, pulse::LinearBresenham>;
 
   static State load(PulseMethod method, const PulseCurve& curve, const PulseConventions& conventions,
                     const MethodOptions& options);

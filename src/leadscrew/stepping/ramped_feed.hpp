@@ -5,9 +5,12 @@
 //        |   /            \         at the block's end. How far it takes to come down is kept in a register of its own:
 //        |  /              \___     each clock of rising adds to it what a clock of falling will take off.
 //        +--------------------> clock
+//
+// The clocks up to a command are passed at once where the word rises or falls, or stays, in all of them.
 
 #include <algorithm>
 #include <leadscrew/stepping/feed_register.hpp>
+#include <limits>
 
 namespace leadscrew::stepping {
 
@@ -21,6 +24,7 @@ class RampedFeed {
     word_ = word;
     exit_ = exit;
     by_ = by;
+    clocks_ = 1;
     braking_ = 0;
     if (word_ <= exit_) return;
     // exit, exit + by, …: the words of the clocks on the way down.
@@ -38,18 +42,30 @@ class RampedFeed {
   /// To be aimed at from now on, ≥ 1.
   constexpr void aim(std::int64_t word) { aim_ = word; }
 
-  /// Clocks up to the next command, where so many are left in the block.
+  /// How many of the next commands are made by the word as it is, where so many are left in the block; 0 where it
+  /// changes.
+  constexpr std::int64_t steady(std::int64_t commands_left) const {
+    if (word_ != aim_) return 0;
+    if (word_ <= exit_) return std::numeric_limits<std::int64_t>::max();
+    const std::int64_t needed = braking_ / register_.capacity() + 1;  // for braking
+    return needed < most_commands ? std::max<std::int64_t>(0, commands_left - needed) : 0;
+  }
+
+  /// Clocks up to the next command, of those that are steady.
+  constexpr FeedRegister& at_its_word() {
+    register_.load(word_);
+    return register_;
+  }
+
+  /// Clocks up to the next command, whatever the word does, where so many commands are left in the block.
   constexpr std::int64_t skip(std::int64_t commands_left) {
+    if (steady(commands_left) > 0) return at_its_word().skip();
     const std::int64_t way = std::clamp(commands_left, std::int64_t{0}, most_commands) * register_.capacity();
-    // Far from the end at the word that is aimed at nothing changes up to the next command.
-    if (word_ == aim_ && (word_ <= exit_ || way > braking_ + register_.capacity())) {
-      register_.load(word_);
-      return register_.skip();
-    }
+    if (change_throughout(way - register_.remainder())) return clocks_;
+    clocks_ = 1;
     for (std::int64_t clocks = 1;; ++clocks) {
       change(way - register_.remainder());
-      register_.load(word_);
-      if (register_.step()) return clocks;
+      if (register_.add(word_)) return clocks;
     }
   }
 
@@ -58,12 +74,20 @@ class RampedFeed {
  private:
   static constexpr std::int64_t most_commands = std::int64_t{1} << 22;  // times the capacity of 2⁴⁰ they fit a register
 
+  constexpr bool must_fall(std::int64_t word, std::int64_t way, std::int64_t braking) const {
+    return word > exit_ && way <= braking + word;
+  }
+  constexpr bool may_rise(std::int64_t word, std::int64_t way, std::int64_t braking) const {
+    return word < aim_ && way > braking + 2 * word + by_;
+  }
+
+  /// For one clock.
   constexpr void change(std::int64_t way) {
-    if (word_ > exit_ && way <= braking_ + word_) {
+    if (must_fall(word_, way, braking_)) {
       fall(exit_);
     } else if (word_ > aim_) {
       fall(aim_);
-    } else if (word_ < aim_ && way > braking_ + 2 * word_ + by_) {
+    } else if (may_rise(word_, way, braking_)) {
       if (word_ >= exit_) braking_ += word_;
       word_ = std::min(word_ + by_, aim_);
     }
@@ -74,9 +98,64 @@ class RampedFeed {
     braking_ = std::max<std::int64_t>(0, braking_ - word_);
   }
 
+  /// For all clocks up to the command, if it is the same change in each of them.
+  constexpr bool change_throughout(std::int64_t way) {
+    if (must_fall(word_, way, braking_)) return fall_throughout(exit_, way);
+    if (word_ > aim_) return fall_throughout(aim_, way);
+    return word_ >= exit_ && may_rise(word_, way, braking_) && rise_throughout(way);
+  }
+
+  /// The way comes down and what braking takes goes up: what holds at the last clock has held at all before.
+  constexpr bool rise_throughout(std::int64_t way) {
+    if (!count_clocks(by_, aim_)) return false;
+    const std::int64_t before = clocks_ - 1, passed = sum(before, by_);
+    if (!may_rise(word_ + before * by_, way - passed, braking_ + passed - before * by_)) return false;
+    const std::int64_t words = sum(clocks_, by_);
+    register_.add(words);
+    word_ += clocks_ * by_;
+    braking_ += words - clocks_ * by_;
+    return true;
+  }
+
+  /// The way and what braking takes come down together.
+  constexpr bool fall_throughout(std::int64_t to, std::int64_t way) {
+    if (!count_clocks(-by_, to)) return false;
+    const std::int64_t before = clocks_ - 1, passed = sum(before, -by_);
+    if (word_ > exit_ && passed > braking_) return false;
+    if (to == exit_ && !must_fall(word_ - before * by_, way, braking_)) return false;
+    const std::int64_t words = sum(clocks_, -by_);
+    register_.add(words);
+    word_ -= clocks_ * by_;
+    braking_ = std::max<std::int64_t>(0, braking_ - words);
+    return true;
+  }
+
+  /// Of words that go on from the present one by ± by, over so many clocks.
+  constexpr std::int64_t sum(std::int64_t clocks, std::int64_t by) const {
+    return clocks * word_ + by * (clocks * (clocks + 1) / 2);
+  }
+
+  /// Of such words: how many there are up to the command, if none goes beyond `to`. The search begins with the clocks
+  /// of the command before: a few more or less.
+  constexpr bool count_clocks(std::int64_t by, std::int64_t to) {
+    const std::int64_t missing = register_.capacity() - register_.remainder();
+    const auto is_beyond = [&] { return by > 0 ? word_ + clocks_ * by > to : word_ + clocks_ * by < to; };
+    while (!is_beyond()) {
+      if (sum(clocks_, by) < missing) {
+        ++clocks_;
+      } else if (clocks_ > 1 && sum(clocks_ - 1, by) >= missing) {
+        --clocks_;
+      } else {
+        return true;
+      }
+    }
+    return false;
+  }
+
   FeedRegister register_;
   std::int64_t word_ = 1, aim_ = 1, exit_ = 1, by_ = 1;
   std::int64_t braking_ = 0;  // words added on the way down to the exit, from the next clock on
+  std::int64_t clocks_ = 1;   // of the last command whose clocks were passed at once
 };
 
 }  // namespace leadscrew::stepping

@@ -58,7 +58,7 @@ Found by_bits(Point way) {
 }
 
 Found by_point_comparison(Point way) {
-  return found_by(pulse::LinearPointComparison(way), way, static_cast<double>(way.x + way.y));
+  return found_by(pulse::LinearPointComparison<2>({way.x, way.y}), way, static_cast<double>(way.x + way.y));
 }
 Found by_bresenham(Point way) {
   return found_by(pulse::LinearBresenham(way), way, static_cast<double>(std::max(way.x, way.y)));

@@ -1,0 +1,44 @@
+#pragma once
+// Axes beside the plane of an arc go with it as along a straight line, one of whose ways is the circle's: a linear DDA
+// has the circle's commands as its first integrand and clocks the circle by that one's overflows.
+
+#include <leadscrew/pulse/linear.hpp>
+
+namespace leadscrew::stepping {
+
+/// The circle's axes come first.
+template <pulse::Interpolator Circle, std::size_t axes_beside>
+class Helix {
+ public:
+  static constexpr std::size_t axes = Circle::axes + axes_beside;
+  using Straight = pulse::LinearDda<1 + axes_beside>;
+
+  constexpr Helix(const Circle& circle, const Straight& straight) : circle_(circle), straight_(straight) {}
+
+  constexpr bool done() const {
+    std::int64_t left = 0;
+    for (std::size_t lane = 1; lane < Straight::axes; ++lane) left |= straight_.left(lane);
+    return left == 0 && circle_.done();
+  }
+
+  constexpr pulse::Pulse<axes> step() {
+    // Where it takes more commands than were counted the circle goes on by itself.
+    const bool circle_is_late = straight_.left(0) == 0;
+    const auto along = straight_.step();
+    pulse::Pulse<Circle::axes> around;
+    if (circle_is_late || along.step[0] != 0) around = circle_.step();
+    pulse::Pulse<axes> pulse;
+    for (std::size_t i = 0; i < Circle::axes; ++i) pulse.step[i] = around.step[i];
+    for (std::size_t i = 0; i < axes_beside; ++i) pulse.step[Circle::axes + i] = along.step[1 + i];
+    return pulse;
+  }
+
+  constexpr const Circle& circle() const { return circle_; }
+  constexpr const Straight& straight() const { return straight_; }
+
+ private:
+  Circle circle_;
+  Straight straight_;
+};
+
+}  // namespace leadscrew::stepping

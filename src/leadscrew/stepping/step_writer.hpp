@@ -1,0 +1,34 @@
+#pragma once
+// Steps of pulse after pulse, written into a caller's room.
+
+#include <array>
+#include <leadscrew/pulse/pulse.hpp>
+#include <leadscrew/stepping/step_event.hpp>
+#include <span>
+
+namespace leadscrew::stepping {
+
+class StepWriter {
+ public:
+  /// room.size() ≥ base::axis_count.
+  constexpr StepWriter(std::span<StepEvent> room, std::int64_t tick)
+      : begin_(room.data()), at_(begin_), last_(begin_ + (room.size() - base::axis_count)), tick_(tick) {}
+
+  /// Is there no room for a pulse of all axes?
+  constexpr bool is_full() const { return at_ > last_; }
+  constexpr void pass(std::int64_t ticks) { tick_ += ticks; }
+  /// A step at this tick, or none: no branch, for it would go the wrong way. Not when full.
+  constexpr void put(base::Axis axis, std::int8_t step) {
+    *at_ = StepEvent(tick_, axis, step);
+    at_ += step != 0;
+  }
+
+  constexpr std::int64_t tick() const { return tick_; }
+  constexpr std::span<const StepEvent> written() const { return {begin_, at_}; }
+
+ private:
+  StepEvent *begin_, *at_, *last_;
+  std::int64_t tick_;
+};
+
+}  // namespace leadscrew::stepping
