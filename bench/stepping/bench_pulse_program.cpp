@@ -28,9 +28,10 @@ const bool added = [] {
   for (const bench::PulsedProgram& program : bench::pulsed_programs()) {
     for (const stepping::PulseMethod method : stepping::all_pulse_methods) {
       const std::string name = "pulses/" + bench::name(program, method);
-      bench::with_percentiles(benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-        pulses(state, program, method);
-      })->Unit(benchmark::kMillisecond)->Iterations(1));
+      bench::with_percentiles(
+          benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { pulses(state, program, method); })
+              ->Unit(benchmark::kMillisecond)
+              ->Iterations(1));
     }
   }
   return true;

@@ -62,9 +62,7 @@ struct ClockByClock {
 
 RC_GTEST_PROP(RampedFeed, RisesAndFallsAsItDoesClockByClock, ()) {
   const std::int64_t capacity = any_capacity();
-  const auto any_word = [&] {
-    return *rc::gen::inRange(std::max<std::int64_t>(1, capacity / 300), capacity + 1);
-  };
+  const auto any_word = [&] { return *rc::gen::inRange(std::max<std::int64_t>(1, capacity / 300), capacity + 1); };
   RampedFeed feed(capacity);
   ClockByClock expected{capacity, 1, 1, 1, 1};
   for (int block = 0; block < 4; ++block) {

@@ -29,7 +29,7 @@ struct Block {
   std::size_t first_axis = 0, second_axis = 1;  ///< of the arc's x and y
   std::int64_t dwell_clocks = 0;
 
-  std::int64_t commands = 0;         ///< of feed that the block takes; of arcs within a few
+  std::int64_t commands = 0;         ///< of feed that the block takes (count_commands)
   std::int64_t circle_commands = 0;  ///< of an arc: that its circle alone takes
   std::int64_t feed_word = 0;        ///< f: so much of the feed register's capacity is a clock's share of a command
   std::int64_t greatest_word = 0;    ///< that an override may make of it; ≥ feed_word, ≤ the register's capacity

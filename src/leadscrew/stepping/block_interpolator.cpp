@@ -52,7 +52,8 @@ double angle_of(pulse::Point at, pulse::Direction direction) {
   return angle < 0 ? angle + 4 * quarter_turn : angle;
 }
 
-std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method) {
+/// Of an arc that is long beside what the path is off at its ends and between its quadrants: up to ten commands.
+std::int64_t integrated_commands(const pulse::Arc& arc, PulseMethod method) {
   const double from = angle_of(arc.start, arc.direction);
   double to = angle_of(arc.end, arc.direction);
   if (to <= from) to += 4 * quarter_turn;
@@ -60,9 +61,42 @@ std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method) {
   return std::max<std::int64_t>(1, std::llround(radius * (commands_to(to, method) - commands_to(from, method))));
 }
 
+constexpr std::int64_t most_counted = 16'384;
+
+/// What the visitor says of the circle's interpolator at its start.
+template <typename Visitor>
+auto with_circle(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options,
+                 const Visitor& visitor) {
+  using pulse::CircularSearch, pulse::Order, pulse::Search;
+  switch (method) {
+    case PulseMethod::dda:
+      return visitor(ProgramCircle(arc, {Order::parallel, options.preload, options.places}));
+    case PulseMethod::point_comparison:
+      return visitor(CircularSearch<Search::point_comparison>(arc));
+    case PulseMethod::min_error:
+    case PulseMethod::bresenham:
+      return visitor(CircularSearch<Search::least_error>(arc));
+    case PulseMethod::improved_min_error:
+      return visitor(CircularSearch<Search::improved_least_error>(arc));
+    case PulseMethod::koren:
+      break;
+  }
+  return visitor(ProgramCircle(arc, {Order::x_first, options.preload, options.places}));
+}
+
+std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options) {
+  const std::int64_t integrated = integrated_commands(arc, method);
+  if (integrated > most_counted) return integrated;
+  return with_circle(arc, method, options, [](auto circle) {
+    std::int64_t commands = 0;
+    for (; !circle.done(); circle.step()) ++commands;
+    return commands;
+  });
+}
+
 }  // namespace
 
-void count_commands(Block& block, PulseMethod method) {
+void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options) {
   switch (block.kind) {
     case Block::Kind::line:
       block.commands = line_commands(block.way, method);
@@ -71,7 +105,7 @@ void count_commands(Block& block, PulseMethod method) {
       block.commands = line_commands(block.way, PulseMethod::bresenham);
       break;
     case Block::Kind::arc:
-      block.circle_commands = circle_commands(block.arc, method);
+      block.circle_commands = circle_commands(block.arc, method, options);
       block.commands =
           block.way == LatticeVector{} ? block.circle_commands : length_rounded_up(block.way, block.circle_commands);
       break;
@@ -83,7 +117,7 @@ void count_commands(Block& block, PulseMethod method) {
 BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   if (block.kind == Block::Kind::dwell) return;
   if (block.kind == Block::Kind::arc) {
-    load_arc(block, method, options);
+    with_circle(block.arc, method, options, [&](const auto& circle) { load_arc(block, circle, options); });
   } else {
     load_line(block, method, options);
   }
@@ -126,25 +160,6 @@ void BlockInterpolator::load_line(const Block& block, const LatticeVector& way, 
   const std::int64_t preload =
       is_dda(method) ? pulse::preloaded(options.preload, capacity, /*is_lagging=*/true) : (capacity - 1) / 2;
   state_ = pulse::LinearDda<axes>(ways, capacity, preload);
-}
-
-void BlockInterpolator::load_arc(const Block& block, PulseMethod method, const InterpolationOptions& options) {
-  const auto dda = [&](pulse::Order order) {
-    return ProgramCircle(block.arc, {order, options.preload, options.places});
-  };
-  switch (method) {
-    case PulseMethod::koren:
-      return load_arc(block, dda(pulse::Order::x_first), options);
-    case PulseMethod::dda:
-      return load_arc(block, dda(pulse::Order::parallel), options);
-    case PulseMethod::point_comparison:
-      return load_arc(block, PointComparison(block.arc), options);
-    case PulseMethod::min_error:
-    case PulseMethod::bresenham:
-      return load_arc(block, LeastError(block.arc), options);
-    case PulseMethod::improved_min_error:
-      return load_arc(block, ImprovedLeastError(block.arc), options);
-  }
 }
 
 template <typename Circle>

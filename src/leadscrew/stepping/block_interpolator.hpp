@@ -31,9 +31,9 @@ struct InterpolationOptions {
   int places = 0;  ///< 0 … 16, of the radius in circular DDAs: more where feed on circles is to be exact
 };
 
-/// Fills in how many commands a block takes by a method: of a line exactly so many or up to one less; of an arc within
-/// a few.
-void count_commands(Block& block, PulseMethod method);
+/// Fills in how many commands a block takes by a method: exactly so many, of a line or helix or up to one less; but of
+/// arcs of more than 16 384 commands within ten.
+void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options);
 
 class BlockInterpolator {
  public:
@@ -83,7 +83,6 @@ class BlockInterpolator {
   void load_line(const Block& block, PulseMethod method, const InterpolationOptions& options);
   template <std::size_t axes>
   void load_line(const Block& block, const LatticeVector& way, PulseMethod method, const InterpolationOptions& options);
-  void load_arc(const Block& block, PulseMethod method, const InterpolationOptions& options);
   template <typename Circle>
   void load_arc(const Block& block, const Circle& circle, const InterpolationOptions& options);
 

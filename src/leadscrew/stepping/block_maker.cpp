@@ -117,7 +117,7 @@ Planned BlockMaker::line_to(const LatticeVector& end, double share) {
   Block block;
   for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
   if (block.way == LatticeVector{}) return std::nullopt;
-  return plan(block, share);
+  return plan(block, {share, 0});
 }
 
 Planned BlockMaker::next_turn() {
@@ -165,7 +165,9 @@ Planned BlockMaker::turn_to(const LatticeVector& end, double angle) {
   for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
   block.way[block.first_axis] = block.way[block.second_axis] = 0;
   block.arc = *placed;
-  return plan(block, angle / sweep_);
+  const double share = angle / sweep_;
+  const std::size_t normal = index(gcode::normal_axis(move_.plane));
+  return plan(block, {share, std::hypot(std::hypot(x, y) * angle, (move_.end[normal] - move_.start[normal]) * share)});
 }
 
 Planned BlockMaker::next_chord() {
@@ -187,11 +189,11 @@ Planned BlockMaker::next_chord() {
   return line_to(end, chord / whole);
 }
 
-Planned BlockMaker::plan(Block block, double share) {
+Planned BlockMaker::plan(Block block, const Part& part) {
   block.line = move_.line;
   if (std::optional<base::Diagnostic> found = register_problem(block)) return give_up(std::move(*found));
-  count_commands(block, options_.method);
-  base::Result<PlannedBlock> planned = with_words(block, move_, share, machine_, options_);
+  count_commands(block, options_.method, options_.interpolation);
+  base::Result<PlannedBlock> planned = with_words(block, move_, part, machine_, options_);
   if (!planned) return give_up(std::move(planned.error()));
   const LatticeVector way = whole_way(block);
   for (std::size_t i = 0; i < way.size(); ++i) at_[i] += way[i];

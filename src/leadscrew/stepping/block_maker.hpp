@@ -49,7 +49,7 @@ class BlockMaker {
   std::optional<base::Result<PlannedBlock>> next_chord();
   std::optional<base::Result<PlannedBlock>> line_to(const LatticeVector& end, double share);
   std::optional<base::Result<PlannedBlock>> turn_to(const LatticeVector& end, double angle);
-  std::optional<base::Result<PlannedBlock>> plan(Block block, double share);
+  std::optional<base::Result<PlannedBlock>> plan(Block block, const Part& part);
   std::optional<base::Diagnostic> arc_problem() const;
   std::optional<base::Diagnostic> register_problem(const Block& block) const;
   std::optional<base::Result<PlannedBlock>> give_up(base::Diagnostic problem);

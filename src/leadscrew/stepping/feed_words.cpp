@@ -116,7 +116,7 @@ double length_of(const Block& block, std::size_t first, const machine::Machine& 
   return std::sqrt(square);
 }
 
-/// By which the feed is meant: that of the lattice's path.
+/// Of the lattice's path, as the feed counts it.
 double feed_length(const Block& block, const machine::Machine& machine) {
   double length = length_of(block, base::index(base::Axis::X), machine);
   if (block.kind == Block::Kind::arc) {
@@ -128,6 +128,10 @@ double feed_length(const Block& block, const machine::Machine& machine) {
     if (length == 0) length = length_of(block, base::index(first), machine);
   }
   return length;
+}
+
+double seconds_of(double share, double length, const gcode::Feed& feed) {
+  return feed.mode == gcode::Feed::Mode::per_second ? share / feed.value : length / feed.value;
 }
 
 std::string per_second(double rate) {
@@ -146,7 +150,7 @@ std::int64_t acceleration_word(double acceleration, const PulseOptions& options)
   return static_cast<std::int64_t>(std::min(word, real(options.feed_capacity)));
 }
 
-base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& move, double share,
+base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& move, const Part& part,
                                       const machine::Machine& machine, const PulseOptions& options) {
   PlannedBlock planned;
   planned.block = block;
@@ -159,12 +163,12 @@ base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& mov
   planned.rate = planned.greatest_rate;
 
   if (move.feed.mode != gcode::Feed::Mode::rapid) {
-    const double seconds = move.feed.mode == gcode::Feed::Mode::per_second
-                               ? share / move.feed.value
-                               : feed_length(block, machine) / move.feed.value;
+    const double on_lattice = seconds_of(part.share, feed_length(block, machine), move.feed);
+    const double seconds = block.kind == Block::Kind::arc ? seconds_of(part.share, part.length, move.feed) : on_lattice;
     planned.rate = real(block.commands) / seconds;
-    // Rounding to the lattice may have made the way longer by a step, of arcs by two.
-    const double least = real(block.commands - (block.kind == Block::Kind::arc ? 2 : 1)) / seconds * (1 - rounding);
+    // Rounding to the lattice may have made the way longer by a step, of arcs by two, and their radius too.
+    const double least = real(block.commands - (block.kind == Block::Kind::arc ? 2 : 1)) /
+                         std::max(seconds, on_lattice) * (1 - rounding);
     const std::string asked = "the feed asks for " + per_second(planned.rate);
     if (least > by_clock) {
       return base::failure(refused(block, "pulse-rate",

@@ -21,11 +21,17 @@ struct PlannedBlock {
   bool stops = false;        ///< at its end, whatever follows
 };
 
-/// Gives a block with counted commands its words. `share`: of its move. A programmed feed that clock or step length
+/// What of its move a block travels.
+struct Part {
+  double share = 1;
+  double length = 0;  ///< of an arc: of the programmed path that its feed is meant by, mm
+};
+
+/// Gives a block with counted commands its words. A programmed feed that clock or step length
 /// cannot give is a diagnostic, pulse-rate or pulse-step-length; so is one beyond an axis' velocity, pulse-velocity,
 /// unless the feed is shaped to what the axes can do; and so is a register too narrow for a word, pulse-feed-word.
 /// Rapids go as fast as clock, steps and axes allow.
-base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& move, double share,
+base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& move, const Part& part,
                                       const machine::Machine& machine, const PulseOptions& options);
 
 /// The word of a rate in commands/s, rounded.
