@@ -92,6 +92,30 @@ TEST(AdaptiveFeed, SaysThatALimitCannotBeHeld) {
   EXPECT_TRUE(cut.adaptive().above_limit_at_least());
 }
 
+/// A greater stiffness at the next change, a lesser one by its share.
+TEST(AdaptiveFeed, BelievesMoreForceAtOnceAndLessByAndBy) {
+  AdaptiveFeed adaptive = AdaptiveFeed::create({.limit = 400, .samples = 10, .share = 0.1, .rise = 1000}).value();
+  const auto change = [&](double force) {
+    for (int k = 0; k < 10; ++k) adaptive.sample(force + (k % 2 == 0 ? 1e-6 : -1e-6), 1);
+    return adaptive.feed_override();
+  };
+  EXPECT_NEAR(change(400), 1, 1e-6);
+  EXPECT_NEAR(change(800), 0.5, 1e-6);
+  EXPECT_NEAR(change(400), 400.0 / 760, 1e-6);
+  EXPECT_NEAR(change(400), 400.0 / (760 - 36), 1e-6);
+}
+
+/// One tooth that cuts for a fifth of a slow turn: between its passings no force says anything, and the override waits.
+TEST(AdaptiveFeed, DoesNotFallOnBetweenTeeth) {
+  AdaptiveCut cut({.turn = 240, .teeth = 1, .lag = 0.01, .noise = 1e-9});
+  cut.run(5000);
+  const double before = cut.overrides.back();
+  cut.engagement.depth *= 2;
+  cut.run(5000);
+  EXPECT_NEAR(cut.overrides.back(), before / 2, 0.01);
+  EXPECT_GT(*std::min_element(cut.overrides.end() - 5000, cut.overrides.end()), 0.45 * before);
+}
+
 /// While the operator holds the feed nothing is learnt, and nothing forgotten.
 TEST(AdaptiveFeed, KeepsItsOverrideWhileTheFeedIsHeld) {
   AdaptiveFeed adaptive = AdaptiveFeed::create({.limit = 400, .samples = 4}).value();
