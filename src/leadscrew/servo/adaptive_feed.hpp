@@ -17,7 +17,7 @@
 //
 // After a depth that doubles, the mean force over a turn is above 1.25 times the limit for no more than two turns or
 // 150 ms, whichever is longer, where the feed follows the override with a time constant of at most 40 ms, Fe is at most
-// 15 % of the limit, noise 10 %, and the override changes at least four times a turn or every 4 ms.
+// 15 % of the limit, noise 10 %, and the override changes at least four times a tooth passing or every 4 ms.
 //
 // A sensor that fails is not believed: the override goes to a safe share of the programmed feed and stays there until
 // restart(). Which failure it was is told.
