@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -24,16 +25,22 @@ machine::Machine wide_mill() {
   return machine;
 }
 
-/// 400 mm of a wave in lines of this length, mm, at 6000 mm/min.
-std::string wave(double length) {
+enum class Feeds : std::uint8_t { one, differing };
+
+/// 400 mm of a wave in lines of this length, mm, at 6000 mm/min, or each at a feed of its own down to half of that.
+std::string wave(double length, Feeds feeds = Feeds::one) {
   constexpr double way = 400;
   std::string text = "G21 G90 G17 G94 F6000 G64 P0.01\n";
   double x = 0, y = 0;
+  std::uint64_t state = 1;
   for (double s = 0; s < way; s += length) {
     const double slope = 0.8 * std::sin(s / 7);
     x += length * std::cos(slope), y += length * std::sin(slope);
+    // A linear congruence, for feeds that do not repeat.
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const double feed = feeds == Feeds::one ? 6000 : 6000 - 3000 * (static_cast<double>(state >> 40) / 0x1p24);
     char line[64];
-    std::snprintf(line, sizeof line, "G1 X%.6f Y%.6f\n", x, y);
+    std::snprintf(line, sizeof line, "G1 X%.6f Y%.6f F%.0f\n", x, y, feed);
     text += line;
   }
   return text + "M2\n";
@@ -82,6 +89,9 @@ const std::string long_program = beginning_of(LEADSCREW_SOURCE_DIR "/out/long-pr
 
 auto* const fine = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("prepare/lines of 5 µm", prepare, wave(0.005))->Iterations(1));
+auto* const differing = leadscrew::bench::with_percentiles(
+    benchmark::RegisterBenchmark("prepare/lines of 5 µm, feeds differ", prepare, wave(0.005, Feeds::differing))
+        ->Iterations(1));
 auto* const coarse = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("prepare/lines of 0.1 mm", prepare, wave(0.1))->Iterations(1));
 auto* const sliced =

@@ -402,6 +402,25 @@ TEST(BlendedPrograms, KeepTheProgrammedFeedWhereItChangesOnTheWay) {
   expect_better_than_stops(head + lines);
 }
 
+/// 10 mm of an arc in lines of 5 µm, at feeds in turn.
+std::string fine_lines(double one_feed, double other_feed) {
+  std::string lines = "G21 G90 G17 G94 G64 P0.01\n";
+  for (int k = 1; k <= 2000; ++k) {
+    lines += "G1" + word('X', 10 * std::sin(0.0005 * k), 6) + word('Y', 10 - 10 * std::cos(0.0005 * k), 6) +
+             word('F', k % 2 == 0 ? one_feed : other_feed, 0) + '\n';
+  }
+  return lines;
+}
+
+TEST(BlendedPrograms, AreAsFastAsTheLowerOfTwoFeedsThatAlternateOnTheShortestLines) {
+  for (const double higher : {6000.0, 6001.0, 12000.0}) {
+    const Outcome alternating = run(fine_lines(higher, 6000)), lower = run(fine_lines(6000, 6000));
+    EXPECT_TRUE(keeps_promises(alternating));
+    EXPECT_LE(alternating.summary.time_s, 1.01 * lower.summary.time_s) << higher;
+    EXPECT_GE(alternating.summary.time_s, 0.999 * lower.summary.time_s) << higher;
+  }
+}
+
 /// The slower of two moves lasts as long as it takes; a blend must not make the faster one wait for it.
 TEST(BlendedPrograms, AreNoSlowerWhereMovesOfUnlikeFeedsMeet) {
   expect_better_than_stops("G21 G90 G17 G94 F60 G64 P0.5\nG1 X3\nG0 Y20\n");

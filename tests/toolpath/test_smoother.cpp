@@ -273,9 +273,37 @@ TEST(Smoother, ChangesTheFeedWhereItWasProgrammed) {
   EXPECT_EQ(feeds, (std::vector<double>{50, 80, 20}));
 }
 
+/// 0.02 mm at 50 mm/s is 0.4 ms.
+TEST(Smoother, HoldsTheLeastOfFeedsThatFollowEachOtherAtOnce) {
+  Program program = wave(0.02, 0.01, 0.01);
+  const std::vector<Piece> at_one_feed = pieces_of(program.moves);
+  for (Move& move : program.moves) move.feed.value = line_number(move) % 2 == 0 ? 49 : 50;
+  const std::vector<Piece> pieces = pieces_of(program.moves);
+  ASSERT_EQ(pieces.size(), at_one_feed.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    EXPECT_EQ(pieces[i].feed, 49);
+    EXPECT_EQ(lines_of({pieces[i]}), lines_of({at_one_feed[i]}));
+  }
+}
+
+TEST(Smoother, HoldsTheFeedOfAShortLineNoLongerThanSpeedTakesToChange) {
+  Program program = wave(0.02, 0.01, 0.01);
+  program.moves[99].feed.value = 20;
+  double slow = 0;
+  for (const Piece& piece : pieces_of(program.moves)) {
+    if (piece.feed != 50) {
+      EXPECT_EQ(piece.feed, 20);
+      slow += geometry::length(piece.curve);
+    }
+  }
+  EXPECT_GE(slow, 0.02 * (1 - 1e-3));
+  EXPECT_LE(slow, 0.02 + 0.002 * 20);
+}
+
 RC_GTEST_PROP(Smoother, IsNoFasterThanTheLinesItNames, ()) {
   Program program = random_program();
-  for (Move& move : program.moves) move.feed.value = any(0, 4) == 0 ? 30 : 60;
+  const int share = any(2, 8);
+  for (Move& move : program.moves) move.feed.value = any(0, share) == 0 ? any(1, 40) : 60;
   for (const Piece& piece : pieces_of(program.moves)) {
     for (const std::int64_t line : lines_of({piece}))
       RC_ASSERT(piece.feed <= program.moves[static_cast<std::size_t>(line) - 1].feed.value);

@@ -8,12 +8,6 @@ constexpr double long_leg = 15;                                             // l
 constexpr double span_time = 0.005, shortest_span = 0.1, longest_span = 1;  // s, mm
 constexpr double span_of_tolerance = 10, longest_of_tolerance = 3;          // mm
 
-/// mm/s, as far as feed goes.
-double greatest_speed(const Leg& leg) {
-  const double rate = toolpath::rate(geometry::jets(leg.curve, 0), leg.feed_axes);
-  return leg.feed / rate * millimetres_per_length(leg.curve);
-}
-
 }  // namespace
 
 double Allowance::span_length(const Leg& leg) const {
@@ -23,6 +17,11 @@ double Allowance::span_length(const Leg& leg) const {
 
 bool Allowance::is_long(const Leg& leg) const {
   return length_of(leg) > long_leg * span_length(leg);
+}
+
+double greatest_speed(const Leg& leg) {
+  const double rate = toolpath::rate(geometry::jets(leg.curve, 0), leg.feed_axes);
+  return leg.feed / rate * millimetres_per_length(leg.curve);
 }
 
 double length_of(const Leg& leg) {

@@ -33,6 +33,9 @@ struct Allowance {
   static constexpr double arc_sagitta = 0.02;  // of what is granted
 };
 
+/// As far as feed goes, mm/s.
+double greatest_speed(const Leg& leg);
+
 /// By the space of tolerances, mm.
 double length_of(const Leg& leg);
 

@@ -17,6 +17,7 @@ constexpr double shortest_smoothing = 0.5;  // tolerances
 constexpr double least_corner = 0.2;        // |t⁺ − t⁻| of one that is made where no spline fits
 constexpr double split_window = 32;         // tolerances: how far from there
 constexpr double rounding = 1e-9;
+constexpr double least_hold = 0.002;  // s that a feed is held
 
 Point position(const Curve& curve, double s) {
   return to_millimetres(geometry::evaluate(curve, s));
@@ -100,14 +101,14 @@ TubeSpline Run::spline_from(const Leg& leg, double from, bool pinned) const {
 
 void Run::extend(const Leg& leg, double from, double to) {
   const double rate = millimetres_per_length(leg.curve);
-  const double first = u_;
+  const double first = u_, speed = greatest_speed(leg);
   base::Line line = leg.line;
   for (const LineMark& mark : leg.lines) {
     if (mark.s <= from) line = mark.line;
   }
-  marks_.push_back({first, leg.feed, line});
+  marks_.push_back({first, leg.feed, speed, line});
   for (const LineMark& mark : leg.lines) {
-    if (mark.s > from && mark.s < to) marks_.push_back({first + (mark.s - from) * rate, leg.feed, mark.line});
+    if (mark.s > from && mark.s < to) marks_.push_back({first + (mark.s - from) * rate, leg.feed, speed, mark.line});
   }
   const double room = allowance_.room_about(leg);
   spent_ = std::max(spent_, allowance_.spent_by(leg));
@@ -230,37 +231,68 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
   bool corner = is_first_ && corner_before_;
   is_first_ = false;
   for (const geometry::Nurbs& curve : fitted_pieces(form)) {
-    std::size_t mark = 0;
-    while (mark + 1 < marks.size() && marks[mark + 1].u <= curve.first_parameter()) ++mark;
+    double u = curve.first_parameter();
+    std::size_t mark = mark_at(u, 0);
     for (double begin = 0; begin < curve.length();) {
-      Stretch stretch{{curve, 0, {}, false, nullptr}, axes_, std::exchange(corner, false), around, spent_};
-      const auto take = [&](const Mark& from_here) {
-        stretch.piece.feed = from_here.feed;
-        stretch.piece.feed_axes = to_be_named(axes_, curve.moving());
-        stretch.piece.line = from_here.line;
-      };
-      take(marks[mark]);
+      Stretch stretch{
+          {curve, 0, marks[mark].line, false, nullptr}, axes_, std::exchange(corner, false), around, spent_};
+      const double end = fed_until(curve, begin, stretch.piece.feed, u);
+      stretch.piece.feed_axes = to_be_named(axes_, curve.moving());
       std::vector<LineMark> lines;
-      double end = curve.length();
-      while (++mark < marks.size() && marks[mark].u < curve.last_parameter()) {
-        const double s = length_at(curve, marks[mark].u);
-        if (s > (1 - rounding) * curve.length()) continue;
-        if (s - begin <= rounding * curve.length()) {  // it begins here too
-          take(marks[mark]);
-          continue;
-        }
-        if (marks[mark].feed != stretch.piece.feed) {
-          end = s;
-          break;
-        }
-        lines.push_back({s - begin, marks[mark].line});
+      while (mark + 1 < marks.size() && marks[mark + 1].u < u) {
+        const double s = length_at(curve, marks[++mark].u);
+        if (s > end - rounding * curve.length()) continue;
+        if (s - begin <= rounding * curve.length())  // it begins here too
+          stretch.piece.line = marks[mark].line;
+        else
+          lines.push_back({s - begin, marks[mark].line});
       }
+      mark = mark_at(u, mark);
       if (!lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(std::move(lines));
       if (begin > 0 || end < curve.length()) stretch.piece.curve = curve.part(begin, end);
       done_.push_back(std::move(stretch));
       begin = end;
     }
   }
+}
+
+std::size_t Run::mark_at(double u, std::size_t from) const {
+  while (from + 1 < marks_.size() && marks_[from + 1].u <= u) ++from;
+  return from;
+}
+
+/// From u, on the part of this mark. Where feed words follow each other sooner than speed can change, the least is held
+/// for a while; one that holds for longer begins where it was programmed.
+Run::Hold Run::hold_from(double u, std::size_t mark) const {
+  double feed = marks_[mark].feed, speed = marks_[mark].speed;
+  for (; mark + 1 < marks_.size(); ++mark) {
+    const Mark& next = marks_[mark + 1];
+    const bool is_least = marks_[mark].feed == feed;
+    if (is_least && next.feed == feed) continue;
+    const double least = std::min(speed, next.speed);
+    if (next.u >= u + least_hold * least) break;
+    feed = std::min(feed, next.feed);
+    speed = least;
+  }
+  const double end = mark + 1 < marks_.size() ? marks_[mark + 1].u : u_;
+  return {feed, marks_[mark].feed == feed ? end : std::clamp(u + least_hold * speed, marks_[mark].u, end)};
+}
+
+/// Of the curve, from a place on it that is u: how far it has one feed, and which. Moves u to there.
+double Run::fed_until(const geometry::Nurbs& curve, double begin, double& feed, double& u) {
+  const double tiny = rounding * curve.length(), last = curve.last_parameter();
+  if (!(hold_.until > u)) hold_ = hold_from(u, mark_at(u, 0));
+  feed = hold_.feed;
+  while (hold_.until < last) {
+    u = hold_.until;
+    const double s = length_at(curve, u);
+    if (s > curve.length() - tiny) break;
+    hold_ = hold_from(u, mark_at(u, 0));
+    if (s - begin <= tiny) feed = hold_.feed;  // it begins here too
+    if (feed != hold_.feed) return s;
+  }
+  u = last;
+  return curve.length();
 }
 
 }  // namespace leadscrew::toolpath

@@ -39,7 +39,13 @@ class Run {
   struct Mark {
     double u = 0;
     double feed = 0;
+    double speed = 0;  ///< by feed, mm/s
     base::Line line{};
+  };
+  /// Feed that is held, as no line is fed more slowly there.
+  struct Hold {
+    double feed = 0;
+    double until = 0;  ///< u
   };
 
   TubeSpline spline_from(const Leg& leg, double from, bool pinned) const;
@@ -47,11 +53,15 @@ class Run {
   bool begin_rest(bool corner);
   bool retreat();
   void add_spline(const std::vector<Vertex>& around, double from, bool is_last);
+  std::size_t mark_at(double u, std::size_t from) const;
+  Hold hold_from(double u, std::size_t mark) const;
+  double fed_until(const geometry::Nurbs& curve, double begin, double& feed, double& u);
 
   Allowance allowance_;
   FeedAxes axes_;                  ///< by which the feed of all its legs is counted
   double u_ = 0;                   ///< as far as it is known
   std::deque<Mark> marks_{};       ///< by u; the first holds where the next stretch begins
+  Hold hold_{};                    ///< where the next stretch begins
   geometry::Point start_, end_{};  ///< where the spline begins and is to end, in the axes' units
   double spent_ = 0;               ///< by any of its legs
   bool is_first_ = true;           ///< has nothing of the spline been settled?
