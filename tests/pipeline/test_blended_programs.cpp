@@ -323,6 +323,15 @@ TEST(BlendedPrograms, SeeABulgeBetweenStraightPartsOfASpline) {
   expect_better_than_stops(head + "G1 X1 Y0.2\nG5.2 P1 L4\n" + points + "G5.3\nG1 X10\n");
 }
 
+/// Near its middle the rows must be tightened; the window that begins shortly before has no room to find that out
+/// again.
+TEST(BlendedPrograms, AreNoSlowerWhereAWindowBeginsBeforeAPlaceOfTightenedLimits) {
+  expect_better_than_stops(
+      "F2494\nG64 P0.00202\nG2 X3 Y-3.72 I2.9 J-0.73\nX3.4 Y-22.14 J-9.21\nX7.4 Y-21.16 I3.5 J-5.6 F5874\n"
+      "G3 X6.008 Y-19.03162 I1.1 J2.27\nG2 X6.26785 Y-18.812 I0.028 J0.23049\nG3 X7.42713 Y-19.282 I0.429 J-0.606\n"
+      "I-4 J-7.7\n");
+}
+
 /// A line that is one whatever the mode.
 TEST(BlendedPrograms, DoNotStopWhereThePathModeChangesOnAStraightLine) {
   const std::string before = "G21 G90 G17 G94 F6000 G64 P0.01\nG1 X10 A20\n", behind = "X20 A40\n";

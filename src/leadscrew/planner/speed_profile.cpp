@@ -145,7 +145,10 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   std::size_t moving = 0;
   for (std::size_t i = 0; i < left.size(); ++i) moving += moves(left[i]) || moves(half_way[i]) || moves(last[i]);
   rows_.reserve(sites * moving);
-  tightened_.assign(n, 1.0);
+  // Where rows had to be tightened they would have to be again, when there may be less room for it.
+  const std::size_t known = std::min({before.loose, before.tightened.size(), n});
+  tightened_.assign(before.tightened.begin(), before.tightened.begin() + static_cast<std::ptrdiff_t>(known));
+  tightened_.resize(n, 1.0);
   floors_.assign(n + 3, 0.0);
   if (!ends_at_rest()) {
     // Knots that lie well for a motion that goes on lie far apart for one that stops so soon.
