@@ -5,11 +5,10 @@ namespace leadscrew::referee {
 
 namespace {
 
-constexpr std::size_t first_ring_size = 16;
 constexpr std::size_t most_pieces = 16384;         // looked ahead while the trace follows the program
 constexpr std::size_t most_pieces_departed = 256;  // and while it does not
 constexpr double search_factor = 16;               // of the least cost, while it does not
-constexpr double slack = 0.25;                     // of the tolerance: candidates that much beyond it are kept
+constexpr double doubt = 1. / 16;                  // of the tolerance: deviations larger by more are judged again
 constexpr double on_arc = 1e-3;                    // of the radius: words farther off may bend otherwise
 constexpr double same_distance = 1e-9;             // mm; rounding is below
 constexpr double greatest_stretch = 4. / 3;        // of a chord; an arc's of 2Â½ radians
@@ -17,213 +16,87 @@ constexpr double greatest_stretch = 4. / 3;        // of a chord; an arc's of 2Â
 }  // namespace
 
 Matcher::Matcher(PieceSource& source, const Metric& metric)
-    : source_(source), metric_(metric), slots_(first_ring_size) {}
-
-bool Matcher::pull() {
-  if (program_ended_) return false;
-  if (count_ == slots_.size()) {
-    std::vector<Slot> larger(2 * slots_.size());
-    for (std::size_t i = 0; i < count_; ++i) larger[i] = slot(i);
-    slots_ = std::move(larger);
-    front_ = 0;
-  }
-  Slot& added = slot(count_);
-  if (!source_.next(added.piece)) {
-    program_ended_ = true;
-    return false;
-  }
-  added.now.alive = false;
-  ++count_;
-  return true;
-}
-
-void Matcher::drop_front() {
-  front_ = (front_ + 1) & (slots_.size() - 1);
-  --count_;
-}
+    : source_(source),
+      metric_(metric),
+      frontier_(metric, [&source](Piece& piece) { return source.next(piece); }),
+      appeal_(metric, frontier_) {}
 
 Passage Matcher::begin(const Point& word) {
-  word_ = word;
-  chord_ = chord_between(metric_, word, word);
-  if (!pull()) {
-    Piece& point = slot(count_++).piece;  // a program that moves nothing: the path is where it stands
-    point = {};
+  frontier_.begin(word);
+  if (!frontier_.pull()) {
+    Piece& point = frontier_.add_point();  // a program that moves nothing: the path is where it stands
     point.from = point.to = source_.any_move() ? source_.start() : word;
     point.tolerance = source_.start_tolerance();
     point.feed.value = std::numeric_limits<double>::infinity();
   }
-  Slot& first = slot(0);
-  start_ = first.piece.from;
-  end_ = first.piece.to;
-  first.now = {};
-  first.now.alive = true;
-  first.now.cost = metric_.distance(word, start_);
-  first.now.margin = first.now.cost - first.piece.tolerance;
-  last_alive_ = 0;
-  return follow();
+  const Piece& first = slot(0).piece;
+  start_ = first.from;
+  end_ = first.to;
+  Candidate candidate;
+  candidate.alive = true;
+  candidate.cost = metric_.distance(word, start_);
+  candidate.margin = candidate.cost - first.tolerance;
+  frontier_.place(0, candidate);
+  appeal_.begin();
+  return follow(0);
 }
 
 Passage Matcher::observe(const Point& word, double excuse) {
-  excuse_ = excuse;
-  chord_ = chord_between(metric_, word_, word);
-  word_ = word;
-  return departed_ ? depart() : follow();
+  frontier_.observe(word, excuse);
+  return departed_ ? depart() : follow(excuse);
 }
 
-/// Path between two words departs from their chord by `distance`.
-void Matcher::pass_over(double distance, double tolerance, base::Line line, Candidate& candidate) const {
-  const double skip = std::max(0.0, distance - excuse_);
-  const double margin = skip - tolerance;
-  candidate.cost = std::max(candidate.cost, skip);
-  candidate.margin = std::max(candidate.margin, margin);
-  if (margin > candidate.skip_margin) {
-    candidate.skip = skip;
-    candidate.skip_margin = margin;
-    candidate.skip_line = line;
-  }
+/// Whether the best match is beyond the tolerance, or farther than any has been for certain.
+bool Matcher::doubtful(double cost, double margin, double tolerance) const {
+  return margin > nanometre || cost > confirmed_ + std::max(nanometre, doubt * tolerance);
 }
 
-/// The arc or curve from the candidate's place to another, `distance` from the chord, was passed over between two
-/// words.
-void Matcher::pass_bend(const Piece& piece, double to, double distance, Candidate& candidate) const {
-  const double from = candidate.place;
-  if (!(to > from)) return;
-  const double enough =
-      excuse_ + std::min(std::max(0.0, candidate.cost), std::max(0.0, candidate.margin + piece.tolerance));
-  const double farthest =
-      farthest_from_chord(metric_, piece, from, to, chord_, std::max(candidate.distance, distance), enough);
-  if (farthest > enough) pass_over(farthest, piece.tolerance, piece.line, candidate);
-}
-
-/// The better of the piece's own candidate and of the one that comes from before it, taken to the word.
-Matcher::Candidate Matcher::candidate_on(const Slot& slot, const Candidate& carried) {
-  const Piece& piece = slot.piece;
-  const Nearest nearest = nearest_on(metric_, piece, word_);
-  const auto arrive = [&](Candidate candidate, double place, double distance) {
-    if (piece.kind != Piece::Kind::line) pass_bend(piece, place, distance, candidate);
-    candidate.place = place;
-    candidate.distance = distance;
-    candidate.cost = std::max(candidate.cost, distance);
-    candidate.margin = std::max(candidate.margin, distance - piece.tolerance);
-    return candidate;
-  };
-  Candidate best;
-  if (carried.alive) best = arrive(carried, nearest.place, nearest.distance);
-  if (slot.now.alive) {
-    const bool onward = nearest.place >= slot.now.place;
-    const double place = onward ? nearest.place : slot.now.place;
-    const double distance = onward ? nearest.distance : metric_.distance(word_, point_at(metric_, piece, place));
-    const Candidate own = arrive(slot.now, place, distance);
-    if (!best.alive || own.margin < best.margin) best = own;
-  }
-  return best;
-}
-
-/// The better of the piece's own candidate and of the one that comes from before it, as they are when the rest of the
-/// piece's bend, its end `distance` from the chord, has been passed over: more of it by the one from before.
-Matcher::Candidate Matcher::past_bend(const Slot& slot, double distance, const Candidate& carried) const {
-  const Piece& piece = slot.piece;
-  const auto pass = [&](Candidate candidate) {
-    if (piece.kind != Piece::Kind::line) pass_bend(piece, piece.span, distance, candidate);
-    return candidate;
-  };
-  if (!slot.now.alive) return pass(carried);
-  const Candidate own = pass(slot.now);
-  if (!carried.alive) return own;
-  const Candidate before = pass(carried);
-  return own.margin < before.margin ? own : before;
-}
-
-/// Takes the better of the candidate from before piece i and of its own past the end of the piece; it dies of a margin
-/// beyond `most`.
-void Matcher::pass_to_end(std::size_t i, double most, Candidate& candidate) {
-  const Slot& here = slot(i);
-  const Piece& piece = here.piece;
-  const double tolerance = i + 1 < count_ ? std::max(piece.tolerance, slot(i + 1).piece.tolerance) : piece.tolerance;
-  const double distance = distance_to_chord(metric_, chord_, piece.to);
-  if (distance - excuse_ - tolerance > most) {
-    candidate.alive = false;
-    return;
-  }
-  candidate = past_bend(here, distance, candidate);
-  pass_over(distance, tolerance, piece.line, candidate);
-  candidate.place = 0;
-  candidate.distance = distance;
-  candidate.alive = candidate.margin <= most;
-}
-
-/// Computes every candidate after the chord; returns the slot of the best.
-std::size_t Matcher::step(const Reach& reach) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  Candidate carried;
-  next_alive_ = 0;
-  next_last_ = 0;
-  stepped_ = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (i > last_alive_ && !carried.alive) break;
-    Slot& here = slot(i);
-    stepped_ = i + 1;
-    here.next.alive = false;
-    if (!carried.alive && !here.now.alive) continue;
-    here.next = candidate_on(here, carried);
-    if (here.next.margin < least) {
-      least = here.next.margin;
-      best = i;
+Passage Matcher::follow(double excuse) {
+  appeal_.record(frontier_.word(), excuse);
+  bool heard = appeal_.open() && appeal_.observe(frontier_.word(), excuse);
+  if (!heard) {
+    const Slot& best = slot(frontier_.step({nanometre, nanometre, most_pieces}));
+    if (doubtful(best.next.cost, best.next.margin, best.piece.tolerance)) {
+      heard = appeal_.hear();
+      if (!heard && best.next.margin > nanometre) {
+        least_margin_ = best.next.margin;
+        return depart();
+      }
+      if (!heard) confirmed_ = best.next.cost;
     }
-    here.next.alive = here.next.margin <= reach.keep + slack * here.piece.tolerance;
-    if (here.next.alive) {
-      ++next_alive_;
-      next_last_ = i;
-    }
-    const double nearest_carry = std::min(here.now.alive ? here.now.margin : std::numeric_limits<double>::infinity(),
-                                          carried.alive ? carried.margin : std::numeric_limits<double>::infinity());
-    const double most = reach.carry + slack * here.piece.tolerance;
-    if (nearest_carry > most) {
-      carried.alive = false;
-      continue;
-    }
-    if (i + 1 == count_ && count_ < reach.pieces) pull();
-    pass_to_end(i, most, carried);
   }
-  return best;
+  if (heard) {
+    confirmed_ = std::max(confirmed_, appeal_.least_cost());
+    appeal_.transfer();
+  }
+  Passage result = passage(frontier_.next_last());
+  adopt();
+  if (frontier_.next_alive() == 1 && !appeal_.open()) {
+    Candidate& only = slot(0).now;
+    deviation_ = std::max(deviation_, only.cost);
+    only.forget();
+  } else {
+    frontier_.limit(most_pieces);
+  }
+  const double tolerance = source_.largest_tolerance();
+  if (appeal_.open()) appeal_.close(tolerance);
+  if (tolerance > 0) appeal_.mark(tolerance);
+  return result;
 }
 
 /// Makes the step's candidates the present ones.
 void Matcher::adopt() {
-  for (std::size_t i = 0; i < stepped_; ++i) slot(i).now = slot(i).next;
-  std::size_t dead = 0;
-  while (dead < next_last_ && !slot(dead).now.alive) ++dead;
-  for (std::size_t i = 0; i < dead; ++i) drop_front();
-  last_alive_ = next_last_ - dead;
-}
-
-Passage Matcher::follow() {
-  const std::size_t best = step({nanometre, nanometre, most_pieces});
-  if (slot(best).next.margin > nanometre) {
-    least_margin_ = slot(best).next.margin;
-    return depart();
-  }
-  Passage result = passage(next_last_);
-  adopt();
-  if (next_alive_ == 1) {
-    Candidate& only = slot(0).now;
-    deviation_ = std::max(deviation_, only.cost);
-    only.cost = 0;
-    only.margin = none;
-  } else if (count_ == most_pieces) {
-    drop_front();
-    --last_alive_;
-  }
-  return result;
+  frontier_.adopt();
+  frontier_.keep_from(appeal_.recording() ? appeal_.first_needed() : std::numeric_limits<std::int64_t>::max());
 }
 
 /// The best candidate ahead of the trace's departure, or the return to the path.
 Passage Matcher::depart() {
-  std::size_t best = step({least_margin_, search_factor * least_margin_, most_pieces_departed});
+  appeal_.forget();
+  std::size_t best = frontier_.step({least_margin_, search_factor * least_margin_, most_pieces_departed});
   double least = slot(best).next.margin;
   if (!departed_ || least > least_margin_) {
-    best = step({search_factor * least, search_factor * least, most_pieces_departed});
+    best = frontier_.step({search_factor * least, search_factor * least, most_pieces_departed});
     least = slot(best).next.margin;
   }
   departed_ = true;
@@ -233,7 +106,7 @@ Passage Matcher::depart() {
   Passage result = passage(best);
   if (!on_path) {
     // At a corner the block that is not followed is the one that begins there.
-    const bool at_corner = best + 1 < stepped_ && slot(best + 1).next.alive &&
+    const bool at_corner = best + 1 < frontier_.stepped() && slot(best + 1).next.alive &&
                            slot(best + 1).next.distance <= chosen.next.distance + same_distance;
     const base::Line line = slot(at_corner ? best + 1 : best).piece.line;
     result.deviation = Finding{line, chosen.next.distance, chosen.piece.tolerance};
@@ -252,19 +125,21 @@ void Matcher::settle(std::size_t best, Passage& result) {
   if (winner.skip_margin > nanometre) {
     result.skipped = Finding{winner.skip_line, winner.skip, winner.skip - winner.skip_margin};
   }
-  next_last_ = best;
-  for (std::size_t i = 0; i < stepped_; ++i) {
+  std::size_t last = best;
+  for (std::size_t i = 0; i < frontier_.stepped(); ++i) {
     Slot& here = slot(i);
     Candidate& next = here.next;
     next.alive =
         next.alive && next.margin <= winner.margin + nanometre && next.distance - here.piece.tolerance <= nanometre;
     if (!next.alive) continue;
-    next_last_ = i;
+    last = i;
     next.cost = next.distance;
     next.margin = next.distance - here.piece.tolerance;
     next.skip = 0;
-    next.skip_margin = none;
+    next.skip_margin = Candidate::none;
   }
+  frontier_.replace_next(last);
+  confirmed_ = std::max(confirmed_, deviation_);
   departed_ = false;
   adopt();
 }
@@ -325,22 +200,16 @@ double Matcher::stretch_to(std::size_t nearest) {
 }
 
 std::optional<Finding> Matcher::conclude() {
-  chord_ = chord_between(metric_, word_, word_);
-  excuse_ = 0;
-  Candidate carried;
-  Candidate before_end;
-  while (count_ > 0) {
-    if (count_ == 1) pull();
-    const Slot& here = slot(0);
-    end_ = here.piece.to;
-    before_end = past_bend(here, metric_.distance(word_, end_), carried);
-    pass_to_end(0, std::numeric_limits<double>::infinity(), carried);
-    drop_front();
+  const double tolerance = source_.end_tolerance();
+  Frontier::End end = frontier_.conclude(most_pieces);
+  end_ = end.point;
+  if (appeal_.open() || doubtful(end.at.cost, end.at.margin, tolerance)) {
+    const std::optional<Frontier::End> heard = appeal_.conclude();
+    if (heard && heard->at.margin < end.at.margin) end = *heard;
   }
-  deviation_ = std::max(deviation_, carried.cost);
-  if (before_end.skip_margin > nanometre) {
-    return Finding{before_end.skip_line, before_end.skip, before_end.skip - before_end.skip_margin};
-  }
+  deviation_ = std::max(deviation_, end.at.cost);
+  const Candidate& last = end.before;
+  if (last.skip_margin > nanometre) return Finding{last.skip_line, last.skip, last.skip - last.skip_margin};
   return std::nullopt;
 }
 

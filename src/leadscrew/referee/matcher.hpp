@@ -13,27 +13,29 @@
 // A motion whose acceleration is at most a leaves the chord of a period T by no more: f'' is bounded and f = 0 at both
 // ends. Whatever lies farther was skipped. How large a can have been is for excuse.hpp to say.
 //
-// Every piece of the path holds at most one candidate: the place matched to the latest word if that word is on this
-// piece, and the largest distance that led there. From word to word,
-//
-//     cost'(piece) = max(distance of the word to the piece, min(cost(piece), carried)),
-//     carried      = min over earlier pieces of max(cost, largest distance of all between to the chord − a·T²/8).
+// Every piece of the path holds at most one candidate (frontier.hpp).
 //
 // Candidates beyond 1¼ tolerances and a nanometre are dropped, so that there is one nearly always, two where the path
 // turns back or the block changes, and elsewhere as many as there are pieces within the tolerance. All are kept that
 // can still turn out to be right: no choice is made at a tip or a crossing, so none can be wrong, and nothing
 // accumulates.
 //
+// Each goes to the nearest place of its piece, which where words run back along a piece is not the best. So before all
+// are found beyond the tolerance, or a deviation is told that is larger than any before by a sixteenth of the
+// tolerance, the last words are judged again on finer pieces (appeal.hpp).
+//
 // Where all candidates lie beyond the tolerance, the trace departs from the program. Then others are tried ahead, up to
-// 16 times the least cost away and 256 pieces far, until the best lies on its piece again. A deviation up to 1¼
-// tolerances is the least there is; a larger one may be told too large, by what the best match lags behind where it is
-// left late.
+// 16 times the least cost away and 256 pieces far, until the best lies on its piece again.
+//
+// A deviation within the tolerance is told too large by an eighth of the tolerance at most: a sixteenth that is not
+// doubted, and a sixteenth by what the finer pieces are long. One beyond it may be told larger, by what the best match
+// lags behind where it is left late.
 
 #include <cstdint>
+#include <leadscrew/referee/appeal.hpp>
+#include <leadscrew/referee/frontier.hpp>
 #include <leadscrew/referee/piece_source.hpp>
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace leadscrew::referee {
 
@@ -72,45 +74,12 @@ class Matcher {
   double deviation() const { return deviation_; }  ///< mm; complete after conclude()
 
  private:
-  static constexpr double none = -std::numeric_limits<double>::infinity();
+  using Slot = Frontier::Slot;
 
-  /// A possible match. Margins are distances less the tolerance at their place.
-  struct Candidate {
-    bool alive = false;
-    double place = 0;           // on its piece
-    double distance = 0;        // mm; from there to the latest word, or to the chord where path was passed over
-    double cost = 0;            // mm; largest distance since the candidates were last one
-    double margin = none;       // mm; likewise
-    double skip = 0;            // mm; largest distance of path between words to their chord, less the excuse
-    double skip_margin = none;  // mm
-    base::Line skip_line{};
-  };
+  Slot& slot(std::size_t i) { return frontier_.slot(i); }
 
-  struct Slot {
-    Piece piece;
-    Candidate now;
-    Candidate next;
-  };
-
-  /// How far candidates may go in one step, beside a share of the tolerance.
-  struct Reach {
-    double carry = nanometre;  // mm; margin up to which path is passed over
-    double keep = nanometre;   // mm; margin up to which a candidate is kept
-    std::size_t pieces = 0;    // ahead
-  };
-
-  Slot& slot(std::size_t i) { return slots_[(front_ + i) & (slots_.size() - 1)]; }
-  bool pull();
-  void drop_front();
-
-  std::size_t step(const Reach& reach);
-  Candidate candidate_on(const Slot& slot, const Candidate& carried);
-  Candidate past_bend(const Slot& slot, double distance, const Candidate& carried) const;
-  void pass_to_end(std::size_t i, double most, Candidate& candidate);
-  void pass_bend(const Piece& piece, double to, double distance, Candidate& candidate) const;
-  void pass_over(double distance, double tolerance, base::Line line, Candidate& candidate) const;
-
-  Passage follow();
+  bool doubtful(double cost, double margin, double tolerance) const;
+  Passage follow(double excuse);
   Passage depart();
   void settle(std::size_t best, Passage& passage);
   void adopt();
@@ -119,19 +88,11 @@ class Matcher {
 
   PieceSource& source_;
   const Metric& metric_;
-  double excuse_ = 0;
-  Chord chord_;
-  Point word_{};
+  Frontier frontier_;
+  Appeal appeal_;
   Point start_{}, end_{};
   double deviation_ = 0;
-
-  std::vector<Slot> slots_;  // a ring; its size is a power of two
-  std::size_t front_ = 0, count_ = 0;
-  std::size_t stepped_ = 0;     // slots that hold a valid `next`
-  std::size_t last_alive_ = 0;  // the last slot whose `now` is alive
-  std::size_t next_alive_ = 0;  // number of `next` alive
-  std::size_t next_last_ = 0;   // the last of them
-  bool program_ended_ = false;
+  double confirmed_ = 0;  // mm; the largest cost that needs no second judgement
   bool departed_ = false;
   double least_margin_ = 0;  // while departed: of the best candidate
 

@@ -119,6 +119,36 @@ Point point_at(const Metric& metric, const Piece& piece, double place) {
   return result;
 }
 
+double length_of(const Metric& metric, const Piece& piece) {
+  if (piece.kind == Piece::Kind::line) return piece.span;
+  if (piece.kind == Piece::Kind::arc) return piece.span * std::hypot(piece.radius, std::sqrt(piece.squared_slope));
+  return metric.distance(piece.from, piece.to) / std::cos(std::numbers::pi / 8);
+}
+
+Piece part(const Metric& metric, const Piece& piece, double from, double to) {
+  Piece result = piece;
+  result.begins = from;
+  if (from > 0) result.from = point_at(metric, piece, from);
+  if (to < piece.span) result.to = point_at(metric, piece, to);
+  switch (piece.kind) {
+    case Piece::Kind::line:
+      result.span = to - from;
+      break;
+    case Piece::Kind::arc:
+      result.span = to - from;
+      result.angle_before += from;
+      result.radial_first = result.from[piece.first] - piece.center_first;
+      result.radial_second = result.from[piece.second] - piece.center_second;
+      result.radius = std::hypot(result.radial_first, result.radial_second);
+      break;
+    case Piece::Kind::curve:
+      result.segment = part(metric, piece.segment, from, to);
+      result.scale = to - from;
+      break;
+  }
+  return result;
+}
+
 namespace {
 
 /// The farthest that an arc departs from its own chord between two places, at most: |p''| Δφ²/8 = RΔφ²/8.

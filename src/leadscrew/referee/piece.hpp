@@ -58,6 +58,9 @@ struct Piece {
 
   Bezier segment;           ///< curve
   std::int64_t number = 0;  ///< curve: counts the block's pieces
+
+  std::int64_t serial = 0;       ///< counts the program's pieces; parts of a piece have its number
+  double begins = 0, scale = 1;  ///< of a part: its place p is the place begins + scale·p of the whole piece
 };
 
 /// The nearest place of a piece to a point, and how far it is.
@@ -85,6 +88,12 @@ inline Nearest nearest_on(const Metric& metric, const Piece& piece, const Point&
 }
 
 Point point_at(const Metric& metric, const Piece& piece, double place);
+
+/// Length, mm; of a curve at most 8.3 % more than there is (turns_little).
+double length_of(const Metric& metric, const Piece& piece);
+
+/// The part between two places of a whole piece.
+Piece part(const Metric& metric, const Piece& piece, double from, double to);
 
 /// The largest distance to the chord of the points between two places of an arc or a curve, whose ends are at most
 /// `at_ends` from it; or anything up to `enough` where it is no larger than that. mm.

@@ -216,6 +216,7 @@ bool PieceSource::next(Piece& piece) {
   while (!next_of_block(piece)) {
     if (!read()) return false;
   }
+  piece.serial = serial_++;
   return true;
 }
 

@@ -37,7 +37,7 @@ class PieceSource {
 
   MoveSource moves_;
   const Metric& metric_;
-  std::int64_t block_ = 0;
+  std::int64_t block_ = 0, serial_ = 0;
   Point start_{}, end_{};
   double start_tolerance_ = 0, end_tolerance_ = 0, largest_tolerance_ = 0;
   base::Line end_line_{};
