@@ -28,6 +28,8 @@ class Appeal {
  public:
   /// `whole`: where the pieces come from, and what they look like uncut.
   Appeal(const Metric& metric, Frontier& whole);
+  Appeal(const Appeal&) = delete;
+  Appeal& operator=(const Appeal&) = delete;
 
   /// Records from the whole pieces' candidates at their latest word on.
   void begin();
