@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -71,6 +72,39 @@ std::int64_t end_of_signals(Dump& dump, const std::string& axis) {
     if (value != 0) end += direction.at(time) != 0 ? 1 : -1;
   }
   return end;
+}
+
+TEST(StepsOfRun, AreRowsWhateverTheCaseOfTheEnding) {
+  Folder folder;
+  folder.write("part.ngc", bracket);
+  ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--pulses", "steps.CSV"}).status, 0);
+  EXPECT_EQ(ends_of_rows(folder.read("steps.CSV")).at("X"), 10000);
+}
+
+/// A drive asks for a time to hold the direction after a step, and one to set it up before the next.
+TEST(StepsOfRun, LeaveTheTimeToTurnWhateverTheMethod) {
+  Folder folder;
+  folder.write("part.ngc", "G21 G90 G61 G0 X1\nX0\nX1\nX0\nM2\n");
+  const Outcome outcome = leadscrew(
+      folder, {"run", "part.ngc", "--pulses", "steps.csv", "--pulse-method", "koren", "--step-clock", "1MHz"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  std::istringstream rows(folder.read("steps.csv"));
+  std::string row;
+  std::getline(rows, row);
+  std::int64_t last = -1000, closest = 1000;
+  while (std::getline(rows, row)) {
+    const std::int64_t now = std::stoll(row);
+    closest = std::min(closest, now - last);
+    last = now;
+  }
+  EXPECT_GE(closest, 3);  // µs: step length, hold and setup
+}
+
+TEST(StepsOfRun, SayWhoseTimeAndLimitsAreTold) {
+  Folder folder;
+  folder.write("part.ngc", bracket);
+  const Outcome outcome = leadscrew(folder, {"run", "part.ngc", "--pulses", "steps.csv", "--pulse-method", "koren"});
+  EXPECT_NE(outcome.output.find("those of the words"), std::string::npos) << outcome.output;
 }
 
 TEST(StepsOfRun, AreSignalsOfDrives) {

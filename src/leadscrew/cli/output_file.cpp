@@ -1,6 +1,8 @@
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -36,6 +38,12 @@ bool is_standard_output(const struct stat& file) {
 }
 
 }  // namespace
+
+std::string extension(const std::string& path) {
+  std::string text = std::filesystem::path(path).extension();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
 
 base::Result<OutputFile> OutputFile::create(const std::string& path, Access access) {
   OutputFile file;

@@ -11,6 +11,9 @@
 
 namespace leadscrew::cli {
 
+/// Of a path, in small letters: ".csv".
+std::string extension(const std::string& path);
+
 class OutputFile {
  public:
   enum class Access { sequential, rewritable };  ///< rewritable: rewrite_start() will be called

@@ -1,20 +1,12 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <leadscrew/cli/outputs.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
-
-std::string extension(const std::string& path) {
-  std::string text = std::filesystem::path(path).extension();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 /// /dev/null, a pipe: what exists and is no regular file.
 bool is_special(const std::string& path) {

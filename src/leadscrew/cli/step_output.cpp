@@ -52,7 +52,8 @@ stepping::PulseOptions pulse_options(const Arguments& arguments) {
   if (arguments.run.pulse_method) options.method = *arguments.run.pulse_method;
   const stepping::StepTicks ticks = stepping::in_ticks(timing_of(arguments));
   options.clock_pps = arguments.run.step_clock;
-  options.step_clocks = ticks.pitch();
+  // Of any two steps, for an axis may turn back between them.
+  options.step_clocks = ticks.reversal();
   options.interpolation.places = 16;
   if (arguments.run.accelerate) options.shape = stepping::Shape::accelerate;
   return options;
@@ -85,7 +86,7 @@ base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& pa
   std::unique_ptr<StepOutput> output(new StepOutput(std::move(*file), job));
   output->compensation_ = std::move(compensation);
   output->generator_ = std::move(generator);
-  if (path.size() > 4 && path.substr(path.size() - 4) == ".csv") {
+  if (extension(path) == ".csv") {
     output->writer_.emplace<trace::StepCsvWriter>(output->file_.sink(), timing);
   } else {
     output->writer_.emplace<trace::StepVcdWriter>(output->file_.sink(), job.machine.axis_set(), timing);
@@ -156,6 +157,7 @@ StepFigures StepOutput::figures() const {
   figures.clock_hz = arguments.run.step_clock;
   figures.steps = steps_;
   figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.run.step_clock);
+  figures.accelerates = arguments.run.accelerate;
   if (!generator_) return figures;
   figures.error_blu = generator_->report().greatest_error;
   const base::AxisVector greatest = compensation_->greatest_corrections();

@@ -33,6 +33,7 @@ struct StepFigures {
   std::int64_t steps = 0;
   double time_s = 0;                    ///< of the last step
   std::optional<double> error_blu;      ///< greatest distance from the words, compensated; none of other methods
+  bool accelerates = false;             ///< a method of its own, kept to the axes' acceleration
   std::vector<Correction> corrections;  ///< of axes whose screws have errors
 };
 

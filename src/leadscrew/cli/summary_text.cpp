@@ -77,7 +77,11 @@ std::string violations_text(const referee::Verdict& verdict, const Style& style)
 std::string steps_text(const StepFigures& steps) {
   std::string text = fmt::format("{} at a clock of {:g} kHz, the last at {}", steps.steps,
                                  static_cast<double>(steps.clock_hz) / 1e3, seconds_text(steps.time_s));
-  if (!steps.error_blu) return text + "; by " + steps.method;
+  if (!steps.error_blu) {
+    return text + fmt::format("; by {}, {}: time and limits above are those of the words", steps.method,
+                              steps.accelerates ? "within the acceleration of the axes but for a few steps"
+                                                : "at the feed at once, without a limit of acceleration");
+  }
   return text + fmt::format("; within {:.3f} BLU of the {}words", *steps.error_blu,
                             steps.corrections.empty() ? "" : "compensated ");
 }

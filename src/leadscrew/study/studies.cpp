@@ -5,7 +5,7 @@ namespace leadscrew::study {
 
 namespace {
 
-constexpr std::array<Study, 11> all = {{
+constexpr std::array<Study, 13> all = {{
     {"butterfly", "The butterfly by arc length, and the times of travelling it", butterfly_rows},
     {"feed-fluctuation", "Feed and chord errors of the rules that step a curve's parameter", feed_fluctuation_rows},
     {"limits", "Time, limits and effort along curves beside the optimum, and along blended lines and corners",
@@ -15,6 +15,9 @@ constexpr std::array<Study, 11> all = {{
     {"10001", "Koren's half circle of 10 000 BLU, which comes out at 10 001", half_circle_rows},
     {"fpga-table-1", "Steps and errors of four circular interpolators", fpga_rows},
     {"lecture", "The worked problems of a lecture on DDA interpolators", lecture_rows},
+    {"closed-loop-pulses", "A pulse-driven axis as it runs, and contours of unlike position loops", closed_loop_rows},
+    {"real-time-vs-offline", "A curve as one block and as 92 lines with a stop at each, through servo loops",
+     real_time_rows},
     {"koren-feed", "Koren's feed words and clocks, by formula and by registers", feed_code_rows},
     {"digital-integrals", "Lines and arcs of a teaching interpolator in n-bit registers", digital_integrals_rows},
     {"bounds", "Greatest errors of every pulse interpolator, on all circles, arcs and lines to some size", bounds_rows},

@@ -45,6 +45,12 @@ Rows fpga_rows(const Host& host);
 /// The three problems of "Interpolators linear", lecture 12: rates of a pulse-driven axis, DDAs of a line, a timer.
 Rows lecture_rows(const Host& host);
 
+/// Its pulse-driven axis as it runs, and the contours of two position loops beside their closed forms.
+Rows closed_loop_rows(const Host& host);
+
+/// Lin and Koren's plane cubic as one block and as 92 lines with a stop at each, through their servo loops.
+Rows real_time_rows(const Host& host);
+
 /// What "Digital integral interpolator based on LabVIEW" says of n-bit registers.
 Rows digital_integrals_rows(const Host& host);
 

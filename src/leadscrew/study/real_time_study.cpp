@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <leadscrew/interpolator/parameter_steps.hpp>
+#include <leadscrew/servo/axis_loop.hpp>
+#include <leadscrew/study/blended_programs.hpp>
+#include <leadscrew/study/curves.hpp>
+#include <leadscrew/study/motion.hpp>
+#include <leadscrew/study/studies.hpp>
+#include <string>
+#include <vector>
+
+// Lin and Koren, "Real-time interpolators for multi-axis CNC machine tools", section 5: the plane cubic as one curve
+// block, and as 92 lines with a stop at each, through the same servo loops. What the paper does not say is taken as
+// follows: the plant is K/(s(τs + 1)) in both axes; lines are equal in u; each begins and ends at rest and is as fast
+// between as one acceleration allows, 106.3 mm/s², with which the lines take the time that was measured.
+
+namespace leadscrew::study {
+
+namespace {
+
+constexpr double feed = 10, period = 0.01;  // mm/s, s
+constexpr int lines = 92;
+constexpr double acceleration = 106.3;                                      // mm/s²
+constexpr double decoding = 0.3;                                            // s for all lines, as measured in the paper
+constexpr double whole_time = 10.4, cutting_time = 10.1, curve_time = 3.0;  // s, published
+
+struct Place {
+  double x = 0, y = 0;
+};
+
+Place cubic(double u) {
+  return {20 * u, ((-50 * u + 80) * u - 10) * u};
+}
+
+/// Δu of Taylor's series of second order.
+std::vector<Place> words_of_curve() {
+  const std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(plane_cubic());
+  std::vector<Place> words = {cubic(0)};
+  for (const geometry::Nurbs& piece : pieces) {
+    for (double u = piece.first_parameter(); u < piece.last_parameter();) {
+      u = interpolator::next_parameter(piece, interpolator::StepRule::taylor2, u, 0, feed * period);
+      const geometry::PointJet jet = piece.jets_at(u);
+      words.push_back({jet[0].value, jet[1].value});
+    }
+  }
+  return words;
+}
+
+/// A line from rest to rest.
+struct Line {
+  Place from, to;
+  double length = 0;
+  double peak = 0;  ///< speed, mm/s
+  double time = 0;  ///< of cutting, s
+};
+
+std::vector<Line> lines_of_cubic() {
+  std::vector<Line> all;
+  for (int k = 0; k < lines; ++k) {
+    Line line{cubic(static_cast<double>(k) / lines), cubic(static_cast<double>(k + 1) / lines)};
+    line.length = std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
+    line.peak = std::min(feed, std::sqrt(line.length * acceleration));
+    line.time = line.length / line.peak + line.peak / acceleration;
+    all.push_back(line);
+  }
+  return all;
+}
+
+/// Way from rest, at a time 0 … line.time.
+double way_at(const Line& line, double time) {
+  const double ramp = line.peak / acceleration, left = line.time - time;
+  if (time < ramp) return acceleration * time * time / 2;
+  if (left < ramp) return line.length - acceleration * left * left / 2;
+  return line.peak * (time - ramp / 2);
+}
+
+/// Each line is read and decoded while the table stands.
+std::vector<Place> words_of_lines(const std::vector<Line>& all) {
+  std::vector<Place> words;
+  double begins = 0;
+  for (const Line& line : all) {
+    begins += decoding / lines;
+    while (static_cast<double>(words.size()) * period < begins + line.time) {
+      const double time = std::max(0.0, static_cast<double>(words.size()) * period - begins);
+      const double share = way_at(line, time) / line.length;
+      words.push_back(
+          {line.from.x + share * (line.to.x - line.from.x), line.from.y + share * (line.to.y - line.from.y)});
+    }
+    begins += line.time;
+  }
+  words.push_back(all.back().to);
+  return words;
+}
+
+struct Plant {
+  double gain = 0, time_constant = 0;  ///< K, 1/s a unit of command; τ, s
+};
+constexpr std::array<Plant, 2> plants = {{{10, 0.02}, {17.8, 0.05}}};
+
+struct Gains {
+  const char* name;
+  servo::PidGains gains;
+  double first_plant = 0, second_plant = 0;  ///< overshoot on the curve, %
+};
+constexpr std::array<Gains, 2> sets = {
+    {{"(2, 2, 15)", {2, 2, 15}, 3.1, 1.9}, {"(6, 50, 25)", {6, 50, 25}, 43.5, 54.1}}};
+
+/// Greatest and, over the middle half of the words, least √(Vx² + Vy²) at the tachogenerators, mm/s.
+struct Speeds {
+  double greatest = 0, least = 0;
+};
+
+base::Result<Speeds> measured(const std::vector<Place>& words, const servo::PidGains& gains, const Plant& plant) {
+  const auto axis = servo::Axis::create({.drive = servo::velocity_drive(plant.gain, plant.time_constant)});
+  if (!axis) return base::failure(axis.error());
+  const auto pid = servo::Pid::create({.gains = gains}, period);
+  if (!pid) return base::failure(pid.error());
+  servo::AxisLoop x(*axis, *pid, period), y = x;
+  Speeds speeds{0, 1e9};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    x.follow({words[k].x});
+    y.follow({words[k].y});
+    const double speed = std::hypot(x.axis().screw().velocity, y.axis().screw().velocity);
+    speeds.greatest = std::max(speeds.greatest, speed);
+    if (k > words.size() / 4 && k < words.size() * 3 / 4) speeds.least = std::min(speeds.least, speed);
+  }
+  return speeds;
+}
+
+std::string group_of(const Gains& set, const Plant& plant) {
+  return std::string("gains (P, I, D) = ") + set.name + ", K " + decimal(plant.gain, 1) + ", τ " +
+         decimal(plant.time_constant * 1000, 0) + " ms";
+}
+
+Rows speed_rows(const std::vector<Place>& curve, const std::vector<Place>& stops) {
+  Rows rows;
+  for (const Plant& plant : plants) {
+    for (const Gains& set : sets) {
+      const std::string group = group_of(set, plant);
+      const auto on_curve = measured(curve, set.gains, plant), on_lines = measured(stops, set.gains, plant);
+      if (!on_curve || !on_lines) {
+        append(rows, under(group, {not_run_row("measured feed", (on_curve ? on_lines : on_curve).error().message)}));
+        continue;
+      }
+      const double overshoot = &plant == plants.data() ? set.first_plant : set.second_plant;
+      append(rows,
+             under(group, {because(exact_row("curve: overshoot of the feed", {"%", 1}, overshoot,
+                                             (on_curve->greatest / feed - 1) * 100),
+                                   "a reference calculation for this plant; the paper shows pictures and names none"),
+                           measured_row("lines: greatest measured feed", {"mm/s", 2}, on_lines->greatest),
+                           measured_row("lines: least, over the middle half", {"mm/s", 2}, on_lines->least)}));
+    }
+  }
+  return rows;
+}
+
+Rows time_rows(const std::vector<Place>& curve) {
+  const std::vector<Line> all = lines_of_cubic();
+  double cutting = 0, slowest = feed, fastest = 0;
+  for (const Line& line : all) {
+    cutting += line.time;
+    slowest = std::min(slowest, line.peak);
+    fastest = std::max(fastest, line.peak);
+  }
+  const double seconds = static_cast<double>(curve.size() - 1) * period;
+  return under(
+      "times, 10 mm/s, T 10 ms",
+      {exact_row("one block for the curve", {"s", 1}, curve_time, seconds),
+       because(exact_row("92 lines: cutting", {"s", 1}, cutting_time, cutting),
+               "with 106.3 mm/s², which the paper does not state"),
+       because(measured_row("92 lines: reading and decoding one", {"ms", 2}, decoding / lines * 1000), "0.3 s in all"),
+       exact_row("92 lines: in all", {"s", 1}, whole_time, cutting + decoding),
+       exact_row("times as long", {"", 1}, 3.5, (cutting + decoding) / curve_time),
+       because(limit_row("greatest feed along any line", {"mm/s", 1}, feed, fastest), "10 mm/s is never reached"),
+       measured_row("least of the greatest", {"mm/s", 1}, slowest)});
+}
+
+constexpr std::string_view as_lines = "plane cubic as 92 lines";
+
+const BlendedProgram* lines_program() {
+  for (const BlendedProgram& program : blended_programs()) {
+    if (program.name == as_lines) return &program;
+  }
+  return nullptr;
+}
+
+Row time_row(std::string what, const PartProgram& program, const machine::Machine& machine) {
+  const base::Result<Judged> judged = judge(program, machine);
+  if (!judged) return not_run_row(std::move(what), judged.error().message);
+  return measured_row(std::move(what), {"s", 3}, judged->summary.time_s);
+}
+
+/// The same curve and lines by this planner, and how long both programs are.
+Rows planner_rows() {
+  const machine::Machine machine = machine_with({200, 1000, 20000}, {1'000'000});
+  const PartProgram curve = program_of(plane_cubic(), feed);
+  Rows rows = {time_row("one block for the curve", curve, machine)};
+  const BlendedProgram* const found = lines_program();
+  if (found == nullptr) return rows;
+  BlendedProgram slow = *found;
+  slow.feed = feed;
+  rows.push_back(time_row("92 lines, a stop at each", stopping(slow), machine));
+  rows.push_back(time_row("92 lines within 10 µm", blended(slow), machine));
+  rows.push_back(measured_row("program of the curve", {"bytes", 0}, static_cast<double>(curve.text.size())));
+  rows.push_back(measured_row("program of the lines", {"bytes", 0}, static_cast<double>(stopping(slow).text.size())));
+  return under("this planner, 10 mm/s, a 1000 mm/s², j 20000 mm/s³", std::move(rows));
+}
+
+}  // namespace
+
+Rows real_time_rows(const Host&) {
+  const std::vector<Place> curve = words_of_curve(), stops = words_of_lines(lines_of_cubic());
+  Rows rows = time_rows(curve);
+  append(rows, speed_rows(curve, stops));
+  append(rows, planner_rows());
+  return rows;
+}
+
+}  // namespace leadscrew::study

@@ -1,0 +1,70 @@
+// The studies of closed loops: every figure that was published comes out as its row says.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <leadscrew/study/studies.hpp>
+#include <set>
+
+#include "found.hpp"
+
+namespace {
+
+using namespace leadscrew::study;
+using leadscrew::study::testing::ours;
+
+TEST(ClosedLoopStudy, ComesOut) {
+  const Rows rows = closed_loop_rows({});
+  EXPECT_EQ(rows.size(), 17u);
+  for (const Row& row : rows) {
+    const bool good = row.verdict == Verdict::reproduced || row.verdict == Verdict::exact ||
+                      row.verdict == Verdict::kept || row.verdict == Verdict::measured;
+    EXPECT_TRUE(good) << row.group << ": " << row.what << ' ' << row.ours.value_or(NAN);
+  }
+}
+
+/// 2.50, 50.00 pps, 1500 of 1500; 10 at a gain of 5.
+TEST(ClosedLoopStudy, HasTheFiguresOfTheLecture) {
+  const Rows rows = closed_loop_rows({});
+  constexpr const char *fast = "pulse-driven axis, Kv 20 1/s, 3000 pulses/min, 1500 pulses",
+                       *slow = "pulse-driven axis, Kv 5 1/s, 3000 pulses/min, 1500 pulses";
+  EXPECT_NEAR(ours(rows, fast, "up-down counter"), 2.5, 0.005);
+  EXPECT_NEAR(ours(rows, slow, "up-down counter"), 10, 0.005);
+  EXPECT_EQ(ours(rows, fast, "pulses of the encoder"), 1500);
+  EXPECT_NEAR(ours(rows, fast, "at rest after"), 30.13, 0.005);
+  EXPECT_NEAR(ours(rows, slow, "at rest after"), 30.56, 0.005);
+}
+
+/// 3.0 s against 10.1 and 10.4 s, 3.5 times; overshoots of both sets of gains on both plants.
+TEST(RealTimeStudy, ComesOut) {
+  const Rows rows = real_time_rows({});
+  EXPECT_EQ(rows.size(), 24u);
+  int exact = 0;
+  for (const Row& row : rows) {
+    const bool good = row.verdict == Verdict::exact || row.verdict == Verdict::kept || row.verdict == Verdict::measured;
+    EXPECT_TRUE(good) << row.group << ": " << row.what << ' ' << row.ours.value_or(NAN);
+    exact += row.verdict == Verdict::exact;
+  }
+  EXPECT_EQ(exact, 8);
+}
+
+TEST(RealTimeStudy, NeverReachesTheFeedOnLines) {
+  const Rows rows = real_time_rows({});
+  constexpr const char* group = "times, 10 mm/s, T 10 ms";
+  EXPECT_NEAR(ours(rows, group, "greatest feed along any line"), 6.7, 0.05);
+  EXPECT_NEAR(ours(rows, group, "least of the greatest"), 4.8, 0.05);
+  EXPECT_NEAR(ours(rows, group, "92 lines: reading and decoding one"), 3.26, 0.005);
+}
+
+/// Without a stop at each, lines take no longer than the curve; and a curve is a shorter program.
+TEST(RealTimeStudy, TakesLinesAsFastAsTheCurve) {
+  const Rows rows = real_time_rows({});
+  constexpr const char* group = "this planner, 10 mm/s, a 1000 mm/s², j 20000 mm/s³";
+  const double curve = ours(rows, group, "one block for the curve");
+  EXPECT_NEAR(curve, 3.028, 0.001);
+  EXPECT_NEAR(ours(rows, group, "92 lines within 10 µm"), curve, 0.002);
+  EXPECT_GT(ours(rows, group, "92 lines, a stop at each"), 2 * curve);
+  EXPECT_GT(ours(rows, group, "program of the lines"), 10 * ours(rows, group, "program of the curve"));
+}
+
+}  // namespace
