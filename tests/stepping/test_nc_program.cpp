@@ -18,7 +18,7 @@ using testing::line;
 using testing::source;
 
 struct Travel {
-  std::int64_t interrupts = 0, last = 0, both_ways = 0;
+  std::int64_t interrupts = 0;
   std::array<std::int64_t, base::axis_count> steps{};
 };
 

@@ -7,7 +7,7 @@
 //   point comparison  the axis that is furthest behind             one axis a command, by the sign of F
 //   least error,      Bresenham's: the longest axis at every       the least |F| of three steps; the faster axis
 //   improved          command                                      at every command
-//   bresenham         the same                                     as improved
+//   bresenham         the same                                     as least error
 //
 // Axes beside the plane of an arc go with it (helix.hpp): the first integrand of their DDA, with q = √(n² + Σ Δ²), is
 // the circle's n commands.

@@ -4,8 +4,6 @@
 
 namespace leadscrew::stepping {
 
-namespace {}  // namespace
-
 InverseTimeDesign design_inverse_time(const InverseTimeRange& range) {
   InverseTimeDesign design;
   design.capacity = rounded_up(range.max_distance / range.blu);
