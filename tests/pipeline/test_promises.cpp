@@ -157,7 +157,7 @@ TEST_P(Examples, KeepEveryLimitAndEveryPoint) {
   ASSERT_TRUE(tools.diagnostics.empty());
   const Outcome outcome = run(file_text(name), machine, tools.table);
   ASSERT_FALSE(has_error(outcome)) << outcome.diagnostics[0].place.line << ": " << outcome.diagnostics[0].message;
-  EXPECT_GT(outcome.summary.moves, 3);
+  EXPECT_GT(outcome.summary.moves, 0);
   EXPECT_LE(worst_planned(outcome.summary.plan), 1 + 1e-9);
   EXPECT_LE(worst_judged(outcome.verdict), 1.001);
   EXPECT_LE(outcome.verdict.feed_max_ratio, 1.001);
@@ -166,12 +166,12 @@ TEST_P(Examples, KeepEveryLimitAndEveryPoint) {
   EXPECT_EQ(outcome.verdict.violation_count, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Examples,
-                         testing::Combine(testing::Values("01-plate.ngc", "02-helical-bore.ngc",
-                                                          "03-arcs-in-three-planes.ngc", "04-square.ngc",
-                                                          "05-finishing.ngc", "06-drilling.ngc", "07-rotary.ngc",
-                                                          "08-work-offsets.ngc"),
-                                          testing::Values(100, 1000, 20000)));
+INSTANTIATE_TEST_SUITE_P(
+    All, Examples,
+    testing::Combine(testing::Values("01-plate.ngc", "02-helical-bore.ngc", "03-arcs-in-three-planes.ngc",
+                                     "04-square.ngc", "05-finishing.ngc", "06-drilling.ngc", "07-rotary.ngc",
+                                     "08-work-offsets.ngc", "09-butterfly.ngc", "10-cubic.ngc", "11-splines.ngc"),
+                     testing::Values(100, 1000, 20000)));
 
 // ---------------------------------------------------------------------------------------------------------------------
 

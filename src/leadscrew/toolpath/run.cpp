@@ -115,7 +115,7 @@ void Run::extend(const Leg& leg, double from, double to) {
   const double sagitta = allowance_.sagitta(leg);
   for (double s = from; s < to;) {
     s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, sagitta);
-    spline_.append({position(leg.curve, s), first + (s - from) * rate, room});
+    spline_.append({position(leg.curve, s), first + (s - from) * rate, room, 1 / speed});
   }
   u_ = first + (to - from) * rate;
   settle();

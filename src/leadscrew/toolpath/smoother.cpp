@@ -22,7 +22,7 @@ constexpr double widest_window = 4;  // turn windows, where the leg is as long
 constexpr double reach_into = 6;     // lengths of a span
 constexpr double same_direction = 1e-9;
 constexpr double rounding = 1e-9;
-constexpr double granted_time = 0.005;  // s that a blend may cost more by feed than what it takes the place of
+constexpr double granted_time = 0.005;  // s that what is made may cost more by feed than what it takes the place of
 constexpr int most_shortened = 40;      // times
 constexpr double uncut_share = 0.9;     // of a curve that the blend at its end may take, if there was none at its start
 
@@ -40,6 +40,16 @@ bool goes_on(const Curve& first, const Curve& second) {
     if (!(std::abs(a[i].second / (ra * ra) - b[i].second / (rb * rb)) <= same_direction)) return false;
   }
   return true;
+}
+
+/// Would a curve through both lose time? Where much of a move is rotary, what the curve takes of its neighbour's travel
+/// into it, no more than the tolerance, is fed as slowly as its own.
+bool costs_time(const Leg& before, const Leg& behind, double tolerance) {
+  const auto feed_share = [](const Leg& leg) {
+    return rate(geometry::jets(leg.curve, 0), leg.feed_axes) / millimetres_per_length(leg.curve);
+  };
+  const double seconds_per_mm = std::abs(1 / before.feed - 1 / behind.feed);
+  return tolerance * std::abs(feed_share(before) - feed_share(behind)) * seconds_per_mm > granted_time;
 }
 
 /// The lines that a part of a piece was asked for by.
@@ -169,6 +179,7 @@ Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
   const bool may_stand_for_a_curve = fits && !are_long && (is_line(before.curve) || is_line(behind.curve));
   if (!may_stand_for_a_curve && goes_on(before.curve, behind.curve)) return Joint::through;
   if (!fits) return Joint::corner;
+  if (costs_time(before, behind, allowance_.tolerance)) return Joint::corner;
   const double window = turn_window * allowance_.tolerance, turn = turns_[joint];
   if (turn < corner_turn) return Joint::smooth;
   for (std::size_t i = joint; i-- > 0 && ends_[joint + 1] - ends_[i + 1] <= window;) {

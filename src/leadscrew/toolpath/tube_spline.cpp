@@ -19,8 +19,10 @@ constexpr double samples_per_span = 4;     // at least
 constexpr double sample_sagitta = 0.16;    // of the room, at curvature 1/ℓ or so
 constexpr double shortened_most = 0.5;     // by a round
 constexpr double shortened_least = 0.93;
-constexpr double back = -0.7;          // cosine of the angle between chords that turn back
-constexpr double least_advance = 0.3;  // of the parameter, of chords that do not
+constexpr double most_lengthened = 1.002;  // by feed, of the polyline's time: more is a detour
+constexpr double granted_time = 0.005;     // s that it may cost whatever the polyline takes
+constexpr double back = -0.7;              // cosine of the angle between chords that turn back
+constexpr double least_advance = 0.3;      // of the parameter, of chords that do not
 
 }  // namespace
 
@@ -223,7 +225,7 @@ bool TubeSpline::check() {
   const std::size_t judged = whole_ ? stretch_.spans() : std::max(settled_spans(), stretch_.spans() * 3 / 4);
   turns_back_ = false;
   Point before{}, way_before{};
-  double last_u = 0, u_before = 0;
+  double last_u = 0, u_before = 0, time = 0, time_before = 0;  // of the curve and of the polyline, by feed
   for (Sample& sample : samples_) {
     Point there{};
     for (std::size_t a = 0; a < sample.basis.size(); ++a) {
@@ -238,11 +240,20 @@ bool TubeSpline::check() {
       turns_back_ = true;
       worst_ = sample.vertex;
     }
+    if (&sample != samples_.data()) {
+      const double pace = vertices_[sample.vertex].pace, apart = sample.u - last_u;
+      sample.lengthened = norm(way) / apart;
+      if (sample.span < settled_spans()) {
+        time += pace * norm(way);
+        time_before += pace * apart;
+      }
+    }
     u_before = std::exchange(last_u, sample.u);
     way_before = way;
     before = there;
   }
   if (turns_back_) return false;
+  const bool is_detour = time > std::max(most_lengthened * time_before, time_before + granted_time);
   double worst = 1, greatest = 0;
   bool inside = true;
   std::vector<Apex> found;
@@ -250,8 +261,9 @@ bool TubeSpline::check() {
     const Sample &a = samples_[i - 1], &b = samples_[i];
     if (a.span >= judged) break;
     const double apart = b.u - a.u, bent = std::max(greatest_bend(a.span), greatest_bend(b.span));
-    const double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].room;
+    double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].room;
     if (a.span < settled_spans()) greatest = std::max(greatest, share);
+    if (is_detour && b.lengthened > 1) share = std::max(share, b.lengthened);
     if (share <= 1) continue;  // what is no number is outside
     inside = false;
     const double u = a.distance > b.distance ? a.u : b.u;

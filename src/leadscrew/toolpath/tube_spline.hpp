@@ -27,6 +27,7 @@ struct Vertex {
   geometry::Point position{};  ///< mm in every coordinate
   double u = 0;                ///< increasing from vertex to vertex
   double room = 0;             ///< allowed distance here and on the chord that ends here, mm; > 0
+  double pace = 0;             ///< that feed asks for on that chord, s/mm; ≥ 0
 };
 
 class TubeSpline {
@@ -82,6 +83,7 @@ class TubeSpline {
     std::size_t span = 0;
     Six basis{};
     double distance = 0;
+    double lengthened = 0;  ///< the curve over the polyline from the sample before
   };
 
   double smoothing_length(double u) const;
