@@ -54,12 +54,6 @@ class Mapper {
     return std::abs(whole - halves) <= length_agreement * halves + 16 * epsilon * reach_ * width;
   }
 
-  double length(double a, double b, double whole, int depth) const {
-    const double middle = (a + b) / 2, first = gauss(a, middle), second = gauss(middle, b);
-    if (agrees(whole, first + second, b - a) || depth == 0) return first + second;
-    return length(a, middle, first, depth - 1) + length(middle, b, second, depth - 1);
-  }
-
   Node node(double x) const {
     Node node;
     double c11 = 0, c12 = 0, c22 = 0, c13 = 0;
@@ -225,14 +219,6 @@ void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularE
   const Interval before{0, 0.5, first, {singular.begin, false}}, after{-0.5, 0, second, {false, singular.end}};
   from_the_start.map(before, from_the_start.node(0), from_the_start.node(0.5), deepest, pieces_from_start);
   from_the_end.map(after, from_the_end.node(-0.5), from_the_end.node(0), deepest, pieces_from_end);
-}
-
-double arc_length(const RationalBezier& curve, const Metric& metric) {
-  const RationalTaylor start = from_start(curve), end = from_end(curve);
-  const MapTolerance any;
-  const Mapper from_the_start(start, metric, 1, any, false), from_the_end(end, metric, 1, any, false);
-  return from_the_start.length(0, 0.5, from_the_start.gauss(0, 0.5), deepest) +
-         from_the_end.length(-0.5, 0, from_the_end.gauss(-0.5, 0), deepest);
 }
 
 }  // namespace leadscrew::geometry

@@ -53,7 +53,4 @@ struct SingularEnds {
 void map_arc_length(const RationalBezier& curve, const Metric& metric, SingularEnds singular,
                     const MapTolerance& tolerance, std::vector<MapPiece>& from_start, std::vector<MapPiece>& from_end);
 
-/// The length alone.
-double arc_length(const RationalBezier& curve, const Metric& metric);
-
 }  // namespace leadscrew::geometry

@@ -124,7 +124,4 @@ class Nurbs {
 std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance = {},
                                  const std::optional<Point>& weights = std::nullopt);
 
-/// The lengths of all smooth pieces together, without making their tables.
-double feed_length(const NurbsForm& form);
-
 }  // namespace leadscrew::geometry

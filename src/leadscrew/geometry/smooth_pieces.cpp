@@ -328,13 +328,4 @@ std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tole
   return NurbsAssembly(form, tolerance, weights).pieces();
 }
 
-double feed_length(const NurbsForm& form) {
-  if (!is_form(form)) return 0;
-  double length = 0;
-  for (const Stretch& stretch : stretches_of(form, std::nullopt, moving_coordinates(form.points), is_rational(form))) {
-    length += arc_length(stretch.curve, stretch.metric);
-  }
-  return length;
-}
-
 }  // namespace leadscrew::geometry

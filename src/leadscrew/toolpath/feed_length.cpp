@@ -75,8 +75,12 @@ double line_length(const Point& start, const Point& end) {
 double feed_length(const gcode::Move& move) {
   if (move.kind == gcode::Move::Kind::line) return line_length(move.start, move.end);
   if (move.kind == gcode::Move::Kind::arc) return arc_length(move, turn(move));
-  if (move.kind == gcode::Move::Kind::nurbs) return geometry::feed_length(geometry::form_of(move.curve));
-  return 0;
+  double length = 0;
+  if (move.kind == gcode::Move::Kind::nurbs) {
+    for (const geometry::Nurbs& piece : geometry::smooth_pieces(geometry::form_of(move.curve)))
+      length += piece.length();
+  }
+  return length;
 }
 
 std::optional<Piece> straight_piece(const Point& start, const Point& end, FeedAxes axes) {
