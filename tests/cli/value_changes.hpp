@@ -41,7 +41,7 @@ inline std::int64_t signed_value(const std::string& digits, int width) {
 
 inline Dump read_dump(const std::string& text) {
   Dump dump;
-  std::map<std::string, std::string> names;  // by identifier
+  std::map<std::string, std::vector<std::string>> names;  // by identifier: a signal may have several
   std::vector<std::string> scopes;
   std::istringstream words(text);
   std::string word;
@@ -52,8 +52,10 @@ inline Dump read_dump(const std::string& text) {
   };
   const auto change = [&](const std::string& identifier, const std::string& digits) {
     ASSERT_TRUE(names.contains(identifier)) << identifier;
-    Dump::Signal& signal = dump.signals[names[identifier]];
-    signal.changes[dump.last] = signed_value(digits, signal.width);
+    for (const std::string& name : names[identifier]) {
+      Dump::Signal& signal = dump.signals[name];
+      signal.changes[dump.last] = signed_value(digits, signal.width);
+    }
   };
   while (words >> word) {
     if (word == "$timescale") {
@@ -71,9 +73,11 @@ inline Dump read_dump(const std::string& text) {
       std::string type, identifier, name;
       int width = 0;
       words >> type >> width >> identifier >> name;
-      EXPECT_FALSE(names.contains(identifier)) << identifier << " twice";
-      names[identifier] = scopes.back() + "." + name;
-      dump.signals[names[identifier]].width = width;
+      const std::string full = scopes.back() + "." + name;
+      EXPECT_FALSE(dump.signals.contains(full)) << full << " twice";
+      for (const std::string& other : names[identifier]) EXPECT_EQ(dump.signals[other].width, width) << other << full;
+      names[identifier].push_back(full);
+      dump.signals[full].width = width;
       const std::string range = skip_to_end();
       EXPECT_EQ(range, width > 1 ? "[" + std::to_string(width - 1) + ":0]" : "");
     } else if (word == "$dumpvars") {

@@ -126,7 +126,7 @@ std::string pulse_table(const PulseCurve& curve, const trace::MeasuredPulses& pu
   PulseRun run = pulses.run;
   while (true) {
     text += fmt::format("  {:>{}}  {:>2}  {:>2}", run.clock(), widest, run.last().step[0], run.last().step[1]);
-    const stepping::Registers registers = run.registers();
+    const stepping::Registers registers = stepping::signals_of(run, curve);
     std::size_t column = columns.size() - registers.all().size();
     if (column > 0)
       text += fmt::format("  {:>{}}  {:>{}}", run.at().x, columns[0].second, run.at().y, columns[1].second);

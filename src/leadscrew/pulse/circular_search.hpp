@@ -126,6 +126,7 @@ class CircularSearch {
   /// To an end that is not where the path has come out.
   constexpr Pulse<2> correct() {
     const Pulse<2> pulse{{sign(end_.x - out_.x), sign(end_.y - out_.y)}};
+    f_ += pulse.step[0] * (2 * out_.x + pulse.step[0]) + pulse.step[1] * (2 * out_.y + pulse.step[1]);
     out_.x += pulse.step[0];
     out_.y += pulse.step[1];
     return pulse;

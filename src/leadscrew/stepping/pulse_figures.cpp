@@ -28,14 +28,15 @@ int RegisterRange::width() const {
   return 1 + static_cast<int>(std::bit_width(std::max(magnitude(least), magnitude(greatest))));
 }
 
-PulseMeasurement::PulseMeasurement(const PulseRun& run, const PulseCurve& curve) : run_(run), error_(curve) {
+PulseMeasurement::PulseMeasurement(const PulseRun& run, const PulseCurve& curve)
+    : run_(run), curve_(curve), error_(curve) {
   figures_.worst = run_.at();
-  figures_.registers = ranges_of(run_.registers());
+  figures_.registers = ranges_of(signals_of(run_, curve_));
 }
 
 void PulseMeasurement::step() {
   const pulse::Pulse<2> pulse = run_.step();
-  widen(figures_.registers, run_.registers());
+  widen(figures_.registers, signals_of(run_, curve_));
   if (pulse == pulse::Pulse<2>{}) return;
   ++figures_.pulses;
   const double distance = std::abs(error_(run_.at()));

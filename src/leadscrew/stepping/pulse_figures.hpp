@@ -1,12 +1,12 @@
 #pragma once
 // What one interpolator makes of one curve, in figures.
 
-#include <leadscrew/stepping/pulse_run.hpp>
+#include <leadscrew/stepping/pulse_signals.hpp>
 #include <vector>
 
 namespace leadscrew::stepping {
 
-/// The least and the greatest value of a register.
+/// The least and the greatest value of a register, or of what is worked out from some.
 struct RegisterRange {
   std::string_view name;
   std::int64_t least = 0, greatest = 0;
@@ -22,7 +22,7 @@ struct PulseFigures {
   pulse::Point worst;       ///< where it is greatest first; the start where it is 0
   std::int64_t worst_clock = 0;
   pulse::Point end;                      ///< where it comes to stand
-  std::vector<RegisterRange> registers;  ///< over all clocks, as loaded among them
+  std::vector<RegisterRange> registers;  ///< of signals_of(), over all clocks, as loaded among them
 };
 
 /// Takes them clock by clock.
@@ -38,6 +38,7 @@ class PulseMeasurement {
 
  private:
   PulseRun run_;
+  PulseCurve curve_;
   PulseError error_;
   PulseFigures figures_;
   double squares_ = 0;

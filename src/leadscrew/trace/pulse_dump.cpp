@@ -10,6 +10,9 @@ namespace {
 using stepping::PulseRun;
 using stepping::RegisterRange;
 
+constexpr std::int64_t units_per_clock = 10;  // of 100 ns
+constexpr std::int64_t half_clock = units_per_clock / 2;
+
 bool has_own_origin(const stepping::PulseCurve& curve) {
   return curve.origin() != pulse::Point{};
 }
@@ -25,56 +28,112 @@ int width_of_position(const RegisterRange& range, std::int64_t origin) {
   return RegisterRange{range.name, range.least + origin, range.greatest + origin}.width();
 }
 
+int width_of(std::int64_t value) {
+  return RegisterRange{"", value, value}.width();
+}
+
+/// As loaded into coordinates.
+struct Ends {
+  pulse::Point start, end;
+};
+
+Ends ends_of(const stepping::PulseCurve& curve) {
+  if (!curve.is_arc()) return {{}, curve.way()};
+  return {curve.arc().start, curve.arc().end};
+}
+
+VcdScope common_scope(const stepping::PulseCurve& curve) {
+  const auto [start, end] = ends_of(curve);
+  return {"common",
+          {{"clk", 1, ""},
+           {"Syn", 1, ""},
+           {"Start_X0", width_of(start.x), ""},
+           {"Start_Y0", width_of(start.y), ""},
+           {"End_X1", width_of(end.x), ""},
+           {"End_Y1", width_of(end.y), ""}}};
+}
+
 VcdScope scope_of(const MeasuredPulses& pulses, const stepping::PulseCurve& curve) {
-  VcdScope scope{scope_name(pulses.run.method()), {{"dx", 2}, {"dy", 2}}};
+  const stepping::PulseMethod method = pulses.run.method();
+  const auto signal = [&](std::string_view name, int width) -> VcdSignal {
+    return {std::string(name), width, std::string(stepping::name_in_paper(name, method, curve.shape))};
+  };
+  VcdScope scope{scope_name(method),
+                 {{"Busy", 1, ""}, {"X_Pwm_Out", 1, ""}, {"Y_Pwm_Out", 1, ""}, signal("dx", 2), signal("dy", 2)}};
   const std::vector<RegisterRange>& registers = pulses.figures.registers;
   if (has_own_origin(curve)) {
-    scope.signals.push_back({"X", width_of_position(registers[0], curve.origin().x)});
-    scope.signals.push_back({"Y", width_of_position(registers[1], curve.origin().y)});
+    scope.signals.push_back({"X", width_of_position(registers[0], curve.origin().x), ""});
+    scope.signals.push_back({"Y", width_of_position(registers[1], curve.origin().y), ""});
   }
   // Registers of n bits are shown with n bits and a sign, whether they were filled or not.
   const int least = pulses.run.conventions().bits.value_or(0) + 1;
-  for (const RegisterRange& each : registers)
-    scope.signals.push_back({std::string(each.name), std::max(least, each.width())});
+  for (const RegisterRange& each : registers) scope.signals.push_back(signal(each.name, std::max(least, each.width())));
   return scope;
 }
 
-void add_values(std::vector<std::int64_t>& values, const PulseRun& run, pulse::Pulse<2> pulse, bool with_position) {
-  values.push_back(pulse.step[0]);
-  values.push_back(pulse.step[1]);
-  if (with_position) {
-    values.push_back(run.at().x);
-    values.push_back(run.at().y);
+class PulseDump {
+ public:
+  PulseDump(const stepping::PulseCurve& curve, const std::vector<MeasuredPulses>& pulses, const ByteSink& sink)
+      : curve_(curve) {
+    std::vector<VcdScope> scopes = {common_scope(curve)};
+    for (const MeasuredPulses& each : pulses) {
+      scopes.push_back(scope_of(each, curve));
+      runs_.push_back({each.run, {}});
+    }
+    writer_.emplace(sink, "100 ns", title_of(curve) + "; one microsecond is one clock", scopes);
   }
-  const stepping::Registers registers = run.registers();
-  for (const stepping::Register& each : registers.all()) values.push_back(each.value);
-}
+
+  /// To the clock behind the last pulse, where all rest.
+  base::Result<void> write() {
+    std::int64_t clock = 0;
+    for (bool any_runs = true; any_runs; ++clock) {
+      any_runs = clock == 0;
+      for (Run& each : runs_) {
+        const bool runs_on = clock > 0 && !each.state.done();
+        any_runs = any_runs || runs_on;
+        each.pulse = runs_on ? each.state.step() : pulse::Pulse<2>{};
+      }
+      for (const bool is_high : {true, false}) {
+        const std::int64_t time = clock * units_per_clock + (is_high ? 0 : half_clock);
+        if (auto written = writer_->write(time, values(clock == 0, is_high)); !written) return written;
+      }
+    }
+    return writer_->finish(clock * units_per_clock);
+  }
+
+ private:
+  struct Run {
+    PulseRun state;
+    pulse::Pulse<2> pulse;  ///< of this clock
+  };
+
+  /// Of all signals, while the clock is high or after.
+  const std::vector<std::int64_t>& values(bool is_first, bool is_high) {
+    const auto [start, end] = ends_of(curve_);
+    values_ = {is_high, is_first, start.x, start.y, end.x, end.y};
+    for (const Run& run : runs_) add_values(run, is_high);
+    return values_;
+  }
+
+  void add_values(const Run& run, bool is_high) {
+    const auto [dx, dy] = run.pulse.step;
+    values_.insert(values_.end(), {!run.state.done(), is_high && dx != 0, is_high && dy != 0, dx, dy});
+    if (has_own_origin(curve_)) values_.insert(values_.end(), {run.state.at().x, run.state.at().y});
+    const stepping::Registers signals = stepping::signals_of(run.state, curve_);
+    for (const stepping::Register& each : signals.all()) values_.push_back(each.value);
+  }
+
+  stepping::PulseCurve curve_;
+  std::vector<Run> runs_;
+  std::optional<VcdWriter> writer_;
+  std::vector<std::int64_t> values_;
+};
 
 }  // namespace
 
 base::Result<void> write_pulse_dump(const stepping::PulseCurve& curve, const std::vector<MeasuredPulses>& pulses,
                                     const ByteSink& sink) {
-  std::vector<VcdScope> scopes;
-  std::vector<PulseRun> runs;
-  for (const MeasuredPulses& each : pulses) {
-    scopes.push_back(scope_of(each, curve));
-    runs.push_back(each.run);
-  }
-  VcdWriter writer(sink, "1 us", title_of(curve) + "; one microsecond is one clock", scopes);
-  std::vector<std::int64_t> values;
-  std::int64_t clock = 0;
-  // To the clock behind the last pulse, where all rest.
-  for (bool any_runs = true; any_runs; ++clock) {
-    values.clear();
-    any_runs = clock == 0;
-    for (PulseRun& run : runs) {
-      const bool runs_on = clock > 0 && !run.done();
-      any_runs = any_runs || runs_on;
-      add_values(values, run, runs_on ? run.step() : pulse::Pulse<2>{}, has_own_origin(curve));
-    }
-    if (auto written = writer.write(clock, values); !written) return written;
-  }
-  return writer.finish(clock);
+  return PulseDump(curve, pulses, sink).write();
 }
 
 }  // namespace leadscrew::trace

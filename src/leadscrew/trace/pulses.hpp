@@ -13,8 +13,13 @@ struct MeasuredPulses {
   stepping::PulseFigures figures;
 };
 
-/// A value-change dump: a scope for each method, with dx and dy (−1, 0, 1) and its registers, at each clock; X and Y
-/// too, where the curve's coordinates are not the registers' own. A microsecond of it is a clock.
+/// A value-change dump: a scope for each method, with dx and dy (−1, 0, 1) and its signals_of(), at each clock, under
+/// the paper's name too where there is one; X and Y, where the curve's coordinates are not the registers' own. A
+/// microsecond of it is a clock.
+///
+/// As the waveforms of "Four circular interpolators in an FPGA" have them: clk, whose rising edges are the clocks; Syn,
+/// high at the clock that loads; Start_X0 … End_Y1, as loaded; Busy until the end is reached; X_Pwm_Out and Y_Pwm_Out,
+/// a pulse of half a clock for each step.
 base::Result<void> write_pulse_dump(const stepping::PulseCurve& curve, const std::vector<MeasuredPulses>& pulses,
                                     const ByteSink& sink);
 

@@ -35,7 +35,10 @@ VcdWriter::VcdWriter(ByteSink sink, const std::string& timescale, const std::str
     for (const VcdSignal& signal : scope.signals) {
       const std::string identifier = identifier_of(signals_.size());
       const std::string range = signal.width > 1 ? " [" + std::to_string(signal.width - 1) + ":0]" : "";
-      put(text_, "$var wire ", std::to_string(signal.width), " ", identifier, " ", signal.name, range, " $end\n");
+      for (const std::string& name : {signal.name, signal.also}) {
+        if (name.empty()) continue;
+        put(text_, "$var wire ", std::to_string(signal.width), " ", identifier, " ", name, range, " $end\n");
+      }
       signals_.push_back({identifier, signal.width, 0});
     }
     text_ += "$upscope $end\n";

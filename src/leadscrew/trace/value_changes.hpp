@@ -13,6 +13,7 @@ namespace leadscrew::trace {
 struct VcdSignal {
   std::string name;  ///< letters, digits and _
   int width = 1;     ///< bits, 1 … 64
+  std::string also;  ///< another name of it; empty: there is none
 };
 
 /// Signals that belong together; names of scopes, too, are letters, digits and _.
