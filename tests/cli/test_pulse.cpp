@@ -336,6 +336,36 @@ TEST(PulsePicture, HasAPanelForEachMethod) {
   EXPECT_TRUE(contains(picture, "prefers-color-scheme:dark"));
 }
 
+/// Ordinates of the true curve, from the top of its panel.
+std::pair<double, double> extent_of_curve(const std::string& picture) {
+  const std::string opening = "class=\"curve\" d=\"M";
+  const std::size_t begin = picture.find(opening) + opening.size();
+  std::istringstream places(picture.substr(begin, picture.find('"', begin) - begin));
+  std::pair<double, double> extent{1e9, -1e9};
+  for (std::string place; std::getline(places, place, 'L');) {
+    const double down = std::stod(place.substr(place.find(' ')));
+    extent = {std::min(extent.first, down), std::max(extent.second, down)};
+  }
+  return extent;
+}
+
+/// The worst place of a full circle may be beside its start: there is curve to both sides of it.
+TEST(PulsePicture, ShowsACircleBeforeItsStartToo) {
+  const Folder folder;
+  for (const char* way : {"--cw", "--ccw"}) {
+    ASSERT_EQ(leadscrew(folder, {"pulse", "--arc", "--start", "300,0", "--end", "300,0", way, "--method",
+                                 "point-comparison", "--quiet", "--svg", "made.svg"})
+                  .status,
+              0);
+    const std::string picture = folder.read("made.svg");
+    EXPECT_TRUE(contains(picture, *(way + 3) == 'w' ? "at (299, -1)" : "at (299, 1)")) << picture;
+    // Panels lie between 50 and 390; the circle runs upwards through all of this one.
+    const auto [top, bottom] = extent_of_curve(picture);
+    EXPECT_LT(top, 50) << way;
+    EXPECT_GT(bottom, 390) << way;
+  }
+}
+
 /// However long the path, what is shown is around its worst place.
 TEST(PulsePicture, OfALargeCircleIsNoLarger) {
   const Folder folder;

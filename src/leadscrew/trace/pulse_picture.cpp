@@ -45,7 +45,7 @@ struct Panel {
   std::string at(Place place) const { return fixed(across(place), 1) + " " + fixed(down(place), 1); }
 };
 
-/// The true curve by its length along it: 0 … 1 from start to end.
+/// The true curve by its length along it: 0 … 1 from start to end; where it is closed, on and on.
 class TrueCurve {
  public:
   explicit TrueCurve(const PulseCurve& curve)
@@ -61,6 +61,7 @@ class TrueCurve {
   }
 
   double length() const { return length_; }  ///< BLU
+  bool is_closed() const { return sweep_ == 2 * std::numbers::pi; }
 
   Place at(double part) const {
     if (!curve_.is_arc()) return {std::lerp(start_.x, end_.x, part), std::lerp(start_.y, end_.y, part)};
@@ -126,8 +127,9 @@ void put_curve(std::string& out, const Panel& panel, const TrueCurve& curve, Pla
   const double middle = curve.nearest(worst), reach = 2 * panel.window.side / curve.length();
   const bool is_whole =
       panel.window.holds(curve.at(0), 1) && panel.window.holds(curve.at(1), 1) && curve.length() < 4 * most_seen;
-  const double first = is_whole ? 0 : std::max(0.0, middle - reach),
-               last = is_whole ? 1 : std::min(1.0, middle + reach);
+  const double least = curve.is_closed() ? middle - 0.5 : 0, greatest = curve.is_closed() ? middle + 0.5 : 1;
+  const double first = is_whole ? 0 : std::max(least, middle - reach),
+               last = is_whole ? 1 : std::min(greatest, middle + reach);
   out += "<path class=\"curve\" d=\"";
   for (int i = 0; i <= parts; ++i)
     put(out, i == 0 ? "M" : "L", panel.at(curve.at(std::lerp(first, last, static_cast<double>(i) / parts))));
@@ -214,6 +216,7 @@ void put_legend(std::string& out, double y) {
   entry(margin + 124, stroke("steps", margin + 124, 32) + stroke("dots", margin + 140, 0), "steps");
   entry(margin + 222,
         "<circle class=\"worst\" cx=\"" + fixed(margin + 240, 0) + "\" cy=\"" + fixed(y, 0) + "\" r=\"7\"/>", "worst");
+  entry(margin + 296, "", "a square is one BLU");
 }
 
 }  // namespace
