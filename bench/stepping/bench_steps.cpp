@@ -29,11 +29,9 @@ std::vector<base::Word> words_of(std::size_t axes, double feed) {
 
 void steps(benchmark::State& state, std::size_t axes, double feed, std::int64_t clock_hz) {
   const auto words = words_of(axes, feed);
-  stepping::StepTiming timing;
-  timing.clock_hz = clock_hz;
   std::int64_t count = 0, sum = 0;
   for (auto _ : state) {
-    auto generator = stepping::StepGenerator::create(machine::mill3(), timing);
+    auto generator = stepping::StepGenerator::create(machine::mill3(), clock_hz);
     const auto sink = [&](std::span<const stepping::StepEvent> events) {
       count += static_cast<std::int64_t>(events.size());
       for (const stepping::StepEvent event : events) sum += event.direction();

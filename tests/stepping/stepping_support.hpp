@@ -37,8 +37,8 @@ struct Made {
   StepReport report;
 };
 
-inline Made steps_of(const std::vector<base::Word>& words, const machine::Machine& machine, const StepTiming& timing) {
-  auto generator = StepGenerator::create(machine, timing).value();
+inline Made steps_of(const std::vector<base::Word>& words, const machine::Machine& machine, std::int64_t clock_hz) {
+  auto generator = StepGenerator::create(machine, clock_hz).value();
   Made made;
   const auto sink = [&](std::span<const StepEvent> events) {
     made.events.insert(made.events.end(), events.begin(), events.end());

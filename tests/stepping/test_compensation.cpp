@@ -144,7 +144,7 @@ RC_GTEST_PROP(Compensation, LosesNoStep, ()) {
   const Axis axis = any_axis();
   const auto positions = to_and_fro(any(1, 5), 200, 0.001);
   auto compensation = Compensation::create(axis.machine_with_errors()).value();
-  auto generator = StepGenerator::create(compensation.stretched(axis.machine), {.clock_hz = 2'000'000}).value();
+  auto generator = StepGenerator::create(compensation.stretched(axis.machine), 2'000'000).value();
   std::optional<SimulatedScrew> screw;
   std::int64_t count = 0;
   const auto sink = [&](std::span<const StepEvent> events) {

@@ -47,7 +47,7 @@ TEST_P(Examples, EndOnTheBluOfTheirLastBlock) {
   const auto tools = gcode::read_tool_table(file_text("tools.tbl"), "tools.tbl");
   const std::string text = file_text(name);
   pipeline::Program program(gcode::text_source(text), machine, tools.table, {}, nullptr);
-  auto generator = StepGenerator::create(machine, {.clock_hz = clock_khz * 1000}).value();
+  auto generator = StepGenerator::create(machine, clock_khz * 1000).value();
   std::array<std::int64_t, base::axis_count> sum{};
   std::int64_t last = 0;
   bool ordered = true;

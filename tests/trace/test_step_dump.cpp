@@ -16,17 +16,25 @@ namespace {
 
 using namespace testing;
 using stepping::StepEvent;
-using stepping::StepTiming;
 
-constexpr StepTiming timing{.clock_hz = 3'000'000,
-                            .step_length_ns = 1500,
-                            .step_space_ns = 600,
-                            .direction_setup_ns = 4000,
-                            .direction_hold_ns = 2000};
+constexpr std::int64_t clock_hz = 3'000'000;
+constexpr machine::StepTimes times_of_x{
+    .step_length = 1500, .step_space = 600, .direction_setup = 4000, .direction_hold = 2000};
+constexpr machine::StepTimes times_of_y{
+    .step_length = 700, .step_space = 2500, .direction_setup = 9000, .direction_hold = 0};
+
+/// Of X and Y, each with a drive of its own.
+machine::Machine table() {
+  machine::Machine machine = machine::mill3();
+  machine.axes[base::index(base::Axis::X)]->step_times = times_of_x;
+  machine.axes[base::index(base::Axis::Y)]->step_times = times_of_y;
+  machine.axes[base::index(base::Axis::Z)].reset();
+  return machine;
+}
 
 /// Ellipses in X and Y that turn all the time.
 std::vector<StepEvent> turning_steps() {
-  auto generator = stepping::StepGenerator::create(machine::mill3(), timing).value();
+  auto generator = stepping::StepGenerator::create(table(), clock_hz).value();
   std::vector<StepEvent> steps;
   const auto sink = [&](std::span<const StepEvent> events) { steps.insert(steps.end(), events.begin(), events.end()); };
   for (int k = 0; k < 300; ++k) {
@@ -37,13 +45,6 @@ std::vector<StepEvent> turning_steps() {
   }
   generator.finish(sink);
   return steps;
-}
-
-base::AxisSet x_and_y() {
-  base::AxisSet axes;
-  axes.insert(base::Axis::X);
-  axes.insert(base::Axis::Y);
-  return axes;
 }
 
 /// In pieces, as a generator gives them.
@@ -59,12 +60,12 @@ std::string text_of(std::span<const StepEvent> steps, Writer&& make) {
 }
 
 std::string vcd_of(std::span<const StepEvent> steps) {
-  return text_of(steps, [](ByteSink sink) { return StepVcdWriter(std::move(sink), x_and_y(), timing); });
+  return text_of(steps, [](ByteSink sink) { return StepVcdWriter(std::move(sink), table(), clock_hz); });
 }
 
 TEST(StepDump, WritesARowForEachStep) {
   const std::vector<StepEvent> steps = {{3, base::Axis::X, 1}, {3, base::Axis::Z, -1}, {1500000, base::Axis::X, -1}};
-  EXPECT_EQ(text_of(steps, [](ByteSink sink) { return StepCsvWriter(std::move(sink), timing); }),
+  EXPECT_EQ(text_of(steps, [](ByteSink sink) { return StepCsvWriter(std::move(sink), clock_hz); }),
             "tick,t,axis,direction\n3,9.9999999999999995e-07,X,1\n3,9.9999999999999995e-07,Z,-1\n1500000,0.5,X,-1\n");
 }
 
@@ -93,22 +94,22 @@ TEST(StepDump, KeepsTheTimesThatADriveAsks) {
   std::map<char, Drive> drives;
   std::vector<StepEvent> counted;
   std::int64_t now = 0;
-  const auto turned = [&](Drive& drive, char value) {
+  const auto turned = [&](Drive& drive, char value, const machine::StepTimes& times) {
     EXPECT_NE(value, drive.direction);
-    EXPECT_GE(now - drive.fell, 2000);
+    EXPECT_GE(now - drive.fell, times.direction_hold);
     drive.direction = value;
     drive.turned = now;
   };
-  const auto stepped = [&](Drive& drive, char value, base::Axis axis) {
+  const auto stepped = [&](Drive& drive, char value, base::Axis axis, const machine::StepTimes& times) {
     EXPECT_NE(value, drive.step);
     drive.step = value;
     if (value == '0') {
-      EXPECT_GE(now - drive.rose, 1500);
+      EXPECT_GE(now - drive.rose, times.step_length);
       drive.fell = now;
       return;
     }
-    EXPECT_GE(now - drive.fell, 600);
-    EXPECT_GE(now - drive.turned, 4000);
+    EXPECT_GE(now - drive.fell, times.step_space);
+    EXPECT_GE(now - drive.turned, times.direction_setup);
     drive.rose = now;
     counted.emplace_back((now * 3 + 500) / 1000, axis, drive.direction == '1' ? 1 : -1);
   };
@@ -122,7 +123,8 @@ TEST(StepDump, KeepsTheTimesThatADriveAsks) {
     const int signal = line[1] - '!';
     const auto axis = static_cast<base::Axis>(signal / 2);
     Drive& drive = drives[base::letter(axis)];
-    signal % 2 == 1 ? turned(drive, line[0]) : stepped(drive, line[0], axis);
+    const machine::StepTimes& times = axis == base::Axis::X ? times_of_x : times_of_y;
+    signal % 2 == 1 ? turned(drive, line[0], times) : stepped(drive, line[0], axis, times);
   }
   EXPECT_GT(counted.size(), 10000u);
   auto expected = steps;
@@ -132,8 +134,8 @@ TEST(StepDump, KeepsTheTimesThatADriveAsks) {
 
 TEST(StepDump, FailsAsItsSinkDoes) {
   const auto steps = turning_steps();
-  StepCsvWriter csv(failing_after(100'000), timing);
-  StepVcdWriter vcd(failing_after(100'000), x_and_y(), timing);
+  StepCsvWriter csv(failing_after(100'000), clock_hz);
+  StepVcdWriter vcd(failing_after(100'000), table(), clock_hz);
   for (int round = 0; round < 2; ++round) {
     const auto rows = csv.write(steps);
     ASSERT_FALSE(rows);

@@ -13,4 +13,11 @@ inline std::string text(double value) {
   return {buffer, end.ptr};
 }
 
+/// Four digits.
+inline std::string rounded_text(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4);
+  return {buffer, end.ptr};
+}
+
 }  // namespace leadscrew::base

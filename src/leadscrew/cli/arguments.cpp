@@ -118,6 +118,13 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
       ->type_name("NAME");
   run->add_flag("--accelerate", texts.accelerate, "Of --pulse-method: feed rises and falls as the axes can");
   run->add_option("--step-clock", texts.step_clock, "Of --pulses: 10kHz to 10MHz (default 1MHz)")->type_name("HZ");
+  constexpr std::array<const char*, 4> step_times = {
+      "Of --pulses: least length of a step, such as 2.5us, in place of the machine's",
+      "Of --pulses: least time between two steps of an axis, likewise",
+      "Of --pulses: least time from a change of direction to the next step, likewise",
+      "Of --pulses: least time from the end of a step to a change of direction, likewise"};
+  for (std::size_t k = 0; k < step_times.size(); ++k)
+    run->add_option(step_time_options[k], texts.step_times[k], step_times[k])->type_name("TIME");
   run->add_option("--report", texts.report, "Write one self-contained page")->type_name("FILE.html");
   run->add_option("--picture", texts.picture, "Write the path alone, coloured by speed")->type_name("FILE.svg");
   run->add_option("--out", texts.out, "Write DIR/NAME.csv, .html and .svg of each program")->type_name("DIR");

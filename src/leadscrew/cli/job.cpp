@@ -62,6 +62,15 @@ void take_start(const AxisValue& given, Job& job, DiagnosticLog& log) {
   job.start[base::index(axis)] = value;
 }
 
+void take_step_times(const RunArguments& run, machine::Machine& machine) {
+  for (std::size_t k = 0; k < run.step_times.size(); ++k) {
+    if (!run.step_times[k]) continue;
+    for (auto& axis : machine.axes) {
+      if (axis) axis->step_times.*machine::all_step_times[k].value = *run.step_times[k];
+    }
+  }
+}
+
 bool is_motion(const gcode::Move& move) {
   return move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event;
 }
@@ -83,6 +92,7 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
   if (arguments.tools) job.tools = read_tools(*arguments.tools, log);
   if (log.errors() > 0) return std::nullopt;
   if (arguments.period) job.machine.period = *arguments.period;
+  take_step_times(arguments.run, job.machine);
   for (const AxisValue& value : arguments.start) take_start(value, job, log);
   if (log.errors() > 0) return std::nullopt;
   return job;

@@ -57,6 +57,12 @@ std::string not_a_pair(std::string_view what, const toml::node& node) {
                          : fmt::format("{} is {}, not a list of two numbers", what, type_text(node));
 }
 
+/// The nearest whole number of them; nothing where it is no number.
+std::optional<std::int64_t> nanoseconds(double microseconds) {
+  if (std::isnan(microseconds)) return std::nullopt;
+  return std::llround(std::clamp(microseconds, -1e9, 1e9) * 1e3);
+}
+
 std::string joined(std::span<const std::string_view> words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -113,8 +119,7 @@ class MachineReader {
     if (const auto name = string(root, "name")) machine.name = *name;
     if (const auto kinematics = string(root, "kinematics")) machine.kinematics = *kinematics;
     if (const auto period = number(root, "period_us", "")) {
-      machine.period = base::Period{std::llround(std::clamp(*period, -1e9, 1e9) * 1e3)};
-      if (std::isnan(*period)) machine.period = base::Period{0};
+      machine.period = base::Period{nanoseconds(*period).value_or(0)};
     }
     if (const auto tolerance = number(root, "tolerance_mm", "")) machine.tolerance = *tolerance;
     if (const auto chord_error = number(root, "chord_error_mm", "")) machine.chord_error = *chord_error;
@@ -162,6 +167,7 @@ class MachineReader {
     take(keys.jerk, limits.jerk);
     take(keys.blu, limits.blu);
     read_travel(table, axis, misspelt, limits);
+    read_step_times(table, axis, limits.step_times);
     result_.machine.axes[base::index(axis)] = limits;
     read_screw(table, axis);
   }
@@ -176,6 +182,13 @@ class MachineReader {
     positions_[fmt::format("{}.{}", section_of(axis), key)] = node->source().begin;
     limits.travel_min = pair->front();
     limits.travel_max = pair->back();
+  }
+
+  void read_step_times(const toml::table& table, base::Axis axis, machine::StepTimes& times) {
+    for (std::size_t k = 0; k < machine::all_step_times.size(); ++k) {
+      const auto microseconds = number(table, keys_of(axis).step_times[k], section_of(axis));
+      if (microseconds) times.*machine::all_step_times[k].value = nanoseconds(*microseconds).value_or(-1);
+    }
   }
 
   void read_screw(const toml::table& table, base::Axis axis) {

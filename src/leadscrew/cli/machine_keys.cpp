@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <charconv>
 #include <leadscrew/cli/machine_keys.hpp>
+#include <leadscrew/machine/step_times.hpp>
 #include <optional>
 
 namespace leadscrew::cli {
 
 namespace {
 
+constexpr std::array<std::string_view, 4> step_time_keys = {"step_length_us", "step_space_us", "direction_setup_us",
+                                                            "direction_hold_us"};
 constexpr AxisKeys linear_keys = {"travel_mm",
                                   "max_velocity_mm_s",
                                   "max_acceleration_mm_s2",
@@ -17,7 +20,8 @@ constexpr AxisKeys linear_keys = {"travel_mm",
                                   "pitch_errors_mm",
                                   "pitch_errors_backward_mm",
                                   "backlash_mm",
-                                  "backlash_takeup_mm_s"};
+                                  "backlash_takeup_mm_s",
+                                  step_time_keys};
 constexpr AxisKeys rotary_keys = {"travel_deg",
                                   "max_velocity_deg_s",
                                   "max_acceleration_deg_s2",
@@ -26,7 +30,8 @@ constexpr AxisKeys rotary_keys = {"travel_deg",
                                   "pitch_errors_deg",
                                   "pitch_errors_backward_deg",
                                   "backlash_deg",
-                                  "backlash_takeup_deg_s"};
+                                  "backlash_takeup_deg_s",
+                                  step_time_keys};
 
 /// Messages begin with their axis.
 std::optional<base::Axis> axis_in(std::string_view message) {
@@ -56,10 +61,18 @@ std::string pitch_slot(std::string_view message, const AxisKeys& keys) {
   return fmt::format("{}[{}]", is_backward ? keys.pitch_errors_backward : keys.pitch_errors, entry - 1);
 }
 
+std::string_view step_time_key(std::string_view message) {
+  for (std::size_t k = 0; k < machine::all_step_times.size(); ++k) {
+    if (message.find(machine::all_step_times[k].name) != std::string_view::npos) return step_time_keys[k];
+  }
+  return {};
+}
+
 std::string axis_slot(const base::Diagnostic& problem, const AxisKeys& keys) {
   if (problem.code == "machine-travel") return std::string(keys.travel);
   if (problem.code == "backlash") return std::string(keys.backlash);
   if (problem.code == "backlash-takeup") return std::string(keys.takeup);
+  if (problem.code == "step-time") return std::string(step_time_key(problem.message));
   if (problem.code.starts_with("pitch-")) return pitch_slot(problem.message, keys);
   return std::string(limit_key(problem.message, keys));
 }

@@ -37,18 +37,9 @@ Parsed<AxisValue> parse_axis_value(std::string_view text, std::size_t place) {
   return AxisValue{*axis, *value};
 }
 
-}  // namespace
-
-Parsed<double> parse_number(std::string_view text) {
-  const std::string_view digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-    return wrong("is not a number");
-  return value;
-}
-
-Parsed<base::Period> parse_period(std::string_view text) {
+/// A time with its unit, from the first of `range` to the second; `example` and `limits` are for messages.
+Parsed<std::int64_t> parse_nanoseconds(std::string_view text, std::string_view example, std::pair<double, double> range,
+                                       std::string_view limits) {
   const auto unit_begin = std::find_if(text.begin(), text.end(), [](char c) {
     return std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
   });
@@ -62,14 +53,36 @@ Parsed<base::Period> parse_period(std::string_view text) {
   else if (unit == "ns")
     nanoseconds = 1;
   else
-    return wrong("needs a number and a unit, such as 1ms or 250us");
+    return wrong(fmt::format("needs a number and a unit, {}", example));
   const auto value = parse_number(text.substr(0, digits));
-  if (!value) return wrong("needs a number and a unit, such as 1ms or 250us");
+  if (!value) return wrong(fmt::format("needs a number and a unit, {}", example));
   nanoseconds *= *value;
-  if (!(nanoseconds >= 10e3 && nanoseconds <= 20e6)) return wrong("lies outside 10us to 20ms");
+  if (!(nanoseconds >= range.first && nanoseconds <= range.second))
+    return wrong(fmt::format("lies outside {}", limits));
   const double whole = std::round(nanoseconds);
   if (std::abs(nanoseconds - whole) > 1e-6) return wrong("is not a whole number of nanoseconds");
-  return base::Period{static_cast<std::int64_t>(whole)};
+  return static_cast<std::int64_t>(whole);
+}
+
+}  // namespace
+
+Parsed<double> parse_number(std::string_view text) {
+  const std::string_view digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+    return wrong("is not a number");
+  return value;
+}
+
+Parsed<base::Period> parse_period(std::string_view text) {
+  const auto nanoseconds = parse_nanoseconds(text, "such as 1ms or 250us", {10e3, 20e6}, "10us to 20ms");
+  if (!nanoseconds) return wrong(nanoseconds.error());
+  return base::Period{*nanoseconds};
+}
+
+Parsed<std::int64_t> parse_step_time(std::string_view text) {
+  return parse_nanoseconds(text, "such as 2.5us or 500ns", {0, 1e9}, "0 to 1000ms");
 }
 
 Parsed<std::int64_t> parse_frequency(std::string_view text) {

@@ -21,6 +21,9 @@ Parsed<double> parse_number(std::string_view text);
 /// 1ms, 250us, 62.5us: a whole number of nanoseconds from 10 us to 20 ms.
 Parsed<base::Period> parse_period(std::string_view text);
 
+/// 500ns, 2.5us, 1ms: a whole number of nanoseconds from 0 to 1 s.
+Parsed<std::int64_t> parse_step_time(std::string_view text);
+
 /// 10kHz … 10MHz, a whole number of Hz: 1MHz, 250kHz, 48000Hz or 48000.
 Parsed<std::int64_t> parse_frequency(std::string_view text);
 

@@ -2,6 +2,7 @@
 
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
+#include <leadscrew/machine/step_times.hpp>
 #include <utility>
 
 namespace leadscrew::cli {
@@ -44,6 +45,26 @@ Parsed<void> check_files(const RunTexts& texts, std::size_t programs) {
   return {};
 }
 
+/// They would be ignored.
+Parsed<void> check_steps(const RunTexts& texts) {
+  if (texts.pulses) return {};
+  if (texts.step_clock) return wrong("--step-clock is of --pulses FILE, which is missing");
+  for (std::size_t k = 0; k < step_time_options.size(); ++k) {
+    if (texts.step_times[k]) return wrong("{} is of --pulses FILE, which is missing", step_time_options[k]);
+  }
+  return {};
+}
+
+Parsed<void> take_step_times(const RunTexts& texts, RunArguments& run) {
+  for (std::size_t k = 0; k < step_time_options.size(); ++k) {
+    auto taken = take(step_time_options[k], texts.step_times[k], parse_step_time, run.step_times[k]);
+    if (!taken) return taken;
+    if (run.step_times[k] && *run.step_times[k] < machine::all_step_times[k].least)
+      return wrong("{} {}: must be above 0", step_time_options[k], *texts.step_times[k]);
+  }
+  return {};
+}
+
 Parsed<void> check_pulses(const RunTexts& texts) {
   if (texts.accelerate && !texts.pulse_method)
     return wrong("--accelerate is of --pulse-method; steps that follow the words have the words' acceleration");
@@ -61,10 +82,11 @@ Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs) {
   run.pulses = texts.pulses;
   run.out = texts.out;
   run.accelerate = texts.accelerate;
-  for (const Parsed<void>& taken : {take("--interpolator", texts.interpolator, parse_step_rule, run.interpolator),
-                                    take("--pulse-method", texts.pulse_method, parse_pulse_method, run.pulse_method),
-                                    take("--step-clock", texts.step_clock, parse_frequency, run.step_clock),
-                                    check_files(texts, programs), check_pulses(texts)}) {
+  for (const Parsed<void>& taken :
+       {take("--interpolator", texts.interpolator, parse_step_rule, run.interpolator),
+        take("--pulse-method", texts.pulse_method, parse_pulse_method, run.pulse_method),
+        take("--step-clock", texts.step_clock, parse_frequency, run.step_clock), take_step_times(texts, run),
+        check_files(texts, programs), check_pulses(texts), check_steps(texts)}) {
     if (!taken) return tl::unexpected(taken.error());
   }
   return run;

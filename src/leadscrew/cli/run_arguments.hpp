@@ -1,6 +1,7 @@
 #pragma once
 // What the command line asks `leadscrew run` for, beside what other commands are asked for too.
 
+#include <array>
 #include <cstdint>
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/interpolator/parameter_steps.hpp>
@@ -17,14 +18,21 @@ struct RunArguments {
   std::optional<stepping::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
   bool accelerate = false;                            ///< of a pulse_method: keep the axes' acceleration
   std::int64_t step_clock = 1'000'000;                ///< of --pulses, Hz
+  /// Of --pulses, in place of every axis' own; ns, in the order of machine::all_step_times.
+  std::array<std::optional<std::int64_t>, 4> step_times;
 };
 
 /// Options as text, before their values are looked at.
 struct RunTexts {
   std::optional<std::string> trace, report, picture, pulses, out;
   std::optional<std::string> interpolator, pulse_method, step_clock;
+  std::array<std::optional<std::string>, 4> step_times;  ///< of step_time_options
   bool accelerate = false;
 };
+
+/// In the order of machine::all_step_times.
+inline constexpr std::array<const char*, 4> step_time_options = {"--step-length", "--step-space", "--direction-setup",
+                                                                 "--direction-hold"};
 
 /// Says in whole sentences what is wrong. `programs`: so many are named.
 Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs);
@@ -37,6 +45,11 @@ inline constexpr std::string_view run_examples =
     "  leadscrew run part.ngc --pulses part.csv --machine machines/mill3-worn.toml   its screws' errors made good\n"
     "  leadscrew run *.ngc --out results          results/NAME.csv, .html and .svg of each\n"
     "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
+    "\n"
+    "Times of step signals may be given for each axis in the machine file, [axis.X], in microseconds, 1 by default:\n"
+    "step_length_us, step_space_us, direction_setup_us, direction_hold_us. What clock and times cannot give at an "
+    "axis'\n"
+    "greatest velocity and acceleration is refused before anything moves.\n"
     "\n"
     "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
     "every call that makes a word, the two looks at the clock included.\n";

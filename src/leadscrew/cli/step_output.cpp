@@ -39,44 +39,52 @@ void check_screws(const Job& job, DiagnosticLog& log) {
       "errors and backlash"));
 }
 
-stepping::StepTiming timing_of(const Arguments& arguments) {
-  stepping::StepTiming timing;
-  timing.clock_hz = arguments.run.step_clock;
-  return timing;
+/// As it is asked to move, so that its screws' errors are made good.
+base::Result<machine::Machine> compensated_machine(const Job& job) {
+  const auto compensation = stepping::Compensation::create(job.machine);
+  if (!compensation) return base::failure(compensation.error());
+  return compensation->stretched(job.machine);
+}
+
+void check_signals(const Job& job, DiagnosticLog& log) {
+  const auto machine = compensated_machine(job);
+  if (!machine) return log.add(machine.error());
+  for (const base::Diagnostic& problem : stepping::validate(job.arguments.run.step_clock, *machine)) log.add(problem);
 }
 
 }  // namespace
 
-stepping::PulseOptions pulse_options(const Arguments& arguments) {
+stepping::PulseOptions pulse_options(const Job& job) {
+  const RunArguments& run = job.arguments.run;
   stepping::PulseOptions options;
-  if (arguments.run.pulse_method) options.method = *arguments.run.pulse_method;
-  const stepping::StepTicks ticks = stepping::in_ticks(timing_of(arguments));
-  options.clock_pps = arguments.run.step_clock;
+  if (run.pulse_method) options.method = *run.pulse_method;
+  options.clock_pps = run.step_clock;
   // Of any two steps, for an axis may turn back between them.
-  options.step_clocks = ticks.reversal();
+  options.step_clocks = stepping::longest_reversal(job.machine, run.step_clock);
   options.interpolation.places = 16;
-  if (arguments.run.accelerate) options.shape = stepping::Shape::accelerate;
+  if (run.accelerate) options.shape = stepping::Shape::accelerate;
   return options;
 }
 
 void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
-  if (!job.arguments.run.pulses || !job.arguments.run.pulse_method) return;
+  if (!job.arguments.run.pulses) return;
+  if (!job.arguments.run.pulse_method) return check_signals(job, log);
   check_screws(job, log);
   // What the reader has to say has been said.
-  stepping::check_pulses(file.source(), job.machine, job.tools, job.reader_options(file.name()),
-                         pulse_options(job.arguments), [&](const base::Diagnostic& problem) {
+  stepping::check_pulses(file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
+                         [&](const base::Diagnostic& problem) {
                            if (is_of_pulses(problem)) log.add(problem);
                          });
 }
 
 base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& path, const Job& job) {
-  const stepping::StepTiming timing = timing_of(job.arguments);
+  const std::int64_t clock_hz = job.arguments.run.step_clock;
   std::optional<stepping::Compensation> compensation;
   std::optional<stepping::StepGenerator> generator;
   if (!job.arguments.run.pulse_method) {
     auto compensating = stepping::Compensation::create(job.machine);
     if (!compensating) return base::failure(compensating.error());
-    auto generating = stepping::StepGenerator::create(compensating->stretched(job.machine), timing);
+    auto generating = stepping::StepGenerator::create(compensating->stretched(job.machine), clock_hz);
     if (!generating) return base::failure(generating.error());
     compensation.emplace(std::move(*compensating));
     generator.emplace(std::move(*generating));
@@ -87,9 +95,9 @@ base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& pa
   output->compensation_ = std::move(compensation);
   output->generator_ = std::move(generator);
   if (extension(path) == ".csv") {
-    output->writer_.emplace<trace::StepCsvWriter>(output->file_.sink(), timing);
+    output->writer_.emplace<trace::StepCsvWriter>(output->file_.sink(), clock_hz);
   } else {
-    output->writer_.emplace<trace::StepVcdWriter>(output->file_.sink(), job.machine.axis_set(), timing);
+    output->writer_.emplace<trace::StepVcdWriter>(output->file_.sink(), job.machine, clock_hz);
   }
   return output;
 }
@@ -137,7 +145,7 @@ base::Result<void> StepOutput::finish(const InputFile& program) {
 base::Result<void> StepOutput::write_program(const InputFile& program) {
   std::optional<base::Diagnostic> problem;
   stepping::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program.name()),
-                                pulse_options(job_->arguments), [&](const base::Diagnostic& found) {
+                                pulse_options(*job_), [&](const base::Diagnostic& found) {
                                   if (is_of_pulses(found) && !problem) problem = found;
                                 });
   std::array<stepping::StepEvent, steps_between_looks> room;

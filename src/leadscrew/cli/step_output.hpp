@@ -38,17 +38,17 @@ struct StepFigures {
 };
 
 /// Of the interpolator that the command line names.
-stepping::PulseOptions pulse_options(const Arguments& arguments);
+stepping::PulseOptions pulse_options(const Job& job);
 
-/// Reads and plans the program for the interpolator that the command line names, if it names one: what lattice, clock
-/// or machine cannot give goes to the log, and `pulse-compensation` where its screws have errors: they can be made good
-/// between words and steps alone, and interpolators of blocks know no words. The program must have been read without an
-/// error.
+/// What the steps that were asked for cannot be goes to the log. Those that follow words: everything that
+/// stepping::validate() says. Those of an interpolator: it reads and plans the program, and says what lattice, clock or
+/// machine cannot give, and `pulse-compensation` where its screws have errors: they can be made good between words and
+/// steps alone, and interpolators of blocks know no words. The program must have been read without an error.
 void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log);
 
 class StepOutput {
  public:
-  /// .vcd or .csv; the job must outlive it. Errors: those of the file, and of stepping::validate().
+  /// .vcd or .csv; the job, which check_steps() has nothing against, must outlive it. Errors: those of the file.
   static base::Result<std::unique_ptr<StepOutput>> open(const std::string& path, const Job& job);
 
   /// Words of successive periods, from where the program begins.

@@ -72,6 +72,7 @@ std::vector<base::Diagnostic> validate(const Machine& machine) {
     check_limit(problems, name, "the greatest acceleration", limits.acceleration);
     check_limit(problems, name, "the greatest jerk", limits.jerk);
     check_limit(problems, name, "the basic length unit", limits.blu);
+    check_step_times(axis, limits.step_times, problems);
   }
   check_screws(problems, machine);
   if (!any)

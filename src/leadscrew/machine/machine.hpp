@@ -8,6 +8,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
+#include <leadscrew/machine/step_times.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct AxisLimits {
   double acceleration = 0;  ///< mm/s² or degrees/s²; > 0
   double jerk = 0;          ///< mm/s³ or degrees/s³; > 0
   double blu = 0;           ///< basic length unit, mm or degrees; > 0
+  StepTimes step_times;     ///< of its signals, where it is moved by steps
 
   friend bool operator==(const AxisLimits&, const AxisLimits&) = default;
 };
@@ -53,7 +55,7 @@ struct Machine {
 Machine mill3();
 
 /// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`,
-/// those of check_screw(), and `pitch-axis` for screws of axes that the machine lacks.
+/// those of check_step_times() and check_screw(), and `pitch-axis` for screws of axes that the machine lacks.
 std::vector<base::Diagnostic> validate(const Machine& machine);
 
 }  // namespace leadscrew::machine

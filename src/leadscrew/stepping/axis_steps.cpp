@@ -126,14 +126,20 @@ void AxisSteps::bracketed_ticks(double first, std::size_t count) {
 
 /// Makes of ticks at which steps are due events that keep their distances; returns how many the period takes.
 std::size_t AxisSteps::place(std::size_t count) {
-  const std::int64_t earliest = last_ + (part_direction_ == direction_ ? pitch_ : turn_);
-  const std::size_t placed = are_apart(count, earliest) ? place_as_due(count) : place_apart(count, earliest);
+  const std::int64_t first = earliest();
+  const std::size_t placed = are_apart(count, first) ? place_as_due(count) : place_apart(count, first);
   if (placed == 0) return 0;
   last_ = events_[placed - 1].tick();
   direction_ = part_direction_;
   count_ += part_direction_ * static_cast<std::int64_t>(placed);
   steps_ += static_cast<std::int64_t>(placed);
   return placed;
+}
+
+/// Tick at which the next step may be made. The direction of the first one of all is set up from tick 0 on.
+std::int64_t AxisSteps::earliest() const {
+  if (steps_ == 0) return setup_;
+  return last_ + (part_direction_ == direction_ ? pitch_ : turn_);
 }
 
 /// Do steps keep their distances, and the period, if they are made when they are due?

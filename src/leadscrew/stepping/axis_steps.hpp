@@ -39,7 +39,8 @@ class AxisSteps {
   static constexpr std::size_t capacity = 256;  ///< of the block of steps that are known but not taken yet
 
   AxisSteps() = default;
-  AxisSteps(base::Axis axis, const StepTicks& ticks) : axis_(axis), pitch_(ticks.pitch()), turn_(ticks.reversal()) {}
+  AxisSteps(base::Axis axis, const StepTicks& ticks)
+      : axis_(axis), setup_(ticks.setup), pitch_(ticks.pitch()), turn_(ticks.reversal()) {}
 
   /// Stands at the nearest BLU, as if it had come there from where the position is not.
   void stand(double position) {
@@ -75,15 +76,16 @@ class AxisSteps {
   void even_ticks(double first, std::size_t count);
   void bracketed_ticks(double first, std::size_t count);
   std::size_t place(std::size_t count);
+  std::int64_t earliest() const;
   bool are_apart(std::size_t count, std::int64_t earliest) const;
   std::size_t place_as_due(std::size_t count);
   std::size_t place_apart(std::size_t count, std::int64_t earliest);
 
   base::Axis axis_ = base::Axis::X;
-  std::int64_t pitch_ = 2, turn_ = 2;
+  std::int64_t setup_ = 0, pitch_ = 2, turn_ = 2;
   std::int64_t count_ = 0;
-  int direction_ = 1;                 ///< of the last step
-  std::int64_t last_ = -(1LL << 60);  ///< its tick
+  int direction_ = 1;      ///< of the last step
+  std::int64_t last_ = 0;  ///< its tick
   std::int64_t steps_ = 0, postponed_ = 0, greatest_delay_ = 0;
 
   Span span_;

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <charconv>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/stepping/step_generator.hpp>
 #include <string>
 
@@ -9,33 +9,26 @@ namespace {
 
 constexpr std::int64_t nano = 1'000'000'000;
 
-std::string rounded(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4);
-  return {buffer, end.ptr};
-}
-
 }  // namespace
 
-base::Result<StepGenerator> StepGenerator::create(const machine::Machine& machine, const StepTiming& timing) {
-  auto problems = validate(timing, machine);
+base::Result<StepGenerator> StepGenerator::create(const machine::Machine& machine, std::int64_t clock_hz) {
+  auto problems = validate(clock_hz, machine);
   if (!problems.empty()) return base::failure(std::move(problems.front()));
-  return StepGenerator(machine, timing);
+  return StepGenerator(machine, clock_hz);
 }
 
-StepGenerator::StepGenerator(const machine::Machine& machine, const StepTiming& timing) {
-  const StepTicks ticks = in_ticks(timing);
+StepGenerator::StepGenerator(const machine::Machine& machine, std::int64_t clock_hz) {
   const double period = machine.period.seconds();
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     const std::size_t index = base::index(axis);
     const machine::AxisLimits& limits = machine.limits(axis);
     order_[axes_++] = index;
-    steps_[index] = AxisSteps(axis, ticks);
+    steps_[index] = AxisSteps(axis, in_ticks(limits.step_times, clock_hz));
     tracks_[index].blu = limits.blu;
     tracks_[index].sharpest = 2 * limits.acceleration * period * period / limits.blu;
   }
-  const std::int64_t scaled = machine.period.nanoseconds * timing.clock_hz;
+  const std::int64_t scaled = machine.period.nanoseconds * clock_hz;
   ticks_whole_ = scaled / nano;
   ticks_rest_ = scaled % nano;
   ticks_.length = static_cast<double>(scaled) / nano;
@@ -135,9 +128,9 @@ std::optional<base::Diagnostic> StepGenerator::complaint() const {
   if (made.greatest_error < 1) return std::nullopt;
   return base::Diagnostic{base::Severity::error,
                           "step-late",
-                          std::string("axis ") + base::letter(made.worst) + " was " + rounded(made.greatest_error) +
-                              " BLU from its words; " + std::to_string(made.postponed) +
-                              " steps came later than they were due",
+                          std::string("axis ") + base::letter(made.worst) + " was " +
+                              base::rounded_text(made.greatest_error) + " BLU from its words; " +
+                              std::to_string(made.postponed) + " steps came later than they were due",
                           "words that keep the machine's greatest velocities",
                           {},
                           {}};

@@ -41,7 +41,7 @@ struct StepReport {
 class StepGenerator {
  public:
   /// The first of the problems that validate() finds, if any.
-  static base::Result<StepGenerator> create(const machine::Machine& machine, const StepTiming& timing);
+  static base::Result<StepGenerator> create(const machine::Machine& machine, std::int64_t clock_hz);
 
   /// Words of successive periods, positions finite. The first says where the axes stand.
   template <class Sink>
@@ -66,7 +66,7 @@ class StepGenerator {
   std::optional<base::Diagnostic> complaint() const;
 
  private:
-  StepGenerator(const machine::Machine& machine, const StepTiming& timing);
+  StepGenerator(const machine::Machine& machine, std::int64_t clock_hz);
 
   void accept(const base::Word& word);
   void begin_period();

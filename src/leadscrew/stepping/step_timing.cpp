@@ -21,51 +21,83 @@ std::int64_t ticks(std::int64_t nanoseconds, std::int64_t clock_hz) {
   return (nanoseconds * clock_hz + nanoseconds_per_second - 1) / nanoseconds_per_second;
 }
 
-void check_time(std::vector<base::Diagnostic>& problems, const char* what, std::int64_t nanoseconds,
-                std::int64_t least) {
-  if (least <= nanoseconds && nanoseconds <= nanoseconds_per_second) return;
-  problems.push_back(problem("step-time", std::string(what) + " is " + std::to_string(nanoseconds) + " ns",
-                             "between " + std::to_string(least) + " ns and 1 s"));
+std::string milliseconds(double seconds) {
+  return base::rounded_text(seconds * 1e3) + " ms";
 }
 
-void check_axis(std::vector<base::Diagnostic>& problems, base::Axis axis, const machine::AxisLimits& limits,
-                const StepTiming& timing) {
-  const std::string name = std::string("axis ") + base::letter(axis);
-  const double reach = std::max(std::fabs(limits.travel_min), std::fabs(limits.travel_max)) / limits.blu;
-  if (!(reach <= farthest)) {
-    problems.push_back(problem("step-range", name + " travels to " + text(reach) + " BLU from its zero",
-                               "at most 4e9; a larger BLU or less travel"));
+class AxisCheck {
+ public:
+  AxisCheck(base::Axis axis, const machine::AxisLimits& limits, std::int64_t clock_hz)
+      : name_(std::string("axis ") + base::letter(axis)),
+        limits_(limits),
+        clock_hz_(clock_hz),
+        ticks_(in_ticks(limits.step_times, clock_hz)) {}
+
+  void check(std::vector<base::Diagnostic>& problems) const {
+    const double reach = std::max(std::fabs(limits_.travel_min), std::fabs(limits_.travel_max)) / limits_.blu;
+    if (!(reach <= farthest)) {
+      problems.push_back(problem("step-range", name_ + " travels to " + text(reach) + " BLU from its zero",
+                                 "at most 4e9; a larger BLU or less travel"));
+    }
+    check_rate(problems);
+    check_turn(problems);
   }
-  const double rate = limits.velocity / limits.blu;
-  const double given = static_cast<double>(timing.clock_hz) / static_cast<double>(in_ticks(timing).pitch());
-  if (rate <= given * (1 + rounding)) return;
-  problems.push_back(problem("step-rate",
-                             name + " makes " + text(rate) + " steps/s at its greatest velocity; a clock of " +
-                                 std::to_string(timing.clock_hz) + " Hz gives " + text(given) + ", a step every " +
-                                 std::to_string(in_ticks(timing).pitch()) + " ticks",
-                             "a faster clock, shorter steps, a larger BLU or a lower velocity"));
-}
+
+ private:
+  void check_rate(std::vector<base::Diagnostic>& problems) const {
+    const double rate = limits_.velocity / limits_.blu;
+    const double given = static_cast<double>(clock_hz_) / static_cast<double>(ticks_.pitch());
+    if (rate <= given * (1 + rounding)) return;
+    problems.push_back(problem("step-rate",
+                               name_ + " makes " + text(rate) + " steps/s at its greatest velocity; a clock of " +
+                                   std::to_string(clock_hz_) + " Hz gives " + text(given) + ", a step every " +
+                                   std::to_string(ticks_.pitch()) + " ticks",
+                               "a faster clock, shorter steps, a larger BLU or a lower velocity"));
+  }
+
+  /// An axis that turns as it makes a step is half a BLU from where its steps lead, and by the time T at which it may
+  /// step back, aT²/2 further away. The step before its turn may lie a tick after that place.
+  void check_turn(std::vector<base::Diagnostic>& problems) const {
+    const double turn = static_cast<double>(ticks_.reversal() + 1) / static_cast<double>(clock_hz_);
+    if (limits_.acceleration * turn * turn < limits_.blu) return;
+    problems.push_back(problem("step-turn",
+                               name_ + " may step back " + milliseconds(turn) +
+                                   " after a step; at its greatest acceleration it is a BLU from its steps by then",
+                               "at most " + milliseconds(std::sqrt(limits_.blu / limits_.acceleration)) +
+                                   " for step length, direction hold and setup and a tick of the clock"));
+  }
+
+  std::string name_;
+  const machine::AxisLimits& limits_;
+  std::int64_t clock_hz_;
+  StepTicks ticks_;
+};
 
 }  // namespace
 
-StepTicks in_ticks(const StepTiming& timing) {
-  return {ticks(timing.step_length_ns, timing.clock_hz), ticks(timing.step_space_ns, timing.clock_hz),
-          ticks(timing.direction_setup_ns, timing.clock_hz), ticks(timing.direction_hold_ns, timing.clock_hz)};
+StepTicks in_ticks(const machine::StepTimes& times, std::int64_t clock_hz) {
+  return {ticks(times.step_length, clock_hz), ticks(times.step_space, clock_hz), ticks(times.direction_setup, clock_hz),
+          ticks(times.direction_hold, clock_hz)};
 }
 
-std::vector<base::Diagnostic> validate(const StepTiming& timing, const machine::Machine& machine) {
-  std::vector<base::Diagnostic> problems;
-  if (timing.clock_hz < slowest_clock || fastest_clock < timing.clock_hz) {
-    problems.push_back(problem("step-clock", "a step clock of " + std::to_string(timing.clock_hz) + " Hz",
-                               "between 10000 and 10000000 Hz"));
-  }
-  check_time(problems, "step length", timing.step_length_ns, 1);
-  check_time(problems, "space between steps", timing.step_space_ns, 1);
-  check_time(problems, "direction setup", timing.direction_setup_ns, 0);
-  check_time(problems, "direction hold", timing.direction_hold_ns, 0);
-  if (!problems.empty()) return problems;
+std::int64_t longest_reversal(const machine::Machine& machine, std::int64_t clock_hz) {
+  std::int64_t longest = 1;
   for (const base::Axis axis : base::all_axes) {
-    if (machine.has(axis)) check_axis(problems, axis, machine.limits(axis), timing);
+    if (!machine.has(axis)) continue;
+    longest = std::max(longest, in_ticks(machine.limits(axis).step_times, clock_hz).reversal());
+  }
+  return longest;
+}
+
+std::vector<base::Diagnostic> validate(std::int64_t clock_hz, const machine::Machine& machine) {
+  std::vector<base::Diagnostic> problems;
+  if (clock_hz < slowest_clock || fastest_clock < clock_hz) {
+    problems.push_back(
+        problem("step-clock", "a step clock of " + std::to_string(clock_hz) + " Hz", "between 10000 and 10000000 Hz"));
+    return problems;
+  }
+  for (const base::Axis axis : base::all_axes) {
+    if (machine.has(axis)) AxisCheck(axis, machine.limits(axis), clock_hz).check(problems);
   }
   return problems;
 }

@@ -23,8 +23,8 @@ std::uint8_t direction_signal(base::Axis axis) {
 
 }  // namespace
 
-StepCsvWriter::StepCsvWriter(ByteSink sink, const stepping::StepTiming& timing)
-    : sink_(std::move(sink)), clock_hz_(static_cast<double>(timing.clock_hz)) {
+StepCsvWriter::StepCsvWriter(ByteSink sink, std::int64_t clock_hz)
+    : sink_(std::move(sink)), clock_hz_(static_cast<double>(clock_hz)) {
   rows_.reserve(block_bytes + longest_row);
   rows_ = "tick,t,axis,direction\n";
 }
@@ -53,13 +53,16 @@ base::Result<void> StepCsvWriter::finish() {
   return state_;
 }
 
-StepVcdWriter::StepVcdWriter(ByteSink sink, base::AxisSet axes, const stepping::StepTiming& timing)
-    : sink_(std::move(sink)), clock_hz_(timing.clock_hz), ticks_(stepping::in_ticks(timing)) {
+StepVcdWriter::StepVcdWriter(ByteSink sink, const machine::Machine& machine, std::int64_t clock_hz)
+    : sink_(std::move(sink)), clock_hz_(clock_hz) {
   text_ = "$comment step and direction, a clock of " + std::to_string(clock_hz_) +
           " Hz $end\n$version leadscrew $end\n$timescale 1 ns $end\n$scope module steps $end\n";
   std::string values;
   for (const base::Axis axis : base::all_axes) {
-    if (!axes.contains(axis)) continue;
+    if (!machine.has(axis)) continue;
+    stepping::StepTicks& ticks = ticks_[base::index(axis)];
+    ticks = stepping::in_ticks(machine.limits(axis).step_times, clock_hz);
+    longest_setup_ = std::max(longest_setup_, ticks.setup);
     const std::string name(1, base::letter(axis));
     const std::string step(1, identifier(step_signal(axis))), direction(1, identifier(direction_signal(axis)));
     text_ += "$var wire 1 " + step + " " + name + "_step $end\n$var wire 1 " + direction + " " + name + "_dir $end\n";
@@ -70,15 +73,16 @@ StepVcdWriter::StepVcdWriter(ByteSink sink, base::AxisSet axes, const stepping::
 
 base::Result<void> StepVcdWriter::write(std::span<const stepping::StepEvent> events) {
   for (const stepping::StepEvent event : events) {
+    const stepping::StepTicks& ticks = ticks_[base::index(event.axis())];
     int& direction = directions_[base::index(event.axis())];
     if (direction != event.direction()) {
       direction = event.direction();
-      const std::int64_t tick = std::max<std::int64_t>(0, event.tick() - ticks_.setup);
+      const std::int64_t tick = std::max<std::int64_t>(0, event.tick() - ticks.setup);
       add(tick, direction_signal(event.axis()), direction > 0 ? '1' : '0');
     }
     add(event.tick(), step_signal(event.axis()), '1');
-    add(event.tick() + ticks_.length, step_signal(event.axis()), '0');
-    put_before(event.tick() - ticks_.setup);  // no event to come changes anything earlier
+    add(event.tick() + ticks.length, step_signal(event.axis()), '0');
+    put_before(event.tick() - longest_setup_);  // no event to come changes anything earlier
     if (text_.size() < block_bytes) continue;
     if (auto written = flush(); !written) return written;
   }

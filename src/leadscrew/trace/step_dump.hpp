@@ -20,7 +20,7 @@ namespace leadscrew::trace {
 /// Columns `tick t axis direction`: ticks of the step clock, seconds, a letter, 1 or -1.
 class StepCsvWriter {
  public:
-  StepCsvWriter(ByteSink sink, const stepping::StepTiming& timing);
+  StepCsvWriter(ByteSink sink, std::int64_t clock_hz);
   base::Result<void> write(std::span<const stepping::StepEvent> events);
   /// Writes what is still gathered.
   base::Result<void> finish();
@@ -36,7 +36,8 @@ class StepCsvWriter {
 /// towards +, and before the first step of an axis they are unknown.
 class StepVcdWriter {
  public:
-  StepVcdWriter(ByteSink sink, base::AxisSet axes, const stepping::StepTiming& timing);
+  /// The machine says which axes there are, and the times of their signals.
+  StepVcdWriter(ByteSink sink, const machine::Machine& machine, std::int64_t clock_hz);
   base::Result<void> write(std::span<const stepping::StepEvent> events);
   /// Writes what is still to come, to the end of the last step.
   base::Result<void> finish();
@@ -59,8 +60,9 @@ class StepVcdWriter {
 
   ByteSink sink_;
   std::int64_t clock_hz_;
-  stepping::StepTicks ticks_;
-  std::vector<Change> to_come_;  ///< a heap, the first on top; as many as fit into a setup and a step
+  std::array<stepping::StepTicks, base::axis_count> ticks_{};
+  std::int64_t longest_setup_ = 0;
+  std::vector<Change> to_come_;  ///< a heap, the first on top; as many as fit into the longest setup and a step
   std::array<int, base::axis_count> directions_{};  ///< 0: not known
   std::int64_t now_ = 0;                            ///< the last tick that was written
   std::string text_;
