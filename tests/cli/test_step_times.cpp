@@ -78,8 +78,7 @@ TEST_P(StepTimes, OfTheMachineFileAreKeptForEachAxis) {
   folder.write("part.ngc", turning);
   folder.write("m.toml", with_lines("step_length_us = 1.5\nstep_space_us = 2.25\ndirection_setup_us = 40\n"
                                     "direction_hold_us = 9\n"));
-  Words words = {"run",     "part.ngc", "--machine",    "m.toml", "--pulses",
-                 "s.vcd",   "--quiet",  "--step-clock", "4MHz"};
+  Words words = {"run", "part.ngc", "--machine", "m.toml", "--pulses", "s.vcd", "--quiet", "--step-clock", "4MHz"};
   if (*GetParam() != '\0') words.insert(words.end(), {"--pulse-method", GetParam()});
   const Outcome outcome = leadscrew(folder, words);
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
@@ -100,8 +99,8 @@ TEST_P(StepTimes, OfTheCommandLineStandForThoseOfEveryAxis) {
   const Folder folder;
   folder.write("part.ngc", turning);
   folder.write("m.toml", with_lines("step_length_us = 100\nstep_space_us = 100\n"));
-  Words words = {"run",     "part.ngc",      "--machine", "m.toml",       "--pulses",         "s.vcd",
-                 "--quiet", "--step-length", "2.2us",     "--step-space", "800ns",            "--direction-setup",
+  Words words = {"run",     "part.ngc",         "--machine", "m.toml",       "--pulses", "s.vcd",
+                 "--quiet", "--step-length",    "2.2us",     "--step-space", "800ns",    "--direction-setup",
                  "0.03ms",  "--direction-hold", "12us"};
   if (*GetParam() != '\0') words.insert(words.end(), {"--pulse-method", GetParam()});
   const Outcome outcome = leadscrew(folder, words);
@@ -195,8 +194,7 @@ TEST(StepTimesOfRun, ThatCannotBeKeptAreRefused) {
   };
   for (const auto& [words, problems, says] :
        {Refused{{"--step-length", "4001ns"}, 3, "axis Z makes 2e+05 steps/s at its greatest velocity"},
-        Refused{{"--step-space", "10us"}, 3, "[step-rate]"},
-        Refused{{"--direction-setup", "998us"}, 3, "[step-turn]"},
+        Refused{{"--step-space", "10us"}, 3, "[step-rate]"}, Refused{{"--direction-setup", "998us"}, 3, "[step-turn]"},
         Refused{{"--direction-hold", "1ms", "--step-clock", "10MHz"}, 3, "may step back 1.002 ms after a step"},
         Refused{{"--pulse-method", "koren", "--step-space", "150us"}, 1, "[pulse-step-length]"}}) {
     Words all = {"run", "part.ngc", "--pulses", "s.vcd"};

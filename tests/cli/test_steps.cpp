@@ -123,6 +123,38 @@ TEST(StepsOfRun, AreSignalsOfDrives) {
   }
 }
 
+/// As traces, reports and pictures are.
+TEST(StepsOfRun, AreWrittenOfEachOfSeveralPrograms) {
+  Folder folder;
+  folder.write("a.ngc", bracket);
+  folder.write("b.ngc", "G21 G90 G1 X-2 Y1 F600\nM2\n");
+  Outcome outcome = leadscrew(folder, {"run", "a.ngc", "b.ngc", "--out", "made", "--pulses", "csv", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(ends_of_rows(folder.read("made/a.steps.csv")).at("Y"), 20251);
+  EXPECT_EQ(ends_of_rows(folder.read("made/b.steps.csv")).at("X"), -2000);
+  EXPECT_EQ(folder.names(), (Names{"a.ngc", "b.ngc", "made", "made/a.csv", "made/a.html", "made/a.steps.csv",
+                                   "made/a.svg", "made/b.csv", "made/b.html", "made/b.steps.csv", "made/b.svg"}));
+  outcome = leadscrew(
+      folder, {"run", "a.ngc", "b.ngc", "--out", "other", "--pulses", "vcd", "--pulse-method", "dda", "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  Dump dump = read_dump(folder.read("other/b.steps.vcd"));
+  EXPECT_EQ(end_of_signals(dump, "X"), -2000);
+  EXPECT_EQ(end_of_signals(dump, "Y"), 1000);
+}
+
+/// What cannot be stepped has no files; the others have theirs.
+TEST(StepsOfRun, OfSeveralProgramsAreRefusedForEach) {
+  Folder folder;
+  folder.write("slow.ngc", "G21 G90 G1 X1 F60\nM2\n");
+  folder.write("fast.ngc", "G21 G90 G1 X1 F6000\nM2\n");
+  const Outcome outcome = leadscrew(folder, {"run", "fast.ngc", "slow.ngc", "--out", "made", "--pulses", "vcd",
+                                             "--pulse-method", "koren", "--step-clock", "10kHz"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.errors.find("fast.ngc:1: error: pulses:"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(folder.names(), (Names{"fast.ngc", "slow.ngc", "made", "made/slow.csv", "made/slow.html", "made/slow.svg",
+                                   "made/slow.steps.vcd"}));
+}
+
 struct Refused {
   std::vector<std::string> words;
   int status;
@@ -144,14 +176,19 @@ TEST_P(RefusedSteps, LeaveNoFile) {
 
 INSTANTIATE_TEST_SUITE_P(
     Every, RefusedSteps,
-    ::testing::Values(Refused{{"--pulses", "steps.txt"}, 2, "ends in neither .vcd nor .csv"},
-                      Refused{{"--pulse-method", "dda"}, 2, "--pulses FILE"},
-                      Refused{{"--pulses", "steps.csv", "--accelerate"}, 2, "--pulse-method"},
-                      Refused{{"--pulses", "steps.csv", "--pulse-method", "dad"}, 2, "did you mean dda?"},
-                      Refused{{"--pulses", "steps.csv", "--step-clock", "5kHz"}, 2, "outside 10kHz to 10MHz"},
-                      Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz"}, 3, "step-rate"},
-                      Refused{
-                          {"--pulses", "steps.csv", "--step-clock", "10kHz", "--pulse-method", "koren"}, 3, "pulse-"}));
+    ::testing::Values(
+        Refused{{"--pulses", "steps.txt"}, 2, "ends in neither .vcd nor .csv"},
+        Refused{{"--pulse-method", "dda"}, 2, "--pulses FILE"},
+        Refused{{"--pulses", "vcd"}, 2, "--pulses vcd: ends in neither .vcd nor .csv"},
+        Refused{{"other.ngc", "--pulses", "steps.vcd"}, 2, "--out DIR --pulses vcd, or csv, writes"},
+        Refused{{"other.ngc", "--pulses", "steps.vcd", "--out", "made"}, 2, "is for one program"},
+        Refused{
+            {"part.steps.ngc", "--pulses", "csv", "--out", "made"}, 2, "two programs would write made/part.steps.csv"},
+        Refused{{"--pulses", "steps.csv", "--accelerate"}, 2, "--pulse-method"},
+        Refused{{"--pulses", "steps.csv", "--pulse-method", "dad"}, 2, "did you mean dda?"},
+        Refused{{"--pulses", "steps.csv", "--step-clock", "5kHz"}, 2, "outside 10kHz to 10MHz"},
+        Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz"}, 3, "step-rate"},
+        Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz", "--pulse-method", "koren"}, 3, "pulse-"}));
 
 }  // namespace
 }  // namespace leadscrew::cli::testing

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/nearest.hpp>
+#include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/study/studies.hpp>
 #include <set>
 #include <stdexcept>
@@ -111,7 +111,9 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
                   "Parameter steps along curves: arc-length (default), taylor1, taylor2, newton or uniform")
       ->type_name("RULE");
   run->add_option("--trace", texts.trace, "Write the words: .csv or .npy")->type_name("FILE");
-  run->add_option("--pulses", texts.pulses, "Write steps and directions: .vcd or .csv")->type_name("FILE");
+  run->add_option("--pulses", texts.pulses,
+                  "Write steps and directions: .vcd or .csv; beside --out vcd or csv, for DIR/NAME.steps.vcd")
+      ->type_name("FILE");
   run->add_option(
          "--pulse-method", texts.pulse_method,
          "Of --pulses: by an interpolator of the papers, not steps that follow the words: " + names_of_pulse_methods())
@@ -267,13 +269,15 @@ void check_standard_input(const Arguments& arguments) {
     throw UsageError("standard input (-) can be read only once");
 }
 
+/// What --out writes of one program must not have the name of another's.
 void check_names(const Arguments& arguments) {
-  if (!arguments.run.out) return;
-  std::set<std::string> stems;
+  if (!arguments.run.out || arguments.programs.size() < 2) return;
+  std::set<std::string> names;
   for (const std::string& program : arguments.programs) {
-    const std::string stem = std::filesystem::path(program).stem();
-    if (!stems.insert(stem).second) {
-      throw UsageError(fmt::format("--out: two programs are named {}, so their files would be too", stem));
+    const OutputPaths paths = output_paths(arguments, program);
+    for (const auto& path : paths.all()) {
+      if (path && !names.insert(*path).second)
+        throw UsageError(fmt::format("--out: two programs would write {}", *path));
     }
   }
 }

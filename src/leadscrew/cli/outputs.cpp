@@ -57,6 +57,7 @@ OutputPaths output_paths(const Arguments& arguments, const std::string& program)
   if (!paths.trace) paths.trace = base + ".csv";
   if (!paths.report) paths.report = base + ".html";
   if (!paths.picture) paths.picture = base + ".svg";
+  if (paths.pulses && is_step_format(*paths.pulses)) paths.pulses = base + ".steps." + *paths.pulses;
   return paths;
 }
 

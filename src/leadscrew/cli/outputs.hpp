@@ -24,8 +24,8 @@ struct OutputPaths {
   std::array<std::optional<std::string>, 4> all() const { return {trace, report, picture, pulses}; }
 };
 
-/// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them. `program`:
-/// path, "-" is standard input.
+/// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them, and
+/// NAME.steps.vcd or .csv where --pulses names a format. `program`: path, "-" is standard input.
 OutputPaths output_paths(const Arguments& arguments, const std::string& program);
 
 /// Do both name one regular file, or one that is yet to be made?

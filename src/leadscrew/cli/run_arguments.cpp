@@ -36,12 +36,14 @@ Parsed<void> take(std::string_view option, const std::optional<std::string>& tex
 
 Parsed<void> check_files(const RunTexts& texts, std::size_t programs) {
   if (programs < 2) return {};
-  for (const auto& [option, path] : {std::pair("--trace", &texts.trace),
-                                     {"--pulses", &texts.pulses},
-                                     {"--report", &texts.report},
-                                     {"--picture", &texts.picture}}) {
+  for (const auto& [option, path] :
+       {std::pair("--trace", &texts.trace), {"--report", &texts.report}, {"--picture", &texts.picture}}) {
     if (*path) return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
   }
+  if (texts.pulses && !(texts.out && is_step_format(*texts.pulses)))
+    return wrong(
+        "--pulses {}: is for one program; with several, --out DIR --pulses vcd, or csv, writes the steps of each",
+        *texts.pulses);
   return {};
 }
 
@@ -73,6 +75,10 @@ Parsed<void> check_pulses(const RunTexts& texts) {
 }
 
 }  // namespace
+
+bool is_step_format(std::string_view text) {
+  return text == "vcd" || text == "csv";
+}
 
 Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs) {
   RunArguments run;

@@ -14,7 +14,7 @@ namespace leadscrew::cli {
 
 struct RunArguments {
   interpolator::StepRule interpolator = interpolator::StepRule::arc_length;  ///< parameter steps along curves
-  std::optional<std::string> trace, report, picture, pulses, out;
+  std::optional<std::string> trace, report, picture, pulses, out;            ///< pulses: beside out maybe a step format
   std::optional<stepping::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
   bool accelerate = false;                            ///< of a pulse_method: keep the axes' acceleration
   std::int64_t step_clock = 1'000'000;                ///< of --pulses, Hz
@@ -34,6 +34,9 @@ struct RunTexts {
 inline constexpr std::array<const char*, 4> step_time_options = {"--step-length", "--step-space", "--direction-setup",
                                                                  "--direction-hold"};
 
+/// Is it "vcd" or "csv"? Beside --out it names the format of every program's steps, not a file.
+bool is_step_format(std::string_view text);
+
 /// Says in whole sentences what is wrong. `programs`: so many are named.
 Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs);
 
@@ -44,6 +47,7 @@ inline constexpr std::string_view run_examples =
     "  leadscrew run part.ngc --pulses part.vcd   steps and directions that follow the motion\n"
     "  leadscrew run part.ngc --pulses part.csv --machine machines/mill3-worn.toml   its screws' errors made good\n"
     "  leadscrew run *.ngc --out results          results/NAME.csv, .html and .svg of each\n"
+    "  leadscrew run *.ngc --out results --pulses vcd   and its steps, results/NAME.steps.vcd\n"
     "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
     "\n"
     "Times of step signals may be given for each axis in the machine file, [axis.X], in microseconds, 1 by default:\n"

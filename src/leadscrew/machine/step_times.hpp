@@ -29,7 +29,7 @@ struct StepTimes {
 /// One of them: as problems name it, and the least it may be.
 struct StepTime {
   std::string_view name;
-  std::int64_t StepTimes::*value;
+  std::int64_t StepTimes::* value;
   std::int64_t least;  ///< ns
 };
 
