@@ -106,7 +106,8 @@ struct Misuse {
 TEST(DesignUsage, ErrorsSayWhatIsMissingOrMeant) {
   const Folder folder;
   for (const auto& [arguments, said] : {
-           Misuse{{"design"}, "--travel is missing"},
+           Misuse{{"design"}, "--travel, --blu, --max-feed, --min-distance are missing"},
+           Misuse{{"design", "--timer", "--clock", "1kHz", "--delays", "2"}, "--clock 1kHz: is not a number; units"},
            Misuse{{"design", "--travel", "600", "--blu", "0.01", "--max-feed", "9"}, "--min-distance is missing"},
            Misuse{{"design", "--travel", "600mm"}, "--travel 600mm: is not a number"},
            Misuse{with(machine, {"--to", "1,2"}), "--feed is missing"},

@@ -416,6 +416,15 @@ TEST(PulseUsage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{quarter({"--metod", "dda"}), "did you mean --method?"},
            Misuse{quarter({"--machine", "mill3"}), "no option --machine"},
            Misuse{quarter({"--vcd", "made", "--svg", "./made"}), "name the same file"},
+           Misuse{quarter({"--vcd", "made.svg"}), "--svg writes the picture"},
+           Misuse{quarter({"--svg", "made.vcd"}), "--vcd writes registers"},
+           Misuse{quarter({"--vcd", "--quiet"}), "--vcd --quiet: is no file's name"},
+           Misuse{quarter({"--svg", "-"}), "--svg -: is no file's name"},
+           Misuse{quarter({"--svg", ""}), "--svg: the name of the file is empty"},
+           Misuse{quarter({"--bits"}), "--bits needs a value: N"},
+           Misuse{quarter({"--bits", "-3"}), "--bits -3: is not a whole number from 1 to 30"},
+           Misuse{{"pulse", "--line", "--end", "99999999999999999999,1"}, "registers hold up to 1073741824 BLU"},
+           Misuse{{"pulse", "-", "--line", "--end", "3,4"}, "\"-\" is one word too many"},
            Misuse{{"puls"}, "did you mean pulse?"},
        }) {
     const Outcome outcome = leadscrew(folder, arguments);
@@ -451,9 +460,24 @@ TEST(PulseRejection, NamesTheRegisterOrTheValue) {
   }
 }
 
+/// Names may stand apart, and an option that is far from all others is not taken for one of them.
+TEST(PulseUsage, TakesNamesAsTheyAreWritten) {
+  const Folder folder;
+  const Json object = leadscrew(folder, quarter({"--method", "dda, koren", "--json"})).json();
+  EXPECT_EQ(object["methods"].size(), 2u);
+  const Outcome outcome = leadscrew(folder, quarter({"--feed", "100"}));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(contains(outcome.errors, "no option --feed\n")) << outcome.errors;
+}
+
 TEST(PulseFiles, ThatCannotBeWrittenAreNotThere) {
   const Folder folder;
-  EXPECT_EQ(leadscrew(folder, quarter({"--vcd", "made.vcd", "--svg", "none/made.svg"})).status, 4);
+  const Outcome outcome = leadscrew(folder, quarter({"--vcd", "made.vcd", "--svg", "none/made.svg"}));
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_TRUE(contains(outcome.errors,
+                       "none/made.svg: error: cannot write: No such file or directory [io-open]\n"
+                       "    hint: make the folder first\n"))
+      << outcome.errors;
   EXPECT_EQ(folder.names(), Names{});
   EXPECT_EQ(leadscrew(folder, quarter({"--vcd", "/dev/full"})).status, 4);
 }

@@ -285,7 +285,7 @@ void check_names(const Arguments& arguments) {
 std::vector<std::string> names_of_options(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
   }
   return names;
 }
@@ -312,7 +312,21 @@ std::string unexpected(const CLI::App& command) {
       std::find_if(rest.begin(), rest.end(), [](auto& word) { return word.size() > 1 && word[0] == '-'; });
   if (option == rest.end()) return fmt::format("\"{}\" is one word too many", rest.empty() ? "" : rest.front());
   const std::string name = option->substr(0, option->find('='));
-  return fmt::format("no option {}{}", name, did_you_mean(name, names_of_options(command)));
+  // Dashes would count as letters that are right.
+  const std::vector<std::string> known = names_of_options(command);
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  const auto meant = nearest(std::string_view(name).substr(std::min(name.find_first_not_of('-'), name.size())), views);
+  return fmt::format("no option {}{}", name, meant ? fmt::format("; did you mean --{}?", *meant) : "");
+}
+
+/// "--bits: 1 required N missing" and its likes, in words.
+std::string mismatch(const std::string& said) {
+  const std::size_t colon = said.find(": 1 required ");
+  const std::string_view missing = " missing";
+  if (colon == std::string::npos || !said.ends_with(missing)) return said;
+  const std::size_t value = colon + std::string_view(": 1 required ").size();
+  return fmt::format("{} needs a value: {}", said.substr(0, colon),
+                     said.substr(value, said.size() - missing.size() - value));
 }
 
 Answer usage(const std::string& where, const std::string& message) {
@@ -372,6 +386,8 @@ class Parser {
       return Answer{Status::done, app_.version() + "\n"};
     } catch (const CLI::ExtrasError&) {
       return usage(name(), unexpected(command()));
+    } catch (const CLI::ArgumentMismatch& error) {
+      return usage(name(), mismatch(error.what()));
     } catch (const CLI::ParseError& error) {
       return usage(name(), error.what());
     } catch (const UsageError& error) {

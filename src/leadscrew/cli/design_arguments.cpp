@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <leadscrew/cli/design_arguments.hpp>
@@ -35,12 +36,17 @@ struct Wanted {
 };
 
 Parsed<void> take(std::initializer_list<Wanted> all) {
+  std::vector<std::string_view> missing;
   for (const Wanted& wanted : all) {
-    if (!*wanted.text) return wrong("{} is missing", wanted.option);
+    if (!*wanted.text) {
+      missing.push_back(wanted.option);
+      continue;
+    }
     const auto number = parse_number(**wanted.text);
-    if (!number) return wrong("{} {}: {}", wanted.option, **wanted.text, number.error());
+    if (!number) return wrong("{} {}: {}; units are those of --help", wanted.option, **wanted.text, number.error());
     *wanted.value = *number;
   }
+  if (!missing.empty()) return wrong("{} {} missing", fmt::join(missing, ", "), missing.size() > 1 ? "are" : "is");
   return {};
 }
 

@@ -82,7 +82,9 @@ base::Result<void> OutputFile::open_temporary() {
     }
     if (interrupted()) return base::failure(interruption());
     if (errno != EINTR && errno != EEXIST) {
-      return base::failure(system_failure("io-open", "cannot write", path_, errno));
+      base::Diagnostic problem = system_failure("io-open", "cannot write", path_, errno);
+      if (errno == ENOENT) problem.hint = "make the folder first";
+      return base::failure(std::move(problem));
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <leadscrew/cli/nearest.hpp>
+#include <leadscrew/cli/output_file.hpp>
+#include <leadscrew/cli/output_name.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 
 namespace leadscrew::cli {
@@ -17,21 +19,23 @@ auto wrong(fmt::format_string<Values...> text, Values&&... values) {
   return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
 }
 
-template <class T>
-Parsed<T> parse_integer(std::string_view text) {
-  T value = 0;
+Parsed<std::int64_t> parse_coordinate(std::string_view text) {
+  std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return wrong("is not a whole number");
-  return value;
+  if (end != text.data() + text.size() || error == std::errc::invalid_argument)
+    return wrong("coordinates are whole numbers of BLU, such as 5,0");
+  if (error == std::errc()) return value;
+  return wrong("registers hold up to {} BLU", pulse::greatest_coordinate);
 }
 
 /// x,y in BLU.
 Parsed<pulse::Point> parse_point(std::string_view option, std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return wrong("{} {}: needs two numbers, such as 5,0", option, text);
-  const auto x = parse_integer<std::int64_t>(text.substr(0, comma));
-  const auto y = parse_integer<std::int64_t>(text.substr(comma + 1));
-  if (!x || !y) return wrong("{} {}: coordinates are whole numbers of BLU, such as 5,0", option, text);
+  const auto x = parse_coordinate(text.substr(0, comma)), y = parse_coordinate(text.substr(comma + 1));
+  for (const auto* coordinate : {&x, &y}) {
+    if (!*coordinate) return wrong("{} {}: {}", option, text, coordinate->error());
+  }
   return pulse::Point{*x, *y};
 }
 
@@ -45,11 +49,18 @@ Parsed<T> parse_name(std::string_view option, std::string_view text, const std::
   return wrong("{} {}: is none of {}{}", option, text, fmt::join(names, ", "), did_you_mean(text, names));
 }
 
+/// Without spaces around it.
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(' ');
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
 Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
   std::vector<PulseMethod> methods;
   while (true) {
     const std::size_t comma = text.find(',');
-    const auto method = parse_name("--method", text.substr(0, comma), stepping::all_pulse_methods);
+    const auto method = parse_name("--method", trimmed(text.substr(0, comma)), stepping::all_pulse_methods);
     if (!method) return tl::unexpected(method.error());
     if (std::find(methods.begin(), methods.end(), *method) != methods.end())
       return wrong("--method: {} is named twice", stepping::name(*method));
@@ -94,10 +105,12 @@ Parsed<void> take_name(std::string_view option, const std::optional<std::string>
 Parsed<stepping::MethodOptions> parse_options(const PulseTexts& texts) {
   stepping::MethodOptions options;
   if (texts.bits) {
-    const auto bits = parse_integer<int>(*texts.bits);
-    if (!bits || *bits < 1 || *bits > stepping::most_pulse_bits)
+    int bits = 0;
+    const char* const last = texts.bits->data() + texts.bits->size();
+    const auto [end, error] = std::from_chars(texts.bits->data(), last, bits);
+    if (error != std::errc() || end != last || bits < 1 || bits > stepping::most_pulse_bits)
       return wrong("--bits {}: is not a whole number from 1 to {}", *texts.bits, stepping::most_pulse_bits);
-    options.bits = *bits;
+    options.bits = bits;
   }
   const auto taken =
       take_name("--preload", texts.preload, stepping::all_preloads, options.preload)
@@ -119,6 +132,18 @@ Parsed<void> check_use(const PulseArguments& arguments) {
   if (arguments.options.order && !(integrates && is_arc)) return wrong("--order is for arcs by dda and koren");
   if (arguments.options.tie && !(is_arc && is_any({PulseMethod::point_comparison})))
     return wrong("--tie is for arcs by point-comparison");
+  return {};
+}
+
+/// Each ending belongs to one option.
+Parsed<void> check_files(const PulseTexts& texts) {
+  for (const auto& [option, text] : {std::pair("--vcd", &texts.vcd), {"--svg", &texts.svg}}) {
+    if (auto sound = check_output_name(option, *text); !sound) return sound;
+  }
+  if (texts.vcd && extension(*texts.vcd) == ".svg")
+    return wrong("--vcd {}: would write registers; --svg writes the picture", *texts.vcd);
+  if (texts.svg && extension(*texts.svg) == ".vcd")
+    return wrong("--svg {}: would write the picture; --vcd writes registers", *texts.svg);
   return {};
 }
 
@@ -156,6 +181,7 @@ Parsed<PulseArguments> parse_pulse(const PulseTexts& texts, bool json) {
   }
   if (texts.path && !json) return wrong("--path is for --json; --table is the same as text");
   if (texts.table && json) return wrong("--table is text; with --json, --path gives every place");
+  if (const auto sound = check_files(texts); !sound) return tl::unexpected(sound.error());
   if (const auto used = check_use(arguments); !used) return tl::unexpected(used.error());
   return arguments;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <leadscrew/cli/output_name.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
 #include <leadscrew/machine/step_times.hpp>
@@ -31,6 +32,17 @@ Parsed<void> take(std::string_view option, const std::optional<std::string>& tex
   auto value = parse(*text);
   if (!value) return wrong("{} {}: {}", option, *text, value.error());
   target = std::move(*value);
+  return {};
+}
+
+Parsed<void> check_names(const RunTexts& texts) {
+  for (const auto& [option, path] : {std::pair("--trace", &texts.trace),
+                                     {"--pulses", &texts.pulses},
+                                     {"--report", &texts.report},
+                                     {"--picture", &texts.picture},
+                                     {"--out", &texts.out}}) {
+    if (auto sound = check_output_name(option, *path); !sound) return sound;
+  }
   return {};
 }
 
@@ -92,7 +104,7 @@ Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs) {
        {take("--interpolator", texts.interpolator, parse_step_rule, run.interpolator),
         take("--pulse-method", texts.pulse_method, parse_pulse_method, run.pulse_method),
         take("--step-clock", texts.step_clock, parse_frequency, run.step_clock), take_step_times(texts, run),
-        check_files(texts, programs), check_pulses(texts), check_steps(texts)}) {
+        check_names(texts), check_files(texts, programs), check_pulses(texts), check_steps(texts)}) {
     if (!taken) return tl::unexpected(taken.error());
   }
   return run;

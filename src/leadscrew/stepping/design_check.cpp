@@ -92,7 +92,8 @@ Problems problems_of(const DdaRange& range, const std::vector<double>& way_mm, d
                    greatest_of(design.axis_bits), "design for a greater travel");
     square += pulses * pulses;
   }
-  if (square == 0) add(problems, "no-way", "the line ends where it starts, or within half a BLU of it", "");
+  if (square == 0)
+    add(problems, "no-way", "the line ends where it starts, or within half a BLU of it", "a line needs a way");
   if (!problems.empty()) return problems;
   check_feed(problems, feed_mm_min, range.max_feed_mm_min);
   const double word = 10 * feed_mm_min / range.blu_mm / std::sqrt(square);

@@ -83,7 +83,8 @@ void check_line(Problems& problems, const PulseCurve& curve, std::optional<int> 
 void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
   const pulse::Arc arc = curve.arc();
   if (arc.start == Point{}) {
-    add(problems, "zero-radius", "the radius is 0: the arc starts at its centre " + text(curve.center), "");
+    add(problems, "zero-radius", "the radius is 0: the arc starts at its centre " + text(curve.center),
+        "a centre away from the start");
     return;
   }
   const std::size_t before = problems.size();
