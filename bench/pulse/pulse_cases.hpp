@@ -4,6 +4,7 @@
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/circular_search.hpp>
 #include <leadscrew/pulse/linear.hpp>
+#include <leadscrew/pulse/stretch.hpp>
 
 namespace leadscrew::bench {
 
@@ -28,12 +29,13 @@ void for_each_pulse_case(const Visit& visit) {
 template <pulse::Interpolator State>
 std::int64_t run(State interpolator, pulse::Point& sum) {
   std::int64_t clocks = 0, x = 0, y = 0;
-  while (!interpolator.done()) {
-    const auto pulse = interpolator.step();
+  pulse::step_through(interpolator, [&](auto& state) {
+    const auto pulse = state.step();
     x += pulse.step[0];
     y += pulse.step[1];
     ++clocks;
-  }
+    return true;
+  });
   sum = {sum.x + x, sum.y + y};
   return clocks;
 }

@@ -110,6 +110,24 @@ TEST(LinearPointComparison, StepsTheAxisThatIsFurthestBehind) {
   EXPECT_TRUE(line.done());
 }
 
+/// Shares of ways as long as can be are told apart: by products.
+TEST(LinearPointComparison, TellsSharesOfTheLongestWaysApart) {
+  constexpr std::int64_t most = greatest_coordinate;
+  const std::array<std::int64_t, 5> way = {most - 1, -most, most - 2, most, most / 2 - 1};
+  LinearPointComparison<5> line(way);
+  std::array<std::int64_t, 5> left = {most - 1, most, most - 2, most, most / 2 - 1};
+  const auto whole = left;
+  for (int clock = 0; clock < 200'000; ++clock) {
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < left.size(); ++i) {
+      if (left[last] * whole[i] < left[i] * whole[last]) last = i;
+    }
+    const Pulse<5> pulse = line.step();
+    for (std::size_t i = 0; i < left.size(); ++i) ASSERT_EQ(pulse.step[i], i == last ? sign(way[i]) : 0) << clock;
+    --left[last];
+  }
+}
+
 TEST(LinearBresenham, KeepsWithinHalfABlu) {
   expect_on_every_line([](Point way) { return LinearBresenham(way); }, 0.5);
 }

@@ -15,7 +15,8 @@ inline NcProgram::BlockSource source(std::vector<Block> blocks) {
 }
 
 inline Block with_word(Block block, std::int64_t word, PulseMethod method = PulseMethod::koren) {
-  count_commands(block, method, {});
+  ArcTape tape;
+  count_commands(block, method, {}, tape);
   block.feed_word = word;
   block.greatest_word = std::int64_t{1} << 40;
   return block;

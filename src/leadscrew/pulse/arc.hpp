@@ -18,6 +18,8 @@ struct Arc {
 
   constexpr std::int64_t squared_radius() const { return start.x * start.x + start.y * start.y; }
   constexpr bool is_counterclockwise() const { return direction == Direction::counterclockwise; }
+
+  friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
 /// In which a motion from this place goes on: 0 … 3.

@@ -7,7 +7,7 @@
 // by quadrant, each with counters of the steps that are left, at whose zero an axis stops.
 
 #include <leadscrew/pulse/arc.hpp>
-#include <leadscrew/pulse/integrator.hpp>
+#include <leadscrew/pulse/quadrant_registers.hpp>
 
 namespace leadscrew::pulse {
 
@@ -37,84 +37,93 @@ class CircularDda {
         options_(options),
         radius_(root(arc.squared_radius(), 0)),
         capacity_(options.bits > 0 ? std::int64_t{1} << options.bits : root(arc.squared_radius(), options.places)),
-        at_(arc.start),
         quadrant_(quadrant(arc.start, arc.direction)),
         borders_(borders(arc)) {
     if (capacity_ < 1) capacity_ = 1;
-    load();
+    load(arc.start);
     pass_on();
   }
 
-  constexpr bool done() const { return left_x_ == 0 && left_y_ == 0; }
+  constexpr bool done() const { return now_.first.left == 0 && now_.second.left == 0; }
 
   constexpr Pulse<2> step() {
-    if (done()) return {};
-    bool steps_x = false, steps_y = false;
-    // A counter may be left with an integrand that is 0: then nothing would ever overflow.
-    if (left_x_ == 0 && at_.x == 0) {
-      steps_y = true;
-    } else if (left_y_ == 0 && at_.y == 0) {
-      steps_x = true;
-    } else if (x_is_first_) {
-      steps_x = left_x_ > 0 && x_.add(absolute(at_.y) << options_.places);
-      const std::int64_t integrand = absolute(is_parallel() || !steps_x ? at_.x : at_.x + sign_x_);
-      steps_y = left_y_ > 0 && y_.add(integrand << options_.places);
-    } else {
-      steps_y = left_y_ > 0 && y_.add(absolute(at_.x) << options_.places);
-      const std::int64_t integrand = absolute(steps_y ? at_.y + sign_y_ : at_.y);
-      steps_x = left_x_ > 0 && x_.add(integrand << options_.places);
-    }
-    const Pulse<2> pulse{{steps_x ? sign_x_ : std::int8_t{0}, steps_y ? sign_y_ : std::int8_t{0}}};
-    at_.x += pulse.step[0];
-    at_.y += pulse.step[1];
-    left_x_ -= steps_x;
-    left_y_ -= steps_y;
-    pass_on();
+    if (!now_.goes_on()) return step_alone();
+    const Pulse<2> pulse = now_.step();
+    if (done()) pass_on();
     return pulse;
   }
 
-  constexpr Point at() const { return at_; }
-  constexpr const Integrator& x() const { return x_; }
-  constexpr const Integrator& y() const { return y_; }
-  constexpr std::int64_t left_x() const { return left_x_; }
-  constexpr std::int64_t left_y() const { return left_y_; }
+  /// For a run of clocks: a copy, to be stepped by itself as long as it goes on and to be given back then.
+  constexpr QuadrantRegisters stretch() const { return now_; }
+  constexpr void give_back(const QuadrantRegisters& stretch) {
+    now_ = stretch;
+    if (done()) pass_on();
+  }
+
+  constexpr Point at() const {
+    return {target_.x - now_.x().sign * now_.x().left, target_.y - now_.y().sign * now_.y().left};
+  }
+  constexpr Integrator x() const { return now_.integrator(now_.x()); }
+  constexpr Integrator y() const { return now_.integrator(now_.y()); }
+  constexpr std::int64_t left_x() const { return now_.x().left; }
+  constexpr std::int64_t left_y() const { return now_.y().left; }
   constexpr int in_quadrant() const { return quadrant_; }  ///< 0 … 3
 
  private:
-  constexpr bool is_parallel() const { return options_.order == Order::parallel; }
+  /// One axis has arrived. A counter may be left with an integrand that is 0: then nothing would ever overflow.
+  constexpr Pulse<2> step_alone() {
+    if (done()) return {};
+    const bool is_first = now_.first.left > 0;
+    auto& alone = is_first ? now_.first : now_.second;
+    auto& arrived = is_first ? now_.second : now_.first;
+    if (alone.integrand > 0 && !now_.step(alone)) return {};
+    --alone.left;
+    arrived.integrand += arrived.change;
+    arrived.beyond += arrived.change;
+    const Pulse<2> pulse = is_first == now_.x_is_first ? Pulse<2>{{alone.sign, 0}} : Pulse<2>{{0, alone.sign}};
+    if (done()) pass_on();
+    return pulse;
+  }
 
-  /// Into the next quadrant, if this one is done and another follows.
+  /// Into the next quadrant, if another follows.
   constexpr void pass_on() {
     while (borders_ > 0 && done()) {
       quadrant_ = after(quadrant_, arc_.direction);
       --borders_;
-      load();
+      load(target_);
     }
   }
 
-  constexpr void load() {
-    const Point target = borders_ == 0 ? arc_.end : border(quadrant_, arc_.direction, radius_);
-    left_x_ = absolute(target.x - at_.x);
-    left_y_ = absolute(target.y - at_.y);
-    sign_x_ = sign(target.x - at_.x);
-    sign_y_ = sign(target.y - at_.y);
+  constexpr void load(Point at) {
+    target_ = borders_ == 0 ? arc_.end : border(quadrant_, arc_.direction, radius_);
+    const bool is_parallel = options_.order == Order::parallel;
     const bool x_shrinks = ((quadrant_ & 1) == 0) == arc_.is_counterclockwise();
-    x_is_first_ = options_.order == Order::x_first || options_.order == Order::parallel ||
-                  (options_.order == Order::shrinking_first) == x_shrinks;
-    const bool x_lags = absolute(at_.y) < absolute(at_.x);
-    x_ = {capacity_, preloaded(options_.preload, capacity_, x_lags)};
-    y_ = {capacity_, preloaded(options_.preload, capacity_, !x_lags)};
+    now_.x_is_first =
+        is_parallel || options_.order == Order::x_first || (options_.order == Order::shrinking_first) == x_shrinks;
+    now_.capacity = capacity_;
+    now_.sees_new = is_parallel ? 0 : -1;
+    const bool x_lags = absolute(at.y) < absolute(at.x);
+    // In a quadrant no coordinate changes its sign.
+    load(now_.x(), target_.x - at.x, {absolute(at.y), absolute(target_.y)}, x_lags);
+    load(now_.y(), target_.y - at.y, {absolute(at.x), absolute(target_.x)}, !x_lags);
+  }
+
+  /// Of an axis: its way, and the other one's |coordinate| from here to the target.
+  constexpr void load(QuadrantRegisters::Side& side, std::int64_t way, std::array<std::int64_t, 2> other, bool lags) {
+    const std::int64_t unit = std::int64_t{1} << options_.places;
+    side.integrand = other[0] * unit;
+    side.change = sign(other[1] - other[0]) * unit;
+    side.beyond = preloaded(options_.preload, capacity_, lags) + side.integrand - capacity_;
+    side.left = absolute(way);
+    side.sign = sign(way);
   }
 
   Arc arc_;
   CircularDdaOptions options_;
   std::int64_t radius_, capacity_;
-  Point at_;
   int quadrant_, borders_;  ///< where it is; how many are still to be passed
-  bool x_is_first_ = true;
-  std::int8_t sign_x_ = 0, sign_y_ = 0;
-  std::int64_t left_x_ = 0, left_y_ = 0;
-  Integrator x_, y_;
+  Point target_;            ///< of the quadrant
+  QuadrantRegisters now_;
 };
 
 }  // namespace leadscrew::pulse

@@ -65,8 +65,8 @@ constexpr std::int64_t capacity_for(std::int64_t squared_length) {
 /// One axis a clock, the one that is furthest behind; of those that are equally far the first. Ends after Σ |way|
 /// clocks.
 ///
-/// In a plane, for the way (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above the line
-/// F > 0, where x steps; below it y does. Of more axes the one that has most of its way left is found by products.
+/// Each axis keeps how much of its way it has made, ⌊2⁶² k/a⌋ after k of a steps, by additions. For a ≤ 2³⁰ two such
+/// shares are equal or at least 2⁻⁶⁰ apart, so that these order them.
 template <std::size_t axis_count>
 class LinearPointComparison {
  public:
@@ -75,55 +75,102 @@ class LinearPointComparison {
   /// Way of each axis, signed, |way| ≤ greatest_coordinate.
   constexpr explicit LinearPointComparison(const std::array<std::int64_t, axes>& way) {
     for (std::size_t i = 0; i < axes; ++i) {
-      way_[i] = left_[i] = absolute(way[i]);
+      const std::int64_t whole = absolute(way[i]);
       sign_[i] = sign(way[i]);
-      all_left_ += left_[i];
-      whole_[i] = way_[i] > 0 ? way_[i] : 1;  // of no way nothing is left
+      all_left_ += whole;
+      if (whole > 0) made_[i] = {0, all_made / whole, 0, all_made % whole, whole, whole};
     }
   }
 
   constexpr bool done() const { return all_left_ == 0; }
 
+  /// Of one axis.
+  struct OneStep {
+    std::size_t axis = 0;
+    std::int8_t step = 0;
+  };
+  /// One clock; not when done.
+  constexpr OneStep step_one() {
+    const std::size_t last = furthest_behind();
+    made_[last].add();
+    --all_left_;
+    return {last, sign_[last]};
+  }
+
   constexpr Pulse<axes> step() {
     Pulse<axes> pulse;
     if (done()) return pulse;
-    const std::size_t last = furthest_behind();
-    for (std::size_t i = 0; i < axes; ++i) {
-      // A mask, for a branch would go the wrong way.
-      const std::int64_t steps = -static_cast<std::int64_t>(i == last);
-      left_[i] += steps;
-      pulse.step[i] = static_cast<std::int8_t>(sign_[i] & steps);
-    }
-    if constexpr (axes == 2) f_ += last == 0 ? -way_[1] : way_[0];
-    --all_left_;
+    const OneStep one = step_one();
+    pulse.step[one.axis] = one.step;
     return pulse;
   }
 
-  /// F.
-  constexpr std::int64_t deviation() const
-    requires(axes == 2)
-  {
-    return f_;
-  }
-  constexpr std::int64_t left(std::size_t axis) const { return left_[axis]; }
+  constexpr std::int64_t left(std::size_t axis) const { return made_[axis].left; }
 
  private:
+  static constexpr std::int64_t all_made = std::int64_t{1} << 62;
+
+  /// Of an axis' way.
+  struct Made {
+    std::int64_t share = all_made;       ///< rounded down
+    std::int64_t by = 0;                 ///< what a step adds to it, rounded down
+    std::int64_t rest = 0, rest_by = 0;  ///< what that leaves of 2⁶² k, and of 2⁶²
+    std::int64_t whole = 0, left = 0;    ///< steps
+
+    constexpr void add() {
+      rest += rest_by;
+      const std::int64_t carries = ~((rest - whole) >> 63);  // a mask
+      rest -= whole & carries;
+      share += by - carries;
+      --left;
+    }
+  };
+
   constexpr std::size_t furthest_behind() const {
-    if constexpr (axes == 2) return f_ < 0 || way_[0] == 0;
     std::size_t last = 0;
-    std::int64_t left = left_[0], whole = whole_[0];
+    std::int64_t least = made_[0].share;
     for (std::size_t i = 1; i < axes; ++i) {
-      const std::int64_t is_further = (left * whole_[i] - left_[i] * whole) >> 63;
-      last = is_further != 0 ? i : last;
-      left ^= (left ^ left_[i]) & is_further;
-      whole ^= (whole ^ whole_[i]) & is_further;
+      const std::int64_t share = made_[i].share;
+      last = share < least ? i : last;
+      least = share < least ? share : least;
     }
     return last;
   }
 
-  std::array<std::int64_t, axes> way_{}, whole_{}, left_{};
+  std::array<Made, axes> made_{};
   std::array<std::int8_t, axes> sign_{};
-  std::int64_t all_left_ = 0, f_ = 0;
+  std::int64_t all_left_ = 0;
+};
+
+/// In a plane, for the way (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above the line
+/// F > 0, where x steps; below it y does.
+template <>
+class LinearPointComparison<2> {
+ public:
+  static constexpr std::size_t axes = 2;
+
+  constexpr explicit LinearPointComparison(const std::array<std::int64_t, 2>& way)
+      : way_{absolute(way[0]), absolute(way[1])}, left_(way_), sign_{sign(way[0]), sign(way[1])} {}
+
+  constexpr bool done() const { return (left_[0] | left_[1]) == 0; }
+
+  constexpr Pulse<2> step() {
+    if (done()) return {};
+    // A mask, for a branch would go the wrong way.
+    const std::int64_t y_steps = -static_cast<std::int64_t>(f_ < 0 || way_[0] == 0);
+    left_[0] += ~y_steps;
+    left_[1] += y_steps;
+    f_ += (way_[0] & y_steps) - (way_[1] & ~y_steps);
+    return {{static_cast<std::int8_t>(sign_[0] & ~y_steps), static_cast<std::int8_t>(sign_[1] & y_steps)}};
+  }
+
+  constexpr std::int64_t deviation() const { return f_; }  ///< F
+  constexpr std::int64_t left(std::size_t axis) const { return left_[axis]; }
+
+ private:
+  std::array<std::int64_t, 2> way_, left_;
+  std::array<std::int8_t, 2> sign_;
+  std::int64_t f_ = 0;
 };
 
 /// Bresenham's line: the longer axis steps at every clock, the other where the line is half a BLU away; so do the

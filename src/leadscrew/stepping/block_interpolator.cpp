@@ -61,8 +61,6 @@ std::int64_t integrated_commands(const pulse::Arc& arc, PulseMethod method) {
   return std::max<std::int64_t>(1, std::llround(radius * (commands_to(to, method) - commands_to(from, method))));
 }
 
-constexpr std::int64_t most_counted = 16'384;
-
 /// What the visitor says of the circle's interpolator at its start.
 template <typename Visitor>
 auto with_circle(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options,
@@ -84,19 +82,17 @@ auto with_circle(const pulse::Arc& arc, PulseMethod method, const InterpolationO
   return visitor(ProgramCircle(arc, {Order::x_first, options.preload, options.places}));
 }
 
-std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options) {
+std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options,
+                             ArcTape& tape) {
   const std::int64_t integrated = integrated_commands(arc, method);
-  if (integrated > most_counted) return integrated;
-  return with_circle(arc, method, options, [](auto circle) {
-    std::int64_t commands = 0;
-    for (; !circle.done(); circle.step()) ++commands;
-    return commands;
-  });
+  if (integrated > ArcTape::most_commands) return integrated;
+  if (tape.holds(arc)) return tape.commands();
+  return with_circle(arc, method, options, [&](const auto& circle) { return tape.record(arc, circle); });
 }
 
 }  // namespace
 
-void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options) {
+void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options, ArcTape& tape) {
   switch (block.kind) {
     case Block::Kind::line:
       block.commands = line_commands(block.way, method);
@@ -105,12 +101,21 @@ void count_commands(Block& block, PulseMethod method, const InterpolationOptions
       block.commands = line_commands(block.way, PulseMethod::bresenham);
       break;
     case Block::Kind::arc:
-      block.circle_commands = circle_commands(block.arc, method, options);
+      block.circle_commands = circle_commands(block.arc, method, options, tape);
       block.commands =
           block.way == LatticeVector{} ? block.circle_commands : length_rounded_up(block.way, block.circle_commands);
       break;
     case Block::Kind::dwell:
       break;
+  }
+}
+
+BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options,
+                                     const ArcTape& tape) {
+  if (block.kind == Block::Kind::arc && tape.holds(block.arc)) {
+    load_arc(block, ArcTape::Player(tape), options);
+  } else {
+    *this = BlockInterpolator(block, method, options);
   }
 }
 
@@ -128,10 +133,9 @@ void BlockInterpolator::load_line(const Block& block, PulseMethod method, const 
   std::size_t axes = 0;
   for (const base::Axis axis : base::all_axes) {
     if (block.way[base::index(axis)] == 0) continue;
-    lanes_[axes] = {axes, axis};
+    lanes_[axes] = axis;
     way[axes++] = block.way[base::index(axis)];
   }
-  for (std::size_t lane = axes; lane < lanes_.size(); ++lane) lanes_[lane].index = lane;
   if (block.kind == Block::Kind::point_to_point) {
     state_ = PointToPoint<base::axis_count>(way);
   } else if (axes <= 2) {
@@ -167,16 +171,14 @@ void BlockInterpolator::load_arc(const Block& block, const Circle& circle, const
   // The circle's commands, and the ways of the axes beside it.
   LatticeVector way{block.circle_commands};
   std::size_t beside = 0;
-  lanes_[0] = {0, base::all_axes[block.first_axis]};
-  lanes_[1] = {1, base::all_axes[block.second_axis]};
+  lanes_[0] = base::all_axes[block.first_axis];
+  lanes_[1] = base::all_axes[block.second_axis];
   for (const base::Axis axis : base::all_axes) {
     if (block.way[base::index(axis)] == 0) continue;
-    lanes_[2 + beside] = {2 + beside, axis};
+    lanes_[2 + beside] = axis;
     way[++beside] = block.way[base::index(axis)];
   }
-  for (std::size_t lane = 2 + beside; lane < lanes_.size(); ++lane) lanes_[lane].index = lane;
-  std::sort(lanes_.begin(), lanes_.begin() + static_cast<std::ptrdiff_t>(2 + beside),
-            [](const Lane& a, const Lane& b) { return a.axis < b.axis; });
+  in_order_ = std::is_sorted(lanes_.begin(), lanes_.begin() + static_cast<std::ptrdiff_t>(2 + beside));
   const std::int64_t capacity = block.commands;
   const std::int64_t preload = pulse::preloaded(options.preload, capacity, /*is_lagging=*/true);
   if (beside == 0) {
@@ -196,7 +198,7 @@ AxisPulse BlockInterpolator::step() {
       [&](auto& state) {
         const auto pulse = state.step();
         for (std::size_t i = 0; i < pulse.step.size(); ++i) {
-          made.step[base::index(lanes_[i].axis)] += pulse.step[lanes_[i].index];
+          made.step[base::index(lanes_[i])] += pulse.step[i];
         }
       },
       state_);
@@ -211,6 +213,10 @@ std::int64_t left(const ProgramCircle& circle, std::size_t lane) {
 
 template <pulse::Search method>
 std::int64_t left(const pulse::CircularSearch<method>&, std::size_t) {
+  return 0;
+}
+
+std::int64_t left(const ArcTape::Player&, std::size_t) {
   return 0;
 }
 
@@ -231,7 +237,7 @@ std::int64_t BlockInterpolator::left(std::size_t axis) const {
   std::visit(
       [&]<typename Interpolator>(const Interpolator& state) {
         for (std::size_t i = 0; i < Interpolator::axes; ++i) {
-          if (base::index(lanes_[i].axis) == axis) steps += stepping::left(state, lanes_[i].index);
+          if (base::index(lanes_[i]) == axis) steps += stepping::left(state, i);
         }
       },
       state_);

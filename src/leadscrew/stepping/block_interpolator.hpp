@@ -16,6 +16,8 @@
 
 #include <leadscrew/pulse/circular_search.hpp>
 #include <leadscrew/pulse/linear.hpp>
+#include <leadscrew/pulse/stretch.hpp>
+#include <leadscrew/stepping/arc_tape.hpp>
 #include <leadscrew/stepping/block.hpp>
 #include <leadscrew/stepping/helix.hpp>
 #include <leadscrew/stepping/point_to_point.hpp>
@@ -32,8 +34,9 @@ struct InterpolationOptions {
 };
 
 /// Fills in how many commands a block takes by a method: exactly so many, of a line or helix or up to one less; but of
-/// arcs of more than 16 384 commands within ten.
-void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options);
+/// arcs of more than ArcTape::most_commands within ten. Shorter ones are recorded on the tape, if that does not hold
+/// them already.
+void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options, ArcTape& tape);
 
 class BlockInterpolator {
  public:
@@ -41,6 +44,8 @@ class BlockInterpolator {
   BlockInterpolator() = default;
   /// Of a block with counted commands.
   BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options);
+  /// The same; an arc that the tape holds is taken from there, until when the tape must stay as it is.
+  BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options, const ArcTape& tape);
 
   bool done() const {
     return std::visit([](const auto& state) { return state.done(); }, state_);
@@ -75,6 +80,7 @@ class BlockInterpolator {
   using State = std::variant<PointToPoint<all>,                                                               //
                              Dda<2>, Dda<3>, Dda<5>, Dda<all>,                                                //
                              Comparison<2>, Comparison<3>, Comparison<5>, Comparison<all>,                    //
+                             ArcTape::Player, Helix<ArcTape::Player, 1>, Helix<ArcTape::Player, all_beside>,  //
                              ProgramCircle, Helix<ProgramCircle, 1>, Helix<ProgramCircle, all_beside>,        //
                              PointComparison, Helix<PointComparison, 1>, Helix<PointComparison, all_beside>,  //
                              LeastError, Helix<LeastError, 1>, Helix<LeastError, all_beside>,                 //
@@ -86,33 +92,37 @@ class BlockInterpolator {
   template <typename Circle>
   void load_arc(const Block& block, const Circle& circle, const InterpolationOptions& options);
 
-  /// Of an interpolator's axes.
-  struct Lane {
-    std::size_t index = 0;
-    base::Axis axis = base::Axis::X;
-  };
-
   template <typename Interpolator, typename Feed>
   std::int64_t run(Interpolator& interpolator, Feed& feed, std::int64_t most, StepWriter& steps) {
+    if (most <= 0 || steps.is_full()) return 0;
     // What is not seen from elsewhere can be kept in the processor's registers.
-    Interpolator state = interpolator;
+    Interpolator copy = interpolator;
     Feed clock = feed;
     StepWriter writer = steps;
+    const auto lanes = lanes_;
+    const bool in_order = in_order_;
     std::int64_t commands = 0;
-    while (!state.done() && commands < most && !writer.is_full()) {
+    pulse::step_through(copy, [&](auto& state) __attribute__((always_inline)) {
       writer.pass(clock.skip());
-      const auto pulse = state.step();
-      for (std::size_t i = 0; i < Interpolator::axes; ++i) writer.put(lanes_[i].axis, pulse.step[lanes_[i].index]);
-      ++commands;
-    }
-    interpolator = state;
+      if constexpr (requires { state.step_one(); }) {
+        const auto [axis, step] = state.step_one();
+        writer.put(lanes[axis], step);
+      } else {
+        const auto pulse = state.step();
+        for (std::size_t i = 0; i < pulse.step.size(); ++i) writer.put(lanes[i], pulse.step[i]);
+        if (!in_order) writer.order(pulse.step.size());
+      }
+      return ++commands < most && !writer.is_full();
+    });
+    interpolator = copy;
     feed = clock;
     steps = writer;
     return commands;
   }
 
   State state_ = PointToPoint<all>({});
-  std::array<Lane, base::axis_count> lanes_{};  // in the order of axes; those beyond the block's never step
+  std::array<base::Axis, base::axis_count> lanes_{};  // of the interpolator's axes; beyond the block's they never step
+  bool in_order_ = true;
 };
 
 }  // namespace leadscrew::stepping

@@ -192,7 +192,7 @@ Planned BlockMaker::next_chord() {
 Planned BlockMaker::plan(Block block, const Part& part) {
   block.line = move_.line;
   if (std::optional<base::Diagnostic> found = register_problem(block)) return give_up(std::move(*found));
-  count_commands(block, options_.method, options_.interpolation);
+  count_commands(block, options_.method, options_.interpolation, tape_);
   base::Result<PlannedBlock> planned = with_words(block, move_, part, machine_, options_);
   if (!planned) return give_up(std::move(planned.error()));
   const LatticeVector way = whole_way(block);

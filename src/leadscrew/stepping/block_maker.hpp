@@ -34,6 +34,8 @@ class BlockMaker {
   /// pulse-arc-units, pulse-register.
   std::optional<base::Result<PlannedBlock>> next();
 
+  /// Of the arc counted last.
+  const ArcTape& tape() const { return tape_; }
   /// After the block last made.
   const LatticeVector& at() const { return at_; }
 
@@ -63,6 +65,7 @@ class BlockMaker {
   double sweep_ = 0;      // of the whole arc, radians > 0
   bool closing_ = false;  // a whole turn stood for an arc that is nearly one
   Chords chords_;
+  ArcTape tape_;
 };
 
 }  // namespace leadscrew::stepping

@@ -36,7 +36,7 @@ class FeedRegister {
   }
 
   /// All clocks up to the next command, at once: how many those are, ≥ 1. The word must not be 0.
-  constexpr std::int64_t skip() {
+  [[gnu::always_inline]] constexpr std::int64_t skip() {
     if (remainder_ >= word_) return skip_after_a_greater_word();
     remainder_ -= excess_;
     const bool one_more = remainder_ < 0;

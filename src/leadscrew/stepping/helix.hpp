@@ -3,6 +3,7 @@
 // has the circle's commands as its first integrand and clocks the circle by that one's overflows.
 
 #include <leadscrew/pulse/linear.hpp>
+#include <leadscrew/pulse/stretch.hpp>
 
 namespace leadscrew::stepping {
 
@@ -24,19 +25,43 @@ class Helix {
   constexpr pulse::Pulse<axes> step() {
     // Where it takes more commands than were counted the circle goes on by itself.
     const bool circle_is_late = straight_.left(0) == 0;
-    const auto along = straight_.step();
-    pulse::Pulse<Circle::axes> around;
-    if (circle_is_late || along.step[0] != 0) around = circle_.step();
-    pulse::Pulse<axes> pulse;
-    for (std::size_t i = 0; i < Circle::axes; ++i) pulse.step[i] = around.step[i];
-    for (std::size_t i = 0; i < axes_beside; ++i) pulse.step[Circle::axes + i] = along.step[1 + i];
-    return pulse;
+    return step(circle_, straight_, circle_is_late);
+  }
+
+  template <typename Registers>
+  struct Stretch {
+    Registers circle;
+    Straight straight;
+
+    constexpr bool goes_on() const { return circle.goes_on() && straight.left(0) > 0; }
+    constexpr pulse::Pulse<axes> step() { return Helix::step(circle, straight, false); }
+  };
+  constexpr auto stretch() const
+    requires pulse::Stretched<Circle>
+  {
+    return Stretch<decltype(circle_.stretch())>{circle_.stretch(), straight_};
+  }
+  template <typename Registers>
+  constexpr void give_back(const Stretch<Registers>& stretch) {
+    circle_.give_back(stretch.circle);
+    straight_ = stretch.straight;
   }
 
   constexpr const Circle& circle() const { return circle_; }
   constexpr const Straight& straight() const { return straight_; }
 
  private:
+  template <typename Around>
+  static constexpr pulse::Pulse<axes> step(Around& circle, Straight& straight, bool circle_is_late) {
+    const auto along = straight.step();
+    pulse::Pulse<Circle::axes> around;
+    if (circle_is_late || along.step[0] != 0) around = circle.step();
+    pulse::Pulse<axes> pulse;
+    for (std::size_t i = 0; i < Circle::axes; ++i) pulse.step[i] = around.step[i];
+    for (std::size_t i = 0; i < axes_beside; ++i) pulse.step[Circle::axes + i] = along.step[1 + i];
+    return pulse;
+  }
+
   Circle circle_;
   Straight straight_;
 };

@@ -114,7 +114,7 @@ bool PulseProgram::begin_block() {
     tick_ += block.dwell_clocks;
     return true;
   }
-  interpolator_ = BlockInterpolator(block, options_.method, options_.interpolation);
+  interpolator_ = BlockInterpolator(block, options_.method, options_.interpolation, maker_.tape());
   commands_left_ = block.commands - uncertain_commands(block);
   aim();
   begin_feed(next, speed);

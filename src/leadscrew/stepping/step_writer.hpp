@@ -1,6 +1,7 @@
 #pragma once
 // Steps of pulse after pulse, written into a caller's room.
 
+#include <algorithm>
 #include <array>
 #include <leadscrew/pulse/pulse.hpp>
 #include <leadscrew/stepping/step_event.hpp>
@@ -18,9 +19,15 @@ class StepWriter {
   constexpr bool is_full() const { return at_ > last_; }
   constexpr void pass(std::int64_t ticks) { tick_ += ticks; }
   /// A step at this tick, or none: no branch, for it would go the wrong way. Not when full.
-  constexpr void put(base::Axis axis, std::int8_t step) {
+  [[gnu::always_inline]] constexpr void put(base::Axis axis, std::int8_t step) {
     *at_ = StepEvent(tick_, axis, step);
-    at_ += step != 0;
+    at_ += step & 1;
+  }
+  /// The last so many written, as far as they are of this tick, in the order of axes.
+  constexpr void order(std::size_t most) {
+    StepEvent* first = at_;
+    while (most-- > 0 && first != begin_ && (first - 1)->tick() == tick_) --first;
+    std::sort(first, at_);
   }
 
   constexpr std::int64_t tick() const { return tick_; }

@@ -1,0 +1,62 @@
+#pragma once
+// The registers of a circular DDA in one quadrant: nothing else is needed from clock to clock while both counters hold
+// something.
+//
+// An integrator is kept as r + p − q, which is negative where the next clock gives no overflow: all but that sign, and
+// what a step changes, is known a clock before. There are no branches, for they would go the wrong way.
+
+#include <leadscrew/pulse/integrator.hpp>
+
+namespace leadscrew::pulse {
+
+struct QuadrantRegisters {
+  /// Of an axis.
+  struct Side {
+    std::int64_t beyond = -1;    ///< r + p − q
+    std::int64_t integrand = 0;  ///< p: |coordinate of the other axis|, with the capacity's binary places
+    std::int64_t change = 0;     ///< what a step of the other axis adds to it
+    std::int64_t left = 0;       ///< the counter
+    std::int8_t sign = 0;
+  };
+  Side first, second;  ///< in the order in which they are clocked
+  std::int64_t capacity = 1;
+  std::int64_t sees_new = -1;  ///< a mask: does the second integrator see the first axis' new coordinate?
+  bool x_is_first = true;
+
+  constexpr const Side& x() const { return x_is_first ? first : second; }
+  constexpr const Side& y() const { return x_is_first ? second : first; }
+  constexpr Side& x() { return x_is_first ? first : second; }
+  constexpr Side& y() { return x_is_first ? second : first; }
+
+  constexpr bool goes_on() const { return first.left > 0 && second.left > 0; }
+
+  /// One clock of both integrators; while it goes on.
+  [[gnu::always_inline]] constexpr Pulse<2> step() {
+    const std::int64_t first_waits = first.beyond >> 63, change = second.change & ~first_waits;
+    const std::int64_t seen = second.beyond + (change & sees_new);
+    const std::int64_t second_waits = seen >> 63;
+    second.integrand += change;
+    second.beyond = (seen + (second.integrand - capacity)) + (capacity & second_waits);
+    const std::int64_t follows = first.change & ~second_waits;
+    first.beyond = ((first.beyond + (first.integrand - capacity)) + (capacity & first_waits)) + follows;
+    first.integrand += follows;
+    first.left += ~first_waits;
+    second.left += ~second_waits;
+    const auto one = static_cast<std::int8_t>(first.sign & ~first_waits);
+    const auto other = static_cast<std::int8_t>(second.sign & ~second_waits);
+    return x_is_first ? Pulse<2>{{one, other}} : Pulse<2>{{other, one}};
+  }
+
+  /// The integrator of a side whose counter holds something, alone: does it overflow?
+  constexpr bool step(Side& alone) const {
+    const bool overflows = alone.beyond >= 0;
+    alone.beyond += alone.integrand - (overflows ? capacity : 0);
+    return overflows;
+  }
+
+  constexpr Integrator integrator(const Side& side) const {
+    return {capacity, side.beyond - side.integrand + capacity};
+  }
+};
+
+}  // namespace leadscrew::pulse
