@@ -1,5 +1,5 @@
-// Steps a second of whole part programs by their words: read, planned, made into words and these into steps. One item is
-// a pulse: a tick of the clock with a step of one axis or more.
+// Steps a second of whole part programs by their words: read, planned, made into words and these into steps. One item
+// is a pulse: a tick of the clock with a step of one axis or more.
 
 #include <benchmark/benchmark.h>
 

@@ -193,5 +193,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz"}, 3, "step-rate"},
         Refused{{"--pulses", "steps.csv", "--step-clock", "10kHz", "--pulse-method", "koren"}, 3, "pulse-"}));
 
+/// Some 10⁸ turns: to plan them would take minutes, before the first of them is travelled.
+TEST(StepsInterrupt, EndsPlanning) {
+  const Folder folder;
+  std::string text = "G21 G61 F1200\n";
+  for (int i = 0; i < 2000; ++i) text += "G3 X0 Y0 I10 P100000\n";
+  folder.write("part.ngc", text + "M2\n");
+  Running running(folder, {"run", "part.ngc", "--pulses", "steps.csv", "--pulse-method", "koren"});
+  ASSERT_TRUE(eventually([&] { return running.handles(SIGINT); }));
+  running.send(SIGINT);
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.status, 130);
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
 }  // namespace
 }  // namespace leadscrew::cli::testing

@@ -353,9 +353,21 @@ TEST(PulseProgram, ChecksAProgramFromEndToEndFirst) {
   std::string found;
   const std::int64_t errors = check_pulses(
       gcode::text_source("G61 G1 X10 F13000\nX0 F100\nY10 F14000\nM2\n"), conditions.machine, conditions.tools, {},
-      conditions.options, [&](const base::Diagnostic& d) { found += std::to_string(d.place.line) + " "; });
+      conditions.options, [&](const base::Diagnostic& d) { found += std::to_string(d.place.line) + " "; },
+      [] { return true; });
   EXPECT_EQ(errors, 2);
   EXPECT_EQ(found, "1 3 ");
+}
+
+/// Within one move too: each turn is a block.
+TEST(PulseProgram, IsCheckedOnlyAsLongAsThatIsWanted) {
+  const Conditions conditions;
+  int asked = 0;
+  const std::int64_t errors = check_pulses(
+      gcode::text_source("G61 G3 X0 Y0 I10 P100000 F1000\nG1 X10 F13000\nM2\n"), conditions.machine, conditions.tools,
+      {}, conditions.options, [](const base::Diagnostic&) {}, [&] { return ++asked < 10; });
+  EXPECT_EQ(errors, 0);
+  EXPECT_LE(asked, 12);
 }
 
 }  // namespace

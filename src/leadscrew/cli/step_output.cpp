@@ -71,10 +71,13 @@ void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
   if (!job.arguments.run.pulse_method) return check_signals(job, log);
   check_screws(job, log);
   // What the reader has to say has been said.
-  stepping::check_pulses(file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
-                         [&](const base::Diagnostic& problem) {
-                           if (is_of_pulses(problem)) log.add(problem);
-                         });
+  stepping::check_pulses(
+      file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
+      [&](const base::Diagnostic& problem) {
+        if (is_of_pulses(problem)) log.add(problem);
+      },
+      [] { return !interrupted(); });
+  if (interrupted()) log.add(interruption());
 }
 
 base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& path, const Job& job) {

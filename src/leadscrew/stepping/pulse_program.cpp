@@ -26,14 +26,16 @@ constexpr std::int64_t most_changing = 64;  // commands, before it is seen wheth
 
 std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                           const gcode::ReaderOptions& reading, const PulseOptions& options,
-                          const gcode::DiagnosticSink& sink) {
+                          const gcode::DiagnosticSink& sink, const GoesOn& goes_on) {
   gcode::Reader reader(std::move(source), machine, tools, reading, sink);
   BlockMaker maker(machine, options, reading.start);
   std::int64_t errors = 0;
   gcode::Move move;
-  while (reader.next(move)) {
+  while (goes_on() && reader.next(move)) {
     maker.load(move);
-    while (auto planned = maker.next()) {
+    while (goes_on()) {
+      auto planned = maker.next();
+      if (!planned) break;
       if (*planned) continue;
       ++errors;
       sink(in_file(std::move(planned->error()), reading.file));

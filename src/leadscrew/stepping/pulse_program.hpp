@@ -17,11 +17,14 @@
 
 namespace leadscrew::stepping {
 
+/// Asked before every block: is the work still wanted?
+using GoesOn = std::function<bool()>;
+
 /// Reads and plans a whole program without a pulse: each problem goes to the sink, those of the reader too. How many
-/// errors there are; a program that has one must not be moved.
+/// errors there are, up to where it no longer goes on; a program that has one must not be moved.
 std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                           const gcode::ReaderOptions& reading, const PulseOptions& options,
-                          const gcode::DiagnosticSink& sink);
+                          const gcode::DiagnosticSink& sink, const GoesOn& goes_on);
 
 class PulseProgram {
  public:
