@@ -286,6 +286,8 @@ TEST(PulseRejection, NamesTheRegisterOrTheValue) {
            Misuse{{"pulse", "--line", "--start", "3,4", "--end", "3,4"}, "[no-way]"},
            Misuse{{"pulse", "--line", "--end", "256,1", "--bits", "8"}, "register Jx of 8 bits holds no more than 255"},
            Misuse{quarter({"--bits", "2"}), "register x of 2 bits holds no more than 3"},
+           Misuse{{"pulse", "--line", "--end", "3,3", "--bits", "2", "--method", "koren"},
+                  "the length, rounded up, is 5: register q of 2 bits holds no more than 3"},
            Misuse{{"pulse", "--line", "--end", "1,-9999999999"}, "y of the end is -9999999999: register y holds"},
        }) {
     Words words = arguments;

@@ -250,6 +250,29 @@ TEST(PulseProblems, EveryRegisterIsNamed) {
   EXPECT_TRUE(problems_of({arc, {10, -7}, {11, -6}, {4, 0}, Direction::counterclockwise}, 3).empty());
 }
 
+/// Every coordinate below 8, but not the capacity: of the arc the radius 8.6, of the line the length. DDAs of hardware
+/// have 2ⁿ.
+TEST(PulseProblems, TheCapacityIsNamedWhereBitsDoNotHoldIt) {
+  const PulseCurve way{line, {}, {7, 7}, {}, {}}, piece{arc, {7, 5}, {5, 7}, {}, Direction::counterclockwise};
+  MethodOptions options;
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, way, options));
+  options.bits = 3;
+  for (const auto& [curve, said] :
+       {std::pair{way, "the length, rounded up, is 10: register q of 3 bits holds no more than 7"},
+        {piece, "the radius, rounded, is 9: register q of 3 bits"}}) {
+    EXPECT_TRUE(problems_of(curve, options.bits).empty());
+    const auto problem = capacity_problem(PulseMethod::koren, curve, options);
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->code, "register-overflow");
+    EXPECT_NE(problem->message.find(said), std::string::npos) << problem->message;
+    EXPECT_EQ(problem->hint, "4 bits would hold it");
+    EXPECT_FALSE(capacity_problem(PulseMethod::dda, curve, options));
+  }
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, {arc, {5, 5}, {4, 6}, {}, Direction::counterclockwise}, options));
+  options.bits = 4;
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, way, options));
+}
+
 /// (3, 4) is 5 from the centre; (4, 4) .66 more, (5, 1) .1 more.
 TEST(PulseProblems, AnEndMayBeHalfABluOffTheCircle) {
   const auto to = [](Point end) { return problems_of({arc, {5, 0}, end, {}, {}}, std::nullopt).size(); };

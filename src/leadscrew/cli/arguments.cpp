@@ -114,9 +114,9 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
   run->add_option("--pulses", texts.pulses,
                   "Write steps and directions: .vcd or .csv; beside --out vcd or csv, for DIR/NAME.steps.vcd")
       ->type_name("FILE");
-  run->add_option(
-         "--pulse-method", texts.pulse_method,
-         "Of --pulses: by an interpolator of the papers, not steps that follow the words: " + names_of_pulse_methods())
+  run->add_option("--pulse-method", texts.pulse_method,
+                  "Of --pulses: by an interpolator of the papers, not steps that follow the words: " +
+                      names_of_pulse_methods() + "; here dda too has capacity R or L and begins half full")
       ->type_name("NAME");
   run->add_flag("--accelerate", texts.accelerate, "Of --pulse-method: feed rises and falls as the axes can");
   run->add_option("--step-clock", texts.step_clock, "Of --pulses: 10kHz to 10MHz (default 1MHz)")->type_name("HZ");

@@ -117,6 +117,10 @@ Status pulse(const Arguments& arguments, Console& console) {
   DiagnosticLog log(console);
   for (const base::Diagnostic& each : stepping::problems_of(asked.curve, asked.options.bits)) log.add(each);
   if (log.errors() > 0) return rejected(arguments, log, console);
+  for (const stepping::PulseMethod method : asked.methods) {
+    if (const auto problem = stepping::capacity_problem(method, asked.curve, asked.options)) log.add(*problem);
+  }
+  if (log.errors() > 0) return rejected(arguments, log, console);
   const auto pulses = made(asked);
   if (!pulses) {
     log.add(pulses.error());

@@ -39,6 +39,13 @@ void check_screws(const Job& job, DiagnosticLog& log) {
       "errors and backlash"));
 }
 
+/// Along whole programs both kinds of DDA have capacities for an even feed, whatever `pulse` takes for hardware.
+std::string_view dda_conventions(stepping::PulseMethod method) {
+  if (method == stepping::PulseMethod::dda) return "capacity R or L, registers clocked together, half full";
+  if (method == stepping::PulseMethod::koren) return "capacity R or L, x before y, half full";
+  return {};
+}
+
 /// As it is asked to move, so that its screws' errors are made good.
 base::Result<machine::Machine> compensated_machine(const Job& job) {
   const auto compensation = stepping::Compensation::create(job.machine);
@@ -165,6 +172,7 @@ StepFigures StepOutput::figures() const {
   const Arguments& arguments = job_->arguments;
   StepFigures figures;
   figures.method = arguments.run.pulse_method ? std::string(stepping::name(*arguments.run.pulse_method)) : "words";
+  if (arguments.run.pulse_method) figures.conventions = dda_conventions(*arguments.run.pulse_method);
   figures.clock_hz = arguments.run.step_clock;
   figures.steps = steps_;
   figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.run.step_clock);

@@ -28,7 +28,8 @@ struct Correction {
 
 /// What was written.
 struct StepFigures {
-  std::string method;  ///< "words", or the interpolator's name
+  std::string method;       ///< "words", or the interpolator's name
+  std::string conventions;  ///< of interpolators by DDAs, for people
   std::int64_t clock_hz = 0;
   std::int64_t steps = 0;
   double time_s = 0;                    ///< of the last step

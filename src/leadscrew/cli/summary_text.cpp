@@ -78,7 +78,8 @@ std::string steps_text(const StepFigures& steps) {
   std::string text = fmt::format("{} at a clock of {:g} kHz, the last at {}", steps.steps,
                                  static_cast<double>(steps.clock_hz) / 1e3, seconds_text(steps.time_s));
   if (!steps.error_blu) {
-    return text + fmt::format("; by {}, {}: time and limits above are those of the words", steps.method,
+    return text + fmt::format("; by {}{}, {}: time and limits above are those of the words", steps.method,
+                              steps.conventions.empty() ? "" : " (" + steps.conventions + ")",
                               steps.accelerates ? "within the acceleration of the axes but for a few steps"
                                                 : "at the feed at once, without a limit of acceleration");
   }

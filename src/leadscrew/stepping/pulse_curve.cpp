@@ -3,6 +3,7 @@
 #include <cmath>
 #include <leadscrew/stepping/pulse_curve.hpp>
 #include <string>
+#include <utility>
 
 namespace leadscrew::stepping {
 
@@ -35,27 +36,8 @@ void add(Problems& problems, std::string_view code, std::string message, std::st
   problems.push_back(base::problem(code, std::move(message), std::move(hint)));
 }
 
-/// A register, what it would hold, and in which words.
-struct Content {
-  const char* name;
-  std::int64_t value;
-  std::string meaning;
-};
-
-/// Without bits the registers are as wide as the interpolators can have them.
-void check_register(Problems& problems, const Content& content, std::optional<int> bits) {
-  const std::int64_t greatest = bits ? (std::int64_t{1} << *bits) - 1 : pulse::greatest_coordinate;
-  if (content.value >= -greatest && content.value <= greatest) return;
-  const std::string width = bits ? " of " + std::to_string(*bits) + (*bits == 1 ? " bit" : " bits") : "";
-  std::string hint = "make the curve smaller, or the BLU larger";
-  if (bits) {
-    const auto needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
-    hint = std::to_string(needed) + " bits would hold it";
-  }
-  add(problems, "register-overflow",
-      content.meaning + " is " + std::to_string(content.value) + ": register " + content.name + width +
-          " holds no more than " + std::to_string(greatest),
-      std::move(hint));
+void check_register(Problems& problems, const RegisterContent& content, std::optional<int> bits) {
+  if (auto problem = overflow_of(content, bits)) problems.push_back(std::move(*problem));
 }
 
 /// As they were given: beyond the greatest even their differences might be out of range.
@@ -109,6 +91,21 @@ void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> b
 }
 
 }  // namespace
+
+std::optional<base::Diagnostic> overflow_of(const RegisterContent& content, std::optional<int> bits) {
+  const std::int64_t greatest = bits ? (std::int64_t{1} << *bits) - 1 : pulse::greatest_coordinate;
+  if (content.value >= -greatest && content.value <= greatest) return std::nullopt;
+  const std::string width = bits ? " of " + std::to_string(*bits) + (*bits == 1 ? " bit" : " bits") : "";
+  std::string hint = "make the curve smaller, or the BLU larger";
+  if (bits) {
+    const auto needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
+    hint = std::to_string(needed) + " bits would hold it";
+  }
+  return base::problem("register-overflow",
+                       content.meaning + " is " + std::to_string(content.value) + ": register " + content.name + width +
+                           " holds no more than " + std::to_string(greatest),
+                       std::move(hint));
+}
 
 pulse::Arc PulseCurve::arc() const {
   return {from(center, start), from(center, end), direction};

@@ -5,6 +5,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/pulse/arc.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace leadscrew::stepping {
@@ -32,6 +33,16 @@ struct PulseCurve {
 /// BLU, a coordinate that the registers do not hold: 2ⁿ − 1 is the greatest of n `bits`, pulse::greatest_coordinate
 /// without. Codes: `no-way`, `zero-radius`, `end-off-circle`, `register-overflow`. Empty where all is well.
 std::vector<base::Diagnostic> problems_of(const PulseCurve& curve, std::optional<int> bits);
+
+struct RegisterContent {
+  const char* name;
+  std::int64_t value;
+  std::string meaning;  ///< in words
+};
+
+/// `register-overflow` where a register of so many bits does not hold it; without bits it is as wide as the
+/// interpolators can have it.
+std::optional<base::Diagnostic> overflow_of(const RegisterContent& content, std::optional<int> bits);
 
 /// How far places are from a curve.
 class PulseError {

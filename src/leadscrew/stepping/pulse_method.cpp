@@ -104,4 +104,12 @@ PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, con
   return in_force;
 }
 
+std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
+                                                 const MethodOptions& options) {
+  if (method != PulseMethod::koren || !options.bits) return std::nullopt;
+  const std::int64_t capacity = *conventions_of(method, curve, options).capacity;
+  return overflow_of({"q", capacity, curve.is_arc() ? "the radius, rounded," : "the length, rounded up,"},
+                     options.bits);
+}
+
 }  // namespace leadscrew::stepping

@@ -61,4 +61,9 @@ struct PulseConventions {
 
 PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options);
 
+/// Of a curve that problems_of() finds nothing wrong with: `register-overflow` where the bits asked for do not hold the
+/// capacity of `koren`, which is the radius of an arc, rounded, and the length of a line, rounded up.
+std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
+                                                 const MethodOptions& options);
+
 }  // namespace leadscrew::stepping

@@ -28,7 +28,7 @@ class Registers {
 
 class PulseRun {
  public:
-  /// A curve and bits that problems_of() finds nothing wrong with.
+  /// A curve and options that problems_of() and capacity_problem() find nothing wrong with.
   PulseRun(PulseMethod method, const PulseCurve& curve, const MethodOptions& options = {});
 
   PulseMethod method() const { return method_; }
