@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/stepping/design_check.hpp>
+#include <leadscrew/stepping/rounded_up.hpp>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,6 @@ namespace {
 using Problems = std::vector<base::Diagnostic>;
 
 constexpr double greatest_register = 1 << 30;  // of a design: 30 bits
-constexpr double rounding = 1e-9;              // of a quotient of decimals that is meant to be whole
 
 std::string text(double value) {
   std::array<char, 32> digits{};
@@ -39,7 +39,7 @@ void check_positive(Problems& problems, std::initializer_list<Named> values) {
 /// A register that would hold this value, of so many bits or digits.
 void check_register(Problems& problems, const std::string& name, double value, double greatest,
                     const std::string& hint) {
-  if (value <= greatest * (1 + rounding)) return;
+  if (value <= greatest * (1 + quotient_rounding)) return;
   add(problems, "register-overflow",
       name + " would have to hold " + text(value) + ": no more than " + text(greatest) + " fits", hint);
 }
@@ -53,7 +53,7 @@ double greatest_of(int bits) {
 }
 
 void check_feed(Problems& problems, double feed, double max_feed) {
-  if (feed <= max_feed * (1 + rounding)) return;
+  if (feed <= max_feed * (1 + quotient_rounding)) return;
   add(problems, "feed-too-high", "the feed of " + text(feed) + " is above the greatest, " + text(max_feed),
       "design for a greater one");
 }

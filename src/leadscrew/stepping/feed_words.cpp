@@ -3,6 +3,7 @@
 #include <leadscrew/gcode/number.hpp>
 #include <leadscrew/stepping/feed_words.hpp>
 #include <leadscrew/stepping/lattice_arc.hpp>
+#include <leadscrew/stepping/rounded_up.hpp>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -10,8 +11,6 @@
 namespace leadscrew::stepping {
 
 namespace {
-
-constexpr double rounding = 1e-9;
 
 // Of an axis' acceleration, along the path; the rest is for what changes by steps: words, and directions where blocks
 // meet. In curves the two below are used at a right angle.
@@ -168,7 +167,7 @@ base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& mov
     planned.rate = real(block.commands) / seconds;
     // Rounding to the lattice may have made the way longer by a step, of arcs by two, and their radius too.
     const double least = real(block.commands - (block.kind == Block::Kind::arc ? 2 : 1)) /
-                         std::max(seconds, on_lattice) * (1 - rounding);
+                         std::max(seconds, on_lattice) * (1 - quotient_rounding);
     const std::string asked = "the feed asks for " + per_second(planned.rate);
     if (least > by_clock) {
       return base::failure(refused(block, "pulse-rate",
