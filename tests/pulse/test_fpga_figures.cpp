@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/circular_search.hpp>
+#include <vector>
 
 #include "tracing.hpp"
 
@@ -79,6 +81,32 @@ TEST(FpgaEquations18To21, AreTheImprovedMethodClockwise) {
       ASSERT_EQ(arc.step(), both ? (Pulse<2>{{1, -1}}) : one) << radius << ": " << x << ' ' << y;
     }
   }
+}
+
+/// The same counterclockwise where it is steep, |k| > 1: 4x − 8y − 5 − 4F ≤ 0.
+TEST(FpgaEquations18To21, AreTheImprovedMethodCounterclockwiseWhereItIsSteep) {
+  for (std::int64_t radius = 2; radius <= 60; ++radius) {
+    CircularSearch<Search::improved_least_error> arc({{radius, 0}, {0, radius}, Direction::counterclockwise});
+    while (arc.at().x > arc.at().y) {
+      const auto [x, y] = arc.at();
+      const std::int64_t f = x * x + y * y - radius * radius;
+      const bool both = 4 * x - 8 * y - 5 - 4 * f <= 0;
+      ASSERT_EQ(arc.step(), both ? (Pulse<2>{{-1, 1}}) : (Pulse<2>{{0, 1}})) << radius << ": " << x << ' ' << y;
+    }
+  }
+}
+
+/// .385 BLU: √29 − 5.
+TEST(FpgaTable1, LeastErrorIsFarthestAtTwoPlaces) {
+  CircularSearch<Search::least_error> arc(quarter);
+  std::vector<Point> farthest;
+  while (!arc.done()) {
+    arc.step();
+    const auto [x, y] = arc.at();
+    const double error = std::abs(std::hypot(static_cast<double>(x), static_cast<double>(y)) - 5);
+    if (error > 0.38) farthest.push_back(arc.at());
+  }
+  EXPECT_EQ(farthest, (std::vector<Point>{{5, 2}, {2, 5}}));
 }
 
 }  // namespace

@@ -163,5 +163,18 @@ TEST(LectureTimer, Takes8And4And2Seconds) {
   }
 }
 
+/// Where only r > q overflows, q = 8192: as r ≥ q does with a remainder that begins one lower.
+TEST(LectureTimer, IsOneClockLateWhereOnlyMoreOverflows) {
+  for (const std::int64_t load : {1, 2, 4}) {
+    std::int64_t strict = 0, clocks = 0;
+    for (; strict <= 8192; ++clocks) strict += load;
+    Integrator timer(8192, -1);
+    std::int64_t clock = 1;
+    while (!timer.add(load)) ++clock;
+    EXPECT_EQ(clock, 8192 / load + 1) << load;
+    EXPECT_EQ(clock, clocks) << load;
+  }
+}
+
 }  // namespace
 }  // namespace leadscrew::pulse::testing

@@ -29,12 +29,15 @@ TEST(BoundsStudy, KeepsEveryBoundAndCountsEveryEndlessArc) {
     const bool is_count = row.what.starts_with("endless") || row.what.ends_with("R² = 2") ||
                           row.group.find("one counter") != std::string::npos;
     const bool is_mean = row.what.starts_with("clocks by R") || row.what.ends_with("mean to R = 2000");
-    const Verdict told = is_count ? Verdict::exact : is_mean ? Verdict::reproduced : Verdict::kept;
+    const Verdict told = row.what == "arcs tried" ? Verdict::not_reproducible
+                         : is_count               ? Verdict::exact
+                         : is_mean                ? Verdict::reproduced
+                                                  : Verdict::kept;
     EXPECT_EQ(row.verdict, row.published.has_value() ? told : Verdict::measured) << row.group << ": " << row.what;
     EXPECT_TRUE(row.published.has_value() || !row.what.starts_with("greatest error") || !row.why.empty()) << row.group;
     EXPECT_TRUE(whats.insert(row.group + row.what).second) << "twice: " << row.group << ": " << row.what;
   }
-  EXPECT_EQ(rows.size(), 261u);
+  EXPECT_EQ(rows.size(), 266u);
 }
 
 TEST(BoundsStudy, ReachesTheBoundsItIsToldOf) {
@@ -50,6 +53,16 @@ TEST(BoundsStudy, ReachesTheBoundsItIsToldOf) {
   EXPECT_EQ(ours(rows, "arcs of R² ≤ 900, DDA, x first, half", endless), 4032);
   EXPECT_EQ(ours(rows, "arcs of R² ≤ 900, DDA, shrinking axis first, half", endless), 8064);
   EXPECT_EQ(ours(rows, "arcs of R² ≤ 900, DDA, growing axis first, empty", endless), 1024);
+}
+
+/// 35 624 arcs are missed, 120 of them endless: counters of whole arcs are safe in one quadrant only.
+TEST(KorenEndConditions, MissSoManyArcsByTotalCounters) {
+  const Rows& rows = quick_bounds();
+  constexpr const char* group = "arcs that one counter an axis does not end where they are to";
+  EXPECT_EQ(verdict(rows, group, "eq. 27, half"), "exact");
+  EXPECT_EQ(verdict(rows, group, "eq. 27, half: endless"), "exact");
+  EXPECT_EQ(ours(rows, group, "eq. 27, two's complement, half"), 37316);
+  EXPECT_EQ(ours(rows, group, "as in hardware, two's complement, half"), 144636);
 }
 
 TEST(BoundsStudy, IsTheSameToTheBitByThreeThreadsThatWorkBackwards) {

@@ -11,6 +11,7 @@ namespace leadscrew::pulse {
 enum class Accumulation : std::uint8_t {
   sign_magnitude,  ///< the magnitude is added, the pulse gets the sign: Koren's figure of 10 001 BLU
   floor,           ///< the remainder stays in 0 … q − 1 and may borrow: two's complement
+  symmetric,       ///< the remainder has a sign, stays between −q and q, and overflows at either
 };
 
 class FreeCircle {
@@ -18,11 +19,12 @@ class FreeCircle {
   static constexpr std::size_t axes = 2;
 
   /// Counterclockwise, without an end. capacity q > 0, ≥ |coordinates|; 0 ≤ preload < q, or −1, which with magnitudes
-  /// is 0 where only r > q overflows. Orders: x_first and parallel.
+  /// is 0 where only r > q overflows; where remainders have signs, in the sense of their first integrands. Orders:
+  /// x_first and parallel.
   constexpr FreeCircle(Point start, std::int64_t capacity, std::int64_t preload, Order order, Accumulation accumulation)
       : at_(start),
         capacity_(capacity),
-        remainder_x_(preload),
+        remainder_x_(accumulation == Accumulation::symmetric ? -preload : preload),
         remainder_y_(preload),
         is_parallel_(order == Order::parallel),
         accumulation_(accumulation) {}
@@ -70,7 +72,8 @@ class FreeCircle {
       return sign(integrand);
     }
     remainder += integrand;
-    const auto carry = static_cast<std::int8_t>((remainder >= capacity_) - (remainder < 0));
+    const std::int64_t least = accumulation_ == Accumulation::symmetric ? 1 - capacity_ : 0;
+    const auto carry = static_cast<std::int8_t>((remainder >= capacity_) - (remainder < least));
     remainder -= carry * capacity_;
     return carry;
   }

@@ -9,7 +9,8 @@ namespace leadscrew::pulse {
 class Integrator {
  public:
   constexpr Integrator() = default;
-  /// capacity: q > 0, as many as an n-bit register has values (2ⁿ) or any other. preload: 0 ≤ r < q.
+  /// capacity: q > 0, as many as an n-bit register has values (2ⁿ) or any other. preload: 0 ≤ r < q,
+  /// or −1, with which it overflows as one does that begins empty and only overflows at r > q.
   constexpr Integrator(std::int64_t capacity, std::int64_t preload) : capacity_(capacity), remainder_(preload) {}
 
   /// Does it overflow? 0 ≤ integrand. With an integrand above the capacity the remainder grows: at most one pulse a

@@ -179,6 +179,20 @@ double eq27_error(double t) {
   return worst;
 }
 
+/// Error of eq. 27 at half a turn, ⌊π/T⌋ steps, by R T²: the greatest of many T.
+double eq27_half_turn_error() {
+  double worst = 0;
+  for (double t = 0.1; t > 1e-4; t *= 0.97) {
+    double x = 1, y = 0;
+    for (double angle = t; angle <= std::numbers::pi; angle += t) {
+      x -= t * y;
+      y += t * x;
+    }
+    worst = std::max(worst, std::abs(std::hypot(x, y) - 1) / (t * t));
+  }
+  return worst;
+}
+
 /// What stays the same along eq. 27, by R², at its farthest from that.
 double eq27_invariant_error(double t) {
   double x = 1, y = 0, worst = 0;
@@ -198,7 +212,11 @@ Rows eq27_rows() {
   ellipse.why = "R T/4; of the method, without rounding to steps";
   Row invariant = limit_row("farthest that x² − Txy + y² is from R²", {"", 0}, 0, eq27_invariant_error(1e-3), 1e-11);
   invariant.why = "by R²; no error grows from turn to turn";
-  return under("the proposed method, eq. 27", {std::move(order), std::move(ellipse), std::move(invariant)});
+  Row half = limit_row("error at half a turn", {"R T²", 2}, 0.5, eq27_half_turn_error(), 0.005);
+  half.why =
+      "T = 0.1 … 0.0001; less where a step falls on half a turn: the ellipse is off by R T/4 sin 2θ, θ within T of π";
+  return under("the proposed method, eq. 27",
+               {std::move(order), std::move(ellipse), std::move(invariant), std::move(half)});
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -246,7 +264,7 @@ Rows orders_rows(const Host&) {
 }
 
 Rows half_circle_rows(const Host&) {
-  constexpr const char* what = "radius after half a turn";
+  constexpr const char* what = "|x| after half a turn";
   Row koren = exact_row(what, blu, 10001, half_circle(Order::x_first, Accumulation::sign_magnitude, 0));
   koren.why = "magnitudes are accumulated, the pulse gets the sign";
   Rows rows = under("eq. 27, remainders empty", {std::move(koren)});
@@ -258,6 +276,12 @@ Rows half_circle_rows(const Host&) {
   };
   variant("eq. 27, remainders half full", Order::x_first, Accumulation::sign_magnitude, 5000);
   variant("eq. 27, two's complement", Order::x_first, Accumulation::floor, 0);
+  for (const auto& [group, preload] : {std::pair{"eq. 27, signed remainders, empty", 0},
+                                       {"eq. 27, signed remainders, half full", 5000},
+                                       {"eq. 27, signed remainders, full", 9999}}) {
+    append(rows,
+           under(group, {exact_row(what, blu, 10001, half_circle(Order::x_first, Accumulation::symmetric, preload))}));
+  }
   variant("as in hardware, remainders empty", Order::parallel, Accumulation::sign_magnitude, 0);
   variant("as in hardware, remainders half full", Order::parallel, Accumulation::sign_magnitude, 5000);
   variant("as in hardware, two's complement, half full", Order::parallel, Accumulation::floor, 5000);

@@ -109,6 +109,7 @@ Rows arc_rows() {
     rows.push_back(because(exact_row(what, plain, 0, static_cast<double>(all.failed)),
                            "of " + std::to_string(all.tried) + ": all with coordinates below 2ⁿ, n = 1 … 5"));
   }
+  rows.push_back(not_reproducible_row("arcs in a quadrant tried", plain, 7680, "of which arcs is not told"));
   return under("arcs", std::move(rows));
 }
 
