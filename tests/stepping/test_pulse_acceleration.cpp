@@ -83,7 +83,7 @@ TEST(PulseAcceleration, WouldBeSeenToBeExceeded) {
 }
 
 TEST(PulseAcceleration, IsKeptInExamples) {
-  for (const char* example : {"01-plate.ngc", "04-square.ngc", "11-splines.ngc"}) {
+  for (const char* example : {"01-plate.ngc", "04-square.ngc", "09-butterfly.ngc", "10-cubic.ngc", "11-splines.ngc"}) {
     EXPECT_LT(excess(testing::text_of(example), {}, Shape::accelerate), allowed) << example;
   }
 }
@@ -108,6 +108,15 @@ TEST(PulseAcceleration, CostsWhatATrapezoidCosts) {
   // 100 mm at 100 mm/s with 0.8 of 1000 mm/s²: 1 s and once v/a.
   const Pulsed pulsed = pulse("G61 G1 X100 F6000\n", conditions);
   EXPECT_NEAR(static_cast<double>(pulsed.last) / 1e6, 1.125, 0.003);
+}
+
+/// By words, which have the jerk's limit besides, the butterfly takes 5.9 s; with a third of that acceleration across
+/// its path more. Joints of chords are no corners.
+TEST(PulseAcceleration, FollowsCurvesAsTheyBend) {
+  Conditions conditions;
+  conditions.options.shape = Shape::accelerate;
+  EXPECT_LT(static_cast<double>(pulse(testing::text_of("09-butterfly.ngc"), conditions).last) / 1e6, 8);
+  EXPECT_LT(static_cast<double>(pulse(testing::text_of("10-cubic.ngc"), conditions).last) / 1e6, 0.55);
 }
 
 TEST(PulseAcceleration, CarriesSpeedAlongOneDirection) {

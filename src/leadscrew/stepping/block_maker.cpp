@@ -34,6 +34,16 @@ double curvature(const geometry::Nurbs& piece, double s) {
   return std::sqrt(square);
 }
 
+/// |d²q/ds²| of each axis, the greatest at a chord's ends and in its middle.
+base::AxisVector greatest_bend(const geometry::Nurbs& piece, double from, double chord) {
+  base::AxisVector bend{};
+  for (const double s : {from, from + chord / 2, from + chord}) {
+    const auto jets = piece.jets(s);
+    for (std::size_t i = 0; i < bend.size(); ++i) bend[i] = std::max(bend[i], std::abs(jets[i].second));
+  }
+  return bend;
+}
+
 /// How far the next chord goes: its error is h²κ/8, for the greater curvature at its ends and in its middle.
 double chord_end(const geometry::Nurbs& piece, double from, double error) {
   double chord = piece.length() - from;
@@ -82,7 +92,7 @@ Planned BlockMaker::next() {
     switch (move_.kind) {
       case gcode::Move::Kind::line:
         left_ = false;
-        made = line_to(on_lattice(move_.end, machine_), 1);
+        made = line_to(on_lattice(move_.end, machine_), Part{});
         break;
       case gcode::Move::Kind::arc:
         made = next_turn();
@@ -113,17 +123,17 @@ Planned BlockMaker::dwell() {
   return planned;
 }
 
-Planned BlockMaker::line_to(const LatticeVector& end, double share) {
+Planned BlockMaker::line_to(const LatticeVector& end, const Part& part) {
   Block block;
   for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
   if (block.way == LatticeVector{}) return std::nullopt;
-  return plan(block, {share, 0});
+  return plan(block, part);
 }
 
 Planned BlockMaker::next_turn() {
   if (closing_) {
     left_ = false;
-    return line_to(on_lattice(move_.end, machine_), 1);
+    return line_to(on_lattice(move_.end, machine_), Part{});
   }
   if (turn_ == 0) {
     if (std::optional<base::Diagnostic> found = arc_problem()) return give_up(std::move(*found));
@@ -161,7 +171,7 @@ Planned BlockMaker::turn_to(const LatticeVector& end, double angle) {
     placed = on_lattice(whole, start, start);
     closing_ = left_ = placed.has_value();
   }
-  if (!placed) return line_to(end, angle / sweep_);
+  if (!placed) return line_to(end, Part{angle / sweep_});
   for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
   block.way[block.first_axis] = block.way[block.second_axis] = 0;
   block.arc = *placed;
@@ -173,7 +183,7 @@ Planned BlockMaker::turn_to(const LatticeVector& end, double angle) {
 Planned BlockMaker::next_chord() {
   if (chords_.piece == chords_.pieces.size()) {
     left_ = false;
-    return line_to(on_lattice(move_.end, machine_), 1);  // nothing, but for a curve of no length
+    return line_to(on_lattice(move_.end, machine_), Part{});  // nothing, but for a curve of no length
   }
   const geometry::Nurbs& piece = chords_.pieces[chords_.piece];
   const double from = chords_.at;
@@ -186,7 +196,11 @@ Planned BlockMaker::next_chord() {
   }
   double whole = 0;
   for (const geometry::Nurbs& each : chords_.pieces) whole += each.length();
-  return line_to(end, chord / whole);
+  Planned planned = line_to(end, {chord / whole, chord, greatest_bend(piece, from, chord)});
+  if (planned && *planned) (*planned)->goes_on = chords_.goes_on;
+  // A chord without a step leaves the block before where it is.
+  chords_.goes_on = chords_.at > 0 && (planned || chords_.goes_on);
+  return planned;
 }
 
 Planned BlockMaker::plan(Block block, const Part& part) {

@@ -43,13 +43,14 @@ class BlockMaker {
   struct Chords {
     std::vector<geometry::Nurbs> pieces;
     std::size_t piece = 0;
-    double at = 0;  // length along the piece
+    double at = 0;         // length along the piece
+    bool goes_on = false;  // from a chord of this piece
   };
 
   std::optional<base::Result<PlannedBlock>> dwell();
   std::optional<base::Result<PlannedBlock>> next_turn();
   std::optional<base::Result<PlannedBlock>> next_chord();
-  std::optional<base::Result<PlannedBlock>> line_to(const LatticeVector& end, double share);
+  std::optional<base::Result<PlannedBlock>> line_to(const LatticeVector& end, const Part& part);
   std::optional<base::Result<PlannedBlock>> turn_to(const LatticeVector& end, double angle);
   std::optional<base::Result<PlannedBlock>> plan(Block block, const Part& part);
   std::optional<base::Diagnostic> arc_problem() const;

@@ -16,6 +16,9 @@ namespace {
 // meet. In curves the two below are used at a right angle.
 constexpr double along_path = 0.8, along_curve = 0.6 * along_path, across_curve = 0.8 * along_path;
 
+// Chords follow their curve. Nothing says in which axis the two below meet: their sum is along_path.
+constexpr double along_chords = 0.6 * along_path, across_chords = 0.4 * along_path;
+
 constexpr double longest_braking = 0x1p21;  // commands: the feed register counts them times its capacity
 
 base::Diagnostic refused(const Block& block, std::string_view code, std::string message, std::string hint) {
@@ -104,6 +107,18 @@ void limit_acceleration(PlannedBlock& planned, const machine::Machine& machine, 
   planned.greatest_rate = std::min(planned.greatest_rate, std::sqrt(2 * planned.acceleration * longest_braking));
 }
 
+/// Of a chord's block besides: v² |d²q/ds²| of each axis.
+void limit_bend(PlannedBlock& planned, const machine::Machine& machine, const Part& part) {
+  planned.acceleration *= along_chords / along_path;
+  const double rates = real(planned.block.commands) / part.length;  // commands/s by mm/s
+  for (const base::Axis axis : base::all_axes) {
+    const double bend = (*part.bend)[base::index(axis)];
+    if (!machine.has(axis) || bend == 0) continue;
+    const double speed = std::sqrt(across_chords * machine.limits(axis).acceleration / bend);
+    planned.greatest_rate = std::min(planned.greatest_rate, speed * rates);
+  }
+}
+
 /// Of three axes' ways, mm or degrees.
 double length_of(const Block& block, std::size_t first, const machine::Machine& machine) {
   double square = 0;
@@ -189,6 +204,7 @@ base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& mov
   }
   if (options.shape == Shape::accelerate) {
     limit_acceleration(planned, machine, options.method);
+    if (part.bend) limit_bend(planned, machine, part);
     planned.rate = std::min(planned.rate, planned.greatest_rate);
     if (acceleration_word(planned.acceleration, options) == 0) {
       return base::failure(refused(block, "pulse-feed-word",

@@ -8,6 +8,7 @@
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/stepping/pulse_options.hpp>
+#include <optional>
 
 namespace leadscrew::stepping {
 
@@ -19,12 +20,14 @@ struct PlannedBlock {
   double greatest_rate = 0;  ///< commands/s: that no axis exceeds its velocity, nor its acceleration in the curve
   double rate = 0;           ///< commands/s, programmed
   bool stops = false;        ///< at its end, whatever follows
+  bool goes_on = false;      ///< along the curve whose chord the block before was
 };
 
 /// What of its move a block travels.
 struct Part {
   double share = 1;
-  double length = 0;  ///< of an arc: of the programmed path that its feed is meant by, mm
+  double length = 0;  ///< of an arc: of the programmed path that its feed is meant by, mm; of a chord: of its curve
+  std::optional<base::AxisVector> bend{};  ///< of a chord: |d²q/ds²| of each axis along its curve, at most
 };
 
 /// Gives a block with counted commands its words. A programmed feed that clock or step length

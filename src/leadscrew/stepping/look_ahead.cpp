@@ -39,6 +39,8 @@ double LookAhead::junction(const PlannedBlock& before, const PlannedBlock& after
   if (before.stops || before.block.kind == Block::Kind::dwell || after.block.kind == Block::Kind::dwell) return 0;
   const double out = norm(before.exit), in = norm(after.entry);
   double speed = std::min(before.greatest_rate * out, after.greatest_rate * in);
+  // Chords of one curve turn as it does, but for what the lattice does not show.
+  if (after.goes_on) return speed;
   const double seconds = std::min(least_seconds(before), least_seconds(after));
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);

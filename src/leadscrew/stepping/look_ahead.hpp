@@ -5,6 +5,7 @@
 // Speeds are those of the path, √Σ v² in steps a second over all axes. Where two blocks meet, an axis' velocity changes
 // at once; by no more than its acceleration hides within half a step, √a/2.5, nor than a tenth of what it could change
 // in the shorter block. Else the path rests there: at the speed from which it begins, a command every 2.5/√a seconds.
+// Chords of one curve meet without such a limit: each keeps, at its rate, to how its curve bends.
 
 #include <cstddef>
 #include <deque>
