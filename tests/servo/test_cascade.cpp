@@ -27,20 +27,23 @@ RC_GTEST_PROP(Cascade, ClosesTheLoopAsItsLawSays, ()) {
   const CascadeOptions options{.position_gain = logarithmic(5, 60),
                                .velocity_gain = logarithmic(0.05, 0.8) / (axis.drive.acceleration * period),
                                .integral_gain = any(0, 2) * logarithmic(0.01, 1),
-                               .velocity_forward = share};
+                               .velocity_forward = share,
+                               .acceleration_forward = any(0, 3) * 1e-3};
   AxisLoop loop = cascade_loop(axis, options, period);
   SmallSteps reference(axis);
   std::vector<long double> missing;
   long double last = 0, farthest = 0;
   for (int k = 0; k < 200; ++k) {
     const double wanted = 3 * std::sin(0.05 * k), speed = 150 * std::cos(0.05 * k);
-    loop.follow({wanted, speed});
+    const double acceleration = -7500 * std::sin(0.05 * k);
+    loop.follow({wanted, speed, acceleration});
     missing.push_back(options.position_gain * (wanted - reference.position) + share * speed -
                       (reference.position - last) / period);
     last = reference.position;
     long double sum = 0;
     for (const long double each : missing) sum += each;
-    const long double command = options.velocity_gain * missing.back() + options.integral_gain * period * sum;
+    const long double command = options.velocity_gain * missing.back() + options.integral_gain * period * sum +
+                                options.acceleration_forward * acceleration;
     reference.advance(static_cast<double>(command), period, 20);
     farthest = std::max(farthest, std::fabs(reference.position));
     RC_ASSERT(std::fabs(loop.axis().screw().position - reference.position) <= 1e-6 * farthest);

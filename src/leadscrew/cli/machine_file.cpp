@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <leadscrew/cli/drive_keys.hpp>
 #include <leadscrew/cli/machine_file.hpp>
 #include <leadscrew/cli/machine_keys.hpp>
 #include <leadscrew/cli/nearest.hpp>
@@ -170,6 +171,7 @@ class MachineReader {
     read_step_times(table, axis, limits.step_times);
     result_.machine.axes[base::index(axis)] = limits;
     read_screw(table, axis);
+    read_drive(table, axis);
   }
 
   void read_travel(const toml::table& table, base::Axis axis, const std::set<std::string_view>& misspelt,
@@ -198,6 +200,36 @@ class MachineReader {
     screw.backward_table = pitch_errors(table, keys.pitch_errors_backward, axis);
     if (const auto backlash = number(table, keys.backlash, section_of(axis))) screw.backlash = *backlash;
     if (const auto takeup = number(table, keys.takeup, section_of(axis))) screw.takeup_velocity = *takeup;
+  }
+
+  void read_drive(const toml::table& axis_table, base::Axis axis) {
+    const toml::node* node = axis_table.get(keys_of(axis).drive);
+    if (node == nullptr) return;
+    const std::string section = drive_section_of(axis);
+    const toml::table* table = node->as_table();
+    if (table == nullptr) {
+      return report("machine-type", node->source().begin, fmt::format("{} is {}", section, type_text(*node)),
+                    fmt::format("write [{}] and below it the drive's keys", section));
+    }
+    check_keys(*table, all_drive_keys(axis), section);
+    machine::AxisDrive& drive = result_.machine.drives[base::index(axis)];
+    const auto& keys = drive_keys_of(axis);
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      drive.*machine::drive_numbers[k].value = number(*table, keys[k], section);
+    if (is_second(*table, controller_key, {"cascade", "pid"})) drive.controller = machine::AxisDrive::Controller::pid;
+    if (is_second(*table, encoder_key, {"screw", "slide"})) drive.encoder = machine::AxisDrive::Encoder::slide;
+  }
+
+  /// Of two words the second; the first where none is told.
+  bool is_second(const toml::table& table, std::string_view key, std::array<std::string_view, 2> words) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return false;
+    const auto word = node->value_exact<std::string>();
+    if (word && (*word == words[0] || *word == words[1])) return *word == words[1];
+    const std::string found = word ? fmt::format("\"{}\"", *word) : std::string(type_text(*node));
+    report("machine-drive", node->source().begin, fmt::format("{} is {}", key, found),
+           fmt::format("\"{}\" or \"{}\"", words[0], words[1]));
+    return false;
   }
 
   /// An entry that is none keeps its place in the list, as no number.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <leadscrew/cli/drive_keys.hpp>
 #include <leadscrew/cli/machine_keys.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <optional>
@@ -93,6 +94,7 @@ std::string slot_of(const base::Diagnostic& problem) {
   if (problem.code == "machine-tolerance") return "tolerance_mm";
   if (problem.code == "machine-chord-error") return "chord_error_mm";
   const auto axis = axis_in(problem.message);
+  if (axis && problem.code == "machine-drive") return drive_slot_of(*axis, problem.message);
   return axis ? fmt::format("{}.{}", section_of(*axis), axis_slot(problem, keys_of(*axis))) : std::string();
 }
 

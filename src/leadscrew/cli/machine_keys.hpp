@@ -19,12 +19,13 @@ struct AxisKeys {
   std::string_view travel, velocity, acceleration, jerk, blu;
   std::string_view pitch_errors, pitch_errors_backward, backlash, takeup;
   std::array<std::string_view, 4> step_times;  ///< in the order of machine::all_step_times, µs
+  std::string_view drive = "drive";            ///< a table: drive_keys.hpp
 
   /// Without these there is no axis.
   std::array<std::string_view, 5> needed() const { return {travel, velocity, acceleration, jerk, blu}; }
-  std::array<std::string_view, 13> all() const {
+  std::array<std::string_view, 14> all() const {
     return {travel,   velocity, acceleration,  jerk,          blu,           pitch_errors, pitch_errors_backward,
-            backlash, takeup,   step_times[0], step_times[1], step_times[2], step_times[3]};
+            backlash, takeup,   step_times[0], step_times[1], step_times[2], step_times[3], drive};
   }
 };
 

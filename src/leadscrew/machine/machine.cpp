@@ -73,6 +73,7 @@ std::vector<base::Diagnostic> validate(const Machine& machine) {
     check_limit(problems, name, "the greatest jerk", limits.jerk);
     check_limit(problems, name, "the basic length unit", limits.blu);
     check_step_times(axis, limits.step_times, problems);
+    check_drive(axis, machine.drive(axis), problems);
   }
   check_screws(problems, machine);
   if (!any)

@@ -7,6 +7,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
+#include <leadscrew/machine/drive.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <optional>
@@ -36,7 +37,8 @@ struct Machine {
   double chord_error = 0.001;                                    ///< mm; > 0
   std::array<std::optional<AxisLimits>, base::axis_count> axes;  ///< an axis the machine lacks is empty
   std::array<ScrewErrors, base::axis_count>
-      screws;  ///< no motion knows of them; stepping::Compensation makes them good
+      screws;                                      ///< no motion knows of them; stepping::Compensation makes them good
+  std::array<AxisDrive, base::axis_count> drives;  ///< for simulation
 
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
   base::AxisSet axis_set() const {
@@ -49,13 +51,15 @@ struct Machine {
   /// Limits of an axis the machine has.
   const AxisLimits& limits(base::Axis axis) const { return *axes[base::index(axis)]; }
   const ScrewErrors& screw(base::Axis axis) const { return screws[base::index(axis)]; }
+  const AxisDrive& drive(base::Axis axis) const { return drives[base::index(axis)]; }
 };
 
 /// The built-in three-axis mill.
 Machine mill3();
 
 /// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`,
-/// those of check_step_times() and check_screw(), and `pitch-axis` for screws of axes that the machine lacks.
+/// those of check_step_times(), check_screw() and check_drive(), and `pitch-axis` for screws of axes that the machine
+/// lacks.
 std::vector<base::Diagnostic> validate(const Machine& machine);
 
 }  // namespace leadscrew::machine

@@ -4,7 +4,7 @@
 //
 //   w = Kv·(reference − reading) + v        velocity that is wanted, with the setpoint's own fed forward
 //   ε = w − (reading − reading₋₁)/T         and what is missing of it
-//   u = P·ε + I·T·Σε
+//   u = P·ε + I·T·Σε + Fa·a                 with the setpoint's own acceleration fed forward
 //
 // The velocity is read from the same encoder, a difference of readings: half a period old, and as coarse as one count a
 // period. Before the first period the reading is taken to have stood. Saturation and windup as in Pid.
@@ -17,10 +17,11 @@
 namespace leadscrew::servo {
 
 struct CascadeOptions {
-  double position_gain = 0;     ///< Kv, 1/s; > 0
-  double velocity_gain = 0;     ///< P, units of command/(mm/s); > 0
-  double integral_gain = 0;     ///< I, units/mm; ≥ 0
-  double velocity_forward = 1;  ///< share of the setpoint's velocity that is fed forward, 0 … 1
+  double position_gain = 0;         ///< Kv, 1/s; > 0
+  double velocity_gain = 0;         ///< P, units of command/(mm/s); > 0
+  double integral_gain = 0;         ///< I, units/mm; ≥ 0
+  double velocity_forward = 1;      ///< share of the setpoint's velocity that is fed forward, 0 … 1
+  double acceleration_forward = 0;  ///< Fa, units/(mm/s²): 1 over what the drive makes of a unit; ≥ 0
   double limit = std::numeric_limits<double>::infinity();  ///< of |u|; > 0
 };
 

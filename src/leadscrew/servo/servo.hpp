@@ -26,6 +26,7 @@ using ServoOptions = std::array<std::optional<LoopOptions>, base::axis_count>;
 struct Followed {
   base::Word word;
   base::AxisVector position{};  ///< of the slides, mm or degrees
+  base::AxisVector velocity{};  ///< of the screws, as tachogenerators tell it, mm/s or degrees/s
 };
 
 class Servo {

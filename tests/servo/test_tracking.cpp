@@ -1,0 +1,72 @@
+// Following errors, overshoot and measured feed of motions that are known.
+
+#include <gtest/gtest.h>
+#include <leadscrew/servo/tracking.hpp>
+
+#include <cmath>
+
+namespace leadscrew::servo::testing {
+namespace {
+
+base::AxisSet axes(std::initializer_list<base::Axis> list) {
+  base::AxisSet set;
+  for (const base::Axis axis : list) set.insert(axis);
+  return set;
+}
+
+Followed followed(double commanded, double actual, double velocity = 0) {
+  Followed period;
+  period.word.position[0] = commanded;
+  period.position[0] = actual;
+  period.velocity[0] = velocity;
+  period.word.feed = 3;
+  period.word.state = base::MotionState::changing;
+  return period;
+}
+
+TEST(Tracking, TellsGreatestAndRootMeanSquareOfTheError) {
+  Tracking tracking(axes({base::Axis::X}));
+  for (const double error : {0.0, 0.3, -0.4, 0.0}) tracking.observe(followed(1, 1 - error));
+  EXPECT_DOUBLE_EQ(tracking.axis(base::Axis::X).greatest, 0.4);
+  EXPECT_DOUBLE_EQ(tracking.axis(base::Axis::X).rms, 0.25);
+  EXPECT_EQ(tracking.axis(base::Axis::Y).greatest, 0);
+}
+
+/// Only where the axis stands, only beyond the place and in the direction it came from.
+TEST(Tracking, CountsAsOvershootWhatIsBeyondAStop) {
+  Tracking tracking(axes({base::Axis::X}));
+  const auto overshoot = [&] { return tracking.axis(base::Axis::X).overshoot; };
+  tracking.observe(followed(0, 9));  // before any motion
+  tracking.observe(followed(1, 2));  // in motion
+  EXPECT_EQ(overshoot(), 0);
+  tracking.observe(followed(1, 0.5));
+  EXPECT_EQ(overshoot(), 0);
+  tracking.observe(followed(1, 1.25));
+  EXPECT_EQ(overshoot(), 0.25);
+  tracking.observe(followed(-1, 0));
+  tracking.observe(followed(-1, 0));
+  EXPECT_EQ(overshoot(), 0.25);
+  tracking.observe(followed(-1, -1.5));
+  EXPECT_EQ(overshoot(), 0.5);
+}
+
+TEST(Tracking, MeasuresFeedByTheLinearAxes) {
+  Tracking tracking(axes({base::Axis::X, base::Axis::Y, base::Axis::A}));
+  Followed period = followed(0, 0, 3);
+  period.velocity = {3, -4, 0, 90};
+  tracking.observe(period);
+  EXPECT_DOUBLE_EQ(tracking.measured_feed(), 5);
+  tracking.observe(followed(1, 1, 1));
+  Followed rest = followed(1, 1, 7);
+  rest.word.state = base::MotionState::rest;
+  tracking.observe(rest);
+  EXPECT_DOUBLE_EQ(tracking.feed().measured_max, 7);
+  EXPECT_DOUBLE_EQ(tracking.feed().measured_mean, 3);
+  EXPECT_DOUBLE_EQ(tracking.feed().commanded_max, 3);
+  Tracking rotary(axes({base::Axis::A}));
+  rotary.observe(period);
+  EXPECT_DOUBLE_EQ(rotary.measured_feed(), 90);
+}
+
+}  // namespace
+}  // namespace leadscrew::servo::testing
