@@ -7,12 +7,12 @@ namespace leadscrew::trace {
 namespace {
 
 constexpr std::size_t block_bytes = 64 * 1024;
-constexpr std::size_t longest_row = (4 + base::axis_count) * (digits_room + 1);
+constexpr std::size_t longest_row = (4 + 2 * base::axis_count) * (digits_room + 1);
 
 }  // namespace
 
-CsvWriter::CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period)
-    : sink_(std::move(sink)), axes_(axes), period_(period) {
+CsvWriter::CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
+    : sink_(std::move(sink)), axes_(axes), period_(period), kind_(kind) {
   rows_.reserve(block_bytes + longest_row);
   rows_ = "t,line,s,feed";
   for (const base::Axis axis : base::all_axes) {
@@ -20,10 +20,15 @@ CsvWriter::CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period)
     rows_ += ',';
     rows_ += base::letter(axis);
   }
+  for (const base::Axis axis : base::all_axes) {
+    if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
+    rows_ += ",actual_";
+    rows_ += base::letter(axis);
+  }
   rows_ += '\n';
 }
 
-base::Result<void> CsvWriter::write(const base::Word& word) {
+base::Result<void> CsvWriter::write(const base::Word& word, const base::AxisVector& actual) {
   if (!state_) return state_;
   char row[longest_row];
   char* at = write_digits(row, base::seconds(word.tick, period_));
@@ -37,6 +42,11 @@ base::Result<void> CsvWriter::write(const base::Word& word) {
     if (!axes_.contains(axis)) continue;
     *at++ = ',';
     at = write_digits(at, word.position[base::index(axis)]);
+  }
+  for (const base::Axis axis : base::all_axes) {
+    if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
+    *at++ = ',';
+    at = write_digits(at, actual[base::index(axis)]);
   }
   *at++ = '\n';
   rows_.append(row, static_cast<std::size_t>(at - row));

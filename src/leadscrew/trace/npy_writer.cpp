@@ -26,15 +26,15 @@ void append_little_endian(std::string& bytes, double value) {
   bytes.append(text, sizeof text);
 }
 
-int columns(base::AxisSet axes) {
-  return 4 + std::popcount(axes.bits());
+int columns(base::AxisSet axes, TraceKind kind) {
+  return 4 + axes.size() * (kind == TraceKind::followed ? 2 : 1);
 }
 
 }  // namespace
 
-NpyWriter::NpyWriter(ByteSink sink, base::AxisSet axes, base::Period period)
-    : sink_(std::move(sink)), axes_(axes), period_(period) {
-  rows_.reserve(block_bytes + 8 * (4 + base::axis_count));
+NpyWriter::NpyWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
+    : sink_(std::move(sink)), axes_(axes), period_(period), kind_(kind) {
+  rows_.reserve(block_bytes + 8 * (4 + 2 * base::axis_count));
   rows_ = header();
 }
 
@@ -43,13 +43,13 @@ std::string NpyWriter::header() const {
   text += static_cast<char>(header_bytes - 10);
   text += '\0';
   text += "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(rows_written_) + ", " +
-          std::to_string(columns(axes_)) + "), }";
+          std::to_string(columns(axes_, kind_)) + "), }";
   text.resize(header_bytes - 1, ' ');
   text += '\n';
   return text;
 }
 
-base::Result<void> NpyWriter::write(const base::Word& word) {
+base::Result<void> NpyWriter::write(const base::Word& word, const base::AxisVector& actual) {
   if (!state_) return state_;
   append_little_endian(rows_, base::seconds(word.tick, period_));
   append_little_endian(rows_, static_cast<double>(base::number(word.line)));
@@ -57,6 +57,10 @@ base::Result<void> NpyWriter::write(const base::Word& word) {
   append_little_endian(rows_, word.feed);
   for (const base::Axis axis : base::all_axes) {
     if (axes_.contains(axis)) append_little_endian(rows_, word.position[base::index(axis)]);
+  }
+  for (const base::Axis axis : base::all_axes) {
+    if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
+    append_little_endian(rows_, actual[base::index(axis)]);
   }
   ++rows_written_;
   return rows_.size() < block_bytes ? state_ : finish();

@@ -13,6 +13,7 @@ struct PageContent {
   const Recording& recording;
   const machine::Machine& machine;
   base::Period period;
+  FollowedRecording* followed = nullptr;  ///< slides, where there were any
 };
 
 /// Share of a limit or tolerance by which a value may exceed it and still keep it.
@@ -24,8 +25,10 @@ std::string_view unit(base::Axis axis);
 /// The verdict in a sentence for each promise that is broken; empty when all are kept.
 std::vector<std::string> broken_promises(const PageContent& content);
 
-void put_heading(std::string& page, const PageContent& content);        ///< title, verdict, key figures
-void put_path_section(std::string& page, const PageContent& content);   ///< the path from all sides
+void put_heading(std::string& page, const PageContent& content);       ///< title, verdict, key figures
+void put_path_section(std::string& page, const PageContent& content);  ///< the path from all sides
+/// Ideal, commanded and actual path, errors magnified; nothing without slides.
+void put_followed_section(std::string& page, const PageContent& content);
 void put_time_section(std::string& page, const PageContent& content);   ///< feed and axes over time
 void put_limit_section(std::string& page, const PageContent& content);  ///< table of ratios
 void put_block_section(std::string& page, const PageContent& content);  ///< slowest, nearest to a limit

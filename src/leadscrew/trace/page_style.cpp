@@ -60,6 +60,15 @@ touch-action:pan-y;cursor:crosshair;user-select:none;-webkit-user-select:none}
 .band{fill:var(--band);fill-opacity:.28;stroke:var(--band);stroke-width:1.25;stroke-linejoin:round;
 vector-effect:non-scaling-stroke}
 .limit{fill:none;stroke:var(--limit);stroke-width:1.25;stroke-dasharray:5 4;vector-effect:non-scaling-stroke}
+.slides svg path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}
+.slides path.ideal{stroke:var(--line);stroke-width:7;stroke-linecap:round}
+.slides path.commanded{stroke:var(--band);stroke-width:1.5;stroke-dasharray:7 5}
+.slides path.actual{stroke:var(--limit);stroke-width:1.5;display:none}
+#magnify0:checked~svg .by0,#magnify1:checked~svg .by1,#magnify2:checked~svg .by2{display:inline}
+.slides label{margin:0 16px 0 4px;font-size:13px}
+.keys{margin:6px 0;color:var(--quiet);font-size:13px}
+.keys i{display:inline-block;width:26px;margin:0 6px 0 14px;vertical-align:middle;border-top:2px solid var(--limit)}
+.keys i.ideal{border-top:7px solid var(--line)}.keys i.commanded{border-top:2px dashed var(--band)}
 .ty,.lim{position:absolute;font-size:11px;line-height:1;white-space:nowrap;pointer-events:none}
 .ty{right:100%;margin-right:6px;transform:translateY(-50%);color:var(--quiet)}
 .lim{right:4px;padding:1px 3px;color:var(--limit);text-shadow:0 0 2px var(--card),0 0 3px var(--card)}

@@ -6,8 +6,8 @@
 namespace leadscrew::trace {
 
 base::Result<void> write_report(const Report& report, const Recording& recording, const machine::Machine& machine,
-                                base::Period period, const ByteSink& sink) {
-  const PageContent content{report, recording, machine, period};
+                                base::Period period, const ByteSink& sink, FollowedRecording* followed) {
+  const PageContent content{report, recording, machine, period, followed};
   std::string page;
   put(page,
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -16,6 +16,7 @@ base::Result<void> write_report(const Report& report, const Recording& recording
       escaped(report.title), " – motion report</title>\n<style>", page_style(), "</style>\n</head>\n<body>\n<main>\n");
   put_heading(page, content);
   put_path_section(page, content);
+  put_followed_section(page, content);
   put_time_section(page, content);
   put_limit_section(page, content);
   put_block_section(page, content);

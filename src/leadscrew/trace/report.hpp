@@ -5,6 +5,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/trace/followed_recording.hpp>
 #include <leadscrew/trace/recording.hpp>
 #include <leadscrew/trace/sink.hpp>
 #include <string>
@@ -36,9 +37,10 @@ struct Report {
   std::vector<std::pair<base::Line, std::string>> source;  ///< text of the lines that the tables of blocks name
 };
 
-/// Writes the page; below 5 MB for any recording.
+/// Writes the page; below 5 MB for any recording. followed: where slides followed the words that were recorded, or
+/// null.
 base::Result<void> write_report(const Report& report, const Recording& recording, const machine::Machine& machine,
-                                base::Period period, const ByteSink& sink);
+                                base::Period period, const ByteSink& sink, FollowedRecording* followed = nullptr);
 
 /// Writes the path alone as an SVG picture (isometric view, coloured by speed), for light and dark pages.
 base::Result<void> write_path_svg(const std::string& title, const Recording& recording, const ByteSink& sink);

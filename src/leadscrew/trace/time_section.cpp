@@ -51,7 +51,7 @@ Range shown_range(const Channel& channel, Range data) {
     if (channel.upper) shown.greatest = std::max(shown.greatest, *channel.upper);
     if (channel.lower) shown.least = std::min(shown.least, *channel.lower);
   }
-  const double least_width = std::max(0.01, 1e-9 * std::fabs(shown.greatest));
+  const double least_width = std::max(0.01 / channel.per_unit, 1e-9 * std::fabs(shown.greatest));
   if (shown.width() < least_width) {
     const double middle = (shown.least + shown.greatest) / 2;
     shown = {middle - least_width / 2, middle + least_width / 2};
@@ -233,6 +233,12 @@ void put_axis(TimeCharts& charts, std::string& page, const PageContent& content,
   put(page, "<div class=\"axis\"><h3>Axis ", std::string(1, base::letter(axis)), "</h3>\n");
   charts.put_chart({"position", std::string(u), bins(0), 1, limits.travel_max, limits.travel_min, "travel", false},
                    "small");
+  if (content.followed != nullptr) {
+    const bool is_rotary = base::is_rotary(axis);
+    charts.put_chart({"following error", is_rotary ? "°/1000" : "µm", content.followed->error(axis), 1000, std::nullopt,
+                      std::nullopt, "", false},
+                     "small");
+  }
   const struct {
     int order;
     std::string_view name, per;
@@ -274,6 +280,13 @@ void put_time_section(std::string& page, const PageContent& content) {
     feed.limit_binds_rapids = false;
   }
   charts.put_chart(feed, "large");
+  if (content.followed != nullptr) {
+    charts.put_chart({"contour error", "µm", content.followed->contour(), 1000, content.report.tolerance_mm,
+                      std::nullopt, "tolerance", false},
+                     "large");
+    charts.put_chart({"measured feed", "mm/min", content.followed->feed(), 60, std::nullopt, std::nullopt, "", true},
+                     "large");
+  }
   charts.put_time_ticks();
   put(page, "<div class=\"axes\">\n");
   for (const base::Axis axis : base::all_axes) {

@@ -21,12 +21,19 @@
 
 namespace leadscrew::trace {
 
+/// What the rows of a trace hold.
+enum class TraceKind : std::uint8_t {
+  words,     ///< where the axes were to be
+  followed,  ///< and where their slides were: columns actual_X, actual_Y, … after those of the words
+};
+
 /// Writes words as they come. Rows are gathered into blocks of 64 KiB before they reach the sink. Once the sink has
 /// failed, every later call fails with the same diagnostic.
 class CsvWriter {
  public:
-  CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period);
-  base::Result<void> write(const base::Word& word);
+  CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
+  /// actual: of TraceKind::followed, mm or degrees.
+  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
   /// Writes what is still gathered.
   base::Result<void> finish();
 
@@ -34,6 +41,7 @@ class CsvWriter {
   ByteSink sink_;
   base::AxisSet axes_;
   base::Period period_;
+  TraceKind kind_;
   std::string rows_;
   base::Result<void> state_;
 };
@@ -43,8 +51,9 @@ class CsvWriter {
 /// every later call fails with the same diagnostic.
 class NpyWriter {
  public:
-  NpyWriter(ByteSink sink, base::AxisSet axes, base::Period period);
-  base::Result<void> write(const base::Word& word);
+  NpyWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
+  /// actual: of TraceKind::followed, mm or degrees.
+  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
   base::Result<void> finish();
   /// The header for the rows written so far; always of the same size.
   std::string header() const;
@@ -53,6 +62,7 @@ class NpyWriter {
   ByteSink sink_;
   base::AxisSet axes_;
   base::Period period_;
+  TraceKind kind_;
   std::int64_t rows_written_ = 0;
   std::string rows_;
   base::Result<void> state_;
