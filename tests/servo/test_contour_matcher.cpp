@@ -26,7 +26,14 @@ std::vector<double> matched(const std::vector<Period>& periods, const ContourWin
   ContourMatcher matcher(scale, window);
   std::vector<double> errors;
   const auto take = [&] {
-    for (const double error : matcher.take()) errors.push_back(error);
+    for (const Contour& contour : matcher.take()) {
+      double squares = 0;
+      for (std::size_t k = 0; k < base::axis_count; ++k) {
+        squares += std::pow((contour.actual[k] - contour.nearest[k]) * scale[k], 2);
+      }
+      EXPECT_NEAR(std::sqrt(squares), contour.distance, 1e-9);
+      errors.push_back(contour.distance);
+    }
   };
   for (const Period& period : periods) {
     matcher.observe(period.commanded, period.actual);

@@ -20,8 +20,8 @@ ContourMatcher::ContourMatcher(const base::AxisVector& scale, const ContourWindo
   stride_ = lines_of(window.behind + window.ahead) / most_lines + 1;
   behind_ = lines_of(window.behind);
   ahead_ = lines_of(window.ahead);
-  path_.resize(static_cast<std::size_t>(behind_ + 2 * ahead_ + 4));
   rows_.resize(static_cast<std::size_t>(2 * (behind_ + ahead_)));
+  path_.resize(rows_.size() + static_cast<std::size_t>(behind_ + 2 * ahead_ + 4));  // what rows in doubt may refer to
 }
 
 ContourMatcher::Point ContourMatcher::scaled(const base::AxisVector& position) const {
@@ -47,23 +47,42 @@ void ContourMatcher::finish() {
   settle(in_doubt_);
 }
 
-/// The last vertex, until there is one after it, is a line of no length.
-double ContourMatcher::squared_distance(const Point& point, std::int64_t line) const {
+/// Where on the line the point's foot is, 0 … 1. The last vertex, until there is one after it, is a line of no length.
+double ContourMatcher::share_of(const Point& point, std::int64_t line, std::int64_t last) const {
   const Point& from = vertex(line);
-  const Point& to = vertex(std::min(line + 1, vertices_ - 1));
+  const Point& to = vertex(std::min(line + 1, last));
   double along = 0, length = 0;
   for (const std::size_t k : axes_) {
     const double step = to[k] - from[k];
     along += (point[k] - from[k]) * step;
     length += step * step;
   }
-  const double share = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+  return length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+}
+
+double ContourMatcher::squared_distance(const Point& point, std::int64_t line, std::int64_t last) const {
+  const double share = share_of(point, line, last);
+  const Point& from = vertex(line);
+  const Point& to = vertex(std::min(line + 1, last));
   double sum = 0;
   for (const std::size_t k : axes_) {
     const double offset = point[k] - from[k] - share * (to[k] - from[k]);
     sum += offset * offset;
   }
   return sum;
+}
+
+Contour ContourMatcher::contour(const Row& row, std::size_t column) const {
+  const std::int64_t line = row.first + static_cast<std::int64_t>(column);
+  const double share = share_of(row.actual, line, row.last_vertex);
+  const Point& from = vertex(line);
+  const Point& to = vertex(std::min(line + 1, row.last_vertex));
+  Contour contour{std::sqrt(squared_distance(row.actual, line, row.last_vertex)), {}, {}};
+  for (const std::size_t k : axes_) {
+    contour.actual[k] = row.actual[k] / scale_[k];
+    contour.nearest[k] = (from[k] + share * (to[k] - from[k])) / scale_[k];
+  }
+  return contour;
 }
 
 void ContourMatcher::match(const Waiting& period) {
@@ -73,7 +92,8 @@ void ContourMatcher::match(const Waiting& period) {
   Row& row = rows_[in_doubt_++];
   row.first = first;
   row.came_from.assign(columns, 0);
-  row.distances.resize(columns);
+  row.actual = period.actual;
+  row.last_vertex = vertices_ - 1;
   std::swap(sums_, sums_before_);
   sums_.resize(columns);
   const bool begins = sums_before_.empty();
@@ -87,9 +107,8 @@ void ContourMatcher::match(const Waiting& period) {
       best = sums_before_[before];
       best_column = before;
     }
-    const double squared = squared_distance(period.actual, line);
+    const double squared = squared_distance(period.actual, line, vertices_ - 1);
     row.came_from[column] = static_cast<std::uint16_t>(best_column);
-    row.distances[column] = std::sqrt(squared);
     sums_[column] = best + squared;
     least = std::min(least, sums_[column]);
   }
@@ -105,7 +124,7 @@ void ContourMatcher::settle(std::size_t count) {
   const std::size_t begin = settled_.size();
   settled_.resize(begin + count);
   for (std::size_t k = in_doubt_; k-- > 0;) {
-    if (k < count) settled_[begin + k] = rows_[k].distances[column];
+    if (k < count) settled_[begin + k] = contour(rows_[k], column);
     column = rows_[k].came_from[column];
   }
   std::rotate(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(count),

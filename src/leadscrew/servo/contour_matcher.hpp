@@ -29,6 +29,13 @@ struct ContourWindow {
   int ahead = 32;    ///< periods that they may lead; ≥ 1
 };
 
+/// Of one period: mm and degrees; 0 in axes that are left out.
+struct Contour {
+  double distance = 0;         ///< mm, by the scale
+  base::AxisVector actual{};   ///< where the axes were
+  base::AxisVector nearest{};  ///< and where on the path they are matched to
+};
+
 class ContourMatcher {
  public:
   /// scale: what a mm or degree of each axis counts in a distance, mm; 0 leaves the axis out.
@@ -39,8 +46,8 @@ class ContourMatcher {
   /// After the last period: settles what is left in doubt.
   void finish();
 
-  /// What has been settled and not taken yet, mm: of every stride()-th period, from the first on.
-  std::vector<double> take() { return std::exchange(settled_, {}); }
+  /// What has been settled and not taken yet: of every stride()-th period, from the first on.
+  std::vector<Contour> take() { return std::exchange(settled_, {}); }
   std::int64_t stride() const { return stride_; }
 
  private:
@@ -54,12 +61,15 @@ class ContourMatcher {
   struct Row {
     std::int64_t first = 0;
     std::vector<std::uint16_t> came_from;  // columns of the row before
-    std::vector<double> distances;         // mm
+    Point actual{};
+    std::int64_t last_vertex = 0;  // that was known
   };
 
   Point scaled(const base::AxisVector& position) const;
   const Point& vertex(std::int64_t number) const { return path_[static_cast<std::size_t>(number) % path_.size()]; }
-  double squared_distance(const Point& point, std::int64_t line) const;
+  double share_of(const Point& point, std::int64_t line, std::int64_t last) const;
+  double squared_distance(const Point& point, std::int64_t line, std::int64_t last) const;
+  Contour contour(const Row& row, std::size_t column) const;
   void match(const Waiting& period);
   void settle(std::size_t count);
 
@@ -74,7 +84,7 @@ class ContourMatcher {
   std::size_t in_doubt_ = 0;     // so many of them
   std::vector<double> sums_, sums_before_;
   std::int64_t first_ = 0;  // line of the first of sums_
-  std::vector<double> settled_;
+  std::vector<Contour> settled_;
 };
 
 }  // namespace leadscrew::servo

@@ -57,9 +57,9 @@ LoopOptions pid_of(const machine::Machine& machine, base::Axis axis) {
 
 double lag_of(const LoopOptions& loop) {
   if (const auto* cascade = std::get_if<CascadeOptions>(&loop.controller)) return 1 / cascade->position_gain;
-  const auto& pid = std::get<PidOptions>(loop.controller);
+  const auto* pid = std::get_if<PidOptions>(&loop.controller);
   const double gain = loop.axis.drive.damping > 0 ? loop.axis.drive.acceleration / loop.axis.drive.damping : 1;
-  return 1 / (gain * std::max(pid.gains.proportional, 1e-3));
+  return pid != nullptr ? 1 / (gain * std::max(pid->gains.proportional, 1e-3)) : 0;
 }
 
 }  // namespace
