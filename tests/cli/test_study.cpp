@@ -23,9 +23,9 @@ TEST(Study, ListNamesWhatThereIs) {
     EXPECT_TRUE(contains(text.output, study["name"].get<std::string>()));
     EXPECT_TRUE(contains(text.output, study["title"].get<std::string>()));
   }
-  EXPECT_EQ(names,
-            (Names{"butterfly", "feed-fluctuation", "limits", "table-1", "orders", "10001", "fpga-table-1", "lecture",
-                   "closed-loop-pulses", "real-time-vs-offline", "koren-feed", "digital-integrals", "bounds"}));
+  EXPECT_EQ(names, (Names{"butterfly", "feed-fluctuation", "limits", "table-1", "orders", "10001", "fpga-table-1",
+                          "lecture", "closed-loop-pulses", "real-time-vs-offline", "adaptive-force", "koren-feed",
+                          "digital-integrals", "bounds"}));
 }
 
 TEST(ShareOut, DoesEachPartOnce) {
@@ -98,7 +98,7 @@ TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {
            Misuse{{"study", "feed-fluctuations"}, "did you mean feed-fluctuation?"},
            Misuse{{"study", "zzz"},
                   "there are list, butterfly, feed-fluctuation, limits, table-1, orders, 10001, fpga-table-1, lecture, "
-                  "closed-loop-pulses, real-time-vs-offline, koren-feed, digital-integrals, bounds"},
+                  "closed-loop-pulses, real-time-vs-offline, adaptive-force, koren-feed, digital-integrals, bounds"},
            Misuse{{"study"}, "NAME"},
            Misuse{{"study", "list", "--machine", "mill3"}, "no option --machine"},
            Misuse{{"stduy", "list"}, "did you mean study?"},

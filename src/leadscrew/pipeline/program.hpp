@@ -52,6 +52,11 @@ class Program {
   /// Before the first word: how NURBS curves are stepped along.
   void step_by(interpolator::StepRule rule) { interpolator_.step_by(rule); }
 
+  /// As of planner::Planner: chunks from now on are about so long, s > 0, and programmed feed is multiplied by a
+  /// factor, above 0 … 2, from the next chunk on.
+  void slice(double seconds) { planner_.slice(seconds); }
+  void override_feed(double factor) { planner_.override_feed(factor); }
+
   void on_event(EventSink sink) { events_ = std::move(sink); }
 
   /// Reads and plans as far as the next word needs; false when the last word (at rest, at the end) has been made. The

@@ -5,7 +5,7 @@ namespace leadscrew::study {
 
 namespace {
 
-constexpr std::array<Study, 13> all = {{
+constexpr std::array<Study, 14> all = {{
     {"butterfly", "The butterfly by arc length, and the times of travelling it", butterfly_rows},
     {"feed-fluctuation", "Feed and chord errors of the rules that step a curve's parameter", feed_fluctuation_rows},
     {"limits", "Time, limits and effort along curves beside the optimum, and along blended lines and corners",
@@ -18,6 +18,7 @@ constexpr std::array<Study, 13> all = {{
     {"closed-loop-pulses", "A pulse-driven axis as it runs, and contours of unlike position loops", closed_loop_rows},
     {"real-time-vs-offline", "A curve as one block and as 92 lines with a stop at each, through servo loops",
      real_time_rows},
+    {"adaptive-force", "Force held and time saved by adaptive control, by planner and by NC program", adaptive_rows},
     {"koren-feed", "Koren's feed words and clocks, by formula and by registers", feed_code_rows},
     {"digital-integrals", "Lines and arcs of a teaching interpolator in n-bit registers", digital_integrals_rows},
     {"bounds", "Greatest errors of every pulse interpolator, on all circles, arcs and lines to some size", bounds_rows},

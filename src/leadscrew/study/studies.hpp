@@ -51,6 +51,10 @@ Rows closed_loop_rows(const Host& host);
 /// Lin and Koren's plane cubic as one block and as 92 lines with a stop at each, through their servo loops.
 Rows real_time_rows(const Host& host);
 
+/// A slot with a deeper middle part under adaptive control: force held and time saved by the planner's feed override
+/// and by that of the NC program; what becomes of the feed when the sensor fails.
+Rows adaptive_rows(const Host& host);
+
 /// What "Digital integral interpolator based on LabVIEW" says of n-bit registers.
 Rows digital_integrals_rows(const Host& host);
 
