@@ -23,7 +23,7 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{{}, "no command"},
            Misuse{{"rum", "part.ngc"}, "no command \"rum\"; did you mean run?"},
            Misuse{{"vreify"}, "did you mean verify?"},
-           Misuse{{"zzzzzz"}, "there are run, check and verify"},
+           Misuse{{"zzzzzz"}, "there are run, check, verify"},
            Misuse{{"--verison"}, "did you mean --version?"},
            Misuse{{"run"}, "PROGRAM"},
            Misuse{{"run", "part.ngc", "--tarce", "made.csv"}, "no option --tarce; did you mean --trace?"},

@@ -58,6 +58,7 @@ struct Texts {
   RunTexts run;
   PulseTexts pulse;
   DesignTexts design;
+  SimulateTexts simulate;
 };
 
 std::string shell_quoted(std::string_view text) {
@@ -132,6 +133,51 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
   run->add_option("--out", texts.out, "Write DIR/NAME.csv, .html and .svg of each program")->type_name("DIR");
   run->footer(std::string(run_examples));
   return run;
+}
+
+void add_adaptive(CLI::App& simulate, AdaptiveTexts& texts) {
+  simulate.add_flag("--adaptive", texts.asked_for,
+                    "Hold the cutting force at a limit by the feed override; the cut is:");
+  const auto add = [&](const char* name, std::optional<std::string>& text, const char* what, const char* unit) {
+    simulate.add_option(name, text, what)->type_name(unit);
+  };
+  add("--material", texts.material, materials_there_are, "NAME");
+  add("--depth", texts.depth, "Along the cutter's axis (default: 2)", "MM");
+  add("--depth-steps", texts.depth_steps, "Depths from places along the path on, in place of --depth", "S:MM,...");
+  add("--width", texts.width, "Across the cutter (default: 0.4 of its diameter)", "MM");
+  add("--teeth", texts.teeth, "Of the cutter (default: 4)", "N");
+  add("--diameter", texts.diameter, "Of the cutter (default: 10)", "MM");
+  add("--spindle", texts.spindle, "Speed of the spindle (default: 3000)", "RPM");
+  add("--edge-force", texts.edge_force, "Of a mm of cutting edge that rubs (default: 0)", "N/MM");
+  add("--force-limit", texts.force_limit, "Of the mean force (default: of the first depth at the greatest feed)", "N");
+  add("--noise", texts.noise, "Of the sensor, in % of the limit (default: 5)", "PERCENT");
+  add("--seed", texts.seed, "Of the noise (default: 1)", "N");
+  add("--safe-factor", texts.safe_factor, "Of the programmed feed, once the sensor has failed (default: 0.5)", "SHARE");
+  add("--sensor-fault", texts.sensor_fault, "nan, stuck or silent from a time on, such as stuck@1.5", "KIND@S");
+}
+
+CLI::App* add_simulate(CLI::App& app, Arguments& arguments, Texts& all) {
+  CLI::App* simulate =
+      app.add_subcommand("simulate", "Words through simulated loops of all axes: errors of the slides");
+  simulate->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
+  add_common(*simulate, arguments, all);
+  simulate->add_option("--period", all.period, "Servo period, such as 1ms or 250us, in place of the machine's")
+      ->type_name("TIME");
+  add_motion(*simulate, arguments, all);
+  simulate
+      ->add_option("--gains", all.simulate.gains,
+                   "PID in every axis: u = P e + I T sum(e) + D (e - last e), in place of the machine's controllers")
+      ->type_name("P,I,D");
+  simulate->add_option("--feed-forward", all.simulate.feed_forward, "on or off, of velocity and acceleration")
+      ->type_name("WHETHER");
+  simulate->add_flag("--pulses", all.simulate.pulses, "Steps through pulse-driven loops, in place of words");
+  add_adaptive(*simulate, all.simulate.adaptive);
+  simulate->add_option("--trace", all.run.trace, "Write words and slides: .csv or .npy")->type_name("FILE");
+  simulate->add_option("--report", all.run.report, "Write one self-contained page")->type_name("FILE.html");
+  simulate->add_option("--picture", all.run.picture, "Write the path alone, coloured by speed")->type_name("FILE.svg");
+  simulate->add_option("--out", all.run.out, "Write DIR/NAME.csv, .html and .svg of each program")->type_name("DIR");
+  simulate->footer(simulate_help());
+  return simulate;
 }
 
 CLI::App* add_check(CLI::App& app, Arguments& arguments, Texts& texts) {
@@ -245,10 +291,16 @@ void take_values(const Texts& texts, Arguments& arguments) {
   if (texts.tolerance)
     arguments.tolerance = value_of("--tolerance", *texts.tolerance, parse_tolerance(*texts.tolerance));
   if (texts.start) arguments.start = value_of("--start", *texts.start, parse_axis_values(*texts.start));
-  if (arguments.command == Arguments::Command::run) {
+  const bool simulates = arguments.command == Arguments::Command::simulate;
+  if (arguments.command == Arguments::Command::run || simulates) {
     auto run = parse_run(texts.run, arguments.programs.size());
     if (!run) throw UsageError(run.error());
     arguments.run = std::move(*run);
+  }
+  if (simulates) {
+    auto simulate = parse_simulate(texts.simulate);
+    if (!simulate) throw UsageError(simulate.error());
+    arguments.simulate = *simulate;
   }
   if (arguments.command == Arguments::Command::pulse) {
     auto pulse = parse_pulse(texts.pulse, arguments.json);
@@ -334,11 +386,11 @@ Answer usage(const std::string& where, const std::string& message) {
 }
 
 constexpr std::string_view commands_there_are =
-    "; there are run, check and verify for programs, pulse, study and design";
+    "; there are run, check, verify and simulate for programs, pulse, study and design";
 
 /// The first word must be a command; CLI11 would say less.
 std::optional<Answer> check_command(int count, const char* const* values) {
-  const std::vector<std::string> known = {"run", "check", "verify", "pulse", "study", "design"};
+  const std::vector<std::string> known = {"run", "check", "verify", "pulse", "study", "design", "simulate"};
   if (count < 2) return usage("leadscrew", fmt::format("no command{}", commands_there_are));
   const std::string word = values[1];
   if (word.empty() || word[0] != '-') {
@@ -359,9 +411,10 @@ class Parser {
     app_.set_help_flag("-h,--help", "This text");
     app_.require_subcommand(1);
     app_.footer(std::string(main_examples) + "\n" + std::string(exit_statuses));
-    commands_ = {add_run(app_, arguments_, texts_),    add_check(app_, arguments_, texts_),
-                 add_verify(app_, arguments_, texts_), add_pulse(app_, arguments_, texts_),
-                 add_study(app_, arguments_, texts_),  add_design(app_, arguments_, texts_)};
+    commands_ = {add_run(app_, arguments_, texts_),     add_check(app_, arguments_, texts_),
+                 add_verify(app_, arguments_, texts_),  add_pulse(app_, arguments_, texts_),
+                 add_study(app_, arguments_, texts_),   add_design(app_, arguments_, texts_),
+                 add_simulate(app_, arguments_, texts_)};
   }
 
   std::variant<Arguments, Answer> parse(int count, const char* const* values) {
@@ -372,7 +425,8 @@ class Parser {
                            : app_.got_subcommand(commands_[2]) ? Arguments::Command::verify
                            : app_.got_subcommand(commands_[3]) ? Arguments::Command::pulse
                            : app_.got_subcommand(commands_[4]) ? Arguments::Command::study
-                                                               : Arguments::Command::design;
+                           : app_.got_subcommand(commands_[5]) ? Arguments::Command::design
+                                                               : Arguments::Command::simulate;
       arguments_.command_line = command_line(count, values);
       if (arguments_.command == Arguments::Command::verify) arguments_.programs = {texts_.judged_program};
       take_values(texts_, arguments_);
@@ -406,7 +460,7 @@ class Parser {
   Arguments arguments_;
   Texts texts_;
   CLI::App app_{"CNC part programs into motion.", "leadscrew"};
-  std::array<CLI::App*, 6> commands_{};
+  std::array<CLI::App*, 7> commands_{};
 };
 
 }  // namespace

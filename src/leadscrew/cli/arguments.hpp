@@ -7,6 +7,7 @@
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
+#include <leadscrew/cli/simulate_arguments.hpp>
 #include <leadscrew/cli/status.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <optional>
@@ -17,12 +18,13 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Command { run, check, verify, pulse, study, design };
+  enum class Command { run, check, verify, pulse, study, design, simulate };
 
   Command command = Command::run;
   std::vector<std::string> programs;   ///< one or more; of verify one
   std::string judged_trace;            ///< of verify
-  RunArguments run;                    ///< of run
+  RunArguments run;                    ///< of run; its files of simulate too
+  SimulateArguments simulate;          ///< of simulate
   PulseArguments pulse;                ///< of pulse
   DesignArguments design;              ///< of design
   std::string study;                   ///< of study: the name of one that there is, or "list"

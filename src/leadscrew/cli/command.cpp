@@ -8,6 +8,8 @@
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/run.hpp>
+#include <leadscrew/cli/simulate.hpp>
+#include <leadscrew/cli/simulate_form.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/cli/verify.hpp>
 
@@ -40,6 +42,8 @@ std::string_view schema_of(Arguments::Command command) {
       return check_schema;
     case Arguments::Command::verify:
       return verify_schema;
+    case Arguments::Command::simulate:
+      return simulate_schema;
     case Arguments::Command::pulse:
     case Arguments::Command::study:
     case Arguments::Command::design:
@@ -73,6 +77,8 @@ Status perform(const Arguments& arguments) {
       return check(*job, console);
     case Arguments::Command::verify:
       return verify(*job, console);
+    case Arguments::Command::simulate:
+      return simulate(*job, console);
     case Arguments::Command::pulse:
     case Arguments::Command::study:
     case Arguments::Command::design:

@@ -102,6 +102,8 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     *output = std::move(*file);
     if (!outputs.recording_) outputs.recording_.emplace(job.machine, job.machine.period);
   }
+  const bool follows = job.arguments.command == Arguments::Command::simulate;
+  if (follows && outputs.report_) outputs.followed_.emplace(job.machine.axis_set());
   return outputs;
 }
 
@@ -111,27 +113,31 @@ base::Result<void> Outputs::open_trace(const std::string& path) {
   if (!file) return base::failure(file.error());
   trace_ = std::move(*file);
   const base::AxisSet axes = job_->machine.axis_set();
+  const bool follows = job_->arguments.command == Arguments::Command::simulate;
+  const trace::TraceKind kind = follows ? trace::TraceKind::followed : trace::TraceKind::words;
   if (is_npy) {
-    writer_.emplace<trace::NpyWriter>(trace_->sink(), axes, job_->machine.period);
+    writer_.emplace<trace::NpyWriter>(trace_->sink(), axes, job_->machine.period, kind);
   } else {
-    writer_.emplace<trace::CsvWriter>(trace_->sink(), axes, job_->machine.period);
+    writer_.emplace<trace::CsvWriter>(trace_->sink(), axes, job_->machine.period, kind);
   }
   return {};
 }
 
-base::Result<void> Outputs::write(const base::Word& word) {
+base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector& actual, double measured_feed) {
+  if (followed_) followed_->observe(word.position, actual, measured_feed);
   if (recording_) recording_->observe(word);
   if (steps_) {
     if (auto written = steps_->write(word); !written) return written;
   }
-  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->write(word);
-  if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) return npy->write(word);
+  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->write(word, actual);
+  if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) return npy->write(word, actual);
   return {};
 }
 
 base::Result<void> Outputs::write_pages(const trace::Report& report) {
   if (report_) {
-    auto written = trace::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink());
+    auto written =
+        trace::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
     if (!written) return written;
   }
   if (picture_) return trace::write_path_svg(report.title, *recording_, picture_->sink());

@@ -40,10 +40,14 @@ class Outputs {
   /// Opens what was asked for; makes the folder of --out. The job must outlive the outputs.
   static base::Result<Outputs> open(const OutputPaths& paths, const Job& job);
 
-  base::Result<void> write(const base::Word& word);
+  base::Result<void> write(const base::Word& word) { return write(word, {}, 0); }
+  /// And where the slides were, with the feed that was measured, mm/s.
+  base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
 
   /// What a report and a picture are made of; nothing where none was asked for.
   const trace::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
+  /// What a report of slides shows beside; null where there is none.
+  trace::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
   /// Writes the report and the picture, whichever was asked for.
   base::Result<void> write_pages(const trace::Report& report);
   /// Writes the steps that are left.
@@ -68,6 +72,7 @@ class Outputs {
   Writer writer_;
   std::unique_ptr<StepOutput> steps_;
   std::optional<trace::Recording> recording_;
+  std::optional<trace::FollowedRecording> followed_;
 };
 
 }  // namespace leadscrew::cli

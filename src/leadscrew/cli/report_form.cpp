@@ -1,5 +1,7 @@
 #include <array>
 #include <leadscrew/cli/report_form.hpp>
+#include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
 #include <set>
 
 namespace leadscrew::cli {
@@ -100,6 +102,36 @@ base::Result<trace::Report> report_of(const InputFile& file, const Job& job, con
   report.diagnostics = log.all();
   report.source = std::move(*source);
   return report;
+}
+
+base::Result<trace::Report> report_of(const InputFile& file, const Job& job, const SimulateFigures& figures,
+                                      const DiagnosticLog& log, const trace::Recording& recording) {
+  RunFigures of_words{figures.summary, figures.verdict, {}};
+  of_words.verdict.axes.clear();
+  for (const auto& [axis, tracking] : figures.axes) {
+    const planner::AxisRatios& plan = figures.summary.plan[base::index(axis)];
+    of_words.verdict.axes.push_back({axis, plan.velocity, plan.acceleration, plan.jerk});
+  }
+  of_words.verdict.feed_max_ratio = 0;  // an override may double it
+  auto report = report_of(file, job, of_words, log, recording);
+  if (report) report->tolerance_mm = figures.tolerance;
+  return report;
+}
+
+void observe_ideal_path(const InputFile& file, const Job& job, trace::FollowedRecording& followed) {
+  constexpr int parts = 64;
+  gcode::Reader reader = silent_reader(file, job);
+  gcode::Move move;
+  followed.observe_ideal(job.start);
+  while (reader.next(move)) {
+    for (const toolpath::Piece& piece : toolpath::pieces_of(move)) {
+      const int count = move.kind == gcode::Move::Kind::line ? 1 : parts;
+      for (int i = 1; i <= count; ++i) {
+        const double s = geometry::length(piece.curve) * i / count;
+        followed.observe_ideal(geometry::evaluate(piece.curve, numeric::DoubleDouble(s)));
+      }
+    }
+  }
 }
 
 }  // namespace leadscrew::cli

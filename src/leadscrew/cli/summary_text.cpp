@@ -25,19 +25,6 @@ std::string counted(std::int64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-std::string row(std::string_view name, const std::string& value) {
-  return fmt::format("  {:<10} {}\n", name, value);
-}
-
-std::string heading(const std::string& program, const std::string& machine, base::Period period, const Style& style) {
-  return fmt::format("{} on {}, period {}\n", style(Tone::strong, printable(program)), printable(machine),
-                     period_text(period));
-}
-
-std::string deviation_text(double deviation, double tolerance) {
-  return fmt::format("{:.3g} mm, tolerance {:g} mm", deviation, tolerance);
-}
-
 std::string feed_text(double programmed_mm_s, double max_ratio) {
   if (programmed_mm_s == 0) return "rapids only";
   return fmt::format("programmed up to {:g} mm/min, reached {:.1f} % of it", programmed_mm_s * 60, max_ratio * 100);
@@ -104,6 +91,19 @@ std::string verdict_text(bool kept, const Style& style) {
 }
 
 }  // namespace
+
+std::string row(std::string_view name, const std::string& value) {
+  return fmt::format("  {:<10} {}\n", name, value);
+}
+
+std::string heading(const std::string& program, const std::string& machine, base::Period period, const Style& style) {
+  return fmt::format("{} on {}, period {}\n", style(Tone::strong, printable(program)), printable(machine),
+                     period_text(period));
+}
+
+std::string deviation_text(double deviation, double tolerance) {
+  return fmt::format("{:.3g} mm, tolerance {:g} mm", deviation, tolerance);
+}
 
 std::string run_summary(const std::string& program, const Job& job, const RunFigures& figures, const Style& style) {
   const pipeline::Summary& summary = figures.summary;

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <leadscrew/cli/adaptive_run.hpp>
+#include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/report_form.hpp>
+#include <leadscrew/cli/simulate.hpp>
+#include <leadscrew/cli/simulate_form.hpp>
+#include <leadscrew/cli/slides.hpp>
+#include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/pipeline/programmed_feed.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr std::int64_t words_between_looks = 1024;
+
+class Simulation {
+ public:
+  Simulation(const Job& job, Console& console, DiagnosticLog& log) : job_(job), console_(console), log_(log) {}
+
+  /// Nothing where the log says why.
+  std::optional<SimulateFigures> execute(const std::string& program) {
+    const auto file = InputFile::open(program);
+    if (!file) return failed(file.error());
+    const OutputPaths paths = output_paths(job_.arguments, program);
+    if (auto sound = check_paths(paths, *file); !sound) return failed(sound.error());
+    read_program(*file, job_, console_, log_);
+    if (log_.errors() > 0) return std::nullopt;
+    auto figures = move(*file, paths);
+    console_.clear_progress();
+    if (!figures) return failed(figures.error());
+    return std::move(*figures);
+  }
+
+ private:
+  std::nullopt_t failed(const base::Diagnostic& problem) {
+    log_.add(problem);
+    return std::nullopt;
+  }
+
+  base::Result<SimulateFigures> move(const InputFile& file, const OutputPaths& paths) {
+    auto outputs = Outputs::open(paths, job_);
+    if (!outputs) return base::failure(outputs.error());
+    auto figures = follow_words(file, *outputs);
+    if (!figures) return figures;
+    if (auto same = file.unchanged(); !same) return base::failure(same.error());
+    if (outputs->recording() != nullptr) {
+      if (outputs->followed() != nullptr) observe_ideal_path(file, job_, *outputs->followed());
+      const auto report = report_of(file, job_, *figures, log_, *outputs->recording());
+      if (!report) return base::failure(report.error());
+      if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
+    }
+    if (interrupted()) return base::failure(interruption());
+    auto files = outputs->publish();
+    if (!files) return base::failure(files.error());
+    figures->files = std::move(*files);
+    return figures;
+  }
+
+  base::Result<SimulateFigures> follow_words(const InputFile& file, Outputs& outputs) {
+    Progress progress{.work = "moving", .total = file.size()};
+    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
+                              nullptr);
+    gcode::Reader reader = silent_reader(file, job_);
+    const LoopKind kind = job_.arguments.simulate.pulses ? LoopKind::pulses : LoopKind::words;
+    auto slides = Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
+    if (!slides) return base::failure(slides.error());
+    auto adaptive = AdaptiveRun::create(file, job_, program);
+    if (!adaptive) return base::failure(adaptive.error());
+    base::Word word;
+    console_.begin_progress();
+    while (program.prepare()) {
+      word = program.cycle();
+      const auto followed = follow(word, *slides, outputs);
+      if (!followed) return base::failure(followed.error());
+      if (*followed) (*adaptive)->follow(**followed, slides->measured_feed(), program);
+      if (base::count(word.tick) % words_between_looks != 0) continue;
+      if (interrupted()) return base::failure(interruption());
+      progress.words = base::count(word.tick);
+      progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
+      console_.progress(progress);
+    }
+    if (program.source_failure()) return base::failure(*program.source_failure());
+    if (auto done = come_to_rest(word, *slides, outputs); !done) return base::failure(done.error());
+    record(slides->finish_contour(), *slides, outputs);
+    SimulateFigures figures = slides->conclude();
+    if (reader.source_failure()) return base::failure(*reader.source_failure());
+    figures.summary = program.summary();
+    figures.tolerance = std::max(figures.summary.tolerance_mm, job_.machine.tolerance);
+    auto of_cut = (*adaptive)->conclude();
+    if (!of_cut) return base::failure(of_cut.error());
+    figures.adaptive = *of_cut;
+    return figures;
+  }
+
+  base::Result<std::optional<servo::Followed>> follow(const base::Word& word, Slides& slides, Outputs& outputs) {
+    auto followed = slides.follow(word);
+    if (!followed) return followed;
+    if (!*followed) return followed;
+    const auto written = outputs.write((*followed)->word, (*followed)->position, slides.measured_feed());
+    if (!written) return base::failure(written.error());
+    record(slides.take_contour(), slides, outputs);
+    return followed;
+  }
+
+  static void record(const std::vector<servo::Contour>& contours, const Slides& slides, Outputs& outputs) {
+    if (outputs.followed() == nullptr) return;
+    for (const servo::Contour& contour : contours) {
+      outputs.followed()->observe({contour.actual, contour.nearest, contour.distance}, slides.contour_stride());
+    }
+  }
+
+  /// Repeats the last word until the slides stand.
+  base::Result<void> come_to_rest(base::Word word, Slides& slides, Outputs& outputs) {
+    word.speed = word.feed = 0;
+    word.state = base::MotionState::rest;
+    slides.end_words();
+    while (!slides.has_ended()) {
+      word.tick = base::next(word.tick);
+      if (auto done = follow(word, slides, outputs); !done) return base::failure(done.error());
+      if (base::count(word.tick) % words_between_looks == 0 && interrupted()) return base::failure(interruption());
+    }
+    return {};
+  }
+
+  const Job& job_;
+  Console& console_;
+  DiagnosticLog& log_;
+};
+
+ProgramResult simulate_program(const std::string& program, const Job& job, Console& console) {
+  DiagnosticLog log(console);
+  const std::string name = program == "-" ? "<stdin>" : program;
+  const auto figures = Simulation(job, console, log).execute(program);
+  if (!figures) return {log.status(), json_of_rejected(simulate_schema, name, job.machine.name, log), {}};
+  return {figures->kept() ? Status::done : Status::not_kept, json_of_simulation(name, job, *figures, log),
+          simulate_summary(name, job, *figures, console.output_style())};
+}
+
+}  // namespace
+
+Status simulate(const Job& given, Console& console) {
+  Job job = given;
+  job.arguments.simulate.put_into(job.machine);
+  return for_each_program(job, console, simulate_schema,
+                          [&](const std::string& program) { return simulate_program(program, job, console); });
+}
+
+}  // namespace leadscrew::cli

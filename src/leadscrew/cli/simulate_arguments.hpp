@@ -1,0 +1,54 @@
+#pragma once
+// What the command line asks `leadscrew simulate` for, beside what other commands are asked for too.
+
+#include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/servo/adaptive_cut.hpp>
+#include <leadscrew/servo/pid.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::cli {
+
+/// Of --adaptive. The limit of the force is empty where it is to be what the first depth gives at the greatest feed.
+struct AdaptiveArguments {
+  servo::AdaptiveCutOptions cut;  ///< without limit and noise
+  std::optional<double> limit;    ///< N
+  double noise = 0.05;            ///< of the limit
+};
+
+struct SimulateArguments {
+  std::optional<servo::PidGains> gains;  ///< of every axis, in the published form
+  std::optional<bool> feed_forward;      ///< of every axis, whole or none
+  std::optional<AdaptiveArguments> adaptive;
+  bool pulses = false;  ///< steps that follow the words, through pulse-driven loops
+
+  /// What the machine tells of its drives, and what was asked for in its place. Gains without a word on feed-forward
+  /// have none, as published.
+  void put_into(machine::Machine& machine) const;
+};
+
+inline constexpr const char* materials_there_are = "aluminium, cast-iron, steel (default) or titanium";
+
+struct AdaptiveTexts {
+  bool asked_for = false;
+  std::optional<std::string> material, depth, depth_steps, width, teeth, diameter, spindle, edge_force, force_limit,
+      noise, seed, safe_factor, sensor_fault;
+};
+
+/// Options as text, before their values are looked at.
+struct SimulateTexts {
+  std::optional<std::string> gains, feed_forward;
+  AdaptiveTexts adaptive;
+  bool pulses = false;
+};
+
+/// Says in whole sentences what is wrong.
+Parsed<std::optional<AdaptiveArguments>> parse_adaptive(const AdaptiveTexts& texts);
+Parsed<SimulateArguments> parse_simulate(const SimulateTexts& texts);
+
+/// With the keys of drives.
+std::string simulate_help();
+
+}  // namespace leadscrew::cli
