@@ -70,9 +70,11 @@ double brute_force_ratio(const std::vector<Segment>& part, const Chunk& chunk, c
   return worst;
 }
 
-/// Segments go on where the one before ends, in time and along the path.
+/// Segments go on where the one before ends, in time and along the path; the first may have begun before.
 void is_contiguous(const Chunk& chunk, const std::vector<Segment>& part, double begin, double scale) {
-  double time = begin;
+  RC_ASSERT(part.front().begin.value() <= begin + 1e-12 * (1 + begin));
+  RC_ASSERT(part.front().begin.value() + part.front().duration.value() >= begin - 1e-12 * (1 + begin));
+  double time = part.front().begin.value();
   for (std::size_t k = 0; k < part.size(); ++k) {
     RC_ASSERT(std::abs(part[k].begin.value() - time) <= 1e-12 * (1 + time));
     RC_ASSERT(part[k].duration.value() >= 0);
@@ -89,11 +91,12 @@ void is_contiguous(const Chunk& chunk, const std::vector<Segment>& part, double 
   }
 }
 
-/// A chunk, and what follows it or its tail, begin where it leaves off.
-void goes_on(const Chunk& before, const std::vector<toolpath::Piece>& pieces, const Segment& next,
+/// A chunk, and what follows it or its tail, begin where it leaves off: `begin` in the time of what follows.
+void goes_on(const Chunk& before, const std::vector<toolpath::Piece>& pieces, const Segment& next, double begin,
              const machine::Machine& machine) {
   const Segment& last = before.segments.back();
-  const At leaving = end_of(last), entering = at(next, 0);
+  const At leaving = at(last, (before.end() - last.begin).value());
+  const At entering = at(next, begin - next.begin.value());
   const geometry::Curve& old_curve = before.pieces[last.piece].curve;
   const geometry::Curve& curve = pieces[next.piece].curve;
   const double size = std::max(geometry::length(old_curve), geometry::length(curve));
@@ -166,7 +169,7 @@ RC_GTEST_PROP(LookAhead, ChunksFollowOneAnother, ()) {
     travelled += chunk.length;
     if (!chunk.stop_tail.empty()) {
       is_contiguous(chunk, chunk.stop_tail, duration, scale);
-      goes_on(chunk, chunk.pieces, chunk.stop_tail.front(), random.machine);
+      goes_on(chunk, chunk.pieces, chunk.stop_tail.front(), duration, random.machine);
       RC_ASSERT(chunk.tail_length > 0);
     } else {
       RC_ASSERT(chunk.tail_length == 0);
@@ -174,7 +177,7 @@ RC_GTEST_PROP(LookAhead, ChunksFollowOneAnother, ()) {
     if (k + 1 < plan.chunks.size()) {
       const Chunk& next = plan.chunks[k + 1];
       RC_ASSERT(next.begins_at_rest() == chunk.stop_tail.empty());
-      goes_on(chunk, next.pieces, next.segments.front(), random.machine);
+      goes_on(chunk, next.pieces, next.segments.front(), 0, random.machine);
     }
   }
   RC_ASSERT(plan.chunks.front().begins_at_rest());
@@ -224,8 +227,8 @@ RC_GTEST_PROP(LookAhead, KeepsEveryLimitThroughChangesOfFeed, ()) {
       held = false;
       continue;
     }
-    is_contiguous(*chunk, chunk->segments, 0, 500);
-    if (before) goes_on(*before, chunk->pieces, chunk->segments.front(), random.machine);
+    is_contiguous(*chunk, chunk->segments, chunk->begin.value(), 500);
+    if (before) goes_on(*before, chunk->pieces, chunk->segments.front(), chunk->begin.value(), random.machine);
     RC_ASSERT(brute_force_ratio(chunk->segments, *chunk, random.machine, greatest_factor) <= 1.001);
     RC_ASSERT(brute_force_ratio(chunk->stop_tail, *chunk, random.machine, greatest_factor) <= 1.001);
     ends_at_rest(*chunk, random.machine);

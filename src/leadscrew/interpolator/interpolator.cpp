@@ -53,22 +53,25 @@ Along along(const planner::Segment& segment, DoubleDouble tau) {
 
 }  // namespace
 
-Interpolator::Interpolator(base::Period period, const base::AxisVector& position) : period_(period), rest_(position) {}
+Interpolator::Interpolator(base::Period period, const base::AxisVector& position, double path_length)
+    : period_(period), length_before_end_(path_length), rest_(position) {}
 
 void Interpolator::load(const planner::Chunk& chunk) {
   if (!chunk.pieces.empty()) {
-    const planner::Segment& first = chunk.segments.front();
+    const double s = chunk.first_state().s;
     constexpr double nothing = 1e-9;  // of the path: a piece is at its start to rounding
-    const bool is_new_piece = first.s0 <= nothing;
-    first_number_ = last_number_ + (is_new_piece ? 1 : 0) - first.piece;
+    const bool is_new_piece = !on_piece_ || s < end_on_piece_ - nothing || s <= nothing;
+    first_number_ = last_number_ + (is_new_piece ? 1 : 0) - chunk.segments.front().piece;
     last_number_ = first_number_ + chunk.segments.back().piece;
+    on_piece_ = true;
+    length_before_ = is_new_piece ? length_before_end_ + end_on_piece_ - s : length_before_end_;
   }
-  begin_ = waited_ ? now_ : end_;
+  const bool goes_on = DoubleDouble(0) < chunk.begin;
+  if (!goes_on) begin_ = waited_ ? now_ : end_;
   waited_ = false;
   in_tail_ = false;
   chunk_ = &chunk;
-  end_ = begin_;
-  begin_part(chunk.segments, begin_ + chunk.duration, chunk.length);
+  begin_part(chunk.segments, begin_ + chunk.end());
   rest_ = chunk.rest;
   line_ = chunk.rest_line;
 }
@@ -78,18 +81,30 @@ void Interpolator::run_stop_tail() {
   const planner::Segment& last = chunk_->stop_tail.back();
   in_tail_ = true;
   last_number_ = first_number_ + last.piece;
-  begin_part(chunk_->stop_tail, begin_ + (last.begin + last.duration), chunk_->tail_length);
+  length_before_ = length_before_end_;
+  const std::size_t from = chunk_->segments.back().piece, to = chunk_->stop_tail.front().piece;
+  if (from != to) length_before_ += geometry::length(chunk_->pieces[from].curve);
+  begin_part(chunk_->stop_tail, begin_ + (last.begin + last.duration));
 }
 
-/// Goes on from the end of what has been travelled, through contiguous segments, to their end.
-void Interpolator::begin_part(std::span<const planner::Segment> segments, DoubleDouble end, double length) {
+/// Goes on through contiguous segments to their end.
+void Interpolator::begin_part(std::span<const planner::Segment> segments, DoubleDouble end) {
+  end_ = end;
   segments_ = segments;
   segment_ = 0;
-  segment_begin_ = end_;
-  end_ = end;
+  if (segments.empty()) return;
+  segment_begin_ = begin_ + segments.front().begin;
   segment_end_ = segments.size() > 1 ? begin_ + segments[1].begin : end_;
-  length_before_ = length_after_ - (segments.empty() ? 0 : segments.front().s0.value());
-  length_after_ += length;
+  const planner::Segment& last = segments.back();
+  if (last.state == base::MotionState::rest) return;  // on the piece before
+  length_before_end_ = length_before_;
+  for (std::size_t piece = segments.front().piece; piece < last.piece; ++piece) {
+    length_before_end_ += geometry::length(chunk_->pieces[piece].curve);
+  }
+  const double length = geometry::length(chunk_->pieces[last.piece].curve);
+  constexpr double nothing = 1e-9;
+  const double s = planner::evaluate(last, (end_ - begin_ - last.begin).value()).s;
+  end_on_piece_ = s > length - nothing ? length : s;
 }
 
 base::Word Interpolator::next() {
@@ -104,20 +119,20 @@ base::Word Interpolator::next() {
   if (has_ended) {
     waited_ = true;
     word.position = rest_;
-    word.path_length = length_after_;
+    word.path_length = length_before_end_ + end_on_piece_;
     return word;
   }
   const planner::Segment& segment = segment_at(now);
   word.state = segment.state;
-  word.path_length = length_before_;
   if (segment.state == base::MotionState::rest) {
     word.position = rest_;
+    word.path_length = length_before_end_ + end_on_piece_;
     return word;
   }
   const auto [s, speed] = along(segment, now - segment_begin_);
   const toolpath::Piece& piece = chunk_->pieces[segment.piece];
   word.position = position(piece.curve, segment.piece, s);
-  word.path_length += s.value();
+  word.path_length = length_before_ + s.value();
   word.speed = word.feed = speed;
   if (piece.feed_axes != toolpath::FeedAxes::none) {
     word.feed *= toolpath::rate(geometry::jets(piece.curve, s.value()), piece.feed_axes);

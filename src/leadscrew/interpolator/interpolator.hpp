@@ -18,8 +18,8 @@ namespace leadscrew::interpolator {
 
 class Interpolator {
  public:
-  /// Stands at `position` until a chunk is loaded.
-  Interpolator(base::Period period, const base::AxisVector& position);
+  /// Stands at `position`, behind so much of the path, until a chunk is loaded.
+  Interpolator(base::Period period, const base::AxisVector& position, double path_length = 0);
 
   /// Goes along NURBS curves by one of the published rules, for comparison; by arc length unless told otherwise.
   void step_by(StepRule rule) { rule_ = rule; }
@@ -53,7 +53,7 @@ class Interpolator {
 
  private:
   base::AxisVector position(const geometry::Curve& curve, std::size_t piece, numeric::DoubleDouble s);
-  void begin_part(std::span<const planner::Segment> segments, numeric::DoubleDouble end, double length);
+  void begin_part(std::span<const planner::Segment> segments, numeric::DoubleDouble end);
   const planner::Segment& segment_at(numeric::DoubleDouble time);
 
   base::Period period_;
@@ -64,12 +64,15 @@ class Interpolator {
   bool in_tail_ = false;
   bool waited_ = false;                  ///< a word has stood at rest for want of a chunk
   numeric::DoubleDouble now_;            ///< time of the next word, seconds
-  numeric::DoubleDouble begin_;          ///< of the chunk, seconds
+  numeric::DoubleDouble begin_;          ///< of the motion that the chunk is part of, seconds
   numeric::DoubleDouble end_;            ///< of the committed part, or of the tail when that runs, seconds
   numeric::DoubleDouble segment_begin_;  ///< seconds
   numeric::DoubleDouble segment_end_;    ///< seconds
   double length_before_ = 0;             ///< travelled before the piece, as if it had been travelled from its start
-  double length_after_ = 0;              ///< travelled when the committed part, or the tail, has ended
+  bool on_piece_ = false;                ///< has anything been travelled?
+  // The sum of the lengths of all pieces before, and the way on the last: the same bits, wherever chunks are cut.
+  double length_before_end_ = 0;  ///< travelled before the piece on which the part ends
+  double end_on_piece_ = 0;       ///< where on it the part ends
   base::AxisVector rest_;
   base::Line line_{};
   StepRule rule_ = StepRule::arc_length;

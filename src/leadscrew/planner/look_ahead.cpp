@@ -12,7 +12,9 @@ namespace {
 using numeric::DoubleDouble;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int few_looks = 4;  // of a part of a segment that was looked at
+constexpr double longest_segment = 0.02;  // s, where a change of speed may have to begin
+constexpr double most_parts = 1000;       // of a segment
+constexpr int few_looks = 4;              // of a part of a segment that was looked at
 
 constexpr double stops_committed = 3;          // times to stop that are committed, where speed is greatest
 constexpr double least_reach = 0.25;           // s
@@ -66,6 +68,12 @@ void LookAhead::override_feed(double factor) {
 void LookAhead::refuse() {
   stand_at(last_tail_end_);
   tail_end_ = last_tail_end_;
+}
+
+void LookAhead::begin_at(double s) {
+  untouched_ = false;
+  stand_at(s);
+  last_begin_ = tail_end_ = last_tail_end_ = s;
 }
 
 void LookAhead::stand_at(double s) {
@@ -151,6 +159,7 @@ std::unique_ptr<Window> LookAhead::settled(std::unique_ptr<Window> window) {
   if (window) {
     window->profile.settle();
     planned_factor_ = factor_;
+    split(*window);
   }
   return window;
 }
@@ -210,17 +219,24 @@ std::optional<Chunk> LookAhead::plan() {
   return hand_out();
 }
 
-/// What takes longer than a slice, where speed is low, is cut into parts, so that a change may begin in it.
-void LookAhead::split_next(Window& window) const {
-  constexpr double most_slices = 1000;
-  const std::size_t next = window.next, k = window.intervals[next];
+/// What takes long, where speed is low, is cut into parts, so that a change may begin in it. However motion is sliced:
+/// the parts' polynomials are not the whole one's.
+void LookAhead::split(Window& window) const {
+  for (std::size_t next = 0; next < window.segments.size(); ++next) {
+    if (!window.to_rest && window.intervals[next] >= window.last_interval) return;  // the tail
+    if (window.segments[next].duration.value() > 1.5 * longest_segment) next += split_at(window, next);
+  }
+}
+
+/// How many segments more there are now.
+std::size_t LookAhead::split_at(Window& window, std::size_t next) const {
+  const std::size_t k = window.intervals[next];
   const std::vector<double>& s = window.profile.knots().s;
   const Segment whole = window.segments[next];
-  const double duration = whole.duration.value();
-  if (!(duration > 1.5 * slice_) || window.places[next] > 0) return;
-  if (next + 1 == window.segments.size() || whole.s0.value() != s[k]) return;
-  if (window.segments[next + 1].s0.value() != s[k + 1]) return;
-  const double parts = std::min(std::ceil(duration / slice_), most_slices);
+  if (window.places[next] > 0) return 0;
+  if (next + 1 == window.segments.size() || whole.s0.value() != s[k]) return 0;
+  if (window.segments[next + 1].s0.value() != s[k + 1]) return 0;
+  const double parts = std::min(std::ceil(whole.duration.value() / longest_segment), most_parts);
   PathState here = state_at(window.profile, k, 0);
   std::vector<Segment> segments;
   std::vector<double> places;
@@ -232,7 +248,7 @@ void LookAhead::split_next(Window& window) const {
     now = now + segment.duration;
     const bool fast = window.profile.is_too_fast() || factor_ == 0;
     const double feed_factor = fast ? infinity : planned_factor_;
-    if (greatest_ratios(segment, section_, machine_, feed_factor, few_looks).worst() > 1) return;
+    if (greatest_ratios(segment, section_, machine_, feed_factor, few_looks).worst() > 1) return 0;
   }
   const DoubleDouble later = now - (whole.begin + whole.duration);
   for (std::size_t i = next + 1; i < window.segments.size(); ++i) {
@@ -244,12 +260,12 @@ void LookAhead::split_next(Window& window) const {
   window.places.erase(window.places.begin() + at);
   window.places.insert(window.places.begin() + at, places.begin(), places.end());
   window.intervals.insert(window.intervals.begin() + at, segments.size() - 1, k);
+  return segments.size() - 1;
 }
 
 Chunk LookAhead::hand_out() {
   untouched_ = false;
   Window& window = *window_;
-  split_next(window);
   const std::vector<Segment>& segments = window.segments;
   const std::size_t count = segments.size();
   const DoubleDouble start = segments[window.next].begin;
@@ -268,10 +284,8 @@ Chunk LookAhead::hand_out() {
   for (std::size_t p = first_piece; p <= last_piece; ++p) chunk.pieces.push_back(section_.piece(p));
   chunk.segments = along_pieces({from, middle}, section_, end, first_piece);
   chunk.stop_tail = along_pieces({middle, segments.end()}, section_, window.end, first_piece);
-  for (std::vector<Segment>* part : {&chunk.segments, &chunk.stop_tail}) {
-    for (Segment& segment : *part) segment.begin = segment.begin - start;
-  }
-  chunk.duration = chunk.segments.back().begin + chunk.segments.back().duration;
+  chunk.begin = start;
+  chunk.duration = chunk.segments.back().begin + chunk.segments.back().duration - start;
   chunk.length = end - begin_;
   chunk.tail_length = window.end - end;
   const toolpath::Piece& last = section_.piece(last_piece);
@@ -280,7 +294,8 @@ Chunk LookAhead::hand_out() {
   const double on_piece = window.end >= offset + length ? length : window.end - offset;
   chunk.rest = geometry::evaluate(last.curve, DoubleDouble(on_piece));
   chunk.rest_line = last.line_at(on_piece);
-  last_begin_ = begin_;
+  // Of the window: what is forgotten must not depend on how it is sliced.
+  if (window.next == 0) last_begin_ = begin_;
   last_tail_end_ = tail_end_;
   begin_ = end;
   tail_end_ = window.end;

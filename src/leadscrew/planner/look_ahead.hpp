@@ -37,6 +37,8 @@ class LookAhead {
   void close() { closed_ = true; }
   /// Ready for another section.
   void clear();
+  /// Motion goes on at `s` of the section, at rest. Nothing has been planned from there on.
+  void begin_at(double s);
 
   /// From now on the committed part of a chunk is no longer than this, s, or one interval between knots.
   void slice(double seconds) { slice_ = seconds; }
@@ -78,7 +80,8 @@ class LookAhead {
   void go_on_from(Continuation continuation);
   void stand_at(double s);
   void forget();
-  void split_next(Window& window) const;
+  void split(Window& window) const;
+  std::size_t split_at(Window& window, std::size_t next) const;
   Chunk hand_out();
 
   const machine::Machine& machine_;
@@ -86,7 +89,7 @@ class LookAhead {
   bool closed_ = false;
   bool untouched_ = true;
   double begin_ = 0;                          ///< where the next chunk begins
-  double last_begin_ = 0;                     ///< where the last chunk began
+  double last_begin_ = 0;                     ///< where the window of the last chunk began
   double tail_end_ = 0, last_tail_end_ = 0;   ///< of the last chunk and of the one before
   std::unique_ptr<Window> window_;            ///< that is being handed out
   std::optional<Continuation> continuation_;  ///< without a window: in motion; from rest without

@@ -3,11 +3,23 @@
 
 namespace leadscrew::planner {
 
-bool Chunk::begins_at_rest() const {
-  if (segments.empty()) return true;
+numeric::DoubleDouble Chunk::end() const {
+  if (segments.empty()) return begin + duration;
+  const numeric::DoubleDouble end = segments.back().begin + segments.back().duration;
+  const bool is_cut = !stop_tail.empty() && stop_tail.front().begin < end;
+  return is_cut ? begin + duration : end;
+}
+
+PathState Chunk::first_state() const {
+  if (segments.empty()) return {};
   const Segment& first = segments.front();
-  if (first.state == base::MotionState::rest) return true;
-  return std::abs(first.v0.value()) <= rest_speed && std::abs(2 * first.c2) <= rest_acceleration;
+  return evaluate(first, (begin - first.begin).value());
+}
+
+bool Chunk::begins_at_rest() const {
+  if (segments.empty() || segments.front().state == base::MotionState::rest) return true;
+  const PathState first = first_state();
+  return std::abs(first.speed) <= rest_speed && std::abs(first.acceleration) <= rest_acceleration;
 }
 
 PathState evaluate(const Segment& segment, double tau) {

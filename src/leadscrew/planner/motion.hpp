@@ -24,7 +24,7 @@ namespace leadscrew::planner {
 /// s(τ) = s0 + τ(v0 + τ(c2 + τ(c3 + τ(c4 + τ c5)))) along one piece, τ the time since the segment began, 0 ≤ τ ≤
 /// duration.
 struct Segment {
-  numeric::DoubleDouble begin;     ///< seconds since the chunk began
+  numeric::DoubleDouble begin;     ///< seconds since the motion began
   numeric::DoubleDouble duration;  ///< seconds, ≥ 0
   numeric::DoubleDouble s0;        ///< path length on the piece, units of the piece's length
   numeric::DoubleDouble v0;        ///< speed, units/s
@@ -32,6 +32,12 @@ struct Segment {
   std::uint32_t piece = 0;  ///< index into Chunk::pieces
   base::MotionState state = base::MotionState::changing;
 };
+
+/// Speed, acceleration and jerk along the path at a time within a segment.
+struct PathState {
+  double s = 0, speed = 0, acceleration = 0, jerk = 0;  ///< units of length and seconds
+};
+PathState evaluate(const Segment& segment, double tau);
 
 /// What is rest to rounding, units/s and units/s²: under any jerk worth the name motion leaves it within nanoseconds.
 inline constexpr double rest_speed = 1e-9, rest_acceleration = 1e-6;
@@ -41,11 +47,14 @@ struct Chunk {
   /// Those that the committed part and the tail go along; empty for a dwell. Where the chunk begins in the middle of a
   /// piece, that is the piece on which the chunk before ended.
   std::vector<toolpath::Piece> pieces;
-  /// The committed part, contiguous in time from 0 to `duration`; for a dwell one segment at rest. The first one's s0
-  /// is > 0 where the chunk begins in the middle of a piece.
+  /// When it begins, seconds since the motion began; 0 unless it is a later slice of a motion. Times, like polynomials,
+  /// are the same so, however a motion is sliced.
+  numeric::DoubleDouble begin;
+  /// The committed part, contiguous in time; for a dwell one segment at rest. A slice may be cut in the middle of a
+  /// segment, which stays as it is: the first may begin before the chunk, the last end behind its duration.
   std::vector<Segment> segments;
-  /// From the committed part's end to rest: the first begins at `duration`. Empty where the committed part ends at
-  /// rest.
+  /// From the committed part's end to rest. The first is the last of the committed part where that is cut. Empty where
+  /// the committed part ends at rest.
   std::vector<Segment> stop_tail;
   geometry::Point rest{};  ///< where the chunk comes to rest: at the end of the tail, if it has one
   base::Line rest_line{};
@@ -53,15 +62,13 @@ struct Chunk {
   double length = 0;               ///< travelled by the committed part
   double tail_length = 0;          ///< travelled by the tail
 
+  /// When the committed part ends, seconds since the motion began.
+  numeric::DoubleDouble end() const;
+  /// Where on its piece the committed part begins; 0 without segments.
+  PathState first_state() const;
   /// Nothing, a dwell, or motion that starts from rest (to rounding); otherwise it continues the motion of the chunk
   /// before.
   bool begins_at_rest() const;
 };
-
-/// Speed, acceleration and jerk along the path at a time within a segment.
-struct PathState {
-  double s = 0, speed = 0, acceleration = 0, jerk = 0;  ///< units of length and seconds
-};
-PathState evaluate(const Segment& segment, double tau);
 
 }  // namespace leadscrew::planner

@@ -140,6 +140,10 @@ RestToRest plan(const geometry::Arc& arc, double feed, const machine::Machine& m
 
 }  // namespace
 
+PathLimits line_limits(const geometry::Line& line, const machine::Machine& machine) {
+  return straight_limits(line.slopes(), machine, {}, std::numeric_limits<double>::infinity());
+}
+
 RestToRest plan_piece(const toolpath::Piece& piece, const machine::Machine& machine) {
   const double feed = piece.greatest_speed(geometry::jets(piece.curve, 0));  // everywhere the same
   if (const auto* arc = std::get_if<geometry::Arc>(&piece.curve)) return plan(*arc, feed, machine);

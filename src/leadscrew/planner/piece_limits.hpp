@@ -22,4 +22,7 @@ namespace leadscrew::planner {
 /// whole amplitude somewhere on a long arc.
 RestToRest plan_piece(const toolpath::Piece& piece, const machine::Machine& machine);
 
+/// Bounds along a line from its axes, not its feed.
+PathLimits line_limits(const geometry::Line& line, const machine::Machine& machine);
+
 }  // namespace leadscrew::planner

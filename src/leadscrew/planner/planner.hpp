@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <deque>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/planner/closed_form.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
 #include <leadscrew/planner/motion.hpp>
@@ -37,7 +38,8 @@ class Planner {
   // For a controller that must answer at any time. Chunks must then be offered one by one, each before the next is
   // popped.
 
-  /// From now on no chunk commits to more than about this, s > 0, except motion so short that it is planned whole.
+  /// From now on no chunk commits to more than about this, s > 0. The motion is the same, bit for bit, however it is
+  /// sliced.
   void slice(double seconds);
   /// Feed override, 0 … 2: programmed feed (not rapid motion) is multiplied by it from the next chunk on, as soon as
   /// the limits allow. 0 holds: motion comes to rest and no chunk comes until the factor is greater.
@@ -54,7 +56,7 @@ class Planner {
  private:
   bool take(const toolpath::Piece& piece);
   std::optional<Chunk> plan();
-  std::optional<Chunk> closed_form();
+  void go_on_from(double s);
   Chunk follow_events(Chunk chunk);
 
   const machine::Machine& machine_;
@@ -62,10 +64,11 @@ class Planner {
   bool finished_ = false;
   double slice_ = std::numeric_limits<double>::infinity();
   double feed_factor_ = 1;
-  std::vector<base::Event> events_;      ///< waiting for the chunk they come before
-  LookAhead look_ahead_;                 ///< along the section that is being planned
-  std::optional<toolpath::Piece> last_;  ///< its last piece
-  geometry::Point position_;             ///< where motion rests, as far as it is planned
+  std::vector<base::Event> events_;        ///< waiting for the chunk they come before
+  LookAhead look_ahead_;                   ///< along the section that is being planned
+  std::optional<toolpath::Piece> last_;    ///< its last piece
+  std::optional<ClosedForm> closed_form_;  ///< of that section, where it has one
+  geometry::Point position_;               ///< where motion rests, as far as it is planned
   base::Line line_{};
   geometry::Point rest_before_{};  ///< the same before the last chunk
   base::Line line_before_{};

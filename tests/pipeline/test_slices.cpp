@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <leadscrew/pipeline/program.hpp>
+#include <string>
+#include <vector>
+
+#include "live_program.hpp"
+#include "random_program.hpp"
+
+// A controller gets its motion in slices of 20 ms, so that it can be changed soon. While nobody changes it, its words
+// are those of the whole motion.
+
+namespace {
+
+using namespace leadscrew;
+using testing_support::LiveProgram;
+
+std::vector<base::Word> words_of(const std::string& text, const machine::Machine& machine, std::size_t most) {
+  const machine::ToolTable tools;
+  pipeline::Program program(gcode::text_source(text), machine, tools, {}, nullptr);
+  std::vector<base::Word> words;
+  while (words.size() < most && program.prepare()) words.push_back(program.cycle());
+  return words;
+}
+
+bool has_same_bits(const base::Word& a, const base::Word& b) {
+  const auto same = [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); };
+  for (std::size_t i = 0; i < a.position.size(); ++i) {
+    if (!same(a.position[i], b.position[i])) return false;
+  }
+  return a.tick == b.tick && a.line == b.line && a.state == b.state && same(a.path_length, b.path_length) &&
+         same(a.speed, b.speed) && same(a.feed, b.feed);
+}
+
+std::size_t first_difference(const std::string& text, const machine::Machine& machine) {
+  constexpr std::size_t most = 20'000;
+  const std::vector<base::Word> whole = words_of(text, machine, most);
+  LiveProgram live(text, machine);
+  live.run({}, most);
+  std::size_t k = 0;
+  while (k < whole.size() && k < live.words.size() && has_same_bits(whole[k], live.words[k])) ++k;
+  return k < whole.size() ? k : most + 1;
+}
+
+RC_GTEST_PROP(Slices, MakeTheSameWords, ()) {
+  machine::Machine machine = testing_support::random_machine();
+  machine.period = {1'000'000};
+  const std::string text = testing_support::RandomProgram::make(12);
+  RC_LOG() << text << testing_support::limits_of(machine);
+  RC_ASSERT(first_difference(text, machine) > 20'000U);
+}
+
+TEST(Slices, MakeTheSameWordsOnLongLinesAtRoundFigures) {
+  EXPECT_GT(first_difference("G21 G90 G94\nG1 X100 F6000\nX150\nG1 Y50\nG0 X0 Y0\nG64 P0.1\nG1 X10 F600\nG1 Y10\nM2\n",
+                             machine::mill3()),
+            20'000U);
+}
+
+}  // namespace
