@@ -26,7 +26,9 @@ std::vector<base::Word> words_of(const std::string& text, const machine::Machine
 }
 
 bool has_same_bits(const base::Word& a, const base::Word& b) {
-  const auto same = [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); };
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
   for (std::size_t i = 0; i < a.position.size(); ++i) {
     if (!same(a.position[i], b.position[i])) return false;
   }

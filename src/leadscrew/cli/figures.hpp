@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
-#include <leadscrew/cli/cycle_times.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/step_output.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/realtime/histogram.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct Effort {
   double read = 0;   ///< the program, whole, for its diagnostics
   double plan = 0;   ///< all calls that prepare words
   double words = 0;  ///< all calls that make words
-  CycleTimes cycles;
+  realtime::Histogram cycles;
 };
 
 struct RunFigures {

@@ -46,7 +46,7 @@ class StopWatch {
 
  private:
   Clock::duration planning_{}, cycling_{};
-  CycleTimes cycles_;
+  realtime::Histogram cycles_;
 };
 
 class ProgramRun {

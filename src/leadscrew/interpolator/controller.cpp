@@ -4,10 +4,10 @@
 
 namespace leadscrew::interpolator {
 
-Controller::Controller(base::Period period, const base::AxisVector& position, std::size_t capacity)
+Controller::Controller(base::Period period, const base::AxisVector& position, std::size_t capacity, double path_length)
     : capacity_(std::max<std::size_t>(capacity, 2)),
       links_(std::make_unique<Link[]>(capacity_)),
-      interpolator_(period, position) {}
+      interpolator_(period, position, path_length) {}
 
 base::Word Controller::next() noexcept {
   // Bounded: a turn begins one of the accepted chunks or one's tail, and as the position is told only afterwards, the

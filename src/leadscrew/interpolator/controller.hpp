@@ -34,8 +34,9 @@ namespace leadscrew::interpolator {
 /// destroyed.
 class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept apart by lines of the cache
  public:
-  /// Stands at `position`. capacity: chunks held at a time, the one in motion included, ≥ 2.
-  Controller(base::Period period, const base::AxisVector& position, std::size_t capacity = 8);
+  /// Stands at `position`, behind so much of the path. capacity: chunks held at a time, the one in motion included,
+  /// ≥ 2.
+  Controller(base::Period period, const base::AxisVector& position, std::size_t capacity = 8, double path_length = 0);
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
@@ -58,6 +59,8 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   double seconds_ahead() const;
   /// Has a word at rest been given after the end of everything accepted?
   bool idle() const;
+  /// Did the last word stand at rest because all motion had ended? Not in a dwell.
+  bool stands() const { return stands_.load(std::memory_order_relaxed); }
   /// How many accepted chunks the cycle has begun.
   std::int64_t begun() const { return position_.load(std::memory_order_acquire); }
   /// How many times a stop tail was entered because nothing followed.

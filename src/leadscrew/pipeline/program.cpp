@@ -10,10 +10,12 @@ using base::MotionState;
 Program::Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                  gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
     : machine_(machine),
-      reader_(std::move(source), machine, tools, options, std::move(diagnostics)),
-      planner_(machine, options.start),
+      source_(std::move(source), machine, tools, options, std::move(diagnostics)),
       bound_(machine),
-      interpolator_(machine.period, options.start) {}
+      interpolator_(machine.period, options.start) {
+  source_.on_move = [this](const gcode::Move& move) { account(move); };
+  source_.on_element = [this](const toolpath::Element& element) { bound_.push(element); };
+}
 
 bool Program::prepare() {
   if (ended_) return false;
@@ -33,31 +35,16 @@ base::Word Program::cycle() {
 }
 
 std::int64_t Program::errors() const {
-  return reader_.errors() + (reader_.source_failure() ? 1 : 0);
+  return source_.reader().errors() + (source_failure() ? 1 : 0);
 }
 
 bool Program::plan_next() {
-  std::optional<planner::Chunk> chunk = planner_.pop();
-  while (!chunk && reading_) {
-    gcode::Move move;
-    reading_ = reader_.next(move);
-    if (reading_) {
-      account(move);
-      builder_.push(move);
-    } else {
-      builder_.finish();
-    }
-    summary_.blocks = reader_.blocks();
-    while (const std::optional<toolpath::Element> element = builder_.pop()) {
-      planner_.push(*element);
-      bound_.push(*element);
-    }
-    if (!reading_) {
-      planner_.finish();
-      bound_.finish();
-      summary_.bound_s = bound_.seconds();
-    }
-    chunk = planner_.pop();
+  std::optional<planner::Chunk> chunk = source_.next();
+  summary_.blocks = source_.reader().blocks();
+  if (source_.has_read_all() && !bound_is_known_) {
+    bound_is_known_ = true;
+    bound_.finish();
+    summary_.bound_s = bound_.seconds();
   }
   if (!chunk) return false;
   chunk_ = std::move(*chunk);

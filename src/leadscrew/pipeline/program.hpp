@@ -12,9 +12,8 @@
 #include <leadscrew/interpolator/interpolator.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
-#include <leadscrew/planner/planner.hpp>
+#include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/planner/time_bound.hpp>
-#include <leadscrew/toolpath/builder.hpp>
 #include <optional>
 
 namespace leadscrew::pipeline {
@@ -70,7 +69,7 @@ class Program {
   /// Diagnostics of severity error so far; a source that failed counts.
   std::int64_t errors() const;
   /// Set when the source failed while reading.
-  const std::optional<base::Diagnostic>& source_failure() const { return reader_.source_failure(); }
+  const std::optional<base::Diagnostic>& source_failure() const { return source_.reader().source_failure(); }
 
  private:
   bool plan_next();
@@ -78,14 +77,12 @@ class Program {
   void account(const base::Word& word);
 
   const machine::Machine& machine_;
-  gcode::Reader reader_;
-  toolpath::Builder builder_;
-  planner::Planner planner_;
+  MotionSource source_;
   planner::TimeBound bound_;
   interpolator::Interpolator interpolator_;
   planner::Chunk chunk_;
   EventSink events_;
-  bool reading_ = true;
+  bool bound_is_known_ = false;
   bool ended_ = false;
   std::optional<base::Word> before_;
   Summary summary_;

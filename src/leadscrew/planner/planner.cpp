@@ -27,6 +27,10 @@ std::optional<Chunk> Planner::pop() {
       return follow_events({});
     }
     const toolpath::Element& element = waiting_.front();
+    if (start_ && pass_over(element)) {
+      waiting_.pop_front();
+      continue;
+    }
     if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
       if (take(*piece)) waiting_.pop_front();
       continue;
@@ -53,6 +57,70 @@ std::optional<Chunk> Planner::pop() {
     chunk.segments.push_back(standing);
     return follow_events(std::move(chunk));
   }
+}
+
+void Planner::start_at(double path_length, base::Line line) {
+  if (path_length > 0 || base::number(line) > 0) start_ = Start{path_length, line};
+}
+
+/// Does the element lie before the place where motion begins? The piece on which it lies is taken here.
+bool Planner::pass_over(const toolpath::Element& element) {
+  constexpr double nothing = 1e-9;  // of the path
+  const double room = start_->path_length - start_->passed;
+  if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
+    const double length = geometry::length(piece->curve);
+    position_ = geometry::end(piece->curve);
+    line_ = piece->last_line();
+    start_->passed += length;
+    if (length <= room + nothing) return true;
+    start_.reset();
+    if (room <= nothing) return false;
+    position_ = geometry::evaluate(piece->curve, numeric::DoubleDouble(room));
+    take(*piece);
+    look_ahead_.begin_at(room);
+    return true;
+  }
+  const auto* event = std::get_if<base::Event>(&element);
+  const base::Line line = event ? event->line : std::get<toolpath::Dwell>(element).line;
+  if (room <= nothing && base::number(line) >= base::number(start_->line)) return false;
+  if (event) keep_in_force(*event);
+  return true;
+}
+
+/// Of events that undo one another, the last.
+void Planner::keep_in_force(const base::Event& event) {
+  using Kind = base::Event::Kind;
+  const auto group = [](Kind kind) {
+    switch (kind) {
+      case Kind::spindle_stop:
+      case Kind::spindle_clockwise:
+      case Kind::spindle_counterclockwise:
+        return 1;
+      case Kind::spindle_speed:
+        return 2;
+      case Kind::coolant_mist:
+        return 3;
+      case Kind::coolant_flood:
+        return 4;
+      case Kind::coolant_off:
+        return 5;
+      case Kind::tool_prepare:
+        return 6;
+      case Kind::tool_change:
+        return 7;
+      case Kind::pause:
+      case Kind::optional_pause:
+      case Kind::program_end:
+        return 0;
+    }
+    return 0;
+  };
+  if (group(event.kind) == 0) return;
+  std::erase_if(events_, [&](const base::Event& before) {
+    const bool is_coolant = before.kind == Kind::coolant_mist || before.kind == Kind::coolant_flood;
+    return group(before.kind) == group(event.kind) || (event.kind == Kind::coolant_off && is_coolant);
+  });
+  events_.push_back(event);
 }
 
 /// Does the piece go on with the section? Otherwise the section ends before it.

@@ -35,6 +35,12 @@ class Planner {
   /// The next chunk; none if it takes more elements to know it, or if all has been planned.
   std::optional<Chunk> pop();
 
+  /// Before anything is pushed: motion begins at rest behind so much of the path, units of its length, as if all before
+  /// had been travelled. Dwells and events that stand at this very place come before it if their lines lie before
+  /// `line`. Spindle, coolant and tool are as the events before have left them: those that say so come out again, with
+  /// the first chunk.
+  void start_at(double path_length, base::Line line);
+
   // For a controller that must answer at any time. Chunks must then be offered one by one, each before the next is
   // popped.
 
@@ -55,13 +61,22 @@ class Planner {
 
  private:
   bool take(const toolpath::Piece& piece);
+  bool pass_over(const toolpath::Element& element);
+  void keep_in_force(const base::Event& event);
   std::optional<Chunk> plan();
   void go_on_from(double s);
   Chunk follow_events(Chunk chunk);
 
+  struct Start {
+    double path_length = 0;
+    base::Line line{};
+    double passed = 0;  ///< length of the pieces before
+  };
+
   const machine::Machine& machine_;
   std::deque<toolpath::Element> waiting_;
   bool finished_ = false;
+  std::optional<Start> start_;  ///< not reached yet
   double slice_ = std::numeric_limits<double>::infinity();
   double feed_factor_ = 1;
   std::vector<base::Event> events_;        ///< waiting for the chunk they come before

@@ -1,0 +1,50 @@
+#pragma once
+// The drives, simulated: they go where the words say, and come to rest by themselves when there are none.
+//
+//      way per    ─────.                 Without a word the axes first let go of their acceleration, then brake, all of
+//      period         : '-.              them in the same time, as fast as the limits of every axis allow. So on a line
+//                     :    '.            they stay on the line; on a curve they leave it along its tangent, which only
+//               words :      '-._        the words could tell them. Limits are those of differences from period to
+//                     ˙ no word          period, which is what a referee sees.
+
+#include <array>
+#include <cstdint>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/time.hpp>
+#include <leadscrew/machine/machine.hpp>
+
+namespace leadscrew::realtime {
+
+/// One call a servo period. Neither allocates nor locks.
+class Drives {
+ public:
+  /// At rest. Axes that the machine lacks stay where they are.
+  Drives(const machine::Machine& machine, base::Period period, const base::AxisVector& position);
+
+  /// A period with a word.
+  void follow(const base::AxisVector& word);
+  /// A period without one.
+  void brake();
+  /// From rest on a straight line to rest at `target`, one period a call; true when they stand there.
+  bool approach(const base::AxisVector& target);
+
+  const base::AxisVector& position() const { return position_; }
+  bool at_rest() const { return rests_; }
+
+ private:
+  void plan_to_brake();
+  void move(const base::AxisVector& step);
+
+  std::array<machine::AxisLimits, base::axis_count> limits_{};  ///< per period, its square and its cube
+  base::AxisSet axes_;
+  base::AxisVector position_{};
+  base::AxisVector step_{};    ///< of the last period
+  base::AxisVector change_{};  ///< of the step, in the last period
+  bool rests_ = true;
+  // Of braking and of an approach.
+  std::int64_t tick_ = 0;               ///< of it; 0: not begun
+  std::int64_t release_ = 0, fall_ = 0;  ///< periods to let go, and to brake or to travel
+  base::AxisVector from_{}, way_{};
+};
+
+}  // namespace leadscrew::realtime

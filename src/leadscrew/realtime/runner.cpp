@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <leadscrew/realtime/runner.hpp>
+#include <leadscrew/realtime/schedule.hpp>
+#include <utility>
+
+namespace leadscrew::realtime {
+
+namespace {
+
+constexpr std::int64_t nap = 500'000;  // ns, of a planner that has planned enough
+constexpr std::size_t chunks_at_a_time = 64;
+
+void add(std::atomic<std::int64_t>& counter, std::int64_t count) noexcept {
+  counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+Runner::Runner(const RunnerOptions& options, Planning planning, WordSink sink)
+    : options_(options),
+      planning_(std::move(planning)),
+      sink_(std::move(sink)),
+      controller_(options.period, options.position, chunks_at_a_time, options.path_length) {}
+
+Runner::~Runner() {
+  halt();
+  if (planner_thread_.joinable()) planner_thread_.join();
+  if (cyclic_thread_.joinable()) cyclic_thread_.join();
+}
+
+void Runner::start() {
+  planner_thread_ = std::thread([this] { plan(); });
+}
+
+bool Runner::override_feed(double factor) {
+  if (!requests_.push(std::clamp(factor, 0.0, 2.0))) return false;
+  asked_.store(factor, std::memory_order_relaxed);
+  return true;
+}
+
+bool Runner::stop() {
+  return requests_.push(stop_request);
+}
+
+void Runner::halt() {
+  halted_.store(true, std::memory_order_release);
+}
+
+Counters Runner::counters() const {
+  Counters counters;
+  counters.words = words_.load(std::memory_order_acquire);
+  counters.overruns = overruns_.load(std::memory_order_relaxed);
+  counters.slips = slips_.load(std::memory_order_relaxed);
+  counters.late_chunks = late_chunks_.load(std::memory_order_relaxed);
+  counters.starvations = controller_.starvations();
+  counters.seconds_ahead = seconds_ahead_.load(std::memory_order_relaxed);
+  counters.override_factor = asked_.load(std::memory_order_relaxed);
+  counters.ended = has_ended();
+  return counters;
+}
+
+// The planner's thread.
+
+void Runner::plan() {
+  while (!halted_.load(std::memory_order_acquire) && !has_ended()) {
+    take_requests();
+    if (stopping_ && !in_motion_) last_chunk_.store(accepted_, std::memory_order_release);
+    const bool knows_last = last_chunk_.load(std::memory_order_relaxed) >= 0;
+    const bool has_gone_on = !knows_last && wants_more() && offer_next();
+    seconds_ahead_.store(controller_.seconds_ahead(), std::memory_order_relaxed);
+    if (has_gone_on) continue;
+    if (!begun_.load(std::memory_order_relaxed)) {
+      begun_.store(true, std::memory_order_release);
+      cyclic_thread_ = std::thread([this] { cycle(); });
+    }
+    sleep_until(now() + nap);
+  }
+}
+
+void Runner::take_requests() {
+  for (double request = 0; requests_.pop(request);) {
+    stopping_ = stopping_ || request == stop_request;
+    factor_ = stopping_ ? 0 : request;
+    planning_.override_feed(factor_);
+  }
+}
+
+/// Motion that is held is planned to its rest, and no further.
+bool Runner::wants_more() const {
+  return (factor_ > 0 || in_motion_) && controller_.seconds_ahead() < options_.look_ahead;
+}
+
+/// False where nothing can be done but wait.
+bool Runner::offer_next() {
+  if (!chunk_) chunk_ = planning_.next();
+  if (!chunk_) {
+    in_motion_ = false;
+    if (factor_ > 0) last_chunk_.store(accepted_, std::memory_order_release);
+    return false;
+  }
+  const bool ends_in_motion = !chunk_->stop_tail.empty();
+  switch (controller_.offer(*chunk_)) {
+    case interpolator::Controller::Offer::accepted:
+      ++accepted_;
+      in_motion_ = ends_in_motion;
+      chunk_.reset();
+      return true;
+    case interpolator::Controller::Offer::late:
+      add(late_chunks_, 1);
+      planning_.refuse();
+      in_motion_ = false;
+      chunk_.reset();
+      return true;
+    case interpolator::Controller::Offer::full:
+      return false;
+  }
+  return false;
+}
+
+// The cyclic thread.
+
+void Runner::cycle() {
+  notice_ = become_real_time();
+  const std::int64_t period = options_.period.nanoseconds;
+  std::int64_t origin = now();  // when the first word is due at the sink's end, less the lead
+  for (std::int64_t wake = origin; !halted_.load(std::memory_order_acquire); wake += period) {
+    sleep_until(wake);
+    const std::int64_t time = now();
+    latencies_.observe(time - wake);
+    const std::int64_t passed = (time - origin) / period;
+    add(overruns_, passed - (wake - origin) / period);
+    wake = origin + passed * period;
+    if (!make_due(passed + 1 + options_.lead)) break;
+    if (!waiting_) continue;
+    // No room: the schedule gives way.
+    const std::int64_t slip = passed + 1 + options_.lead - taken_;
+    origin += slip * period;
+    add(slips_, slip);
+  }
+  ended_.store(true, std::memory_order_release);
+}
+
+/// Makes words until so many have been taken, the sink has no room, or the last has been taken: then false.
+bool Runner::make_due(std::int64_t due) noexcept {
+  while (taken_ < due) {
+    if (!waiting_) waiting_ = controller_.next();
+    if (!sink_(*waiting_)) return true;
+    waiting_.reset();
+    words_.store(++taken_, std::memory_order_release);
+    if (is_last()) return false;
+  }
+  return true;
+}
+
+/// The first word at rest behind all motion.
+bool Runner::is_last() const noexcept {
+  const std::int64_t last = last_chunk_.load(std::memory_order_acquire);
+  return last >= 0 && controller_.begun() == last && controller_.stands();
+}
+
+}  // namespace leadscrew::realtime

@@ -1,0 +1,122 @@
+#pragma once
+// A controller on time: one thread makes a word every servo period, another plans ahead of it.
+//
+//   requests ─ring─▶ planner's thread ─▶ interpolator::Controller ─▶ cyclic thread ─▶ sink
+//   (feed, stop)     ≤ look-ahead s             (chunks)              every period
+//
+// The schedule is absolute: word n is due at t₀ + n·T, or `lead` periods before, where the sink keeps words until their
+// time has come. A word that was not made in time is made as soon as the thread runs again, with those that have come
+// due meanwhile: counted as overruns, none lost, none repeated, all in order. A sink that has no room for a word gets
+// the same one again a period later, and the schedule gives way by that: a slip. So a late computer costs the sink's
+// lead, a slow sink costs time, and neither changes a word.
+//
+// A planner that is late is the interpolator's matter: the stop tail runs, and motion goes on from rest. The cycle
+// neither allocates nor locks; its clock is for pacing alone.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/interpolator/controller.hpp>
+#include <leadscrew/planner/motion.hpp>
+#include <leadscrew/realtime/histogram.hpp>
+#include <leadscrew/realtime/ring.hpp>
+#include <optional>
+#include <thread>
+
+namespace leadscrew::realtime {
+
+/// Where motion comes from; called by the planner's thread alone.
+struct Planning {
+  std::function<std::optional<planner::Chunk>()> next;  ///< none: the motion is held, or it has ended
+  std::function<void()> refuse;                         ///< the last chunk came too late
+  std::function<void(double)> override_feed;            ///< 0 … 2
+};
+
+/// Takes a word, in the cyclic thread: it must not wait. False if it has no room: it is given the word again.
+using WordSink = std::function<bool(const base::Word&)>;
+
+struct RunnerOptions {
+  base::Period period;
+  base::AxisVector position{};  ///< where motion begins, mm or degrees
+  double path_length = 0;       ///< behind it
+  double look_ahead = 0.2;      ///< s of motion planned ahead of the cycle; a change of feed takes as long
+  std::int64_t lead = 0;        ///< periods that words are made ahead of their time
+};
+
+/// What has happened so far.
+struct Counters {
+  std::int64_t words = 0;
+  std::int64_t overruns = 0;     ///< words that were late by a period or more
+  std::int64_t slips = 0;        ///< periods by which the schedule gave way to the sink
+  std::int64_t late_chunks = 0;  ///< chunks that came after the motion they continue had been stopped
+  std::int64_t starvations = 0;  ///< stop tails that ran because nothing followed
+  double seconds_ahead = 0;      ///< planned, not begun
+  double override_factor = 1;    ///< asked for; 0: held
+  bool ended = false;            ///< the last word has been taken
+};
+
+class Runner {
+ public:
+  Runner(const RunnerOptions& options, Planning planning, WordSink sink);
+  ~Runner();  ///< stops at once
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  /// Plans ahead, then makes the first word.
+  void start();
+  /// Feed override, 0 … 2; 0 holds. One thread asks, not the planner's. False if too many requests wait.
+  bool override_feed(double factor);
+  /// Brings motion to rest on the path, and ends.
+  bool stop();
+  /// Makes no more words, whatever moves.
+  void halt();
+
+  Counters counters() const;
+  /// By how much the cyclic thread woke up late, ns.
+  const Histogram& latencies() const { return latencies_; }
+  /// What the system did not permit, once there is a word.
+  const std::optional<base::Diagnostic>& notice() const { return notice_; }
+  bool has_begun() const { return begun_.load(std::memory_order_acquire); }
+  bool has_ended() const { return ended_.load(std::memory_order_acquire); }
+
+ private:
+  void plan();
+  void take_requests();
+  bool offer_next();
+  bool wants_more() const;
+  void cycle();
+  bool make_due(std::int64_t due) noexcept;
+  bool is_last() const noexcept;
+
+  static constexpr double stop_request = -1;
+
+  const RunnerOptions options_;
+  Planning planning_;
+  WordSink sink_;
+  interpolator::Controller controller_;
+  Ring<double, 64> requests_;
+  Histogram latencies_;
+  std::optional<base::Diagnostic> notice_;
+
+  // The planner's.
+  std::optional<planner::Chunk> chunk_;  ///< popped, not yet accepted
+  double factor_ = 1;
+  bool stopping_ = false;
+  bool in_motion_ = false;     ///< does the last accepted chunk end in motion?
+  std::int64_t accepted_ = 0;  ///< chunks
+
+  // The cycle's.
+  std::optional<base::Word> waiting_;  ///< for room in the sink
+  std::int64_t taken_ = 0;  ///< words, by the sink
+
+  // Told by one thread to others.
+  std::atomic<bool> begun_{false}, ended_{false}, halted_{false};
+  std::atomic<std::int64_t> last_chunk_{-1};  ///< number of the last one, once it is known
+  std::atomic<std::int64_t> words_{0}, overruns_{0}, slips_{0}, late_chunks_{0};
+  std::atomic<double> seconds_ahead_{0}, asked_{1};
+  std::thread planner_thread_, cyclic_thread_;
+};
+
+}  // namespace leadscrew::realtime

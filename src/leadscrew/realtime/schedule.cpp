@@ -1,0 +1,45 @@
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+
+#include <cerrno>
+#include <ctime>
+#include <leadscrew/realtime/schedule.hpp>
+#include <string>
+
+namespace leadscrew::realtime {
+
+namespace {
+
+constexpr std::int64_t second = 1'000'000'000;
+constexpr int priority = 80;  // above everything that is not the kernel's
+
+}  // namespace
+
+std::int64_t now() noexcept {
+  timespec time = {};
+  ::clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<std::int64_t>(time.tv_sec) * second + time.tv_nsec;
+}
+
+void sleep_until(std::int64_t time) noexcept {
+  const timespec until = {static_cast<time_t>(time / second), static_cast<long>(time % second)};
+  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+  }
+}
+
+std::optional<base::Diagnostic> become_real_time() {
+  std::string missing;
+  const sched_param parameter = {priority};
+  if (::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameter) != 0) missing = "SCHED_FIFO";
+  if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) missing += missing.empty() ? "locked memory" : " and locked memory";
+  if (missing.empty()) return std::nullopt;
+  return base::Diagnostic{base::Severity::warning,
+                          "not-real-time",
+                          "the system does not permit " + missing + ": words may be late whenever it does other work",
+                          "grant CAP_SYS_NICE and CAP_IPC_LOCK, or raise rtprio and memlock in limits.conf",
+                          {},
+                          {}};
+}
+
+}  // namespace leadscrew::realtime

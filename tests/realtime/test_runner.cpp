@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <random>
+
+#include "live.hpp"
+
+namespace {
+
+using namespace leadscrew;
+using testing_support::judge;
+using testing_support::Live;
+using testing_support::words_of;
+
+const std::string part =
+    "G21 G90 G94 G17 F6000\nG64 P0.05\nG1 X20\nG1 Y10\nG2 X40 Y-10 I20 J0\nG1 X60 Y5\nG4 P0.05\nG61\nG1 X90\nG3 X90 "
+    "Y25 I0 J10\nG0 X0 Y0\nM2\n";
+
+machine::Machine mill(std::int64_t nanoseconds) {
+  machine::Machine machine = machine::mill3();
+  machine.period = {nanoseconds};
+  return machine;
+}
+
+bool has_same_bits(const base::Word& a, const base::Word& b) {
+  return std::bit_cast<std::array<std::uint64_t, base::axis_count>>(a.position) ==
+             std::bit_cast<std::array<std::uint64_t, base::axis_count>>(b.position) &&
+         a.tick == b.tick && a.line == b.line && a.state == b.state && a.speed == b.speed && a.feed == b.feed &&
+         a.path_length == b.path_length;
+}
+
+void expect_kept(const referee::Verdict& verdict) {
+  EXPECT_FALSE(verdict.objects()) << verdict.violations.front().what << " " << verdict.violations.front().value;
+  EXPECT_EQ(verdict.start_error_mm, 0);
+  EXPECT_LE(verdict.end_error_mm, 1e-9);
+}
+
+TEST(Runner, MakesTheWordsOfRunBitForBit) {
+  const machine::Machine machine = mill(1'000'000);
+  const std::vector<base::Word> expected = words_of(part, machine);
+  Live live(part, machine, {}, 1.0);
+  live.runner().start();
+  live.wait();
+  const realtime::Counters counters = live.runner().counters();
+  EXPECT_EQ(counters.words, static_cast<std::int64_t>(live.words.size()));
+  EXPECT_EQ(live.runner().latencies().count() > 0, true);
+  // On a computer that stands still for a second the planner may be late; then words are others, but as good.
+  if (counters.starvations > 0) return expect_kept(judge(part, machine, live.words));
+  ASSERT_GE(live.words.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) ASSERT_TRUE(has_same_bits(live.words[k], expected[k])) << k;
+  for (std::size_t k = expected.size(); k < live.words.size(); ++k) {
+    ASSERT_EQ(live.words[k].position, expected.back().position);
+  }
+}
+
+TEST(Runner, StopsOnThePathWhenThePlannerIsLateAndGoesOn) {
+  const machine::Machine machine = mill(1'000'000);
+  std::minstd_rand random(3);
+  const auto late = [&] {
+    if (random() % 16 == 0) realtime::sleep_until(realtime::now() + static_cast<std::int64_t>(random() % 300'000'000));
+  };
+  Live live(part, machine, late, 0.05);
+  live.runner().start();
+  live.wait();
+  EXPECT_GT(live.runner().counters().starvations, 0);
+  expect_kept(judge(part, machine, live.words));
+}
+
+TEST(LongRunner, StopsOnThePathWhenThePlannerIsLateByUpToFiveSecondsAndGoesOn) {
+  const machine::Machine machine = mill(1'000'000);
+  std::minstd_rand random(5);
+  const auto late = [&] {
+    if (random() % 16 == 0) realtime::sleep_until(realtime::now() + 2'300 * static_cast<std::int64_t>(random()) / 1000);
+  };
+  Live live(part, machine, late);
+  live.runner().start();
+  live.wait();
+  EXPECT_GT(live.runner().counters().starvations, 0);
+  expect_kept(judge(part, machine, live.words));
+}
+
+TEST(Runner, HoldsGoesOnAndStops) {
+  const machine::Machine machine = mill(1'000'000);
+  const std::string line = "G21 G90 G94\nG1 X400 F3000\nM2\n";
+  Live live(line, machine, {}, 0.1);
+  const auto wait_for_words = [&](std::int64_t count) {
+    while (live.runner().counters().words < count) realtime::sleep_until(realtime::now() + 1'000'000);
+  };
+  live.runner().start();
+  wait_for_words(300);
+  live.runner().override_feed(0);
+  wait_for_words(1500);
+  live.runner().override_feed(0.5);
+  wait_for_words(2500);
+  live.runner().stop();
+  live.wait();
+  const auto rests = std::count_if(live.words.begin() + 1, live.words.end() - 1,
+                                   [](const base::Word& word) { return word.speed == 0; });
+  EXPECT_GT(rests, 100);
+  EXPECT_EQ(live.words.back().speed, 0);
+  EXPECT_LT(live.words.back().position[0], 300);
+  // The part of the line that was travelled, judged as a program of its own.
+  char travelled[80];
+  std::snprintf(travelled, sizeof travelled, "G21 G90 G94\nG1 X%.12f F3000\nM2\n", live.words.back().position[0]);
+  EXPECT_FALSE(judge(travelled, machine, live.words).objects());
+}
+
+/// A sink that has no room gets the same word again: none is lost, none repeated.
+TEST(Runner, LosesAndRepeatsNoWordWhenTheSinkIsFull) {
+  const machine::Machine machine = mill(1'000'000);
+  const std::vector<base::Word> expected = words_of(part, machine);
+  const machine::ToolTable tools;
+  pipeline::MotionSource source(gcode::text_source(part), machine, tools, {}, nullptr);
+  source.planner().slice(0.02);
+  std::vector<base::Word> words;
+  words.reserve(100'000);
+  std::minstd_rand random(11);
+  realtime::Runner runner({.period = machine.period, .look_ahead = 1, .lead = 100},
+                          {.next = [&] { return source.next(); },
+                           .refuse = [&] { source.planner().refuse(); },
+                           .override_feed = [&](double factor) { source.planner().override_feed(factor); }},
+                          [&](const base::Word& word) {
+                            if (random() % 8 == 0) return false;
+                            words.push_back(word);
+                            return true;
+                          });
+  runner.start();
+  while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
+  EXPECT_GT(runner.counters().slips, 0);
+  for (std::size_t k = 0; k < words.size(); ++k) ASSERT_EQ(base::count(words[k].tick), static_cast<std::int64_t>(k));
+  EXPECT_EQ(words.back().position, expected.back().position);
+}
+
+}  // namespace
