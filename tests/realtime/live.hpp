@@ -33,17 +33,19 @@ using Delay = std::function<void()>;
 class Live {
  public:
   Live(const std::string& text, const machine::Machine& machine, Delay delay = {}, double look_ahead = 0.2)
-      : source_(gcode::text_source(text), machine, tools_, {}, nullptr), runner_(options(machine, look_ahead),
-          {.next = [this, delay] {
-             if (delay) delay();
-             return source_.next();
-           },
-           .refuse = [this] { source_.planner().refuse(); },
-           .override_feed = [this](double factor) { source_.planner().override_feed(factor); }},
-          [this](const base::Word& word) {
-            words.push_back(word);
-            return true;
-          }) {
+      : source_(gcode::text_source(text), machine, tools_, {}, nullptr),
+        runner_(options(machine, look_ahead),
+                {.next =
+                     [this, delay] {
+                       if (delay) delay();
+                       return source_.next();
+                     },
+                 .refuse = [this] { source_.planner().refuse(); },
+                 .override_feed = [this](double factor) { source_.planner().override_feed(factor); }},
+                [this](const base::Word& word) {
+                  words.push_back(word);
+                  return true;
+                }) {
     source_.planner().slice(0.02);
     words.reserve(1'000'000);
   }

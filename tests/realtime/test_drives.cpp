@@ -20,8 +20,9 @@ double worst_ratio(const std::vector<base::AxisVector>& q, const machine::Machin
     for (std::size_t i = 0; i < 3; ++i) {
       const machine::AxisLimits& limits = *machine.axes[i];
       const double a = q[k][i], b = q[k - 1][i], c = q[k - 2][i], d = q[k - 3][i];
-      worst = std::max({worst, std::abs(a - b) / T / limits.velocity, std::abs(a - 2 * b + c) / T / T / limits.acceleration,
-                        std::abs(a - 3 * b + 3 * c - d) / T / T / T / limits.jerk});
+      worst =
+          std::max({worst, std::abs(a - b) / T / limits.velocity, std::abs(a - 2 * b + c) / T / T / limits.acceleration,
+                    std::abs(a - 3 * b + 3 * c - d) / T / T / T / limits.jerk});
     }
   }
   return worst;

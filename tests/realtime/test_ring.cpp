@@ -32,8 +32,10 @@ TEST(Ring, CarriesEveryValueOnceAndWhole) {
   constexpr std::int64_t count = 300'000;
   std::thread writer([&] {
     for (std::int64_t k = 0; k < count;) {
-      if (ring->push({k, -k})) ++k;
-      else std::this_thread::yield();
+      if (ring->push({k, -k}))
+        ++k;
+      else
+        std::this_thread::yield();
     }
   });
   std::int64_t wrong = 0;

@@ -24,6 +24,7 @@ constexpr std::string_view main_examples =
     "Examples:\n"
     "  leadscrew run part.ngc                     plan it for the built-in mill, show time and limits\n"
     "  leadscrew check part.ngc                   only read it\n"
+    "  leadscrew drive part.ngc                   run it on time, with simulated drives\n"
     "  leadscrew pulse --line --end 11,7          a line in single steps, by every method\n"
     "  leadscrew design --help                    size digital integrators\n"
     "  leadscrew run --help                       every option of run\n";
@@ -54,11 +55,12 @@ struct UsageError : std::runtime_error {
 /// Options as text, before their values are looked at.
 struct Texts {
   std::optional<std::string> period, mode, tolerance, start, color;
-  std::string judged_program;  ///< of verify, one
+  std::string one_program;  ///< of verify and drive
   RunTexts run;
   PulseTexts pulse;
   DesignTexts design;
   SimulateTexts simulate;
+  DriveTexts drive;
 };
 
 std::string shell_quoted(std::string_view text) {
@@ -193,15 +195,36 @@ CLI::App* add_verify(CLI::App& app, Arguments& arguments, Texts& texts) {
   verify->add_option("TRACE", arguments.judged_trace, "Trace, .csv or .npy; - is standard input")
       ->required()
       ->type_name("");
-  verify->add_option("PROGRAM", texts.judged_program, "Its part program; - is standard input")
-      ->required()
-      ->type_name("");
+  verify->add_option("PROGRAM", texts.one_program, "Its part program; - is standard input")->required()->type_name("");
   add_common(*verify, arguments, texts);
   verify->add_option("--period", texts.period, "Time between rows, such as 1ms, in place of what t says")
       ->type_name("TIME");
   add_motion(*verify, arguments, texts);
   verify->footer(std::string(verify_examples));
   return verify;
+}
+
+CLI::App* add_drive(CLI::App& app, Arguments& arguments, Texts& all) {
+  DriveTexts& texts = all.drive;
+  CLI::App* drive = app.add_subcommand("drive", "Run on time: the real-time controller, with simulated drives");
+  drive->add_option("PROGRAM", all.one_program, "Part program; - is standard input")->required()->type_name("");
+  add_common(*drive, arguments, all);
+  drive->add_option("--period", all.period, "Servo period, such as 1ms or 250us, in place of the machine's")
+      ->type_name("TIME");
+  add_motion(*drive, arguments, all);
+  drive->add_option("--trace", texts.trace, "Write the words that the drives took: .csv or .npy")->type_name("FILE");
+  drive->add_option("--axes", texts.axes, "Write where the axes went, period by period: .csv or .npy")
+      ->type_name("FILE");
+  drive->add_option("--state", texts.state, "Keep on disk how far it has come, for --resume")->type_name("FILE");
+  drive->add_option("--resume", texts.resume, "Go on from where a drive was stopped or killed; FILE is kept up")
+      ->type_name("FILE");
+  drive->add_option("--look-ahead", texts.look_ahead, "Planned ahead of the words (default 300ms)")->type_name("TIME");
+  drive
+      ->add_option("--lead", texts.lead,
+                   "Words made ahead of their time, so that late ones harm nothing (default 100ms)")
+      ->type_name("TIME");
+  drive->footer(std::string(drive_examples));
+  return drive;
 }
 
 CLI::App* add_pulse(CLI::App& app, Arguments& arguments, Texts& all) {
@@ -312,6 +335,11 @@ void take_values(const Texts& texts, Arguments& arguments) {
     if (!design) throw UsageError(design.error());
     arguments.design = std::move(*design);
   }
+  if (arguments.command == Arguments::Command::drive) {
+    auto drive = parse_drive(texts.drive);
+    if (!drive) throw UsageError(drive.error());
+    arguments.drive = std::move(*drive);
+  }
   if (texts.color) arguments.color = color_choice(*texts.color);
 }
 
@@ -386,11 +414,11 @@ Answer usage(const std::string& where, const std::string& message) {
 }
 
 constexpr std::string_view commands_there_are =
-    "; there are run, check, verify and simulate for programs, pulse, study and design";
+    "; there are run, simulate, drive, check and verify for programs, pulse, study and design";
 
 /// The first word must be a command; CLI11 would say less.
 std::optional<Answer> check_command(int count, const char* const* values) {
-  const std::vector<std::string> known = {"run", "check", "verify", "pulse", "study", "design", "simulate"};
+  const std::vector<std::string> known = {"run", "check", "verify", "pulse", "study", "design", "simulate", "drive"};
   if (count < 2) return usage("leadscrew", fmt::format("no command{}", commands_there_are));
   const std::string word = values[1];
   if (word.empty() || word[0] != '-') {
@@ -411,10 +439,10 @@ class Parser {
     app_.set_help_flag("-h,--help", "This text");
     app_.require_subcommand(1);
     app_.footer(std::string(main_examples) + "\n" + std::string(exit_statuses));
-    commands_ = {add_run(app_, arguments_, texts_),     add_check(app_, arguments_, texts_),
-                 add_verify(app_, arguments_, texts_),  add_pulse(app_, arguments_, texts_),
-                 add_study(app_, arguments_, texts_),   add_design(app_, arguments_, texts_),
-                 add_simulate(app_, arguments_, texts_)};
+    commands_ = {add_run(app_, arguments_, texts_),      add_check(app_, arguments_, texts_),
+                 add_verify(app_, arguments_, texts_),   add_pulse(app_, arguments_, texts_),
+                 add_study(app_, arguments_, texts_),    add_design(app_, arguments_, texts_),
+                 add_simulate(app_, arguments_, texts_), add_drive(app_, arguments_, texts_)};
   }
 
   std::variant<Arguments, Answer> parse(int count, const char* const* values) {
@@ -426,9 +454,12 @@ class Parser {
                            : app_.got_subcommand(commands_[3]) ? Arguments::Command::pulse
                            : app_.got_subcommand(commands_[4]) ? Arguments::Command::study
                            : app_.got_subcommand(commands_[5]) ? Arguments::Command::design
-                                                               : Arguments::Command::simulate;
+                            : app_.got_subcommand(commands_[6]) ? Arguments::Command::simulate
+                                                               : Arguments::Command::drive;
       arguments_.command_line = command_line(count, values);
-      if (arguments_.command == Arguments::Command::verify) arguments_.programs = {texts_.judged_program};
+      const bool has_one =
+          arguments_.command == Arguments::Command::verify || arguments_.command == Arguments::Command::drive;
+      if (has_one) arguments_.programs = {texts_.one_program};
       take_values(texts_, arguments_);
       check_study(arguments_);
       check_standard_input(arguments_);
@@ -460,7 +491,7 @@ class Parser {
   Arguments arguments_;
   Texts texts_;
   CLI::App app_{"CNC part programs into motion.", "leadscrew"};
-  std::array<CLI::App*, 7> commands_{};
+  std::array<CLI::App*, 8> commands_{};
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/design_arguments.hpp>
+#include <leadscrew/cli/drive_arguments.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
@@ -18,7 +19,7 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Command { run, check, verify, pulse, study, design, simulate };
+  enum class Command { run, check, verify, pulse, study, design, simulate, drive };
 
   Command command = Command::run;
   std::vector<std::string> programs;   ///< one or more; of verify one
@@ -27,6 +28,7 @@ struct Arguments {
   SimulateArguments simulate;          ///< of simulate
   PulseArguments pulse;                ///< of pulse
   DesignArguments design;              ///< of design
+  DriveArguments drive;                ///< of drive
   std::string study;                   ///< of study: the name of one that there is, or "list"
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine
   std::optional<std::string> tools;    ///< file

@@ -3,6 +3,7 @@
 #include <leadscrew/cli/check.hpp>
 #include <leadscrew/cli/command.hpp>
 #include <leadscrew/cli/design.hpp>
+#include <leadscrew/cli/drive.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
@@ -44,6 +45,8 @@ std::string_view schema_of(Arguments::Command command) {
       return verify_schema;
     case Arguments::Command::simulate:
       return simulate_schema;
+    case Arguments::Command::drive:
+      return drive_schema;
     case Arguments::Command::pulse:
     case Arguments::Command::study:
     case Arguments::Command::design:
@@ -79,6 +82,8 @@ Status perform(const Arguments& arguments) {
       return verify(*job, console);
     case Arguments::Command::simulate:
       return simulate(*job, console);
+    case Arguments::Command::drive:
+      return drive(*job, console);
     case Arguments::Command::pulse:
     case Arguments::Command::study:
     case Arguments::Command::design:

@@ -6,9 +6,10 @@ namespace leadscrew::cli {
 namespace {
 
 volatile std::sig_atomic_t raised = 0;
+volatile std::sig_atomic_t forgiven = 0;
 
 extern "C" void raise_flag(int) {
-  raised = 1;
+  if (raised < 2) raised = raised + 1;
 }
 
 void handle(int signal, void (*handler)(int)) {
@@ -31,7 +32,15 @@ void watch_signals() {
 }
 
 bool interrupted() {
-  return raised != 0;
+  return raised > forgiven;
+}
+
+void let_first_interruption_pass() {
+  forgiven = 1;
+}
+
+int interruptions() {
+  return raised;
 }
 
 base::Diagnostic interruption() {

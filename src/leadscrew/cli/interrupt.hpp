@@ -12,6 +12,11 @@ void watch_signals();
 
 bool interrupted();
 
+/// From now on interrupted() means the second signal: for who does something about the first, and needs files for it.
+void let_first_interruption_pass();
+/// Signals so far: 0, 1, or 2 for more.
+int interruptions();
+
 /// What ends a command once interrupted() is true.
 base::Diagnostic interruption();
 

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 inline constexpr std::string_view run_schema = "leadscrew.run/1";
 inline constexpr std::string_view check_schema = "leadscrew.check/1";
 inline constexpr std::string_view verify_schema = "leadscrew.verify/1";
+inline constexpr std::string_view drive_schema = "leadscrew.drive/1";
 
 /// For what got no further than its diagnostics: {schema, program, machine, diagnostics}. `machine` may be empty.
 Json json_of_rejected(std::string_view schema, const std::string& program, const std::string& machine,

@@ -43,7 +43,8 @@ void Drives::follow(const base::AxisVector& word) {
 void Drives::plan_to_brake() {
   double release = 1, fall = 1;
   for (const base::Axis axis : base::all_axes) {
-    if (axes_.contains(axis)) release = std::max(release, std::abs(change_[base::index(axis)]) / limits_[base::index(axis)].jerk);
+    if (axes_.contains(axis))
+      release = std::max(release, std::abs(change_[base::index(axis)]) / limits_[base::index(axis)].jerk);
   }
   release = std::ceil(release);
   for (const base::Axis axis : base::all_axes) {

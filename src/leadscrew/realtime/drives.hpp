@@ -42,7 +42,7 @@ class Drives {
   base::AxisVector change_{};  ///< of the step, in the last period
   bool rests_ = true;
   // Of braking and of an approach.
-  std::int64_t tick_ = 0;               ///< of it; 0: not begun
+  std::int64_t tick_ = 0;                ///< of it; 0: not begun
   std::int64_t release_ = 0, fall_ = 0;  ///< periods to let go, and to brake or to travel
   base::AxisVector from_{}, way_{};
 };

@@ -109,7 +109,7 @@ class Runner {
 
   // The cycle's.
   std::optional<base::Word> waiting_;  ///< for room in the sink
-  std::int64_t taken_ = 0;  ///< words, by the sink
+  std::int64_t taken_ = 0;             ///< words, by the sink
 
   // Told by one thread to others.
   std::atomic<bool> begun_{false}, ended_{false}, halted_{false};

@@ -1,0 +1,283 @@
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <leadscrew/cli/drive.hpp>
+#include <leadscrew/cli/drive_side.hpp>
+#include <leadscrew/cli/drive_text.hpp>
+#include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/cli/programs.hpp>
+#include <leadscrew/pipeline/motion_source.hpp>
+#include <leadscrew/realtime/schedule.hpp>
+#include <new>
+#include <nlohmann/json.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
+constexpr double slice = 0.02;              // s of motion that is handed over at a time
+
+/// The drives' process and the memory shared with it.
+class DriveProcess {
+ public:
+  static base::Result<std::unique_ptr<DriveProcess>> start(const Job& job, const DriveState& begin) {
+    void* memory =
+        ::mmap(nullptr, sizeof(DriveLink), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) return base::failure(system_failure("io-open", "no memory to share", "drives", errno));
+    std::unique_ptr<DriveProcess> process(new DriveProcess(new (memory) DriveLink));
+    process->id_ = ::fork();
+    if (process->id_ < 0) return base::failure(system_failure("io-open", "cannot start", "drives", errno));
+    if (process->id_ == 0) {
+      run_drives(process->link(), job, begin);
+      ::_exit(0);
+    }
+    return process;
+  }
+  ~DriveProcess() {
+    link_->order.store(DriveLink::Order::abandon);
+    wait();
+    link_->~DriveLink();
+    ::munmap(link_, sizeof(DriveLink));
+  }
+  DriveProcess(const DriveProcess&) = delete;
+  DriveProcess& operator=(const DriveProcess&) = delete;
+
+  DriveLink& link() { return *link_; }
+
+  bool is_running() {
+    if (id_ > 0 && ::waitpid(id_, nullptr, WNOHANG) == id_) id_ = 0;
+    return id_ > 0;
+  }
+  void wait() {
+    while (is_running()) realtime::sleep_until(realtime::now() + 1'000'000);
+  }
+
+ private:
+  explicit DriveProcess(DriveLink* link) : link_(link) {}
+
+  DriveLink* link_;
+  pid_t id_ = 0;
+};
+
+base::Diagnostic drives_problem(std::string_view code, std::string message, std::string hint = {}) {
+  return base::problem(code, std::move(message), std::move(hint));
+}
+
+class ProgramDrive {
+ public:
+  ProgramDrive(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
+      : program_(program), job_(job), arguments_(job.arguments.drive), console_(console), log_(log) {}
+
+  /// Nothing where the log says why.
+  std::optional<DriveFigures> execute() {
+    const auto file = InputFile::open(program_);
+    if (!file) return failed(file.error());
+    if (auto sound = check_files(*file); !sound) return failed(sound.error());
+    read_program(*file, job_, console_, log_);
+    if (log_.errors() > 0) return std::nullopt;
+    auto begin = beginning(*file);
+    if (!begin) return failed(begin.error());
+    let_first_interruption_pass();
+    // Before there are threads.
+    auto process = DriveProcess::start(job_, *begin);
+    if (!process) return failed(process.error());
+    return move(*file, *begin, **process);
+  }
+
+ private:
+  std::nullopt_t failed(const base::Diagnostic& problem) {
+    log_.add(problem);
+    return std::nullopt;
+  }
+
+  base::Result<void> check_files(const InputFile& program) const {
+    OutputPaths paths;
+    paths.trace = arguments_.trace;
+    if (auto sound = check_paths(paths, program); !sound) return sound;
+    paths.trace = arguments_.axes;
+    paths.report = arguments_.trace;
+    paths.picture = arguments_.state;
+    return check_paths(paths, program);
+  }
+
+  /// Where motion begins: at the start, or where an earlier drive has come to.
+  base::Result<DriveState> beginning(const InputFile& file) const {
+    auto fingerprint = fingerprint_of(file, job_);
+    if (!fingerprint) return base::failure(fingerprint.error());
+    DriveState state;
+    state.word.position = state.axes = job_.start;
+    if (arguments_.resume) {
+      auto kept = read_state(*arguments_.resume);
+      if (!kept) return kept;
+      if (auto same = check_resumable(*kept, *fingerprint, *arguments_.resume); !same)
+        return base::failure(same.error());
+      state = *kept;
+    }
+    state.program = file.name();
+    state.machine = job_.machine.name;
+    state.fingerprint = *fingerprint;
+    state.kind = DriveState::Kind::moving;
+    if (arguments_.state) {
+      if (auto written = write_state(*arguments_.state, state); !written) return base::failure(written.error());
+    }
+    return state;
+  }
+
+  std::optional<DriveFigures> move(const InputFile& file, const DriveState& begin, DriveProcess& drives) {
+    DriveLink& link = drives.link();
+    while (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::starting) {
+      if (!drives.is_running()) break;
+      if (interruptions() > 0) return failed(interruption());
+      realtime::sleep_until(realtime::now() + frame / 4);
+    }
+    if (auto sound = look_at(drives); !sound) return failed(sound.error());
+    pipeline::MotionSource source(counted(file.source()), job_.machine, job_.tools, job_.reader_options(file.name()),
+                                  nullptr);
+    source.planner().slice(slice);
+    source.planner().start_at(begin.word.path_length, begin.word.line);
+    const std::int64_t lead = std::llround(arguments_.lead / job_.machine.period.seconds());
+    realtime::Runner runner({.period = job_.machine.period,
+                             .position = begin.word.position,
+                             .path_length = begin.word.path_length,
+                             .look_ahead = arguments_.look_ahead,
+                             .lead = lead},
+                            {.next = [&] { return source.next(); },
+                             .refuse = [&] { source.planner().refuse(); },
+                             .override_feed = [&](double factor) { source.planner().override_feed(factor); }},
+                            [&link, room = static_cast<std::size_t>(2 * lead + 4)](const base::Word& word) {
+                              return link.words.size() < room && link.words.push(word);
+                            });
+    runner.start();
+    figures_.last = begin.word;
+    const bool ran = watch(runner, drives, file.size());
+    conclude(runner, drives);
+    figures_.blocks = source.reader().blocks();
+    console_.clear_progress();
+    if (!ran) return std::nullopt;
+    if (source.reader().source_failure()) return failed(*source.reader().source_failure());
+    return figures_;
+  }
+
+  /// Until the last word is made, or nobody takes words any more: then false where the log says why.
+  bool watch(realtime::Runner& runner, DriveProcess& drives, std::int64_t size) {
+    using End = DriveFigures::End;
+    Progress progress{.work = "driving", .total = size};
+    console_.begin_progress();
+    bool has_notice = false;
+    while (!runner.has_ended()) {
+      realtime::sleep_until(realtime::now() + frame);
+      take_feedback(drives.link());
+      if (!has_notice && runner.counters().words > 0) {
+        has_notice = true;
+        figures_.real_time = !runner.notice();
+        if (runner.notice()) log_.add(*runner.notice());
+      }
+      if (interruptions() > 0 && figures_.end == End::done) {
+        runner.stop();
+        figures_.end = End::stopped;
+      }
+      if (interruptions() > 1) {
+        figures_.end = End::abandoned;
+        drives.link().order.store(DriveLink::Order::abandon, std::memory_order_release);
+        runner.halt();
+      }
+      if (!drives.is_running()) {
+        runner.halt();
+        break;
+      }
+      progress.bytes = read_.load(std::memory_order_relaxed);
+      progress.words = runner.counters().words;
+      progress.motion_seconds = job_.machine.period.seconds() * static_cast<double>(progress.words);
+      console_.progress(progress);
+    }
+    if (figures_.end == End::abandoned) return true;
+    const auto sound = look_at(drives);
+    if (!sound) log_.add(sound.error());
+    return sound.has_value();
+  }
+
+  void conclude(realtime::Runner& runner, DriveProcess& drives) {
+    using End = DriveFigures::End;
+    DriveLink& link = drives.link();
+    link.at_end.store(figures_.end == End::done && runner.has_ended(), std::memory_order_release);
+    auto order = DriveLink::Order::follow;
+    link.order.compare_exchange_strong(order, DriveLink::Order::end);
+    while (drives.is_running()) {
+      if (interruptions() > 1) link.order.store(DriveLink::Order::abandon, std::memory_order_release);
+      take_feedback(link);
+      realtime::sleep_until(realtime::now() + frame / 4);
+    }
+    take_feedback(link);
+    figures_.counters = runner.counters();
+    figures_.latencies = runner.latencies();
+    figures_.taken = link.taken.load(std::memory_order_acquire);
+    figures_.drives_late = link.late_periods.load(std::memory_order_relaxed);
+    figures_.braked = link.braked.load(std::memory_order_relaxed);
+    if (link.phase.load() == DriveLink::Phase::failed) log_.add(drives_problem("io-drives", link.problem.data()));
+    if (link.phase.load() == DriveLink::Phase::tripped && figures_.end != End::abandoned) figures_.end = End::tripped;
+  }
+
+  gcode::ByteSource counted(gcode::ByteSource source) {
+    return [this, source = std::move(source)](std::span<char> bytes) {
+      auto got = source(bytes);
+      if (got) read_.fetch_add(static_cast<std::int64_t>(*got), std::memory_order_relaxed);
+      return got;
+    };
+  }
+
+  void take_feedback(DriveLink& link) {
+    for (Feedback feedback; link.feedback.pop(feedback);) figures_.last = feedback.word;
+  }
+
+  /// Do the drives still take words, or have they taken all?
+  static base::Result<void> look_at(DriveProcess& drives) {
+    DriveLink& link = drives.link();
+    if (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::failed)
+      return base::failure(drives_problem("io-drives", link.problem.data()));
+    if (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::tripped)
+      return base::failure(drives_problem("words-late", "the drives got no word in time and came to rest by themselves",
+                                          "--resume goes on from there; a greater --lead lets words be later"));
+    if (!drives.is_running() && link.phase.load() != DriveLink::Phase::ended)
+      return base::failure(drives_problem("io-drives", "the process of the drives has ended"));
+    return {};
+  }
+
+  std::string program_;
+  const Job& job_;
+  const DriveArguments& arguments_;
+  Console& console_;
+  DiagnosticLog& log_;
+  std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
+  DriveFigures figures_;
+};
+
+ProgramResult drive_program(const std::string& program, const Job& job, Console& console) {
+  DiagnosticLog log(console);
+  const std::string name = program == "-" ? "<stdin>" : program;
+  const auto figures = ProgramDrive(program, job, console, log).execute();
+  if (!figures) return {log.status(), json_of_rejected(drive_schema, name, job.machine.name, log), {}};
+  const bool is_done = figures->end == DriveFigures::End::done;
+  return {is_done ? log.status() : Status::interrupted, json_of_drive(name, job, *figures, log),
+          drive_summary(name, job, *figures, console.output_style())};
+}
+
+}  // namespace
+
+Status drive(const Job& job, Console& console) {
+  const ProgramResult result = drive_program(job.arguments.programs.front(), job, console);
+  Status written = Status::done;
+  if (job.arguments.json) {
+    written = write_output(console, json_text(drive_schema, {result.json}));
+  } else if (!job.arguments.quiet && !result.summary.empty()) {
+    written = write_output(console, result.summary);
+  }
+  return worse(result.status, written);
+}
+
+}  // namespace leadscrew::cli

@@ -1,0 +1,19 @@
+#pragma once
+// `leadscrew drive`: a program on time.
+//
+//   program ─▶ MotionSource ─▶ Runner ─▶ words ─▶ drives, a process of their own ─▶ trace, axes, state
+//                  ▲                                     └─ feedback ─▶ view
+//            signals, keys
+//
+// A signal, or q, brings motion to rest on the path; a second signal ends it at once, and the drives come to rest by
+// themselves. So they do when this process is killed.
+
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <leadscrew/cli/status.hpp>
+
+namespace leadscrew::cli {
+
+Status drive(const Job& job, Console& console);
+
+}  // namespace leadscrew::cli

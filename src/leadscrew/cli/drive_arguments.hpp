@@ -1,0 +1,35 @@
+#pragma once
+// What the command line asks `leadscrew drive` for, beside what other commands are asked for too.
+
+#include <leadscrew/cli/quantity.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::cli {
+
+struct DriveArguments {
+  std::optional<std::string> trace, axes, state, resume;  ///< files
+  double look_ahead = 0.3;                                ///< s
+  double lead = 0.1;                                      ///< s
+};
+
+/// Options as text, before their values are looked at.
+struct DriveTexts {
+  std::optional<std::string> trace, axes, state, resume, look_ahead, lead;
+};
+
+/// Says in whole sentences what is wrong.
+Parsed<DriveArguments> parse_drive(const DriveTexts& texts);
+
+inline constexpr std::string_view drive_examples =
+    "Examples:\n"
+    "  leadscrew drive part.ngc --state part.state\n"
+    "  leadscrew drive part.ngc --resume part.state     from where it was stopped or killed\n"
+    "  leadscrew drive part.ngc --trace words.csv --axes axes.csv --json\n"
+    "\n"
+    "Keys, on a terminal: space holds and resumes, + and - change the feed by 10 %, q stops. ^C brings motion to rest\n"
+    "on the path; a second one stops at once. The drives are simulated by a process of their own: when words cease,\n"
+    "they come to rest by themselves within the limits of every axis.\n";
+
+}  // namespace leadscrew::cli

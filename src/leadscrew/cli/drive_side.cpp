@@ -1,0 +1,184 @@
+#include <csignal>
+#include <leadscrew/cli/diagnostic_text.hpp>
+#include <leadscrew/cli/drive_side.hpp>
+#include <leadscrew/cli/word_file.hpp>
+#include <leadscrew/realtime/drives.hpp>
+#include <leadscrew/realtime/schedule.hpp>
+#include <mutex>
+#include <thread>
+
+namespace leadscrew::cli {
+
+namespace {
+
+using Order = DriveLink::Order;
+using Phase = DriveLink::Phase;
+
+constexpr std::int64_t state_interval = 100'000'000;  // ns between two states on disk
+
+/// Writes states in a thread of its own: the drives do not wait for a disk.
+class StateKeeper {
+ public:
+  StateKeeper(std::optional<std::string> path, const DriveState& state) : path_(std::move(path)), state_(state) {
+    if (path_) thread_ = std::thread([this] { keep(); });
+  }
+  ~StateKeeper() { end(); }
+
+  void observe(const base::Word& word, const base::AxisVector& axes) {
+    const std::lock_guard lock(mutex_);
+    state_.word = word;
+    state_.axes = axes;
+    changed_ = true;
+  }
+
+  /// The last state, when all stands still.
+  base::Result<void> conclude(DriveState::Kind kind) {
+    end();
+    state_.kind = kind;
+    if (!path_) return {};
+    return write_state(*path_, state_);
+  }
+
+ private:
+  void keep() {
+    while (!ended_.load()) {
+      DriveState state;
+      bool changed = false;
+      {
+        const std::lock_guard lock(mutex_);
+        state = state_;
+        changed = std::exchange(changed_, false);
+      }
+      // The last state says whether this can be done.
+      if (changed) static_cast<void>(write_state(*path_, state));
+      realtime::sleep_until(realtime::now() + state_interval);
+    }
+  }
+  void end() {
+    ended_.store(true);
+    if (thread_.joinable()) thread_.join();
+  }
+
+  std::optional<std::string> path_;
+  DriveState state_;
+  bool changed_ = false;
+  std::mutex mutex_;
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
+class DriveSide {
+ public:
+  DriveSide(DriveLink& link, const Job& job, const DriveState& begin)
+      : link_(link),
+        period_(job.machine.period),
+        drives_(job.machine, period_, begin.axes),
+        keeper_(job.arguments.drive.state, begin),
+        last_(begin.word) {}
+
+  base::Result<void> open(const Job& job) {
+    const DriveArguments& arguments = job.arguments.drive;
+    if (arguments.trace) {
+      if (auto opened = trace_.open(*arguments.trace, job.machine); !opened) return opened;
+    }
+    if (arguments.axes) return axes_.open(*arguments.axes, job.machine);
+    return {};
+  }
+
+  base::Result<void> run() {
+    const base::AxisVector start = last_.position;
+    for (wake_ = realtime::now(); !drives_.approach(start); wait()) {
+      if (auto moved = observe(); !moved) return moved;
+    }
+    link_.phase.store(Phase::ready, std::memory_order_release);
+    while (period()) {
+      if (failed_) return base::failure(*failed_);
+      wait();
+    }
+    return conclude();
+  }
+
+ private:
+  /// The drives' own clock: what this process is late by is time that stood still for them.
+  void wait() {
+    wake_ += period_.nanoseconds;
+    realtime::sleep_until(wake_);
+    const std::int64_t late = (realtime::now() - wake_) / period_.nanoseconds;
+    wake_ += late * period_.nanoseconds;
+    link_.late_periods.fetch_add(late, std::memory_order_relaxed);
+  }
+
+  /// One period; false when all is over.
+  bool period() {
+    const Order order = link_.order.load(std::memory_order_acquire);
+    base::Word word;
+    const bool may_take = !tripped_ && order != Order::abandon;
+    if (may_take && link_.words.pop(word)) {
+      last_ = word;
+      drives_.follow(word.position);
+      took(trace_.write(word));
+      took(observe());
+      link_.taken.fetch_add(1, std::memory_order_release);
+      return true;
+    }
+    if (!tripped_ && order == Order::end) return false;
+    if (link_.taken.load(std::memory_order_relaxed) == 0 && order == Order::follow && !is_orphan()) return true;
+    tripped_ = true;
+    if (drives_.at_rest()) return false;
+    drives_.brake();
+    link_.braked.fetch_add(1, std::memory_order_relaxed);
+    took(observe());
+    return true;
+  }
+
+  /// Nobody will send the first word.
+  bool is_orphan() const { return ::getppid() != parent_; }
+
+  base::Result<void> observe() {
+    base::Word word = last_;
+    word.tick = base::Tick{periods_++};
+    word.position = drives_.position();
+    keeper_.observe(last_, word.position);
+    link_.feedback.push({last_, word.position});
+    return axes_.write(word);
+  }
+
+  void took(const base::Result<void>& result) {
+    if (!result && !failed_) failed_ = result.error();
+  }
+
+  base::Result<void> conclude() {
+    for (WordFile* file : {&trace_, &axes_}) {
+      if (auto published = file->publish(); !published) return published;
+    }
+    const bool ended = !tripped_ && last_is_end();
+    if (auto kept = keeper_.conclude(ended ? DriveState::Kind::ended : DriveState::Kind::stopped); !kept) return kept;
+    link_.phase.store(tripped_ ? Phase::tripped : Phase::ended, std::memory_order_release);
+    return {};
+  }
+  bool last_is_end() const { return link_.at_end.load(std::memory_order_acquire); }
+
+  DriveLink& link_;
+  base::Period period_;
+  realtime::Drives drives_;
+  StateKeeper keeper_;
+  WordFile trace_, axes_;
+  base::Word last_;  ///< taken
+  std::int64_t periods_ = 0, wake_ = 0;
+  bool tripped_ = false;
+  std::optional<base::Diagnostic> failed_;
+  const pid_t parent_ = ::getppid();
+};
+
+}  // namespace
+
+void run_drives(DriveLink& link, const Job& job, const DriveState& begin) {
+  // A terminal sends ^C to both processes. What to do about it is the other's matter.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  DriveSide side(link, job, begin);
+  base::Result<void> done = side.open(job);
+  if (done) done = side.run();
+  if (!done) link.fail(diagnostic_text(done.error(), Style{}));
+}
+
+}  // namespace leadscrew::cli

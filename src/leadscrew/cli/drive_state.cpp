@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <leadscrew/cli/drive_state.hpp>
+#include <nlohmann/json.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view state_schema = "leadscrew.state/1";
+constexpr std::array<std::string_view, 3> kinds = {"moving", "stopped", "ended"};
+
+/// FNV-1a, 64 bits: tells files apart that differ by accident.
+class Hash {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) value_ = (value_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+    count_ += bytes.size();
+  }
+  std::string text() const { return fmt::format("{:016x}-{}", value_, count_); }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+  std::size_t count_ = 0;
+};
+
+std::string text_of(const base::AxisVector& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format(" {:a}", value);
+  return text;
+}
+
+std::string machine_text(const Job& job) {
+  const machine::Machine& machine = job.machine;
+  std::string text = fmt::format("{} {} {:a} {:a}\n", machine.kinematics, machine.period.nanoseconds,
+                                 machine.tolerance, machine.chord_error);
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    const machine::AxisLimits& limits = machine.limits(axis);
+    text += fmt::format("{} {:a} {:a} {:a} {:a} {:a}\n", base::letter(axis), limits.travel_min, limits.travel_max,
+                        limits.velocity, limits.acceleration, limits.jerk);
+  }
+  for (const machine::Tool& tool : job.tools.tools()) {
+    text += fmt::format("T{}{} {:a}\n", tool.number, text_of(tool.offset), tool.diameter);
+  }
+  text += "start" + text_of(job.start);
+  if (job.arguments.mode) text += fmt::format(" mode {}", static_cast<int>(*job.arguments.mode));
+  if (job.arguments.tolerance) text += fmt::format(" tolerance {:a}", *job.arguments.tolerance);
+  return text;
+}
+
+Json json_of(const base::AxisVector& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(value);
+  return list;
+}
+
+base::AxisVector axes_of(const Json& list) {
+  base::AxisVector values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = list.at(i).get<double>();
+  return values;
+}
+
+tl::unexpected<base::Diagnostic> refusal(std::string_view code, std::string message, std::string hint,
+                                         const std::string& path) {
+  return base::failure(
+      {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = path}, {}});
+}
+
+base::Result<void> synchronise(const Descriptor& file, const std::string& path) {
+  if (::fsync(file.number()) == 0) return {};
+  return base::failure(system_failure("io-write", "cannot write", path, errno));
+}
+
+}  // namespace
+
+base::Result<Fingerprint> fingerprint_of(const InputFile& program, const Job& job) {
+  Hash text, machine;
+  std::vector<char> buffer(1 << 16);
+  auto source = program.source();
+  while (true) {
+    const auto got = source(buffer);
+    if (!got) return base::failure(got.error());
+    if (*got == 0) break;
+    text.add({buffer.data(), *got});
+  }
+  machine.add(machine_text(job));
+  return Fingerprint{text.text(), machine.text()};
+}
+
+base::Result<void> write_state(const std::string& path, const DriveState& state) {
+  const Json json = {{"schema", state_schema},
+                     {"program", state.program},
+                     {"program_hash", state.fingerprint.program},
+                     {"machine", state.machine},
+                     {"machine_hash", state.fingerprint.machine},
+                     {"state", kinds[static_cast<std::size_t>(state.kind)]},
+                     {"word", base::count(state.word.tick)},
+                     {"line", base::number(state.word.line)},
+                     {"path_length", state.word.path_length},
+                     {"position", json_of(state.word.position)},
+                     {"axes", json_of(state.axes)}};
+  const std::string temporary = path + ".tmp";
+  {
+    auto file = open_descriptor(temporary, O_WRONLY | O_CREAT | O_TRUNC, "cannot write");
+    if (!file) return base::failure(file.error());
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    if (auto written = write_all(file->number(), text, path); !written) return written;
+    if (auto durable = synchronise(*file, path); !durable) return durable;
+  }
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
+    return base::failure(system_failure("io-write", "cannot write", path, errno));
+  }
+  // The name, too.
+  const std::string parent = std::filesystem::path(path).parent_path().string();
+  auto folder = open_descriptor(parent.empty() ? "." : parent, O_RDONLY | O_DIRECTORY, "cannot open");
+  if (!folder) return base::failure(folder.error());
+  return synchronise(*folder, path);
+}
+
+base::Result<DriveState> read_state(const std::string& path) {
+  const auto text = read_whole(path);
+  if (!text) return base::failure(text.error());
+  try {
+    const Json json = Json::parse(*text);
+    if (json.at("schema").get<std::string>() != state_schema) throw std::runtime_error("another schema");
+    DriveState state;
+    state.program = json.at("program").get<std::string>();
+    state.machine = json.at("machine").get<std::string>();
+    state.fingerprint = {json.at("program_hash").get<std::string>(), json.at("machine_hash").get<std::string>()};
+    const auto kind = std::find(kinds.begin(), kinds.end(), json.at("state").get<std::string>());
+    if (kind == kinds.end()) throw std::runtime_error("another state");
+    state.kind = static_cast<DriveState::Kind>(kind - kinds.begin());
+    state.word.tick = base::Tick{json.at("word").get<std::int64_t>()};
+    state.word.line = base::Line{json.at("line").get<std::int64_t>()};
+    state.word.path_length = json.at("path_length").get<double>();
+    state.word.position = axes_of(json.at("position"));
+    state.axes = axes_of(json.at("axes"));
+    return state;
+  } catch (const std::exception& error) {
+    return refusal("resume-state", fmt::format("is no state of a drive: {}", error.what()),
+                   "give the file that --state of an earlier drive wrote", path);
+  }
+}
+
+base::Result<void> check_resumable(const DriveState& state, const Fingerprint& now, const std::string& path) {
+  if (state.fingerprint.program != now.program) {
+    return refusal("resume-program", fmt::format("was written by a drive of another program, {}", state.program),
+                   "give the program as it was, byte for byte, or drive the new one from its start", path);
+  }
+  if (state.fingerprint.machine != now.machine) {
+    return refusal("resume-machine",
+                   fmt::format("was written by a drive of another machine, {}, with other tools, or another --period, "
+                               "--start, --mode or --tolerance",
+                               state.machine),
+                   "a place on the path is the same only where all of these are", path);
+  }
+  if (state.kind == DriveState::Kind::ended)
+    return refusal("resume-ended", "was written by a drive that has come to the program's end", "", path);
+  return {};
+}
+
+}  // namespace leadscrew::cli

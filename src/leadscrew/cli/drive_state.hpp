@@ -1,0 +1,36 @@
+#pragma once
+// Where a drive has come to, on disk: what it takes to go on after a stop, a kill or a power failure.
+
+#include <leadscrew/base/result.hpp>
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/cli/input_file.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <string>
+
+namespace leadscrew::cli {
+
+/// What must be the same for a place on the path to mean the same.
+struct Fingerprint {
+  std::string program;  ///< of its bytes
+  std::string machine;  ///< of the machine, its tools, and how the program is read
+};
+base::Result<Fingerprint> fingerprint_of(const InputFile& program, const Job& job);
+
+struct DriveState {
+  enum class Kind { moving, stopped, ended };
+
+  std::string program, machine;  ///< names, for people
+  Fingerprint fingerprint;
+  Kind kind = Kind::moving;
+  base::Word word;          ///< the last that the drives have taken
+  base::AxisVector axes{};  ///< where they stand, or stood when this was written
+};
+
+/// Durable before it is visible, and whole or not there at all. Errors: `io-open`, `io-write`.
+base::Result<void> write_state(const std::string& path, const DriveState& state);
+/// Errors: `io-…` and `resume-state`.
+base::Result<DriveState> read_state(const std::string& path);
+/// Errors: `resume-program`, `resume-machine` where another was being driven, `resume-ended` where nothing is left.
+base::Result<void> check_resumable(const DriveState& state, const Fingerprint& now, const std::string& path);
+
+}  // namespace leadscrew::cli
