@@ -414,7 +414,7 @@ Answer usage(const std::string& where, const std::string& message) {
 }
 
 constexpr std::string_view commands_there_are =
-    "; there are run, simulate, drive, check and verify for programs, pulse, study and design";
+    "; there are run, check, verify and simulate for programs, drive to run them on time, pulse, study and design";
 
 /// The first word must be a command; CLI11 would say less.
 std::optional<Answer> check_command(int count, const char* const* values) {

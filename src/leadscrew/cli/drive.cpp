@@ -27,8 +27,7 @@ constexpr double slice = 0.02;              // s of motion that is handed over a
 class DriveProcess {
  public:
   static base::Result<std::unique_ptr<DriveProcess>> start(const Job& job, const DriveState& begin) {
-    void* memory =
-        ::mmap(nullptr, sizeof(DriveLink), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void* memory = ::mmap(nullptr, sizeof(DriveLink), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return base::failure(system_failure("io-open", "no memory to share", "drives", errno));
     std::unique_ptr<DriveProcess> process(new DriveProcess(new (memory) DriveLink));
     process->id_ = ::fork();

@@ -87,7 +87,9 @@ class DriveSide {
 
   base::Result<void> run() {
     const base::AxisVector start = last_.position;
-    for (wake_ = realtime::now(); !drives_.approach(start); wait()) {
+    wake_ = realtime::now();
+    if (auto standing = observe(); !standing) return standing;
+    for (; !drives_.approach(start); wait()) {
       if (auto moved = observe(); !moved) return moved;
     }
     link_.phase.store(Phase::ready, std::memory_order_release);

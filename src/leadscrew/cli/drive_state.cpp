@@ -38,8 +38,8 @@ std::string text_of(const base::AxisVector& values) {
 
 std::string machine_text(const Job& job) {
   const machine::Machine& machine = job.machine;
-  std::string text = fmt::format("{} {} {:a} {:a}\n", machine.kinematics, machine.period.nanoseconds,
-                                 machine.tolerance, machine.chord_error);
+  std::string text = fmt::format("{} {} {:a} {:a}\n", machine.kinematics, machine.period.nanoseconds, machine.tolerance,
+                                 machine.chord_error);
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     const machine::AxisLimits& limits = machine.limits(axis);

@@ -60,8 +60,9 @@ std::string drive_summary(const std::string& program, const Job& job, const Driv
                       figures.last.path_length);
   text += fmt::format("  on time    {} words late by a period or more, {} periods given way; planner late {} times\n",
                       counters.overruns, counters.slips, counters.starvations);
-  text += fmt::format("  latency    50 % below {:.0f} us, 99 % below {:.0f} us, 99.9 % below {:.0f} us, at most {:.0f} us\n",
-                      micro(0.5), micro(0.99), micro(0.999), micro(1));
+  text += fmt::format(
+      "  latency    50 % below {:.0f} us, 99 % below {:.0f} us, 99.9 % below {:.0f} us, at most {:.0f} us\n",
+      micro(0.5), micro(0.99), micro(0.999), micro(1));
   text += fmt::format("  drives     their process late by {} periods; {} periods braked without words\n",
                       figures.drives_late, figures.braked);
   return text;

@@ -1,0 +1,217 @@
+// The command on time: its words, and what becomes of them when it is stopped, killed and taken up again.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "command.hpp"
+
+namespace leadscrew::cli::testing {
+namespace {
+
+/// Some four seconds with corners to stop at, an arc and a smooth join.
+const std::string part =
+    "G21 G90 G94 G17 F3000\nG61\nG1 X30\nG2 X50 Y-20 I0 J-20\nG1 Y-40\nG64 P0.05\nG1 X20 Y-50\nG1 X0 Y-20\nG61\nG1 X0 "
+    "Y0\nG3 X0 Y0 I10 J0\nM2\n";
+
+struct Row {
+  double t = 0, line = 0, s = 0, feed = 0;
+  std::vector<double> q;
+};
+
+std::vector<Row> rows_of(const std::string& csv) {
+  std::vector<Row> rows;
+  std::istringstream text(csv);
+  std::string line;
+  std::getline(text, line);
+  while (std::getline(text, line)) {
+    std::vector<double> values;
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) values.push_back(std::strtod(field.c_str(), nullptr));
+    rows.push_back({values[0], values[1], values[2], values[3], {values.begin() + 4, values.end()}});
+  }
+  return rows;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+/// Where the path is at a length, between two of the words that run made.
+std::vector<double> at(const std::vector<Row>& path, double s) {
+  const auto after = std::find_if(path.begin(), path.end(), [&](const Row& row) { return row.s >= s; });
+  if (after == path.end()) return path.back().q;
+  if (after == path.begin() || after->s == std::prev(after)->s) return after->q;
+  const Row& before = *std::prev(after);
+  const double share = (s - before.s) / (after->s - before.s);
+  std::vector<double> q = before.q;
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] += share * (after->q[i] - before.q[i]);
+  return q;
+}
+
+/// The largest first, second or third difference over a limit of the built-in mill, as if it stood before and after.
+double worst_ratio(std::vector<Row> rows) {
+  const double T = 1e-3;
+  rows.insert(rows.begin(), 3, rows.front());
+  rows.insert(rows.end(), 3, rows.back());
+  double worst = 0;
+  for (std::size_t k = 3; k < rows.size(); ++k) {
+    for (std::size_t i = 0; i < rows[k].q.size(); ++i) {
+      const double a = rows[k].q[i], b = rows[k - 1].q[i], c = rows[k - 2].q[i], d = rows[k - 3].q[i];
+      worst = std::max({worst, std::abs(a - b) / T / 200, std::abs(a - 2 * b + c) / T / T / 1000,
+                        std::abs(a - 3 * b + 3 * c - d) / T / T / T / 20000});
+    }
+  }
+  return worst;
+}
+
+std::string state_of(const Folder& folder) {
+  const Json state = Json::parse(folder.read("state"), nullptr, false);
+  return state.is_object() ? state["state"].get<std::string>() : "";
+}
+
+TEST(Drive, MakesTheWordsOfRunBitForBit) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  const auto driven = leadscrew(folder, {"drive", "part.ngc", "--trace", "driven.csv", "--axes", "axes.csv", "--json",
+                                         "--look-ahead", "2s", "--lead", "1s"});
+  EXPECT_EQ(driven.status, 0) << driven.errors;
+  EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"}).status, 0);
+  const Json json = driven.json();
+  EXPECT_EQ(json["end"], "done");
+  EXPECT_EQ(json["words"], json["words_taken"]);
+  if (json["starvations"] == 0) {
+    EXPECT_EQ(folder.read("driven.csv"), folder.read("run.csv"));
+  }
+  EXPECT_EQ(leadscrew(folder, {"verify", "driven.csv", "part.ngc"}).status, 0);
+}
+
+TEST(Drive, ComesToRestOnThePathWhenInterruptedAndGoesOn) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"});
+  Running first(folder, {"drive", "part.ngc", "--trace", "1.csv", "--state", "state", "--json"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(900));
+  first.send(SIGTERM);
+  const auto stopped = first.wait();
+  EXPECT_EQ(stopped.status, 130) << stopped.errors;
+  EXPECT_EQ(stopped.json()["end"], "stopped");
+  EXPECT_EQ(state_of(folder), "stopped");
+  const auto second = leadscrew(folder, {"drive", "part.ngc", "--trace", "2.csv", "--resume", "state"});
+  EXPECT_EQ(second.status, 0) << second.errors;
+  EXPECT_EQ(state_of(folder), "ended");
+  const auto path = rows_of(folder.read("run.csv")), one = rows_of(folder.read("1.csv")),
+             two = rows_of(folder.read("2.csv"));
+  EXPECT_LE(worst_ratio(one), 1.001);
+  EXPECT_LE(worst_ratio(two), 1.001);
+  EXPECT_LE(distance(one.back().q, at(path, one.back().s)), 3e-4);
+  EXPECT_LE(distance(one.back().q, two.front().q), 1e-9);
+  EXPECT_LE(distance(two.back().q, path.back().q), 1e-9);
+  const auto third = leadscrew(folder, {"drive", "part.ngc", "--resume", "state"});
+  EXPECT_EQ(third.status, 3);
+  EXPECT_TRUE(contains(third.errors, "[resume-ended]")) << third.errors;
+}
+
+TEST(Drive, StopsAtOnceAtTheSecondSignal) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X400 F3000\nM2\n");
+  Running running(folder, {"drive", "part.ngc", "--axes", "axes.csv", "--state", "state", "--look-ahead", "5s"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  running.send(SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  running.send(SIGINT);
+  EXPECT_EQ(running.wait().status, 130);
+  EXPECT_EQ(state_of(folder), "stopped");
+  const auto axes = rows_of(folder.read("axes.csv"));
+  EXPECT_LE(worst_ratio(axes), 1.001);
+  EXPECT_LT(axes.back().q[0], 200);  // the look-ahead alone would have brought it further
+}
+
+/// Drives the part, killed again and again, until it has come to its end; returns how often it was killed.
+int drive_through_kills(unsigned seed) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"});
+  const auto path = rows_of(folder.read("run.csv"));
+  std::minstd_rand random(seed);
+  Row last = path.front();                           // taken by the drives
+  std::vector<double> rest = path.front().q;         // where they came to
+  for (int kills = 0;; ++kills) {
+    std::vector<std::string> arguments = {"drive", "part.ngc", "--trace", "words.csv", "--axes", "axes.csv",
+                                          kills == 0 ? "--state" : "--resume", "state", "--quiet"};
+    Running running(folder, arguments);
+    std::this_thread::sleep_for(std::chrono::milliseconds(400 + random() % 900));
+    running.send(SIGKILL);
+    const auto outcome = running.wait();
+    const bool was_killed = outcome.signal == SIGKILL;
+    EXPECT_TRUE(was_killed || outcome.status == 0) << outcome.errors;
+    EXPECT_TRUE(eventually([&] { return state_of(folder) == "stopped" || state_of(folder) == "ended"; }));
+    const auto words = rows_of(folder.read("words.csv")), axes = rows_of(folder.read("axes.csv"));
+    EXPECT_LE(worst_ratio(axes), 1.001);
+    if (!axes.empty()) {
+      EXPECT_LE(distance(axes.front().q, rest), 1e-9);
+    }
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      EXPECT_EQ(std::llround(words[k].t / 1e-3), static_cast<long long>(k));
+      EXPECT_LE(distance(words[k].q, at(path, words[k].s)), 3e-4);
+    }
+    if (!words.empty()) {
+      // No gap, and nothing twice: it goes on where the last word was, from rest.
+      EXPECT_LE(std::abs(words.front().s - last.s), 1e-9);
+      EXPECT_LE(distance(words.front().q, last.q), 1e-9);
+      EXPECT_EQ(words.front().feed, 0);
+      last = words.back();
+    }
+    if (!axes.empty()) rest = axes.back().q;
+    // v²/2a and the way while acceleration is let go and built up: below 50 mm/s, less than 9 mm.
+    EXPECT_LE(distance(rest, last.q), 9);
+    if (state_of(folder) == "ended" || ::testing::Test::HasFailure()) {
+      EXPECT_LE(distance(last.q, path.back().q), 1e-9);
+      return kills;
+    }
+    std::filesystem::remove(folder.path() / "words.csv");
+    std::filesystem::remove(folder.path() / "axes.csv");
+  }
+}
+
+TEST(Drive, GoesOnFromWhereItWasKilled) {
+  EXPECT_GE(drive_through_kills(3), 2);
+}
+
+TEST(LongDrive, GoesOnFromWhereItWasKilledAHundredTimes) {
+  int kills = 0;
+  for (unsigned seed = 1; kills < 100 && !::testing::Test::HasFailure(); ++seed) kills += drive_through_kills(seed);
+}
+
+TEST(Drive, RefusesToResumeAnythingElse) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  folder.write("mill.toml", machine_text());
+  Running first(folder, {"drive", "part.ngc", "--machine", "mill.toml", "--state", "state"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  first.send(SIGINT);
+  EXPECT_EQ(first.wait().status, 130);
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& code) {
+    arguments.insert(arguments.begin(), "drive");
+    arguments.insert(arguments.end(), {"--resume", "state", "--json"});
+    const auto outcome = leadscrew(folder, arguments);
+    EXPECT_EQ(outcome.status, 3) << outcome.errors;
+    EXPECT_EQ(outcome.json()["diagnostics"][0]["code"], code);
+  };
+  refused({"part.ngc", "--machine", "mill.toml", "--start", "X1"}, "resume-machine");
+  folder.write("mill.toml", machine_text(1001));
+  refused({"part.ngc", "--machine", "mill.toml"}, "resume-machine");
+  folder.write("mill.toml", machine_text());
+  folder.write("part.ngc", part + "\n");
+  refused({"part.ngc", "--machine", "mill.toml"}, "resume-program");
+  folder.write("state", "{}");
+  refused({"part.ngc", "--machine", "mill.toml"}, "resume-state");
+}
+
+}  // namespace
+}  // namespace leadscrew::cli::testing
