@@ -139,11 +139,12 @@ int drive_through_kills(unsigned seed) {
   leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"});
   const auto path = rows_of(folder.read("run.csv"));
   std::minstd_rand random(seed);
-  Row last = path.front();                           // taken by the drives
-  std::vector<double> rest = path.front().q;         // where they came to
+  Row last = path.front();                    // taken by the drives
+  std::vector<double> rest = path.front().q;  // where they came to
   for (int kills = 0;; ++kills) {
-    std::vector<std::string> arguments = {"drive", "part.ngc", "--trace", "words.csv", "--axes", "axes.csv",
-                                          kills == 0 ? "--state" : "--resume", "state", "--quiet"};
+    std::vector<std::string> arguments = {
+        "drive", "part.ngc", "--trace", "words.csv", "--axes", "axes.csv", kills == 0 ? "--state" : "--resume",
+        "state", "--quiet"};
     Running running(folder, arguments);
     std::this_thread::sleep_for(std::chrono::milliseconds(400 + random() % 900));
     running.send(SIGKILL);
