@@ -15,7 +15,8 @@ namespace {
 using namespace leadscrew;
 
 const std::string part =
-    "G21 G90 G94 G17 F3000\nT1 M6\nM3 S1000\nM8\nG64 P0.05\nG1 X30\nY10\nG2 X50 Y-10 I20 J0\nG4 P0.02\nM9\nG61\nG1 X60\nM3 "
+    "G21 G90 G94 G17 F3000\nT1 M6\nM3 S1000\nM8\nG64 P0.05\nG1 X30\nY10\nG2 X50 Y-10 I20 J0\nG4 P0.02\nM9\nG61\nG1 "
+    "X60\nM3 "
     "S2000\nX90\nG1 Y-40\nM2\n";
 
 std::vector<base::Word> whole() {

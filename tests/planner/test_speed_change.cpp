@@ -16,7 +16,8 @@ using testing_support::logarithmic;
 RC_GTEST_PROP(SpeedChange, EndsAtTheSpeedWithoutAccelerationInsideTheBounds, ()) {
   const planner::PathLimits limits{0, logarithmic(10, 1e4), logarithmic(100, 1e6)};
   const double a = limits.acceleration * any(-1000, 1000) / 1000;
-  const double speed = logarithmic(0.1, 500) + a * a / (2 * limits.jerk), to = any(0, 5) == 0 ? 0 : logarithmic(0.1, 500);
+  const double speed = logarithmic(0.1, 500) + a * a / (2 * limits.jerk),
+               to = any(0, 5) == 0 ? 0 : logarithmic(0.1, 500);
   const planner::SpeedChange change = planner::change_speed(speed, a, to, limits);
   double v = speed, b = a, s = 0, fastest = speed, slowest = speed;
   for (const auto& [jerk, duration] : change.phases) {

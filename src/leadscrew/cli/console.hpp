@@ -36,6 +36,7 @@ class Console {
   Console& operator=(const Console&) = delete;
 
   const Style& output_style() const { return output_style_; }
+  const Style& error_style() const { return error_style_; }
 
   /// Writes data to standard output. Errors: `io-write`.
   base::Result<void> output(std::string_view text);

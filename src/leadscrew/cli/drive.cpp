@@ -8,6 +8,7 @@
 #include <leadscrew/cli/drive.hpp>
 #include <leadscrew/cli/drive_side.hpp>
 #include <leadscrew/cli/drive_text.hpp>
+#include <leadscrew/cli/drive_view.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
@@ -41,6 +42,7 @@ class DriveProcess {
   ~DriveProcess() {
     link_->order.store(DriveLink::Order::abandon);
     wait();
+    link_->hide_terminal();
     link_->~DriveLink();
     ::munmap(link_, sizeof(DriveLink));
   }
@@ -152,10 +154,16 @@ class ProgramDrive {
                             [&link, room = static_cast<std::size_t>(2 * lead + 4)](const base::Word& word) {
                               return link.words.size() < room && link.words.push(word);
                             });
+    if (const auto settings = Terminal::settings(); settings && !job_.arguments.quiet) {
+      link.show_terminal(*settings);
+      view_.emplace(*settings, file, job_, console_.error_style());
+    }
     runner.start();
     figures_.last = begin.word;
     const bool ran = watch(runner, drives, file.size());
     conclude(runner, drives);
+    view_.reset();
+    for (const base::Diagnostic& notice : notices_) log_.add(notice);
     figures_.blocks = source.reader().blocks();
     console_.clear_progress();
     if (!ran) return std::nullopt;
@@ -175,9 +183,10 @@ class ProgramDrive {
       if (!has_notice && runner.counters().words > 0) {
         has_notice = true;
         figures_.real_time = !runner.notice();
-        if (runner.notice()) log_.add(*runner.notice());
+        if (runner.notice()) notices_.push_back(*runner.notice());
       }
-      if (interruptions() > 0 && figures_.end == End::done) {
+      const bool is_asked_to_stop = view_ && view_->obey_keys(runner);
+      if ((interruptions() > 0 || is_asked_to_stop) && figures_.end == End::done) {
         runner.stop();
         figures_.end = End::stopped;
       }
@@ -193,11 +202,15 @@ class ProgramDrive {
       progress.bytes = read_.load(std::memory_order_relaxed);
       progress.words = runner.counters().words;
       progress.motion_seconds = job_.machine.period.seconds() * static_cast<double>(progress.words);
-      console_.progress(progress);
+      if (view_) {
+        view_->draw(runner);
+      } else {
+        console_.progress(progress);
+      }
     }
     if (figures_.end == End::abandoned) return true;
     const auto sound = look_at(drives);
-    if (!sound) log_.add(sound.error());
+    if (!sound) notices_.push_back(sound.error());
     return sound.has_value();
   }
 
@@ -218,7 +231,8 @@ class ProgramDrive {
     figures_.taken = link.taken.load(std::memory_order_acquire);
     figures_.drives_late = link.late_periods.load(std::memory_order_relaxed);
     figures_.braked = link.braked.load(std::memory_order_relaxed);
-    if (link.phase.load() == DriveLink::Phase::failed) log_.add(drives_problem("io-drives", link.problem.data()));
+    if (link.phase.load() == DriveLink::Phase::failed)
+      notices_.push_back(drives_problem("io-drives", link.problem.data()));
     if (link.phase.load() == DriveLink::Phase::tripped && figures_.end != End::abandoned) figures_.end = End::tripped;
   }
 
@@ -231,7 +245,10 @@ class ProgramDrive {
   }
 
   void take_feedback(DriveLink& link) {
-    for (Feedback feedback; link.feedback.pop(feedback);) figures_.last = feedback.word;
+    for (Feedback feedback; link.feedback.pop(feedback);) {
+      figures_.last = feedback.word;
+      if (view_) view_->observe(feedback);
+    }
   }
 
   /// Do the drives still take words, or have they taken all?
@@ -254,6 +271,8 @@ class ProgramDrive {
   DiagnosticLog& log_;
   std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
   DriveFigures figures_;
+  std::optional<DriveView> view_;          ///< on a terminal
+  std::vector<base::Diagnostic> notices_;  ///< that are told when the terminal is as it was
 };
 
 ProgramResult drive_program(const std::string& program, const Job& job, Console& console) {

@@ -8,6 +8,8 @@
 // The drives outlive whoever kills the command: they take the words that have reached them, come to rest by themselves,
 // and write down where.
 
+#include <termios.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -49,6 +51,15 @@ struct DriveLink {
   std::atomic<std::int64_t> late_periods{0};  ///< that the drives' own process was late by
   std::atomic<std::int64_t> braked{0};        ///< periods without a word
   std::array<char, 256> problem{};            ///< text, ends with 0
+
+  // The terminal is given back by whoever is left.
+  std::atomic<bool> has_terminal{false};
+  termios terminal{};
+  void show_terminal(const termios& settings) {
+    terminal = settings;
+    has_terminal.store(true, std::memory_order_release);
+  }
+  void hide_terminal() { has_terminal.store(false, std::memory_order_release); }
 
   void fail(std::string_view text) {
     const std::size_t size = std::min(text.size(), problem.size() - 1);

@@ -1,6 +1,7 @@
 #include <csignal>
 #include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/drive_side.hpp>
+#include <leadscrew/cli/terminal.hpp>
 #include <leadscrew/cli/word_file.hpp>
 #include <leadscrew/realtime/drives.hpp>
 #include <leadscrew/realtime/schedule.hpp>
@@ -153,6 +154,7 @@ class DriveSide {
     for (WordFile* file : {&trace_, &axes_}) {
       if (auto published = file->publish(); !published) return published;
     }
+    if (is_orphan() && link_.has_terminal.load(std::memory_order_acquire)) Terminal::restore(link_.terminal);
     const bool ended = !tripped_ && last_is_end();
     if (auto kept = keeper_.conclude(ended ? DriveState::Kind::ended : DriveState::Kind::stopped); !kept) return kept;
     link_.phase.store(tripped_ ? Phase::tripped : Phase::ended, std::memory_order_release);
@@ -177,6 +179,8 @@ class DriveSide {
 void run_drives(DriveLink& link, const Job& job, const DriveState& begin) {
   // A terminal sends ^C to both processes. What to do about it is the other's matter.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  // What that is not permitted to be, the command says of itself.
+  static_cast<void>(realtime::become_real_time());
   DriveSide side(link, job, begin);
   base::Result<void> done = side.open(job);
   if (done) done = side.run();

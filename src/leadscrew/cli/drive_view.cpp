@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/cli/diagnostic_text.hpp>
+#include <leadscrew/cli/drive_view.hpp>
+#include <leadscrew/realtime/schedule.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+constexpr int status_lines = 7, widest_map = 100, highest_map = 40;
+constexpr std::int64_t between_pictures = 100'000'000;  // ns
+
+}  // namespace
+
+DriveView::DriveView(const termios& settings, const InputFile& file, const Job& job, const Style& style)
+    : terminal_(settings),
+      job_(job),
+      program_(printable(file.name())),
+      style_(style),
+      map_(file, job, std::min(Terminal::columns() - 1, widest_map),
+           std::min(Terminal::rows() - status_lines, highest_map)) {}
+
+void DriveView::observe(const Feedback& feedback) {
+  last_ = feedback;
+  map_.visit(feedback.actual);
+}
+
+bool DriveView::obey_keys(realtime::Runner& runner) {
+  while (const auto key = Terminal::key()) {
+    if (*key == 'q') return true;
+    if (*key == ' ') held_ = !held_;
+    if (*key == '+') factor_ = std::min(2.0, std::round(factor_ * 10 + 1) / 10);
+    if (*key == '-') factor_ = std::max(0.1, std::round(factor_ * 10 - 1) / 10);
+    runner.override_feed(held_ ? 0 : factor_);
+  }
+  return false;
+}
+
+std::string DriveView::status_text(const realtime::Runner& runner) const {
+  const realtime::Counters counters = runner.counters();
+  const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
+  const std::string end = "\033[K\n";
+  std::string text = style_(Tone::strong, program_) + fmt::format("  line {}", base::number(last_.word.line)) + end;
+  for (const base::Axis axis : base::all_axes) {
+    if (!job_.machine.has(axis)) continue;
+    text += fmt::format("{} {:10.4f}  ", base::letter(axis), last_.actual[base::index(axis)]);
+  }
+  text += end + fmt::format("feed {:8.1f} /min  override {:3.0f} %{}", last_.word.feed * 60, factor_ * 100,
+                            held_ ? style_(Tone::warning, "  HELD") : "");
+  text += end + fmt::format("look-ahead {:5.0f} ms  planner late {}  {:.1f} s, {:.1f} mm", counters.seconds_ahead * 1e3,
+                            counters.starvations, static_cast<double>(counters.words) * job_.machine.period.seconds(),
+                            last_.word.path_length);
+  text += end + fmt::format("latency 50 % {:.0f} us, 99 % {:.0f} us, at most {:.0f} us; overruns {}", micro(0.5),
+                            micro(0.99), micro(1), counters.overruns);
+  return text + end + style_(Tone::faint, "space hold/resume   + - feed   q stop") + end;
+}
+
+void DriveView::draw(const realtime::Runner& runner) {
+  const std::int64_t now = realtime::now();
+  if (now - drawn_ < between_pictures) return;
+  drawn_ = now;
+  Terminal::draw("\033[H" + status_text(runner) + map_.text(style_) + "\033[J");
+}
+
+}  // namespace leadscrew::cli

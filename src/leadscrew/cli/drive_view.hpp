@@ -1,0 +1,35 @@
+#pragma once
+// The live view of a drive on a terminal, and its keys.
+
+#include <leadscrew/cli/drive_link.hpp>
+#include <leadscrew/cli/part_map.hpp>
+#include <leadscrew/cli/terminal.hpp>
+#include <leadscrew/realtime/runner.hpp>
+
+namespace leadscrew::cli {
+
+class DriveView {
+ public:
+  DriveView(const termios& settings, const InputFile& file, const Job& job, const Style& style);
+
+  void observe(const Feedback& feedback);
+  /// Does what keys ask for: space holds and resumes, + and − change the feed by 10 %. True if q was pressed.
+  bool obey_keys(realtime::Runner& runner);
+  /// Ten times a second.
+  void draw(const realtime::Runner& runner);
+
+ private:
+  std::string status_text(const realtime::Runner& runner) const;
+
+  Terminal terminal_;
+  const Job& job_;
+  std::string program_;
+  Style style_;
+  PartMap map_;
+  Feedback last_{};
+  double factor_ = 1;  ///< of the feed, when it is not held
+  bool held_ = false;
+  std::int64_t drawn_ = 0;  ///< ns
+};
+
+}  // namespace leadscrew::cli

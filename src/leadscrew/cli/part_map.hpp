@@ -1,0 +1,41 @@
+#pragma once
+// The part seen from above, in braille characters: what is to be cut, and over it where the axes have been.
+//
+//   a character   1 4      its code is U+2800 plus 1 for dot 1, 2 for dot 2, … 128 for dot 8
+//                 2 5
+//                 3 6
+//                 7 8
+
+#include <cstdint>
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/cli/input_file.hpp>
+#include <leadscrew/cli/job.hpp>
+#include <string>
+#include <vector>
+
+namespace leadscrew::cli {
+
+class PartMap {
+ public:
+  /// All that the program travels at feed, in X and Y; so many characters large.
+  PartMap(const InputFile& file, const Job& job, int columns, int rows);
+
+  /// The axes have been here.
+  void visit(const base::AxisVector& position);
+  /// Lines of text.
+  std::string text(const Style& style) const;
+
+ private:
+  struct Dot {
+    int column = 0, row = 0;
+  };
+  Dot dot_at(double x, double y) const;
+  void set(std::vector<std::uint8_t>& dots, Dot dot) const;
+  void draw(double x0, double y0, double x1, double y1);
+
+  int columns_, rows_;
+  double left_ = 0, top_ = 0, unit_ = 1;         ///< mm; of a dot
+  std::vector<std::uint8_t> ideal_, visited_;  ///< a character each
+};
+
+}  // namespace leadscrew::cli

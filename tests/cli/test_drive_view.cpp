@@ -1,0 +1,127 @@
+// The live view on a terminal: what it shows, its keys, and that the terminal is as it was, whatever happens.
+
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <termios.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "command.hpp"
+
+namespace leadscrew::cli::testing {
+namespace {
+
+/// The command on a terminal of its own.
+class OnTerminal {
+ public:
+  OnTerminal(const Folder& folder, std::vector<std::string> arguments) {
+    winsize size = {40, 100, 0, 0};
+    arguments.insert(arguments.begin(), LEADSCREW_COMMAND);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    int other = -1;
+    if (::openpty(&terminal_, &other, nullptr, nullptr, &size) != 0) throw std::runtime_error("no terminal");
+    keeper_ = other;  // else it would be gone with the command
+    ::tcgetattr(other, &before_);
+    ::fcntl(terminal_, F_SETFL, O_NONBLOCK);
+    process_ = ::fork();
+    if (process_ == 0) {
+      ::setsid();
+      ::dup2(other, STDIN_FILENO);
+      ::dup2(other, STDOUT_FILENO);
+      ::dup2(other, STDERR_FILENO);
+      ::setenv("TERM", "xterm", 1);
+      if (::chdir(folder.path().c_str()) == 0) ::execv(LEADSCREW_COMMAND, pointers.data());
+      ::_exit(127);
+    }
+  }
+  ~OnTerminal() {
+    if (process_ > 0) {
+      ::kill(process_, SIGKILL);
+      ::waitpid(process_, nullptr, 0);
+    }
+    ::close(terminal_);
+    ::close(keeper_);
+  }
+  OnTerminal(const OnTerminal&) = delete;
+  OnTerminal& operator=(const OnTerminal&) = delete;
+
+  void press(std::string_view keys) const { EXPECT_EQ(::write(terminal_, keys.data(), keys.size()), ssize_t(keys.size())); }
+  void kill() const { ::kill(process_, SIGKILL); }
+
+  /// Reads on until it has been shown.
+  bool shows(std::string_view text) {
+    return eventually([&] {
+      read();
+      return contains(shown_, text);
+    });
+  }
+  void forget() { shown_.clear(); }
+
+  bool has_ended() {
+    read();
+    if (process_ > 0 && ::waitpid(process_, &state_, WNOHANG) == process_) process_ = 0;
+    return process_ == 0;
+  }
+  int status() const { return WIFEXITED(state_) ? WEXITSTATUS(state_) : -1; }
+
+  bool is_as_before() {
+    read();
+    termios now = {};
+    ::tcgetattr(keeper_, &now);
+    return now.c_lflag == before_.c_lflag && now.c_cc[VMIN] == before_.c_cc[VMIN] && contains(shown_, "\033[?25h");
+  }
+
+ private:
+  void read() {
+    char buffer[65536];
+    for (ssize_t got = 0; (got = ::read(terminal_, buffer, sizeof buffer)) > 0;)
+      shown_.append(buffer, static_cast<std::size_t>(got));
+  }
+
+  int terminal_ = -1, keeper_ = -1;
+  pid_t process_ = 0;
+  int state_ = 0;
+  termios before_{};
+  std::string shown_;
+};
+
+const std::string circle = "G21 G90 G94 G17\nG2 X0 Y0 I60 J0 F3000\nM2\n";
+
+TEST(DriveView, ShowsThePartAndObeysItsKeys) {
+  const Folder folder;
+  folder.write("part.ngc", circle);
+  OnTerminal running(folder, {"drive", "part.ngc", "--state", "state"});
+  EXPECT_TRUE(running.shows("override 100 %"));
+  EXPECT_TRUE(running.shows("\u28C0") || running.shows("\u2809"));  // dots of the circle
+  running.press("++-");
+  EXPECT_TRUE(running.shows("override 110 %"));
+  running.press(" ");
+  EXPECT_TRUE(running.shows("HELD"));
+  EXPECT_TRUE(running.shows("feed      0.0 /min"));
+  running.forget();
+  running.press(" ");
+  EXPECT_TRUE(running.shows("feed   3300.0 /min"));
+  EXPECT_FALSE(running.is_as_before());
+  running.press("q");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 130);
+  EXPECT_TRUE(running.is_as_before());
+  EXPECT_TRUE(running.shows("stopped"));
+}
+
+TEST(DriveView, GivesTheTerminalBackWhenItIsKilled) {
+  const Folder folder;
+  folder.write("part.ngc", circle);
+  OnTerminal running(folder, {"drive", "part.ngc"});
+  EXPECT_TRUE(running.shows("override 100 %"));
+  EXPECT_FALSE(running.is_as_before());
+  running.kill();
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_TRUE(eventually([&] { return running.is_as_before(); }));
+}
+
+}  // namespace
+}  // namespace leadscrew::cli::testing
