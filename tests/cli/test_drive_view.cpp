@@ -48,7 +48,9 @@ class OnTerminal {
   OnTerminal(const OnTerminal&) = delete;
   OnTerminal& operator=(const OnTerminal&) = delete;
 
-  void press(std::string_view keys) const { EXPECT_EQ(::write(terminal_, keys.data(), keys.size()), ssize_t(keys.size())); }
+  void press(std::string_view keys) const {
+    EXPECT_EQ(::write(terminal_, keys.data(), keys.size()), ssize_t(keys.size()));
+  }
   void kill() const { ::kill(process_, SIGKILL); }
 
   /// Reads on until it has been shown.

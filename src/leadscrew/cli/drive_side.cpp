@@ -179,9 +179,9 @@ class DriveSide {
 void run_drives(DriveLink& link, const Job& job, const DriveState& begin) {
   // A terminal sends ^C to both processes. What to do about it is the other's matter.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
-  // What that is not permitted to be, the command says of itself.
+  DriveSide side(link, job, begin);  // with the thread that writes states, which is no hurry of anybody's
+  // What is not permitted, the command says of itself.
   static_cast<void>(realtime::become_real_time());
-  DriveSide side(link, job, begin);
   base::Result<void> done = side.open(job);
   if (done) done = side.run();
   if (!done) link.fail(diagnostic_text(done.error(), Style{}));

@@ -34,7 +34,7 @@ class PartMap {
   void draw(double x0, double y0, double x1, double y1);
 
   int columns_, rows_;
-  double left_ = 0, top_ = 0, unit_ = 1;         ///< mm; of a dot
+  double left_ = 0, top_ = 0, unit_ = 1;       ///< mm; of a dot
   std::vector<std::uint8_t> ideal_, visited_;  ///< a character each
 };
 

@@ -1,6 +1,8 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <ctime>
@@ -13,6 +15,12 @@ namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
 constexpr int priority = 80;  // above everything that is not the kernel's
+
+/// Under a limit of locked memory what is taken later would be refused: then rather none is locked.
+bool may_lock_all() {
+  rlimit limit = {};
+  return ::geteuid() == 0 || (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY);
+}
 
 }  // namespace
 
@@ -32,7 +40,8 @@ std::optional<base::Diagnostic> become_real_time() {
   std::string missing;
   const sched_param parameter = {priority};
   if (::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameter) != 0) missing = "SCHED_FIFO";
-  if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) missing += missing.empty() ? "locked memory" : " and locked memory";
+  if (!may_lock_all() || ::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+    missing += missing.empty() ? "locked memory" : " and locked memory";
   if (missing.empty()) return std::nullopt;
   return base::Diagnostic{base::Severity::warning,
                           "not-real-time",
