@@ -189,6 +189,23 @@ TEST(LongDrive, GoesOnFromWhereItWasKilledAHundredTimes) {
   for (unsigned seed = 1; kills < 100 && !::testing::Test::HasFailure(); ++seed) kills += drive_through_kills(seed);
 }
 
+TEST(Drive, IsLeftByItsDrivesWhenWordsComeTooLate) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  Running first(folder, {"drive", "part.ngc", "--axes", "axes.csv", "--state", "state", "--json"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  ASSERT_TRUE(first.stop());
+  EXPECT_TRUE(eventually([&] { return state_of(folder) == "stopped"; }));
+  first.resume();
+  const auto outcome = first.wait();
+  EXPECT_EQ(outcome.status, 1) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "[words-late]")) << outcome.errors;
+  EXPECT_EQ(outcome.json()["end"], "tripped");
+  EXPECT_LE(worst_ratio(rows_of(folder.read("axes.csv"))), 1.001);
+  EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--resume", "state", "--quiet"}).status, 0);
+  EXPECT_EQ(state_of(folder), "ended");
+}
+
 TEST(Drive, RefusesToResumeAnythingElse) {
   const Folder folder;
   folder.write("part.ngc", part);

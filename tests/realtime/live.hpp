@@ -32,6 +32,8 @@ using Delay = std::function<void()>;
 
 class Live {
  public:
+  std::vector<base::Word> words;  ///< the cyclic thread's, until it has ended
+
   Live(const std::string& text, const machine::Machine& machine, Delay delay = {}, double look_ahead = 0.2)
       : source_(gcode::text_source(text), machine, tools_, {}, nullptr),
         runner_(options(machine, look_ahead),
@@ -55,8 +57,6 @@ class Live {
   void wait() {
     while (!runner_.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
   }
-
-  std::vector<base::Word> words;  ///< the cyclic thread's, until it has ended
 
  private:
   static realtime::RunnerOptions options(const machine::Machine& machine, double look_ahead) {

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <allocations.hpp>
 #include <bit>
 #include <random>
+#include <utility>
 
 #include "live.hpp"
 
@@ -104,6 +106,27 @@ TEST(Runner, HoldsGoesOnAndStops) {
   char travelled[80];
   std::snprintf(travelled, sizeof travelled, "G21 G90 G94\nG1 X%.12f F3000\nM2\n", live.words.back().position[0]);
   EXPECT_FALSE(judge(travelled, machine, live.words).objects());
+}
+
+TEST(Runner, TakesNoMemoryForAWord) {
+  planner::Segment standing;
+  standing.duration = 0.6;
+  standing.state = base::MotionState::rest;
+  std::optional<planner::Chunk> dwell(std::in_place);
+  dwell->duration = standing.duration;
+  dwell->segments.push_back(standing);
+  std::int64_t before = 0, after = -1;
+  realtime::Runner runner(
+      {.period = {1'000'000}},
+      {.next = [&] { return std::exchange(dwell, std::nullopt); }, .refuse = [] {}, .override_feed = [](double) {}},
+      [&](const base::Word& word) {
+        if (base::count(word.tick) == 100) before = testing_support::allocations();
+        if (base::count(word.tick) == 500) after = testing_support::allocations();
+        return true;
+      });
+  runner.start();
+  while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
+  EXPECT_EQ(before, after);
 }
 
 /// A sink that has no room gets the same word again: none is lost, none repeated.

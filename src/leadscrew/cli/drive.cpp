@@ -22,7 +22,8 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
-constexpr double slice = 0.02;              // s of motion that is handed over at a time
+constexpr std::string_view words_late = "words-late";
+constexpr double slice = 0.02;  // s of motion that is handed over at a time
 
 /// The drives' process and the memory shared with it.
 class DriveProcess {
@@ -210,8 +211,9 @@ class ProgramDrive {
     }
     if (figures_.end == End::abandoned) return true;
     const auto sound = look_at(drives);
-    if (!sound) notices_.push_back(sound.error());
-    return sound.has_value();
+    if (sound) return true;
+    notices_.push_back(sound.error());
+    return sound.error().code == words_late;
   }
 
   void conclude(realtime::Runner& runner, DriveProcess& drives) {
@@ -257,7 +259,7 @@ class ProgramDrive {
     if (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::failed)
       return base::failure(drives_problem("io-drives", link.problem.data()));
     if (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::tripped)
-      return base::failure(drives_problem("words-late", "the drives got no word in time and came to rest by themselves",
+      return base::failure(drives_problem(words_late, "the drives got no word in time and came to rest by themselves",
                                           "--resume goes on from there; a greater --lead lets words be later"));
     if (!drives.is_running() && link.phase.load() != DriveLink::Phase::ended)
       return base::failure(drives_problem("io-drives", "the process of the drives has ended"));
@@ -280,8 +282,19 @@ ProgramResult drive_program(const std::string& program, const Job& job, Console&
   const std::string name = program == "-" ? "<stdin>" : program;
   const auto figures = ProgramDrive(program, job, console, log).execute();
   if (!figures) return {log.status(), json_of_rejected(drive_schema, name, job.machine.name, log), {}};
-  const bool is_done = figures->end == DriveFigures::End::done;
-  return {is_done ? log.status() : Status::interrupted, json_of_drive(name, job, *figures, log),
+  const auto status = [&] {
+    switch (figures->end) {
+      case DriveFigures::End::done:
+        return log.status();
+      case DriveFigures::End::tripped:
+        return Status::not_kept;
+      case DriveFigures::End::stopped:
+      case DriveFigures::End::abandoned:
+        break;
+    }
+    return Status::interrupted;
+  };
+  return {status(), json_of_drive(name, job, *figures, log),
           drive_summary(name, job, *figures, console.output_style())};
 }
 
