@@ -454,7 +454,7 @@ class Parser {
                            : app_.got_subcommand(commands_[3]) ? Arguments::Command::pulse
                            : app_.got_subcommand(commands_[4]) ? Arguments::Command::study
                            : app_.got_subcommand(commands_[5]) ? Arguments::Command::design
-                            : app_.got_subcommand(commands_[6]) ? Arguments::Command::simulate
+                           : app_.got_subcommand(commands_[6]) ? Arguments::Command::simulate
                                                                : Arguments::Command::drive;
       arguments_.command_line = command_line(count, values);
       const bool has_one =

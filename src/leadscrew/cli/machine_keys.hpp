@@ -24,7 +24,7 @@ struct AxisKeys {
   /// Without these there is no axis.
   std::array<std::string_view, 5> needed() const { return {travel, velocity, acceleration, jerk, blu}; }
   std::array<std::string_view, 14> all() const {
-    return {travel,   velocity, acceleration,  jerk,          blu,           pitch_errors, pitch_errors_backward,
+    return {travel,   velocity, acceleration,  jerk,          blu,           pitch_errors,  pitch_errors_backward,
             backlash, takeup,   step_times[0], step_times[1], step_times[2], step_times[3], drive};
   }
 };

@@ -53,8 +53,8 @@ class Program {
 
   /// As of planner::Planner: chunks from now on are about so long, s > 0, and programmed feed is multiplied by a
   /// factor, above 0 … 2, from the next chunk on.
-  void slice(double seconds) { planner_.slice(seconds); }
-  void override_feed(double factor) { planner_.override_feed(factor); }
+  void slice(double seconds) { source_.planner().slice(seconds); }
+  void override_feed(double factor) { source_.planner().override_feed(factor); }
 
   void on_event(EventSink sink) { events_ = std::move(sink); }
 

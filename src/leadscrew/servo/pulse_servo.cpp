@@ -7,9 +7,9 @@ namespace leadscrew::servo {
 
 namespace {
 
-constexpr stepping::StepTiming timing;
-constexpr double usual_gain = 40;  // Kv, 1/s
-constexpr double start = 0.5;      // past an edge, pulses
+constexpr std::int64_t step_clock = 1'000'000;  // Hz
+constexpr double usual_gain = 40;               // Kv, 1/s
+constexpr double start = 0.5;                   // past an edge, pulses
 
 PulseLoopOptions options_of(const machine::AxisDrive& drive) {
   const double gain = drive.position_gain.value_or(usual_gain);
@@ -26,7 +26,7 @@ PulseLoopOptions options_of(const machine::AxisDrive& drive) {
 }  // namespace
 
 base::Result<PulseServo> PulseServo::create(const machine::Machine& machine) {
-  auto generator = stepping::StepGenerator::create(machine, timing);
+  auto generator = stepping::StepGenerator::create(machine, step_clock);
   if (!generator) return base::failure(std::move(generator.error()));
   PulseServo made(std::move(*generator), machine.period.seconds());
   for (const base::Axis axis : base::all_axes) {
@@ -62,7 +62,7 @@ void PulseServo::take(std::span<const stepping::StepEvent> events) {
   for (const stepping::StepEvent& event : events) {
     auto& axis = axes_[base::index(event.axis())];
     if (!axis) continue;
-    run_until(*axis, static_cast<double>(event.tick()) / static_cast<double>(timing.clock_hz));
+    run_until(*axis, static_cast<double>(event.tick()) / static_cast<double>(step_clock));
     axis->loop.pulse(event.direction());
   }
 }
