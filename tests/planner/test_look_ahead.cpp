@@ -238,6 +238,7 @@ RC_GTEST_PROP(LookAhead, KeepsEveryLimitThroughChangesOfFeed, ()) {
       const double factor =
           ++changes == most_changes ? 1.0 : *rc::gen::element(0.0, 0.0, 0.1, 0.3, 0.5, 0.9, 1.0, 1.3, 2.0);
       planner.override_feed(factor);
+      if (changes == most_changes) planner.slice(0.5);
       greatest_factor = std::max(greatest_factor, factor);
       held = factor == 0;
       until_change = wait();
