@@ -98,6 +98,21 @@ TEST(Interventions, DoNotTurnMotionBack) {
   }
 }
 
+/// What a window kept of a creep ended where the new speed could not come to rest.
+TEST(Interventions, RiseFromACreepAtOnce) {
+  machine::Machine machine;
+  machine.period = {1'000'000};
+  machine.axes[0] = machine::AxisLimits{-1e5, 1e5, 64.971366985387377, 4729.2171378158964, 5629.4670154678133, 0.001};
+  machine.axes[1] = machine::AxisLimits{-1e5, 1e5, 29.778444228087135, 811.65086292712715, 248076.98079227033, 0.001};
+  LiveProgram live(
+      "G21 G90 G94 G17 F600 G61\nG5 I0.499 J0.281 P-0.452 Q-0.389 X1.170 Y0.363\nG5 P-0.120 Q-0.340 X2.533 Y0.814\n"
+      "G3 X5.533 Y-2.186 I3\nG3 X8.533 Y0.814 J3\nG3 X5.533 Y3.814 I-3\nG3 X2.533 Y0.814 J-3\nG3 X5.533 Y-2.186 I3\n"
+      "G3 X8.533 Y0.814 J3\nM2\n",
+      machine);
+  EXPECT_TRUE(live.run({{492, 0.01, 15}, {3012, 0.5, 0}, {5877, 1, 0}}, 20'000));
+  EXPECT_LE(live.longest_wait, 0.05);
+}
+
 struct Refused {
   const char* name;
   std::array<std::array<double, 3>, 4> limits;  ///< of X Y Z A: velocity, acceleration, jerk

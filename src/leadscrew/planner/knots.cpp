@@ -26,6 +26,7 @@ constexpr std::size_t rest_knots = 100;  // it takes about as many to come to re
 constexpr double first_change = 0.15;    // of the usual width, where jerk changes at once
 constexpr double change_grading = 0.15;  // of the distance from there
 constexpr std::size_t more_knots = 24;   // after what is kept, if more is known
+constexpr std::size_t more_windows = 2;  // that may be in the place of one where much is kept and speed changes
 constexpr std::size_t knots_at_end = 8;  // that nothing comes between
 constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a window that ends in motion
 
@@ -94,7 +95,10 @@ class Placement {
   }
   double length() const { return stretch_.end - stretch_.begin; }
   std::size_t most() const {
-    return kept_ == 0 ? most_ : std::max(most_, std::min(kept_ + more_knots, most_ + rest_knots));
+    if (kept_ == 0) return most_;
+    if (stretch_.changes_from == 0) return std::max(most_, std::min(kept_ + more_knots, most_ + rest_knots));
+    // What is kept of a creep is short: from the speed that comes now, it takes all knots beyond to come to rest.
+    return std::max(most_, std::min(kept_ + rest_knots, more_windows * most_ + rest_knots));
   }
   /// To the nearest place of rest. What lies beyond a stretch that ends in motion may force a stop there.
   double from_rest(double s) const {
