@@ -14,6 +14,10 @@ namespace {
 using base::MotionState;
 using numeric::DoubleDouble;
 
+/// To the section's end, of its length: a stop that ends nearer goes on to there, for what it left could not be
+/// planned.
+constexpr double nearest_rest = 1e-6;
+
 /// Lays phases of constant jerk end to end, in double-double.
 class Phases {
  public:
@@ -162,7 +166,7 @@ std::optional<ClosedForm::Motion> ClosedForm::stop(const PathState& from) const 
   Phases phases(from);
   phases.add(stop);
   const double end = phases.way().value();
-  if (!(from.s < end && end < motion_.end)) return std::nullopt;
+  if (!(from.s < end && end < motion_.end - nearest_rest * section_.length())) return std::nullopt;
   return along(phases.take(end), end);
 }
 
