@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/machine_file.hpp>
+#include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 
 namespace leadscrew::cli {
@@ -100,7 +100,7 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
 
 Reading read_program(const InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
   constexpr std::int64_t moves_between_looks = 4096;
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
   gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file.name()),
@@ -114,7 +114,7 @@ Reading read_program(const InputFile& file, const Job& job, Console& console, Di
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());
   reading.blocks = reader.blocks();
-  reading.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  reading.seconds = processor_seconds() - begin;
   return reading;
 }
 

@@ -2,6 +2,7 @@
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/run.hpp>
@@ -21,14 +22,14 @@ double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-/// Times what prepares and what makes each word.
+/// Times what prepares (processor time) and what makes each word.
 class StopWatch {
  public:
   template <class Work>
   auto prepare(Work&& work) {
-    const auto begin = Clock::now();
+    const double begin = processor_seconds();
     auto result = work();
-    planning_ += Clock::now() - begin;
+    planning_ += processor_seconds() - begin;
     return result;
   }
 
@@ -42,10 +43,11 @@ class StopWatch {
     return result;
   }
 
-  Effort effort(double read_seconds) const { return {read_seconds, seconds(planning_), seconds(cycling_), cycles_}; }
+  Effort effort(double read_seconds) const { return {read_seconds, planning_, seconds(cycling_), cycles_}; }
 
  private:
-  Clock::duration planning_{}, cycling_{};
+  double planning_ = 0;  // s
+  Clock::duration cycling_{};
   realtime::Histogram cycles_;
 };
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
@@ -16,12 +16,6 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::string_view schema = "leadscrew.study/1";
-
-double thread_cpu_seconds() {
-  timespec time = {};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
-}
 
 double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -218,7 +212,7 @@ Status study(const Arguments& arguments, Console& console) {
   const auto chosen =
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study; });
   if (chosen == known.end()) return Status::usage;
-  const study::Rows rows = chosen->rows({thread_cpu_seconds, wall_seconds, share_out});
+  const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
   const std::string text =
       arguments.json ? json_text_of(chosen->name, rows) : study_table(rows, terminal_width(), style);
   return worse(status_of(rows), write_output(console, text));
