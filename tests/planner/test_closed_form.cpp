@@ -30,7 +30,9 @@ TEST(ClosedForm, GoesOnWhereItStoppedJustBeforeTheEnd) {
       ASSERT_LT(++chunks, 100);
       last = std::move(chunk);
     }
-    if (last) EXPECT_EQ(last->rest, end) << length;
+    if (last) {
+      EXPECT_EQ(last->rest, end) << length;
+    }
     EXPECT_EQ(planner.refused_windows(), 0);
   }
 }
