@@ -102,7 +102,7 @@ TEST(Drive, ComesToRestOnThePathWhenInterruptedAndGoesOn) {
   EXPECT_EQ(stopped.status, 130) << stopped.errors;
   EXPECT_EQ(stopped.json()["end"], "stopped");
   EXPECT_EQ(state_of(folder), "stopped");
-  const auto second = leadscrew(folder, {"drive", "part.ngc", "--trace", "2.csv", "--resume", "state"});
+  const auto second = leadscrew(folder, {"drive", "part.ngc", "--trace", "2.csv", "--resume", "state", "--lead", "1s"});
   EXPECT_EQ(second.status, 0) << second.errors;
   EXPECT_EQ(state_of(folder), "ended");
   const auto path = rows_of(folder.read("run.csv")), one = rows_of(folder.read("1.csv")),
@@ -144,7 +144,7 @@ int drive_through_kills(unsigned seed) {
   for (int kills = 0;; ++kills) {
     std::vector<std::string> arguments = {
         "drive", "part.ngc", "--trace", "words.csv", "--axes", "axes.csv", kills == 0 ? "--state" : "--resume",
-        "state", "--quiet"};
+        "state", "--quiet",  "--lead",  "300ms"};
     Running running(folder, arguments);
     std::this_thread::sleep_for(std::chrono::milliseconds(400 + random() % 900));
     running.send(SIGKILL);
@@ -202,8 +202,49 @@ TEST(Drive, IsLeftByItsDrivesWhenWordsComeTooLate) {
   EXPECT_TRUE(contains(outcome.errors, "[words-late]")) << outcome.errors;
   EXPECT_EQ(outcome.json()["end"], "tripped");
   EXPECT_LE(worst_ratio(rows_of(folder.read("axes.csv"))), 1.001);
-  EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--resume", "state", "--quiet"}).status, 0);
+  EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--resume", "state", "--quiet", "--lead", "1s"}).status, 0);
   EXPECT_EQ(state_of(folder), "ended");
+}
+
+/// The drives of the command that was killed are still at work.
+TEST(Drive, WaitsForTheDrivesOfOneThatWasKilled) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  Running first(folder, {"drive", "part.ngc", "--trace", "1.csv", "--state", "state", "--quiet", "--lead", "1s"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  first.send(SIGKILL);
+  first.wait();
+  const auto second =
+      leadscrew(folder, {"drive", "part.ngc", "--trace", "2.csv", "--resume", "state", "--quiet", "--lead", "1s"});
+  EXPECT_EQ(second.status, 0) << second.errors;
+  const auto one = rows_of(folder.read("1.csv")), two = rows_of(folder.read("2.csv"));
+  EXPECT_EQ(two.front().s, one.back().s);
+  EXPECT_LE(distance(one.back().q, two.front().q), 1e-9);
+  EXPECT_EQ(state_of(folder), "ended");
+}
+
+TEST(Drive, KeepsNoStateThatAnotherKeeps) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X400 F1000\nM2\n");
+  Running first(folder, {"drive", "part.ngc", "--state", "state", "--quiet"});
+  EXPECT_TRUE(eventually([&] { return std::filesystem::exists(folder.path() / "state"); }));
+  const auto second = leadscrew(folder, {"drive", "part.ngc", "--state", "state", "--json"});
+  EXPECT_EQ(second.status, 3);
+  EXPECT_EQ(second.json()["diagnostics"][0]["code"], "state-busy");
+  first.send(SIGKILL);
+  first.wait();
+}
+
+/// Nothing depends on a word where nothing moves.
+TEST(Drive, EndsWhereNothingMoves) {
+  const Folder folder;
+  for (const std::string program : {"M2\n", "G21 G90 G94\nG1 X0 F100\nM2\n", "G4 P0.2\nM2\n"}) {
+    folder.write("part.ngc", program);
+    const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--state", "state", "--json"});
+    EXPECT_EQ(outcome.status, 0) << program << outcome.errors;
+    EXPECT_EQ(outcome.json()["end"], "done");
+    EXPECT_EQ(state_of(folder), "ended");
+  }
 }
 
 TEST(Drive, RefusesToResumeAnythingElse) {

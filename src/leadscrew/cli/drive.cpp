@@ -83,6 +83,7 @@ class ProgramDrive {
     if (auto sound = check_files(*file); !sound) return failed(sound.error());
     read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
+    if (auto held = hold_states(); !held) return failed(held.error());
     auto begin = beginning(*file);
     if (!begin) return failed(begin.error());
     let_first_interruption_pass();
@@ -106,6 +107,16 @@ class ProgramDrive {
     paths.report = arguments_.trace;
     paths.picture = arguments_.state;
     return check_paths(paths, program);
+  }
+
+  base::Result<void> hold_states() {
+    for (const auto& path : {arguments_.resume, arguments_.state}) {
+      if (!path || (!held_.empty() && path == arguments_.resume)) continue;
+      auto held = hold_state(*path);
+      if (!held) return base::failure(held.error());
+      held_.push_back(std::move(*held));
+    }
+    return {};
   }
 
   /// Where motion begins: at the start, or where an earlier drive has come to.
@@ -271,6 +282,7 @@ class ProgramDrive {
   const DriveArguments& arguments_;
   Console& console_;
   DiagnosticLog& log_;
+  std::vector<Descriptor> held_;       ///< states
   std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
   DriveFigures figures_;
   std::optional<DriveView> view_;          ///< on a terminal

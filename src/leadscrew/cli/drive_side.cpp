@@ -125,7 +125,12 @@ class DriveSide {
       return true;
     }
     if (!tripped_ && order == Order::end) return false;
-    if (link_.taken.load(std::memory_order_relaxed) == 0 && order == Order::follow && !is_orphan()) return true;
+    // At rest nothing depends on the next word: there may be none, or the first may be still to come.
+    const bool stands = last_.state == base::MotionState::rest || link_.taken.load(std::memory_order_relaxed) == 0;
+    if (!tripped_ && stands && order == Order::follow && !is_orphan()) {
+      drives_.follow(drives_.position());
+      return true;
+    }
     tripped_ = true;
     if (drives_.at_rest()) return false;
     drives_.brake();

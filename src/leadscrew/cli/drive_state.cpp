@@ -1,10 +1,16 @@
 #include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <leadscrew/cli/drive_state.hpp>
+#include <leadscrew/cli/interrupt.hpp>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -92,6 +98,29 @@ base::Result<Fingerprint> fingerprint_of(const InputFile& program, const Job& jo
   }
   machine.add(machine_text(job));
   return Fingerprint{text.text(), machine.text()};
+}
+
+base::Result<Descriptor> hold_state(const std::string& path) {
+  constexpr int most_looks = 250;
+  constexpr timespec between_looks{0, 20'000'000};
+  // A name that the system forgets with its last holder: no file is left.
+  sockaddr_un name = {};
+  name.sun_family = AF_UNIX;
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  Hash hash;
+  hash.add(whole.string());
+  const std::string text = "leadscrew-state-" + hash.text();
+  std::copy(text.begin(), text.end(), name.sun_path + 1);  // behind a zero: of no folder
+  const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + text.size());
+  Descriptor descriptor(::socket(AF_UNIX, SOCK_DGRAM, 0));
+  for (int look = 0; look < most_looks; ++look) {
+    if (interruptions() > 0) return base::failure(interruption());
+    if (::bind(descriptor.number(), reinterpret_cast<const sockaddr*>(&name), length) == 0) return descriptor;
+    if (errno != EADDRINUSE) return base::failure(system_failure("io-open", "cannot hold", path, errno));
+    ::nanosleep(&between_looks, nullptr);
+  }
+  return refusal("state-busy", "is being kept by another drive", "let that one end, or name another file", path);
 }
 
 base::Result<void> write_state(const std::string& path, const DriveState& state) {

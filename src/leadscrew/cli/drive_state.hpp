@@ -3,6 +3,7 @@
 
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/cli/descriptor.hpp>
 #include <leadscrew/cli/input_file.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <string>
@@ -25,6 +26,10 @@ struct DriveState {
   base::Word word;          ///< the last that the drives have taken
   base::AxisVector axes{};  ///< where they stand, or stood when this was written
 };
+
+/// Held by this process and those that it forks, until the last of them ends: no two drives keep the same state. Waits
+/// some seconds for the drives of a command that was killed to come to rest. Errors: `state-busy`, interruption.
+base::Result<Descriptor> hold_state(const std::string& path);
 
 /// Durable before it is visible, and whole or not there at all. Errors: `io-open`, `io-write`.
 base::Result<void> write_state(const std::string& path, const DriveState& state);
