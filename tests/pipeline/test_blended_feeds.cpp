@@ -79,6 +79,14 @@ TEST(BlendedPrograms, FitNoDetourOfSlowLines) {
   }
 }
 
+/// Arcs as small as that are passed in no time: nothing that the smoothing length is shortened to mends it.
+TEST(BlendedPrograms, FitNoDetourOfSlowArcsInAnyLength) {
+  expect_better_than_stops(
+      "G21 G90 G94 G17 F600\nG64 P0.389066\nG6.2 P5 K0 X0 Y0\nK0 X-0.634 Y2.385\nK0 X-2.542 Y3.829 R1.162\n"
+      "K0 X-4.614 Y5.441\nK0 X-7.139 Y4.674\nK1\nK1\nK1\nK1\nK1\nG1 X-6.339 Y16.674 Z0.064\n"
+      "G3 X-6.239 Y16.574 I0.1\nG3 X-6.139 Y16.674 J0.1\nG3 X-6.239 Y16.774 I-0.1\n");
+}
+
 TEST(BlendedPrograms, MakeNoDetourWhereTheToleranceIsAboveARadius) {
   expect_better_than_stops("G21 G90 G17 G94 G64 P2 F97\nG2 J-1\nG1 Y10\n");
   expect_better_than_stops("G21 G90 G17 G94 G64 P0.25 F97\nG2 J-0.076\nG1 Y2.5\n");

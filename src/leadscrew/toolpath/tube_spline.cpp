@@ -21,8 +21,10 @@ constexpr double shortened_most = 0.5;     // by a round
 constexpr double shortened_least = 0.93;
 constexpr double most_lengthened = 1.002;  // by feed, of the polyline's time: more is a detour
 constexpr double granted_time = 0.005;     // s that it may cost whatever the polyline takes
-constexpr double back = -0.7;              // cosine of the angle between chords that turn back
-constexpr double least_advance = 0.3;      // of the parameter, of chords that do not
+constexpr double least_share = 0.01;       // of the shortest ℓ, that is tried anywhere
+constexpr double rounding = 1e-9;
+constexpr double back = -0.7;          // cosine of the angle between chords that turn back
+constexpr double least_advance = 0.3;  // of the parameter, of chords that do not
 
 }  // namespace
 
@@ -242,7 +244,7 @@ bool TubeSpline::check() {
     }
     if (&sample != samples_.data()) {
       const double pace = vertices_[sample.vertex].pace, apart = sample.u - last_u;
-      sample.lengthened = norm(way) / apart;
+      sample.lengthened = apart > rounding * longest_ ? norm(way) / apart : 0;
       if (sample.span < settled_spans()) {
         time += pace * norm(way);
         time_before += pace * apart;
@@ -273,7 +275,9 @@ bool TubeSpline::check() {
       worst_ = b.vertex;
     }
   }
+  least_asked_ = longest_;
   for (const Apex& apex : found) {
+    least_asked_ = std::min(least_asked_, apex.length);
     if (apex.length < smoothing_length(apex.u)) shorten(apex.u, apex.length);
   }
   if (inside) greatest_share_ = std::max(greatest_share_, greatest);
@@ -320,6 +324,8 @@ TubeSpline::Outcome TubeSpline::settle() {
       return Outcome::settled;
     }
     if (turns_back_ || smoothing_length(vertices_[worst_].u) < shortest_) break;
+    // The worst vertex may be far from where the curve leaves the tube.
+    if (least_asked_ < least_share * shortest_) break;
   }
   return Outcome::failed;
 }

@@ -102,6 +102,7 @@ class TubeSpline {
   double longest_, shortest_;
   std::vector<Apex> apexes_;  ///< by u; none lies above another's cone
   std::size_t worst_ = 0;
+  double least_asked_ = 0;   ///< of ℓ, where the curve left the tube
   bool turns_back_ = false;  ///< did it there, nearly on the spot?
   double greatest_share_ = 0;
 
