@@ -116,8 +116,12 @@ void put_value_ticks(std::string& lines, std::string& labels, const Channel& cha
 std::string peak(const Channel& channel, Range data) {
   if (channel.extents.empty()) return {};
   if (!channel.always_show_limits) {
-    return readable(data.least, 5) + " … " + readable(data.greatest, 5) +
-           (channel.upper ? " of travel " + readable(*channel.lower) + " … " + readable(*channel.upper) : "");
+    const auto shown = [&](double value) { return readable(value * channel.per_unit, 5); };
+    std::string text = shown(data.least) + " … " + shown(data.greatest);
+    if (channel.upper) text += " of " + std::string(channel.limit_name) + ' ';
+    if (channel.upper && channel.lower) text += shown(*channel.lower) + " … ";
+    if (channel.upper) text += shown(*channel.upper);
+    return text;
   }
   const double greatest = std::max(std::fabs(data.least), std::fabs(data.greatest));
   std::string text = "peak " + readable(greatest * channel.per_unit, 4);
