@@ -95,6 +95,16 @@ struct Outcome {
   }
 };
 
+/// "line:column code" of each problem.
+inline Names places_of(const Json& diagnostics) {
+  Names places;
+  for (const Json& problem : diagnostics) {
+    places.insert(std::to_string(problem["line"].get<int>()) + ":" + std::to_string(problem["column"].get<int>()) +
+                  " " + problem["code"].get<std::string>());
+  }
+  return places;
+}
+
 struct Surroundings {
   std::string input = {};                     ///< on a pipe to standard input
   bool input_stays_open = false;              ///< the pipe does not end

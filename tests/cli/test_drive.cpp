@@ -75,6 +75,15 @@ std::string state_of(const Folder& folder) {
   return state.is_object() ? state["state"].get<std::string>() : "";
 }
 
+/// Waits until the state on disk says that the drives have come so far along the path, mm.
+bool comes_to(const Folder& folder, double way) {
+  return eventually([&] {
+    if (!std::filesystem::exists(folder.path() / "state")) return false;
+    const Json state = Json::parse(folder.read("state"), nullptr, false);
+    return state.is_object() && state["path_length"].get<double>() >= way;
+  });
+}
+
 TEST(Drive, MakesTheWordsOfRunBitForBit) {
   const Folder folder;
   folder.write("part.ngc", part);
@@ -96,7 +105,7 @@ TEST(Drive, ComesToRestOnThePathWhenInterruptedAndGoesOn) {
   folder.write("part.ngc", part);
   leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"});
   Running first(folder, {"drive", "part.ngc", "--trace", "1.csv", "--state", "state", "--json"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(900));
+  ASSERT_TRUE(comes_to(folder, 15));
   first.send(SIGTERM);
   const auto stopped = first.wait();
   EXPECT_EQ(stopped.status, 130) << stopped.errors;
@@ -121,8 +130,9 @@ TEST(Drive, StopsAtOnceAtTheSecondSignal) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94\nG1 X400 F3000\nM2\n");
   Running running(folder, {"drive", "part.ngc", "--axes", "axes.csv", "--state", "state", "--look-ahead", "5s"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  ASSERT_TRUE(comes_to(folder, 20));
   running.send(SIGINT);
+  // Two signals that wait to be delivered would be one.
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   running.send(SIGINT);
   EXPECT_EQ(running.wait().status, 130);
@@ -146,7 +156,7 @@ int drive_through_kills(unsigned seed) {
         "drive", "part.ngc", "--trace", "words.csv", "--axes", "axes.csv", kills == 0 ? "--state" : "--resume",
         "state", "--quiet",  "--lead",  "300ms"};
     Running running(folder, arguments);
-    std::this_thread::sleep_for(std::chrono::milliseconds(400 + random() % 900));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400 + random() % 900));  // at any instant
     running.send(SIGKILL);
     const auto outcome = running.wait();
     const bool was_killed = outcome.signal == SIGKILL;
@@ -193,7 +203,7 @@ TEST(Drive, IsLeftByItsDrivesWhenWordsComeTooLate) {
   const Folder folder;
   folder.write("part.ngc", part);
   Running first(folder, {"drive", "part.ngc", "--axes", "axes.csv", "--state", "state", "--json"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  ASSERT_TRUE(comes_to(folder, 15));
   ASSERT_TRUE(first.stop());
   EXPECT_TRUE(eventually([&] { return state_of(folder) == "stopped"; }));
   first.resume();
@@ -211,7 +221,7 @@ TEST(Drive, WaitsForTheDrivesOfOneThatWasKilled) {
   const Folder folder;
   folder.write("part.ngc", part);
   Running first(folder, {"drive", "part.ngc", "--trace", "1.csv", "--state", "state", "--quiet", "--lead", "1s"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  ASSERT_TRUE(comes_to(folder, 15));
   first.send(SIGKILL);
   first.wait();
   const auto second =
@@ -252,7 +262,7 @@ TEST(Drive, RefusesToResumeAnythingElse) {
   folder.write("part.ngc", part);
   folder.write("mill.toml", machine_text());
   Running first(folder, {"drive", "part.ngc", "--machine", "mill.toml", "--state", "state"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ASSERT_TRUE(comes_to(folder, 5));
   first.send(SIGINT);
   EXPECT_EQ(first.wait().status, 130);
   const auto refused = [&](std::vector<std::string> arguments, const std::string& code) {

@@ -177,7 +177,7 @@ TEST(Simulate, StopsWhenInterrupted) {
   folder.write("part.ngc", long_program(200000));
   Running running(folder, {"simulate", "part.ngc", "--trace", "t.csv"});
   ASSERT_TRUE(eventually([&] { return running.handles(SIGINT); }));
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  ASSERT_TRUE(eventually([&] { return folder.names().size() > 1; }));  // its trace is being written
   running.send(SIGINT);
   EXPECT_EQ(running.wait().status, 130);
   EXPECT_EQ(folder.names(), (Names{"part.ngc"}));
@@ -198,11 +198,7 @@ TEST_P(RejectedDrive, IsNamedWithItsPlace) {
   folder.write("part.ngc", square);
   folder.write("m.toml", with_screw("[axis.X.drive]\n" + GetParam().lines));
   const Json object = leadscrew(folder, {"simulate", "part.ngc", "--machine", "m.toml", "--json"}).json();
-  Names found;
-  for (const Json& problem : object["diagnostics"]) {
-    found.insert(std::to_string(problem["line"].get<int>()) + ":" + std::to_string(problem["column"].get<int>()) + " " +
-                 problem["code"].get<std::string>());
-  }
+  const Names found = places_of(object["diagnostics"]);
   EXPECT_EQ(found, GetParam().problems);
 }
 

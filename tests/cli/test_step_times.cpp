@@ -149,12 +149,7 @@ TEST_P(RejectedTimes, AreNamedWithTheirPlace) {
   folder.write("m.toml", with_lines(GetParam().lines));
   const Outcome run = leadscrew(folder, {"run", "part.ngc", "--machine", "m.toml", "--pulses", "p.csv", "--json"});
   EXPECT_EQ(run.status, 3);
-  Names found;
-  const Json object = run.json();
-  for (const Json& problem : object["diagnostics"]) {
-    found.insert(std::to_string(problem["line"].get<int>()) + ":" + std::to_string(problem["column"].get<int>()) + " " +
-                 problem["code"].get<std::string>());
-  }
+  const Names found = places_of(run.json()["diagnostics"]);
   EXPECT_EQ(found, GetParam().problems) << run.errors;
   EXPECT_EQ(folder.names(), (Names{"m.toml", "part.ngc"}));
 }
