@@ -102,6 +102,22 @@ RC_GTEST_PROP(PulseAcceleration, IsKeptAlongRandomLines, ()) {
   RC_ASSERT(excess(text, {}, Shape::accelerate) < allowed);
 }
 
+/// Of one to three steps: that they follow a straight line or turn about cannot be told from each of them.
+RC_GTEST_PROP(PulseAcceleration, IsKeptAlongRandomLinesOfFewSteps, ()) {
+  std::string text = "G61 F" + std::to_string(*rc::gen::inRange(100, 12'000)) + "\n";
+  const int lines = *rc::gen::inRange(100, 1000), turn = *rc::gen::element(0, 2, 10, 60);  // degrees
+  const double length = *rc::gen::inRange(5, 30) / 1e4;
+  double x = 0, y = 0, angle = *rc::gen::inRange(0, 360);
+  for (int i = 0; i < lines; ++i) {
+    angle += *rc::gen::inRange(-turn, turn + 1);
+    x += length * std::cos(angle / 57.29578);
+    y += length * std::sin(angle / 57.29578);
+    text += "G1 X" + std::to_string(x) + " Y" + std::to_string(y) + "\n";
+  }
+  RC_LOG() << text;
+  RC_ASSERT(excess(text, {}, Shape::accelerate) < allowed);
+}
+
 TEST(PulseAcceleration, CostsWhatATrapezoidCosts) {
   Conditions conditions;
   conditions.options.shape = Shape::accelerate;
@@ -125,6 +141,29 @@ TEST(PulseAcceleration, CarriesSpeedAlongOneDirection) {
   std::string text = "G61 F6000\n";
   for (int x = 1; x <= 200; ++x) text += "G1 X" + std::to_string(x / 2.0) + "\n";
   EXPECT_NEAR(static_cast<double>(pulse(text, conditions).last) / 1e6, 1.125, 0.003);
+}
+
+/// Lines of a step or two, whatever their course: 10 mm at 9 mm/s, with what is known ahead of them.
+TEST(PulseAcceleration, CarriesSpeedAlongLinesOfAStep) {
+  Conditions conditions;
+  conditions.options.shape = Shape::accelerate;
+  for (const PulseMethod method : {PulseMethod::koren, PulseMethod::bresenham, PulseMethod::point_comparison}) {
+    conditions.options.method = method;
+    for (const double degrees : {0.0, 30.0, 45.0, 77.0}) {
+      for (const double step : {0.001, 0.0015, 0.003}) {
+        std::string text = "G61 F540\n";
+        for (double way = step; way < 10; way += step) {
+          text += "G1 X" + std::to_string(way * std::cos(degrees / 57.29578)) + " Y" +
+                  std::to_string(way * std::sin(degrees / 57.29578)) + "\n";
+        }
+        const Pulsed pulsed = pulse(text, conditions);
+        // The lattice's way may be longer by up to the square root of two.
+        const double seconds = static_cast<double>(pulsed.last) / 1e6;
+        EXPECT_LT(seconds, 1.45 * 10 / 9 + 0.03) << degrees << " degrees, " << step << " mm";
+        EXPECT_GT(seconds, 10.0 / 9 + 0.005);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -320,6 +320,28 @@ TEST(PulseProgram, KeepsTheLengthOfSteps) {
   EXPECT_EQ(least, 7);
 }
 
+/// A half-loaded DDA comes to the end of some sooner than after its capacity's commands.
+TEST(PulseProgram, TravelsShortLinesAtTheirFeed) {
+  for (const PulseMethod method : methods) {
+    for (const LatticeVector& way : {LatticeVector{1, 1}, {1, 1, 1}, {2, 2}, {2, 2, 2}, {1, 2}, {5, 4}, {1}}) {
+      Conditions conditions;
+      conditions.options.method = method;
+      std::string text = "G61 G91 F600\n";
+      double length = 0;
+      for (const std::int64_t of_axis : way) length += static_cast<double>(of_axis * of_axis);
+      for (int lines = 0; lines < 500; ++lines) {
+        text += "G1";
+        for (std::size_t i = 0; i < 3; ++i) text += word("XYZ"[i], static_cast<double>(way[i]) * mm_per_step);
+        text += "\n";
+      }
+      const Pulsed pulsed = pulse(text, conditions);
+      EXPECT_EQ(pulsed.problems, "");
+      const double expected = 500 * std::sqrt(length) * mm_per_step / 10;
+      EXPECT_NEAR(seconds(pulsed, conditions), expected, 0.002 * expected) << static_cast<int>(method) << way[1];
+    }
+  }
+}
+
 /// Of every axis over spans of one step to thousands.
 TEST(PulseProgram, KeepsTheVelocityOfEveryAxis) {
   for (const PulseMethod method : methods) {

@@ -30,6 +30,8 @@ struct Block {
   std::int64_t dwell_clocks = 0;
 
   std::int64_t commands = 0;         ///< of feed that the block takes (count_commands)
+  std::int64_t uncertain = 0;        ///< commands that it may take less or more than that
+  std::int64_t capacity = 1;         ///< q of the DDA of a line, or of the axes beside a circle
   std::int64_t circle_commands = 0;  ///< of an arc: that its circle alone takes
   std::int64_t feed_word = 0;        ///< f: so much of the feed register's capacity is a clock's share of a command
   std::int64_t greatest_word = 0;    ///< that an override may make of it; ≥ feed_word, ≤ the register's capacity

@@ -24,14 +24,40 @@ bool is_dda(PulseMethod method) {
   return method == PulseMethod::koren || method == PulseMethod::dda;
 }
 
-std::int64_t line_commands(const LatticeVector& way, PulseMethod method) {
-  if (is_dda(method)) return length_rounded_up(way, 0);
-  std::int64_t sum = 0, longest = 0;
-  for (const std::int64_t of_axis : way) {
-    sum += pulse::absolute(of_axis);
-    longest = std::max(longest, pulse::absolute(of_axis));
+std::int64_t longest_of(const LatticeVector& way) {
+  std::int64_t longest = 0;
+  for (const std::int64_t of_axis : way) longest = std::max(longest, pulse::absolute(of_axis));
+  return longest;
+}
+
+std::int64_t sum_of(const LatticeVector& way) {
+  std::int64_t sum = 0;
+  for (const std::int64_t of_axis : way) sum += pulse::absolute(of_axis);
+  return sum;
+}
+
+/// Until the last overflow of a DDA with integrands up to `longest`, a register of capacity q and p in it: the least k
+/// with p + k·longest ≥ q·longest. Those with smaller integrands are done no later.
+std::int64_t dda_commands(std::int64_t longest, std::int64_t capacity, std::int64_t preload) {
+  return longest == 0 ? 0 : capacity - preload / longest;
+}
+
+/// What the DDA of a block's line, or that of the axes beside its circle, begins with.
+std::int64_t preload_of(const Block& block, PulseMethod method, const InterpolationOptions& options) {
+  // With the longest way as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the shorter
+  // axes where they are more than half a step behind.
+  if (block.kind == Block::Kind::line && !is_dda(method)) return (block.capacity - 1) / 2;
+  return pulse::preloaded(options.preload, block.capacity, /*is_lagging=*/true);
+}
+
+void count_line(Block& block, PulseMethod method, const InterpolationOptions& options) {
+  if (method == PulseMethod::point_comparison) {
+    block.commands = sum_of(block.way);
+    return;
   }
-  return method == PulseMethod::point_comparison ? sum : longest;
+  const std::int64_t longest = longest_of(block.way);
+  block.capacity = is_dda(method) ? length_rounded_up(block.way, 0) : longest;
+  block.commands = dda_commands(longest, block.capacity, preload_of(block, method, options));
 }
 
 /// Commands from 0 to an angle ≥ 0 on a circle of radius 1: ∫ dθ of a DDA, ∫ |sin θ| + |cos θ| dθ where axes step one
@@ -52,7 +78,10 @@ double angle_of(pulse::Point at, pulse::Direction direction) {
   return angle < 0 ? angle + 4 * quarter_turn : angle;
 }
 
-/// Of an arc that is long beside what the path is off at its ends and between its quadrants: up to ten commands.
+/// By which an arc may take less or more than integrated: what the path is off at its ends and between its quadrants.
+constexpr std::int64_t uncertain_commands = 10;
+
+/// Of an arc that is long beside those.
 std::int64_t integrated_commands(const pulse::Arc& arc, PulseMethod method) {
   const double from = angle_of(arc.start, arc.direction);
   double to = angle_of(arc.end, arc.direction);
@@ -82,12 +111,25 @@ auto with_circle(const pulse::Arc& arc, PulseMethod method, const InterpolationO
   return visitor(ProgramCircle(arc, {Order::x_first, options.preload, options.places}));
 }
 
-std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options,
-                             ArcTape& tape) {
-  const std::int64_t integrated = integrated_commands(arc, method);
-  if (integrated > ArcTape::most_commands) return integrated;
+std::int64_t recorded_commands(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options,
+                               ArcTape& tape) {
   if (tape.holds(arc)) return tape.commands();
   return with_circle(arc, method, options, [&](const auto& circle) { return tape.record(arc, circle); });
+}
+
+void count_arc(Block& block, PulseMethod method, const InterpolationOptions& options, ArcTape& tape) {
+  block.circle_commands = integrated_commands(block.arc, method);
+  block.uncertain = 0;
+  if (block.circle_commands > ArcTape::most_commands) {
+    block.uncertain = uncertain_commands;
+  } else {
+    block.circle_commands = recorded_commands(block.arc, method, options, tape);
+  }
+  block.commands = block.circle_commands;
+  if (block.way == LatticeVector{}) return;
+  block.capacity = length_rounded_up(block.way, block.circle_commands);
+  block.commands = dda_commands(std::max(longest_of(block.way), block.circle_commands), block.capacity,
+                                preload_of(block, method, options));
 }
 
 }  // namespace
@@ -95,15 +137,13 @@ std::int64_t circle_commands(const pulse::Arc& arc, PulseMethod method, const In
 void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options, ArcTape& tape) {
   switch (block.kind) {
     case Block::Kind::line:
-      block.commands = line_commands(block.way, method);
+      count_line(block, method, options);
       break;
     case Block::Kind::point_to_point:
-      block.commands = line_commands(block.way, PulseMethod::bresenham);
+      block.commands = longest_of(block.way);
       break;
     case Block::Kind::arc:
-      block.circle_commands = circle_commands(block.arc, method, options, tape);
-      block.commands =
-          block.way == LatticeVector{} ? block.circle_commands : length_rounded_up(block.way, block.circle_commands);
+      count_arc(block, method, options, tape);
       break;
     case Block::Kind::dwell:
       break;
@@ -113,7 +153,7 @@ void count_commands(Block& block, PulseMethod method, const InterpolationOptions
 BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options,
                                      const ArcTape& tape) {
   if (block.kind == Block::Kind::arc && tape.holds(block.arc)) {
-    load_arc(block, ArcTape::Player(tape), options);
+    load_arc(block, ArcTape::Player(tape), method, options);
   } else {
     *this = BlockInterpolator(block, method, options);
   }
@@ -122,7 +162,7 @@ BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, con
 BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   if (block.kind == Block::Kind::dwell) return;
   if (block.kind == Block::Kind::arc) {
-    with_circle(block.arc, method, options, [&](const auto& circle) { load_arc(block, circle, options); });
+    with_circle(block.arc, method, options, [&](const auto& circle) { load_arc(block, circle, method, options); });
   } else {
     load_line(block, method, options);
   }
@@ -158,16 +198,12 @@ void BlockInterpolator::load_line(const Block& block, const LatticeVector& way, 
     state_ = pulse::LinearPointComparison<axes>(ways);
     return;
   }
-  // With the longest way as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the shorter
-  // axes where they are more than half a step behind.
-  const std::int64_t capacity = block.commands;
-  const std::int64_t preload =
-      is_dda(method) ? pulse::preloaded(options.preload, capacity, /*is_lagging=*/true) : (capacity - 1) / 2;
-  state_ = pulse::LinearDda<axes>(ways, capacity, preload);
+  state_ = pulse::LinearDda<axes>(ways, block.capacity, preload_of(block, method, options));
 }
 
 template <typename Circle>
-void BlockInterpolator::load_arc(const Block& block, const Circle& circle, const InterpolationOptions& options) {
+void BlockInterpolator::load_arc(const Block& block, const Circle& circle, PulseMethod method,
+                                 const InterpolationOptions& options) {
   // The circle's commands, and the ways of the axes beside it.
   LatticeVector way{block.circle_commands};
   std::size_t beside = 0;
@@ -179,8 +215,7 @@ void BlockInterpolator::load_arc(const Block& block, const Circle& circle, const
     way[++beside] = block.way[base::index(axis)];
   }
   in_order_ = std::is_sorted(lanes_.begin(), lanes_.begin() + static_cast<std::ptrdiff_t>(2 + beside));
-  const std::int64_t capacity = block.commands;
-  const std::int64_t preload = pulse::preloaded(options.preload, capacity, /*is_lagging=*/true);
+  const std::int64_t capacity = block.capacity, preload = preload_of(block, method, options);
   if (beside == 0) {
     state_ = circle;
   } else if (beside == 1) {

@@ -33,9 +33,9 @@ struct InterpolationOptions {
   int places = 0;  ///< 0 … 16, of the radius in circular DDAs: more where feed on circles is to be exact
 };
 
-/// Fills in how many commands a block takes by a method: exactly so many, of a line or helix or up to one less; but of
-/// arcs of more than ArcTape::most_commands within ten. Shorter ones are recorded on the tape, if that does not hold
-/// them already.
+/// Fills in how many commands a block takes by a method, and the capacity of its DDA: exactly so many, but of arcs of
+/// more than ArcTape::most_commands within block.uncertain. Shorter ones are recorded on the tape, if that does not
+/// hold them already.
 void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options, ArcTape& tape);
 
 class BlockInterpolator {
@@ -90,7 +90,7 @@ class BlockInterpolator {
   template <std::size_t axes>
   void load_line(const Block& block, const LatticeVector& way, PulseMethod method, const InterpolationOptions& options);
   template <typename Circle>
-  void load_arc(const Block& block, const Circle& circle, const InterpolationOptions& options);
+  void load_arc(const Block& block, const Circle& circle, PulseMethod method, const InterpolationOptions& options);
 
   template <typename Interpolator, typename Feed>
   std::int64_t run(Interpolator& interpolator, Feed& feed, std::int64_t most, StepWriter& steps) {

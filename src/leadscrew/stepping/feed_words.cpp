@@ -62,14 +62,34 @@ void set_tangent(const Block& block, pulse::Point at, PulseMethod method, std::a
   steps[block.second_axis] = y * scale;
 }
 
+std::array<double, base::axis_count> course_of(std::array<double, base::axis_count> steps) {
+  const double length = norm(steps);
+  for (double& of_axis : steps) of_axis /= length;
+  return steps;
+}
+
 void set_directions(PlannedBlock& planned, PulseMethod method) {
   const Block& block = planned.block;
   for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
     planned.entry[axis] = planned.exit[axis] = real(block.way[axis]) / real(block.commands);
   }
-  if (block.kind != Block::Kind::arc) return;
-  set_tangent(block, block.arc.start, method, planned.entry);
-  set_tangent(block, block.arc.end, method, planned.exit);
+  if (block.kind == Block::Kind::arc) {
+    set_tangent(block, block.arc.start, method, planned.entry);
+    set_tangent(block, block.arc.end, method, planned.exit);
+  }
+  planned.entry_course = course_of(planned.entry);
+  planned.exit_course = course_of(planned.exit);
+}
+
+/// A line of a step or two goes another way on the lattice than programmed; of many such the path goes as programmed.
+void set_programmed_course(PlannedBlock& planned, const gcode::Move& move, const machine::Machine& machine) {
+  if (move.kind != gcode::Move::Kind::line) return;
+  std::array<double, base::axis_count> way{};
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    if (machine.has(axis)) way[i] = (move.end[i] - move.start[i]) / machine.limits(axis).blu;
+  }
+  planned.entry_course = planned.exit_course = course_of(way);
 }
 
 struct AxisRate {
@@ -154,6 +174,12 @@ std::string per_second(double rate) {
 
 }  // namespace
 
+double norm(const std::array<double, base::axis_count>& steps) {
+  double square = 0;
+  for (const double of_axis : steps) square += of_axis * of_axis;
+  return std::sqrt(square);
+}
+
 std::int64_t word_of(double rate, const PulseOptions& options) {
   const double word = rate / real(options.clock_pps) * real(options.feed_capacity);
   return word < real(options.feed_capacity) ? std::llround(word) : options.feed_capacity;
@@ -169,6 +195,7 @@ base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& mov
   PlannedBlock planned;
   planned.block = block;
   set_directions(planned, options.method);
+  set_programmed_course(planned, move, machine);
   const AxisRate by_velocity = greatest_by_velocity(block, machine);
   // A word f is a command every ⌊q0/f⌋ or ⌈q0/f⌉ clocks.
   const std::int64_t greatest_word = options.feed_capacity / options.step_clocks;

@@ -16,7 +16,9 @@ namespace leadscrew::stepping {
 struct PlannedBlock {
   Block block;
   std::array<double, base::axis_count> entry{}, exit{};  ///< steps of each axis a command, where it begins and ends
-  double acceleration = 0;                               ///< of the command rate, commands/s²
+  /// Unit vectors along the path in steps, there: of a programmed line its own, whatever way the lattice leaves it.
+  std::array<double, base::axis_count> entry_course{}, exit_course{};
+  double acceleration = 0;   ///< of the command rate, commands/s²
   double greatest_rate = 0;  ///< commands/s: that no axis exceeds its velocity, nor its acceleration in the curve
   double rate = 0;           ///< commands/s, programmed
   bool stops = false;        ///< at its end, whatever follows
@@ -36,6 +38,9 @@ struct Part {
 /// Rapids go as fast as clock, steps and axes allow.
 base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& move, const Part& part,
                                       const machine::Machine& machine, const PulseOptions& options);
+
+/// √Σ of squares: steps of the path a command, of entry or exit.
+double norm(const std::array<double, base::axis_count>& steps);
 
 /// The word of a rate in commands/s, rounded.
 std::int64_t word_of(double rate, const PulseOptions& options);

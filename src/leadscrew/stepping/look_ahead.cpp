@@ -8,27 +8,30 @@ namespace leadscrew::stepping {
 namespace {
 
 constexpr double step_of_rest = 0.4;        // of √a
-constexpr double share_of_junctions = 0.1;  // of an axis' acceleration, over the shorter block
+constexpr double share_of_junctions = 0.1;  // of what an axis' acceleration changes in the shorter block
 
-/// The block takes no less.
-double least_seconds(const PlannedBlock& planned) {
-  return static_cast<double>(planned.block.commands) / planned.greatest_rate;
+/// Steps of its path.
+double length(const PlannedBlock& planned) {
+  return static_cast<double>(planned.block.commands) * std::min(norm(planned.entry), norm(planned.exit));
+}
+
+/// Speed v at which an axis' step of velocity, v·change, is no more than a share of what its acceleration changes in a
+/// block of this length: share·a l/u, where the block's speed u rises from v to √(v² + b l) at most and is never beyond
+/// the greatest.
+double speed_by_step(double change, double share_of_a, double path_acceleration, double length, double greatest) {
+  const double rising = path_acceleration * length, step = share_of_a * length / change;
+  const double square = rising / 2 * (std::sqrt(1 + 4 * (step / rising) * (step / rising)) - 1);
+  return std::max(std::sqrt(square), step / greatest);
 }
 
 /// Commands/s at its start from which a block can come down to this at its end.
 double greatest_entry(const PlannedBlock& planned, double exit_rate) {
   const auto commands =
-      static_cast<double>(std::max<std::int64_t>(0, planned.block.commands - 2 * uncertain_commands(planned.block)));
+      static_cast<double>(std::max<std::int64_t>(0, planned.block.commands - 2 * planned.block.uncertain));
   return std::min(planned.greatest_rate, std::sqrt(exit_rate * exit_rate + 2 * planned.acceleration * commands));
 }
 
 }  // namespace
-
-double norm(const std::array<double, base::axis_count>& steps) {
-  double square = 0;
-  for (const double of_axis : steps) square += of_axis * of_axis;
-  return std::sqrt(square);
-}
 
 double rest_rate(const PlannedBlock& planned) {
   return std::min(planned.greatest_rate, step_of_rest * std::sqrt(planned.acceleration));
@@ -41,14 +44,16 @@ double LookAhead::junction(const PlannedBlock& before, const PlannedBlock& after
   double speed = std::min(before.greatest_rate * out, after.greatest_rate * in);
   // Chords of one curve turn as it does, but for what the lattice does not show.
   if (after.goes_on) return speed;
-  const double seconds = std::min(least_seconds(before), least_seconds(after));
+  const double shorter = std::min(length(before), length(after));
+  const double fastest = std::max(before.greatest_rate * out, after.greatest_rate * in);
+  const double path_acceleration = std::max(before.acceleration * out, after.acceleration * in);
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    const double change = std::abs(before.exit[i] / out - after.entry[i] / in);
+    const double change = std::abs(before.exit_course[i] - after.entry_course[i]);
     if (change < 1e-12) continue;
     const double acceleration = machine_.limits(axis).acceleration / machine_.limits(axis).blu;
-    const double step = std::min(step_of_rest * std::sqrt(acceleration), share_of_junctions * acceleration * seconds);
-    speed = std::min(speed, step / change);
+    speed = std::min({speed, step_of_rest * std::sqrt(acceleration) / change,
+                      speed_by_step(change, share_of_junctions * acceleration, path_acceleration, shorter, fastest)});
   }
   const bool is_rest = speed < rest_rate(before) * out || speed < rest_rate(after) * in;
   return is_rest ? 0 : speed;

@@ -39,15 +39,7 @@ class LookAhead {
   double entry_speed_ = 0;  // that the block before was allowed to end with
 };
 
-/// √Σ of squares: steps of the path a command, of entry or exit.
-double norm(const std::array<double, base::axis_count>& steps);
-
 /// Commands/s from which a block begins, and with which it ends, at rest.
 double rest_rate(const PlannedBlock& planned);
-
-/// Commands that an arc may take less or more than counted.
-constexpr std::int64_t uncertain_commands(const Block& block) {
-  return block.kind == Block::Kind::arc ? 6 : 1;
-}
 
 }  // namespace leadscrew::stepping

@@ -117,7 +117,7 @@ bool PulseProgram::begin_block() {
     return true;
   }
   interpolator_ = BlockInterpolator(block, options_.method, options_.interpolation, maker_.tape());
-  commands_left_ = block.commands - uncertain_commands(block);
+  commands_left_ = block.commands - block.uncertain;
   aim();
   begin_feed(next, speed);
   return true;

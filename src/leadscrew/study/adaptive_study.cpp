@@ -96,7 +96,7 @@ class PulsedCut {
 
   static stepping::Block slot() {
     stepping::Block block;
-    block.way[0] = block.commands = pulses;
+    block.way[0] = block.commands = block.capacity = pulses;
     block.feed_word = word;
     block.greatest_word = 2 * word;
     return block;
