@@ -44,6 +44,15 @@ TEST(Adaptive, GoesFasterWhereThereIsLessToCut) {
   EXPECT_LT(figures["feed"]["measured_max_mm_s"], 20.5);
 }
 
+TEST(Adaptive, WarnsOfAForceThatNoOverrideKeeps) {
+  const Folder folder;
+  const Json far = milled(folder, slot, {"--edge-force", "40", "--force-limit", "30"}, 1);
+  EXPECT_EQ(far["diagnostics"][0]["code"], "force-limit");
+  EXPECT_GT(far["adaptive"]["unreachable_s"], 1);
+  EXPECT_EQ(far["adaptive"]["held"], false);
+  EXPECT_EQ(milled(folder, slot, {})["diagnostics"], Json::array());
+}
+
 /// A rapid does not cut, and the feed after it begins as programmed.
 TEST(Adaptive, LeavesRapidsAlone) {
   const Folder folder;

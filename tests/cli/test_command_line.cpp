@@ -18,6 +18,8 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
   const Folder folder;
   folder.write("part.ngc", square);
   folder.write("t.csv", "t,X\n0,0\n");
+  folder.write("mill.toml", machine_text());
+  folder.write("tools.tbl", "T1 P1 D6\n");
   const Names before = folder.names();
   for (const auto& [arguments, said] : {
            Misuse{{}, "no command"},
@@ -53,6 +55,14 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{{"run", "part.ngc", "--trace", "made.txt"}, ".csv"},
            Misuse{{"run", "part.ngc", "--trace", "part.ngc"}, "is the program itself"},
            Misuse{{"run", "part.ngc", "--report", "./part.ngc"}, "is the program itself"},
+           Misuse{{"run", "part.ngc", "--machine", "mill.toml", "--report", "./mill.toml"}, "is the machine file"},
+           Misuse{{"run", "part.ngc", "--tools", "tools.tbl", "--picture", "tools.tbl"}, "is the tool table"},
+           Misuse{{"simulate", "part.ngc", "--tools", "tools.tbl", "--report", "tools.tbl"}, "is the tool table"},
+           Misuse{{"drive", "part.ngc", "--state", "part.ngc"}, "is the program itself"},
+           Misuse{{"drive", "part.ngc", "--machine", "mill.toml", "--state", "mill.toml"}, "is the machine file"},
+           Misuse{{"drive", "part.ngc", "--tools", "tools.tbl", "--resume", "tools.tbl"}, "is the tool table"},
+           Misuse{{"drive", "part.ngc", "--trace", "made.csv", "--state", "made.csv"}, "name the same file"},
+           Misuse{{"drive", "part.ngc", "--axes", "made.txt"}, ".csv"},
            Misuse{{"run", "part.ngc", "part.ngc", "--trace", "made.csv"}, "--out"},
            Misuse{{"run", "part.ngc", "./part.ngc", "--out", "made"}, "part"},
            Misuse{{"run", "-", "-"}, "only once"},

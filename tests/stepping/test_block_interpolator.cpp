@@ -10,9 +10,9 @@
 namespace leadscrew::stepping {
 namespace {
 
-constexpr std::array methods = {PulseMethod::koren,       PulseMethod::dda,
-                                PulseMethod::min_error,   PulseMethod::improved_min_error,
-                                PulseMethod::bresenham,   PulseMethod::point_comparison};
+constexpr std::array methods = {PulseMethod::koren,     PulseMethod::dda,
+                                PulseMethod::min_error, PulseMethod::improved_min_error,
+                                PulseMethod::bresenham, PulseMethod::point_comparison};
 constexpr std::array preloads = {pulse::Preload::none, pulse::Preload::half, pulse::Preload::half_lagging,
                                  pulse::Preload::full};
 

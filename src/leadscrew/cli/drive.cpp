@@ -100,13 +100,15 @@ class ProgramDrive {
   }
 
   base::Result<void> check_files(const InputFile& program) const {
-    OutputPaths paths;
-    paths.trace = arguments_.trace;
-    if (auto sound = check_paths(paths, program); !sound) return sound;
-    paths.trace = arguments_.axes;
-    paths.report = arguments_.trace;
-    paths.picture = arguments_.state;
-    return check_paths(paths, program);
+    std::vector<std::string> written;
+    for (const auto& path : {arguments_.trace, arguments_.axes, arguments_.state}) {
+      if (path) written.push_back(*path);
+    }
+    // A state that goes on may be kept in another file or in the same.
+    if (arguments_.resume && arguments_.resume != arguments_.state) written.push_back(*arguments_.resume);
+    if (auto sound = check_written(written, program, job_.arguments); !sound) return sound;
+    if (auto trace = check_ending("--trace", arguments_.trace, ".csv", ".npy"); !trace) return trace;
+    return check_ending("--axes", arguments_.axes, ".csv", ".npy");
   }
 
   base::Result<void> hold_states() {
@@ -128,7 +130,7 @@ class ProgramDrive {
     if (arguments_.resume) {
       auto kept = read_state(*arguments_.resume);
       if (!kept) return kept;
-      if (auto same = check_resumable(*kept, *fingerprint, *arguments_.resume); !same)
+      if (auto same = check_resumable(*kept, *fingerprint, job_.machine, *arguments_.resume); !same)
         return base::failure(same.error());
       state = *kept;
     }

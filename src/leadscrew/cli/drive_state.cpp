@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <leadscrew/cli/drive_state.hpp>
 #include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/output_file.hpp>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -19,6 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double at_rest = 1e-3;  // mm or degrees; axes may stand by rounding or their counts beyond their travel
 constexpr std::string_view state_schema = "leadscrew.state/1";
 constexpr std::array<std::string_view, 3> kinds = {"moving", "stopped", "ended"};
 
@@ -43,18 +45,7 @@ std::string text_of(const base::AxisVector& values) {
 }
 
 std::string machine_text(const Job& job) {
-  const machine::Machine& machine = job.machine;
-  std::string text = fmt::format("{} {} {:a} {:a}\n", machine.kinematics, machine.period.nanoseconds, machine.tolerance,
-                                 machine.chord_error);
-  for (const base::Axis axis : base::all_axes) {
-    if (!machine.has(axis)) continue;
-    const machine::AxisLimits& limits = machine.limits(axis);
-    text += fmt::format("{} {:a} {:a} {:a} {:a} {:a}\n", base::letter(axis), limits.travel_min, limits.travel_max,
-                        limits.velocity, limits.acceleration, limits.jerk);
-  }
-  for (const machine::Tool& tool : job.tools.tools()) {
-    text += fmt::format("T{}{} {:a}\n", tool.number, text_of(tool.offset), tool.diameter);
-  }
+  std::string text = fmt::format("{} {}\n{}\n", job.machine.name, job.machine.period.nanoseconds, job.text);
   text += "start" + text_of(job.start);
   if (job.arguments.mode) text += fmt::format(" mode {}", static_cast<int>(*job.arguments.mode));
   if (job.arguments.tolerance) text += fmt::format(" tolerance {:a}", *job.arguments.tolerance);
@@ -73,15 +64,22 @@ base::AxisVector axes_of(const Json& list) {
   return values;
 }
 
+std::int64_t count_of(const Json& value) {
+  const auto count = value.get<std::int64_t>();
+  if (count < 0) throw std::runtime_error(fmt::format("{} counts nothing", count));
+  return count;
+}
+
+double length_of(const Json& value) {
+  const auto length = value.get<double>();
+  if (!(length >= 0)) throw std::runtime_error(fmt::format("{} mm is no length", length));
+  return length;
+}
+
 tl::unexpected<base::Diagnostic> refusal(std::string_view code, std::string message, std::string hint,
                                          const std::string& path) {
   return base::failure(
       {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = path}, {}});
-}
-
-base::Result<void> synchronise(const Descriptor& file, const std::string& path) {
-  if (::fsync(file.number()) == 0) return {};
-  return base::failure(system_failure("io-write", "cannot write", path, errno));
 }
 
 }  // namespace
@@ -135,22 +133,11 @@ base::Result<void> write_state(const std::string& path, const DriveState& state)
                      {"path_length", state.word.path_length},
                      {"position", json_of(state.word.position)},
                      {"axes", json_of(state.axes)}};
-  const std::string temporary = path + ".tmp";
-  {
-    auto file = open_descriptor(temporary, O_WRONLY | O_CREAT | O_TRUNC, "cannot write");
-    if (!file) return base::failure(file.error());
-    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    if (auto written = write_all(file->number(), text, path); !written) return written;
-    if (auto durable = synchronise(*file, path); !durable) return durable;
-  }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
-    return base::failure(system_failure("io-write", "cannot write", path, errno));
-  }
-  // The name, too.
-  const std::string parent = std::filesystem::path(path).parent_path().string();
-  auto folder = open_descriptor(parent.empty() ? "." : parent, O_RDONLY | O_DIRECTORY, "cannot open");
-  if (!folder) return base::failure(folder.error());
-  return synchronise(*folder, path);
+  auto file = OutputFile::create(path, OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  if (auto written = file->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); !written)
+    return written;
+  return file->publish_durably();
 }
 
 base::Result<DriveState> read_state(const std::string& path) {
@@ -166,9 +153,9 @@ base::Result<DriveState> read_state(const std::string& path) {
     const auto kind = std::find(kinds.begin(), kinds.end(), json.at("state").get<std::string>());
     if (kind == kinds.end()) throw std::runtime_error("another state");
     state.kind = static_cast<DriveState::Kind>(kind - kinds.begin());
-    state.word.tick = base::Tick{json.at("word").get<std::int64_t>()};
-    state.word.line = base::Line{json.at("line").get<std::int64_t>()};
-    state.word.path_length = json.at("path_length").get<double>();
+    state.word.tick = base::Tick{count_of(json.at("word"))};
+    state.word.line = base::Line{count_of(json.at("line"))};
+    state.word.path_length = length_of(json.at("path_length"));
     state.word.position = axes_of(json.at("position"));
     state.axes = axes_of(json.at("axes"));
     return state;
@@ -178,7 +165,8 @@ base::Result<DriveState> read_state(const std::string& path) {
   }
 }
 
-base::Result<void> check_resumable(const DriveState& state, const Fingerprint& now, const std::string& path) {
+base::Result<void> check_resumable(const DriveState& state, const Fingerprint& now, const machine::Machine& machine,
+                                   const std::string& path) {
   if (state.fingerprint.program != now.program) {
     return refusal("resume-program", fmt::format("was written by a drive of another program, {}", state.program),
                    "give the program as it was, byte for byte, or drive the new one from its start", path);
@@ -192,6 +180,16 @@ base::Result<void> check_resumable(const DriveState& state, const Fingerprint& n
   }
   if (state.kind == DriveState::Kind::ended)
     return refusal("resume-ended", "was written by a drive that has come to the program's end", "", path);
+  for (const base::Axis axis : base::all_axes) {
+    for (const double at : {state.axes[base::index(axis)], state.word.position[base::index(axis)]}) {
+      const bool is_within = machine.has(axis) ? at >= machine.limits(axis).travel_min - at_rest &&
+                                                     at <= machine.limits(axis).travel_max + at_rest
+                                               : at == 0;
+      if (is_within) continue;
+      return refusal("resume-state", fmt::format("says that {} stands at {}, where it cannot", base::letter(axis), at),
+                     "give the file that --state wrote, as it was", path);
+    }
+  }
   return {};
 }
 

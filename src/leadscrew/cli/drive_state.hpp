@@ -36,6 +36,8 @@ base::Result<void> write_state(const std::string& path, const DriveState& state)
 /// Errors: `io-…` and `resume-state`.
 base::Result<DriveState> read_state(const std::string& path);
 /// Errors: `resume-program`, `resume-machine` where another was being driven, `resume-ended` where nothing is left.
-base::Result<void> check_resumable(const DriveState& state, const Fingerprint& now, const std::string& path);
+/// `resume-state` where an axis would stand outside its travel.
+base::Result<void> check_resumable(const DriveState& state, const Fingerprint& now, const machine::Machine& machine,
+                                   const std::string& path);
 
 }  // namespace leadscrew::cli

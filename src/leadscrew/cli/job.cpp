@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::string_view built_in = "mill3";
 
-machine::Machine read_machine_file(const std::string& path, DiagnosticLog& log) {
+/// Adds its text to what was read.
+machine::Machine read_machine_file(const std::string& path, std::string& read, DiagnosticLog& log) {
   const auto text = read_whole(path);
   if (!text) {
     base::Diagnostic problem = text.error();
@@ -19,17 +20,19 @@ machine::Machine read_machine_file(const std::string& path, DiagnosticLog& log) 
     log.add(problem);
     return {};
   }
+  read += *text;
   MachineFile file = read_machine(*text, path);
   for (const base::Diagnostic& problem : file.diagnostics) log.add(problem);
   return file.machine;
 }
 
-machine::ToolTable read_tools(const std::string& path, DiagnosticLog& log) {
+machine::ToolTable read_tools(const std::string& path, std::string& read, DiagnosticLog& log) {
   const auto text = read_whole(path);
   if (!text) {
     log.add(text.error());
     return {};
   }
+  read += *text;
   gcode::ToolTableText tools = gcode::read_tool_table(*text, path);
   for (const base::Diagnostic& problem : tools.diagnostics) log.add(problem);
   return tools.table;
@@ -87,9 +90,11 @@ gcode::ReaderOptions Job::reader_options(const std::string& file) const {
 }
 
 std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
-  Job job{arguments, machine::mill3(), {}, {}};
-  if (arguments.machine && *arguments.machine != built_in) job.machine = read_machine_file(*arguments.machine, log);
-  if (arguments.tools) job.tools = read_tools(*arguments.tools, log);
+  Job job{arguments, machine::mill3(), {}, {}, {}};
+  if (arguments.machine && *arguments.machine != built_in) {
+    job.machine = read_machine_file(*arguments.machine, job.text, log);
+  }
+  if (arguments.tools) job.tools = read_tools(*arguments.tools, job.text, log);
   if (log.errors() > 0) return std::nullopt;
   if (arguments.period) job.machine.period = *arguments.period;
   take_step_times(arguments.run, job.machine);

@@ -17,6 +17,7 @@ struct Job {
   machine::Machine machine;  ///< with the period of the command line
   machine::ToolTable tools;
   base::AxisVector start{};  ///< machine coordinates, mm or degrees
+  std::string text;          ///< of the machine file and the tool table
 
   gcode::ReaderOptions reader_options(const std::string& file) const;
 };

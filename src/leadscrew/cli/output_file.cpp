@@ -128,4 +128,18 @@ base::Result<void> OutputFile::publish() {
   return {};
 }
 
+base::Result<void> OutputFile::publish_durably() {
+  if (temporary_.empty()) return {};
+  const auto synchronise = [this](const Descriptor& file) -> base::Result<void> {
+    if (::fsync(file.number()) == 0) return {};
+    return base::failure(system_failure("io-write", "cannot write", path_, errno));
+  };
+  if (auto durable = synchronise(descriptor_); !durable) return durable;
+  if (auto published = publish(); !published) return published;
+  const std::string parent = std::filesystem::path(target_).parent_path().string();
+  auto folder = open_descriptor(parent.empty() ? "." : parent, O_RDONLY | O_DIRECTORY, "cannot open");
+  if (!folder) return base::failure(folder.error());
+  return synchronise(*folder);
+}
+
 }  // namespace leadscrew::cli

@@ -37,6 +37,8 @@ class OutputFile {
   base::Result<void> close();
   /// Takes the final name.
   base::Result<void> publish();
+  /// The same, once all bytes are on the disc; the name is there too when it returns.
+  base::Result<void> publish_durably();
 
  private:
   OutputFile() = default;

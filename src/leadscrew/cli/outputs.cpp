@@ -31,15 +31,6 @@ base::Result<std::unique_ptr<OutputFile>> create(const std::string& path, Output
   return std::make_unique<OutputFile>(std::move(*file));
 }
 
-base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
-                                std::string_view other) {
-  if (!path || is_special(*path)) return {};
-  const std::string ending = extension(*path);
-  if (ending == one || ending == other) return {};
-  return usage(fmt::format("{} {}: ends in neither {} nor {}", option, *path, one, other),
-               "the ending says the format");
-}
-
 /// The path by which two spellings of one file are equal.
 std::filesystem::path normal(const std::string& path) {
   std::error_code error;
@@ -62,22 +53,43 @@ OutputPaths output_paths(const Arguments& arguments, const std::string& program)
 }
 
 bool is_same_output(const std::string& path, const std::string& other) {
-  return !is_special(path) && normal(path) == normal(other);
+  std::error_code error;
+  return !is_special(path) && (normal(path) == normal(other) || std::filesystem::equivalent(path, other, error));
 }
 
-base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program) {
-  for (const auto& path : paths.all()) {
-    if (path && program.is_same(*path)) {
-      return usage(fmt::format("{} is the program itself", *path), "choose another name for what is written");
-    }
-  }
-  const auto all = paths.all();
-  for (std::size_t i = 1; i < all.size(); ++i) {
+base::Result<void> check_written(const std::vector<std::string>& paths, const InputFile& program,
+                                 const Arguments& arguments) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const std::string& path = paths[i];
+    const auto is_read = [&](std::string_view what) {
+      return usage(fmt::format("{} is {}", path, what), "choose another name for what is written");
+    };
+    if (program.is_same(path)) return is_read("the program itself");
+    if (arguments.machine && is_same_output(path, *arguments.machine)) return is_read("the machine file");
+    if (arguments.tools && is_same_output(path, *arguments.tools)) return is_read("the tool table");
     for (std::size_t k = 0; k < i; ++k) {
-      if (!all[i] || !all[k] || !is_same_output(*all[i], *all[k])) continue;
-      return usage(fmt::format("{} and {} name the same file", *all[k], *all[i]), "give each output a name of its own");
+      if (!is_same_output(path, paths[k])) continue;
+      return usage(fmt::format("{} and {} name the same file", paths[k], path), "give each output a name of its own");
     }
   }
+  return {};
+}
+
+base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
+                                std::string_view other) {
+  if (!path || is_special(*path)) return {};
+  const std::string ending = extension(*path);
+  if (ending == one || ending == other) return {};
+  return usage(fmt::format("{} {}: ends in neither {} nor {}", option, *path, one, other),
+               "the ending says the format");
+}
+
+base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments) {
+  std::vector<std::string> written;
+  for (const auto& path : paths.all()) {
+    if (path) written.push_back(*path);
+  }
+  if (auto sound = check_written(written, program, arguments); !sound) return sound;
   if (auto trace = check_ending("--trace", paths.trace, ".csv", ".npy"); !trace) return trace;
   return check_ending("--pulses", paths.pulses, ".vcd", ".csv");
 }

@@ -31,9 +31,15 @@ OutputPaths output_paths(const Arguments& arguments, const std::string& program)
 /// Do both name one regular file, or one that is yet to be made?
 bool is_same_output(const std::string& path, const std::string& other);
 
-/// What is wrong with these paths before anything is done: a name whose ending says no format that there is, or that of
-/// the program itself.
-base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program);
+/// What is wrong with files that are to be written, before anything is done: one is read by the command too, or two are
+/// the same.
+base::Result<void> check_written(const std::vector<std::string>& paths, const InputFile& program,
+                                 const Arguments& arguments);
+/// Of an option that may be absent: does its ending say one of two formats?
+base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
+                                std::string_view other);
+/// Both, of these paths.
+base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments);
 
 class Outputs {
  public:

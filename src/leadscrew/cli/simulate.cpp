@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <leadscrew/cli/adaptive_run.hpp>
 #include <leadscrew/cli/interrupt.hpp>
@@ -25,7 +27,7 @@ class Simulation {
     const auto file = InputFile::open(program);
     if (!file) return failed(file.error());
     const OutputPaths paths = output_paths(job_.arguments, program);
-    if (auto sound = check_paths(paths, *file); !sound) return failed(sound.error());
+    if (auto sound = check_paths(paths, *file, job_.arguments); !sound) return failed(sound.error());
     read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
     auto figures = move(*file, paths);
@@ -92,6 +94,7 @@ class Simulation {
     auto of_cut = (*adaptive)->conclude();
     if (!of_cut) return base::failure(of_cut.error());
     figures.adaptive = *of_cut;
+    if (figures.adaptive) warn_of_force(*figures.adaptive);
     return figures;
   }
 
@@ -110,6 +113,19 @@ class Simulation {
     for (const servo::Contour& contour : contours) {
       outputs.followed()->observe({contour.actual, contour.nearest, contour.distance}, slides.contour_stride());
     }
+  }
+
+  /// Of a limit that no override there is keeps.
+  void warn_of_force(const AdaptiveFigures& adaptive) {
+    if (adaptive.cut.unreachable <= 2 * adaptive.turn) return;
+    log_.add(
+        {base::Severity::warning,
+         "force-limit",
+         fmt::format("not even the least feed override, {:.0f} %, keeps the force at {:.4g} N: for {:.3g} s in all",
+                     servo::AdaptiveFeedOptions{}.least * 100, adaptive.limit, adaptive.cut.unreachable),
+         "raise --force-limit, program a lower feed or take less --depth or --width",
+         {},
+         {}});
   }
 
   /// Repeats the last word until the slides stand.

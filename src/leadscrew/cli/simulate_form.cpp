@@ -29,6 +29,7 @@ Json json_of_cut(const AdaptiveFigures& adaptive, double time) {
           {"longest_excess_s", cut.longest_excess},
           {"longest_excess_turns", cut.longest_excess / adaptive.turn},
           {"held", cut.held(adaptive.turn)},
+          {"unreachable_s", cut.unreachable},
           {"override", {{"min", cut.least_override}, {"mean", cut.mean_override}, {"max", cut.greatest_override}}},
           {"safe_factor", adaptive.safe},
           {"safe_time_s", adaptive.safe_time},

@@ -132,6 +132,7 @@ void AdaptiveCut::account() {
     figures_.failed_at = static_cast<double>(periods_) * period_;
   figures_.least_override = std::min(figures_.least_override, feed_override());
   figures_.greatest_override = std::max(figures_.greatest_override, feed_override());
+  if (control_.above_limit_at_least()) figures_.unreachable += period_;
   override_sum_ += feed_override();
   ++cutting_;
 }

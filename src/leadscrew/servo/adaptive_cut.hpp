@@ -41,6 +41,7 @@ struct AdaptiveCutOptions {
 struct CutFigures {
   double greatest_mean = 0;   ///< N, over a turn
   double longest_excess = 0;  ///< s, that the mean over a turn was beyond 1.25 limits without a break
+  double unreachable = 0;     ///< s of cutting where the least override there is would be above the limit
   double least_override = 1, greatest_override = 1;
   double mean_override = 1;         ///< over the time of cutting
   std::optional<double> failed_at;  ///< s: the sensor was no longer believed
