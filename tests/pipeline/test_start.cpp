@@ -71,6 +71,27 @@ TEST(Start, GoesOnFromAnyWordOfTheProgram) {
   }
 }
 
+TEST(Start, TellsWhereThatIs) {
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable tools(std::vector<machine::Tool>{{.number = 1}});
+  const auto place = [&](double path_length) {
+    pipeline::MotionSource source(gcode::text_source(part), machine, tools, {}, nullptr);
+    source.planner().start_at(path_length, base::Line{0});
+    source.next();
+    return source.planner().started_at();
+  };
+  const std::vector<base::Word> words = whole();
+  for (std::size_t k = 0; k < words.size(); k += 101) {
+    const auto at = place(words[k].path_length);
+    ASSERT_TRUE(at) << k;
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*at)[i], words[k].position[i], 1e-9) << k;
+  }
+  const double length = words.back().path_length;
+  ASSERT_TRUE(place(length));
+  EXPECT_NEAR((*place(length))[1], -40, 1e-12);
+  EXPECT_FALSE(place(length + 1e-6));
+}
+
 TEST(Start, PutsSpindleAndCoolantInForceAgain) {
   using Kind = base::Event::Kind;
   const std::vector<base::Word> words = whole();

@@ -5,6 +5,12 @@
 
 namespace leadscrew::planner {
 
+namespace {
+
+constexpr double nothing = 1e-9;  // of the path
+
+}  // namespace
+
 std::optional<Chunk> Planner::pop() {
   if (closed_form_ && closed_form_->is_done()) go_on_from(closed_form_->rest());
   for (;;) {
@@ -60,12 +66,21 @@ std::optional<Chunk> Planner::pop() {
 }
 
 void Planner::start_at(double path_length, base::Line line) {
-  if (path_length > 0 || base::number(line) > 0) start_ = Start{path_length, line};
+  started_at_.reset();
+  if (path_length > 0 || base::number(line) > 0) {
+    start_ = Start{path_length, line};
+  } else {
+    started_at_ = position_;
+  }
+}
+
+std::optional<geometry::Point> Planner::started_at() const {
+  const bool is_at_end = start_ && start_->path_length - start_->passed <= nothing;
+  return is_at_end ? position_ : started_at_;
 }
 
 /// Does the element lie before the place where motion begins? The piece on which it lies is taken here.
 bool Planner::pass_over(const toolpath::Element& element) {
-  constexpr double nothing = 1e-9;  // of the path
   const double room = start_->path_length - start_->passed;
   if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
     const double length = geometry::length(piece->curve);
@@ -74,6 +89,7 @@ bool Planner::pass_over(const toolpath::Element& element) {
     start_->passed += length;
     if (length <= room + nothing) return true;
     start_.reset();
+    started_at_ = geometry::evaluate(piece->curve, numeric::DoubleDouble(std::max(room, 0.0)));
     if (room <= nothing) return false;
     position_ = geometry::evaluate(piece->curve, numeric::DoubleDouble(room));
     take(*piece);

@@ -40,6 +40,8 @@ class Planner {
   /// `line`. Spindle, coolant and tool are as the events before have left them: those that say so come out again, with
   /// the first chunk.
   void start_at(double path_length, base::Line line);
+  /// Where that is on the path, once a chunk has been popped or there is none; none where the path is not so long.
+  std::optional<geometry::Point> started_at() const;
 
   // For a controller that must answer at any time. Chunks must then be offered one by one, each before the next is
   // popped.
@@ -77,6 +79,7 @@ class Planner {
   std::deque<toolpath::Element> waiting_;
   bool finished_ = false;
   std::optional<Start> start_;  ///< not reached yet
+  std::optional<geometry::Point> started_at_;
   double slice_ = std::numeric_limits<double>::infinity();
   double feed_factor_ = 1;
   std::vector<base::Event> events_;        ///< waiting for the chunk they come before

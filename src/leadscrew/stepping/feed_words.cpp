@@ -89,7 +89,7 @@ void set_programmed_course(PlannedBlock& planned, const gcode::Move& move, const
     const std::size_t i = base::index(axis);
     if (machine.has(axis)) way[i] = (move.end[i] - move.start[i]) / machine.limits(axis).blu;
   }
-  planned.entry_course = planned.exit_course = course_of(way);
+  if (norm(way) > 0) planned.entry_course = planned.exit_course = course_of(way);
 }
 
 struct AxisRate {
