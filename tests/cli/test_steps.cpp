@@ -150,9 +150,54 @@ TEST(StepsOfRun, OfSeveralProgramsAreRefusedForEach) {
   const Outcome outcome = leadscrew(folder, {"run", "fast.ngc", "slow.ngc", "--out", "made", "--pulses", "vcd",
                                              "--pulse-method", "koren", "--step-clock", "10kHz"});
   EXPECT_EQ(outcome.status, 3);
-  EXPECT_NE(outcome.errors.find("fast.ngc:1: error: pulses:"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("fast.ngc:1:1: error: pulses:"), std::string::npos) << outcome.errors;
   EXPECT_EQ(folder.names(), (Names{"fast.ngc", "slow.ngc", "made", "made/slow.csv", "made/slow.html", "made/slow.svg",
                                    "made/slow.steps.vcd"}));
+}
+
+const std::vector<std::string> by_koren = {"run", "part.ngc", "--pulses", "steps.vcd", "--pulse-method", "koren"};
+
+TEST(StepsOfRun, AreRefusedWithTheLineAndACaretUnderTheBlock) {
+  Folder folder;
+  folder.write("part.ngc", "G21 G90 G61\n  G1 X10 F13000\nM2\n");
+  const Outcome outcome = leadscrew(folder, by_koren);
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_TRUE(contains(outcome.errors, "part.ngc:2:3: error: pulses: the feed asks for ")) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "\n      G1 X10 F13000\n      ^\n    hint: ")) << outcome.errors;
+}
+
+/// Both kinds in one run, in either form.
+TEST(StepsOfRun, AreRefusedBesideWhatElseIsWrongWithTheProgram) {
+  Folder folder;
+  folder.write("part.ngc", "G21 G90 G61 F13000\nG1 X10\nG1 X[1/0]\n G1 Y10\nX900\nM2\n");
+  std::vector<std::string> words = by_koren;
+  words.push_back("--json");
+  const Outcome outcome = leadscrew(folder, words);
+  EXPECT_EQ(outcome.status, 3);
+  const Json diagnostics = outcome.json()["diagnostics"];
+  EXPECT_EQ(places_of(diagnostics),
+            (Names{"2:1 pulse-velocity", "3:7 division-by-zero", "4:2 pulse-velocity", "5:1 travel"}));
+  for (const Json& problem : diagnostics) EXPECT_EQ(problem["file"], "part.ngc");
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
+/// As many as the reader tells, and once that there are more.
+TEST(StepsOfRun, AreRefusedAHundredTimesAtMost) {
+  Folder folder;
+  std::string fast = "G21 G90 G61 F13000\n", worse = fast;
+  for (int i = 0; i < 150; ++i) fast += i % 2 == 0 ? "G1 X1\n" : "G1 X0\n";
+  for (int i = 0; i < 150; ++i) worse += "G1 X[1/0]\n";
+  std::vector<std::string> words = by_koren;
+  words.push_back("--json");
+  folder.write("part.ngc", fast + "M2\n");
+  Json diagnostics = leadscrew(folder, words).json()["diagnostics"];
+  ASSERT_EQ(diagnostics.size(), 101u);
+  EXPECT_EQ(diagnostics[99]["code"], "pulse-velocity");
+  EXPECT_EQ(diagnostics[100]["code"], "too-many-problems");
+  folder.write("part.ngc", worse + "G1 X1\nM2\n");
+  diagnostics = leadscrew(folder, words).json()["diagnostics"];
+  ASSERT_EQ(diagnostics.size(), 101u);
+  EXPECT_EQ(diagnostics[100]["code"], "too-many-problems");
 }
 
 struct Refused {

@@ -370,15 +370,42 @@ TEST(PulseProgram, KeepsTheVelocityOfEveryAxis) {
   }
 }
 
-TEST(PulseProgram, ChecksAProgramFromEndToEndFirst) {
-  const Conditions conditions;
-  std::string found;
-  const std::int64_t errors = check_pulses(
-      gcode::text_source("G61 G1 X10 F13000\nX0 F100\nY10 F14000\nM2\n"), conditions.machine, conditions.tools, {},
-      conditions.options, [&](const base::Diagnostic& d) { found += std::to_string(d.place.line) + " "; },
+struct Checked {
+  std::int64_t errors = 0;
+  std::string problems;  ///< "1:5 pulse-rate; "
+};
+
+Checked check(const std::string& text, const Conditions& conditions) {
+  Checked checked;
+  checked.errors = check_pulses(
+      gcode::text_source(text), conditions.machine, conditions.tools, {}, conditions.options,
+      [&](const base::Diagnostic& d) {
+        checked.problems +=
+            std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + std::string(d.code) + "; ";
+      },
       [] { return true; });
-  EXPECT_EQ(errors, 2);
-  EXPECT_EQ(found, "1 3 ");
+  return checked;
+}
+
+TEST(PulseProgram, ChecksAProgramFromEndToEndFirst) {
+  const Checked checked = check("G61 G1 X10 F13000\nX0 F100\n (up) Y10 F14000\nM2\n", {});
+  EXPECT_EQ(checked.errors, 2);
+  EXPECT_EQ(checked.problems, "1:1 pulse-velocity; 3:7 pulse-velocity; ");
+}
+
+/// Y is slow: did line 4 not begin where the one before would have ended, it would move Y by more than 1 mm.
+TEST(PulseProgram, ChecksWhatTheReaderLeavesOfAProgram) {
+  Conditions conditions;
+  conditions.machine.axes[1]->velocity = 10;
+  const Checked checked = check("G61 F6000\nG1 X10\nY10 X[1/0]\nX20 Y9\nY0\nX9999\nM2\n", conditions);
+  EXPECT_EQ(checked.errors, 3);
+  EXPECT_EQ(checked.problems, "3:8 division-by-zero; 5:1 pulse-velocity; 6:1 travel; ");
+}
+
+TEST(PulseProgram, IsCheckedUpToAHundredErrors) {
+  std::string text = "G61 F13000\n";
+  for (int i = 0; i < 300; ++i) text += i % 2 == 0 ? "G1 X1\n" : "G1 X0\n";
+  EXPECT_EQ(check(text, {}).errors, 101);
 }
 
 /// Within one move too: each turn is a block.

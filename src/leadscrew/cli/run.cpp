@@ -63,7 +63,7 @@ class ProgramRun {
     const OutputPaths paths = output_paths(job_.arguments, program_);
     if (auto sound = check_paths(paths, *file, job_.arguments); !sound) return failed(sound.error());
     const Reading reading = read_program(*file, job_, console_, log_);
-    if (log_.errors() == 0) check_steps(*file, job_, log_);
+    if (log_.status() <= Status::rejected) check_steps(*file, job_, log_);
     if (log_.errors() > 0) return std::nullopt;
     auto figures = move(*file, paths, reading);
     console_.clear_progress();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/step_output.hpp>
@@ -14,8 +15,15 @@ namespace {
 constexpr std::size_t steps_between_looks = 4096;
 constexpr std::int64_t words_between_looks = 4096;
 
+constexpr std::string_view enough_problems = "too-many-problems";
+
 bool is_of_pulses(const base::Diagnostic& problem) {
   return problem.code.substr(0, 6) == "pulse-";
+}
+
+bool has_enough(const DiagnosticLog& log) {
+  return std::any_of(log.all().begin(), log.all().end(),
+                     [](const base::Diagnostic& problem) { return problem.code == enough_problems; });
 }
 
 std::vector<base::Axis> axes_with_errors(const machine::Machine& machine) {
@@ -77,11 +85,12 @@ void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
   if (!job.arguments.run.pulses) return;
   if (!job.arguments.run.pulse_method) return check_signals(job, log);
   check_screws(job, log);
-  // What the reader has to say has been said.
+  if (has_enough(log)) return;
+  // What else the reader has to say has been said.
   stepping::check_pulses(
       file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
       [&](const base::Diagnostic& problem) {
-        if (is_of_pulses(problem)) log.add(problem);
+        if (is_of_pulses(problem) || problem.code == enough_problems) log.add(problem);
       },
       [] { return !interrupted(); });
   if (interrupted()) log.add(interruption());

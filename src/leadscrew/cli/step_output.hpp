@@ -44,7 +44,8 @@ stepping::PulseOptions pulse_options(const Job& job);
 /// What the steps that were asked for cannot be goes to the log. Those that follow words: everything that
 /// stepping::validate() says. Those of an interpolator: it reads and plans the program, and says what lattice, clock or
 /// machine cannot give, and `pulse-compensation` where its screws have errors: they can be made good between words and
-/// steps alone, and interpolators of blocks know no words. The program must have been read without an error.
+/// steps alone, and interpolators of blocks know no words. The reader's own errors must be in the log; blocks without
+/// any are planned all the same.
 void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log);
 
 class StepOutput {

@@ -138,6 +138,7 @@ void Interpreter::spline(const Block& block) {
 void Interpreter::begin_curve(const Block& block) {
   draft_ = {.code = to_do_, .errors = draft_.errors, .line = line_, .last_point = frame_.position};
   curve_.clear();
+  reporter_.keep(block.first_column);
   // Of G93, F may still come.
   Feed feed;
   if (feed_mode_ == FeedMode::per_minute) feed_of(block, true, true, feed);

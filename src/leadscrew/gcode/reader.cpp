@@ -42,6 +42,14 @@ class Reader::Implementation {
     }
   }
 
+  void reject(const Move& move, base::Diagnostic problem) {
+    if (move.line == reporter_.line()) {
+      reporter_.error(problem.code, block_.first_column, std::move(problem.message), std::move(problem.hint));
+    } else {
+      reporter_.error_where_kept(problem.code, std::move(problem.message), std::move(problem.hint));
+    }
+  }
+
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
   const std::optional<base::Diagnostic>& source_failure() const { return lines_.failure(); }
@@ -140,6 +148,9 @@ Reader& Reader::operator=(Reader&&) noexcept = default;
 
 bool Reader::next(Move& move) {
   return implementation_->next(move);
+}
+void Reader::reject(const Move& move, base::Diagnostic problem) {
+  implementation_->reject(move, std::move(problem));
 }
 std::int64_t Reader::blocks() const {
   return implementation_->blocks();

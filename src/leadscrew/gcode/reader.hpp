@@ -87,6 +87,10 @@ class Reader {
   /// The next move; false at the program's end (M2, M30, the closing %, the end of the text, or a source that failed).
   bool next(Move& move);
 
+  /// An error that another room finds in the move handed out last: it goes to the sink with the place of the first word
+  /// of its block, of a curve's first block, and is counted among the reader's own.
+  void reject(const Move& move, base::Diagnostic problem);
+
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far
   /// Set when the source failed; the diagnostic is the source's.

@@ -39,6 +39,18 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return overlong || beyond ? 0 : length;
 }
 
+/// The line of text as diagnostics carry it, for a place at a column of it.
+std::string source_of(std::string_view line, std::int64_t column) {
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (line.size() > longest_source) {
+    if (column > last_shown_column) return {};
+    std::size_t length = longest_source;
+    while (length > 0 && continues_character(line[length])) --length;
+    line = line.substr(0, length);
+  }
+  return printable(line);
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -58,18 +70,8 @@ std::string shown(char c) {
   return std::string("byte 0x") + digits[byte(c) >> 4] + digits[byte(c) & 15];
 }
 
-Reporter::Reporter(std::string file, DiagnosticSink sink) : file_(std::move(file)), sink_(std::move(sink)) {}
-
-std::string Reporter::source_of(std::int64_t column) const {
-  std::string_view line(line_.begin, static_cast<std::size_t>(line_.end - line_.begin));
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  if (line.size() > longest_source) {
-    if (column > last_shown_column) return {};
-    std::size_t length = longest_source;
-    while (length > 0 && continues_character(line[length])) --length;
-    line = line.substr(0, length);
-  }
-  return printable(line);
+Reporter::Reporter(std::string file, DiagnosticSink sink) : file_(std::move(file)), sink_(std::move(sink)) {
+  kept_text_.reserve(longest_source + 1);
 }
 
 void Reporter::send(base::Severity severity, std::string_view code, base::Place place, std::string message,
@@ -85,22 +87,37 @@ void Reporter::report(base::Severity severity, std::string_view code, base::Plac
 
 bool Reporter::error(std::string_view code, std::int64_t column, std::string message, std::string hint) {
   failed_ = true;
+  return error_at({file_, line_.number, column}, text(), code, std::move(message), std::move(hint));
+}
+
+void Reporter::keep(std::int64_t column) {
+  kept_line_ = line_.number;
+  kept_column_ = column;
+  kept_text_.assign(text().substr(0, longest_source + 1));
+}
+
+bool Reporter::error_where_kept(std::string_view code, std::string message, std::string hint) {
+  return error_at({file_, kept_line_, kept_column_}, kept_text_, code, std::move(message), std::move(hint));
+}
+
+bool Reporter::error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
+                        std::string hint) {
   if (muted_ || enough_) return false;
   ++errors_;
-  send(base::Severity::error, code, {file_, line_.number, column}, std::move(message), std::move(hint),
-       source_of(column));
+  send(base::Severity::error, code, place, std::move(message), std::move(hint), source_of(text, place.column));
   if (errors_ < most_errors) return false;
   enough_ = true;
   ++errors_;
-  send(base::Severity::error, "too-many-problems", {file_, line_.number, column},
-       "reading stops after " + std::to_string(most_errors) + " errors", "is this a part program?", source_of(column));
+  send(base::Severity::error, "too-many-problems", place,
+       "reading stops after " + std::to_string(most_errors) + " errors", "is this a part program?",
+       source_of(text, place.column));
   return false;
 }
 
 void Reporter::warning(std::string_view code, std::int64_t column, std::string message, std::string hint) {
   if (muted_ || enough_ || ++warnings_ > most_warnings) return;
   send(base::Severity::warning, code, {file_, line_.number, column}, std::move(message), std::move(hint),
-       source_of(column));
+       source_of(text(), column));
 }
 
 }  // namespace leadscrew::gcode

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/line.hpp>
 #include <leadscrew/gcode/line_source.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <string>
@@ -26,6 +27,11 @@ class Reporter {
   /// Says something about the text as a whole.
   void report(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint);
 
+  /// Keeps the line and a column of it, where something begins that further lines belong to.
+  void keep(std::int64_t column);
+  /// Reports an error there.
+  bool error_where_kept(std::string_view code, std::string message, std::string hint);
+
   /// Makes the block fail for a cause that has been reported before, and returns false.
   bool fail() {
     failed_ = true;
@@ -39,16 +45,21 @@ class Reporter {
   bool enough() const { return enough_; }  ///< so many errors that nobody reads on
   std::int64_t errors() const { return errors_; }
   const std::string& file() const { return file_; }
+  base::Line line() const { return base::Line{line_.number}; }  ///< being read
   std::int64_t column(const char* p) const { return p - line_.begin + 1; }
 
  private:
   void send(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint,
             std::string source);
-  std::string source_of(std::int64_t column) const;
+  bool error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
+                std::string hint);
+  std::string_view text() const { return {line_.begin, static_cast<std::size_t>(line_.end - line_.begin)}; }
 
   std::string file_;
   DiagnosticSink sink_;
   TextLine line_;
+  std::int64_t kept_line_ = 0, kept_column_ = 0;
+  std::string kept_text_;
   std::int64_t errors_ = 0;
   std::int64_t warnings_ = 0;
   bool failed_ = false;

@@ -26,6 +26,9 @@ class BlockMaker {
   /// Where the program begins, machine coordinates; the machine must outlive this.
   BlockMaker(const machine::Machine& machine, const PulseOptions& options, const base::AxisVector& start);
 
+  /// Begins anew there, machine coordinates.
+  void stand_at(const base::AxisVector& position) { at_ = on_lattice(position, machine_); }
+
   /// A line, arc, curve or dwell, once the one before has no block left.
   void load(const gcode::Move& move);
 

@@ -7,11 +7,6 @@ namespace leadscrew::stepping {
 
 namespace {
 
-base::Diagnostic in_file(base::Diagnostic problem, const std::string& file) {
-  problem.place.file = file;
-  return problem;
-}
-
 /// The feed where its word changes.
 struct Changing {
   RampedFeed* feed;
@@ -29,33 +24,30 @@ std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& mach
                           const gcode::DiagnosticSink& sink, const GoesOn& goes_on) {
   gcode::Reader reader(std::move(source), machine, tools, reading, sink);
   BlockMaker maker(machine, options, reading.start);
-  std::int64_t errors = 0;
   gcode::Move move;
   while (goes_on() && reader.next(move)) {
+    // Of a block that the reader refuses there is no move.
+    maker.stand_at(move.start);
     maker.load(move);
     while (goes_on()) {
       auto planned = maker.next();
       if (!planned) break;
-      if (*planned) continue;
-      ++errors;
-      sink(in_file(std::move(planned->error()), reading.file));
+      if (!*planned) reader.reject(move, std::move(planned->error()));
     }
   }
-  return errors + reader.errors() + (reader.source_failure() ? 1 : 0);
+  return reader.errors() + (reader.source_failure() ? 1 : 0);
 }
 
 PulseProgram::PulseProgram(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                            gcode::ReaderOptions reading, const PulseOptions& options, gcode::DiagnosticSink sink)
     : options_(options),
-      sink_(sink),
-      file_(reading.file),
       reader_(std::move(source), machine, tools, reading, std::move(sink)),
       maker_(machine, options, reading.start),
       ahead_(machine),
       feed_(options.feed_capacity) {}
 
 std::int64_t PulseProgram::errors() const {
-  return errors_ + reader_.errors() + (reader_.source_failure() ? 1 : 0);
+  return reader_.errors() + (reader_.source_failure() ? 1 : 0);
 }
 
 void PulseProgram::override_feed(int thousandths) {
@@ -92,8 +84,7 @@ void PulseProgram::fill() {
     } else if (*planned) {
       ahead_.push(**planned);
     } else {
-      sink_(in_file(std::move(planned->error()), file_));
-      ++errors_;
+      reader_.reject(move_, std::move(planned->error()));
       reading_ = false;
     }
   }

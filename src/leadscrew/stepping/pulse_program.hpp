@@ -20,8 +20,9 @@ namespace leadscrew::stepping {
 /// Asked before every block: is the work still wanted?
 using GoesOn = std::function<bool()>;
 
-/// Reads and plans a whole program without a pulse: each problem goes to the sink, those of the reader too. How many
-/// errors there are, up to where it no longer goes on; a program that has one must not be moved.
+/// Reads and plans a whole program without a pulse: each problem goes to the sink, in the order of the text, those of
+/// the reader too. A block in which the reader finds an error is not planned, and after 100 errors in all it stops. How
+/// many there are, up to where it no longer goes on; a program that has one must not be moved.
 std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                           const gcode::ReaderOptions& reading, const PulseOptions& options,
                           const gcode::DiagnosticSink& sink, const GoesOn& goes_on);
@@ -56,8 +57,6 @@ class PulseProgram {
   double speed() const;
 
   PulseOptions options_;
-  gcode::DiagnosticSink sink_;
-  std::string file_;
   gcode::Reader reader_;
   BlockMaker maker_;
   LookAhead ahead_;
@@ -68,7 +67,7 @@ class PulseProgram {
   BlockInterpolator interpolator_;
   std::int64_t commands_left_ = 0;
   std::int64_t override_ = 1000;
-  std::int64_t tick_ = 0, commands_ = 0, errors_ = 0;
+  std::int64_t tick_ = 0, commands_ = 0;
 };
 
 }  // namespace leadscrew::stepping
