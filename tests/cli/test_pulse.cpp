@@ -266,7 +266,7 @@ TEST(PulseUsage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{quarter({"--svg", ""}), "--svg: the name of the file is empty"},
            Misuse{quarter({"--bits"}), "--bits needs a value: N"},
            Misuse{quarter({"--bits", "-3"}), "--bits -3: is not a whole number from 1 to 30"},
-           Misuse{{"pulse", "--line", "--end", "99999999999999999999,1"}, "registers hold up to 1073741824 BLU"},
+           Misuse{{"pulse", "--line", "--end", "99999999999999999999x,1"}, "whole numbers of BLU"},
            Misuse{{"pulse", "-", "--line", "--end", "3,4"}, "\"-\" is one word too many"},
            Misuse{{"puls"}, "did you mean pulse?"},
        }) {
@@ -289,6 +289,12 @@ TEST(PulseRejection, NamesTheRegisterOrTheValue) {
            Misuse{{"pulse", "--line", "--end", "3,3", "--bits", "2", "--method", "koren"},
                   "the length, rounded up, is 5: register q of 2 bits holds no more than 3"},
            Misuse{{"pulse", "--line", "--end", "1,-9999999999"}, "y of the end is -9999999999: register y holds"},
+           Misuse{{"pulse", "--line", "--end", "99999999999999999999,1"},
+                  "x of the end is 99999999999999999999: register x holds no more than 1073741824 [register-overflow]"},
+           Misuse{{"pulse", "--arc", "--start", "0,-9223372036854775809", "--end", "0,5"},
+                  "y of the start is -9223372036854775809: register y holds"},
+           Misuse{{"pulse", "--arc", "--start", "5,0", "--end", "0,5", "--center", "1073741825,0"},
+                  "x of the centre is 1073741825: register x holds"},
        }) {
     Words words = arguments;
     words.insert(words.end(), {"--vcd", "made.vcd"});
@@ -303,6 +309,27 @@ TEST(PulseRejection, NamesTheRegisterOrTheValue) {
     EXPECT_GE(object["diagnostics"].size(), 1u);
     EXPECT_EQ(folder.names(), Names{}) << said;
   }
+}
+
+/// Whether 64 bits would hold them or not.
+TEST(PulseRejection, NamesEveryCoordinate) {
+  const Folder folder;
+  const Words words = {"pulse", "--arc",    "--start",         "18446744073709551616,-1073741825",
+                       "--end", "0,1e6",    "--center",        "-1073741824,1073741824",
+                       "--cw",  "--method", "min-error,koren", "--json"};
+  EXPECT_EQ(leadscrew(folder, words).status, 2);
+  Words whole = words;
+  whole[5] = "-18446744073709551617,0";
+  const Outcome outcome = leadscrew(folder, whole);
+  EXPECT_EQ(outcome.status, 3);
+  const Json diagnostics = outcome.json()["diagnostics"];
+  Names said;
+  for (const Json& problem : diagnostics) {
+    const std::string message = problem["message"];
+    said.insert(message.substr(0, message.find(':')));
+  }
+  EXPECT_EQ(said, (Names{"x of the start is 18446744073709551616", "y of the start is -1073741825",
+                         "x of the end is -18446744073709551617"}));
 }
 
 /// Names may stand apart, and an option that is far from all others is not taken for one of them.

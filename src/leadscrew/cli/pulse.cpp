@@ -115,6 +115,8 @@ Status rejected(const Arguments& arguments, const DiagnosticLog& log, Console& c
 Status pulse(const Arguments& arguments, Console& console) {
   const PulseArguments& asked = arguments.pulse;
   DiagnosticLog log(console);
+  for (const base::Diagnostic& each : asked.overflows) log.add(each);
+  if (log.errors() > 0) return rejected(arguments, log, console);
   for (const base::Diagnostic& each : stepping::problems_of(asked.curve, asked.options.bits)) log.add(each);
   if (log.errors() > 0) return rejected(arguments, log, console);
   for (const stepping::PulseMethod method : asked.methods) {

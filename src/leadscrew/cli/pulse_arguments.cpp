@@ -7,6 +7,7 @@
 #include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/output_name.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
+#include <limits>
 
 namespace leadscrew::cli {
 
@@ -19,24 +20,32 @@ auto wrong(fmt::format_string<Values...> text, Values&&... values) {
   return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
 }
 
+/// Of more than 64 bits: the nearest in them.
 Parsed<std::int64_t> parse_coordinate(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size() || error == std::errc::invalid_argument)
     return wrong("coordinates are whole numbers of BLU, such as 5,0");
   if (error == std::errc()) return value;
-  return wrong("registers hold up to {} BLU", pulse::greatest_coordinate);
+  using Limits = std::numeric_limits<std::int64_t>;
+  return text.front() == '-' ? Limits::min() : Limits::max();
 }
 
-/// x,y in BLU.
-Parsed<pulse::Point> parse_point(std::string_view option, std::string_view text) {
+/// x,y in BLU; `of`: what the point is.
+Parsed<pulse::Point> parse_point(std::string_view option, std::string_view of, std::string_view text,
+                                 std::vector<base::Diagnostic>& overflows) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return wrong("{} {}: needs two numbers, such as 5,0", option, text);
-  const auto x = parse_coordinate(text.substr(0, comma)), y = parse_coordinate(text.substr(comma + 1));
-  for (const auto* coordinate : {&x, &y}) {
-    if (!*coordinate) return wrong("{} {}: {}", option, text, coordinate->error());
+  pulse::Point point;
+  for (const auto& [name, digits, coordinate] :
+       {std::tuple("x", text.substr(0, comma), &point.x), {"y", text.substr(comma + 1), &point.y}}) {
+    const auto parsed = parse_coordinate(digits);
+    if (!parsed) return wrong("{} {}: {}", option, text, parsed.error());
+    *coordinate = *parsed;
+    if (*parsed < -pulse::greatest_coordinate || *parsed > pulse::greatest_coordinate)
+      overflows.push_back(stepping::overflow_beyond(name, fmt::format("{} of the {}", name, of), digits));
   }
-  return pulse::Point{*x, *y};
+  return point;
 }
 
 /// One of the named values.
@@ -70,7 +79,7 @@ Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
   }
 }
 
-Parsed<stepping::PulseCurve> parse_curve(const PulseTexts& texts) {
+Parsed<stepping::PulseCurve> parse_curve(const PulseTexts& texts, std::vector<base::Diagnostic>& overflows) {
   using Shape = stepping::PulseCurve::Shape;
   if (texts.arc == texts.line) return wrong("needs either --arc or --line");
   if (texts.clockwise && texts.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
@@ -81,11 +90,11 @@ Parsed<stepping::PulseCurve> parse_curve(const PulseTexts& texts) {
   stepping::PulseCurve curve;
   curve.shape = texts.arc ? Shape::arc : Shape::line;
   curve.direction = texts.clockwise ? pulse::Direction::clockwise : pulse::Direction::counterclockwise;
-  for (const auto& [option, text, point] : {std::tuple("--start", &texts.start, &curve.start),
-                                            {"--end", &texts.end, &curve.end},
-                                            {"--center", &texts.center, &curve.center}}) {
+  for (const auto& [option, of, text, point] : {std::tuple("--start", "start", &texts.start, &curve.start),
+                                                {"--end", "end", &texts.end, &curve.end},
+                                                {"--center", "centre", &texts.center, &curve.center}}) {
     if (!*text) continue;
-    const auto parsed = parse_point(option, **text);
+    const auto parsed = parse_point(option, of, **text, overflows);
     if (!parsed) return tl::unexpected(parsed.error());
     *point = *parsed;
   }
@@ -167,7 +176,7 @@ std::string names_of_pulse_methods() {
 
 Parsed<PulseArguments> parse_pulse(const PulseTexts& texts, bool json) {
   PulseArguments arguments{.path = texts.path, .table = texts.table, .vcd = texts.vcd, .svg = texts.svg};
-  const auto curve = parse_curve(texts);
+  const auto curve = parse_curve(texts, arguments.overflows);
   if (!curve) return tl::unexpected(curve.error());
   const auto options = parse_options(texts);
   if (!options) return tl::unexpected(options.error());

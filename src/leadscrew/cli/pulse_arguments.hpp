@@ -12,6 +12,7 @@ namespace leadscrew::cli {
 
 struct PulseArguments {
   stepping::PulseCurve curve;
+  std::vector<base::Diagnostic> overflows;     ///< coordinates that no register holds; the curve has what 64 bits do
   std::vector<stepping::PulseMethod> methods;  ///< one or more, none twice
   stepping::MethodOptions options;
   bool path = false;   ///< every place, in JSON

@@ -36,6 +36,14 @@ void add(Problems& problems, std::string_view code, std::string message, std::st
   problems.push_back(base::problem(code, std::move(message), std::move(hint)));
 }
 
+base::Diagnostic overflow(std::string_view name, std::string_view meaning, std::string_view value,
+                          std::int64_t greatest, std::string hint) {
+  std::string message(meaning);
+  message.append(" is ").append(value).append(": register ").append(name);
+  return base::problem("register-overflow", message + " holds no more than " + std::to_string(greatest),
+                       std::move(hint));
+}
+
 void check_register(Problems& problems, const RegisterContent& content, std::optional<int> bits) {
   if (auto problem = overflow_of(content, bits)) problems.push_back(std::move(*problem));
 }
@@ -95,16 +103,15 @@ void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> b
 std::optional<base::Diagnostic> overflow_of(const RegisterContent& content, std::optional<int> bits) {
   const std::int64_t greatest = bits ? (std::int64_t{1} << *bits) - 1 : pulse::greatest_coordinate;
   if (content.value >= -greatest && content.value <= greatest) return std::nullopt;
-  const std::string width = bits ? " of " + std::to_string(*bits) + (*bits == 1 ? " bit" : " bits") : "";
-  std::string hint = "make the curve smaller, or the BLU larger";
-  if (bits) {
-    const auto needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
-    hint = std::to_string(needed) + " bits would hold it";
-  }
-  return base::problem("register-overflow",
-                       content.meaning + " is " + std::to_string(content.value) + ": register " + content.name + width +
-                           " holds no more than " + std::to_string(greatest),
-                       std::move(hint));
+  if (!bits) return overflow_beyond(content.name, content.meaning, std::to_string(content.value));
+  const std::string name = content.name + (" of " + std::to_string(*bits) + (*bits == 1 ? " bit" : " bits"));
+  const auto needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
+  return overflow(name, content.meaning, std::to_string(content.value), greatest,
+                  std::to_string(needed) + " bits would hold it");
+}
+
+base::Diagnostic overflow_beyond(std::string_view name, std::string_view meaning, std::string_view value) {
+  return overflow(name, meaning, value, pulse::greatest_coordinate, "make the curve smaller, or the BLU larger");
 }
 
 pulse::Arc PulseCurve::arc() const {

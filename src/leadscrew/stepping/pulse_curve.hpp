@@ -6,6 +6,7 @@
 #include <leadscrew/pulse/arc.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace leadscrew::stepping {
@@ -43,6 +44,9 @@ struct RegisterContent {
 /// `register-overflow` where a register of so many bits does not hold it; without bits it is as wide as the
 /// interpolators can have it.
 std::optional<base::Diagnostic> overflow_of(const RegisterContent& content, std::optional<int> bits);
+
+/// The same diagnostic of a value, in digits, that no register holds however wide.
+base::Diagnostic overflow_beyond(std::string_view name, std::string_view meaning, std::string_view value);
 
 /// How far places are from a curve.
 class PulseError {
