@@ -206,6 +206,45 @@ TEST(StepTimesOfRun, ThatCannotBeKeptAreRefused) {
             0);
 }
 
+/// At 1 MHz: whose times they are, and which of them.
+TEST(StepTimesOfRun, AreNamedWhereAPulseMethodNeedsMore) {
+  const Folder folder;
+  folder.write("part.ngc", with_feed(square, "6000"));  // 100 000 steps a second
+  folder.write("turn.toml", with_lines("step_length_us = 5\ndirection_setup_us = 6.5\n"));
+  folder.write("space.toml", with_lines("step_space_us = 15\n"));
+  folder.write("both.toml", with_lines("step_space_us = 15\ndirection_hold_us = 14\n"));
+  struct Named {
+    Words words;
+    const char *limit, *times;
+  };
+  for (const auto& [words, limit, times] :
+       {Named{{"--machine", "turn.toml"},
+              "axis X allows 76923.0769 a second: 13 ticks of the clock from a step to one back",
+              "shorten what sets it: step_length_us (5 us), direction_hold_us (1 us), direction_setup_us (6.5 us)\n"},
+        Named{{"--machine", "turn.toml", "--direction-setup", "4us", "--direction-hold", "3us"},
+              "axis X allows 83333.3333 a second: 12 ticks of the clock from a step to one back",
+              "shorten what sets it: step_length_us (5 us), --direction-hold (3 us), --direction-setup (4 us)\n"},
+        Named{{"--machine", "space.toml"},
+              "axis X allows 62500 a second: 16 ticks of the clock from a step to one behind it",
+              "shorten what sets it: step_length_us (1 us), step_space_us (15 us)\n"},
+        Named{{"--machine", "both.toml"},
+              "16 ticks of the clock from a step to one behind it",
+              "step_space_us (15 us), direction_hold_us (14 us), direction_setup_us (1 us)\n"},
+        Named{{"--step-length", "9us"},
+              "axis X allows 90909.0909 a second: 11 ticks",
+              "--step-length (9 us), direction_hold_us (1 us), direction_setup_us (1 us)\n"}}) {
+    Words all = {"run", "part.ngc", "--pulses", "s.vcd", "--pulse-method", "koren"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = leadscrew(folder, all);
+    EXPECT_EQ(outcome.status, 3) << limit;
+    EXPECT_TRUE(contains(outcome.errors, "part.ngc:2:1: error: pulses: the feed asks for 100000 a second, "))
+        << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, limit)) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, times)) << outcome.errors;
+    EXPECT_FALSE(contains(outcome.errors, "step length allows")) << outcome.errors;
+  }
+}
+
 TEST(StepTimesOfRun, AreTimes) {
   const Folder folder;
   folder.write("part.ngc", square);

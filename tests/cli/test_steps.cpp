@@ -166,6 +166,23 @@ TEST(StepsOfRun, AreRefusedWithTheLineAndACaretUnderTheBlock) {
   EXPECT_TRUE(contains(outcome.errors, "\n      G1 X10 F13000\n      ^\n    hint: ")) << outcome.errors;
 }
 
+/// Line 8 turns A five times as fast as it can.
+TEST(StepsOfRun, ThatAnAxisCannotMakeAreRefusedOrShaped) {
+  Folder folder;
+  std::filesystem::copy(source_folder / "examples" / "07-rotary.ngc", folder.path() / "part.ngc");
+  std::vector<std::string> words = by_koren;
+  words.insert(words.end(), {"--quiet", "--machine", source_folder / "machines" / "mill6.toml"});
+  const Outcome outcome = leadscrew(folder, words);
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_TRUE(contains(outcome.errors,
+                       "part.ngc:8:1: error: pulses: the feed asks for 226385 a second, axis A allows "
+                       "90554 a second [pulse-velocity]\n    X40 A540 F1500\n"))
+      << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "hint: program a lower feed, or give --accelerate: "));
+  words.push_back("--accelerate");
+  EXPECT_EQ(leadscrew(folder, words).status, 0);
+}
+
 /// Both kinds in one run, in either form.
 TEST(StepsOfRun, AreRefusedBesideWhatElseIsWrongWithTheProgram) {
   Folder folder;

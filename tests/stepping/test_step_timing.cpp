@@ -51,7 +51,8 @@ TEST(StepTiming, IsThatOfEachDrive) {
   EXPECT_EQ(problems[0].message.substr(0, 6), "axis Y");
   machine.axes[1]->velocity = 160;
   EXPECT_EQ(refusal(machine), "");
-  EXPECT_EQ(longest_reversal(machine, 1'000'000), 7);
+  EXPECT_EQ(longest_reversal(machine, 1'000'000).ticks, 7);
+  EXPECT_EQ(longest_reversal(machine, 1'000'000).axis, base::Axis::Y);
 }
 
 TEST(StepTiming, RefusesClocksOutOfRange) {

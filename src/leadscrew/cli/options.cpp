@@ -100,7 +100,9 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
                   "Of --pulses: by an interpolator of the papers, not steps that follow the words: " +
                       names_of_pulse_methods() + "; here dda too has capacity R or L and begins half full")
       ->type_name("NAME");
-  run->add_flag("--accelerate", texts.accelerate, "Of --pulse-method: feed rises and falls as the axes can");
+  run->add_flag(
+      "--accelerate", texts.accelerate,
+      "Of --pulse-method: feed rises and falls as the axes can; else one that an axis cannot make is refused");
   run->add_option("--step-clock", texts.step_clock, "Of --pulses: 10kHz to 10MHz (default 1MHz)")->type_name("HZ");
   constexpr std::array<const char*, 4> step_times = {
       "Of --pulses: least length of a step, such as 2.5us, in place of the machine's",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/step_hints.hpp>
 #include <leadscrew/cli/step_output.hpp>
 #include <leadscrew/stepping/pulse_program.hpp>
 #include <string_view>
@@ -75,7 +76,7 @@ stepping::PulseOptions pulse_options(const Job& job) {
   if (run.pulse_method) options.method = *run.pulse_method;
   options.clock_pps = run.step_clock;
   // Of any two steps, for an axis may turn back between them.
-  options.step_clocks = stepping::longest_reversal(job.machine, run.step_clock);
+  options.step_clocks = stepping::longest_reversal(job.machine, run.step_clock).ticks;
   options.interpolation.places = 16;
   if (run.accelerate) options.shape = stepping::Shape::accelerate;
   return options;
@@ -90,7 +91,7 @@ void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
   stepping::check_pulses(
       file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
       [&](const base::Diagnostic& problem) {
-        if (is_of_pulses(problem) || problem.code == enough_problems) log.add(problem);
+        if (is_of_pulses(problem) || problem.code == enough_problems) log.add(in_options(problem, job));
       },
       [] { return !interrupted(); });
   if (interrupted()) log.add(interruption());

@@ -80,11 +80,12 @@ StepTicks in_ticks(const machine::StepTimes& times, std::int64_t clock_hz) {
           ticks(times.direction_hold, clock_hz)};
 }
 
-std::int64_t longest_reversal(const machine::Machine& machine, std::int64_t clock_hz) {
-  std::int64_t longest = 1;
+LongestReversal longest_reversal(const machine::Machine& machine, std::int64_t clock_hz) {
+  LongestReversal longest;
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
-    longest = std::max(longest, in_ticks(machine.limits(axis).step_times, clock_hz).reversal());
+    const std::int64_t ticks = in_ticks(machine.limits(axis).step_times, clock_hz).reversal();
+    if (ticks > longest.ticks) longest = {ticks, axis};
   }
   return longest;
 }

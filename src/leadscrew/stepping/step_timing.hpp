@@ -24,8 +24,12 @@ struct StepTicks {
 /// Times and clock must be valid.
 StepTicks in_ticks(const machine::StepTimes& times, std::int64_t clock_hz);
 
-/// The greatest reversal() of the machine's axes.
-std::int64_t longest_reversal(const machine::Machine& machine, std::int64_t clock_hz);
+/// The axis of the greatest reversal(), and that.
+struct LongestReversal {
+  std::int64_t ticks = 1;
+  base::Axis axis = base::Axis::X;
+};
+LongestReversal longest_reversal(const machine::Machine& machine, std::int64_t clock_hz);
 
 /// Every way in which a step clock, 10 kHz … 10 MHz, and the machine contradict each other: an axis at its greatest
 /// velocity must not need more steps a second than clock and times give, and while its drive is given time to turn, it

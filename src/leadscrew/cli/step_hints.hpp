@@ -1,0 +1,12 @@
+#pragma once
+// What the planner of pulses refuses, in the words of the command line and of machine files.
+
+#include <leadscrew/cli/job.hpp>
+
+namespace leadscrew::cli {
+
+/// The diagnostic, one of stepping::check_pulses(), with the options that would help. Of `pulse-step-length` it says
+/// which axis and which of its times set the limit.
+base::Diagnostic in_options(base::Diagnostic problem, const Job& job);
+
+}  // namespace leadscrew::cli
