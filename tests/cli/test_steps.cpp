@@ -142,6 +142,21 @@ TEST(StepsOfRun, AreWrittenOfEachOfSeveralPrograms) {
   EXPECT_EQ(end_of_signals(dump, "Y"), 1000);
 }
 
+TEST(StepsOfRun, AreOfAFormatInAnyCase) {
+  Folder folder;
+  folder.write("a.ngc", "G21 G90 G1 X-2 Y1 F600\nM2\n");
+  folder.write("b.ngc", "G21 G90 G1 X1 F600\nM2\n");
+  for (const char* format : {"VCD", "Csv"}) {
+    const Outcome outcome =
+        leadscrew(folder, {"run", "a.ngc", "b.ngc", "--out", "made", "--pulses", format, "--quiet"});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  }
+  Dump dump = read_dump(folder.read("made/a.steps.vcd"));
+  EXPECT_EQ(end_of_signals(dump, "X"), -2000);
+  EXPECT_EQ(ends_of_rows(folder.read("made/b.steps.csv")).at("X"), 1000);
+  EXPECT_EQ(leadscrew(folder, {"run", "a.ngc", "--out", "made", "--pulses", "VCDs"}).status, 2);
+}
+
 /// What cannot be stepped has no files; the others have theirs.
 TEST(StepsOfRun, OfSeveralProgramsAreRefusedForEach) {
   Folder folder;

@@ -48,7 +48,8 @@ OutputPaths output_paths(const Arguments& arguments, const std::string& program)
   if (!paths.trace) paths.trace = base + ".csv";
   if (!paths.report) paths.report = base + ".html";
   if (!paths.picture) paths.picture = base + ".svg";
-  if (paths.pulses && is_step_format(*paths.pulses)) paths.pulses = base + ".steps." + *paths.pulses;
+  if (!paths.pulses) return paths;
+  if (const auto format = step_format(*paths.pulses)) paths.pulses = base + ".steps." + *format;
   return paths;
 }
 

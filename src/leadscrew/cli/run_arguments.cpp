@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <leadscrew/cli/output_name.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
@@ -52,7 +54,7 @@ Parsed<void> check_files(const RunTexts& texts, std::size_t programs) {
        {std::pair("--trace", &texts.trace), {"--report", &texts.report}, {"--picture", &texts.picture}}) {
     if (*path) return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
   }
-  if (texts.pulses && !(texts.out && is_step_format(*texts.pulses)))
+  if (texts.pulses && !(texts.out && step_format(*texts.pulses)))
     return wrong(
         "--pulses {}: is for one program; with several, --out DIR --pulses vcd, or csv, writes the steps of each",
         *texts.pulses);
@@ -88,8 +90,11 @@ Parsed<void> check_pulses(const RunTexts& texts) {
 
 }  // namespace
 
-bool is_step_format(std::string_view text) {
-  return text == "vcd" || text == "csv";
+std::optional<std::string> step_format(std::string_view text) {
+  std::string format(text);
+  std::transform(format.begin(), format.end(), format.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (format == "vcd" || format == "csv") return format;
+  return std::nullopt;
 }
 
 Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs) {

@@ -34,8 +34,8 @@ struct RunTexts {
 inline constexpr std::array<const char*, 4> step_time_options = {"--step-length", "--step-space", "--direction-setup",
                                                                  "--direction-hold"};
 
-/// Is it "vcd" or "csv"? Beside --out it names the format of every program's steps, not a file.
-bool is_step_format(std::string_view text);
+/// "vcd" or "csv" in any case, as small letters: beside --out it names the format of every program's steps, not a file.
+std::optional<std::string> step_format(std::string_view text);
 
 /// Says in whole sentences what is wrong. `programs`: so many are named.
 Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs);
