@@ -7,7 +7,7 @@
 
 #include "tracing.hpp"
 
-// "Four circular interpolators in an FPGA": its comparison on the arc of radius 5 from (5, 0) to (0, 5), and its
+// "FPGA-based implementation of circular interpolation": its comparison on the arc of radius 5 from (5, 0) to (0, 5), and its
 // equations for the first quadrant.
 
 namespace leadscrew::pulse::testing {

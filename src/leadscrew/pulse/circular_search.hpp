@@ -2,7 +2,7 @@
 // Circular interpolation by search: at every clock the step is taken that F = x² + y² − R² asks for. F is kept by
 // additions: after a step of x by s it is F + 2sx + 1, after one of y by t F + 2ty + 1, after both their sum.
 //
-// Methods, after "Four circular interpolators in an FPGA" (there for the first quadrant):
+// Methods, after "FPGA-based implementation of circular interpolation" (there for the first quadrant):
 //
 //   point comparison   one axis a clock: the shrinking one outside the circle, the growing one inside
 //   least error        of the three steps that the quadrant allows the one with the least |F|

@@ -21,8 +21,8 @@ std::int64_t radius_of(const pulse::Arc& arc) {
   return std::max<std::int64_t>(1, pulse::root(arc.squared_radius(), 0));
 }
 
-/// "Four circular interpolators in an FPGA" has 8 clocks and .385 BLU of a capacity R, old coordinates and half a load
-/// in the lagging axis; the lecture and the teaching interpolator draw lines with 2ⁿ and cleared registers.
+/// "FPGA-based implementation of circular interpolation" has 8 clocks and .385 BLU of a capacity R, old coordinates and
+/// half a load in the lagging axis; the lecture and the teaching interpolator draw lines with 2ⁿ and cleared registers.
 PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force{.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
   if (curve.is_arc()) {

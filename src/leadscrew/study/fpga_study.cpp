@@ -3,7 +3,7 @@
 #include <leadscrew/study/lattice_path.hpp>
 #include <leadscrew/study/studies.hpp>
 
-// "Four circular interpolators in an FPGA": steps and errors of its methods on one quarter circle.
+// "FPGA-based implementation of circular interpolation": steps and errors of its methods on one quarter circle.
 
 namespace leadscrew::study {
 

@@ -39,7 +39,7 @@ Rows half_circle_rows(const Host& host);
 /// Its integrators, feed words and clocks: eqs. 1 to 5 and 14 to 21.
 Rows feed_code_rows(const Host& host);
 
-/// The comparison of "Four circular interpolators in an FPGA".
+/// The comparison of "FPGA-based implementation of circular interpolation".
 Rows fpga_rows(const Host& host);
 
 /// The three problems of "Interpolators linear", lecture 12: rates of a pulse-driven axis, DDAs of a line, a timer.
