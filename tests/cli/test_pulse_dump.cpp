@@ -132,6 +132,19 @@ TEST(PulseDump, HasTheWaveformsOfTheFpga) {
                 .status,
             0);
   const Dump dump = read_dump(folder.read("made.vcd"));
+  // The paper turns in X and Z; its reset is what loads here.
+  for (const auto& [of_paper, ours] : {std::pair("common.rst", "common.Syn"),
+                                       {"common.Start_Z0", "common.Start_Y0"},
+                                       {"common.End_Z1", "common.End_Y1"},
+                                       {"dda.Z_Pwm_Out", "dda.Y_Pwm_Out"},
+                                       {"min_error.Z_Pwm_Out", "min_error.Y_Pwm_Out"},
+                                       {"min_error.Val_z", "min_error.y"},
+                                       {"dda.Val_z", "dda.y"},
+                                       {"dda.Val_z", "dda.Val_y"},
+                                       {"dda.Sum_Z", "dda.ry"}}) {
+    ASSERT_TRUE(dump.signals.contains(of_paper)) << of_paper;
+    EXPECT_EQ(dump.signals.at(of_paper).changes, dump.signals.at(ours).changes) << of_paper;
+  }
   EXPECT_EQ(dump.signals.at("common.Start_X0").at(0), 5);
   EXPECT_EQ(dump.signals.at("common.Start_Y0").at(0), 0);
   EXPECT_EQ(dump.signals.at("common.End_X1").at(0), 0);
@@ -148,6 +161,22 @@ TEST(PulseDump, HasTheWaveformsOfTheFpga) {
     EXPECT_NE(busy.at(clocks * units_per_clock - 1), 0) << method;
     EXPECT_EQ(busy.at(clocks * units_per_clock), 0) << method;
   }
+}
+
+/// Each name of a paper's, in words at the head of the dump.
+TEST(PulseDump, SaysWhatStandsForWhat) {
+  const Folder folder;
+  leadscrew(folder, quarter({"--method", "dda,koren", "--quiet", "--vcd", "made.vcd"}));
+  const Dump dump = read_dump(folder.read("made.vcd"));
+  const auto said = [&](const std::string& part) {
+    return std::any_of(dump.comments.begin(), dump.comments.end(),
+                       [&](const auto& each) { return contains(each, part); });
+  };
+  EXPECT_TRUE(said("rst is high at the one that loads, as is Syn"));
+  EXPECT_TRUE(said("common: Syn is rst, Start_Z0 is Start_Y0, End_Z1 is End_Y1"));
+  EXPECT_TRUE(
+      said("dda: Z_Pwm_Out is Y_Pwm_Out, Val_x is x, Val_y is y, Val_z is y, Sum_X is rx, Sum_Y is ry, Sum_Z is ry"));
+  EXPECT_TRUE(said("y1 is x, y2 is y, r2 is rx, r1 is ry"));
 }
 
 TEST(PulseDump, ShowsRegistersOfNBitsWithASign) {

@@ -25,6 +25,7 @@ struct Dump {
   };
 
   std::string timescale;
+  std::vector<std::string> comments;
   std::map<std::string, Signal> signals;  ///< by scope.name
   std::int64_t first = -1, last = -1;     ///< times
   bool has_initial_values = false;
@@ -60,6 +61,8 @@ inline Dump read_dump(const std::string& text) {
   while (words >> word) {
     if (word == "$timescale") {
       dump.timescale = skip_to_end();
+    } else if (word == "$comment") {
+      dump.comments.push_back(skip_to_end());
     } else if (word == "$scope") {
       words >> word;
       EXPECT_EQ(word, "module");

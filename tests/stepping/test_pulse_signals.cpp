@@ -112,12 +112,14 @@ TEST(PulseSignals, FIsTrueOnTheLastStepsToAnEndOffTheCircle) {
 
 TEST(PulseSignals, NamesAreThoseOfThePapers) {
   using Shape = PulseCurve::Shape;
-  EXPECT_EQ(name_in_paper("rx", PulseMethod::dda, Shape::arc), "Sum_X");
-  EXPECT_EQ(name_in_paper("n2", PulseMethod::min_error, Shape::arc), "Val_n2");
+  using Names = std::vector<std::string_view>;
+  EXPECT_EQ(names_in_paper("rx", PulseMethod::dda, Shape::arc), Names{"Sum_X"});
+  EXPECT_EQ(names_in_paper("ry", PulseMethod::dda, Shape::arc), (Names{"Sum_Y", "Sum_Z"}));
+  EXPECT_EQ(names_in_paper("n2", PulseMethod::min_error, Shape::arc), Names{"Val_n2"});
   // Integrator 1 moves X on a line and Y on an arc.
-  EXPECT_EQ(name_in_paper("rx", PulseMethod::koren, Shape::line), "r1");
-  EXPECT_EQ(name_in_paper("rx", PulseMethod::koren, Shape::arc), "r2");
-  EXPECT_EQ(name_in_paper("q", PulseMethod::koren, Shape::arc), "");
+  EXPECT_EQ(names_in_paper("rx", PulseMethod::koren, Shape::line), Names{"r1"});
+  EXPECT_EQ(names_in_paper("rx", PulseMethod::koren, Shape::arc), Names{"r2"});
+  EXPECT_EQ(names_in_paper("q", PulseMethod::koren, Shape::arc), Names{});
 }
 
 }  // namespace

@@ -43,8 +43,9 @@ inline constexpr std::string_view pulse_examples =
     "Columns of --table: x y from the centre or a line's start, F the deviation; n1 n2 n3 what F would be after a "
     "step\n"
     "of both axes, of y, of x; d = 4(d1 - d2) of improved-min-error; Jx Jy integrands, rx ry remainders, nx ny steps\n"
-    "left, q the capacity. --vcd has them under the papers' names too: Val_x Val_f Val_n1 Sum_X and, for koren, y1 r1 "
-    "dz1.\n";
+    "left, q the capacity. --vcd has them under the papers' names too, and says which is which: rst Val_z Val_f "
+    "Val_n1\n"
+    "Sum_Z and, for koren, y1 r1 dz1.\n";
 
 /// One of their names; what is wrong follows "--option TEXT: ".
 Parsed<stepping::PulseMethod> parse_pulse_method(std::string_view text);

@@ -5,26 +5,30 @@ namespace leadscrew::stepping {
 
 namespace {
 
-using Names = std::pair<std::string_view, std::string_view>;  // ours, the paper's
+/// One of a register, ours and that of the paper; there may be several.
+using Names = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Names, 8> of_fpga = {{{"x", "Val_x"},
-                                           {"y", "Val_y"},
-                                           {"F", "Val_f"},
-                                           {"n1", "Val_n1"},
-                                           {"n2", "Val_n2"},
-                                           {"n3", "Val_n3"},
-                                           {"rx", "Sum_X"},
-                                           {"ry", "Sum_Y"}}};
+constexpr std::array<Names, 10> of_fpga = {{{"x", "Val_x"},
+                                            {"y", "Val_y"},
+                                            {"y", "Val_z"},
+                                            {"F", "Val_f"},
+                                            {"n1", "Val_n1"},
+                                            {"n2", "Val_n2"},
+                                            {"n3", "Val_n3"},
+                                            {"rx", "Sum_X"},
+                                            {"ry", "Sum_Y"},
+                                            {"ry", "Sum_Z"}}};
 constexpr std::array<Names, 6> of_koren_lines = {
     {{"Jx", "y1"}, {"Jy", "y2"}, {"rx", "r1"}, {"ry", "r2"}, {"dx", "dz1"}, {"dy", "dz2"}}};
 constexpr std::array<Names, 6> of_koren_arcs = {
     {{"x", "y1"}, {"y", "y2"}, {"ry", "r1"}, {"rx", "r2"}, {"dy", "dz1"}, {"dx", "dz2"}}};
 
-std::string_view found(std::string_view symbol, std::span<const Names> names) {
+std::vector<std::string_view> found(std::string_view symbol, std::span<const Names> names) {
+  std::vector<std::string_view> papers;
   for (const auto& [ours, paper] : names) {
-    if (ours == symbol) return paper;
+    if (ours == symbol) papers.push_back(paper);
   }
-  return {};
+  return papers;
 }
 
 /// On a circle Bresenham's is the method of least error.
@@ -68,7 +72,7 @@ Registers signals_of(const PulseRun& run, const PulseCurve& curve) {
   return signals;
 }
 
-std::string_view name_in_paper(std::string_view symbol, PulseMethod method, PulseCurve::Shape shape) {
+std::vector<std::string_view> names_in_paper(std::string_view symbol, PulseMethod method, PulseCurve::Shape shape) {
   if (method != PulseMethod::koren) return found(symbol, of_fpga);
   return shape == PulseCurve::Shape::arc ? found(symbol, of_koren_arcs) : found(symbol, of_koren_lines);
 }

@@ -45,31 +45,48 @@ Ends ends_of(const stepping::PulseCurve& curve) {
 VcdScope common_scope(const stepping::PulseCurve& curve) {
   const auto [start, end] = ends_of(curve);
   return {"common",
-          {{"clk", 1, ""},
-           {"Syn", 1, ""},
-           {"Start_X0", width_of(start.x), ""},
-           {"Start_Y0", width_of(start.y), ""},
-           {"End_X1", width_of(end.x), ""},
-           {"End_Y1", width_of(end.y), ""}}};
+          {{"clk", 1},
+           {"rst", 1, {"Syn"}},
+           {"Start_X0", width_of(start.x)},
+           {"Start_Y0", width_of(start.y), {"Start_Z0"}},
+           {"End_X1", width_of(end.x)},
+           {"End_Y1", width_of(end.y), {"End_Z1"}}}};
 }
 
 VcdScope scope_of(const MeasuredPulses& pulses, const stepping::PulseCurve& curve) {
   const stepping::PulseMethod method = pulses.run.method();
   const auto signal = [&](std::string_view name, int width) -> VcdSignal {
-    return {std::string(name), width, std::string(stepping::name_in_paper(name, method, curve.shape))};
+    const auto names = stepping::names_in_paper(name, method, curve.shape);
+    return {std::string(name), width, {names.begin(), names.end()}};
   };
   VcdScope scope{scope_name(method),
-                 {{"Busy", 1, ""}, {"X_Pwm_Out", 1, ""}, {"Y_Pwm_Out", 1, ""}, signal("dx", 2), signal("dy", 2)}};
+                 {{"Busy", 1}, {"X_Pwm_Out", 1}, {"Y_Pwm_Out", 1, {"Z_Pwm_Out"}}, signal("dx", 2), signal("dy", 2)}};
   const std::vector<RegisterRange>& registers = pulses.figures.registers;
   if (has_own_origin(curve)) {
-    scope.signals.push_back({"X", width_of_position(registers[0], curve.origin().x), ""});
-    scope.signals.push_back({"Y", width_of_position(registers[1], curve.origin().y), ""});
+    scope.signals.push_back({"X", width_of_position(registers[0], curve.origin().x)});
+    scope.signals.push_back({"Y", width_of_position(registers[1], curve.origin().y)});
   }
   // Registers of n bits are shown with n bits and a sign, whether they were filled or not.
   const int least = pulses.run.conventions().bits.value_or(0) + 1;
   for (const RegisterRange& each : registers) scope.signals.push_back(signal(each.name, std::max(least, each.width())));
   return scope;
 }
+
+/// "dda: Sum_X is rx, Val_x is x"
+std::string names_of(const VcdScope& scope) {
+  std::string text;
+  for (const VcdSignal& signal : scope.signals) {
+    for (const std::string& name : signal.also) {
+      text += (text.empty() ? scope.name + ": " : ", ") + name + " is " + signal.name;
+    }
+  }
+  return text;
+}
+
+constexpr const char* what_signals_are =
+    "clk rises at every clock; rst is high at the one that loads, as is Syn; Busy falls at the end; X_Pwm_Out and "
+    "Y_Pwm_Out are high for half a clock at each step; the axis Z of \"FPGA-based implementation of circular "
+    "interpolation\" is Y";
 
 class PulseDump {
  public:
@@ -80,7 +97,9 @@ class PulseDump {
       scopes.push_back(scope_of(each, curve));
       runs_.push_back({each.run, {}});
     }
-    writer_.emplace(sink, "100 ns", title_of(curve) + "; one microsecond is one clock", scopes);
+    std::vector<std::string> comments = {title_of(curve) + "; one microsecond is one clock", what_signals_are};
+    for (const VcdScope& scope : scopes) comments.push_back(names_of(scope));
+    writer_.emplace(sink, "100 ns", comments, scopes);
   }
 
   /// To the clock behind the last pulse, where all rest.

@@ -17,9 +17,10 @@ struct MeasuredPulses {
 /// the paper's name too where there is one; X and Y, where the curve's coordinates are not the registers' own. A
 /// microsecond of it is a clock.
 ///
-/// As the waveforms of "Four circular interpolators in an FPGA" have them: clk, whose rising edges are the clocks; Syn,
-/// high at the clock that loads; Start_X0 … End_Y1, as loaded; Busy until the end is reached; X_Pwm_Out and Y_Pwm_Out,
-/// a pulse of half a clock for each step.
+/// As the waveforms of "FPGA-based implementation of circular interpolation" have them: clk, whose rising edges are the
+/// clocks; rst and Syn, high at the clock that loads; Start_X0 … End_Y1, as loaded; Busy until the end is reached;
+/// X_Pwm_Out and Y_Pwm_Out, a pulse of half a clock for each step. The paper's second axis is Z: what it has of that is
+/// under both letters, Z_Pwm_Out beside Y_Pwm_Out. Comments at the dump's head say which name is which.
 base::Result<void> write_pulse_dump(const stepping::PulseCurve& curve, const std::vector<MeasuredPulses>& pulses,
                                     const ByteSink& sink);
 

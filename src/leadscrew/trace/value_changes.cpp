@@ -26,19 +26,21 @@ void put_digits(std::string& out, std::int64_t value, int width) {
 
 }  // namespace
 
-VcdWriter::VcdWriter(ByteSink sink, const std::string& timescale, const std::string& comment,
+VcdWriter::VcdWriter(ByteSink sink, const std::string& timescale, const std::vector<std::string>& comments,
                      const std::vector<VcdScope>& scopes)
     : sink_(std::move(sink)) {
-  put(text_, "$comment ", comment, " $end\n$version leadscrew $end\n$timescale ", timescale, " $end\n");
+  for (const std::string& comment : comments) put(text_, "$comment ", comment, " $end\n");
+  put(text_, "$version leadscrew $end\n$timescale ", timescale, " $end\n");
   for (const VcdScope& scope : scopes) {
     put(text_, "$scope module ", scope.name, " $end\n");
     for (const VcdSignal& signal : scope.signals) {
       const std::string identifier = identifier_of(signals_.size());
       const std::string range = signal.width > 1 ? " [" + std::to_string(signal.width - 1) + ":0]" : "";
-      for (const std::string& name : {signal.name, signal.also}) {
-        if (name.empty()) continue;
+      const auto declare = [&](const std::string& name) {
         put(text_, "$var wire ", std::to_string(signal.width), " ", identifier, " ", name, range, " $end\n");
-      }
+      };
+      declare(signal.name);
+      for (const std::string& name : signal.also) declare(name);
       signals_.push_back({identifier, signal.width, 0});
     }
     text_ += "$upscope $end\n";

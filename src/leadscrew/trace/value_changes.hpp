@@ -11,9 +11,9 @@ namespace leadscrew::trace {
 
 /// A signed number in two's complement.
 struct VcdSignal {
-  std::string name;  ///< letters, digits and _
-  int width = 1;     ///< bits, 1 … 64
-  std::string also;  ///< another name of it; empty: there is none
+  std::string name;                 ///< letters, digits and _
+  int width = 1;                    ///< bits, 1 … 64
+  std::vector<std::string> also{};  ///< other names of it
 };
 
 /// Signals that belong together; names of scopes, too, are letters, digits and _.
@@ -25,8 +25,8 @@ struct VcdScope {
 /// Once the sink has failed, every later call fails with the same diagnostic.
 class VcdWriter {
  public:
-  /// timescale: such as "1 us". comment: one line.
-  VcdWriter(ByteSink sink, const std::string& timescale, const std::string& comment,
+  /// timescale: such as "1 us". comments: one line each.
+  VcdWriter(ByteSink sink, const std::string& timescale, const std::vector<std::string>& comments,
             const std::vector<VcdScope>& scopes);
 
   /// Values of all signals, in the order of the scopes; what has changed is written. Times go up; the first call gives
