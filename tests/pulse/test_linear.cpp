@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <leadscrew/pulse/linear.hpp>
 
 #include "tracing.hpp"
@@ -56,6 +57,28 @@ TEST(LinearDda, TakesAsManyClocksAsItsRegisterHasValues) {
         for (std::int64_t clock = 0; clock < capacity; ++clock) steps += line.step().step[0];
         EXPECT_EQ(steps, a);
         EXPECT_TRUE(line.done());
+      }
+    }
+  }
+}
+
+/// "Design and implementation of digital integral interpolator based on LabVIEW": m = 2ⁿ, k = 1/2ⁿ, every end of
+/// two axes.
+TEST(DigitalIntegrals, ReachEveryEndAfter2ToTheNCycles) {
+  for (int bits = 1; bits <= 8; ++bits) {
+    const std::int64_t capacity = std::int64_t{1} << bits;
+    for (const std::int64_t preload : {std::int64_t{0}, capacity / 2}) {
+      for (std::int64_t x = 0; x < capacity; ++x) {
+        for (std::int64_t y = 0; y < capacity; ++y) {
+          LinearDda<2> line({x, -y}, capacity, preload);
+          Point at;
+          for (std::int64_t cycle = 0; cycle < capacity; ++cycle) {
+            const auto [dx, dy] = line.step().step;
+            at = {at.x + dx, at.y + dy};
+          }
+          ASSERT_EQ(at, (Point{x, -y})) << bits;
+          ASSERT_TRUE(line.done());
+        }
       }
     }
   }
@@ -154,6 +177,24 @@ TEST(KorenFeed, GivesSoManyCommandsASecond) {
 }
 
 /// A 13-bit register clocked 1024 times a second, with the loads 1, 2 and 4: first overflow after 8, 4 and 2 s.
+/// Equations 1 to 5 overflow where r > q: as where r ≥ q from a remainder that is lower by one. Beside the closed form,
+/// ⌈(r + kp)/q⌉ − 1 overflows after k additions.
+TEST(KorenEquations1To5, OverflowAsARemainderLowerByOneDoesAtQ) {
+  for (std::int64_t capacity = 1; capacity <= 24; ++capacity) {
+    for (std::int64_t integrand = 0; integrand <= capacity; ++integrand) {
+      for (std::int64_t remainder = 0; remainder <= capacity; ++remainder) {
+        Integrator integrator(capacity, remainder - 1);
+        std::int64_t pulses = 0;
+        for (std::int64_t k = 1; k <= 3 * capacity; ++k) {
+          pulses += integrator.add(integrand);
+          ASSERT_EQ(pulses, std::max<std::int64_t>(0, (remainder + k * integrand + capacity - 1) / capacity - 1))
+              << capacity << ' ' << integrand << ' ' << remainder << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
 TEST(LectureTimer, Takes8And4And2Seconds) {
   for (const std::int64_t load : {1, 2, 4}) {
     Integrator timer(std::int64_t{1} << 13, 0);

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <leadscrew/study/chopped.hpp>
 #include <leadscrew/study/studies.hpp>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "found.hpp"
 
@@ -46,6 +49,50 @@ TEST(KorenTable1, ComesOutInChoppedNumbers) {
   EXPECT_EQ(ours(rows, "state transition", digits_of(5)), 9945);
   EXPECT_EQ(verdict(rows, "Tustin", digits_of(1)), "differs");
   EXPECT_EQ(verdict(rows, "state transition", digits_of(3)), "differs");
+}
+
+/// A column of the table, from T = 1 to T = 1e-5: what is printed, and ours before it is rounded to four digits.
+struct Cell {
+  double published, ours;
+};
+
+void expect_column(const char* method, const std::vector<std::optional<Cell>>& cells, double accuracy) {
+  const Rows rows = table_1_rows({});
+  for (std::size_t column = 0; column < cells.size(); ++column) {
+    if (!cells[column]) continue;
+    const Row row = found(rows, method, digits_of(column));
+    EXPECT_EQ(row.published, cells[column]->published) << method << column;
+    EXPECT_NEAR(row.ours.value_or(NAN), cells[column]->published, accuracy) << method << column;
+    EXPECT_NEAR(std::stod(row.why), cells[column]->ours, 0.25) << row.why;
+  }
+}
+
+TEST(KorenTable1, EulerColumn) {
+  expect_column("Euler",
+                {{}, {}, Cell{10160, 10158.21}, Cell{10020, 10015.53}, Cell{10000, 9999.72}, Cell{9982, 9981.66}}, 0);
+}
+
+/// 9795 is the sum of printed figures: 9.695 + 10 − 9.900.
+TEST(KorenTable1, RungeKuttaColumn) {
+  expect_column("Runge-Kutta",
+                {Cell{9795, 9795.53}, Cell{10000, 10000}, Cell{10000, 9999.98}, Cell{10000, 9999.81},
+                 Cell{9998, 9998.15}, Cell{9982, 9981.51}},
+                0.6);
+}
+
+/// All but that of T = 0.001, which is one off in the last digit.
+TEST(KorenTable1, StateTransitionColumn) {
+  expect_column(
+      "state transition",
+      {Cell{10000, 10000}, Cell{10000, 10000}, Cell{10000, 9999.96}, {}, Cell{9996, 9996.02}, Cell{9945, 9944.75}}, 0);
+}
+
+/// All but that of T = 0.1, a misprint or read at nT = 3.0.
+TEST(KorenTable1, TustinColumn) {
+  expect_column(
+      "Tustin",
+      {Cell{9460, 9460.07}, {}, Cell{10000, 9999.98}, Cell{10000, 9999.85}, Cell{9997, 9997.09}, Cell{9963, 9963.12}},
+      0);
 }
 
 TEST(KorenTable1, LeavesEulers20100And11661Blank) {
@@ -131,6 +178,40 @@ TEST(LectureStudy, ComesOut) {
               0.005);
 }
 
+/// A BLU of 0.02 mm; 60 and 80 mm/min, 3000 and 4000 pulses a minute, 1500 and 2000 pulses in 30 s.
+TEST(LectureProblem1, Gives3000And4000PulsesAMinuteAnd1500And2000Pulses) {
+  const Rows rows = lecture_rows({});
+  constexpr const char* group = "problem 1: a pulse-driven axis";
+  EXPECT_DOUBLE_EQ(ours(rows, group, "basic length unit"), 0.02);
+  EXPECT_DOUBLE_EQ(ours(rows, group, "feed of X"), 60);
+  EXPECT_DOUBLE_EQ(ours(rows, group, "pulse rate of X"), 3000);
+  EXPECT_DOUBLE_EQ(ours(rows, group, "pulses of X"), 1500);
+  EXPECT_DOUBLE_EQ(ours(rows, group, "feed of Y"), 80);
+  EXPECT_DOUBLE_EQ(ours(rows, group, "pulse rate of Y"), 4000);
+  EXPECT_DOUBLE_EQ(ours(rows, group, "pulses of Y"), 2000);
+  EXPECT_DOUBLE_EQ(ours(rows, group, "time"), 30);
+}
+
+/// 447392 · 3e6/11180/4096, by hand.
+TEST(LectureProblem2, Gives29309PulsesASecondOutOfTheFeedDda) {
+  const Rows rows = lecture_rows({});
+  constexpr const char* group = "problem 2: a linear interpolator of DDAs";
+  const Row row = found(rows, group, "out of the feed DDA");
+  EXPECT_EQ(row.published, 29309.43);
+  EXPECT_EQ(row.verdict, Verdict::reproduced);
+  EXPECT_NEAR(row.ours.value_or(NAN), 447392 * (3e6 / 11180) / 4096, 1e-6);
+  EXPECT_NEAR(row.ours.value_or(NAN), 29309.43, 0.025);
+}
+
+/// Both along a line of 3 m/min; 1341.5, which was published, is 1341.64.
+TEST(LectureProblem2, Gives2683And1341MillimetresAMinute) {
+  const Rows rows = lecture_rows({});
+  constexpr const char* group = "problem 2: a linear interpolator of DDAs";
+  EXPECT_NEAR(ours(rows, group, "feed of X"), 3000 * 2 / std::sqrt(5), 1e-6);
+  EXPECT_NEAR(ours(rows, group, "feed of Y, not rounded"), 3000 / std::sqrt(5), 1e-6);
+  EXPECT_NEAR(ours(rows, group, "feed along the line"), 3, 1e-9);
+}
+
 TEST(LectureStudy, HoldsTheFeedWord268) {
   const Rows rows = lecture_rows({});
   constexpr const char* group = "problem 2, the feed word as a register holds it";
@@ -178,6 +259,24 @@ TEST(DigitalIntegralsStudy, ComesOut) {
   EXPECT_EQ(rows.size(), 7u);
   EXPECT_EQ(ours(rows, "speeds on a circle, at (3, 4)", "vx/v"), 0.8);
   EXPECT_EQ(ours(rows, "speeds on a circle, at (3, 4)", "vy/v"), 0.6);
+}
+
+TEST(DigitalIntegrals, EveryEndIsReachedAfter2ToTheNCycles) {
+  const Rows rows = digital_integrals_rows({});
+  for (const char* what : {"ends missed after 2ⁿ cycles, registers empty", "ends missed after 2ⁿ cycles, half full"}) {
+    EXPECT_EQ(found(rows, "lines", what).published, 0);
+    EXPECT_EQ(ours(rows, "lines", what), 0);
+    EXPECT_EQ(found(rows, "lines", what).why.substr(0, 7), "of 510:");  // Σ 2ⁿ, n = 1 … 8
+  }
+}
+
+TEST(DigitalIntegrals, CountersEndEveryArcOfAQuadrant) {
+  const Rows rows = digital_integrals_rows({});
+  for (const char* what :
+       {"arcs in a quadrant that do not end, registers empty", "arcs in a quadrant that do not end, half full"}) {
+    EXPECT_EQ(ours(rows, "arcs", what), 0);
+    EXPECT_GT(std::stoi(found(rows, "arcs", what).why.substr(3)), 7680);  // at least as many as were published
+  }
 }
 
 TEST(FpgaTable1Study, ComesOut) {
