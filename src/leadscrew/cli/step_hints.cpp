@@ -4,11 +4,9 @@
 #include <leadscrew/base/number_text.hpp>
 #include <leadscrew/cli/machine_keys.hpp>
 #include <leadscrew/cli/step_hints.hpp>
-#include <leadscrew/gcode/number.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <leadscrew/stepping/step_timing.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace leadscrew::cli {
@@ -33,28 +31,22 @@ std::vector<std::size_t> limiting_times(const stepping::StepTicks& ticks) {
   return times;
 }
 
-/// The planner knows how many ticks there are from step to step, but not whose.
-base::Diagnostic with_step_times(base::Diagnostic problem, const Job& job) {
+std::string hint_of_step_times(const Job& job) {
   const std::int64_t clock_hz = job.arguments.run.step_clock;
-  const auto [slowest, axis] = stepping::longest_reversal(job.machine, clock_hz);
-  const stepping::StepTicks ticks = stepping::in_ticks(job.machine.limits(axis).step_times, clock_hz);
-  const std::string asked = problem.message.substr(0, problem.message.find(','));
-  problem.message =
-      fmt::format("{}, axis {} allows {} a second: {} ticks of the clock from a step to one {}", asked,
-                  base::letter(axis), gcode::text(static_cast<double>(clock_hz) / static_cast<double>(slowest)),
-                  slowest, ticks.pitch() == slowest ? "behind it" : "back");
+  const base::Axis axis = stepping::longest_reversal(job.machine, clock_hz).axis;
   std::vector<std::string> times;
-  for (const std::size_t k : limiting_times(ticks)) times.push_back(time_text(k, axis, job));
-  problem.hint = fmt::format("program a lower feed, or shorten what sets it: {}", fmt::join(times, ", "));
-  return problem;
+  for (const std::size_t k : limiting_times(stepping::in_ticks(job.machine.limits(axis).step_times, clock_hz)))
+    times.push_back(time_text(k, axis, job));
+  return fmt::format("program a lower feed, or shorten what sets it: {}", fmt::join(times, ", "));
 }
 
 }  // namespace
 
 base::Diagnostic in_options(base::Diagnostic problem, const Job& job) {
-  if (problem.code == "pulse-step-length") return with_step_times(std::move(problem), job);
+  if (problem.code == "pulse-step-length") problem.hint = hint_of_step_times(job);
   if (problem.code == "pulse-velocity")
     problem.hint = "program a lower feed, or give --accelerate: the feed then keeps to what the axes can do";
+  if (problem.code == "pulse-feed-word") problem.hint = "program a higher feed, or give a slower --step-clock";
   if (problem.code == "pulse-rate") problem.hint = "program a lower feed, or give a faster --step-clock, up to 10MHz";
   return problem;
 }

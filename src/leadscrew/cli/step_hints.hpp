@@ -5,8 +5,8 @@
 
 namespace leadscrew::cli {
 
-/// The diagnostic, one of stepping::check_pulses(), with the options that would help. Of `pulse-step-length` it says
-/// which axis and which of its times set the limit.
+/// The diagnostic, one of stepping::check_pulses(), with the options that would help; of `pulse-step-length` with those
+/// of the axis' times that set the limit.
 base::Diagnostic in_options(base::Diagnostic problem, const Job& job);
 
 }  // namespace leadscrew::cli

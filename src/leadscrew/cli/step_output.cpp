@@ -76,7 +76,9 @@ stepping::PulseOptions pulse_options(const Job& job) {
   if (run.pulse_method) options.method = *run.pulse_method;
   options.clock_pps = run.step_clock;
   // Of any two steps, for an axis may turn back between them.
-  options.step_clocks = stepping::longest_reversal(job.machine, run.step_clock).ticks;
+  const stepping::LongestReversal slowest = stepping::longest_reversal(job.machine, run.step_clock);
+  options.step_clocks = slowest.ticks;
+  options.slowest_steps = slowest.axis;
   options.interpolation.places = 16;
   if (run.accelerate) options.shape = stepping::Shape::accelerate;
   return options;

@@ -218,8 +218,10 @@ base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& mov
     }
     if (least > by_step) {
       return base::failure(refused(block, "pulse-step-length",
-                                   "pulses: " + asked + ", the step length allows " + per_second(by_step),
-                                   "program a lower feed or shorten the steps"));
+                                   "pulses: " + asked + ", axis " + base::letter(options.slowest_steps) + " allows " +
+                                       per_second(by_step) + ": " + std::to_string(options.step_clocks) +
+                                       " clocks from a step to its next",
+                                   "program a lower feed or shorten the times of its steps"));
     }
     if (options.shape == Shape::constant && least > by_velocity.rate) {
       return base::failure(refused(

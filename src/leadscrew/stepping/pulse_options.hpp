@@ -16,6 +16,7 @@ struct PulseOptions {
   std::int64_t clock_pps = 1'000'000;                  ///< 1 … 10⁹; Koren's is 5000
   std::int64_t feed_capacity = std::int64_t{1} << 40;  ///< q0, 1 … 2⁴⁰; Koren's is 3000
   std::int64_t step_clocks = 1;                        ///< least clocks from one step of an axis to its next; ≥ 1
+  base::Axis slowest_steps = base::Axis::X;            ///< whose clocks those are
   Shape shape = Shape::constant;
 };
 
