@@ -31,6 +31,8 @@ TEST(DriveState, ThatWasChangedByHandIsRefused) {
   for (const auto& [key, value] : std::initializer_list<std::pair<const char*, Json>>{
            {"path_length", -1},
            {"path_length", nullptr},
+           {"path_length", 1},     // where the path is elsewhere
+           {"path_length", 1000},  // longer than it is
            {"word", -5},
            {"line", "two"},
            {"axes", {1, 2}},

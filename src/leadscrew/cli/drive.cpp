@@ -132,6 +132,8 @@ class ProgramDrive {
       if (!kept) return kept;
       if (auto same = check_resumable(*kept, *fingerprint, job_.machine, *arguments_.resume); !same)
         return base::failure(same.error());
+      if (auto there = check_on_path(*kept, file, job_, *arguments_.resume); !there)
+        return base::failure(there.error());
       state = *kept;
     }
     state.program = file.name();

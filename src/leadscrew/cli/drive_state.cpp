@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <ctime>
@@ -12,6 +13,7 @@
 #include <leadscrew/cli/drive_state.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/output_file.hpp>
+#include <leadscrew/pipeline/motion_source.hpp>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -191,6 +193,23 @@ base::Result<void> check_resumable(const DriveState& state, const Fingerprint& n
     }
   }
   return {};
+}
+
+base::Result<void> check_on_path(const DriveState& state, const InputFile& program, const Job& job,
+                                 const std::string& path) {
+  constexpr double same = 1e-6;  // mm or degrees
+  pipeline::MotionSource source(program.source(), job.machine, job.tools, job.reader_options(program.name()), nullptr);
+  source.planner().start_at(state.word.path_length, state.word.line);
+  source.next();
+  const std::optional<geometry::Point> at = source.planner().started_at();
+  const auto is_there = [&](base::Axis axis) {
+    return std::abs((*at)[base::index(axis)] - state.word.position[base::index(axis)]) <= same;
+  };
+  if (at && std::all_of(base::all_axes.begin(), base::all_axes.end(), is_there)) return {};
+  return refusal("resume-state",
+                 fmt::format("says that the path was left after {:.6g} mm, {}", state.word.path_length,
+                             at ? "but it is elsewhere there" : "but it is shorter"),
+                 "give the file as --state wrote it, to the same version of leadscrew", path);
 }
 
 }  // namespace leadscrew::cli
