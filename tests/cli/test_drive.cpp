@@ -216,6 +216,31 @@ TEST(Drive, IsLeftByItsDrivesWhenWordsComeTooLate) {
   EXPECT_EQ(state_of(folder), "ended");
 }
 
+/// A full disc, of one file or of the other.
+TEST(Drive, ComesToRestWhenAFileCannotBeWritten) {
+  for (const bool is_trace : {true, false}) {
+    const Folder folder;
+    folder.write("part.ngc", "G21 G90 G94\nG1 X400 F3000\nM2\n");
+    const std::string other = is_trace ? "axes.csv" : "words.csv";
+    const auto outcome =
+        leadscrew(folder, {"drive", "part.ngc", is_trace ? "--trace" : "--axes", "/dev/full",
+                           is_trace ? "--axes" : "--trace", other, "--state", "state", "--lead", "500ms", "--quiet"});
+    EXPECT_EQ(outcome.status, 4);
+    // Nothing else but what the system did not permit.
+    const std::string expected = "/dev/full: error: cannot write: No space left on device [io-write]\n";
+    EXPECT_TRUE(outcome.errors.ends_with(expected)) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("error:"), outcome.errors.rfind("error:")) << outcome.errors;
+    EXPECT_EQ(state_of(folder), "stopped");
+    const auto rows = rows_of(folder.read(other));
+    ASSERT_FALSE(rows.empty());
+    const Json state = Json::parse(folder.read("state"));
+    EXPECT_LT(state["axes"][0].get<double>(), 300);
+    if (!is_trace) continue;
+    EXPECT_LE(worst_ratio(rows), 1.001);
+    EXPECT_EQ(state["axes"][0].get<double>(), rows.back().q[0]);
+  }
+}
+
 /// The drives of the command that was killed are still at work.
 TEST(Drive, WaitsForTheDrivesOfOneThatWasKilled) {
   const Folder folder;

@@ -22,8 +22,7 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
-constexpr std::string_view words_late = "words-late";
-constexpr double slice = 0.02;  // s of motion that is handed over at a time
+constexpr double slice = 0.02;              // s of motion that is handed over at a time
 
 /// The drives' process and the memory shared with it.
 class DriveProcess {
@@ -176,19 +175,23 @@ class ProgramDrive {
     }
     runner.start();
     figures_.last = begin.word;
-    const bool ran = watch(runner, drives, file.size());
+    watch(runner, drives, file.size());
     conclude(runner, drives);
     view_.reset();
-    for (const base::Diagnostic& notice : notices_) log_.add(notice);
-    figures_.blocks = source.reader().blocks();
     console_.clear_progress();
-    if (!ran) return std::nullopt;
+    if (notice_) log_.add(*notice_);
+    figures_.blocks = source.reader().blocks();
+    if (auto sound = look_at(drives); !sound) return failed(sound.error());
+    if (figures_.end == DriveFigures::End::tripped) {
+      log_.add(drives_problem("words-late", "the drives got no word in time and came to rest by themselves",
+                              "--resume goes on from there; a greater --lead lets words be later"));
+    }
     if (source.reader().source_failure()) return failed(*source.reader().source_failure());
     return figures_;
   }
 
-  /// Until the last word is made, or nobody takes words any more: then false where the log says why.
-  bool watch(realtime::Runner& runner, DriveProcess& drives, std::int64_t size) {
+  /// Until the last word is made, or nobody takes words any more.
+  void watch(realtime::Runner& runner, DriveProcess& drives, std::int64_t size) {
     using End = DriveFigures::End;
     Progress progress{.work = "driving", .total = size};
     console_.begin_progress();
@@ -199,7 +202,7 @@ class ProgramDrive {
       if (!has_notice && runner.counters().words > 0) {
         has_notice = true;
         figures_.real_time = !runner.notice();
-        if (runner.notice()) notices_.push_back(*runner.notice());
+        notice_ = runner.notice();
       }
       const bool is_asked_to_stop = view_ && view_->obey_keys(runner);
       if ((interruptions() > 0 || is_asked_to_stop) && figures_.end == End::done) {
@@ -224,11 +227,6 @@ class ProgramDrive {
         console_.progress(progress);
       }
     }
-    if (figures_.end == End::abandoned) return true;
-    const auto sound = look_at(drives);
-    if (sound) return true;
-    notices_.push_back(sound.error());
-    return sound.error().code == words_late;
   }
 
   void conclude(realtime::Runner& runner, DriveProcess& drives) {
@@ -248,8 +246,6 @@ class ProgramDrive {
     figures_.taken = link.taken.load(std::memory_order_acquire);
     figures_.drives_late = link.late_periods.load(std::memory_order_relaxed);
     figures_.braked = link.braked.load(std::memory_order_relaxed);
-    if (link.phase.load() == DriveLink::Phase::failed)
-      notices_.push_back(drives_problem("io-drives", link.problem.data()));
     if (link.phase.load() == DriveLink::Phase::tripped && figures_.end != End::abandoned) figures_.end = End::tripped;
   }
 
@@ -268,15 +264,13 @@ class ProgramDrive {
     }
   }
 
-  /// Do the drives still take words, or have they taken all?
+  /// Do the drives do what they should, or have they done all of it?
   static base::Result<void> look_at(DriveProcess& drives) {
-    DriveLink& link = drives.link();
+    const bool runs = drives.is_running();  // before the phase is looked at, which is its last word
+    const DriveLink& link = drives.link();
     if (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::failed)
-      return base::failure(drives_problem("io-drives", link.problem.data()));
-    if (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::tripped)
-      return base::failure(drives_problem(words_late, "the drives got no word in time and came to rest by themselves",
-                                          "--resume goes on from there; a greater --lead lets words be later"));
-    if (!drives.is_running() && link.phase.load() != DriveLink::Phase::ended)
+      return base::failure(link.problem.diagnostic());
+    if (!runs && !link.is_over())
       return base::failure(drives_problem("io-drives", "the process of the drives has ended"));
     return {};
   }
@@ -289,8 +283,8 @@ class ProgramDrive {
   std::vector<Descriptor> held_;       ///< states
   std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
   DriveFigures figures_;
-  std::optional<DriveView> view_;          ///< on a terminal
-  std::vector<base::Diagnostic> notices_;  ///< that are told when the terminal is as it was
+  std::optional<DriveView> view_;           ///< on a terminal
+  std::optional<base::Diagnostic> notice_;  ///< that is told when the terminal is as it was
 };
 
 ProgramResult drive_program(const std::string& program, const Job& job, Console& console) {

@@ -14,6 +14,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/realtime/ring.hpp>
 #include <string_view>
@@ -24,6 +25,31 @@ namespace leadscrew::cli {
 struct Feedback {
   base::Word word;            ///< the last that was taken
   base::AxisVector actual{};  ///< where the axes are
+};
+
+/// A diagnostic for the other process. Its code is of static storage, which has one place in both: one is the other's
+/// fork.
+class SharedProblem {
+ public:
+  void set(const base::Diagnostic& problem) {
+    code_ = problem.code;
+    copy(problem.message, message_);
+    copy(problem.hint, hint_);
+    copy(problem.place.file, file_);
+  }
+  base::Diagnostic diagnostic() const {
+    return {base::Severity::error, code_, message_.data(), hint_.data(), base::Place{.file = file_.data()}, {}};
+  }
+
+ private:
+  using Text = std::array<char, 512>;  ///< ends with 0
+  static void copy(std::string_view from, Text& to) {
+    to.fill(0);
+    std::copy_n(from.data(), std::min(from.size(), to.size() - 1), to.data());
+  }
+
+  std::string_view code_;
+  Text message_{}, hint_{}, file_{};
 };
 
 struct DriveLink {
@@ -37,7 +63,7 @@ struct DriveLink {
     ready,     ///< there
     ended,     ///< all words are taken, all files written
     tripped,   ///< words ceased: the drives have come to rest by themselves, all files are written
-    failed,    ///< `problem` says why
+    failed,    ///< `problem` says why; the axes stand, and where is written down
   };
 
   static constexpr std::size_t most_words = 1 << 16;
@@ -50,7 +76,7 @@ struct DriveLink {
   std::atomic<std::int64_t> taken{0};         ///< words
   std::atomic<std::int64_t> late_periods{0};  ///< that the drives' own process was late by
   std::atomic<std::int64_t> braked{0};        ///< periods without a word
-  std::array<char, 256> problem{};            ///< text, ends with 0
+  SharedProblem problem;
 
   // The terminal is given back by whoever is left.
   std::atomic<bool> has_terminal{false};
@@ -61,9 +87,8 @@ struct DriveLink {
   }
   void hide_terminal() { has_terminal.store(false, std::memory_order_release); }
 
-  void fail(std::string_view text) {
-    const std::size_t size = std::min(text.size(), problem.size() - 1);
-    std::copy_n(text.data(), size, problem.data());
+  void fail(const base::Diagnostic& why) {
+    problem.set(why);
     phase.store(Phase::failed, std::memory_order_release);
   }
   bool is_over() const {

@@ -1,5 +1,4 @@
 #include <csignal>
-#include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/drive_side.hpp>
 #include <leadscrew/cli/terminal.hpp>
 #include <leadscrew/cli/word_file.hpp>
@@ -89,15 +88,10 @@ class DriveSide {
   base::Result<void> run() {
     const base::AxisVector start = last_.position;
     wake_ = realtime::now();
-    if (auto standing = observe(); !standing) return standing;
-    for (; !drives_.approach(start); wait()) {
-      if (auto moved = observe(); !moved) return moved;
-    }
+    took(observe());
+    for (; !drives_.approach(start); wait()) took(observe());
     link_.phase.store(Phase::ready, std::memory_order_release);
-    while (period()) {
-      if (failed_) return base::failure(*failed_);
-      wait();
-    }
+    while (period()) wait();
     return conclude();
   }
 
@@ -111,9 +105,9 @@ class DriveSide {
     link_.late_periods.fetch_add(late, std::memory_order_relaxed);
   }
 
-  /// One period; false when all is over.
+  /// One period; false when all is over. What cannot be written down is not done: then words are void as well.
   bool period() {
-    const Order order = link_.order.load(std::memory_order_acquire);
+    const Order order = failed_ ? Order::abandon : link_.order.load(std::memory_order_acquire);
     base::Word word;
     const bool may_take = !tripped_ && order != Order::abandon;
     if (may_take && link_.words.pop(word)) {
@@ -155,13 +149,13 @@ class DriveSide {
     if (!result && !failed_) failed_ = result.error();
   }
 
+  /// Files first: who sees the last state finds them. One that could not be written takes no other with it.
   base::Result<void> conclude() {
-    for (WordFile* file : {&trace_, &axes_}) {
-      if (auto published = file->publish(); !published) return published;
-    }
+    for (WordFile* file : {&trace_, &axes_}) took(file->publish());
     if (is_orphan() && link_.has_terminal.load(std::memory_order_acquire)) Terminal::restore(link_.terminal);
     const bool ended = !tripped_ && last_is_end();
-    if (auto kept = keeper_.conclude(ended ? DriveState::Kind::ended : DriveState::Kind::stopped); !kept) return kept;
+    took(keeper_.conclude(ended ? DriveState::Kind::ended : DriveState::Kind::stopped));
+    if (failed_) return base::failure(*failed_);
     link_.phase.store(tripped_ ? Phase::tripped : Phase::ended, std::memory_order_release);
     return {};
   }
@@ -189,7 +183,7 @@ void run_drives(DriveLink& link, const Job& job, const DriveState& begin) {
   static_cast<void>(realtime::become_real_time());
   base::Result<void> done = side.open(job);
   if (done) done = side.run();
-  if (!done) link.fail(diagnostic_text(done.error(), Style{}));
+  if (!done) link.fail(done.error());
 }
 
 }  // namespace leadscrew::cli
