@@ -241,6 +241,40 @@ TEST(Drive, ComesToRestWhenAFileCannotBeWritten) {
   }
 }
 
+/// Where the axes stand aside of the last word, they go there with its block's feed; a signal on the way brings them
+/// to rest, and nothing else has changed.
+TEST(Drive, CanBeStoppedOnTheWayToWhereItGoesOn) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X200 F1200\nM2\n");
+  Running first(folder, {"drive", "part.ngc", "--state", "state"});
+  ASSERT_TRUE(comes_to(folder, 1));
+  first.send(SIGINT);
+  EXPECT_EQ(first.wait().status, 130);
+  Json before = Json::parse(folder.read("state"));
+  before["axes"][1] = 60.0;
+  folder.write("state", before.dump());
+  Running second(folder, {"drive", "part.ngc", "--resume", "state", "--axes", "axes.csv", "--trace", "words.csv"});
+  const auto state = [&] { return Json::parse(folder.read("state"), nullptr, false); };
+  ASSERT_TRUE(eventually([&] { return state().is_object() && state()["axes"][1].get<double>() < 55; }));
+  second.send(SIGTERM);
+  const auto outcome = second.wait();
+  EXPECT_EQ(outcome.status, 130);
+  EXPECT_EQ(outcome.errors.find("error"), std::string::npos) << outcome.errors;
+  const auto axes = rows_of(folder.read("axes.csv"));
+  EXPECT_LE(worst_ratio(axes), 1.001);
+  for (std::size_t k = 1; k < axes.size(); ++k) {
+    ASSERT_LE(distance(axes[k].q, axes[k - 1].q), 20e-3 * (1 + 1e-6));
+  }
+  EXPECT_EQ(axes.front().q[1], 60);
+  EXPECT_GT(axes.back().q[1], 1);  // not there yet
+  EXPECT_TRUE(rows_of(folder.read("words.csv")).empty());
+  Json after = state();
+  EXPECT_EQ(after["axes"][1].get<double>(), axes.back().q[1]);
+  EXPECT_EQ(after["state"], "stopped");
+  for (Json* each : {&before, &after}) each->erase("axes");
+  EXPECT_EQ(after, before);
+}
+
 /// The drives of the command that was killed are still at work.
 TEST(Drive, WaitsForTheDrivesOfOneThatWasKilled) {
   const Folder folder;

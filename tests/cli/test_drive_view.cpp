@@ -114,6 +114,26 @@ TEST(DriveView, ShowsThePartAndObeysItsKeys) {
   EXPECT_TRUE(running.shows("stopped"));
 }
 
+TEST(DriveView, TellsOfTheWayToWhereItGoesOnAndStopsThere) {
+  const Folder folder;
+  folder.write("part.ngc", circle);
+  {
+    OnTerminal running(folder, {"drive", "part.ngc", "--state", "state"});
+    EXPECT_TRUE(running.shows("feed   3000.0 /min"));
+    running.press("q");
+    EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  }
+  Json state = Json::parse(folder.read("state"));
+  state["axes"][2] = 400.0;
+  folder.write("state", state.dump());
+  OnTerminal running(folder, {"drive", "part.ngc", "--resume", "state"});
+  EXPECT_TRUE(running.shows("on the way to where motion goes on, at most 3000.0 /min"));
+  running.press("q");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 130);
+  EXPECT_TRUE(running.is_as_before());
+}
+
 TEST(DriveView, GivesTheTerminalBackWhenItIsKilled) {
   const Folder folder;
   folder.write("part.ngc", circle);

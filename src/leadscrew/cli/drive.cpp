@@ -13,7 +13,9 @@
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
+#include <leadscrew/pipeline/programmed_feed.hpp>
 #include <leadscrew/realtime/schedule.hpp>
+#include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -27,14 +29,14 @@ constexpr double slice = 0.02;              // s of motion that is handed over a
 /// The drives' process and the memory shared with it.
 class DriveProcess {
  public:
-  static base::Result<std::unique_ptr<DriveProcess>> start(const Job& job, const DriveState& begin) {
+  static base::Result<std::unique_ptr<DriveProcess>> start(const Job& job, const DriveState& begin, double feed) {
     void* memory = ::mmap(nullptr, sizeof(DriveLink), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return base::failure(system_failure("io-open", "no memory to share", "drives", errno));
     std::unique_ptr<DriveProcess> process(new DriveProcess(new (memory) DriveLink));
     process->id_ = ::fork();
     if (process->id_ < 0) return base::failure(system_failure("io-open", "cannot start", "drives", errno));
     if (process->id_ == 0) {
-      run_drives(process->link(), job, begin);
+      run_drives(process->link(), job, begin, feed);
       ::_exit(0);
     }
     return process;
@@ -87,7 +89,8 @@ class ProgramDrive {
     if (!begin) return failed(begin.error());
     let_first_interruption_pass();
     // Before there are threads.
-    auto process = DriveProcess::start(job_, *begin);
+    approach_feed_ = feed_of_approach(*file, *begin);
+    auto process = DriveProcess::start(job_, *begin, approach_feed_);
     if (!process) return failed(process.error());
     return move(*file, *begin, **process);
   }
@@ -147,12 +150,14 @@ class ProgramDrive {
 
   std::optional<DriveFigures> move(const InputFile& file, const DriveState& begin, DriveProcess& drives) {
     DriveLink& link = drives.link();
-    while (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::starting) {
-      if (!drives.is_running()) break;
-      if (interruptions() > 0) return failed(interruption());
-      realtime::sleep_until(realtime::now() + frame / 4);
+    if (const auto settings = Terminal::settings(); settings && !job_.arguments.quiet) {
+      link.show_terminal(*settings);
+      view_.emplace(*settings, file, job_, console_.error_style());
     }
-    if (auto sound = look_at(drives); !sound) return failed(sound.error());
+    if (auto ready = await(drives); !ready) {
+      view_.reset();
+      return failed(ready.error());
+    }
     pipeline::MotionSource source(counted(file.source()), job_.machine, job_.tools, job_.reader_options(file.name()),
                                   nullptr);
     source.planner().slice(slice);
@@ -169,10 +174,6 @@ class ProgramDrive {
                             [&link, room = static_cast<std::size_t>(2 * lead + 4)](const base::Word& word) {
                               return link.words.size() < room && link.words.push(word);
                             });
-    if (const auto settings = Terminal::settings(); settings && !job_.arguments.quiet) {
-      link.show_terminal(*settings);
-      view_.emplace(*settings, file, job_, console_.error_style());
-    }
     runner.start();
     figures_.last = begin.word;
     watch(runner, drives, file.size());
@@ -188,6 +189,33 @@ class ProgramDrive {
     }
     if (source.reader().source_failure()) return failed(*source.reader().source_failure());
     return figures_;
+  }
+
+  /// What the block asks for on which the last word lay; infinite where that was rapid, and where there is no way to
+  /// go.
+  double feed_of_approach(const InputFile& file, const DriveState& begin) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (begin.axes == begin.word.position) return infinity;
+    gcode::Reader reader = silent_reader(file, job_);
+    pipeline::ProgrammedFeed feed([&](gcode::Move& move) { return reader.next(move); });
+    const double programmed = feed.at(begin.word.line);
+    return programmed > 0 ? programmed : infinity;
+  }
+
+  /// Until the drives stand where motion begins. A signal, or q, brings them to rest on the way there.
+  base::Result<void> await(DriveProcess& drives) {
+    DriveLink& link = drives.link();
+    bool stops = false;
+    while (drives.is_running() && (stops || link.phase.load(std::memory_order_acquire) == DriveLink::Phase::starting)) {
+      take_feedback(link);
+      if (view_) view_->draw_approach(approach_feed_);
+      stops = stops || (view_ && view_->is_asked_to_stop()) || interruptions() > 0;
+      if (stops) link.order.store(DriveLink::Order::abandon, std::memory_order_release);
+      realtime::sleep_until(realtime::now() + frame / 4);
+    }
+    if (auto sound = look_at(drives); !sound) return sound;
+    if (stops) return base::failure(interruption());
+    return {};
   }
 
   /// Until the last word is made, or nobody takes words any more.
@@ -282,6 +310,7 @@ class ProgramDrive {
   DiagnosticLog& log_;
   std::vector<Descriptor> held_;       ///< states
   std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
+  double approach_feed_ = 0;           ///< mm/s or degrees/s
   DriveFigures figures_;
   std::optional<DriveView> view_;           ///< on a terminal
   std::optional<base::Diagnostic> notice_;  ///< that is told when the terminal is as it was

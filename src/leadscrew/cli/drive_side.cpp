@@ -85,17 +85,30 @@ class DriveSide {
     return {};
   }
 
-  base::Result<void> run() {
-    const base::AxisVector start = last_.position;
+  base::Result<void> run(double feed) {
     wake_ = realtime::now();
-    took(observe());
-    for (; !drives_.approach(start); wait()) took(observe());
+    approach(feed);
     link_.phase.store(Phase::ready, std::memory_order_release);
     while (period()) wait();
     return conclude();
   }
+  /// Nothing moves: a file that was asked for cannot be opened, and that is what is told.
+  void give_up() { static_cast<void>(keeper_.conclude(DriveState::Kind::stopped)); }
 
  private:
+  /// From where the axes stand to where the first word will be; called off, they stand somewhere on the way.
+  void approach(double feed) {
+    const base::AxisVector target = last_.position;
+    took(observe());
+    for (;; wait()) {
+      if (is_called_off() && drives_.at_rest()) return;
+      if (is_called_off()) drives_.call_off();
+      if (drives_.approach(target, feed)) return;
+      took(observe());
+    }
+  }
+  bool is_called_off() const { return failed_ || is_orphan() || link_.order.load() == Order::abandon; }
+
   /// The drives' own clock: what this process is late by is time that stood still for them.
   void wait() {
     wake_ += period_.nanoseconds;
@@ -175,14 +188,18 @@ class DriveSide {
 
 }  // namespace
 
-void run_drives(DriveLink& link, const Job& job, const DriveState& begin) {
+void run_drives(DriveLink& link, const Job& job, const DriveState& begin, double feed) {
   // A terminal sends ^C to both processes. What to do about it is the other's matter.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   DriveSide side(link, job, begin);  // with the thread that writes states, which is no hurry of anybody's
   // What is not permitted, the command says of itself.
   static_cast<void>(realtime::become_real_time());
   base::Result<void> done = side.open(job);
-  if (done) done = side.run();
+  if (done) {
+    done = side.run(feed);
+  } else {
+    side.give_up();
+  }
   if (!done) link.fail(done.error());
 }
 

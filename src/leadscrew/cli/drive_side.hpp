@@ -8,7 +8,8 @@
 namespace leadscrew::cli {
 
 /// Until words end or cease; the process then has nothing more to do. `begin`: what is known before the first word: its
-/// word is where the first word will be, its axes where they stand.
-void run_drives(DriveLink& link, const Job& job, const DriveState& begin);
+/// word is where the first word will be, its axes where they stand; they go there with `feed`, mm/s (degrees/s where
+/// only rotary axes move).
+void run_drives(DriveLink& link, const Job& job, const DriveState& begin, double feed);
 
 }  // namespace leadscrew::cli

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int status_lines = 7, widest_map = 100, highest_map = 40;
 constexpr std::int64_t between_pictures = 100'000'000;  // ns
+constexpr std::string_view end = "\033[K\n";
 
 }  // namespace
 
@@ -39,30 +40,51 @@ bool DriveView::obey_keys(realtime::Runner& runner) {
   return false;
 }
 
-std::string DriveView::status_text(const realtime::Runner& runner) const {
-  const realtime::Counters counters = runner.counters();
-  const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
-  const std::string end = "\033[K\n";
-  std::string text = style_(Tone::strong, program_) + fmt::format("  line {}", base::number(last_.word.line)) + end;
+bool DriveView::is_asked_to_stop() {
+  bool asked = false;
+  while (const auto key = Terminal::key()) asked = asked || *key == 'q';
+  return asked;
+}
+
+std::string DriveView::place_text() const {
+  std::string text = fmt::format("{}  line {}{}", style_(Tone::strong, program_), base::number(last_.word.line), end);
   for (const base::Axis axis : base::all_axes) {
     if (!job_.machine.has(axis)) continue;
     text += fmt::format("{} {:10.4f}  ", base::letter(axis), last_.actual[base::index(axis)]);
   }
-  text += end + fmt::format("feed {:8.1f} /min  override {:3.0f} %{}", last_.word.feed * 60, factor_ * 100,
-                            held_ ? style_(Tone::warning, "  HELD") : "");
-  text += end + fmt::format("look-ahead {:5.0f} ms  planner late {}  {:.1f} s, {:.1f} mm", counters.seconds_ahead * 1e3,
-                            counters.starvations, static_cast<double>(counters.words) * job_.machine.period.seconds(),
-                            last_.word.path_length);
-  text += end + fmt::format("latency 50 % {:.0f} us, 99 % {:.0f} us, at most {:.0f} us; overruns {}", micro(0.5),
-                            micro(0.99), micro(1), counters.overruns);
-  return text + end + style_(Tone::faint, "space hold/resume   + - feed   q stop") + end;
+  return text.append(end);
+}
+
+std::string DriveView::status_text(const realtime::Runner& runner) const {
+  const realtime::Counters counters = runner.counters();
+  const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
+  std::string text = place_text();
+  text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}", last_.word.feed * 60, factor_ * 100,
+                      held_ ? style_(Tone::warning, "  HELD") : "", end);
+  text += fmt::format("look-ahead {:5.0f} ms  planner late {}  {:.1f} s, {:.1f} mm{}", counters.seconds_ahead * 1e3,
+                      counters.starvations, static_cast<double>(counters.words) * job_.machine.period.seconds(),
+                      last_.word.path_length, end);
+  text += fmt::format("latency 50 % {:.0f} us, 99 % {:.0f} us, at most {:.0f} us; overruns {}{}", micro(0.5),
+                      micro(0.99), micro(1), counters.overruns, end);
+  return text + style_(Tone::faint, "space hold/resume   + - feed   q stop").append(end);
+}
+
+bool DriveView::is_due() {
+  const std::int64_t now = realtime::now();
+  if (now - drawn_ < between_pictures) return false;
+  drawn_ = now;
+  return true;
 }
 
 void DriveView::draw(const realtime::Runner& runner) {
-  const std::int64_t now = realtime::now();
-  if (now - drawn_ < between_pictures) return;
-  drawn_ = now;
-  Terminal::draw("\033[H" + status_text(runner) + map_.text(style_) + "\033[J");
+  if (is_due()) Terminal::draw("\033[H" + status_text(runner) + map_.text(style_) + "\033[J");
+}
+
+void DriveView::draw_approach(double feed) {
+  if (!is_due()) return;
+  const std::string pace = std::isfinite(feed) ? fmt::format("at most {:.1f} /min", feed * 60) : "rapid";
+  Terminal::draw(fmt::format("\033[H{}on the way to where motion goes on, {}{}{}{}{}\033[J", place_text(), pace, end,
+                             style_(Tone::faint, "q stop"), end, map_.text(style_)));
 }
 
 }  // namespace leadscrew::cli

@@ -15,11 +15,17 @@ class DriveView {
   void observe(const Feedback& feedback);
   /// Does what keys ask for: space holds and resumes, + and − change the feed by 10 %. True if q was pressed.
   bool obey_keys(realtime::Runner& runner);
+  /// Before there are words: was q pressed?
+  bool is_asked_to_stop();
   /// Ten times a second.
   void draw(const realtime::Runner& runner);
+  /// The same before there are words. feed: of the approach, /s; infinite for none.
+  void draw_approach(double feed);
 
  private:
+  std::string place_text() const;
   std::string status_text(const realtime::Runner& runner) const;
+  bool is_due();
 
   Terminal terminal_;
   const Job& job_;

@@ -5,8 +5,8 @@
 namespace leadscrew::realtime {
 
 Drives::Drives(const machine::Machine& machine, base::Period period, const base::AxisVector& position)
-    : axes_(machine.axis_set()), position_(position) {
-  const double T = period.seconds();
+    : period_(period.seconds()), axes_(machine.axis_set()), position_(position) {
+  const double T = period_;
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     machine::AxisLimits& limits = limits_[base::index(axis)] = machine.limits(axis);
@@ -73,20 +73,29 @@ void Drives::brake() {
 }
 
 /// Way u³(10 − 15u + 6u²), whose derivatives are at most 1.875, 10/√3 and 60.
-bool Drives::approach(const base::AxisVector& target) {
-  if (tick_ == 0) {
-    double periods = 1;
-    from_ = position_;
-    for (const base::Axis axis : base::all_axes) {
-      const std::size_t i = base::index(axis);
-      way_[i] = target[i] - from_[i];
-      if (!axes_.contains(axis)) continue;
-      const double way = std::abs(way_[i]);
-      periods = std::max({periods, 1.875 * way / limits_[i].velocity, std::sqrt(5.7736 * way / limits_[i].acceleration),
-                          std::cbrt(60 * way / limits_[i].jerk)});
-    }
-    fall_ = static_cast<std::int64_t>(std::ceil(periods));
+void Drives::plan_to_approach(const base::AxisVector& target, double feed) {
+  double periods = 1, linear = 0, rotary = 0;  // squares of the ways
+  from_ = position_;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    way_[i] = target[i] - from_[i];
+    (base::is_rotary(axis) ? rotary : linear) += way_[i] * way_[i];
+    if (!axes_.contains(axis)) continue;
+    const double way = std::abs(way_[i]);
+    periods = std::max({periods, 1.875 * way / limits_[i].velocity, std::sqrt(5.7736 * way / limits_[i].acceleration),
+                        std::cbrt(60 * way / limits_[i].jerk)});
   }
+  periods = std::max(periods, 1.875 * std::sqrt(linear > 0 ? linear : rotary) / (feed * period_));
+  fall_ = static_cast<std::int64_t>(std::ceil(periods));
+}
+
+bool Drives::approach(const base::AxisVector& target, double feed) {
+  if (called_off_) {
+    brake();
+    called_off_ = !rests_;
+    return rests_;
+  }
+  if (tick_ == 0) plan_to_approach(target, feed);
   if (position_ == target && rests_) return true;
   const double u = static_cast<double>(std::min(++tick_, fall_)) / static_cast<double>(fall_);
   const double share = u * u * u * (10 + u * (6 * u - 15));
@@ -98,6 +107,14 @@ bool Drives::approach(const base::AxisVector& target) {
   follow(next);
   tick_ = rests_ && position_ == target ? 0 : tick;
   return rests_ && position_ == target;
+}
+
+/// In its first half braking is over before the target: from the middle on, at 1.875 way/N, it takes 0.457 of the way
+/// where acceleration binds, 0.406 where jerk does, of the half that is left.
+void Drives::call_off() {
+  if (called_off_ || tick_ == 0 || 2 * tick_ >= fall_) return;
+  called_off_ = true;
+  tick_ = 0;
 }
 
 }  // namespace leadscrew::realtime

@@ -25,17 +25,23 @@ class Drives {
   void follow(const base::AxisVector& word);
   /// A period without one.
   void brake();
-  /// From rest on a straight line to rest at `target`, one period a call; true when they stand there.
-  bool approach(const base::AxisVector& target);
+  /// From rest on a straight line to rest at `target`, one period a call, no faster than `feed`, mm/s by the linear
+  /// axes (degrees/s where only rotary axes move), infinite for none. True when they stand: there, or where it was
+  /// called off.
+  bool approach(const base::AxisVector& target, double feed);
+  /// The approach, if there is one, ends on its line as soon as the limits allow; at its target once it slows down.
+  void call_off();
 
   const base::AxisVector& position() const { return position_; }
   bool at_rest() const { return rests_; }
 
  private:
   void plan_to_brake();
+  void plan_to_approach(const base::AxisVector& target, double feed);
   void move(const base::AxisVector& step);
 
   std::array<machine::AxisLimits, base::axis_count> limits_{};  ///< per period, its square and its cube
+  double period_ = 0;                                           ///< s
   base::AxisSet axes_;
   base::AxisVector position_{};
   base::AxisVector step_{};    ///< of the last period
@@ -45,6 +51,7 @@ class Drives {
   std::int64_t tick_ = 0;                ///< of it; 0: not begun
   std::int64_t release_ = 0, fall_ = 0;  ///< periods to let go, and to brake or to travel
   base::AxisVector from_{}, way_{};
+  bool called_off_ = false;
 };
 
 }  // namespace leadscrew::realtime
