@@ -62,6 +62,16 @@ TEST(DriveState, NamesTheMachineFileAsItWas) {
   EXPECT_EQ(leadscrew(folder, second).json()["diagnostics"][0]["code"], "resume-machine");
 }
 
+TEST(Drive, TellsThatItDidNotPauseWhereNobodyCouldSayWhenToGoOn) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X1 F3000\nM0\nG1 X2\nM2\n");
+  const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  std::set<std::string> codes;
+  for (const Json& told : outcome.json()["diagnostics"]) codes.insert(told["code"]);
+  EXPECT_EQ(codes.count("pause-passed"), 1u);
+}
+
 TEST(DriveState, LeavesNothingElseAndGoesWhereALinkLeads) {
   const Folder folder;
   folder.write("part.ngc", part);

@@ -114,6 +114,36 @@ TEST(DriveView, ShowsThePartAndObeysItsKeys) {
   EXPECT_TRUE(running.shows("stopped"));
 }
 
+TEST(DriveView, PausesAtM0AndM1UntilAskedToGoOn) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM0\nG1 X6\nM1\nG1 X7\nM2\n");
+  OnTerminal running(folder, {"drive", "part.ngc", "--trace", "t.csv"});
+  EXPECT_TRUE(running.shows("PAUSED in line 3"));
+  EXPECT_TRUE(running.shows("X     5.0000"));
+  running.press("+");
+  EXPECT_TRUE(running.shows("override 110 %"));
+  EXPECT_FALSE(running.has_ended());
+  running.forget();
+  running.press(" ");
+  EXPECT_TRUE(running.shows("PAUSED in line 5"));
+  EXPECT_TRUE(running.shows("X     6.0000"));
+  running.press(" ");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 0);
+  EXPECT_TRUE(running.shows("7"));
+}
+
+TEST(DriveView, StopsAtAPause) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM0\nG1 X6\nM2\n");
+  OnTerminal running(folder, {"drive", "part.ngc", "--state", "state"});
+  EXPECT_TRUE(running.shows("PAUSED in line 3"));
+  running.press("q");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 130);
+  EXPECT_NEAR(Json::parse(folder.read("state"))["position"][0], 5, 1e-9);
+}
+
 TEST(DriveView, TellsOfTheWayToWhereItGoesOnAndStopsThere) {
   const Folder folder;
   folder.write("part.ngc", circle);

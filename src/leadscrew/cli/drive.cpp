@@ -170,7 +170,8 @@ class ProgramDrive {
                              .lead = lead},
                             {.next = [&] { return source.next(); },
                              .refuse = [&] { source.planner().refuse(); },
-                             .override_feed = [&](double factor) { source.planner().override_feed(factor); }},
+                             .override_feed = [&](double factor) { source.planner().override_feed(factor); },
+                             .lets = [&](const planner::Chunk& chunk) { return lets(chunk); }},
                             [&link, room = static_cast<std::size_t>(2 * lead + 4)](const base::Word& word) {
                               return link.words.size() < room && link.words.push(word);
                             });
@@ -181,6 +182,9 @@ class ProgramDrive {
     view_.reset();
     console_.clear_progress();
     if (notice_) log_.add(*notice_);
+    if (has_passed_pause_)
+      log_.add(
+          {base::Severity::note, "pause-passed", "M0 and M1 did not pause: no key can be pressed here", {}, {}, {}});
     figures_.blocks = source.reader().blocks();
     if (auto sound = look_at(drives); !sound) return failed(sound.error());
     if (figures_.end == DriveFigures::End::tripped) {
@@ -277,6 +281,13 @@ class ProgramDrive {
     if (link.phase.load() == DriveLink::Phase::tripped && figures_.end != End::abandoned) figures_.end = End::tripped;
   }
 
+  /// M0 and M1 wait for a key, where somebody can press one.
+  bool lets(const planner::Chunk& chunk) {
+    if (view_) return view_->pause().lets(chunk);
+    if (DrivePause::line_before(chunk)) has_passed_pause_.store(true, std::memory_order_relaxed);
+    return true;
+  }
+
   gcode::ByteSource counted(gcode::ByteSource source) {
     return [this, source = std::move(source)](std::span<char> bytes) {
       auto got = source(bytes);
@@ -308,7 +319,8 @@ class ProgramDrive {
   const DriveArguments& arguments_;
   Console& console_;
   DiagnosticLog& log_;
-  std::vector<Descriptor> held_;       ///< states
+  std::vector<Descriptor> held_;  ///< states
+  std::atomic<bool> has_passed_pause_{false};
   std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
   double approach_feed_ = 0;           ///< mm/s or degrees/s
   DriveFigures figures_;

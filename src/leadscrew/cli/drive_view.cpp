@@ -32,12 +32,27 @@ void DriveView::observe(const Feedback& feedback) {
 bool DriveView::obey_keys(realtime::Runner& runner) {
   while (const auto key = Terminal::key()) {
     if (*key == 'q') return true;
+    if (*key == ' ' && !held_ && stands_at_pause(runner.counters())) {
+      pause_.go_on();
+      continue;
+    }
     if (*key == ' ') held_ = !held_;
     if (*key == '+') factor_ = std::min(2.0, std::round(factor_ * 10 + 1) / 10);
     if (*key == '-') factor_ = std::max(0.1, std::round(factor_ * 10 - 1) / 10);
     runner.override_feed(held_ ? 0 : factor_);
   }
   return false;
+}
+
+/// Not where motion rests for a moment on its way there.
+bool DriveView::stands_at_pause(const realtime::Counters& counters) const {
+  return pause_.line() && counters.seconds_ahead <= 0 && last_.word.state == base::MotionState::rest;
+}
+
+std::string DriveView::wait_text(const realtime::Counters& counters) const {
+  if (held_) return style_(Tone::warning, "  HELD");
+  if (!stands_at_pause(counters)) return {};
+  return style_(Tone::warning, fmt::format("  PAUSED in line {}: space goes on", base::number(*pause_.line())));
 }
 
 bool DriveView::is_asked_to_stop() {
@@ -60,7 +75,7 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
   const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
   std::string text = place_text();
   text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}", last_.word.feed * 60, factor_ * 100,
-                      held_ ? style_(Tone::warning, "  HELD") : "", end);
+                      wait_text(counters), end);
   text += fmt::format("look-ahead {:5.0f} ms  planner late {}  {:.1f} s, {:.1f} mm{}", counters.seconds_ahead * 1e3,
                       counters.starvations, static_cast<double>(counters.words) * job_.machine.period.seconds(),
                       last_.word.path_length, end);

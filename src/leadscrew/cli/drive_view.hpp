@@ -2,6 +2,7 @@
 // The live view of a drive on a terminal, and its keys.
 
 #include <leadscrew/cli/drive_link.hpp>
+#include <leadscrew/cli/drive_pause.hpp>
 #include <leadscrew/cli/part_map.hpp>
 #include <leadscrew/cli/terminal.hpp>
 #include <leadscrew/realtime/runner.hpp>
@@ -13,7 +14,10 @@ class DriveView {
   DriveView(const termios& settings, const InputFile& file, const Job& job, const Style& style);
 
   void observe(const Feedback& feedback);
-  /// Does what keys ask for: space holds and resumes, + and − change the feed by 10 %. True if q was pressed.
+  /// Motion waits at M0 and M1, if this is asked.
+  DrivePause& pause() { return pause_; }
+  /// Does what keys ask for: space holds and resumes, also at M0; + and − change the feed by 10 %. True if q was
+  /// pressed.
   bool obey_keys(realtime::Runner& runner);
   /// Before there are words: was q pressed?
   bool is_asked_to_stop();
@@ -25,6 +29,8 @@ class DriveView {
  private:
   std::string place_text() const;
   std::string status_text(const realtime::Runner& runner) const;
+  std::string wait_text(const realtime::Counters& counters) const;
+  bool stands_at_pause(const realtime::Counters& counters) const;
   bool is_due();
 
   Terminal terminal_;
@@ -33,6 +39,7 @@ class DriveView {
   Style style_;
   PartMap map_;
   Feedback last_{};
+  DrivePause pause_;
   double factor_ = 1;  ///< of the feed, when it is not held
   bool held_ = false;
   std::int64_t drawn_ = 0;  ///< ns

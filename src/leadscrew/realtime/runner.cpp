@@ -98,6 +98,7 @@ bool Runner::offer_next() {
     if (factor_ > 0) last_chunk_.store(accepted_, std::memory_order_release);
     return false;
   }
+  if (planning_.lets && chunk_->begins_at_rest() && !planning_.lets(*chunk_)) return false;
   const bool ends_in_motion = !chunk_->stop_tail.empty();
   switch (controller_.offer(*chunk_)) {
     case interpolator::Controller::Offer::accepted:

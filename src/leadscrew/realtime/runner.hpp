@@ -32,6 +32,8 @@ struct Planning {
   std::function<std::optional<planner::Chunk>()> next;  ///< none: the motion is held, or it has ended
   std::function<void()> refuse;                         ///< the last chunk came too late
   std::function<void(double)> override_feed;            ///< 0 … 2
+  /// May motion go on with this chunk, which begins at rest? While not, it waits there. Absent: always.
+  std::function<bool(const planner::Chunk&)> lets = {};
 };
 
 /// Takes a word, in the cyclic thread: it must not wait. False if it has no room: it is given the word again.

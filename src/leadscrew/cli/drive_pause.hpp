@@ -1,0 +1,43 @@
+#pragma once
+// M0 and M1 on a terminal: the planner's thread asks before each chunk, the view's answers when a key says so.
+
+#include <algorithm>
+#include <atomic>
+#include <leadscrew/planner/motion.hpp>
+#include <optional>
+
+namespace leadscrew::cli {
+
+class DrivePause {
+ public:
+  /// Of an M0 or M1 before the chunk.
+  static std::optional<base::Line> line_before(const planner::Chunk& chunk) {
+    const auto pause = std::find_if(chunk.events.begin(), chunk.events.end(), [](const base::Event& event) {
+      return event.kind == base::Event::Kind::pause || event.kind == base::Event::Kind::optional_pause;
+    });
+    return pause == chunk.events.end() ? std::nullopt : std::optional(pause->line);
+  }
+
+  /// May motion go on with this chunk? Asked again until it may.
+  bool lets(const planner::Chunk& chunk) {
+    const std::optional<base::Line> line = line_before(chunk);
+    if (!line) return true;
+    const bool may = goes_on_.exchange(false, std::memory_order_acq_rel);
+    line_.store(may ? nowhere : base::number(*line), std::memory_order_release);
+    return may;
+  }
+
+  /// Of the M0 or M1 where motion waits, or will.
+  std::optional<base::Line> line() const {
+    const std::int64_t line = line_.load(std::memory_order_acquire);
+    return line == nowhere ? std::nullopt : std::optional(base::Line{line});
+  }
+  void go_on() { goes_on_.store(true, std::memory_order_release); }
+
+ private:
+  static constexpr std::int64_t nowhere = -1;
+  std::atomic<std::int64_t> line_{nowhere};
+  std::atomic<bool> goes_on_{false};
+};
+
+}  // namespace leadscrew::cli
