@@ -54,6 +54,24 @@ std::vector<double> at(const std::vector<Row>& path, double s) {
   return q;
 }
 
+/// To the nearest place of the path, between two of its words.
+double distance_to(const std::vector<Row>& path, const std::vector<double>& q) {
+  double nearest = distance(path.front().q, q);
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const std::vector<double>&a = path[k - 1].q, &b = path[k].q;
+    double along = 0, square = 0;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      along += (q[i] - a[i]) * (b[i] - a[i]);
+      square += (b[i] - a[i]) * (b[i] - a[i]);
+    }
+    const double share = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+    std::vector<double> foot = a;
+    for (std::size_t i = 0; i < q.size(); ++i) foot[i] += share * (b[i] - a[i]);
+    nearest = std::min(nearest, distance(foot, q));
+  }
+  return nearest;
+}
+
 /// The largest first, second or third difference over a limit of the built-in mill, as if it stood before and after.
 double worst_ratio(std::vector<Row> rows) {
   const double T = 1e-3;
@@ -179,8 +197,10 @@ int drive_through_kills(unsigned seed) {
       last = words.back();
     }
     if (!axes.empty()) rest = axes.back().q;
-    // v²/2a and the way while acceleration is let go and built up: below 50 mm/s, less than 9 mm.
-    EXPECT_LE(distance(rest, last.q), 9);
+    EXPECT_LE(distance_to(path, rest), 3e-4);
+    // Along curves what is left of speeding up comes first, 0.1 s; a stop takes 1.5 of that. Below 50 mm/s, with as
+    // much again for where stops are looked for, it is less than 0.3 s.
+    EXPECT_LE(distance(rest, last.q), 15);
     if (state_of(folder) == "ended" || ::testing::Test::HasFailure()) {
       EXPECT_LE(distance(last.q, path.back().q), 1e-9);
       return kills;

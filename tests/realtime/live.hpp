@@ -44,10 +44,13 @@ class Live {
                      },
                  .refuse = [this] { source_.planner().refuse(); },
                  .override_feed = [this](double factor) { source_.planner().override_feed(factor); }},
-                [this](const base::Word& word) {
-                  words.push_back(word);
-                  return true;
-                }) {
+                {.take =
+                     [this](const base::Word& word) {
+                       words.push_back(word);
+                       return true;
+                     },
+                 .lead_on = {},
+                 .publish = {}}) {
     source_.planner().slice(0.02);
     words.reserve(1'000'000);
   }

@@ -119,11 +119,14 @@ TEST(Runner, TakesNoMemoryForAWord) {
   realtime::Runner runner(
       {.period = {1'000'000}},
       {.next = [&] { return std::exchange(dwell, std::nullopt); }, .refuse = [] {}, .override_feed = [](double) {}},
-      [&](const base::Word& word) {
-        if (base::count(word.tick) == 100) before = testing_support::allocations();
-        if (base::count(word.tick) == 500) after = testing_support::allocations();
-        return true;
-      });
+      {.take =
+           [&](const base::Word& word) {
+             if (base::count(word.tick) == 100) before = testing_support::allocations();
+             if (base::count(word.tick) == 500) after = testing_support::allocations();
+             return true;
+           },
+       .lead_on = {},
+       .publish = {}});
   runner.start();
   while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
   EXPECT_EQ(before, after);
@@ -143,11 +146,14 @@ TEST(Runner, LosesAndRepeatsNoWordWhenTheSinkIsFull) {
                           {.next = [&] { return source.next(); },
                            .refuse = [&] { source.planner().refuse(); },
                            .override_feed = [&](double factor) { source.planner().override_feed(factor); }},
-                          [&](const base::Word& word) {
-                            if (random() % 8 == 0) return false;
-                            words.push_back(word);
-                            return true;
-                          });
+                          {.take =
+                               [&](const base::Word& word) {
+                                 if (random() % 8 == 0) return false;
+                                 words.push_back(word);
+                                 return true;
+                               },
+                           .lead_on = {},
+                           .publish = {}});
   runner.start();
   while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
   EXPECT_GT(runner.counters().slips, 0);

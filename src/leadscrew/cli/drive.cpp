@@ -1,12 +1,9 @@
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
 
 #include <atomic>
-#include <cerrno>
 #include <cmath>
 #include <leadscrew/cli/drive.hpp>
-#include <leadscrew/cli/drive_side.hpp>
+#include <leadscrew/cli/drive_process.hpp>
 #include <leadscrew/cli/drive_text.hpp>
 #include <leadscrew/cli/drive_view.hpp>
 #include <leadscrew/cli/interrupt.hpp>
@@ -16,7 +13,6 @@
 #include <leadscrew/pipeline/programmed_feed.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <limits>
-#include <new>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -25,48 +21,6 @@ namespace {
 
 constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
 constexpr double slice = 0.02;              // s of motion that is handed over at a time
-
-/// The drives' process and the memory shared with it.
-class DriveProcess {
- public:
-  static base::Result<std::unique_ptr<DriveProcess>> start(const Job& job, const DriveState& begin, double feed) {
-    void* memory = ::mmap(nullptr, sizeof(DriveLink), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) return base::failure(system_failure("io-open", "no memory to share", "drives", errno));
-    std::unique_ptr<DriveProcess> process(new DriveProcess(new (memory) DriveLink));
-    process->id_ = ::fork();
-    if (process->id_ < 0) return base::failure(system_failure("io-open", "cannot start", "drives", errno));
-    if (process->id_ == 0) {
-      run_drives(process->link(), job, begin, feed);
-      ::_exit(0);
-    }
-    return process;
-  }
-  ~DriveProcess() {
-    link_->order.store(DriveLink::Order::abandon);
-    wait();
-    link_->hide_terminal();
-    link_->~DriveLink();
-    ::munmap(link_, sizeof(DriveLink));
-  }
-  DriveProcess(const DriveProcess&) = delete;
-  DriveProcess& operator=(const DriveProcess&) = delete;
-
-  DriveLink& link() { return *link_; }
-
-  bool is_running() {
-    if (id_ > 0 && ::waitpid(id_, nullptr, WNOHANG) == id_) id_ = 0;
-    return id_ > 0;
-  }
-  void wait() {
-    while (is_running()) realtime::sleep_until(realtime::now() + 1'000'000);
-  }
-
- private:
-  explicit DriveProcess(DriveLink* link) : link_(link) {}
-
-  DriveLink* link_;
-  pid_t id_ = 0;
-};
 
 base::Diagnostic drives_problem(std::string_view code, std::string message, std::string hint = {}) {
   return base::problem(code, std::move(message), std::move(hint));
@@ -82,6 +36,7 @@ class ProgramDrive {
     const auto file = InputFile::open(program_);
     if (!file) return failed(file.error());
     if (auto sound = check_files(*file); !sound) return failed(sound.error());
+    if (auto sound = check_stops(); !sound) return failed(sound.error());
     read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
     if (auto held = hold_states(); !held) return failed(held.error());
@@ -111,6 +66,24 @@ class ProgramDrive {
     if (auto sound = check_written(written, program, job_.arguments); !sound) return sound;
     if (auto trace = check_ending("--trace", arguments_.trace, ".csv", ".npy"); !trace) return trace;
     return check_ending("--axes", arguments_.axes, ".csv", ".npy");
+  }
+
+  /// A stop along a line takes max v/a + max a/J at most, along a curve some times that.
+  base::Result<void> check_stops() const {
+    constexpr double on_curves = 4;
+    double brake = 0, release = 0;
+    for (const auto& limits : job_.machine.axes) {
+      if (!limits) continue;
+      brake = std::max(brake, limits->velocity / limits->acceleration);
+      release = std::max(release, limits->acceleration / limits->jerk);
+    }
+    const double periods = (on_curves * (brake + release) + 2 * slice) / job_.machine.period.seconds();
+    if (periods <= DriveLink::longest_way) return {};
+    return base::failure(drives_problem(
+        "stop-too-long",
+        fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, DriveLink::longest_way),
+        fmt::format("a --period of {:.0f}us or more", std::ceil(job_.machine.period.seconds() * 1e6 * periods /
+                                                                static_cast<double>(DriveLink::longest_way)))));
   }
 
   base::Result<void> hold_states() {
@@ -162,19 +135,20 @@ class ProgramDrive {
                                   nullptr);
     source.planner().slice(slice);
     source.planner().start_at(begin.word.path_length, begin.word.line);
-    const std::int64_t lead = std::llround(arguments_.lead / job_.machine.period.seconds());
+    const double period = job_.machine.period.seconds();
+    const std::int64_t lead = std::llround(arguments_.lead / period);
+    const std::int64_t words_of_slice = std::max<std::int64_t>(1, std::llround(slice / period));
     realtime::Runner runner({.period = job_.machine.period,
                              .position = begin.word.position,
                              .path_length = begin.word.path_length,
-                             .look_ahead = arguments_.look_ahead,
-                             .lead = lead},
+                             .look_ahead = arguments_.look_ahead + static_cast<double>(words_of_slice) * period,
+                             .lead = lead,
+                             .slice = words_of_slice},
                             {.next = [&] { return source.next(); },
                              .refuse = [&] { source.planner().refuse(); },
                              .override_feed = [&](double factor) { source.planner().override_feed(factor); },
                              .lets = [&](const planner::Chunk& chunk) { return lets(chunk); }},
-                            [&link, room = static_cast<std::size_t>(2 * lead + 4)](const base::Word& word) {
-                              return link.words.size() < room && link.words.push(word);
-                            });
+                            sink_to(link, static_cast<std::size_t>(2 * (lead + words_of_slice) + 4)));
     runner.start();
     figures_.last = begin.word;
     watch(runner, drives, file.size());
@@ -187,10 +161,7 @@ class ProgramDrive {
           {base::Severity::note, "pause-passed", "M0 and M1 did not pause: no key can be pressed here", {}, {}, {}});
     figures_.blocks = source.reader().blocks();
     if (auto sound = look_at(drives); !sound) return failed(sound.error());
-    if (figures_.end == DriveFigures::End::tripped) {
-      log_.add(drives_problem("words-late", "the drives got no word in time and came to rest by themselves",
-                              "--resume goes on from there; a greater --lead lets words be later"));
-    }
+    if (figures_.end == DriveFigures::End::tripped) log_.add(why_tripped());
     if (source.reader().source_failure()) return failed(*source.reader().source_failure());
     return figures_;
   }
@@ -286,6 +257,24 @@ class ProgramDrive {
     if (view_) return view_->pause().lets(chunk);
     if (DrivePause::line_before(chunk)) has_passed_pause_.store(true, std::memory_order_relaxed);
     return true;
+  }
+
+  static realtime::WordSink sink_to(DriveLink& link, std::size_t room) {
+    return {
+        .take = [&link, room](const base::Word& word) { return link.words.waiting() < room && link.words.push(word); },
+        .lead_on = [&link](const base::AxisVector& position) { return link.words.lead_on(position); },
+        .publish = [&link] { return link.words.publish(); }};
+  }
+
+  base::Diagnostic why_tripped() const {
+    if (figures_.counters.too_long_to_rest) {
+      return drives_problem(
+          "stop-too-long",
+          fmt::format("a stop takes more than {} periods: motion has ended before", DriveLink::longest_way),
+          "a longer --period needs fewer; --resume goes on from there");
+    }
+    return drives_problem("words-late", "the drives got no word in time and came to rest by themselves",
+                          "--resume goes on from there; a greater --lead lets words be later");
   }
 
   gcode::ByteSource counted(gcode::ByteSource source) {

@@ -5,8 +5,8 @@
 //                  ▲                                     └─ feedback ─▶ view
 //            signals, keys
 //
-// A signal, or q, brings motion to rest on the path; a second signal ends it at once, and the drives come to rest by
-// themselves. So they do when this process is killed.
+// A signal, or q, brings motion to rest on the path. After a second signal no more words are made: the drives come to
+// rest by the way that came with the last ones, on the path too. So they do when this process is killed.
 
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/job.hpp>

@@ -29,7 +29,7 @@ inline constexpr std::string_view drive_examples =
     "  leadscrew drive part.ngc --trace words.csv --axes axes.csv --json\n"
     "\n"
     "Keys, on a terminal: space holds and resumes, + and - change the feed by 10 %, q stops. ^C brings motion to rest\n"
-    "on the path; a second one stops at once. The drives are simulated by a process of their own: when words cease,\n"
-    "they come to rest by themselves within the limits of every axis.\n";
+    "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"
+    "words cease, they come to rest by themselves, on the path and within the limits of every axis.\n";
 
 }  // namespace leadscrew::cli

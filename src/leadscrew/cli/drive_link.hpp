@@ -5,8 +5,8 @@
 //                              ── order ──▶
 //                              ◀─ phase, feedback ──
 //
-// The drives outlive whoever kills the command: they take the words that have reached them, come to rest by themselves,
-// and write down where.
+// The drives outlive whoever kills the command: they take the words that have reached them, go the way to rest that
+// came with them, and write down where.
 
 #include <termios.h>
 
@@ -17,6 +17,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/realtime/ring.hpp>
+#include <leadscrew/realtime/word_stream.hpp>
 #include <string_view>
 
 namespace leadscrew::cli {
@@ -56,26 +57,26 @@ struct DriveLink {
   enum class Order : int {
     follow,
     end,      ///< when all words are taken
-    abandon,  ///< at once: words that were not taken are void
+    abandon,  ///< at once: no more words are accepted
   };
   enum class Phase : int {
     starting,  ///< on the way to where the first word will be
     ready,     ///< there
     ended,     ///< all words are taken, all files written
-    tripped,   ///< words ceased: the drives have come to rest by themselves, all files are written
+    tripped,   ///< words ceased: the drives have gone the way to rest, all files are written
     failed,    ///< `problem` says why; the axes stand, and where is written down
   };
 
-  static constexpr std::size_t most_words = 1 << 16;
+  static constexpr std::size_t most_words = 1 << 16, longest_way = 1 << 18;
 
-  realtime::Ring<base::Word, most_words> words;
+  realtime::WordStream<most_words, longest_way> words;
   realtime::Ring<Feedback, 1 << 14> feedback;  ///< what nobody takes is dropped
   std::atomic<Order> order{Order::follow};
   std::atomic<Phase> phase{Phase::starting};
   std::atomic<bool> at_end{false};            ///< with `end`: the program has come to its end
   std::atomic<std::int64_t> taken{0};         ///< words
   std::atomic<std::int64_t> late_periods{0};  ///< that the drives' own process was late by
-  std::atomic<std::int64_t> braked{0};        ///< periods without a word
+  std::atomic<std::int64_t> braked{0};        ///< periods on the way to rest, without a word
   SharedProblem problem;
 
   // The terminal is given back by whoever is left.

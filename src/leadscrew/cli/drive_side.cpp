@@ -118,29 +118,39 @@ class DriveSide {
     link_.late_periods.fetch_add(late, std::memory_order_relaxed);
   }
 
-  /// One period; false when all is over. What cannot be written down is not done: then words are void as well.
+  /// One period; false when all is over. What cannot be written down is not done: then no more words are accepted.
   bool period() {
     const Order order = failed_ ? Order::abandon : link_.order.load(std::memory_order_acquire);
-    base::Word word;
-    const bool may_take = !tripped_ && order != Order::abandon;
-    if (may_take && link_.words.pop(word)) {
-      last_ = word;
-      drives_.follow(word.position);
-      took(trace_.write(word));
-      took(observe());
-      link_.taken.fetch_add(1, std::memory_order_release);
-      return true;
-    }
-    if (!tripped_ && order == Order::end) return false;
+    if (order == Order::abandon) link_.words.leave();
+    if (take_word()) return true;
     // At rest nothing depends on the next word: there may be none, or the first may be still to come.
     const bool stands = last_.state == base::MotionState::rest || link_.taken.load(std::memory_order_relaxed) == 0;
-    if (!tripped_ && stands && order == Order::follow && !is_orphan()) {
-      drives_.follow(drives_.position());
-      return true;
+    if (stands && !link_.words.has_left()) {
+      if (order == Order::end) return false;
+      if (!is_orphan()) {
+        drives_.follow(drives_.position());
+        return true;
+      }
     }
-    tripped_ = true;
-    if (drives_.at_rest()) return false;
-    drives_.brake();
+    return link_.words.leave_if_empty() ? come_to_rest() : take_word();
+  }
+
+  bool take_word() {
+    base::Word word;
+    if (!link_.words.pop(word)) return false;
+    last_ = word;
+    drives_.follow(word.position);
+    took(trace_.write(word));
+    took(observe());
+    link_.taken.fetch_add(1, std::memory_order_release);
+    return true;
+  }
+
+  /// Words have ceased; false where the way to rest has ended.
+  bool come_to_rest() {
+    base::AxisVector next = drives_.position();
+    if (!link_.words.follow_way(next) && drives_.at_rest()) return false;
+    drives_.follow(next);
     link_.braked.fetch_add(1, std::memory_order_relaxed);
     took(observe());
     return true;
@@ -166,10 +176,11 @@ class DriveSide {
   base::Result<void> conclude() {
     for (WordFile* file : {&trace_, &axes_}) took(file->publish());
     if (is_orphan() && link_.has_terminal.load(std::memory_order_acquire)) Terminal::restore(link_.terminal);
-    const bool ended = !tripped_ && last_is_end();
+    const bool has_left = link_.words.has_left();
+    const bool ended = !has_left && last_is_end();
     took(keeper_.conclude(ended ? DriveState::Kind::ended : DriveState::Kind::stopped));
     if (failed_) return base::failure(*failed_);
-    link_.phase.store(tripped_ ? Phase::tripped : Phase::ended, std::memory_order_release);
+    link_.phase.store(has_left ? Phase::tripped : Phase::ended, std::memory_order_release);
     return {};
   }
   bool last_is_end() const { return link_.at_end.load(std::memory_order_acquire); }
@@ -181,7 +192,6 @@ class DriveSide {
   WordFile trace_, axes_;
   base::Word last_;  ///< taken
   std::int64_t periods_ = 0, wake_ = 0;
-  bool tripped_ = false;
   std::optional<base::Diagnostic> failed_;
   const pid_t parent_ = ::getppid();
 };

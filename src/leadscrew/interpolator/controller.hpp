@@ -44,6 +44,10 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   /// through capacity − 1 new chunks at most. Motion from rest begins with the word after the one that stood.
   base::Word next() noexcept;
 
+  /// The cycle's: a copy of itself that goes on as this would if no chunk followed the one in motion. Good until the
+  /// next call of next().
+  Interpolator onward() const noexcept { return interpolator_; }
+
   enum class Offer : std::uint8_t {
     accepted,
     full,  ///< all links are in use: offer it again when the cycle has moved on

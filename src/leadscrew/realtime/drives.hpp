@@ -1,11 +1,11 @@
 #pragma once
-// The drives, simulated: they go where the words say, and come to rest by themselves when there are none.
+// The drives, simulated: they go where they are told, period by period. Before the first word they go by themselves to
+// where it will be, on a straight line:
 //
-//      way per    ─────.                 Without a word the axes first let go of their acceleration, then brake, all of
-//      period         : '-.              them in the same time, as fast as the limits of every axis allow. So on a line
-//                     :    '.            they stay on the line; on a curve they leave it along its tangent, which only
-//               words :      '-._        the words could tell them. Limits are those of differences from period to
-//                     ˙ no word          period, which is what a referee sees.
+//      way per      .-'-.           An approach that is called off lets go of its acceleration, then brakes, all
+//      period     /      \          axes in the same time, as fast as the limits of every axis allow: so it stays
+//                /.       \         on its line. Limits are those of differences from period to period, which is
+//              .'  '.      '.       what a referee sees.
 
 #include <array>
 #include <cstdint>
@@ -21,10 +21,8 @@ class Drives {
   /// At rest. Axes that the machine lacks stay where they are.
   Drives(const machine::Machine& machine, base::Period period, const base::AxisVector& position);
 
-  /// A period with a word.
+  /// A period, to there.
   void follow(const base::AxisVector& word);
-  /// A period without one.
-  void brake();
   /// From rest on a straight line to rest at `target`, one period a call, no faster than `feed`, mm/s by the linear
   /// axes (degrees/s where only rotary axes move), infinite for none. True when they stand: there, or where it was
   /// called off.
@@ -36,6 +34,7 @@ class Drives {
   bool at_rest() const { return rests_; }
 
  private:
+  void brake();
   void plan_to_brake();
   void plan_to_approach(const base::AxisVector& target, double feed);
   void move(const base::AxisVector& step);

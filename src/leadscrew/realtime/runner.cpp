@@ -56,6 +56,7 @@ Counters Runner::counters() const {
   counters.seconds_ahead = seconds_ahead_.load(std::memory_order_relaxed);
   counters.override_factor = asked_.load(std::memory_order_relaxed);
   counters.ended = has_ended();
+  counters.too_long_to_rest = too_long_to_rest_.load(std::memory_order_acquire);
   return counters;
 }
 
@@ -134,22 +135,41 @@ void Runner::cycle() {
     if (!make_due(passed + 1 + options_.lead)) break;
     if (!waiting_) continue;
     // No room: the schedule gives way.
-    const std::int64_t slip = passed + 1 + options_.lead - taken_;
+    const std::int64_t slip = std::max<std::int64_t>(0, passed + 1 + options_.lead - taken_);
     origin += slip * period;
     add(slips_, slip);
   }
   ended_.store(true, std::memory_order_release);
 }
 
-/// Makes words until so many have been taken, the sink has no room, or the last has been taken: then false.
+/// Makes words until so many have been published, or the sink has no room. False when the last has been, or nobody
+/// wants more.
 bool Runner::make_due(std::int64_t due) noexcept {
-  while (taken_ < due) {
+  while (published_ < due) {
     if (!waiting_) waiting_ = controller_.next();
-    if (!sink_(*waiting_)) return true;
+    if (!sink_.take(*waiting_)) return true;
+    ++taken_;
+    const bool rests = waiting_->state == base::MotionState::rest;
+    if ((rests || taken_ - published_ >= options_.slice) && !publish()) return false;
     waiting_.reset();
-    words_.store(++taken_, std::memory_order_release);
     if (is_last()) return false;
   }
+  return true;
+}
+
+/// The words so far, and the way to rest behind the one that waits.
+bool Runner::publish() noexcept {
+  interpolator::Interpolator onward = controller_.onward();
+  for (base::MotionState state = waiting_->state; sink_.lead_on && state != base::MotionState::rest;) {
+    const base::Word word = onward.next();
+    state = word.state;
+    if (sink_.lead_on(word.position)) continue;
+    too_long_to_rest_.store(true, std::memory_order_release);
+    return false;
+  }
+  if (sink_.publish && !sink_.publish()) return false;
+  published_ = taken_;
+  words_.store(published_, std::memory_order_release);
   return true;
 }
 

@@ -10,6 +10,9 @@
 // the same one again a period later, and the schedule gives way by that: a slip. So a late computer costs the sink's
 // lead, a slow sink costs time, and neither changes a word.
 //
+// A sink that others live by gets words in slices, each with the way to rest behind it: what the cycle would do if
+// nothing followed. Words of a slice are made together, when the first of them is due.
+//
 // A planner that is late is the interpolator's matter: the stop tail runs, and motion goes on from rest. The cycle
 // neither allocates nor locks; its clock is for pacing alone.
 
@@ -36,8 +39,12 @@ struct Planning {
   std::function<bool(const planner::Chunk&)> lets = {};
 };
 
-/// Takes a word, in the cyclic thread: it must not wait. False if it has no room: it is given the word again.
-using WordSink = std::function<bool(const base::Word&)>;
+/// Where words go; called by the cyclic thread: it must not wait.
+struct WordSink {
+  std::function<bool(const base::Word&)> take;           ///< false if it has no room: it is given the word again
+  std::function<bool(const base::AxisVector&)> lead_on;  ///< to here goes the way to rest; false if it is too long
+  std::function<bool()> publish;                         ///< a slice; false if nobody wants words any more
+};
 
 struct RunnerOptions {
   base::Period period;
@@ -45,18 +52,20 @@ struct RunnerOptions {
   double path_length = 0;       ///< behind it
   double look_ahead = 0.2;      ///< s of motion planned ahead of the cycle; a change of feed takes as long
   std::int64_t lead = 0;        ///< periods that words are made ahead of their time
+  std::int64_t slice = 1;       ///< words that are published together, at most; at rest each for itself
 };
 
 /// What has happened so far.
 struct Counters {
-  std::int64_t words = 0;
-  std::int64_t overruns = 0;     ///< words that were late by a period or more
-  std::int64_t slips = 0;        ///< periods by which the schedule gave way to the sink
-  std::int64_t late_chunks = 0;  ///< chunks that came after the motion they continue had been stopped
-  std::int64_t starvations = 0;  ///< stop tails that ran because nothing followed
-  double seconds_ahead = 0;      ///< planned, not begun
-  double override_factor = 1;    ///< asked for; 0: held
-  bool ended = false;            ///< the last word has been taken
+  std::int64_t words = 0;         ///< published
+  std::int64_t overruns = 0;      ///< words that were late by a period or more
+  std::int64_t slips = 0;         ///< periods by which the schedule gave way to the sink
+  std::int64_t late_chunks = 0;   ///< chunks that came after the motion they continue had been stopped
+  std::int64_t starvations = 0;   ///< stop tails that ran because nothing followed
+  double seconds_ahead = 0;       ///< planned, not begun
+  double override_factor = 1;     ///< asked for; 0: held
+  bool ended = false;             ///< the last word has been taken, or nobody wants it
+  bool too_long_to_rest = false;  ///< a way to rest was longer than the sink can hold: it ended before
 };
 
 class Runner {
@@ -90,6 +99,7 @@ class Runner {
   bool wants_more() const;
   void cycle();
   bool make_due(std::int64_t due) noexcept;
+  bool publish() noexcept;
   bool is_last() const noexcept;
 
   static constexpr double stop_request = -1;
@@ -112,9 +122,10 @@ class Runner {
   // The cycle's.
   std::optional<base::Word> waiting_;  ///< for room in the sink
   std::int64_t taken_ = 0;             ///< words, by the sink
+  std::int64_t published_ = 0;         ///< of these
 
   // Told by one thread to others.
-  std::atomic<bool> begun_{false}, ended_{false}, halted_{false};
+  std::atomic<bool> begun_{false}, ended_{false}, halted_{false}, too_long_to_rest_{false};
   std::atomic<std::int64_t> last_chunk_{-1};  ///< number of the last one, once it is known
   std::atomic<std::int64_t> words_{0}, overruns_{0}, slips_{0}, late_chunks_{0};
   std::atomic<double> seconds_ahead_{0}, asked_{1};

@@ -1,0 +1,40 @@
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <leadscrew/cli/drive_process.hpp>
+#include <leadscrew/cli/drive_side.hpp>
+#include <leadscrew/realtime/schedule.hpp>
+#include <new>
+
+namespace leadscrew::cli {
+
+base::Result<std::unique_ptr<DriveProcess>> DriveProcess::start(const Job& job, const DriveState& begin, double feed) {
+  void* memory = ::mmap(nullptr, sizeof(DriveLink), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return base::failure(system_failure("io-open", "no memory to share", "drives", errno));
+  // Not set to zero once more: what is not used takes no memory.
+  std::unique_ptr<DriveProcess> process(new DriveProcess(new (memory) DriveLink));
+  process->id_ = ::fork();
+  if (process->id_ < 0) return base::failure(system_failure("io-open", "cannot start", "drives", errno));
+  if (process->id_ == 0) {
+    run_drives(process->link(), job, begin, feed);
+    ::_exit(0);
+  }
+  return process;
+}
+
+DriveProcess::~DriveProcess() {
+  link_->order.store(DriveLink::Order::abandon);
+  while (is_running()) realtime::sleep_until(realtime::now() + 1'000'000);
+  link_->hide_terminal();
+  link_->~DriveLink();
+  ::munmap(link_, sizeof(DriveLink));
+}
+
+bool DriveProcess::is_running() {
+  if (id_ > 0 && ::waitpid(id_, nullptr, WNOHANG) == id_) id_ = 0;
+  return id_ > 0;
+}
+
+}  // namespace leadscrew::cli

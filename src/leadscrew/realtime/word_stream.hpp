@@ -1,0 +1,109 @@
+#pragma once
+// Words from the one that makes them to the drives, always with a way to rest behind them: the one may be killed,
+// stopped or late at any instant, and the drives are left in the middle of a curve.
+//
+//   words    ··─┬───┬───┬───┬───┐ ··· pushed, not yet published
+//             read        head  │
+//   ways                        ├───┬──┬─┬● to rest, by the stop tail of the plan: one belongs to the head,
+//                                           the other is written for the next one
+//
+// One number says where the head is, which of the two ways belongs to it, and whether the drives have left. The maker
+// publishes by changing it from one head to the next; drives that find no word left change the same number to "left",
+// and go the way of the head that they saw. Whoever is first decides, and the other learns it: no word is published
+// that drives have not waited for, and no way is written again that they may be going. Without a lock and without
+// pointers: this may lie in memory that two processes share.
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <leadscrew/base/word.hpp>
+#include <type_traits>
+
+namespace leadscrew::realtime {
+
+/// Holds at most so many words, and ways to rest of so many periods. One thread makes words, another is the drives.
+template <std::size_t most_words, std::size_t longest_way>
+class WordStream {
+  static_assert(std::is_trivially_copyable_v<base::Word> && std::atomic<std::uint64_t>::is_always_lock_free);
+
+ public:
+  // The maker's.
+
+  /// How many words wait to be taken, published or not.
+  std::size_t waiting() const noexcept {
+    return static_cast<std::size_t>(pushed_ - read_.load(std::memory_order_acquire));
+  }
+  /// Not seen by the drives before it is published. False if there is no room.
+  bool push(const base::Word& word) noexcept {
+    if (waiting() >= most_words) return false;
+    words_[pushed_++ % most_words] = word;
+    return true;
+  }
+  /// The way that will lead to rest behind the last word goes on to this position, a period later, mm or degrees. False
+  /// if it is too long.
+  bool lead_on(const base::AxisVector& position) noexcept {
+    Way& way = ways_[spare_];
+    if (way.size == longest_way) return false;
+    way.positions[way.size++] = position;
+    return true;
+  }
+  /// All words pushed so far, and the way behind them. False if the drives have left: then they never see them.
+  bool publish() noexcept {
+    std::uint64_t seen = state_.load(std::memory_order_relaxed);
+    const std::uint64_t next = pushed_ << 2 | spare_ << 1;
+    if (has_left(seen) || !state_.compare_exchange_strong(seen, next, std::memory_order_acq_rel)) return false;
+    spare_ = 1 - spare_;
+    ways_[spare_].size = 0;
+    return true;
+  }
+
+  // The drives'.
+
+  /// The next published word. False if there is none.
+  bool pop(base::Word& word) noexcept {
+    const std::uint64_t number = read_.load(std::memory_order_relaxed);
+    if (number == head(state_.load(std::memory_order_acquire))) return false;
+    word = words_[number % most_words];
+    read_.store(number + 1, std::memory_order_release);
+    return true;
+  }
+  /// Nothing more is published: what has been can still be taken.
+  void leave() noexcept { state_.fetch_or(left, std::memory_order_acq_rel); }
+  /// Leaves unless there is a word to take: then false.
+  bool leave_if_empty() noexcept {
+    std::uint64_t seen = state_.load(std::memory_order_acquire);
+    if (head(seen) != read_.load(std::memory_order_relaxed)) return false;
+    return has_left(seen) || state_.compare_exchange_strong(seen, seen | left, std::memory_order_acq_rel);
+  }
+  bool has_left() const noexcept { return has_left(state_.load(std::memory_order_acquire)); }
+  /// Having left, and taken all words: the next position on the way to rest. False behind its end.
+  bool follow_way(base::AxisVector& position) noexcept {
+    const Way& way = ways_[state_.load(std::memory_order_acquire) >> 1 & 1];
+    if (followed_ == way.size) return false;
+    position = way.positions[followed_++];
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t cache_line = 64;
+  static constexpr std::uint64_t left = 1;
+
+  struct Way {
+    std::size_t size = 0;
+    std::array<base::AxisVector, longest_way> positions;  ///< not touched before they are needed: they are many
+  };
+
+  static std::uint64_t head(std::uint64_t state) noexcept { return state >> 2; }
+  static bool has_left(std::uint64_t state) noexcept { return (state & left) != 0; }
+
+  alignas(cache_line) std::atomic<std::uint64_t> state_{0};  ///< head · 4 + way · 2 + left
+  alignas(cache_line) std::atomic<std::uint64_t> read_{0};
+  std::size_t followed_ = 0;                      ///< of the way; the drives'
+  alignas(cache_line) std::uint64_t pushed_ = 0;  ///< the maker's
+  std::uint64_t spare_ = 1;                       ///< way that is being written; the maker's
+  alignas(cache_line) std::array<base::Word, most_words> words_;
+  std::array<Way, 2> ways_;
+};
+
+}  // namespace leadscrew::realtime
