@@ -67,8 +67,9 @@ TEST(Drive, TellsThatItDidNotPauseWhereNobodyCouldSayWhenToGoOn) {
   folder.write("part.ngc", "G21 G90 G94\nG1 X1 F3000\nM0\nG1 X2\nM2\n");
   const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const Json figures = outcome.json();
   std::set<std::string> codes;
-  for (const Json& told : outcome.json()["diagnostics"]) codes.insert(told["code"]);
+  for (const Json& told : figures["diagnostics"]) codes.insert(told["code"]);
   EXPECT_EQ(codes.count("pause-passed"), 1u);
 }
 
