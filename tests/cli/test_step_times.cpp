@@ -220,19 +220,22 @@ TEST(StepTimesOfRun, AreNamedWhereAPulseMethodNeedsMore) {
   for (const auto& [words, limit, times] :
        {Named{{"--machine", "turn.toml"},
               "axis X allows 76923.0769 a second: 13 clocks from a step to its next",
-              "shorten what sets it: step_length_us (5 us), direction_hold_us (1 us), direction_setup_us (6.5 us)\n"},
+              "shorten what sets it: step_length_us (5 us), direction_setup_us (6.5 us)\n"},
         Named{{"--machine", "turn.toml", "--direction-setup", "4us", "--direction-hold", "3us"},
               "axis X allows 83333.3333 a second: 12 clocks from a step to its next",
               "shorten what sets it: step_length_us (5 us), --direction-hold (3 us), --direction-setup (4 us)\n"},
         Named{{"--machine", "space.toml"},
               "axis X allows 62500 a second: 16 clocks from a step to its next",
-              "shorten what sets it: step_length_us (1 us), step_space_us (15 us)\n"},
+              "shorten what sets it: step_space_us (15 us)\n"},
         Named{{"--machine", "both.toml"},
               "16 clocks from a step to its next",
-              "step_space_us (15 us), direction_hold_us (14 us), direction_setup_us (1 us)\n"},
+              "step_space_us (15 us), direction_hold_us (14 us)\n"},
+        Named{{"--step-clock", "100kHz"},
+              "axis X allows 33333.3333 a second: 3 clocks from a step to its next",
+              "hint: program a lower feed, or give a faster --step-clock, up to 10MHz\n"},
         Named{{"--step-length", "9us"},
               "axis X allows 90909.0909 a second: 11 clocks from a step to its next",
-              "--step-length (9 us), direction_hold_us (1 us), direction_setup_us (1 us)\n"}}) {
+              "--step-length (9 us)\n"}}) {
     Words all = {"run", "part.ngc", "--pulses", "s.vcd", "--pulse-method", "koren"};
     all.insert(all.end(), words.begin(), words.end());
     const Outcome outcome = leadscrew(folder, all);

@@ -128,5 +128,16 @@ TEST(Interpolator, EveryRuleIsTaken) {
     EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--interpolator", rule, "--quiet"}).status, 0) << rule;
 }
 
+TEST(Study, EndsWhenInterrupted) {
+  const Folder folder;
+  Running running(folder, {"study", "limits"});
+  ASSERT_TRUE(eventually([&] { return running.handles(SIGINT); }));
+  running.send(SIGINT);
+  const auto outcome = running.wait();
+  EXPECT_EQ(outcome.status, 130);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_TRUE(contains(outcome.errors, "[interrupted]")) << outcome.errors;
+}
+
 }  // namespace
 }  // namespace leadscrew::cli::testing

@@ -176,7 +176,6 @@ TEST(KorenFeed, GivesSoManyCommandsASecond) {
   EXPECT_EQ(commands({3000, 0}, minute), 0);
 }
 
-/// A 13-bit register clocked 1024 times a second, with the loads 1, 2 and 4: first overflow after 8, 4 and 2 s.
 /// Equations 1 to 5 overflow where r > q: as where r ≥ q from a remainder that is lower by one. Beside the closed form,
 /// ⌈(r + kp)/q⌉ − 1 overflows after k additions.
 TEST(KorenEquations1To5, OverflowAsARemainderLowerByOneDoesAtQ) {
@@ -195,6 +194,7 @@ TEST(KorenEquations1To5, OverflowAsARemainderLowerByOneDoesAtQ) {
   }
 }
 
+/// A 13-bit register clocked 1024 times a second, with the loads 1, 2 and 4: first overflow after 8, 4 and 2 s.
 TEST(LectureTimer, Takes8And4And2Seconds) {
   for (const std::int64_t load : {1, 2, 4}) {
     Integrator timer(std::int64_t{1} << 13, 0);

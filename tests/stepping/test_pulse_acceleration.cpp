@@ -147,6 +147,27 @@ TEST(PulseAcceleration, CarriesSpeedAlongOneDirection) {
   EXPECT_NEAR(static_cast<double>(pulse(text, conditions).last) / 1e6, 1.125, 0.003);
 }
 
+/// Blocks of different feeds: none is entered faster than its own asks for, whatever an override makes of them.
+TEST(PulseAcceleration, EntersNoBlockFasterThanItsFeed) {
+  Conditions conditions;
+  conditions.options.shape = Shape::accelerate;
+  for (const PulseMethod method : {PulseMethod::koren, PulseMethod::bresenham, PulseMethod::point_comparison}) {
+    conditions.options.method = method;
+    // 10 mm, half a millimetre at 1 mm/s, 9.5 mm: 100 mm/s and back take 0.125 s for 6.25 mm each.
+    const Pulsed between = pulse("G61 F6000\nG1 X10\nX10.5 F60\nX20 F6000\n", conditions);
+    EXPECT_NEAR(static_cast<double>(between.last) / 1e6, 0.5 + 0.1 + 0.095 + 2 * 0.125, 0.01);
+    const Pulsed into = pulse("G61\nG0 Z-10\nG1 Z-11 F60\n", conditions);
+    EXPECT_GT(static_cast<double>(into.last) / 1e6, 1.2);
+    double x = 0, slow = 0, fast = 0;  // s
+    pulse("G61 F600\nG1 X1\nX2 F60\nX3 F600\nX4 F60\n", conditions, [&](const TimedPulse& made) {
+      x += made.pulse.step[0];
+      if (x == 1001) fast = static_cast<double>(made.tick) / 1e6;
+      if (x == 2000) slow = static_cast<double>(made.tick) / 1e6;
+    });
+    EXPECT_NEAR(slow - fast, 0.999, 0.002);
+  }
+}
+
 /// Lines of a step or two, whatever their course: 10 mm at 9 mm/s, with what is known ahead of them.
 TEST(PulseAcceleration, CarriesSpeedAlongLinesOfAStep) {
   Conditions conditions;

@@ -342,6 +342,52 @@ TEST(PulseProgram, TravelsShortLinesAtTheirFeed) {
   }
 }
 
+/// None for a circle below a step; its axes beside it go their way all the same.
+TEST(PulseProgram, EndsHelicesOfManySmallTurnsWhereTheyEnd) {
+  for (const PulseMethod method : methods) {
+    for (const double radius : {0.0004, 0.0009, 0.0012, 0.0019, 0.0026, 0.1}) {
+      Conditions conditions;
+      conditions.options.method = method;
+      const Pulsed pulsed = pulse("G61 F60\nG2 X0 Y0" + word('I', radius) + " Z0.4 P4\n", conditions);
+      EXPECT_EQ(pulsed.problems, "");
+      EXPECT_EQ(pulsed.sum, (LatticeVector{0, 0, 400})) << static_cast<int>(method) << " R " << radius;
+    }
+  }
+}
+
+TEST(PulseProgram, DrawsFullCirclesFromAStepOn) {
+  for (const PulseMethod method : methods) {
+    for (const double radius : {0.001, 0.0014, 0.0019, 0.0024}) {
+      Conditions conditions;
+      conditions.options.method = method;
+      double x = 0, farthest = 0;
+      pulse("G61 F60\nG3 X0 Y0" + word('I', radius) + "\n", conditions, [&](const TimedPulse& made) {
+        x += made.pulse.step[0];
+        farthest = std::max(farthest, x);
+      });
+      EXPECT_NEAR(farthest, 2 * radius / mm_per_step, 1.01) << static_cast<int>(method) << " R " << radius;
+    }
+  }
+}
+
+/// In short lines as in long ones, and in arcs.
+TEST(PulseProgram, RefusesAFeedHoweverShortItsBlocksAre) {
+  const auto problem_of = [](const std::string& text) { return pulse(text).problems; };
+  for (const std::string step : {"0.001", "0.002", "0.01", "0.1"}) {
+    EXPECT_EQ(problem_of("G61 G91 F12010\nG1 X" + step + "\n"), "2 pulse-velocity; ") << step;
+    EXPECT_EQ(problem_of("G61 G91 F11990\nG1 X" + step + "\n"), "") << step;
+    EXPECT_EQ(problem_of("G61 G91 F16950\nG1 X" + step + " Y" + step + "\n"), "") << step;
+    EXPECT_EQ(problem_of("G61 G91 F17000\nG1 X" + step + " Y" + step + "\n"), "2 pulse-velocity; ") << step;
+  }
+  EXPECT_EQ(problem_of("G61 F12100\nG2 X0.006 Y0 I0.003\n"), "2 pulse-velocity; ");
+  EXPECT_EQ(problem_of("G61 F11900\nG2 X0.006 Y0 I0.003\n"), "");
+}
+
+TEST(PulseProgram, TakesItsTimeForLinesWithoutAStepInInverseTime) {
+  EXPECT_NEAR(seconds(pulse("G61 G93\nG1 X0.0001 F60\nX0.0002 F60\nX1 F60\n"), {}), 3, 0.002);
+  EXPECT_NEAR(seconds(pulse("G61 F60\nG1 X0.0001\nX0.0002\nX1\n"), {}), 1, 0.002);
+}
+
 /// Of every axis over spans of one step to thousands.
 TEST(PulseProgram, KeepsTheVelocityOfEveryAxis) {
   for (const PulseMethod method : methods) {

@@ -35,7 +35,7 @@ TEST(ClosedLoopStudy, HasTheFiguresOfTheLecture) {
   EXPECT_NEAR(ours(rows, slow, "at rest after"), 30.56, 0.005);
 }
 
-/// 3.0 s against 10.1 and 10.4 s, 3.5 times; overshoots of both sets of gains on both plants.
+/// 3.0 s against 10.1 and 10.4 s, 3.5 times.
 TEST(RealTimeStudy, ComesOut) {
   const Rows rows = real_time_rows({});
   EXPECT_EQ(rows.size(), 24u);
@@ -45,7 +45,17 @@ TEST(RealTimeStudy, ComesOut) {
     EXPECT_TRUE(good) << row.group << ": " << row.what << ' ' << row.ours.value_or(NAN);
     exact += row.verdict == Verdict::exact;
   }
-  EXPECT_EQ(exact, 8);
+  EXPECT_EQ(exact, 4);
+}
+
+/// Published as pictures without a plant: 3.1 v 43.5 % and 1.9 v 54.1 % are a reference calculation's, of two plants.
+TEST(RealTimeStudy, MeasuresTheOvershootOfBothSetsOfGains) {
+  const Rows rows = real_time_rows({});
+  const auto overshoot = [&](const char* group) { return ours(rows, group, "curve: overshoot of the feed"); };
+  EXPECT_NEAR(overshoot("gains (P, I, D) = (2, 2, 15), K 10.0, τ 20 ms"), 3.1, 0.05);
+  EXPECT_NEAR(overshoot("gains (P, I, D) = (6, 50, 25), K 10.0, τ 20 ms"), 43.5, 0.05);
+  EXPECT_NEAR(overshoot("gains (P, I, D) = (2, 2, 15), K 17.8, τ 50 ms"), 1.9, 0.05);
+  EXPECT_NEAR(overshoot("gains (P, I, D) = (6, 50, 25), K 17.8, τ 50 ms"), 54.1, 0.05);
 }
 
 TEST(RealTimeStudy, NeverReachesTheFeedOnLines) {

@@ -1,5 +1,8 @@
+#include <unistd.h>
 #include <csignal>
 #include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/cli/status.hpp>
+#include <string_view>
 
 namespace leadscrew::cli {
 
@@ -12,6 +15,12 @@ extern "C" void raise_flag(int) {
   if (raised < 2) raised = raised + 1;
 }
 
+extern "C" void end_at_once(int) {
+  constexpr std::string_view text = "leadscrew: error: interrupted [interrupted]\n";
+  static_cast<void>(!::write(STDERR_FILENO, text.data(), text.size()));
+  ::_exit(static_cast<int>(Status::interrupted));
+}
+
 void handle(int signal, void (*handler)(int)) {
   struct sigaction action = {};
   action.sa_handler = handler;
@@ -19,16 +28,25 @@ void handle(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
+void handle_interruptions(void (*handler)(int)) {
+  handle(SIGINT, handler);
+  handle(SIGTERM, handler);
+  struct sigaction before = {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) handle(SIGHUP, handler);
+}
+
 }  // namespace
 
 void watch_signals() {
-  handle(SIGINT, raise_flag);
-  handle(SIGTERM, raise_flag);
-  struct sigaction before = {};
-  sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) handle(SIGHUP, raise_flag);
+  handle_interruptions(raise_flag);
   handle(SIGPIPE, SIG_IGN);
   handle(SIGXFSZ, SIG_IGN);
+}
+
+void end_when_interrupted() {
+  handle_interruptions(end_at_once);
+  if (raised > 0) end_at_once(0);
 }
 
 bool interrupted() {

@@ -12,6 +12,10 @@ void watch_signals();
 
 bool interrupted();
 
+/// From now on the first signal ends the process with the status of an interruption, for work that nobody looks up from
+/// and that writes nothing before its end.
+void end_when_interrupted();
+
 /// From now on interrupted() means the second signal: for who does something about the first, and needs files for it.
 void let_first_interruption_pass();
 /// Signals so far: 0, 1, or 2 for more.

@@ -31,13 +31,23 @@ std::vector<std::size_t> limiting_times(const stepping::StepTicks& ticks) {
   return times;
 }
 
+/// Those of the slowest axis that are longer than a tick; and a faster clock, where rounding to ticks is a good part.
 std::string hint_of_step_times(const Job& job) {
+  constexpr std::int64_t fastest_clock = 10'000'000;
   const std::int64_t clock_hz = job.arguments.run.step_clock;
-  const base::Axis axis = stepping::longest_reversal(job.machine, clock_hz).axis;
-  std::vector<std::string> times;
-  for (const std::size_t k : limiting_times(stepping::in_ticks(job.machine.limits(axis).step_times, clock_hz)))
-    times.push_back(time_text(k, axis, job));
-  return fmt::format("program a lower feed, or shorten what sets it: {}", fmt::join(times, ", "));
+  const stepping::LongestReversal slowest = stepping::longest_reversal(job.machine, clock_hz);
+  const machine::StepTimes& times = job.machine.limits(slowest.axis).step_times;
+  std::string hint = "program a lower feed";
+  std::vector<std::string> named;
+  for (const std::size_t k : limiting_times(stepping::in_ticks(times, clock_hz))) {
+    const std::int64_t nanoseconds = times.*machine::all_step_times[k].value;
+    if (nanoseconds * clock_hz > 1'000'000'000) named.push_back(time_text(k, slowest.axis, job));
+  }
+  if (!named.empty()) hint += fmt::format(", or shorten what sets it: {}", fmt::join(named, ", "));
+  const auto finer = static_cast<double>(stepping::in_ticks(times, fastest_clock).reversal()) / fastest_clock;
+  if (1.5 * finer < static_cast<double>(slowest.ticks) / static_cast<double>(clock_hz))
+    hint += ", or give a faster --step-clock, up to 10MHz";
+  return hint;
 }
 
 }  // namespace

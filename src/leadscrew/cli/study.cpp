@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
@@ -212,6 +213,7 @@ Status study(const Arguments& arguments, Console& console) {
   const auto chosen =
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study; });
   if (chosen == known.end()) return Status::usage;
+  end_when_interrupted();
   const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
   const std::string text =
       arguments.json ? json_text_of(chosen->name, rows) : study_table(rows, terminal_width(), style);

@@ -92,7 +92,7 @@ Planned BlockMaker::next() {
     switch (move_.kind) {
       case gcode::Move::Kind::line:
         left_ = false;
-        made = line_to(on_lattice(move_.end, machine_), Part{});
+        made = line_or_wait(on_lattice(move_.end, machine_), Part{});
         break;
       case gcode::Move::Kind::arc:
         made = next_turn();
@@ -114,10 +114,14 @@ Planned BlockMaker::next() {
 
 Planned BlockMaker::dwell() {
   left_ = false;
+  return wait(move_.dwell_seconds);
+}
+
+Planned BlockMaker::wait(double seconds) const {
   PlannedBlock planned;
   planned.block.kind = Block::Kind::dwell;
   planned.block.line = move_.line;
-  planned.block.dwell_clocks = std::llround(move_.dwell_seconds * static_cast<double>(options_.clock_pps));
+  planned.block.dwell_clocks = std::llround(seconds * static_cast<double>(options_.clock_pps));
   planned.stops = true;
   if (planned.block.dwell_clocks == 0) return std::nullopt;
   return planned;
@@ -128,6 +132,13 @@ Planned BlockMaker::line_to(const LatticeVector& end, const Part& part) {
   for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
   if (block.way == LatticeVector{}) return std::nullopt;
   return plan(block, part);
+}
+
+/// A line too short for a step takes its time all the same, where that is what is programmed.
+Planned BlockMaker::line_or_wait(const LatticeVector& end, const Part& part) {
+  Planned made = line_to(end, part);
+  const bool is_timed = move_.feed.mode == gcode::Feed::Mode::per_second;
+  return made || !is_timed ? made : wait(part.share / move_.feed.value);
 }
 
 Planned BlockMaker::next_turn() {
@@ -161,9 +172,10 @@ Planned BlockMaker::turn_to(const LatticeVector& end, double angle) {
                     move_.turns > 0 ? pulse::Direction::counterclockwise : pulse::Direction::clockwise};
   const pulse::Point start{at_[block.first_axis], at_[block.second_axis]};
   pulse::Point target{end[block.first_axis], end[block.second_axis]};
-  if (turn_ >= std::abs(move_.turns)) left_ = false;
+  const bool is_last = turn_ >= std::abs(move_.turns);
+  if (is_last) left_ = false;
   std::optional<pulse::Arc> placed = on_lattice(arc, start, target);
-  if (!placed && angle > whole_turn / 2) {
+  if (!placed && is_last && angle > whole_turn / 2) {
     // The ends have changed places: all around, and then to the end.
     TrueArc whole = arc;
     whole.sweep = whole_turn;
@@ -171,7 +183,7 @@ Planned BlockMaker::turn_to(const LatticeVector& end, double angle) {
     placed = on_lattice(whole, start, start);
     closing_ = left_ = placed.has_value();
   }
-  if (!placed) return line_to(end, Part{angle / sweep_});
+  if (!placed) return line_or_wait(end, Part{angle / sweep_});
   for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
   block.way[block.first_axis] = block.way[block.second_axis] = 0;
   block.arc = *placed;

@@ -51,6 +51,8 @@ class BlockMaker {
   };
 
   std::optional<base::Result<PlannedBlock>> dwell();
+  std::optional<base::Result<PlannedBlock>> wait(double seconds) const;
+  std::optional<base::Result<PlannedBlock>> line_or_wait(const LatticeVector& end, const Part& part);
   std::optional<base::Result<PlannedBlock>> next_turn();
   std::optional<base::Result<PlannedBlock>> next_chord();
   std::optional<base::Result<PlannedBlock>> line_to(const LatticeVector& end, const Part& part);

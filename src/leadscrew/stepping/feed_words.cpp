@@ -2,7 +2,7 @@
 #include <cmath>
 #include <leadscrew/gcode/number.hpp>
 #include <leadscrew/stepping/feed_words.hpp>
-#include <leadscrew/stepping/lattice_arc.hpp>
+#include <leadscrew/stepping/programmed_rate.hpp>
 #include <leadscrew/stepping/rounded_up.hpp>
 #include <limits>
 #include <numbers>
@@ -27,16 +27,6 @@ base::Diagnostic refused(const Block& block, std::string_view code, std::string 
 
 double real(std::int64_t value) {
   return static_cast<double>(value);
-}
-
-bool in_plane(const Block& block, std::size_t axis) {
-  return block.kind == Block::Kind::arc && (axis == block.first_axis || axis == block.second_axis);
-}
-
-/// Greatest steps of an axis a command.
-double greatest_share(const Block& block, std::size_t axis) {
-  if (in_plane(block, axis)) return real(block.circle_commands) / real(block.commands);
-  return std::abs(real(block.way[axis])) / real(block.commands);
 }
 
 /// How much an axis' acceleration in a curve exceeds the square of the command rate over the radius: DDAs go at one
@@ -84,29 +74,8 @@ void set_directions(PlannedBlock& planned, PulseMethod method) {
 /// A line of a step or two goes another way on the lattice than programmed; of many such the path goes as programmed.
 void set_programmed_course(PlannedBlock& planned, const gcode::Move& move, const machine::Machine& machine) {
   if (move.kind != gcode::Move::Kind::line) return;
-  std::array<double, base::axis_count> way{};
-  for (const base::Axis axis : base::all_axes) {
-    const std::size_t i = base::index(axis);
-    if (machine.has(axis)) way[i] = (move.end[i] - move.start[i]) / machine.limits(axis).blu;
-  }
+  const auto way = programmed_way(move, machine);
   if (norm(way) > 0) planned.entry_course = planned.exit_course = course_of(way);
-}
-
-struct AxisRate {
-  double rate = std::numeric_limits<double>::infinity();  // commands/s
-  base::Axis axis = base::Axis::X;
-};
-
-AxisRate greatest_by_velocity(const Block& block, const machine::Machine& machine) {
-  AxisRate greatest;
-  for (const base::Axis axis : base::all_axes) {
-    const double share = greatest_share(block, base::index(axis));
-    if (share == 0) continue;
-    const machine::AxisLimits& limits = machine.limits(axis);
-    const double rate = limits.velocity / limits.blu / share;
-    if (rate < greatest.rate) greatest = {rate, axis};
-  }
-  return greatest;
 }
 
 void limit_acceleration(PlannedBlock& planned, const machine::Machine& machine, PulseMethod method) {
@@ -139,46 +108,36 @@ void limit_bend(PlannedBlock& planned, const machine::Machine& machine, const Pa
   }
 }
 
-/// Of three axes' ways, mm or degrees.
-double length_of(const Block& block, std::size_t first, const machine::Machine& machine) {
-  double square = 0;
-  for (std::size_t i = first; i < first + 3; ++i) {
-    if (block.way[i] == 0) continue;
-    const double way = real(block.way[i]) * machine.limits(base::all_axes[i]).blu;
-    square += way * way;
-  }
-  return std::sqrt(square);
-}
-
-/// Of the lattice's path, as the feed counts it.
-double feed_length(const Block& block, const machine::Machine& machine) {
-  double length = length_of(block, base::index(base::Axis::X), machine);
-  if (block.kind == Block::Kind::arc) {
-    const double radius = std::sqrt(real(block.arc.squared_radius()));
-    const double blu = machine.limits(base::all_axes[block.first_axis]).blu;
-    return std::hypot(length, radius * sweep(block.arc) * blu);
-  }
-  for (const base::Axis first : {base::Axis::U, base::Axis::A}) {
-    if (length == 0) length = length_of(block, base::index(first), machine);
-  }
-  return length;
-}
-
-double seconds_of(double share, double length, const gcode::Feed& feed) {
-  return feed.mode == gcode::Feed::Mode::per_second ? share / feed.value : length / feed.value;
-}
-
 std::string per_second(double rate) {
   return gcode::text(rate) + " a second";
 }
 
-}  // namespace
-
-double norm(const std::array<double, base::axis_count>& steps) {
-  double square = 0;
-  for (const double of_axis : steps) square += of_axis * of_axis;
-  return std::sqrt(square);
+/// What clock, steps or an axis cannot give. A shaped feed is never beyond the axes' velocity.
+std::optional<base::Diagnostic> rate_problem(const Block& block, const ProgrammedRate& programmed,
+                                             const AxisRate& by_velocity, const PulseOptions& options) {
+  const double by_clock = real(options.clock_pps), by_step = by_clock / real(options.step_clocks);
+  const bool is_shaped = options.shape == Shape::accelerate;
+  const double rate = is_shaped ? std::min(programmed.least, by_velocity.rate) : programmed.least;
+  const std::string asked = "the feed asks for " + per_second(programmed.rate);
+  if (rate > by_clock) {
+    return refused(block, "pulse-rate", "pulses: " + asked + ", the clock gives " + per_second(by_clock),
+                   "program a lower feed or take a faster clock");
+  }
+  if (rate > by_step) {
+    return refused(block, "pulse-step-length",
+                   "pulses: " + asked + ", axis " + base::letter(options.slowest_steps) + " allows " +
+                       per_second(by_step) + ": " + std::to_string(options.step_clocks) +
+                       " clocks from a step to its next",
+                   "program a lower feed or shorten the times of its steps");
+  }
+  if (is_shaped || programmed.of_velocity * (1 - quotient_rounding) <= 1) return std::nullopt;
+  return refused(block, "pulse-velocity",
+                 "pulses: " + asked + ", axis " + base::letter(programmed.fastest) + " allows " +
+                     per_second(programmed.rate / programmed.of_velocity),
+                 "program a lower feed, or have the feed shaped to what the axes can do");
 }
+
+}  // namespace
 
 std::int64_t word_of(double rate, const PulseOptions& options) {
   const double word = rate / real(options.clock_pps) * real(options.feed_capacity);
@@ -199,37 +158,13 @@ base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& mov
   const AxisRate by_velocity = greatest_by_velocity(block, machine);
   // A word f is a command every ⌊q0/f⌋ or ⌈q0/f⌉ clocks.
   const std::int64_t greatest_word = options.feed_capacity / options.step_clocks;
-  const double by_clock = real(options.clock_pps), by_step = by_clock / real(options.step_clocks);
-  planned.greatest_rate = std::min({by_velocity.rate, by_step});
+  planned.greatest_rate = std::min(by_velocity.rate, real(options.clock_pps) / real(options.step_clocks));
   planned.rate = planned.greatest_rate;
 
   if (move.feed.mode != gcode::Feed::Mode::rapid) {
-    const double on_lattice = seconds_of(part.share, feed_length(block, machine), move.feed);
-    const double seconds = block.kind == Block::Kind::arc ? seconds_of(part.share, part.length, move.feed) : on_lattice;
-    planned.rate = real(block.commands) / seconds;
-    // Rounding to the lattice may have made the way longer by a step, of arcs by two, and their radius too.
-    const double least = real(block.commands - (block.kind == Block::Kind::arc ? 2 : 1)) /
-                         std::max(seconds, on_lattice) * (1 - quotient_rounding);
-    const std::string asked = "the feed asks for " + per_second(planned.rate);
-    if (least > by_clock) {
-      return base::failure(refused(block, "pulse-rate",
-                                   "pulses: " + asked + ", the clock gives " + per_second(by_clock),
-                                   "program a lower feed or take a faster clock"));
-    }
-    if (least > by_step) {
-      return base::failure(refused(block, "pulse-step-length",
-                                   "pulses: " + asked + ", axis " + base::letter(options.slowest_steps) + " allows " +
-                                       per_second(by_step) + ": " + std::to_string(options.step_clocks) +
-                                       " clocks from a step to its next",
-                                   "program a lower feed or shorten the times of its steps"));
-    }
-    if (options.shape == Shape::constant && least > by_velocity.rate) {
-      return base::failure(refused(
-          block, "pulse-velocity",
-          "pulses: " + asked + ", axis " + base::letter(by_velocity.axis) + " allows " + per_second(by_velocity.rate),
-          "program a lower feed, or have the feed shaped to what the axes can do"));
-    }
-    planned.rate = std::min(planned.rate, planned.greatest_rate);
+    const ProgrammedRate asked = programmed_rate(block, move, part, machine, options.method);
+    if (auto found = rate_problem(block, asked, by_velocity, options)) return base::failure(std::move(*found));
+    planned.rate = std::min(asked.rate, planned.greatest_rate);
   }
   if (options.shape == Shape::accelerate) {
     limit_acceleration(planned, machine, options.method);

@@ -7,8 +7,8 @@
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/stepping/programmed_rate.hpp>
 #include <leadscrew/stepping/pulse_options.hpp>
-#include <optional>
 
 namespace leadscrew::stepping {
 
@@ -25,22 +25,12 @@ struct PlannedBlock {
   bool goes_on = false;      ///< along the curve whose chord the block before was
 };
 
-/// What of its move a block travels.
-struct Part {
-  double share = 1;
-  double length = 0;  ///< of an arc: of the programmed path that its feed is meant by, mm; of a chord: of its curve
-  std::optional<base::AxisVector> bend{};  ///< of a chord: |d²q/ds²| of each axis along its curve, at most
-};
-
 /// Gives a block with counted commands its words. A programmed feed that clock or step length
 /// cannot give is a diagnostic, pulse-rate or pulse-step-length; so is one beyond an axis' velocity, pulse-velocity,
 /// unless the feed is shaped to what the axes can do; and so is a register too narrow for a word, pulse-feed-word.
 /// Rapids go as fast as clock, steps and axes allow.
 base::Result<PlannedBlock> with_words(const Block& block, const gcode::Move& move, const Part& part,
                                       const machine::Machine& machine, const PulseOptions& options);
-
-/// √Σ of squares: steps of the path a command, of entry or exit.
-double norm(const std::array<double, base::axis_count>& steps);
 
 /// The word of a rate in commands/s, rounded.
 std::int64_t word_of(double rate, const PulseOptions& options);

@@ -8,7 +8,8 @@ namespace leadscrew::stepping {
 
 namespace {
 
-constexpr double least_radius = 2;        // steps
+constexpr double least_radius = 1;        // steps
+constexpr double small_radius = 2;        // steps; below, an end beside the circle is another circle's
 constexpr std::int64_t search_width = 2;  // steps to each side of the true centre
 
 double length(pulse::Point from, pulse::Point to) {
@@ -20,7 +21,8 @@ double cost(const TrueArc& arc, pulse::Point center, pulse::Point start, pulse::
   const double beside = std::abs(length(center, start) - length(center, end));
   const double moved =
       std::hypot(static_cast<double>(center.x) - arc.center_x, static_cast<double>(center.y) - arc.center_y);
-  return 4 * std::max(0.0, beside - 0.5) + beside / 4 + moved;
+  const double other_radius = std::abs(length(center, start) - arc.radius);
+  return 4 * std::max(0.0, beside - 0.5) + beside / 4 + moved + other_radius;
 }
 
 pulse::Point best_center(const TrueArc& arc, pulse::Point start, pulse::Point end) {
@@ -56,6 +58,8 @@ std::optional<pulse::Arc> on_lattice(const TrueArc& arc, pulse::Point start, pul
   const pulse::Arc placed{
       {start.x - center.x, start.y - center.y}, {end.x - center.x, end.y - center.y}, arc.direction};
   if (std::abs(sweep(placed) - arc.sweep) > std::numbers::pi / 2) return std::nullopt;
+  const double beside = std::abs(length(center, start) - length(center, end));
+  if (arc.radius < small_radius && beside > 0.5) return std::nullopt;
   return placed;
 }
 

@@ -15,7 +15,7 @@ struct TrueArc {
   pulse::Direction direction = pulse::Direction::counterclockwise;
 };
 
-/// About its centre. Nothing where the lattice shows no arc from one place to the other: its radius is below two steps,
+/// About its centre. Nothing where the lattice shows no arc from one place to the other: its radius is below a step,
 /// or its ends are so near that rounding has them coincide or change places.
 std::optional<pulse::Arc> on_lattice(const TrueArc& arc, pulse::Point start, pulse::Point end);
 

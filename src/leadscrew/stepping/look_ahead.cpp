@@ -24,24 +24,28 @@ double speed_by_step(double change, double share_of_a, double path_acceleration,
   return std::max(std::sqrt(square), step / greatest);
 }
 
-/// Commands/s at its start from which a block can come down to this at its end.
-double greatest_entry(const PlannedBlock& planned, double exit_rate) {
+/// Commands/s at its start from which a block can come down to this at its end, `greatest` at most.
+double greatest_entry(const PlannedBlock& planned, double exit_rate, double greatest) {
   const auto commands =
       static_cast<double>(std::max<std::int64_t>(0, planned.block.commands - 2 * planned.block.uncertain));
-  return std::min(planned.greatest_rate, std::sqrt(exit_rate * exit_rate + 2 * planned.acceleration * commands));
+  return std::min(greatest, std::sqrt(exit_rate * exit_rate + 2 * planned.acceleration * commands));
 }
 
 }  // namespace
 
-double rest_rate(const PlannedBlock& planned) {
-  return std::min(planned.greatest_rate, step_of_rest * std::sqrt(planned.acceleration));
+double LookAhead::greatest_rate(const PlannedBlock& planned) const {
+  return std::min(planned.greatest_rate, planned.rate * feed_factor_);
+}
+
+double LookAhead::rest_rate(const PlannedBlock& planned) const {
+  return std::min(greatest_rate(planned), step_of_rest * std::sqrt(planned.acceleration));
 }
 
 /// Speed at which both can meet; 0 where the path must rest.
 double LookAhead::junction(const PlannedBlock& before, const PlannedBlock& after) const {
   if (before.stops || before.block.kind == Block::Kind::dwell || after.block.kind == Block::Kind::dwell) return 0;
   const double out = norm(before.exit), in = norm(after.entry);
-  double speed = std::min(before.greatest_rate * out, after.greatest_rate * in);
+  double speed = std::min(greatest_rate(before) * out, greatest_rate(after) * in);
   // Chords of one curve turn as it does, but for what the lattice does not show.
   if (after.goes_on) return speed;
   const double shorter = std::min(length(before), length(after));
@@ -59,7 +63,8 @@ double LookAhead::junction(const PlannedBlock& before, const PlannedBlock& after
   return is_rest ? 0 : speed;
 }
 
-LookAhead::Next LookAhead::pop() {
+LookAhead::Next LookAhead::pop(double feed_factor) {
+  feed_factor_ = feed_factor;
   double exit_speed = 0;
   for (std::size_t i = blocks_.size() - 1; i > 0; --i) {
     const PlannedBlock& after = blocks_[i];
@@ -68,13 +73,15 @@ LookAhead::Next LookAhead::pop() {
       continue;
     }
     const double exit_rate = std::max(exit_speed / norm(after.exit), rest_rate(after));
-    exit_speed = std::min(junction(blocks_[i - 1], after), greatest_entry(after, exit_rate) * norm(after.entry));
+    exit_speed = std::min(junction(blocks_[i - 1], after),
+                          greatest_entry(after, exit_rate, greatest_rate(after)) * norm(after.entry));
   }
   Next next{std::move(blocks_.front())};
   blocks_.pop_front();
   if (next.planned.block.kind != Block::Kind::dwell) {
-    next.entry_rate = std::max(entry_speed_ / norm(next.planned.entry), rest_rate(next.planned));
-    next.exit_rate = std::max(exit_speed / norm(next.planned.exit), rest_rate(next.planned));
+    next.rest_rate = rest_rate(next.planned);
+    next.entry_rate = std::max(entry_speed_ / norm(next.planned.entry), next.rest_rate);
+    next.exit_rate = std::max(exit_speed / norm(next.planned.exit), next.rest_rate);
   }
   entry_speed_ = next.planned.block.kind == Block::Kind::dwell ? 0 : exit_speed;
   return next;

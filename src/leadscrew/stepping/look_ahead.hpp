@@ -27,19 +27,20 @@ class LookAhead {
   struct Next {
     PlannedBlock planned;
     double entry_rate = 0, exit_rate = 0;  ///< commands/s, the greatest at its start and its end
+    double rest_rate = 0;                  ///< commands/s from which it begins, and with which it ends, at rest
   };
-  /// The first of them. Not when empty.
-  Next pop();
+  /// The first of them, where programmed feeds are multiplied so: none is entered faster than its own. Not when empty.
+  Next pop(double feed_factor);
 
  private:
+  double greatest_rate(const PlannedBlock& planned) const;
+  double rest_rate(const PlannedBlock& planned) const;
   double junction(const PlannedBlock& before, const PlannedBlock& after) const;
 
   const machine::Machine& machine_;
   std::deque<PlannedBlock> blocks_;
+  double feed_factor_ = 1;
   double entry_speed_ = 0;  // that the block before was allowed to end with
 };
-
-/// Commands/s from which a block begins, and with which it ends, at rest.
-double rest_rate(const PlannedBlock& planned);
 
 }  // namespace leadscrew::stepping

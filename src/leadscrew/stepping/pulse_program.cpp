@@ -100,7 +100,7 @@ bool PulseProgram::begin_block() {
   fill();
   if (ahead_.is_empty()) return false;
   const double speed = this->speed();
-  const LookAhead::Next next = ahead_.pop();
+  const LookAhead::Next next = ahead_.pop(static_cast<double>(override_) / full_override);
   planned_ = next.planned;
   const Block& block = planned_.block;
   if (block.kind == Block::Kind::dwell) {
@@ -120,7 +120,7 @@ void PulseProgram::begin_feed(const LookAhead::Next& next, double speed) {
     return;
   }
   const auto word = [&](double rate) { return std::max<std::int64_t>(1, word_of(rate, options_)); };
-  const double rate = std::clamp(speed / norm(planned_.entry), rest_rate(planned_), next.entry_rate);
+  const double rate = std::clamp(speed / norm(planned_.entry), next.rest_rate, next.entry_rate);
   feed_.begin(word(rate), word(next.exit_rate), acceleration_word(planned_.acceleration, options_));
 }
 
