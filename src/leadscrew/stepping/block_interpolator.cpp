@@ -20,10 +20,6 @@ std::int64_t length_rounded_up(const LatticeVector& way, std::int64_t more) {
   return estimate < 0x1p62 ? pulse::capacity_for(square) : static_cast<std::int64_t>(std::ceil(std::sqrt(estimate)));
 }
 
-bool is_dda(PulseMethod method) {
-  return method == PulseMethod::koren || method == PulseMethod::dda;
-}
-
 std::int64_t longest_of(const LatticeVector& way) {
   std::int64_t longest = 0;
   for (const std::int64_t of_axis : way) longest = std::max(longest, pulse::absolute(of_axis));

@@ -33,8 +33,7 @@ double real(std::int64_t value) {
 /// speed; where one axis steps at every command the other one's rate is the tangent, whose second derivative is 2√2 at
 /// an eighth of a turn.
 double curving(PulseMethod method) {
-  const bool is_search =
-      method != PulseMethod::koren && method != PulseMethod::dda && method != PulseMethod::point_comparison;
+  const bool is_search = !is_dda(method) && method != PulseMethod::point_comparison;
   return is_search ? 2 * std::numbers::sqrt2 : 1;
 }
 

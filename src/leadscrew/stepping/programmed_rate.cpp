@@ -48,10 +48,6 @@ double feed_length(const Block& block, const machine::Machine& machine) {
                     radius * sweep(block.arc) * blu);
 }
 
-bool is_dda(PulseMethod method) {
-  return method == PulseMethod::koren || method == PulseMethod::dda;
-}
-
 /// Of a line, were the lattice as fine as can be.
 double commands_of(const StepVector& way, PulseMethod method) {
   if (is_dda(method)) return norm(way);
@@ -155,8 +151,7 @@ ProgrammedRate programmed_rate(const Block& block, const gcode::Move& move, cons
   ProgrammedRate asked;
   asked.rate = real(block.commands) / seconds;
   // Rounding to the lattice may have made the way longer by a step, of arcs by two, and their radius too.
-  asked.least =
-      real(block.commands - (is_arc ? 2 : 1)) / std::max(seconds, on_lattice) * (1 - quotient_rounding);
+  asked.least = real(block.commands - (is_arc ? 2 : 1)) / std::max(seconds, on_lattice) * (1 - quotient_rounding);
   const AxisRate by_velocity = greatest_by_velocity(block, machine);
   asked.of_velocity = asked.least / by_velocity.rate;
   asked.fastest = by_velocity.axis;

@@ -39,9 +39,9 @@ struct AxisRate {
 AxisRate greatest_by_velocity(const Block& block, const machine::Machine& machine);
 
 struct ProgrammedRate {
-  double rate = 0;         ///< commands/s, of the block on the lattice
-  double least = 0;        ///< commands/s that are asked for whatever rounding may have added
-  double of_velocity = 0;  ///< the greatest share of an axis' velocity that is asked for, likewise
+  double rate = 0;                     ///< commands/s, of the block on the lattice
+  double least = 0;                    ///< commands/s that are asked for whatever rounding may have added
+  double of_velocity = 0;              ///< the greatest share of an axis' velocity that is asked for, likewise
   base::Axis fastest = base::Axis::X;  ///< the axis of that
 };
 

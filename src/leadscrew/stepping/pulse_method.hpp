@@ -24,6 +24,11 @@ namespace leadscrew::stepping {
 
 enum class PulseMethod : std::uint8_t { point_comparison, dda, min_error, improved_min_error, bresenham, koren };
 
+/// By integrators: at the rate of the path, whatever its course.
+constexpr bool is_dda(PulseMethod method) {
+  return method == PulseMethod::koren || method == PulseMethod::dda;
+}
+
 inline constexpr std::array all_pulse_methods = {PulseMethod::point_comparison, PulseMethod::dda,
                                                  PulseMethod::min_error,        PulseMethod::improved_min_error,
                                                  PulseMethod::bresenham,        PulseMethod::koren};
