@@ -73,6 +73,18 @@ TEST(Drive, TellsThatItDidNotPauseWhereNobodyCouldSayWhenToGoOn) {
   EXPECT_EQ(codes.count("pause-passed"), 1u);
 }
 
+TEST(DriveState, ReplacesNothingButAnEarlierOne) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  folder.write("other.ngc", part);
+  const auto refused = leadscrew(folder, {"drive", "part.ngc", "--state", "other.ngc", "--json"});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_EQ(refused.json()["diagnostics"][0]["code"], "state-other");
+  EXPECT_EQ(folder.read("other.ngc"), part);
+  for (int times = 0; times < 2; ++times)
+    EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--state", "state", "--quiet"}).status, 0);
+}
+
 TEST(DriveState, LeavesNothingElseAndGoesWhereALinkLeads) {
   const Folder folder;
   folder.write("part.ngc", part);

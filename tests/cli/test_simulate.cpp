@@ -172,6 +172,17 @@ TEST(Simulate, ShowsThePlayOfAScrew) {
   EXPECT_LT(figures["axes"][1]["following_max_mm"], 0.01);
 }
 
+/// Its encoder's counts lie where they lie: ends between them are ends all the same.
+TEST(Simulate, RestsAtEndsBetweenTwoCounts) {
+  const Folder folder;
+  for (const char* end : {"31.12345", "31.1234", "31.12349", "7.00005"}) {
+    folder.write("part.ngc", std::string("G21 G90 F3000\nG1 X") + end + " Y" + end + "\nM2\n");
+    const auto outcome = leadscrew(folder, {"simulate", "part.ngc", "--json"});
+    EXPECT_EQ(outcome.status, 0) << end << outcome.errors;
+    EXPECT_FALSE(outcome.json()["settling_s"].is_null()) << end;
+  }
+}
+
 TEST(Simulate, StopsWhenInterrupted) {
   const Folder folder;
   folder.write("part.ngc", long_program(200000));

@@ -20,6 +20,7 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
+constexpr double least_spare = 0.1;         // s planned behind the words that are made ahead
 constexpr double slice = 0.02;              // s of motion that is handed over at a time
 
 base::Diagnostic drives_problem(std::string_view code, std::string message, std::string hint = {}) {
@@ -64,6 +65,9 @@ class ProgramDrive {
     // A state that goes on may be kept in another file or in the same.
     if (arguments_.resume && arguments_.resume != arguments_.state) written.push_back(*arguments_.resume);
     if (auto sound = check_written(written, program, job_.arguments); !sound) return sound;
+    if (arguments_.state && arguments_.state != arguments_.resume) {
+      if (auto sound = check_replaceable(*arguments_.state); !sound) return sound;
+    }
     if (auto trace = check_ending("--trace", arguments_.trace, ".csv", ".npy"); !trace) return trace;
     return check_ending("--axes", arguments_.axes, ".csv", ".npy");
   }
@@ -141,7 +145,8 @@ class ProgramDrive {
     realtime::Runner runner({.period = job_.machine.period,
                              .position = begin.word.position,
                              .path_length = begin.word.path_length,
-                             .look_ahead = arguments_.look_ahead + static_cast<double>(words_of_slice) * period,
+                             .look_ahead = std::max(arguments_.look_ahead, arguments_.lead + least_spare) +
+                                           static_cast<double>(words_of_slice) * period,
                              .lead = lead,
                              .slice = words_of_slice},
                             {.next = [&] { return source.next(); },

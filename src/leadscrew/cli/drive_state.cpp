@@ -195,6 +195,14 @@ base::Result<void> check_resumable(const DriveState& state, const Fingerprint& n
   return {};
 }
 
+base::Result<void> check_replaceable(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) == 0) return {};
+  if (read_state(path)) return {};
+  return refusal("state-other", "holds something else than the state of a drive",
+                 "name another file, or remove this one", path);
+}
+
 base::Result<void> check_on_path(const DriveState& state, const InputFile& program, const Job& job,
                                  const std::string& path) {
   constexpr double same = 1e-6;  // mm or degrees

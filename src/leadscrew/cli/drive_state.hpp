@@ -40,6 +40,8 @@ base::Result<DriveState> read_state(const std::string& path);
 base::Result<void> check_resumable(const DriveState& state, const Fingerprint& now, const machine::Machine& machine,
                                    const std::string& path);
 
+/// Is there no file yet, an empty one, one that is not regular, or an earlier state? Errors: `state-other`.
+base::Result<void> check_replaceable(const std::string& path);
 /// The path is planned anew as far as the state's place. Errors: `resume-state` where it does not pass there.
 base::Result<void> check_on_path(const DriveState& state, const InputFile& program, const Job& job,
                                  const std::string& path);

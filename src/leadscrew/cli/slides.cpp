@@ -93,9 +93,14 @@ void Slides::watch_rest(const servo::Followed& followed) {
   for (const base::Axis axis : base::all_axes) {
     if (!axes_.contains(axis)) continue;
     const std::size_t k = base::index(axis);
-    const double least = machine_->limits(axis).blu / 4;
-    const bool moves = std::fabs(followed.velocity[k]) * quiet_time > least;
-    rests_ = rests_ && !moves && std::fabs(followed.position[k] - before[k]) <= least;
+    const double blu = machine_->limits(axis).blu;
+    const std::optional<double> counts = machine_->drives[k].encoder_counts;
+    // Between two counts of its encoder a slide may hunt for ever.
+    const double count = counts ? 1 / *counts : blu;
+    const bool hunts = std::all_of(after_end_.end() - quiet_, after_end_.end(), [&](const base::AxisVector& at) {
+      return std::fabs(at[k] - followed.position[k]) <= count;
+    });
+    rests_ = rests_ && hunts && std::fabs(followed.position[k] - before[k]) <= blu / 4;
   }
 }
 

@@ -8,7 +8,12 @@ namespace leadscrew::realtime {
 namespace {
 
 constexpr std::int64_t nap = 500'000;  // ns, of a planner that has planned enough
-constexpr std::size_t chunks_at_a_time = 64;
+constexpr std::size_t fewest_chunks = 64;
+constexpr double short_chunk = 5e-3;  // s; most are longer
+
+std::size_t chunks_within(double look_ahead) {
+  return std::max(fewest_chunks, static_cast<std::size_t>(look_ahead / short_chunk));
+}
 
 void add(std::atomic<std::int64_t>& counter, std::int64_t count) noexcept {
   counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
@@ -20,7 +25,7 @@ Runner::Runner(const RunnerOptions& options, Planning planning, WordSink sink)
     : options_(options),
       planning_(std::move(planning)),
       sink_(std::move(sink)),
-      controller_(options.period, options.position, chunks_at_a_time, options.path_length) {}
+      controller_(options.period, options.position, chunks_within(options.look_ahead), options.path_length) {}
 
 Runner::~Runner() {
   halt();
@@ -32,14 +37,12 @@ void Runner::start() {
   planner_thread_ = std::thread([this] { plan(); });
 }
 
-bool Runner::override_feed(double factor) {
-  if (!requests_.push(std::clamp(factor, 0.0, 2.0))) return false;
-  asked_.store(factor, std::memory_order_relaxed);
-  return true;
+void Runner::override_feed(double factor) {
+  asked_.store(std::clamp(factor, 0.0, 2.0), std::memory_order_relaxed);
 }
 
-bool Runner::stop() {
-  return requests_.push(stop_request);
+void Runner::stop() {
+  stop_asked_.store(true, std::memory_order_relaxed);
 }
 
 void Runner::halt() {
@@ -79,11 +82,11 @@ void Runner::plan() {
 }
 
 void Runner::take_requests() {
-  for (double request = 0; requests_.pop(request);) {
-    stopping_ = stopping_ || request == stop_request;
-    factor_ = stopping_ ? 0 : request;
-    planning_.override_feed(factor_);
-  }
+  stopping_ = stop_asked_.load(std::memory_order_relaxed);
+  const double asked = stopping_ ? 0 : asked_.load(std::memory_order_relaxed);
+  if (asked == factor_) return;
+  factor_ = asked;
+  planning_.override_feed(factor_);
 }
 
 /// Motion that is held is planned to its rest, and no further.

@@ -77,10 +77,10 @@ class Runner {
 
   /// Plans ahead, then makes the first word.
   void start();
-  /// Feed override, 0 … 2; 0 holds. One thread asks, not the planner's. False if too many requests wait.
-  bool override_feed(double factor);
+  /// Feed override, 0 … 2; 0 holds. What was asked last counts.
+  void override_feed(double factor);
   /// Brings motion to rest on the path, and ends.
-  bool stop();
+  void stop();
   /// Makes no more words, whatever moves.
   void halt();
 
@@ -102,13 +102,10 @@ class Runner {
   bool publish() noexcept;
   bool is_last() const noexcept;
 
-  static constexpr double stop_request = -1;
-
   const RunnerOptions options_;
   Planning planning_;
   WordSink sink_;
   interpolator::Controller controller_;
-  Ring<double, 64> requests_;
   Histogram latencies_;
   std::optional<base::Diagnostic> notice_;
 
@@ -129,6 +126,7 @@ class Runner {
   std::atomic<std::int64_t> last_chunk_{-1};  ///< number of the last one, once it is known
   std::atomic<std::int64_t> words_{0}, overruns_{0}, slips_{0}, late_chunks_{0};
   std::atomic<double> seconds_ahead_{0}, asked_{1};
+  std::atomic<bool> stop_asked_{false};
   std::thread planner_thread_, cyclic_thread_;
 };
 
