@@ -198,9 +198,8 @@ int drive_through_kills(unsigned seed) {
     }
     if (!axes.empty()) rest = axes.back().q;
     EXPECT_LE(distance_to(path, rest), 3e-4);
-    // Along curves what is left of speeding up comes first, 0.1 s; a stop takes 1.5 of that. Below 50 mm/s, with as
-    // much again for where stops are looked for, it is less than 0.3 s.
-    EXPECT_LE(distance(rest, last.q), 15);
+    // A way to rest goes on to where the planner's window ends: here within one line or arc, or what is blended.
+    EXPECT_LE(distance(rest, last.q), 63);
     if (state_of(folder) == "ended" || ::testing::Test::HasFailure()) {
       EXPECT_LE(distance(last.q, path.back().q), 1e-9);
       return kills;

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <leadscrew/machine/machine.hpp>
-#include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/speed_profile.hpp>
@@ -37,15 +36,10 @@ Segment along_interval(const SpeedProfile& profile, std::size_t interval, double
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks);
 
-/// From motion to rest in t seconds: speed falls by a cubic from the speed and the acceleration there are to 0 and 0,
-/// v(u) = (1 − u)²(v + u(2v + at)), u = τ/t. Jerk is (4at + 6v)/t² against the motion at first and (6v + 2at)/t² at
-/// last; it goes back nowhere where 3v + at ≥ 0.
-Segment stop_within(const PathState& from, double t);
-/// The shortest t, s, that the limits along the tangent may allow; the speed there is must be > 0.
-double shortest_stop(const PathState& from, const TangentLimits& limits);
-
-/// From motion to rest within `room`, no longer than `longest`, s: the first such stop that keeps every limit of every
-/// axis is taken. Nothing if there is none.
+/// From motion to rest within `room`, no longer than `longest`, s: speed falls by a cubic from the speed and the
+/// acceleration there are to 0 and 0, v(u) = (1 − u)²(v + u(2v + aT)), u = τ/T. Jerk is (4aT + 6v)/T² against the
+/// motion at first and (6v + 2aT)/T² at last; the first T that keeps every limit of every axis is taken. Nothing if
+/// there is none.
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
                                     const machine::Machine& machine);
 
