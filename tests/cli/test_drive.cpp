@@ -197,7 +197,10 @@ int drive_through_kills(unsigned seed) {
       last = words.back();
     }
     if (!axes.empty()) rest = axes.back().q;
-    EXPECT_LE(distance_to(path, rest), 3e-4);
+    // Killed before its first word, on the straight way to where it would have gone on, it rests there.
+    if (!words.empty()) {
+      EXPECT_LE(distance_to(path, rest), 3e-4);
+    }
     // A way to rest goes on to where the planner's window ends: here within one line or arc, or what is blended.
     EXPECT_LE(distance(rest, last.q), 63);
     if (state_of(folder) == "ended" || ::testing::Test::HasFailure()) {
