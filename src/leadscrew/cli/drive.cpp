@@ -72,7 +72,8 @@ class ProgramDrive {
     return check_ending("--axes", arguments_.axes, ".csv", ".npy");
   }
 
-  /// A stop along a line takes max v/a + max a/J at most, along a curve some times that.
+  /// A stop along a line takes max v/a + max a/J at most. Ways to rest go on to the end of a window of the planner's,
+  /// some such stops long: what is longer still ends motion when it comes (why_tripped).
   base::Result<void> check_stops() const {
     constexpr double on_curves = 4;
     double brake = 0, release = 0;

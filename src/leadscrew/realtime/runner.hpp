@@ -39,7 +39,7 @@ struct Planning {
   std::function<bool(const planner::Chunk&)> lets = {};
 };
 
-/// Where words go; called by the cyclic thread: it must not wait.
+/// Where words go; called by the cyclic thread: it must not wait. A sink that needs no way to rest has `take` alone.
 struct WordSink {
   std::function<bool(const base::Word&)> take;           ///< false if it has no room: it is given the word again
   std::function<bool(const base::AxisVector&)> lead_on;  ///< to here goes the way to rest; false if it is too long
