@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <string>
 #include <vector>
@@ -58,6 +60,28 @@ TEST(Slices, MakeTheSameWordsOnLongLinesAtRoundFigures) {
   EXPECT_GT(first_difference("G21 G90 G94\nG1 X100 F6000\nX150\nG1 Y50\nG0 X0 Y0\nG64 P0.1\nG1 X10 F600\nG1 Y10\nM2\n",
                              machine::mill3()),
             20'000U);
+}
+
+/// Wherever the planner falls silent: mostly as soon as a stop along a line takes, v/a + a/J = 0.1 s here, or √(4v/J)
+/// where that does not come to a; nowhere later than in some such times.
+TEST(Slices, StopSoon) {
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable tools;
+  const std::string text =
+      "G21 G90 G94 G17 F3000\nG64 P0.05\nG1 X30\nG1 X5 Y8\nG1 X20 Y18\nG3 X20 Y38 I0 J10\nG1 X0\nG5 I10 J0 P0 Q-10 X30 "
+      "Y0\nG2 X30 Y0 I-8 J0\nM2\n";
+  pipeline::MotionSource source(gcode::text_source(text), machine, tools, {}, nullptr);
+  source.planner().slice(0.02);
+  std::vector<double> stops;
+  while (const auto chunk = source.next()) {
+    if (chunk->stop_tail.empty()) continue;
+    const planner::Segment& last = chunk->stop_tail.back();
+    stops.push_back((last.begin + last.duration - chunk->end()).value());
+  }
+  ASSERT_GT(stops.size(), 150U);
+  std::sort(stops.begin(), stops.end());
+  EXPECT_LE(stops[stops.size() * 9 / 10], 0.2);
+  EXPECT_LE(stops.back(), 0.4);
 }
 
 }  // namespace

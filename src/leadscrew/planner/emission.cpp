@@ -265,27 +265,56 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
   return {std::max(greatest.velocity, feed), turns_back ? std::max(turning_back, rows) : rows, turns_back};
 }
 
+Segment stop_within(const PathState& from, double t) {
+  const double v = from.speed, a = from.acceleration;
+  Segment segment;
+  segment.duration = t;
+  segment.s0 = from.s;
+  segment.v0 = v;
+  segment.c2 = a / 2;
+  segment.c3 = (-3 * v - 2 * t * a) / (3 * t * t);
+  segment.c4 = (2 * v + t * a) / (4 * t * t * t);
+  return segment;
+}
+
+/// Jerk is greatest where it begins. The peak of acceleration is least, 4v/(3t), where a = −v/t; 3v/(2t) where a = 0.
+double shortest_stop(const PathState& from, const TangentLimits& limits) {
+  const double v = from.speed, a = from.acceleration, jerk = 0.99 * limits.jerk;
+  return std::max((a + std::sqrt(a * a + 6 * v * jerk)) / jerk, 1.33 * v / limits.acceleration);
+}
+
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
                                     const machine::Machine& machine) {
   const TangentLimits limits = tangent_limits(section.jets(from.s, Side::right), machine);
-  const double jerk = 0.99 * limits.jerk;
   const double v = from.speed, a = from.acceleration;
   if (!(v > 0)) return std::nullopt;
-  // Jerk is greatest where it begins. The peak of acceleration is least, 4v/(3t), where a = −v/t; 3v/(2t) where a = 0.
-  double t = std::max((a + std::sqrt(a * a + 6 * v * jerk)) / jerk, 1.33 * v / limits.acceleration);
+  double t = shortest_stop(from, limits);
   for (int attempt = 0; attempt < 40; ++attempt, t *= 1.06) {
     const double way = t * (v / 2 + t * a / 12);
     if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;
-    Segment segment;
-    segment.duration = t;
-    segment.s0 = from.s;
-    segment.v0 = v;
-    segment.c2 = a / 2;
-    segment.c3 = (-3 * v - 2 * t * a) / (3 * t * t);
-    segment.c4 = (2 * v + t * a) / (4 * t * t * t);
+    const Segment segment = stop_within(from, t);
     if (greatest_ratios(segment, section, machine, infinity, stop_looks).worst() <= 1) return segment;
   }
   return std::nullopt;
+}
+
+std::vector<Segment> cut_at(const Segment& segment, std::span<const double> places) {
+  std::vector<Segment> parts;
+  Segment rest = segment;
+  const double end = evaluate(segment, segment.duration.value()).s;
+  for (const double place : places) {
+    if (place <= rest.s0.value()) continue;
+    if (place >= end) break;
+    const double t = time_at(rest, place);
+    if (!(t > 0 && t < rest.duration.value())) continue;
+    const Segment behind = later(rest, t);
+    rest.duration = DoubleDouble(t);
+    parts.push_back(rest);
+    rest = behind;
+    rest.s0 = place;
+  }
+  parts.push_back(rest);
+  return parts;
 }
 
 std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double section_end,

@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/speed_profile.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace leadscrew::planner {
@@ -30,18 +32,28 @@ double travel_time(const SpeedProfile& profile, std::size_t interval, double fro
 /// Along a part of an interval, from `from` on, which becomes where it ends.
 Segment along_interval(const SpeedProfile& profile, std::size_t interval, double begin, double end, PathState& from);
 
+/// Looks of the proof, a segment between knots; the close ones where knots lie far apart for how speed falls.
+inline constexpr int usual_looks = 12, close_looks = 32;
 /// The largest ratios of speed, and of acceleration and jerk, some looks a segment. Speed is beside `feed_factor` times
 /// the programmed one, too. A motion that turns back counts as one that exceeds acceleration by half, so that it is
 /// planned again deeper inside the limits.
 Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
                        double feed_factor, int looks);
 
-/// From motion to rest within `room`, no longer than `longest`, s: speed falls by a cubic from the speed and the
-/// acceleration there are to 0 and 0, v(u) = (1 − u)²(v + u(2v + aT)), u = τ/T. Jerk is (4aT + 6v)/T² against the
-/// motion at first and (6v + 2aT)/T² at last; the first T that keeps every limit of every axis is taken. Nothing if
-/// there is none.
+/// From motion to rest in t seconds: speed falls by a cubic from the speed and the acceleration there are to 0 and 0,
+/// v(u) = (1 − u)²(v + u(2v + at)), u = τ/t. Jerk is (4at + 6v)/t² against the motion at first and (6v + 2at)/t² at
+/// last; it goes back nowhere where 3v + at ≥ 0.
+Segment stop_within(const PathState& from, double t);
+/// The shortest t, s, that the limits along the tangent may allow; the speed there is must be > 0.
+double shortest_stop(const PathState& from, const TangentLimits& limits);
+
+/// From motion to rest within `room`, no longer than `longest`, s: the first such stop that keeps every limit of every
+/// axis is taken. Nothing if there is none.
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
                                     const machine::Machine& machine);
+
+/// A segment, parted at those of these places along the section that lie inside it. They ascend.
+std::vector<Segment> cut_at(const Segment& segment, std::span<const double> places);
 
 /// Segments along a section, which end at `end`, cut where pieces meet; way is counted from each piece's beginning and
 /// pieces from `first_piece`, on which the first segment begins.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/planner/early_stop.hpp>
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
@@ -278,27 +279,30 @@ Chunk LookAhead::hand_out() {
   const auto middle = segments.begin() + static_cast<std::ptrdiff_t>(after);
   const double end = after < count ? segments[after].s0.value() : window.end;
   const std::size_t first_piece = section_.piece_at(begin_, Side::right);
-  const std::size_t last_piece = section_.piece_at(window.end, Side::left);
+  Tail tail{{middle, segments.end()}, window.end};
+  if (slice_ < infinity && factor_ > 0) tail = tail_of(window, after, section_, machine_, planned_factor_);
+  const double rest = tail.end;
+  const std::size_t last_piece = section_.piece_at(rest, Side::left);
   Chunk chunk;
   chunk.pieces.reserve(last_piece + 1 - first_piece);
   for (std::size_t p = first_piece; p <= last_piece; ++p) chunk.pieces.push_back(section_.piece(p));
   chunk.segments = along_pieces({from, middle}, section_, end, first_piece);
-  chunk.stop_tail = along_pieces({middle, segments.end()}, section_, window.end, first_piece);
+  chunk.stop_tail = along_pieces(tail.segments, section_, rest, first_piece);
   chunk.begin = start;
   chunk.duration = chunk.segments.back().begin + chunk.segments.back().duration - start;
   chunk.length = end - begin_;
-  chunk.tail_length = window.end - end;
+  chunk.tail_length = rest - end;
   const toolpath::Piece& last = section_.piece(last_piece);
   // At the end of a piece exactly there: the way on it, which has been rounded, may fall short of its length.
   const double offset = section_.offset(last_piece), length = geometry::length(last.curve);
-  const double on_piece = window.end >= offset + length ? length : window.end - offset;
+  const double on_piece = rest >= offset + length ? length : rest - offset;
   chunk.rest = geometry::evaluate(last.curve, DoubleDouble(on_piece));
   chunk.rest_line = last.line_at(on_piece);
   // Of the window: what is forgotten must not depend on how it is sliced.
   if (window.next == 0) last_begin_ = begin_;
   last_tail_end_ = tail_end_;
   begin_ = end;
-  tail_end_ = window.end;
+  tail_end_ = rest;
   window.next = after;
   if (after == count) stand_at(window.end >= section_.length() ? section_.length() : window.end);
   return chunk;

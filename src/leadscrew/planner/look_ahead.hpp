@@ -8,7 +8,7 @@
 //             /  |            |  `--.__     the way to stop is no different from the optimum of the whole section. The
 //                                           rest, with a stop at its end, is the chunk's stop tail.
 //
-// A committed part may be handed out in slices, each with the rest of the window as its tail. A change of speed asked
+// A committed part may be handed out in slices, each with a tail that stops as early as can be. A change of speed asked
 // for (feed override, feed hold) takes effect where the last slice ends: from there the window is planned anew, first
 // down to the speed that is wanted as fast as the limits allow, then as fast as is allowed.
 

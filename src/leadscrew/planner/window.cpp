@@ -31,8 +31,6 @@ constexpr double most_parts = 32;       // of an interval, at once
 constexpr double steepest = 2.5;        // ratio of the widths of neighbours
 constexpr double widest = 8;
 constexpr std::size_t most_refined = 600, intervals_at_end = 8;
-constexpr int usual_looks = 12;  // of the proof, a segment
-constexpr int close_looks = 32;  // where knots lie far apart for how speed falls
 constexpr std::size_t stopping_intervals = 20;
 constexpr double granted_slowing = 1.0002;              // below, slowing time costs less than planning again
 constexpr double ways_to_stop = 4, stops_before = 1.2;  // of what the end of a window is felt by

@@ -37,6 +37,7 @@ struct Window {
   std::size_t next = 0;                ///< segment that is handed out next
   std::size_t unchanged_until = 0;     ///< a change of speed waits: not tried again before this segment is next
   std::size_t patience = 2;            ///< segments until it is tried again
+  std::vector<double> stops;           ///< from where segments begin: duration, s; 0: not tried, less: none found
 };
 
 /// As fast as the limits allow, or to rest as soon as they allow.
