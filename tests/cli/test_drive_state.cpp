@@ -36,6 +36,9 @@ TEST(DriveState, ThatWasChangedByHandIsRefused) {
            {"word", -5},
            {"line", "two"},
            {"axes", {1, 2}},
+           {"axes", {2, 0.9, 0, 0, 0, 0, 0, 0, 0}},  // not at the place of axes_path_length
+           {"axes_path_length", 2},                  // before the last word
+           {"axes_path_length", 1000},
            {"axes", {9000, 0, 0, 0, 0, 0, 0, 0, 0}},       // beyond the travel
            {"axes", {0, 0, 0, 30, 0, 0, 0, 0, 0}},         // of no axis there is
            {"position", {0, -9000, 0, 0, 0, 0, 0, 0, 0}},  //

@@ -144,9 +144,9 @@ TEST(DriveView, StopsAtAPause) {
   EXPECT_NEAR(Json::parse(folder.read("state"))["position"][0], 5, 1e-9);
 }
 
-TEST(DriveView, TellsOfTheWayToWhereItGoesOnAndStopsThere) {
+TEST(DriveView, TellsOfTheWayBackToWhereItGoesOnAndStopsThere) {
   const Folder folder;
-  folder.write("part.ngc", circle);
+  folder.write("part.ngc", "G21 G90 G94\nG1 X400 F3000\nM2\n");
   {
     OnTerminal running(folder, {"drive", "part.ngc", "--state", "state"});
     EXPECT_TRUE(running.shows("feed   3000.0 /min"));
@@ -154,10 +154,10 @@ TEST(DriveView, TellsOfTheWayToWhereItGoesOnAndStopsThere) {
     EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
   }
   Json state = Json::parse(folder.read("state"));
-  state["axes"][2] = 400.0;
+  for (Json* each : {&state["axes"][0], &state["axes_path_length"]}) *each = each->get<double>() + 100;
   folder.write("state", state.dump());
   OnTerminal running(folder, {"drive", "part.ngc", "--resume", "state"});
-  EXPECT_TRUE(running.shows("on the way to where motion goes on, at most 3000.0 /min"));
+  EXPECT_TRUE(running.shows("back along the path to where motion goes on, 3."));
   running.press("q");
   EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
   EXPECT_EQ(running.status(), 130);

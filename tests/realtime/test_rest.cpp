@@ -63,7 +63,7 @@ class Abandoned {
     realtime::Runner runner({.period = machine.period, .look_ahead = 60, .lead = 1'000'000, .slice = 20},
                             {.next = next, .refuse = [] {}, .override_feed = [](double) {}},
                             {.take = [&](const base::Word& word) { return stream_->push(word); },
-                             .lead_on = [&](const base::AxisVector& to) { return stream_->lead_on(to); },
+                             .lead_on = [&](const base::PathPlace& to) { return stream_->lead_on(to); },
                              .publish = [&, last_word] { return taken() <= last_word && stream_->publish(); }});
     runner.start();
     while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 100'000);
@@ -81,7 +81,7 @@ class Abandoned {
     while (stream_->pop(word)) q.push_back(word.position);
     words = q.size();
     EXPECT_TRUE(stream_->leave_if_empty());
-    for (base::AxisVector position; stream_->follow_way(position);) q.push_back(position);
+    for (base::PathPlace place; stream_->follow_way(place);) q.push_back(place.position);
     way = q.size() - words;
   }
 
@@ -114,7 +114,7 @@ TEST(Rest, IsOnThePathWithinTravelAndLimitsWheneverWordsCease) {
   }
   EXPECT_GT(in_motion, 100U);
   // Along a line a stop from full speed takes v/a + a/J = 0.25 s.
-  EXPECT_LE(longest, 1000U);
+  EXPECT_LE(longest, 700U);
 }
 
 }  // namespace

@@ -36,14 +36,14 @@ TEST(WordStream, ShowsWordsOnlyOncePublished) {
 TEST(WordStream, LeadsToRestBehindTheLastPublishedWord) {
   realtime::WordStream<4, 2> stream;
   base::Word word;
-  base::AxisVector position{};
+  base::PathPlace place;
   EXPECT_TRUE(stream.push(word_at(1)));
-  EXPECT_TRUE(stream.lead_on({1.5}));
-  EXPECT_TRUE(stream.lead_on({1.6}));
-  EXPECT_FALSE(stream.lead_on({1.7}));
+  EXPECT_TRUE(stream.lead_on({{1.5}, 1.5}));
+  EXPECT_TRUE(stream.lead_on({{1.6}, 1.6}));
+  EXPECT_FALSE(stream.lead_on({{1.7}, 1.7}));
   EXPECT_TRUE(stream.publish());
   EXPECT_TRUE(stream.push(word_at(2)));
-  EXPECT_TRUE(stream.lead_on({2.5}));
+  EXPECT_TRUE(stream.lead_on({{2.5}, 2.5}));
   EXPECT_FALSE(stream.leave_if_empty());
   EXPECT_FALSE(stream.has_left());
   EXPECT_TRUE(stream.pop(word));
@@ -51,27 +51,28 @@ TEST(WordStream, LeadsToRestBehindTheLastPublishedWord) {
   EXPECT_TRUE(stream.has_left());
   EXPECT_FALSE(stream.publish());
   EXPECT_FALSE(stream.pop(word));
-  for (const double place : {1.5, 1.6}) {
-    EXPECT_TRUE(stream.follow_way(position));
-    EXPECT_EQ(position[0], place);
+  for (const double at : {1.5, 1.6}) {
+    EXPECT_TRUE(stream.follow_way(place));
+    EXPECT_EQ(place.position[0], at);
+    EXPECT_EQ(place.path_length, at);
   }
-  EXPECT_FALSE(stream.follow_way(position));
+  EXPECT_FALSE(stream.follow_way(place));
 }
 
 TEST(WordStream, WhatWasPublishedIsTakenAfterLeaving) {
   realtime::WordStream<4, 2> stream;
   base::Word word;
-  base::AxisVector position{};
+  base::PathPlace place;
   EXPECT_TRUE(stream.push(word_at(1)));
-  EXPECT_TRUE(stream.lead_on({1.5}));
+  EXPECT_TRUE(stream.lead_on({{1.5}, 1.5}));
   EXPECT_TRUE(stream.publish());
   stream.leave();
   EXPECT_TRUE(stream.push(word_at(2)));
   EXPECT_FALSE(stream.publish());
   EXPECT_TRUE(stream.pop(word));
   EXPECT_FALSE(stream.pop(word));
-  EXPECT_TRUE(stream.follow_way(position));
-  EXPECT_EQ(position[0], 1.5);
+  EXPECT_TRUE(stream.follow_way(place));
+  EXPECT_EQ(place.position[0], 1.5);
 }
 
 /// Word n is at n; the way behind it goes n + 0.25, n + 0.5, …: whenever the drives leave, they go the way that belongs
@@ -91,7 +92,7 @@ TEST(WordStream, TwoThreadsAgreeOnWhereTheDrivesLeft) {
           continue;
         }
         for (int part = 1; part <= 3 && number % 3 == 0; ++part) {
-          ASSERT_TRUE(stream->lead_on({number + part / 4.0}));
+          ASSERT_TRUE(stream->lead_on({{number + part / 4.0}, number + part / 4.0}));
         }
         if (number % 3 == 0) {
           if (!stream->publish()) return;
@@ -115,12 +116,12 @@ TEST(WordStream, TwoThreadsAgreeOnWhereTheDrivesLeft) {
     }
     maker.join();
     EXPECT_EQ(last, published);
-    base::AxisVector position{};
+    base::PathPlace place;
     for (int part = 1; part <= 3 && last > 0; ++part) {
-      ASSERT_TRUE(stream->follow_way(position));
-      ASSERT_EQ(position[0], last + part / 4.0);
+      ASSERT_TRUE(stream->follow_way(place));
+      ASSERT_EQ(place.position[0], last + part / 4.0);
     }
-    EXPECT_FALSE(stream->follow_way(position));
+    EXPECT_FALSE(stream->follow_way(place));
     left_in_the_middle += last > 0 && last < most - 1;
   }
   EXPECT_GT(left_in_the_middle, 0);

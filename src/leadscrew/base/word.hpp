@@ -28,4 +28,10 @@ struct Word {
   MotionState state = MotionState::rest;
 };
 
+/// Where axes are along the tool path.
+struct PathPlace {
+  AxisVector position{};   ///< mm or degrees
+  double path_length = 0;  ///< as in Word
+};
+
 }  // namespace leadscrew::base

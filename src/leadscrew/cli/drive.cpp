@@ -10,9 +10,7 @@
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
-#include <leadscrew/pipeline/programmed_feed.hpp>
 #include <leadscrew/realtime/schedule.hpp>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -45,8 +43,7 @@ class ProgramDrive {
     if (!begin) return failed(begin.error());
     let_first_interruption_pass();
     // Before there are threads.
-    approach_feed_ = feed_of_approach(*file, *begin);
-    auto process = DriveProcess::start(job_, *begin, approach_feed_);
+    auto process = DriveProcess::start(job_, *begin, way_back_);
     if (!process) return failed(process.error());
     return move(*file, *begin, **process);
   }
@@ -72,8 +69,8 @@ class ProgramDrive {
     return check_ending("--axes", arguments_.axes, ".csv", ".npy");
   }
 
-  /// A stop along a line takes max v/a + max a/J at most. Ways to rest go on to the end of a window of the planner's,
-  /// some such stops long: what is longer still ends motion when it comes (why_tripped).
+  /// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, ways to rest go on to the end
+  /// of a window of the planner's, some such stops long: what is longer still ends motion when it comes (why_tripped).
   base::Result<void> check_stops() const {
     constexpr double on_curves = 4;
     double brake = 0, release = 0;
@@ -102,18 +99,19 @@ class ProgramDrive {
   }
 
   /// Where motion begins: at the start, or where an earlier drive has come to.
-  base::Result<DriveState> beginning(const InputFile& file) const {
+  base::Result<DriveState> beginning(const InputFile& file) {
     auto fingerprint = fingerprint_of(file, job_);
     if (!fingerprint) return base::failure(fingerprint.error());
     DriveState state;
-    state.word.position = state.axes = job_.start;
+    state.word.position = state.axes.position = job_.start;
     if (arguments_.resume) {
       auto kept = read_state(*arguments_.resume);
       if (!kept) return kept;
       if (auto same = check_resumable(*kept, *fingerprint, job_.machine, *arguments_.resume); !same)
         return base::failure(same.error());
-      if (auto there = check_on_path(*kept, file, job_, *arguments_.resume); !there)
-        return base::failure(there.error());
+      auto way_back = find_way_back(*kept, file, job_, *arguments_.resume);
+      if (!way_back) return base::failure(way_back.error());
+      way_back_ = std::move(*way_back);
       state = *kept;
     }
     state.program = file.name();
@@ -172,24 +170,13 @@ class ProgramDrive {
     return figures_;
   }
 
-  /// What the block asks for on which the last word lay; infinite where that was rapid, and where there is no way to
-  /// go.
-  double feed_of_approach(const InputFile& file, const DriveState& begin) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (begin.axes == begin.word.position) return infinity;
-    gcode::Reader reader = silent_reader(file, job_);
-    pipeline::ProgrammedFeed feed([&](gcode::Move& move) { return reader.next(move); });
-    const double programmed = feed.at(begin.word.line);
-    return programmed > 0 ? programmed : infinity;
-  }
-
-  /// Until the drives stand where motion begins. A signal, or q, brings them to rest on the way there.
+  /// Until the drives stand where motion begins. After a signal, or q, they do nothing more.
   base::Result<void> await(DriveProcess& drives) {
     DriveLink& link = drives.link();
     bool stops = false;
     while (drives.is_running() && (stops || link.phase.load(std::memory_order_acquire) == DriveLink::Phase::starting)) {
       take_feedback(link);
-      if (view_) view_->draw_approach(approach_feed_);
+      if (view_) view_->draw_way_back(static_cast<double>(way_back_.size()) * job_.machine.period.seconds());
       stops = stops || (view_ && view_->is_asked_to_stop()) || interruptions() > 0;
       if (stops) link.order.store(DriveLink::Order::abandon, std::memory_order_release);
       realtime::sleep_until(realtime::now() + frame / 4);
@@ -268,7 +255,7 @@ class ProgramDrive {
   static realtime::WordSink sink_to(DriveLink& link, std::size_t room) {
     return {
         .take = [&link, room](const base::Word& word) { return link.words.waiting() < room && link.words.push(word); },
-        .lead_on = [&link](const base::AxisVector& position) { return link.words.lead_on(position); },
+        .lead_on = [&link](const base::PathPlace& place) { return link.words.lead_on(place); },
         .publish = [&link] { return link.words.publish(); }};
   }
 
@@ -316,8 +303,8 @@ class ProgramDrive {
   DiagnosticLog& log_;
   std::vector<Descriptor> held_;  ///< states
   std::atomic<bool> has_passed_pause_{false};
-  std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
-  double approach_feed_ = 0;           ///< mm/s or degrees/s
+  std::atomic<std::int64_t> read_{0};      ///< bytes of the program, by the planner's thread
+  std::vector<base::PathPlace> way_back_;  ///< to where the first word will be
   DriveFigures figures_;
   std::optional<DriveView> view_;           ///< on a terminal
   std::optional<base::Diagnostic> notice_;  ///< that is told when the terminal is as it was

@@ -10,7 +10,8 @@
 
 namespace leadscrew::cli {
 
-base::Result<std::unique_ptr<DriveProcess>> DriveProcess::start(const Job& job, const DriveState& begin, double feed) {
+base::Result<std::unique_ptr<DriveProcess>> DriveProcess::start(const Job& job, const DriveState& begin,
+                                                                const std::vector<base::PathPlace>& way_back) {
   void* memory = ::mmap(nullptr, sizeof(DriveLink), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return base::failure(system_failure("io-open", "no memory to share", "drives", errno));
   // Not set to zero once more: what is not used takes no memory.
@@ -18,7 +19,7 @@ base::Result<std::unique_ptr<DriveProcess>> DriveProcess::start(const Job& job, 
   process->id_ = ::fork();
   if (process->id_ < 0) return base::failure(system_failure("io-open", "cannot start", "drives", errno));
   if (process->id_ == 0) {
-    run_drives(process->link(), job, begin, feed);
+    run_drives(process->link(), job, begin, way_back);
     ::_exit(0);
   }
   return process;

@@ -8,13 +8,15 @@
 #include <leadscrew/cli/drive_state.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <memory>
+#include <vector>
 
 namespace leadscrew::cli {
 
 class DriveProcess {
  public:
-  /// Before there are threads. `begin` and `feed` are those of run_drives(). Errors: `io-open`.
-  static base::Result<std::unique_ptr<DriveProcess>> start(const Job& job, const DriveState& begin, double feed);
+  /// Before there are threads. `begin` and `way_back` are those of run_drives(). Errors: `io-open`.
+  static base::Result<std::unique_ptr<DriveProcess>> start(const Job& job, const DriveState& begin,
+                                                           const std::vector<base::PathPlace>& way_back);
   /// Waits until the drives stand, without another word.
   ~DriveProcess();
   DriveProcess(const DriveProcess&) = delete;

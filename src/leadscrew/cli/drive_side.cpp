@@ -2,7 +2,6 @@
 #include <leadscrew/cli/drive_side.hpp>
 #include <leadscrew/cli/terminal.hpp>
 #include <leadscrew/cli/word_file.hpp>
-#include <leadscrew/realtime/drives.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <mutex>
 #include <thread>
@@ -16,6 +15,27 @@ using Phase = DriveLink::Phase;
 
 constexpr std::int64_t state_interval = 100'000'000;  // ns between two states on disk
 
+/// The axes, as they are told: one call a period.
+class Axes {
+ public:
+  /// They stand there.
+  explicit Axes(const base::PathPlace& place) : place_(place) {}
+
+  void follow(const base::PathPlace& place) {
+    const bool stayed = place.position == place_.position;
+    rest_ = stayed && stayed_;
+    stayed_ = stayed;
+    place_ = place;
+  }
+  const base::PathPlace& place() const { return place_; }
+  /// With neither speed nor acceleration.
+  bool at_rest() const { return rest_; }
+
+ private:
+  base::PathPlace place_;
+  bool stayed_ = true, rest_ = true;
+};
+
 /// Writes states in a thread of its own: the drives do not wait for a disk.
 class StateKeeper {
  public:
@@ -24,7 +44,7 @@ class StateKeeper {
   }
   ~StateKeeper() { end(); }
 
-  void observe(const base::Word& word, const base::AxisVector& axes) {
+  void observe(const base::Word& word, const base::PathPlace& axes) {
     const std::lock_guard lock(mutex_);
     state_.word = word;
     state_.axes = axes;
@@ -72,22 +92,22 @@ class DriveSide {
   DriveSide(DriveLink& link, const Job& job, const DriveState& begin)
       : link_(link),
         period_(job.machine.period),
-        drives_(job.machine, period_, begin.axes),
+        axes_(begin.axes),
         keeper_(job.arguments.drive.state, begin),
         last_(begin.word) {}
 
   base::Result<void> open(const Job& job) {
     const DriveArguments& arguments = job.arguments.drive;
     if (arguments.trace) {
-      if (auto opened = trace_.open(*arguments.trace, job.machine); !opened) return opened;
+      if (auto opened = trace_file_.open(*arguments.trace, job.machine); !opened) return opened;
     }
-    if (arguments.axes) return axes_.open(*arguments.axes, job.machine);
+    if (arguments.axes) return axes_file_.open(*arguments.axes, job.machine);
     return {};
   }
 
-  base::Result<void> run(double feed) {
+  base::Result<void> run(const std::vector<base::PathPlace>& way_back) {
     wake_ = realtime::now();
-    approach(feed);
+    go(way_back);
     link_.phase.store(Phase::ready, std::memory_order_release);
     while (period()) wait();
     return conclude();
@@ -96,18 +116,16 @@ class DriveSide {
   void give_up() { static_cast<void>(keeper_.conclude(DriveState::Kind::stopped)); }
 
  private:
-  /// From where the axes stand to where the first word will be; called off, they stand somewhere on the way.
-  void approach(double feed) {
-    const base::AxisVector target = last_.position;
+  /// To where the first word will be; that far whatever happens, for it is no farther than a stop.
+  void go(const std::vector<base::PathPlace>& way_back) {
     took(observe());
-    for (;; wait()) {
-      if (is_called_off() && drives_.at_rest()) return;
-      if (is_called_off()) drives_.call_off();
-      if (drives_.approach(target, feed)) return;
+    for (const base::PathPlace& place : way_back) {
+      axes_.follow(place);
+      wait();
       took(observe());
     }
+    while (!axes_.at_rest()) axes_.follow(axes_.place());
   }
-  bool is_called_off() const { return failed_ || is_orphan() || link_.order.load() == Order::abandon; }
 
   /// The drives' own clock: what this process is late by is time that stood still for them.
   void wait() {
@@ -128,7 +146,7 @@ class DriveSide {
     if (stands && !link_.words.has_left()) {
       if (order == Order::end) return false;
       if (!is_orphan()) {
-        drives_.follow(drives_.position());
+        axes_.follow(axes_.place());
         return true;
       }
     }
@@ -139,8 +157,8 @@ class DriveSide {
     base::Word word;
     if (!link_.words.pop(word)) return false;
     last_ = word;
-    drives_.follow(word.position);
-    took(trace_.write(word));
+    axes_.follow({word.position, word.path_length});
+    took(trace_file_.write(word));
     took(observe());
     link_.taken.fetch_add(1, std::memory_order_release);
     return true;
@@ -148,9 +166,9 @@ class DriveSide {
 
   /// Words have ceased; false where the way to rest has ended.
   bool come_to_rest() {
-    base::AxisVector next = drives_.position();
-    if (!link_.words.follow_way(next) && drives_.at_rest()) return false;
-    drives_.follow(next);
+    base::PathPlace next = axes_.place();
+    if (!link_.words.follow_way(next) && axes_.at_rest()) return false;
+    axes_.follow(next);
     link_.braked.fetch_add(1, std::memory_order_relaxed);
     took(observe());
     return true;
@@ -162,10 +180,10 @@ class DriveSide {
   base::Result<void> observe() {
     base::Word word = last_;
     word.tick = base::Tick{periods_++};
-    word.position = drives_.position();
-    keeper_.observe(last_, word.position);
+    word.position = axes_.place().position;
+    keeper_.observe(last_, axes_.place());
     link_.feedback.push({last_, word.position});
-    return axes_.write(word);
+    return axes_file_.write(word);
   }
 
   void took(const base::Result<void>& result) {
@@ -174,7 +192,7 @@ class DriveSide {
 
   /// Files first: who sees the last state finds them. One that could not be written takes no other with it.
   base::Result<void> conclude() {
-    for (WordFile* file : {&trace_, &axes_}) took(file->publish());
+    for (WordFile* file : {&trace_file_, &axes_file_}) took(file->publish());
     if (is_orphan() && link_.has_terminal.load(std::memory_order_acquire)) Terminal::restore(link_.terminal);
     const bool has_left = link_.words.has_left();
     const bool ended = !has_left && last_is_end();
@@ -186,10 +204,10 @@ class DriveSide {
   bool last_is_end() const { return link_.at_end.load(std::memory_order_acquire); }
 
   DriveLink& link_;
-  base::Period period_;
-  realtime::Drives drives_;
+  const base::Period period_;
+  Axes axes_;
   StateKeeper keeper_;
-  WordFile trace_, axes_;
+  WordFile trace_file_, axes_file_;
   base::Word last_;  ///< taken
   std::int64_t periods_ = 0, wake_ = 0;
   std::optional<base::Diagnostic> failed_;
@@ -198,7 +216,8 @@ class DriveSide {
 
 }  // namespace
 
-void run_drives(DriveLink& link, const Job& job, const DriveState& begin, double feed) {
+void run_drives(DriveLink& link, const Job& job, const DriveState& begin,
+                const std::vector<base::PathPlace>& way_back) {
   // A terminal sends ^C to both processes. What to do about it is the other's matter.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   DriveSide side(link, job, begin);  // with the thread that writes states, which is no hurry of anybody's
@@ -206,7 +225,7 @@ void run_drives(DriveLink& link, const Job& job, const DriveState& begin, double
   static_cast<void>(realtime::become_real_time());
   base::Result<void> done = side.open(job);
   if (done) {
-    done = side.run(feed);
+    done = side.run(way_back);
   } else {
     side.give_up();
   }

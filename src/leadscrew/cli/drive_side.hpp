@@ -4,12 +4,12 @@
 #include <leadscrew/cli/drive_link.hpp>
 #include <leadscrew/cli/drive_state.hpp>
 #include <leadscrew/cli/job.hpp>
+#include <vector>
 
 namespace leadscrew::cli {
 
 /// Until words end or cease; the process then has nothing more to do. `begin`: what is known before the first word: its
-/// word is where the first word will be, its axes where they stand; they go there with `feed`, mm/s (degrees/s where
-/// only rotary axes move).
-void run_drives(DriveLink& link, const Job& job, const DriveState& begin, double feed);
+/// word is where the first word will be, its axes where they stand; the way back leads from the one to the other.
+void run_drives(DriveLink& link, const Job& job, const DriveState& begin, const std::vector<base::PathPlace>& way_back);
 
 }  // namespace leadscrew::cli

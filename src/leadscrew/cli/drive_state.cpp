@@ -10,10 +10,12 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <leadscrew/cli/drive_link.hpp>
 #include <leadscrew/cli/drive_state.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
+#include <leadscrew/pipeline/way_back.hpp>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -23,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double at_rest = 1e-3;  // mm or degrees; axes may stand by rounding or their counts beyond their travel
-constexpr std::string_view state_schema = "leadscrew.state/1";
+constexpr std::string_view state_schema = "leadscrew.state/2";
 constexpr std::array<std::string_view, 3> kinds = {"moving", "stopped", "ended"};
 
 /// FNV-1a, 64 bits: tells files apart that differ by accident.
@@ -134,7 +136,8 @@ base::Result<void> write_state(const std::string& path, const DriveState& state)
                      {"line", base::number(state.word.line)},
                      {"path_length", state.word.path_length},
                      {"position", json_of(state.word.position)},
-                     {"axes", json_of(state.axes)}};
+                     {"axes", json_of(state.axes.position)},
+                     {"axes_path_length", state.axes.path_length}};
   auto file = OutputFile::create(path, OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   if (auto written = file->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); !written)
@@ -159,7 +162,8 @@ base::Result<DriveState> read_state(const std::string& path) {
     state.word.line = base::Line{count_of(json.at("line"))};
     state.word.path_length = length_of(json.at("path_length"));
     state.word.position = axes_of(json.at("position"));
-    state.axes = axes_of(json.at("axes"));
+    state.axes = {axes_of(json.at("axes")), length_of(json.at("axes_path_length"))};
+    if (state.axes.path_length < state.word.path_length) throw std::runtime_error("axes stand before the last word");
     return state;
   } catch (const std::exception& error) {
     return refusal("resume-state", fmt::format("is no state of a drive: {}", error.what()),
@@ -183,7 +187,7 @@ base::Result<void> check_resumable(const DriveState& state, const Fingerprint& n
   if (state.kind == DriveState::Kind::ended)
     return refusal("resume-ended", "was written by a drive that has come to the program's end", "", path);
   for (const base::Axis axis : base::all_axes) {
-    for (const double at : {state.axes[base::index(axis)], state.word.position[base::index(axis)]}) {
+    for (const double at : {state.axes.position[base::index(axis)], state.word.position[base::index(axis)]}) {
       const bool is_within = machine.has(axis) ? at >= machine.limits(axis).travel_min - at_rest &&
                                                      at <= machine.limits(axis).travel_max + at_rest
                                                : at == 0;
@@ -203,21 +207,36 @@ base::Result<void> check_replaceable(const std::string& path) {
                  "name another file, or remove this one", path);
 }
 
-base::Result<void> check_on_path(const DriveState& state, const InputFile& program, const Job& job,
-                                 const std::string& path) {
+base::Result<std::vector<base::PathPlace>> find_way_back(const DriveState& state, const InputFile& program,
+                                                         const Job& job, const std::string& path) {
   constexpr double same = 1e-6;  // mm or degrees
-  pipeline::MotionSource source(program.source(), job.machine, job.tools, job.reader_options(program.name()), nullptr);
-  source.planner().start_at(state.word.path_length, state.word.line);
-  source.next();
-  const std::optional<geometry::Point> at = source.planner().started_at();
-  const auto is_there = [&](base::Axis axis) {
-    return std::abs((*at)[base::index(axis)] - state.word.position[base::index(axis)]) <= same;
+  const auto refused = [&](double length, std::string_view but) {
+    return refusal("resume-state", fmt::format("says that the path was left after {:.6g} mm, but {}", length, but),
+                   "give the file as --state wrote it, to the same version of leadscrew", path);
   };
-  if (at && std::all_of(base::all_axes.begin(), base::all_axes.end(), is_there)) return {};
-  return refusal("resume-state",
-                 fmt::format("says that the path was left after {:.6g} mm, {}", state.word.path_length,
-                             at ? "but it is elsewhere there" : "but it is shorter"),
-                 "give the file as --state wrote it, to the same version of leadscrew", path);
+  const auto are_same = [](const base::AxisVector& a, const base::AxisVector& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), [](double p, double q) { return std::abs(p - q) <= same; });
+  };
+  pipeline::MotionSource source(program.source(), job.machine, job.tools, job.reader_options(program.name()), nullptr);
+  pipeline::PathStretch stretch(state.word.path_length, state.axes.path_length);
+  source.on_element = [&](const toolpath::Element& element) { stretch.push(element); };
+  source.planner().start_at(state.word.path_length, state.word.line);
+  bool goes_on = source.next().has_value();
+  const std::optional<geometry::Point> at = source.planner().started_at();
+  if (!at) return refused(state.word.path_length, "it is shorter");
+  if (!are_same(*at, state.word.position)) return refused(state.word.path_length, "it is elsewhere there");
+  if (state.axes.path_length == state.word.path_length) {
+    if (are_same(*at, state.axes.position)) return std::vector<base::PathPlace>();
+    return refused(state.axes.path_length, "it is elsewhere there");
+  }
+  while (goes_on && !stretch.is_whole()) goes_on = source.next().has_value();
+  if (!stretch.is_whole()) return refused(state.axes.path_length, "it is shorter");
+  if (!are_same(stretch.at(stretch.to()).position, state.axes.position))
+    return refused(state.axes.path_length, "it is elsewhere there");
+  auto way = pipeline::way_back(stretch, job.machine, DriveLink::longest_way);
+  if (!way) return refused(state.axes.path_length, "no way leads back without a stop");
+  way->back().position = state.word.position;
+  return std::move(*way);
 }
 
 }  // namespace leadscrew::cli

@@ -7,6 +7,7 @@
 #include <leadscrew/cli/input_file.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <string>
+#include <vector>
 
 namespace leadscrew::cli {
 
@@ -23,8 +24,8 @@ struct DriveState {
   std::string program, machine;  ///< names, for people
   Fingerprint fingerprint;
   Kind kind = Kind::moving;
-  base::Word word;          ///< the last that the drives have taken
-  base::AxisVector axes{};  ///< where they stand, or stood when this was written
+  base::Word word;       ///< the last that the drives have taken
+  base::PathPlace axes;  ///< where they stand, or stood when this was written: there, or ahead of it
 };
 
 /// Held by this process and those that it forks, until the last of them ends: no two drives keep the same state. Waits
@@ -42,8 +43,9 @@ base::Result<void> check_resumable(const DriveState& state, const Fingerprint& n
 
 /// Is there no file yet, an empty one, one that is not regular, or an earlier state? Errors: `state-other`.
 base::Result<void> check_replaceable(const std::string& path);
-/// The path is planned anew as far as the state's place. Errors: `resume-state` where it does not pass there.
-base::Result<void> check_on_path(const DriveState& state, const InputFile& program, const Job& job,
-                                 const std::string& path);
+/// From where the axes stand to where the last word was, a place a period; empty if they stand there. The path is read
+/// anew so far. Errors: `resume-state` where it does not pass there.
+base::Result<std::vector<base::PathPlace>> find_way_back(const DriveState& state, const InputFile& program,
+                                                         const Job& job, const std::string& path);
 
 }  // namespace leadscrew::cli

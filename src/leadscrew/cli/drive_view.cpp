@@ -95,11 +95,10 @@ void DriveView::draw(const realtime::Runner& runner) {
   if (is_due()) Terminal::draw("\033[H" + status_text(runner) + map_.text(style_) + "\033[J");
 }
 
-void DriveView::draw_approach(double feed) {
+void DriveView::draw_way_back(double seconds) {
   if (!is_due()) return;
-  const std::string pace = std::isfinite(feed) ? fmt::format("at most {:.1f} /min", feed * 60) : "rapid";
-  Terminal::draw(fmt::format("\033[H{}on the way to where motion goes on, {}{}{}{}{}\033[J", place_text(), pace, end,
-                             style_(Tone::faint, "q stop"), end, map_.text(style_)));
+  Terminal::draw(fmt::format("\033[H{}back along the path to where motion goes on, {:.1f} s{}{}{}{}\033[J",
+                             place_text(), seconds, end, style_(Tone::faint, "q stop"), end, map_.text(style_)));
 }
 
 }  // namespace leadscrew::cli

@@ -23,8 +23,8 @@ class DriveView {
   bool is_asked_to_stop();
   /// Ten times a second.
   void draw(const realtime::Runner& runner);
-  /// The same before there are words. feed: of the approach, /s; infinite for none.
-  void draw_approach(double feed);
+  /// The same before there are words, while axes go back for so many seconds.
+  void draw_way_back(double seconds);
 
  private:
   std::string place_text() const;

@@ -166,7 +166,7 @@ bool Runner::publish() noexcept {
   for (base::MotionState state = waiting_->state; sink_.lead_on && state != base::MotionState::rest;) {
     const base::Word word = onward.next();
     state = word.state;
-    if (sink_.lead_on(word.position)) continue;
+    if (sink_.lead_on({word.position, word.path_length})) continue;
     too_long_to_rest_.store(true, std::memory_order_release);
     return false;
   }

@@ -40,12 +40,12 @@ class WordStream {
     words_[pushed_++ % most_words] = word;
     return true;
   }
-  /// The way that will lead to rest behind the last word goes on to this position, a period later, mm or degrees. False
-  /// if it is too long.
-  bool lead_on(const base::AxisVector& position) noexcept {
+  /// The way that will lead to rest behind the last word goes on to this place, a period later. False if it is too
+  /// long.
+  bool lead_on(const base::PathPlace& place) noexcept {
     Way& way = ways_[spare_];
     if (way.size == longest_way) return false;
-    way.positions[way.size++] = position;
+    way.places[way.size++] = place;
     return true;
   }
   /// All words pushed so far, and the way behind them. False if the drives have left: then they never see them.
@@ -77,11 +77,11 @@ class WordStream {
     return has_left(seen) || state_.compare_exchange_strong(seen, seen | left, std::memory_order_acq_rel);
   }
   bool has_left() const noexcept { return has_left(state_.load(std::memory_order_acquire)); }
-  /// Having left, and taken all words: the next position on the way to rest. False behind its end.
-  bool follow_way(base::AxisVector& position) noexcept {
+  /// Having left, and taken all words: the next place on the way to rest. False behind its end.
+  bool follow_way(base::PathPlace& place) noexcept {
     const Way& way = ways_[state_.load(std::memory_order_acquire) >> 1 & 1];
     if (followed_ == way.size) return false;
-    position = way.positions[followed_++];
+    place = way.places[followed_++];
     return true;
   }
 
@@ -91,7 +91,7 @@ class WordStream {
 
   struct Way {
     std::size_t size = 0;
-    std::array<base::AxisVector, longest_way> positions;  ///< not touched before they are needed: they are many
+    std::array<base::PathPlace, longest_way> places;  ///< not touched before they are needed: they are many
   };
 
   static std::uint64_t head(std::uint64_t state) noexcept { return state >> 2; }

@@ -1,0 +1,104 @@
+// Back along the path, word by word within every limit.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <leadscrew/pipeline/motion_source.hpp>
+#include <leadscrew/pipeline/way_back.hpp>
+#include <string>
+
+namespace {
+
+using namespace leadscrew;
+
+/// The part of a program's path between two lengths.
+pipeline::PathStretch stretch_of(const std::string& text, const machine::Machine& machine, double from, double to) {
+  const machine::ToolTable tools;
+  pipeline::MotionSource source(gcode::text_source(text), machine, tools, {}, nullptr);
+  pipeline::PathStretch stretch(from, to);
+  source.on_element = [&](const toolpath::Element& element) { stretch.push(element); };
+  while (source.next()) {
+  }
+  return stretch;
+}
+
+double worst_ratio(const std::vector<base::PathPlace>& places, const base::AxisVector& begin,
+                   const machine::Machine& machine) {
+  std::vector<base::AxisVector> q(3, begin);
+  for (const base::PathPlace& place : places) q.push_back(place.position);
+  q.insert(q.end(), 3, q.back());
+  const double T = machine.period.seconds();
+  double worst = 0;
+  for (std::size_t k = 3; k < q.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const machine::AxisLimits& limits = *machine.axes[i];
+      const double step = q[k][i] - q[k - 1][i], before = q[k - 1][i] - q[k - 2][i], first = q[k - 2][i] - q[k - 3][i];
+      worst = std::max({worst, std::abs(step) / T / limits.velocity,
+                        std::abs(step - before) / T / T / limits.acceleration,
+                        std::abs(step - 2 * before + first) / T / T / T / limits.jerk});
+    }
+  }
+  return worst;
+}
+
+TEST(WayBack, StaysOnAnArcWithinLimitsAndFeed) {
+  const machine::Machine machine = machine::mill3();
+  for (const double feed : {60.0, 1200.0, 12000.0}) {
+    const std::string text = "G21 G90 G94 G17\nG2 X0 Y0 I10 F" + std::to_string(feed) + "\nM2\n";
+    const pipeline::PathStretch stretch = stretch_of(text, machine, 3, 11);
+    ASSERT_TRUE(stretch.is_whole());
+    const auto places = pipeline::way_back(stretch, machine, 100'000);
+    ASSERT_TRUE(places.has_value());
+    double last = 11, fastest = 0;
+    for (const base::PathPlace& place : *places) {
+      ASSERT_NEAR(std::hypot(place.position[0] - 10, place.position[1]), 10, 1e-12);
+      ASSERT_NEAR(std::atan2(place.position[1], 10 - place.position[0]) * 10, place.path_length, 1e-9);
+      fastest = std::max(fastest, (last - place.path_length) / machine.period.seconds());
+      last = place.path_length;
+    }
+    EXPECT_EQ(last, 3);
+    EXPECT_LE(fastest, feed / 60 * (1 + 1e-9));
+    EXPECT_LE(worst_ratio(*places, stretch.at(11).position, machine), 1 + 1e-9);
+    if (feed <= 1200) {
+      EXPECT_GE(fastest, 0.9 * feed / 60);  // no slower than it must be
+    } else {
+      EXPECT_GE(worst_ratio(*places, stretch.at(11).position, machine), 0.8);
+    }
+  }
+}
+
+TEST(WayBack, GoesOverJoinsOfABlendedPath) {
+  const machine::Machine machine = machine::mill3();
+  const std::string text = "G21 G90 G94 G17 F3000\nG64 P0.1\nG1 X10\nY10\nX20\nM2\n";
+  const pipeline::PathStretch stretch = stretch_of(text, machine, 8, 12);
+  const auto places = pipeline::way_back(stretch, machine, 100'000);
+  ASSERT_TRUE(places.has_value());
+  EXPECT_LE(worst_ratio(*places, stretch.at(12).position, machine), 1 + 1e-9);
+  EXPECT_NEAR(places->back().position[0], 8, 1e-9);
+  for (const base::PathPlace& place : *places) {
+    const double x = place.position[0], y = place.position[1];
+    EXPECT_LE(std::min(std::hypot(y, std::max(0.0, x - 10)), std::hypot(x - 10, std::min(0.0, y))), 0.1 + 1e-9);
+  }
+}
+
+TEST(WayBack, IsNothingWhereThereIsNoWay) {
+  const machine::Machine machine = machine::mill3();
+  const auto places = pipeline::way_back(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 2), machine, 1000);
+  ASSERT_TRUE(places.has_value());
+  EXPECT_TRUE(places->empty());
+}
+
+/// No time is long enough for a corner that motion does not rest at.
+TEST(WayBack, GivesUpAtACorner) {
+  const machine::Machine machine = machine::mill3();
+  const pipeline::PathStretch stretch = stretch_of("G21 G90 G94 G61 F3000\nG1 X10\nY10\nM2\n", machine, 8, 12);
+  ASSERT_TRUE(stretch.is_whole());
+  EXPECT_FALSE(pipeline::way_back(stretch, machine, 20'000).has_value());
+}
+
+TEST(WayBack, IsNotWholeBeyondThePath) {
+  const machine::Machine machine = machine::mill3();
+  EXPECT_FALSE(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 6).is_whole());
+}
+
+}  // namespace
