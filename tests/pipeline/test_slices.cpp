@@ -57,9 +57,22 @@ RC_GTEST_PROP(Slices, MakeTheSameWords, ()) {
 }
 
 TEST(Slices, MakeTheSameWordsOnLongLinesAtRoundFigures) {
-  EXPECT_GT(first_difference("G21 G90 G94\nG1 X100 F6000\nX150\nG1 Y50\nG0 X0 Y0\nG64 P0.1\nG1 X10 F600\nG1 Y10\nM2\n",
-                             machine::mill3()),
+  EXPECT_GT(first_difference(
+                "G21 G90 G94\nG1 X100 F6000\nX150\nG1 Y50\nG4 P0.5137\nG0 X0 Y0\nG64 P0.1\nG1 X10 F600\nG1 Y10\nM2\n",
+                machine::mill3()),
             20'000U);
+}
+
+/// A hold asked for in a dwell stops its clock; nothing moves before it has ended.
+TEST(Slices, HoldADwell) {
+  const machine::Machine machine = machine::mill3();
+  LiveProgram live("G21 G90 G94\nG1 X5 F6000\nG4 P2\nG1 X10\nM2\n", machine);
+  EXPECT_TRUE(live.run({{1000, 0, 0}, {4000, 1, 0}}, 10'000));
+  const auto at_five =
+      std::count_if(live.words.begin(), live.words.end(), [](const base::Word& word) { return word.position[0] == 5; });
+  EXPECT_GE(at_five, 4900);
+  EXPECT_LE(at_five, 5100);
+  EXPECT_EQ(live.words.back().position[0], 10);
 }
 
 /// Wherever the planner falls silent: mostly as soon as a stop along a line takes, v/a + a/J = 0.1 s here, or √(4v/J)

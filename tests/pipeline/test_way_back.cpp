@@ -33,9 +33,9 @@ double worst_ratio(const std::vector<base::PathPlace>& places, const base::AxisV
     for (std::size_t i = 0; i < 3; ++i) {
       const machine::AxisLimits& limits = *machine.axes[i];
       const double step = q[k][i] - q[k - 1][i], before = q[k - 1][i] - q[k - 2][i], first = q[k - 2][i] - q[k - 3][i];
-      worst = std::max({worst, std::abs(step) / T / limits.velocity,
-                        std::abs(step - before) / T / T / limits.acceleration,
-                        std::abs(step - 2 * before + first) / T / T / T / limits.jerk});
+      worst =
+          std::max({worst, std::abs(step) / T / limits.velocity, std::abs(step - before) / T / T / limits.acceleration,
+                    std::abs(step - 2 * before + first) / T / T / T / limits.jerk});
     }
   }
   return worst;

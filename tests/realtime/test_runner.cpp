@@ -108,6 +108,18 @@ TEST(Runner, HoldsGoesOnAndStops) {
   EXPECT_FALSE(judge(travelled, machine, live.words).objects());
 }
 
+TEST(Runner, StopsInADwell) {
+  const machine::Machine machine = mill(1'000'000);
+  const std::string text = "G21 G90 G94\nG1 X5 F6000\nG4 P20\nG1 X10\nM2\n";
+  Live live(text, machine, {}, 0.1);
+  live.runner().start();
+  while (live.runner().counters().words < 1000) realtime::sleep_until(realtime::now() + 1'000'000);
+  live.runner().stop();
+  live.wait();
+  EXPECT_LT(live.words.size(), 5000U);
+  EXPECT_EQ(live.words.back().position[0], 5);
+}
+
 TEST(Runner, TakesNoMemoryForAWord) {
   planner::Segment standing;
   standing.duration = 0.6;

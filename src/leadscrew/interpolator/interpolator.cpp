@@ -67,7 +67,11 @@ void Interpolator::load(const planner::Chunk& chunk) {
     length_before_ = is_new_piece ? length_before_end_ + end_on_piece_ - s : length_before_end_;
   }
   const bool goes_on = DoubleDouble(0) < chunk.begin;
-  if (!goes_on) begin_ = waited_ ? now_ : end_;
+  if (waited_) {
+    begin_ = now_ - chunk.begin;
+  } else if (!goes_on) {
+    begin_ = end_;
+  }
   waited_ = false;
   in_tail_ = false;
   chunk_ = &chunk;

@@ -43,8 +43,9 @@ double stretch_by_limits(const Places& places, const base::AxisVector& begin, co
       acceleration = std::max(acceleration, std::abs(a - 2 * b + c));
       jerk = std::max(jerk, std::abs(a - 3 * b + 3 * c - d));
     }
-    factor = std::max({factor, velocity / (limits.velocity * T), std::sqrt(acceleration / (limits.acceleration * T * T)),
-                       std::cbrt(jerk / (limits.jerk * T * T * T))});
+    factor =
+        std::max({factor, velocity / (limits.velocity * T), std::sqrt(acceleration / (limits.acceleration * T * T)),
+                  std::cbrt(jerk / (limits.jerk * T * T * T))});
   }
   return factor;
 }
@@ -91,11 +92,12 @@ std::optional<Places> way_back(const PathStretch& stretch, const machine::Machin
   const base::AxisVector begin = stretch.at(stretch.to()).position;
   for (std::size_t periods = least_periods; periods <= longest;) {
     Places places = places_along(stretch, periods);
-    const double factor = std::max(stretch_by_feed(places, stretch, machine.period.seconds()),
-                                   stretch_by_limits(places, begin, machine));
+    const double factor =
+        std::max(stretch_by_feed(places, stretch, machine.period.seconds()), stretch_by_limits(places, begin, machine));
     if (factor <= 1) return places;
     if (!std::isfinite(factor)) break;
-    periods = static_cast<std::size_t>(std::ceil(static_cast<double>(periods) * std::clamp(factor, least_step, most_step)));
+    periods =
+        static_cast<std::size_t>(std::ceil(static_cast<double>(periods) * std::clamp(factor, least_step, most_step)));
   }
   return std::nullopt;
 }

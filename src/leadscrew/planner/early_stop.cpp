@@ -10,8 +10,8 @@ namespace {
 
 constexpr double first_wait = 0.005, later = 1.4;  // s: places are tried so long after the slice, and each time later
 constexpr int attempts = 14;
-constexpr double longer = 1.12;                 // each than the last
-constexpr int first_looks = 8;                  // most attempts are seen to fail by the first
+constexpr double longer = 1.12;  // each than the last
+constexpr int first_looks = 8;   // most attempts are seen to fail by the first
 constexpr double none = -1;
 
 /// The largest ratio, looked at between these places as closely as a window is between its knots.
@@ -71,7 +71,8 @@ Tail tail_of(Window& window, std::size_t after, const Section& section, const ma
     wait = wait > 0 ? wait * later : first_wait;
     const PathState from = evaluate(segments[k], 0);
     if (stops[k] < 0 || !(from.speed > 0)) continue;
-    stops[k] = stop_duration(from, std::span(places).subspan(k + 1), window.end - from.s, duration - time_at(k), section, machine, feed_factor);
+    stops[k] = stop_duration(from, std::span(places).subspan(k + 1), window.end - from.s, duration - time_at(k),
+                             section, machine, feed_factor);
     if (stops[k] > 0) best = k;
   }
   if (best == segments.size()) return tail;

@@ -50,8 +50,9 @@ struct Chunk {
   /// When it begins, seconds since the motion began; 0 unless it is a later slice of a motion. Times, like polynomials,
   /// are the same so, however a motion is sliced.
   numeric::DoubleDouble begin;
-  /// The committed part, contiguous in time; for a dwell one segment at rest. A slice may be cut in the middle of a
-  /// segment, which stays as it is: the first may begin before the chunk, the last end behind its duration.
+  /// The committed part, contiguous in time; for a dwell, or a slice of one, one segment at rest. A slice may be cut in
+  /// the middle of a segment, which stays as it is: the first may begin before the chunk, the last end behind its
+  /// duration.
   std::vector<Segment> segments;
   /// From the committed part's end to rest. The first is the last of the committed part where that is cut. Empty where
   /// the committed part ends at rest.

@@ -7,6 +7,8 @@ namespace leadscrew::planner {
 
 namespace {
 
+using numeric::DoubleDouble;
+
 constexpr double nothing = 1e-9;  // of the path
 
 }  // namespace
@@ -51,18 +53,29 @@ std::optional<Chunk> Planner::pop() {
       waiting_.pop_front();
       continue;
     }
-    const auto& dwell = std::get<toolpath::Dwell>(element);
-    Segment standing;
-    standing.duration = dwell.seconds;
-    standing.state = base::MotionState::rest;
-    position_ = dwell.position;
-    line_ = dwell.line;
-    waiting_.pop_front();
-    Chunk chunk;
-    chunk.duration = standing.duration;
-    chunk.segments.push_back(standing);
+    if (feed_factor_ == 0) return std::nullopt;  // held
+    Chunk chunk = stand(std::get<toolpath::Dwell>(element));
+    if (dwelt_ == 0) waiting_.pop_front();
     return follow_events(std::move(chunk));
   }
+}
+
+/// The next slice of a dwell.
+Chunk Planner::stand(const toolpath::Dwell& dwell) {
+  position_ = dwell.position;
+  line_ = dwell.line;
+  const double left = dwell.seconds - dwelt_;
+  const bool is_last = left <= slice_;
+  Chunk chunk;
+  chunk.begin = dwelt_;
+  chunk.duration = is_last ? left : slice_;
+  Segment& standing = chunk.segments.emplace_back();
+  standing.state = base::MotionState::rest;
+  // The last ends where the whole would, to the last bit.
+  standing.begin = is_last ? DoubleDouble() : chunk.begin;
+  standing.duration = is_last ? DoubleDouble(dwell.seconds) : chunk.duration;
+  dwelt_ = is_last ? 0 : dwelt_ + slice_;
+  return chunk;
 }
 
 void Planner::start_at(double path_length, base::Line line) {
@@ -89,9 +102,9 @@ bool Planner::pass_over(const toolpath::Element& element) {
     start_->passed += length;
     if (length <= room + nothing) return true;
     start_.reset();
-    started_at_ = geometry::evaluate(piece->curve, numeric::DoubleDouble(std::max(room, 0.0)));
+    started_at_ = geometry::evaluate(piece->curve, DoubleDouble(std::max(room, 0.0)));
     if (room <= nothing) return false;
-    position_ = geometry::evaluate(piece->curve, numeric::DoubleDouble(room));
+    position_ = geometry::evaluate(piece->curve, DoubleDouble(room));
     take(*piece);
     look_ahead_.begin_at(room);
     return true;

@@ -64,6 +64,7 @@ class Planner {
  private:
   bool take(const toolpath::Piece& piece);
   bool pass_over(const toolpath::Element& element);
+  Chunk stand(const toolpath::Dwell& dwell);
   void keep_in_force(const base::Event& event);
   std::optional<Chunk> plan();
   void go_on_from(double s);
@@ -82,6 +83,7 @@ class Planner {
   std::optional<geometry::Point> started_at_;
   double slice_ = std::numeric_limits<double>::infinity();
   double feed_factor_ = 1;
+  double dwelt_ = 0;                       ///< s handed out of the dwell that is the next element
   std::vector<base::Event> events_;        ///< waiting for the chunk they come before
   LookAhead look_ahead_;                   ///< along the section that is being planned
   std::optional<toolpath::Piece> last_;    ///< its last piece
