@@ -108,12 +108,14 @@ TEST(Drive, MakesTheWordsOfRunBitForBit) {
   const auto driven = leadscrew(folder, {"drive", "part.ngc", "--trace", "driven.csv", "--axes", "axes.csv", "--json",
                                          "--look-ahead", "2s", "--lead", "1s"});
   EXPECT_EQ(driven.status, 0) << driven.errors;
-  EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"}).status, 0);
+  const auto run = leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv", "--json"});
+  EXPECT_EQ(run.status, 0);
   const Json json = driven.json();
   EXPECT_EQ(json["end"], "done");
   EXPECT_EQ(json["words"], json["words_taken"]);
   if (json["starvations"] == 0) {
     EXPECT_EQ(folder.read("driven.csv"), folder.read("run.csv"));
+    EXPECT_EQ(json["words"], run.json()["words"]);
   }
   EXPECT_EQ(leadscrew(folder, {"verify", "driven.csv", "part.ngc"}).status, 0);
 }
@@ -334,6 +336,15 @@ TEST(Drive, KeepsNoStateThatAnotherKeeps) {
   EXPECT_EQ(second.json()["diagnostics"][0]["code"], "state-busy");
   first.send(SIGKILL);
   first.wait();
+}
+
+TEST(Drive, RefusesAPeriodThatNobodyCanKeep) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--period", "20us", "--state", "state"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_TRUE(contains(outcome.errors, "[period-too-short]")) << outcome.errors;
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 
 /// Nothing depends on a word where nothing moves.

@@ -133,6 +133,18 @@ TEST(DriveView, PausesAtM0AndM1UntilAskedToGoOn) {
   EXPECT_TRUE(running.shows("7"));
 }
 
+TEST(DriveView, WaitsAtEachOfTwoPauses) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM0\nM1\nG1 X6\nM2\n");
+  OnTerminal running(folder, {"drive", "part.ngc"});
+  for (const char* const line : {"PAUSED in line 3", "PAUSED in line 4"}) {
+    EXPECT_TRUE(running.shows(line));
+    running.press(" ");
+  }
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 0);
+}
+
 TEST(DriveView, StopsAtAPause) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM0\nG1 X6\nM2\n");

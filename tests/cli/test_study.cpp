@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <leadscrew/cli/share_out.hpp>
 #include <vector>
 
@@ -126,6 +127,29 @@ TEST(Interpolator, EveryRuleIsTaken) {
   folder.write("part.ngc", square);
   for (const char* rule : {"arc-length", "taylor1", "taylor2", "newton", "uniform"})
     EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--interpolator", rule, "--quiet"}).status, 0) << rule;
+}
+
+TEST(Study, DrawsTheFeedsThatItMeasured) {
+  const Folder folder;
+  const auto outcome = leadscrew(folder, {"study", "real-time-vs-offline", "--quiet", "--picture", "feeds.svg"});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const std::string picture = folder.read("feeds.svg");
+  std::size_t lines = 0, points = 0;
+  for (std::size_t at = 0; (at = picture.find("class=\"line\"", at)) != std::string::npos; ++at) {
+    ++lines;
+    points += static_cast<std::size_t>(std::count(picture.begin() + static_cast<std::ptrdiff_t>(at),
+                                                  picture.begin() + static_cast<std::ptrdiff_t>(picture.find("/>", at)),
+                                                  'L'));
+  }
+  EXPECT_EQ(lines, 8U);
+  // A point every 10 ms: twice two times 3.0 s and 10.4 s.
+  EXPECT_NEAR(static_cast<double>(points), 4 * (300 + 1040), 30);
+  const auto none = leadscrew(folder, {"study", "butterfly", "--picture", "none.svg"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(contains(none.errors, "there is none of butterfly; there is of real-time-vs-offline")) << none.errors;
+  const auto nowhere = leadscrew(folder, {"study", "real-time-vs-offline", "--picture", "no/folder.svg"});
+  EXPECT_EQ(nowhere.status, 4);
+  EXPECT_EQ(folder.names(), Names{"feeds.svg"});
 }
 
 TEST(Study, EndsWhenInterrupted) {

@@ -138,11 +138,23 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return cli::did_you_mean(word, std::span(views));
 }
 
+void check_picture(const Arguments& arguments) {
+  if (!arguments.study_picture) return;
+  std::vector<std::string_view> drawn;
+  for (const study::Study& study : study::studies()) {
+    if (study.charts == nullptr) continue;
+    if (study.name == arguments.study) return;
+    drawn.push_back(study.name);
+  }
+  throw UsageError(
+      fmt::format("--picture: there is none of {}; there is of {}", arguments.study, fmt::join(drawn, ", ")));
+}
+
 void check_study(const Arguments& arguments) {
   if (arguments.command != Arguments::Command::study) return;
   std::vector<std::string> known = {"list"};
   for (const study::Study& study : study::studies()) known.emplace_back(study.name);
-  if (std::find(known.begin(), known.end(), arguments.study) != known.end()) return;
+  if (std::find(known.begin(), known.end(), arguments.study) != known.end()) return check_picture(arguments);
   const std::string meant = did_you_mean(arguments.study, known);
   throw UsageError(fmt::format("no study \"{}\"{}", arguments.study,
                                meant.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : meant));

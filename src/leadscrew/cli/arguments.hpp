@@ -22,14 +22,15 @@ struct Arguments {
   enum class Command { run, check, verify, pulse, study, design, simulate, drive };
 
   Command command = Command::run;
-  std::vector<std::string> programs;   ///< one or more; of verify one
-  std::string judged_trace;            ///< of verify
-  RunArguments run;                    ///< of run; its files of simulate too
-  SimulateArguments simulate;          ///< of simulate
-  PulseArguments pulse;                ///< of pulse
-  DesignArguments design;              ///< of design
-  DriveArguments drive;                ///< of drive
-  std::string study;                   ///< of study: the name of one that there is, or "list"
+  std::vector<std::string> programs;  ///< one or more; of verify one
+  std::string judged_trace;           ///< of verify
+  RunArguments run;                   ///< of run; its files of simulate too
+  SimulateArguments simulate;         ///< of simulate
+  PulseArguments pulse;               ///< of pulse
+  DesignArguments design;             ///< of design
+  DriveArguments drive;               ///< of drive
+  std::string study;                  ///< of study: the name of one that there is, or "list"
+  std::optional<std::string> study_picture;
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine
   std::optional<std::string> tools;    ///< file
   std::vector<AxisValue> start;        ///< machine coordinates, mm or degrees; axes not named start at zero

@@ -9,6 +9,7 @@
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <nlohmann/json.hpp>
@@ -17,9 +18,10 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
-constexpr double least_spare = 0.1;         // s planned behind the words that are made ahead
-constexpr double slice = 0.02;              // s of motion that is handed over at a time
+constexpr std::int64_t frame = 20'000'000;     // ns between two looks at what happens
+constexpr double least_spare = 0.1;            // s planned behind the words that are made ahead
+constexpr std::int64_t least_period = 50'000;  // ns: below, two processes cannot wake each other up in time
+constexpr double slice = 0.02;                 // s of motion that is handed over at a time
 
 base::Diagnostic drives_problem(std::string_view code, std::string message, std::string hint = {}) {
   return base::problem(code, std::move(message), std::move(hint));
@@ -35,6 +37,7 @@ class ProgramDrive {
     const auto file = InputFile::open(program_);
     if (!file) return failed(file.error());
     if (auto sound = check_files(*file); !sound) return failed(sound.error());
+    if (auto sound = check_period(); !sound) return failed(sound.error());
     if (auto sound = check_stops(); !sound) return failed(sound.error());
     read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
@@ -86,6 +89,14 @@ class ProgramDrive {
         fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, DriveLink::longest_way),
         fmt::format("a --period of {:.0f}us or more", std::ceil(job_.machine.period.seconds() * 1e6 * periods /
                                                                 static_cast<double>(DriveLink::longest_way)))));
+  }
+
+  base::Result<void> check_period() const {
+    if (job_.machine.period.nanoseconds >= least_period) return {};
+    return base::failure(drives_problem(
+        "period-too-short",
+        fmt::format("a period of {} is too short for words to be on time", period_text(job_.machine.period)),
+        "a --period of 50us or more; run and simulate take shorter ones"));
   }
 
   base::Result<void> hold_states() {

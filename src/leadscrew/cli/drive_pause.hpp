@@ -10,21 +10,23 @@ namespace leadscrew::cli {
 
 class DrivePause {
  public:
-  /// Of an M0 or M1 before the chunk.
-  static std::optional<base::Line> line_before(const planner::Chunk& chunk) {
-    const auto pause = std::find_if(chunk.events.begin(), chunk.events.end(), [](const base::Event& event) {
-      return event.kind == base::Event::Kind::pause || event.kind == base::Event::Kind::optional_pause;
+  /// Of the first M0 or M1 before the chunk, or of the one after so many of them.
+  static std::optional<base::Line> line_before(const planner::Chunk& chunk, int after = 0) {
+    const auto pause = std::find_if(chunk.events.begin(), chunk.events.end(), [&](const base::Event& event) {
+      const bool is_pause = event.kind == base::Event::Kind::pause || event.kind == base::Event::Kind::optional_pause;
+      return is_pause && after-- == 0;
     });
     return pause == chunk.events.end() ? std::nullopt : std::optional(pause->line);
   }
 
-  /// May motion go on with this chunk? Asked again until it may.
+  /// May motion go on with this chunk? Asked again until it may: there may be more than one pause before it.
   bool lets(const planner::Chunk& chunk) {
-    const std::optional<base::Line> line = line_before(chunk);
-    if (!line) return true;
-    const bool may = goes_on_.exchange(false, std::memory_order_acq_rel);
-    line_.store(may ? nowhere : base::number(*line), std::memory_order_release);
-    return may;
+    if (!line_before(chunk)) return true;
+    if (goes_on_.exchange(false, std::memory_order_acq_rel)) ++passed_;
+    const std::optional<base::Line> line = line_before(chunk, passed_);
+    line_.store(line ? base::number(*line) : nowhere, std::memory_order_release);
+    if (!line) passed_ = 0;
+    return !line;
   }
 
   /// Of the M0 or M1 where motion waits, or will.
@@ -38,6 +40,7 @@ class DrivePause {
   static constexpr std::int64_t nowhere = -1;
   std::atomic<std::int64_t> line_{nowhere};
   std::atomic<bool> goes_on_{false};
+  int passed_ = 0;  ///< before the same chunk; the planner's
 };
 
 }  // namespace leadscrew::cli

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/drive_text.hpp>
@@ -12,6 +13,15 @@ namespace {
 std::string_view name(DriveFigures::End end) {
   constexpr std::array<std::string_view, 4> names = {"done", "stopped", "abandoned", "tripped"};
   return names[static_cast<std::size_t>(end)];
+}
+
+/// Servo periods, as `run` counts them: the first word stands at their beginning.
+std::int64_t periods(std::int64_t words) {
+  return std::max<std::int64_t>(0, words - 1);
+}
+
+double seconds(const DriveFigures& figures, const Job& job) {
+  return job.machine.period.seconds() * static_cast<double>(periods(figures.counters.words));
 }
 
 }  // namespace
@@ -28,9 +38,9 @@ Json json_of_drive(const std::string& program, const Job& job, const DriveFigure
           {"period_s", job.machine.period.seconds()},
           {"end", name(figures.end)},
           {"real_time", figures.real_time},
-          {"words", counters.words},
-          {"words_taken", figures.taken},
-          {"time_s", job.machine.period.seconds() * static_cast<double>(counters.words)},
+          {"words", periods(counters.words)},
+          {"words_taken", periods(figures.taken)},
+          {"time_s", seconds(figures, job)},
           {"line", base::number(figures.last.line)},
           {"path_length_mm", figures.last.path_length},
           {"position", position},
@@ -54,8 +64,8 @@ std::string drive_summary(const std::string& program, const Job& job, const Driv
                                  printable(job.machine.name), period_text(job.machine.period),
                                  figures.end == DriveFigures::End::done ? style(Tone::good, name(figures.end))
                                                                         : style(Tone::warning, name(figures.end)));
-  text += fmt::format("  words      {} made, {} taken by the drives; {:.3f} s\n", counters.words, figures.taken,
-                      job.machine.period.seconds() * static_cast<double>(counters.words));
+  text += fmt::format("  words      {} made, {} taken by the drives; {:.3f} s\n", periods(counters.words),
+                      periods(figures.taken), seconds(figures, job));
   text += fmt::format("  came to    line {}, {:.3f} mm of the path\n", base::number(figures.last.line),
                       figures.last.path_length);
   text += fmt::format("  on time    {} words late by a period or more, {} periods given way; planner late {} times\n",

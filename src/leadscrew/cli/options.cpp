@@ -23,7 +23,8 @@ constexpr std::string_view study_examples =
     "Examples:\n"
     "  leadscrew study list                       what there is\n"
     "  leadscrew study butterfly\n"
-    "  leadscrew study feed-fluctuation --json    rows of what, published, ours, unit, verdict and why\n";
+    "  leadscrew study feed-fluctuation --json    rows of what, published, ours, unit, verdict and why\n"
+    "  leadscrew study real-time-vs-offline --picture feeds.svg\n";
 
 void add_output(CLI::App& command, Arguments& arguments, Texts& texts) {
   command.add_flag("--json", arguments.json, "One JSON object on standard output, nothing else there");
@@ -214,6 +215,8 @@ CLI::App* add_pulse(CLI::App& app, Arguments& arguments, Texts& all) {
 CLI::App* add_study(CLI::App& app, Arguments& arguments, Texts& texts) {
   CLI::App* study = app.add_subcommand("study", "Published tables and figures made again, ours beside them");
   study->add_option("NAME", arguments.study, "Which; list says what there is")->required()->type_name("");
+  study->add_option("--picture", arguments.study_picture, "Its quantities over time, where it has any, as an SVG")
+      ->type_name("FILE");
   add_output(*study, arguments, texts);
   study->footer(std::string(study_examples));
   return study;

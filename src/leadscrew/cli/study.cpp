@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <leadscrew/cli/diagnostic_log.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
@@ -184,6 +186,15 @@ std::string list_json() {
   return json_text(schema, {{{"schema", schema}, {"name", "list"}, {"studies", std::move(list)}}});
 }
 
+base::Result<void> draw(const study::Study& study, const std::string& path) {
+  auto file = OutputFile::create(path, OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  const std::string title = "leadscrew study " + std::string(study.name) + ": feed at the tachometers";
+  if (auto written = trace::write_charts(title, "mm/s", study.charts(), file->sink()); !written) return written;
+  if (auto closed = file->close(); !closed) return closed;
+  return file->publish();
+}
+
 Status status_of(const study::Rows& rows) {
   const bool failed = std::any_of(rows.begin(), rows.end(), [](const study::Row& row) {
     return row.verdict == study::Verdict::exceeded || row.verdict == study::Verdict::not_run;
@@ -215,6 +226,13 @@ Status study(const Arguments& arguments, Console& console) {
   if (chosen == known.end()) return Status::usage;
   end_when_interrupted();
   const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
+  if (arguments.study_picture) {
+    if (auto drawn = draw(*chosen, *arguments.study_picture); !drawn) {
+      DiagnosticLog log(console);
+      log.add(drawn.error());
+      return log.status();
+    }
+  }
   const std::string text =
       arguments.json ? json_text_of(chosen->name, rows) : study_table(rows, terminal_width(), style);
   return worse(status_of(rows), write_output(console, text));

@@ -107,31 +107,38 @@ constexpr std::array<Gains, 2> sets = {
     {{"(2, 2, 15)", {2, 2, 15}, "published as a picture, of a plant it does not name: hardly any"},
      {"(6, 50, 25)", {6, 50, 25}, "published as a picture, of a plant it does not name: a large one"}}};
 
-/// Greatest and, over the middle half of the words, least √(Vx² + Vy²) at the tachogenerators, mm/s.
-struct Speeds {
-  double greatest = 0, least = 0;
-};
-
-base::Result<Speeds> measured(const std::vector<Place>& words, const servo::PidGains& gains, const Plant& plant) {
+/// √(Vx² + Vy²) at the tachogenerators, mm/s, a period apart.
+base::Result<std::vector<double>> measured_feed(const std::vector<Place>& words, const servo::PidGains& gains,
+                                                const Plant& plant) {
   const auto axis = servo::Axis::create({.drive = servo::velocity_drive(plant.gain, plant.time_constant)});
   if (!axis) return base::failure(axis.error());
   const auto pid = servo::Pid::create({.gains = gains}, period);
   if (!pid) return base::failure(pid.error());
   servo::AxisLoop x(*axis, *pid, period), y = x;
-  Speeds speeds{0, 1e9};
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    x.follow({words[k].x});
-    y.follow({words[k].y});
-    const double speed = std::hypot(x.axis().screw().velocity, y.axis().screw().velocity);
-    speeds.greatest = std::max(speeds.greatest, speed);
-    if (k > words.size() / 4 && k < words.size() * 3 / 4) speeds.least = std::min(speeds.least, speed);
+  std::vector<double> feeds;
+  for (const Place& word : words) {
+    x.follow({word.x});
+    y.follow({word.y});
+    feeds.push_back(std::hypot(x.axis().screw().velocity, y.axis().screw().velocity));
   }
-  return speeds;
+  return feeds;
+}
+
+double greatest(const std::vector<double>& feeds) {
+  return *std::max_element(feeds.begin(), feeds.end());
+}
+/// Over the middle half.
+double least(const std::vector<double>& feeds) {
+  const auto quarter = static_cast<std::ptrdiff_t>(feeds.size() / 4);
+  return *std::min_element(feeds.begin() + quarter + 1, feeds.begin() + 3 * quarter);
+}
+
+std::string plant_text(const Plant& plant) {
+  return "K " + decimal(plant.gain, 1) + ", τ " + decimal(plant.time_constant * 1000, 0) + " ms";
 }
 
 std::string group_of(const Gains& set, const Plant& plant) {
-  return std::string("gains (P, I, D) = ") + set.name + ", K " + decimal(plant.gain, 1) + ", τ " +
-         decimal(plant.time_constant * 1000, 0) + " ms";
+  return std::string("gains (P, I, D) = ") + set.name + ", " + plant_text(plant);
 }
 
 Rows speed_rows(const std::vector<Place>& curve, const std::vector<Place>& stops) {
@@ -139,16 +146,16 @@ Rows speed_rows(const std::vector<Place>& curve, const std::vector<Place>& stops
   for (const Plant& plant : plants) {
     for (const Gains& set : sets) {
       const std::string group = group_of(set, plant);
-      const auto on_curve = measured(curve, set.gains, plant), on_lines = measured(stops, set.gains, plant);
+      const auto on_curve = measured_feed(curve, set.gains, plant), on_lines = measured_feed(stops, set.gains, plant);
       if (!on_curve || !on_lines) {
         append(rows, under(group, {not_run_row("measured feed", (on_curve ? on_lines : on_curve).error().message)}));
         continue;
       }
       append(rows, under(group, {because(measured_row("curve: overshoot of the feed", {"%", 1},
-                                                      (on_curve->greatest / feed - 1) * 100),
+                                                      (greatest(*on_curve) / feed - 1) * 100),
                                          set.published),
-                                 measured_row("lines: greatest measured feed", {"mm/s", 2}, on_lines->greatest),
-                                 measured_row("lines: least, over the middle half", {"mm/s", 2}, on_lines->least)}));
+                                 measured_row("lines: greatest measured feed", {"mm/s", 2}, greatest(*on_lines)),
+                                 measured_row("lines: least, over the middle half", {"mm/s", 2}, least(*on_lines))}));
     }
   }
   return rows;
@@ -214,6 +221,23 @@ Rows real_time_rows(const Host&) {
   append(rows, speed_rows(curve, stops));
   append(rows, planner_rows());
   return rows;
+}
+
+std::vector<trace::Chart> real_time_charts() {
+  std::vector<trace::Chart> charts;
+  const std::vector<Place> curve = words_of_curve(), stops = words_of_lines(lines_of_cubic());
+  for (const Plant& plant : plants) {
+    for (const Gains& set : sets) {
+      for (const bool is_curve : {true, false}) {
+        auto feeds = measured_feed(is_curve ? curve : stops, set.gains, plant);
+        if (!feeds) continue;
+        charts.push_back(
+            {std::string(is_curve ? "one block" : "92 lines") + ", gains " + set.name + ", " + plant_text(plant),
+             std::move(*feeds), period, feed});
+      }
+    }
+  }
+  return charts;
 }
 
 }  // namespace leadscrew::study

@@ -17,7 +17,7 @@ constexpr std::array<Study, 14> all = {{
     {"lecture", "The worked problems of a lecture on DDA interpolators", lecture_rows},
     {"closed-loop-pulses", "A pulse-driven axis as it runs, and contours of unlike position loops", closed_loop_rows},
     {"real-time-vs-offline", "A curve as one block and as 92 lines with a stop at each, through servo loops",
-     real_time_rows},
+     real_time_rows, real_time_charts},
     {"adaptive-force", "Force held and time saved by adaptive control, by planner and by NC program", adaptive_rows},
     {"koren-feed", "Koren's feed words and clocks, by formula and by registers", feed_code_rows},
     {"digital-integrals", "Lines and arcs of a teaching interpolator in n-bit registers", digital_integrals_rows},
