@@ -266,8 +266,8 @@ TEST(Drive, ComesToRestWhenAFileCannotBeWritten) {
   }
 }
 
-/// Where the axes stand behind the last word, they go back along the path, no faster than its feed; after a signal on
-/// the way they go no farther than there, and nothing else has changed.
+/// Where the axes stand behind the last word, they go back along the path, no faster than its feed; after a signal they
+/// stay where they next rest on it, and nothing else has changed.
 TEST(Drive, GoesBackAlongThePathToWhereItGoesOn) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94 G17\nG2 X0 Y0 I20 F1200\nM2\n");
@@ -299,8 +299,9 @@ TEST(Drive, GoesBackAlongThePathToWhereItGoesOn) {
   EXPECT_GE(fastest, 19);
   EXPECT_TRUE(rows_of(folder.read("words.csv")).empty());
   Json after = state();
-  EXPECT_EQ(after["axes"], after["position"]);
-  EXPECT_EQ(after["axes_path_length"], after["path_length"]);
+  EXPECT_GT(after["axes_path_length"].get<double>(), behind - 25);
+  EXPECT_LT(after["axes_path_length"].get<double>(), behind - 5);
+  EXPECT_EQ(after["axes"][0].get<double>(), axes.back().q[0]);
   EXPECT_EQ(after["state"], "stopped");
   for (Json* each : {&before, &after}) {
     each->erase("axes");

@@ -47,7 +47,7 @@ TEST(WayBack, StaysOnAnArcWithinLimitsAndFeed) {
     const std::string text = "G21 G90 G94 G17\nG2 X0 Y0 I10 F" + std::to_string(feed) + "\nM2\n";
     const pipeline::PathStretch stretch = stretch_of(text, machine, 3, 11);
     ASSERT_TRUE(stretch.is_whole());
-    const auto places = pipeline::way_back(stretch, machine, 100'000);
+    const auto places = pipeline::way_back(stretch, machine);
     ASSERT_TRUE(places.has_value());
     double last = 11, fastest = 0;
     for (const base::PathPlace& place : *places) {
@@ -71,7 +71,7 @@ TEST(WayBack, GoesOverJoinsOfABlendedPath) {
   const machine::Machine machine = machine::mill3();
   const std::string text = "G21 G90 G94 G17 F3000\nG64 P0.1\nG1 X10\nY10\nX20\nM2\n";
   const pipeline::PathStretch stretch = stretch_of(text, machine, 8, 12);
-  const auto places = pipeline::way_back(stretch, machine, 100'000);
+  const auto places = pipeline::way_back(stretch, machine);
   ASSERT_TRUE(places.has_value());
   EXPECT_LE(worst_ratio(*places, stretch.at(12).position, machine), 1 + 1e-9);
   EXPECT_NEAR(places->back().position[0], 8, 1e-9);
@@ -83,17 +83,51 @@ TEST(WayBack, GoesOverJoinsOfABlendedPath) {
 
 TEST(WayBack, IsNothingWhereThereIsNoWay) {
   const machine::Machine machine = machine::mill3();
-  const auto places = pipeline::way_back(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 2), machine, 1000);
+  const auto places = pipeline::way_back(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 2), machine);
   ASSERT_TRUE(places.has_value());
   EXPECT_TRUE(places->empty());
 }
 
-/// No time is long enough for a corner that motion does not rest at.
-TEST(WayBack, GivesUpAtACorner) {
+/// Where motion passed one bend of next to nothing, the rest of the way is as fast as ever.
+TEST(WayBack, IsNotSlowedByOneSlowPlace) {
+  machine::Machine machine = machine::mill3();
+  for (const std::int64_t period : {50'000, 1'000'000}) {
+    machine.period = {period};
+    const std::string text = "G21 G90 G94 G17 F4600\nG64 P0.0002\nG1 X10\nX10.002 Y0.002\nX20\nM2\n";
+    const pipeline::PathStretch stretch = stretch_of(text, machine, 2, 18);
+    const auto places = pipeline::way_back(stretch, machine);
+    ASSERT_TRUE(places.has_value());
+    EXPECT_LE(worst_ratio(*places, stretch.at(18).position, machine), 1 + 1e-9);
+    EXPECT_LE(static_cast<double>(places->size()) * machine.period.seconds(), 4);
+  }
+}
+
+/// It rests at least once a second, so that it can be called off.
+TEST(WayBack, RestsOnALongWay) {
+  const machine::Machine machine = machine::mill3();
+  const pipeline::PathStretch stretch = stretch_of("G21 G90 G94\nG1 X20 F60\nM2\n", machine, 1, 19);
+  const auto places = pipeline::way_back(stretch, machine);
+  ASSERT_TRUE(places.has_value());
+  EXPECT_LE(worst_ratio(*places, stretch.at(19).position, machine), 1 + 1e-9);
+  std::size_t moving = 0, longest = 0;
+  for (std::size_t k = 2; k < places->size(); ++k) {
+    const auto at = [&](std::size_t n) { return (*places)[n].path_length; };
+    moving = at(k) == at(k - 1) && at(k - 1) == at(k - 2) ? 0 : moving + 1;
+    longest = std::max(longest, moving);
+  }
+  EXPECT_LE(longest, 1010U);
+  EXPECT_GE(longest, 500U);
+}
+
+/// A corner is passed next to at rest, whether motion rested there or not.
+TEST(WayBack, KeepsLimitsAtACorner) {
   const machine::Machine machine = machine::mill3();
   const pipeline::PathStretch stretch = stretch_of("G21 G90 G94 G61 F3000\nG1 X10\nY10\nM2\n", machine, 8, 12);
   ASSERT_TRUE(stretch.is_whole());
-  EXPECT_FALSE(pipeline::way_back(stretch, machine, 20'000).has_value());
+  const auto places = pipeline::way_back(stretch, machine);
+  ASSERT_TRUE(places.has_value());
+  EXPECT_LE(worst_ratio(*places, stretch.at(12).position, machine), 1 + 1e-9);
+  EXPECT_NEAR(places->back().position[0], 8, 1e-9);
 }
 
 TEST(WayBack, IsNotWholeBeyondThePath) {

@@ -116,16 +116,18 @@ class DriveSide {
   void give_up() { static_cast<void>(keeper_.conclude(DriveState::Kind::stopped)); }
 
  private:
-  /// To where the first word will be; that far whatever happens, for it is no farther than a stop.
+  /// To where the first word will be; called off, to where the way rests next.
   void go(const std::vector<base::PathPlace>& way_back) {
     took(observe());
     for (const base::PathPlace& place : way_back) {
+      if (axes_.at_rest() && is_called_off()) return;
       axes_.follow(place);
       wait();
       took(observe());
     }
     while (!axes_.at_rest()) axes_.follow(axes_.place());
   }
+  bool is_called_off() const { return failed_ || is_orphan() || link_.order.load() == Order::abandon; }
 
   /// The drives' own clock: what this process is late by is time that stood still for them.
   void wait() {

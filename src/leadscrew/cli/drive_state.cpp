@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <leadscrew/cli/drive_link.hpp>
 #include <leadscrew/cli/drive_state.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/output_file.hpp>
@@ -163,7 +162,10 @@ base::Result<DriveState> read_state(const std::string& path) {
     state.word.path_length = length_of(json.at("path_length"));
     state.word.position = axes_of(json.at("position"));
     state.axes = {axes_of(json.at("axes")), length_of(json.at("axes_path_length"))};
-    if (state.axes.path_length < state.word.path_length) throw std::runtime_error("axes stand before the last word");
+    constexpr double rounded = 1e-6;
+    if (state.axes.path_length < state.word.path_length - rounded)
+      throw std::runtime_error("axes stand before the last word");
+    state.axes.path_length = std::max(state.axes.path_length, state.word.path_length);
     return state;
   } catch (const std::exception& error) {
     return refusal("resume-state", fmt::format("is no state of a drive: {}", error.what()),
@@ -233,8 +235,8 @@ base::Result<std::vector<base::PathPlace>> find_way_back(const DriveState& state
   if (!stretch.is_whole()) return refused(state.axes.path_length, "it is shorter");
   if (!are_same(stretch.at(stretch.to()).position, state.axes.position))
     return refused(state.axes.path_length, "it is elsewhere there");
-  auto way = pipeline::way_back(stretch, job.machine, DriveLink::longest_way);
-  if (!way) return refused(state.axes.path_length, "no way leads back without a stop");
+  auto way = pipeline::way_back(stretch, job.machine);
+  if (!way) return refused(state.axes.path_length, "no way leads back");
   way->back().position = state.word.position;
   return std::move(*way);
 }

@@ -9,17 +9,23 @@ namespace {
 using Places = std::vector<base::PathPlace>;
 
 constexpr double least_step = 1.01, most_step = 1e6;  // from one attempt to the next, longer one
-constexpr std::size_t least_periods = 4;
+constexpr std::size_t least_periods = 4, fewest_periods = 100;
+constexpr std::size_t rests = 3;    // periods between two hops, so that no difference reaches across
+constexpr double shortest = 1e-10;  // hop, of the path
 
-Places places_along(const PathStretch& stretch, std::size_t periods) {
+/// From one place of the stretch back to another.
+struct Hop {
+  double from = 0, to = 0;  ///< from > to
+};
+
+Places places_along(const PathStretch& stretch, const Hop& hop, std::size_t periods) {
   Places places;
   places.reserve(periods);
-  const double way = stretch.to() - stretch.from();
   for (std::size_t n = 1; n < periods; ++n) {
     const double u = static_cast<double>(n) / static_cast<double>(periods);
-    places.push_back(stretch.at(stretch.to() - way * (u * u * u * (10 + u * (6 * u - 15)))));
+    places.push_back(stretch.at(hop.from - (hop.from - hop.to) * (u * u * u * (10 + u * (6 * u - 15)))));
   }
-  places.push_back(stretch.at(stretch.from()));
+  places.push_back(stretch.at(hop.to));
   return places;
 }
 
@@ -50,14 +56,30 @@ double stretch_by_limits(const Places& places, const base::AxisVector& begin, co
   return factor;
 }
 
-double stretch_by_feed(const Places& places, const PathStretch& stretch, double T) {
-  double factor = 0, last = stretch.to();
+double stretch_by_feed(const Places& places, const PathStretch& stretch, double from, double T) {
+  double factor = 0, last = from;
   for (const base::PathPlace& place : places) {
     const double speed = std::min(stretch.greatest_speed(last), stretch.greatest_speed(place.path_length));
     factor = std::max(factor, (last - place.path_length) / (speed * T));
     last = place.path_length;
   }
   return factor;
+}
+
+/// Nothing if it takes more periods.
+std::optional<Places> places_of(const PathStretch& stretch, const Hop& hop, const machine::Machine& machine,
+                                std::size_t most_periods) {
+  const base::AxisVector begin = stretch.at(hop.from).position;
+  for (std::size_t periods = least_periods; periods <= most_periods;) {
+    Places places = places_along(stretch, hop, periods);
+    const double factor = std::max(stretch_by_feed(places, stretch, hop.from, machine.period.seconds()),
+                                   stretch_by_limits(places, begin, machine));
+    if (factor <= 1) return places;
+    if (!std::isfinite(factor)) break;
+    periods =
+        static_cast<std::size_t>(std::ceil(static_cast<double>(periods) * std::clamp(factor, least_step, most_step)));
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -87,19 +109,26 @@ double PathStretch::greatest_speed(double s) const {
   return part.piece.greatest_speed(geometry::jets(part.piece.curve, on_piece));
 }
 
-std::optional<Places> way_back(const PathStretch& stretch, const machine::Machine& machine, std::size_t longest) {
-  if (stretch.to() <= stretch.from()) return Places{};
-  const base::AxisVector begin = stretch.at(stretch.to()).position;
-  for (std::size_t periods = least_periods; periods <= longest;) {
-    Places places = places_along(stretch, periods);
-    const double factor =
-        std::max(stretch_by_feed(places, stretch, machine.period.seconds()), stretch_by_limits(places, begin, machine));
-    if (factor <= 1) return places;
-    if (!std::isfinite(factor)) break;
-    periods =
-        static_cast<std::size_t>(std::ceil(static_cast<double>(periods) * std::clamp(factor, least_step, most_step)));
+std::optional<Places> way_back(const PathStretch& stretch, const machine::Machine& machine, double longest_hop) {
+  const std::size_t most_periods =
+      std::max(fewest_periods, static_cast<std::size_t>(longest_hop / machine.period.seconds()));
+  Places way;
+  std::vector<Hop> hops;  // the next one last
+  if (stretch.from() < stretch.to()) hops.push_back({stretch.to(), stretch.from()});
+  while (!hops.empty()) {
+    const Hop hop = hops.back();
+    hops.pop_back();
+    if (const auto places = places_of(stretch, hop, machine, most_periods)) {
+      if (!way.empty()) way.insert(way.end(), rests, way.back());
+      way.insert(way.end(), places->begin(), places->end());
+      continue;
+    }
+    const double middle = (hop.from + hop.to) / 2;
+    if (!(hop.from - hop.to > shortest) || !(hop.to < middle && middle < hop.from)) return std::nullopt;
+    hops.push_back({middle, hop.to});
+    hops.push_back({hop.from, middle});
   }
-  return std::nullopt;
+  return way;
 }
 
 }  // namespace leadscrew::pipeline

@@ -2,8 +2,11 @@
 // Back along the tool path: axes that came to rest behind the place where a program goes on return to it the way they
 // came, not across what has been made.
 //
-//    goes on here ●━━━━━━━━━━━━━━● rest       s falls by u³(10 − 15u + 6u²), from rest to rest, so slowly that words a
-//                    ◀── s(u)                 period apart keep every limit of every axis, and every place its feed.
+//    goes on here ●━━━━━●━━━━━━━━━● rest      In hops from rest to rest: s falls by u³(10 − 15u + 6u²), so slowly that
+//                    ◀──    ◀── s(u)          words a period apart keep every limit of every axis, and every place its
+//                                             feed. A hop that would take long is made as two: one slow place, a bend
+//                                             of some µm, must not slow the whole way; and at each rest it may be
+//                                             ended.
 
 #include <cstddef>
 #include <leadscrew/base/word.hpp>
@@ -46,9 +49,10 @@ class PathStretch {
   std::vector<Part> parts_;
 };
 
-/// A place for each period, from the first behind rest at the stretch's end to rest at its beginning. Nothing if that
-/// takes more than `longest` periods, as across a corner.
+/// A place for each period, from the first behind rest at the stretch's end to rest at its beginning; where it rests on
+/// the way, the same place four times. No hop takes longer than `longest_hop`, s, but for what a period rounds.
+/// Nothing where the machine cannot move at all.
 std::optional<std::vector<base::PathPlace>> way_back(const PathStretch& stretch, const machine::Machine& machine,
-                                                     std::size_t longest);
+                                                     double longest_hop = 1);
 
 }  // namespace leadscrew::pipeline

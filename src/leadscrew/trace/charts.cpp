@@ -50,7 +50,8 @@ class Panel {
     put_text(out, "name", x_, y_ - 8, escaped(chart_.title));
     put_value_ticks(out);
     put_time_ticks(out);
-    if (chart_.wanted) put(out, "<path class=\"wanted\" d=\"M", at(0, *chart_.wanted), "h", fixed(box_width, 0), "\"/>");
+    if (chart_.wanted)
+      put(out, "<path class=\"wanted\" d=\"M", at(0, *chart_.wanted), "h", fixed(box_width, 0), "\"/>");
     put(out, "<path class=\"line\" d=\"");
     for (std::size_t k = 0; k < chart_.values.size(); ++k)
       put(out, k == 0 ? "M" : "L", at(chart_.interval * static_cast<double>(k), chart_.values[k]));
