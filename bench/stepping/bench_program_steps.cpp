@@ -13,6 +13,8 @@ namespace {
 
 using namespace leadscrew;
 
+constexpr std::int64_t clock_hz = 10'000'000;
+
 void steps(benchmark::State& state, const bench::PulsedProgram& program) {
   const machine::Machine machine = bench::stepped_machine();
   const machine::ToolTable tools({{1}, {2}});
@@ -20,7 +22,8 @@ void steps(benchmark::State& state, const bench::PulsedProgram& program) {
   std::int64_t words = 0;
   for (auto _ : state) {
     pipeline::Program motion(gcode::text_source(program.text), machine, tools, {}, nullptr);
-    auto generator = stepping::StepGenerator::create(machine, {});
+    auto generator = stepping::StepGenerator::create(machine, clock_hz);
+    if (!generator) return state.SkipWithError(generator.error().message.c_str());
     std::int64_t last = 0;
     const auto sink = [&](std::span<const stepping::StepEvent> events) {
       sum.steps += static_cast<std::int64_t>(events.size());
@@ -32,7 +35,7 @@ void steps(benchmark::State& state, const bench::PulsedProgram& program) {
     };
     for (; motion.prepare(); ++words) generator->follow(motion.cycle(), sink);
     generator->finish(sink);
-    if (motion.errors() > 0) state.SkipWithError("the program has errors");
+    if (motion.errors() > 0 || sum.steps == 0) return state.SkipWithError("the program has errors, or no steps");
     benchmark::DoNotOptimize(sum.sum);
   }
   state.SetItemsProcessed(sum.pulses);

@@ -203,9 +203,9 @@ int drive_through_kills(unsigned seed) {
     // Never aside of the path: neither on the way to rest, nor on the way back to where it goes on.
     for (std::size_t k = 0; k < axes.size(); k += 10) EXPECT_LE(distance_to(path, axes[k].q), 3e-4);
     EXPECT_LE(distance_to(path, rest), 3e-4);
-    // Along a line a stop from 50 mm/s takes 2.5 mm.
+    // Along a line a stop from 50 mm/s takes 2.5 mm. Some 20 ms of the part have none that begins soon.
     longest_stop = std::max(longest_stop, distance(rest, last.q));
-    EXPECT_LE(longest_stop, 10);
+    EXPECT_LE(longest_stop, 15);
     if (state_of(folder) == "ended" || ::testing::Test::HasFailure()) {
       EXPECT_LE(distance(last.q, path.back().q), 1e-9);
       return kills;

@@ -177,11 +177,13 @@ class OnEveryCircle : public ::testing::TestWithParam<CircleBound> {
   void run_to(std::int64_t greatest) const {
     double worst = 0;
     for (std::int64_t radius = 1; radius <= greatest; ++radius) {
-      const Trace found = GetParam().trace({{radius, 0}, {radius, 0}, Direction::counterclockwise});
-      ASSERT_TRUE(found.ends) << radius;
-      worst = std::max(worst, found.worst);
-      const double expected = GetParam().clocks_per_radius * static_cast<double>(radius);
-      ASSERT_NEAR(static_cast<double>(found.clocks), expected, 0.001 * expected + 8) << radius;
+      for (const Direction direction : {Direction::clockwise, Direction::counterclockwise}) {
+        const Trace found = GetParam().trace({{radius, 0}, {radius, 0}, direction});
+        ASSERT_TRUE(found.ends) << radius;
+        worst = std::max(worst, found.worst);
+        const double expected = GetParam().clocks_per_radius * static_cast<double>(radius);
+        ASSERT_NEAR(static_cast<double>(found.clocks), expected, 0.001 * expected + 8) << radius;
+      }
     }
     EXPECT_LE(worst, GetParam().worst);
   }
@@ -206,6 +208,8 @@ const auto circle_bounds =
                       CircleBound{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.3102, 6.28319},
                       CircleBound{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.4676, 6.28319},
                       CircleBound{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.9656, 6.28319},
+                      CircleBound{"XFirstHalfWide", dda<Order::x_first, Preload::half, 16>, 0.9656, 6.28319},
+                      CircleBound{"ParallelHalfWide", dda<Order::parallel, Preload::half, 16>, 1.2876, 6.28319},
                       CircleBound{"XFirstFull", dda<Order::x_first, Preload::full>, 1.4246, 6.28319},
                       CircleBound{"ShrinkingFirstEmpty", dda<Order::shrinking_first, Preload::none>, 1.4676, 6.28319},
                       CircleBound{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.9505, 6.28319},

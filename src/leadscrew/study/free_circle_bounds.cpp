@@ -148,6 +148,11 @@ Rows counted_arc_rows(const Host& host) {
   const Ended magnitudes = all_arcs(host, Order::x_first, Accumulation::sign_magnitude);
   const Ended floors = all_arcs(host, Order::x_first, Accumulation::floor);
   const Ended hardware = all_arcs(host, Order::parallel, Accumulation::floor);
+  const auto share = [&](std::string what, double published, const Ended& ended) {
+    return because(
+        exact_row(std::move(what), {"%", 0}, published, 100 * count(ended.missed) / static_cast<double>(ended.tried)),
+        "published of other arcs: which, is not told");
+  };
   const std::string of = "of " + std::to_string(magnitudes.tried) + ": R² ≤ 2500, both ways, full circles too";
   return under(
       "arcs that one counter an axis does not end where they are to",
@@ -155,6 +160,8 @@ Rows counted_arc_rows(const Host& host) {
        because(exact_row("eq. 27, half: endless", arcs, 120, static_cast<double>(magnitudes.missed.endless)), of),
        because(measured_row("eq. 27, two's complement, half", arcs, count(floors.missed)), of),
        because(measured_row("as in hardware, two's complement, half", arcs, count(hardware.missed)), of),
+       share("eq. 27, half: share", 11, magnitudes), share("eq. 27, two's complement, half: share", 11, floors),
+       share("as in hardware, two's complement, half: share", 72, hardware),
        not_reproducible_row("arcs tried", arcs, 328352,
                             "of which arcs is not told; as many are missed of those of R² ≤ 2500")});
 }
