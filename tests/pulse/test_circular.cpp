@@ -124,24 +124,29 @@ TEST_P(ToEveryEndBesideTheCircle, EndsExactlyAndStaysWithinHalfABluMore) {
   EXPECT_LE(more, GetParam().more + 0.5);
 }
 
-const auto arc_bounds =
-    ::testing::Values(Method{"PointComparison", search<Search::point_comparison>, 0.9995, 0.9995},
-                      Method{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 1},
-                      Method{"LeastError", search<Search::least_error>, 0.5, 0.5},
-                      Method{"ImprovedLeastError", search<Search::improved_least_error>, 0.5, 0.5},
-                      Method{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.55, 2.04},
-                      Method{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.16, 1.65},
-                      Method{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.14, 1.62},
-                      Method{"ParallelFull", dda<Order::parallel, Preload::full>, 0.95, 1.42},
-                      Method{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.45, 1.92},
-                      Method{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.94, 1.43},
-                      Method{"XFirstHalfWide", dda<Order::x_first, Preload::half, 8>, 0.94, 1.43},
-                      Method{"XFirstFull", dda<Order::x_first, Preload::full>, 1.27, 1.72},
-                      Method{"ShrinkingFirstEmpty", dda<Order::shrinking_first, Preload::none>, 1.45, 1.92},
-                      Method{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.94, 1.43},
-                      Method{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 0.97, 1.28},
-                      Method{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.94, 1.43},
-                      Method{"GrowingFirstHalfWide", dda<Order::growing_first, Preload::half, 8>, 0.94, 1.43});
+const auto arc_bounds = ::testing::Values(
+    Method{"PointComparison", search<Search::point_comparison>, 0.9995, 0.9995},
+    Method{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 1},
+    Method{"LeastError", search<Search::least_error>, 0.5, 0.5},
+    Method{"ImprovedLeastError", search<Search::improved_least_error>, 0.5, 0.5},
+    Method{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.55, 2.04},
+    Method{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.16, 1.65},
+    Method{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.14, 1.62},
+    Method{"ParallelFull", dda<Order::parallel, Preload::full>, 0.95, 1.42},
+    Method{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.45, 1.92},
+    Method{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.94, 1.43},
+    Method{"XFirstHalfWide", dda<Order::x_first, Preload::half, 8>, 0.94, 1.43},
+    Method{"XFirstFull", dda<Order::x_first, Preload::full>, 1.27, 1.72},
+    Method{"XFirstHalfLagging", dda<Order::x_first, Preload::half_lagging>, 1.08, 1.39},
+    Method{"ShrinkingFirstHalfLagging", dda<Order::shrinking_first, Preload::half_lagging>, 1.08, 1.34},
+    Method{"ShrinkingFirstFull", dda<Order::shrinking_first, Preload::full>, 0.95, 1.42},
+    Method{"GrowingFirstHalfLagging", dda<Order::growing_first, Preload::half_lagging>, 1.01, 1.39},
+    Method{"GrowingFirstFull", dda<Order::growing_first, Preload::full>, 1.27, 1.72},
+    Method{"ShrinkingFirstEmpty", dda<Order::shrinking_first, Preload::none>, 1.45, 1.92},
+    Method{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.94, 1.43},
+    Method{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 0.97, 1.28},
+    Method{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.94, 1.43},
+    Method{"GrowingFirstHalfWide", dda<Order::growing_first, Preload::half, 8>, 0.94, 1.43});
 const auto name_of_method = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, OnEveryLatticeArc, arc_bounds, name_of_method);
 INSTANTIATE_TEST_SUITE_P(Methods, ToEveryEndBesideTheCircle, arc_bounds, name_of_method);
@@ -197,24 +202,29 @@ TEST_P(LongOnEveryCircle, EndsWhereItBeganAndStaysWithinItsBound) {
   run_to(4096);
 }
 
-const auto circle_bounds =
-    ::testing::Values(CircleBound{"PointComparison", search<Search::point_comparison>, 1, 8},
-                      CircleBound{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 8},
-                      CircleBound{"LeastError", search<Search::least_error>, 0.5, 5.65685},
-                      CircleBound{"ImprovedLeastError", search<Search::improved_least_error>, 0.5, 5.65685},
-                      CircleBound{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.8026, 6.28319},
-                      CircleBound{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.2876, 6.28319},
-                      CircleBound{"ParallelFull", dda<Order::parallel, Preload::full>, 0.9996, 6.28319},
-                      CircleBound{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.3102, 6.28319},
-                      CircleBound{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.4676, 6.28319},
-                      CircleBound{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.9656, 6.28319},
-                      CircleBound{"XFirstHalfWide", dda<Order::x_first, Preload::half, 16>, 0.9656, 6.28319},
-                      CircleBound{"ParallelHalfWide", dda<Order::parallel, Preload::half, 16>, 1.2876, 6.28319},
-                      CircleBound{"XFirstFull", dda<Order::x_first, Preload::full>, 1.4246, 6.28319},
-                      CircleBound{"ShrinkingFirstEmpty", dda<Order::shrinking_first, Preload::none>, 1.4676, 6.28319},
-                      CircleBound{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.9505, 6.28319},
-                      CircleBound{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 1.0225, 6.28319},
-                      CircleBound{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.9656, 6.28319});
+const auto circle_bounds = ::testing::Values(
+    CircleBound{"PointComparison", search<Search::point_comparison>, 1, 8},
+    CircleBound{"PointComparisonInward", search<Search::point_comparison, OnCircle::inward>, 1, 8},
+    CircleBound{"LeastError", search<Search::least_error>, 0.5, 5.65685},
+    CircleBound{"ImprovedLeastError", search<Search::improved_least_error>, 0.5, 5.65685},
+    CircleBound{"ParallelEmpty", dda<Order::parallel, Preload::none>, 1.8026, 6.28319},
+    CircleBound{"ParallelHalf", dda<Order::parallel, Preload::half>, 1.2876, 6.28319},
+    CircleBound{"ParallelFull", dda<Order::parallel, Preload::full>, 0.9996, 6.28319},
+    CircleBound{"ParallelHalfLagging", dda<Order::parallel, Preload::half_lagging>, 1.3102, 6.28319},
+    CircleBound{"XFirstEmpty", dda<Order::x_first, Preload::none>, 1.4676, 6.28319},
+    CircleBound{"XFirstHalf", dda<Order::x_first, Preload::half>, 0.9656, 6.28319},
+    CircleBound{"XFirstHalfWide", dda<Order::x_first, Preload::half, 16>, 0.9656, 6.28319},
+    CircleBound{"ParallelHalfWide", dda<Order::parallel, Preload::half, 16>, 1.2876, 6.28319},
+    CircleBound{"XFirstFull", dda<Order::x_first, Preload::full>, 1.4246, 6.28319},
+    CircleBound{"XFirstHalfLagging", dda<Order::x_first, Preload::half_lagging>, 0.9788, 6.28319},
+    CircleBound{"ShrinkingFirstHalfLagging", dda<Order::shrinking_first, Preload::half_lagging>, 0.9788, 6.28319},
+    CircleBound{"ShrinkingFirstFull", dda<Order::shrinking_first, Preload::full>, 1, 6.28319},
+    CircleBound{"GrowingFirstHalfLagging", dda<Order::growing_first, Preload::half_lagging>, 0.9616, 6.28319},
+    CircleBound{"GrowingFirstFull", dda<Order::growing_first, Preload::full>, 1.4246, 6.28319},
+    CircleBound{"ShrinkingFirstEmpty", dda<Order::shrinking_first, Preload::none>, 1.4676, 6.28319},
+    CircleBound{"ShrinkingFirstHalf", dda<Order::shrinking_first, Preload::half>, 0.9505, 6.28319},
+    CircleBound{"GrowingFirstEmpty", dda<Order::growing_first, Preload::none>, 1.0225, 6.28319},
+    CircleBound{"GrowingFirstHalf", dda<Order::growing_first, Preload::half>, 0.9656, 6.28319});
 const auto name_of_bound = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, OnEveryCircle, circle_bounds, name_of_bound);
 INSTANTIATE_TEST_SUITE_P(LongMethods, LongOnEveryCircle, circle_bounds, name_of_bound);

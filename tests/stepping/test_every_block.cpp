@@ -60,9 +60,8 @@ class EveryBlock : public ::testing::TestWithParam<Bound> {
         Block block;
         block.way = {a, b};
         const double length = std::hypot(static_cast<double>(a), static_cast<double>(b));
-        const Made made = make(block, GetParam().method, {}, [&](Point at) {
-          return std::abs(static_cast<double>(at.x * b - at.y * a)) / length;
-        });
+        const Made made = make(block, GetParam().method, {},
+                               [&](Point at) { return std::abs(static_cast<double>(at.x * b - at.y * a)) / length; });
         ASSERT_TRUE(made.ends) << a << ' ' << b;
         ASSERT_EQ(made.end, (Point{a, b}));
         worst = std::max(worst, made.worst);
@@ -117,12 +116,12 @@ TEST_P(LongEveryBlock, OfALineEndsThereWithinItsBound) {
   try_lines(256);
 }
 
-const auto bounds = ::testing::Values(Bound{"Koren", PulseMethod::koren, 0.7072, 1.92},
-                                      Bound{"Dda", PulseMethod::dda, 0.7072, 1.65},
-                                      Bound{"MinError", PulseMethod::min_error, 0.5001, 0.5},
-                                      Bound{"ImprovedMinError", PulseMethod::improved_min_error, 0.5001, 0.5, 2 - std::numbers::sqrt2},
-                                      Bound{"Bresenham", PulseMethod::bresenham, 0.5001, 0.5},
-                                      Bound{"PointComparison", PulseMethod::point_comparison, 1, 0.9995});
+const auto bounds =
+    ::testing::Values(Bound{"Koren", PulseMethod::koren, 0.7072, 1.92}, Bound{"Dda", PulseMethod::dda, 0.7072, 1.65},
+                      Bound{"MinError", PulseMethod::min_error, 0.5001, 0.5},
+                      Bound{"ImprovedMinError", PulseMethod::improved_min_error, 0.5001, 0.5, 2 - std::numbers::sqrt2},
+                      Bound{"Bresenham", PulseMethod::bresenham, 0.5001, 0.5},
+                      Bound{"PointComparison", PulseMethod::point_comparison, 1, 0.9995});
 const auto name_of = [](const auto& test) { return std::string(test.param.name); };
 INSTANTIATE_TEST_SUITE_P(Methods, EveryBlock, bounds, name_of);
 INSTANTIATE_TEST_SUITE_P(LongMethods, LongEveryBlock, bounds, name_of);
