@@ -21,6 +21,11 @@ const Rows& quick_bounds() {
   return rows;
 }
 
+/// Published of arcs of which is not told which they are.
+bool is_share(const Row& row) {
+  return row.what.ends_with(": share");
+}
+
 /// What each row is to be judged as: no bound is exceeded, no count is another, and a row without a bound says so.
 TEST(BoundsStudy, KeepsEveryBoundAndCountsEveryEndlessArc) {
   const Rows& rows = quick_bounds();
@@ -30,6 +35,7 @@ TEST(BoundsStudy, KeepsEveryBoundAndCountsEveryEndlessArc) {
                           row.group.find("one counter") != std::string::npos;
     const bool is_mean = row.what.starts_with("clocks by R") || row.what.ends_with("mean to R = 2000");
     const Verdict told = row.what == "arcs tried" ? Verdict::not_reproducible
+                         : is_share(row)          ? Verdict::differs
                          : is_count               ? Verdict::exact
                          : is_mean                ? Verdict::reproduced
                                                   : Verdict::kept;
@@ -37,7 +43,7 @@ TEST(BoundsStudy, KeepsEveryBoundAndCountsEveryEndlessArc) {
     EXPECT_TRUE(row.published.has_value() || !row.what.starts_with("greatest error") || !row.why.empty()) << row.group;
     EXPECT_TRUE(whats.insert(row.group + row.what).second) << "twice: " << row.group << ": " << row.what;
   }
-  EXPECT_EQ(rows.size(), 266u);
+  EXPECT_EQ(rows.size(), 339u);
 }
 
 TEST(BoundsStudy, ReachesTheBoundsItIsToldOf) {
@@ -63,6 +69,7 @@ TEST(KorenEndConditions, MissSoManyArcsByTotalCounters) {
   EXPECT_EQ(verdict(rows, group, "eq. 27, half: endless"), "exact");
   EXPECT_EQ(ours(rows, group, "eq. 27, two's complement, half"), 37316);
   EXPECT_EQ(ours(rows, group, "as in hardware, two's complement, half"), 144636);
+  EXPECT_NEAR(ours(rows, group, "as in hardware, two's complement, half: share"), 73, 1);
 }
 
 TEST(BoundsStudy, IsTheSameToTheBitByThreeThreadsThatWorkBackwards) {
@@ -88,7 +95,8 @@ TEST(BoundsStudy, IsTheSameToTheBitByThreeThreadsThatWorkBackwards) {
 /// At full length: what the quick one cannot reach.
 TEST(LongBoundsStudy, KeepsEveryBoundToR4096) {
   for (const Row& row : bounds_rows({}))
-    EXPECT_TRUE(row.verdict != Verdict::exceeded && row.verdict != Verdict::differs) << row.group << ": " << row.what;
+    EXPECT_TRUE(row.verdict != Verdict::exceeded && (row.verdict != Verdict::differs || is_share(row)))
+        << row.group << ": " << row.what;
 }
 
 }  // namespace
