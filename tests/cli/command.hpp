@@ -180,6 +180,13 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   void send(int signal) const { ::kill(process_, signal); }
+  /// To the one process that it has started.
+  void send_to_child(int signal) const {
+    std::ifstream children("/proc/" + std::to_string(process_) + "/task/" + std::to_string(process_) + "/children");
+    pid_t child = 0;
+    if (!(children >> child)) throw std::runtime_error("no child");
+    ::kill(child, signal);
+  }
 
   /// Does it handle the signal by now?
   bool handles(int signal) const {

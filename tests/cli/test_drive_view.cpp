@@ -119,14 +119,14 @@ TEST(DriveView, PausesAtM0AndM1UntilAskedToGoOn) {
   folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM0\nG1 X6\nM1\nG1 X7\nM2\n");
   OnTerminal running(folder, {"drive", "part.ngc", "--trace", "t.csv"});
   EXPECT_TRUE(running.shows("PAUSED in line 3"));
-  EXPECT_TRUE(running.shows("X     5.0000"));
+  EXPECT_TRUE(running.shows("X     5.000"));
   running.press("+");
   EXPECT_TRUE(running.shows("override 110 %"));
   EXPECT_FALSE(running.has_ended());
   running.forget();
   running.press(" ");
   EXPECT_TRUE(running.shows("PAUSED in line 5"));
-  EXPECT_TRUE(running.shows("X     6.0000"));
+  EXPECT_TRUE(running.shows("X     6.000"));
   running.press(" ");
   EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
   EXPECT_EQ(running.status(), 0);

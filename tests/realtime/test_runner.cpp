@@ -108,6 +108,36 @@ TEST(Runner, HoldsGoesOnAndStops) {
   EXPECT_FALSE(judge(travelled, machine, live.words).objects());
 }
 
+/// What a thread sleeps through is counted, and made up for.
+TEST(Runner, CountsThePeriodsThatItSleptThrough) {
+  const machine::Machine machine = mill(1'000'000);
+  const machine::ToolTable tools;
+  pipeline::MotionSource source(gcode::text_source(part), machine, tools, {}, nullptr);
+  source.planner().slice(0.02);
+  std::vector<base::Word> words;
+  words.reserve(100'000);
+  realtime::Runner runner({.period = machine.period, .look_ahead = 1},
+                          {.next = [&] { return source.next(); },
+                           .refuse = [&] { source.planner().refuse(); },
+                           .override_feed = [&](double factor) { source.planner().override_feed(factor); }},
+                          {.take =
+                               [&](const base::Word& word) {
+                                 words.push_back(word);
+                                 if (words.size() == 100 || words.size() == 300)
+                                   realtime::sleep_until(realtime::now() + 40'000'000);
+                                 return true;
+                               },
+                           .lead_on = {},
+                           .publish = {}});
+  runner.start();
+  while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
+  EXPECT_GE(runner.counters().overruns, 2 * 38);
+  EXPECT_GE(runner.latencies().longest(), 30'000'000);
+  const std::vector<base::Word> expected = words_of(part, machine);
+  for (std::size_t k = 0; k < words.size(); ++k) ASSERT_EQ(base::count(words[k].tick), static_cast<std::int64_t>(k));
+  EXPECT_EQ(words.back().position, expected.back().position);
+}
+
 TEST(Runner, StopsInADwell) {
   const machine::Machine machine = mill(1'000'000);
   const std::string text = "G21 G90 G94\nG1 X5 F6000\nG4 P20\nG1 X10\nM2\n";

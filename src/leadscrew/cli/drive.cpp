@@ -12,6 +12,7 @@
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/realtime/schedule.hpp>
+#include <leadscrew/servo/machine_loops.hpp>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -44,6 +45,8 @@ class ProgramDrive {
     if (auto held = hold_states(); !held) return failed(held.error());
     auto begin = beginning(*file);
     if (!begin) return failed(begin.error());
+    if (auto servo = servo::Servo::create(servo::loops_of(job_.machine), job_.machine.period); !servo)
+      return failed(servo.error());
     let_first_interruption_pass();
     // Before there are threads.
     auto process = DriveProcess::start(job_, *begin, way_back_);
@@ -124,6 +127,14 @@ class ProgramDrive {
       if (!way_back) return base::failure(way_back.error());
       way_back_ = std::move(*way_back);
       state = *kept;
+      if (state.kind == DriveState::Kind::moving)
+        log_.add(
+            {base::Severity::warning,
+             "resume-cut-twice",
+             "was written in motion: the drives' process ended before it stood, and up to 0.1 s is gone through again",
+             {},
+             base::Place{.file = *arguments_.resume},
+             {}});
     }
     state.program = file.name();
     state.machine = job_.machine.name;
@@ -253,7 +264,16 @@ class ProgramDrive {
     figures_.taken = link.taken.load(std::memory_order_acquire);
     figures_.drives_late = link.late_periods.load(std::memory_order_relaxed);
     figures_.braked = link.braked.load(std::memory_order_relaxed);
+    take_slides(link);
     if (link.phase.load() == DriveLink::Phase::tripped && figures_.end != End::abandoned) figures_.end = End::tripped;
+  }
+
+  void take_slides(const DriveLink& link) {
+    if (!link.is_over()) return;
+    figures_.feed = link.slides.feed;
+    for (const base::Axis axis : base::all_axes) {
+      if (job_.machine.has(axis)) figures_.axes.emplace_back(axis, link.slides.axes[base::index(axis)]);
+    }
   }
 
   /// M0 and M1 wait for a key, where somebody can press one.
@@ -302,6 +322,9 @@ class ProgramDrive {
     const DriveLink& link = drives.link();
     if (link.phase.load(std::memory_order_acquire) == DriveLink::Phase::failed)
       return base::failure(link.problem.diagnostic());
+    if (drives.was_silent())
+      return base::failure(drives_problem("io-drives", "the process of the drives did nothing for 10 s, and was ended",
+                                          "--resume goes on from the state that it wrote last"));
     if (!runs && !link.is_over())
       return base::failure(drives_problem("io-drives", "the process of the drives has ended"));
     return {};

@@ -2,6 +2,7 @@
 // What a drive of a program has come to.
 
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/cli/simulate_figures.hpp>
 #include <leadscrew/realtime/runner.hpp>
 #include <string>
 
@@ -15,7 +16,9 @@ struct DriveFigures {
   std::int64_t taken = 0;        ///< words, by the drives
   std::int64_t drives_late = 0;  ///< periods that the drives' process was late by
   std::int64_t braked = 0;       ///< periods in which the drives braked by themselves
-  base::Word last{};             ///< that the drives have taken
+  TrackedAxes axes;              ///< of the slides
+  servo::FeedTracking feed;
+  base::Word last{};  ///< that the drives have taken
   End end = End::done;
   std::int64_t blocks = 0;
   bool real_time = false;

@@ -18,14 +18,23 @@
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/realtime/ring.hpp>
 #include <leadscrew/realtime/word_stream.hpp>
+#include <leadscrew/servo/tracking.hpp>
 #include <string_view>
 
 namespace leadscrew::cli {
 
 /// One period of the drives.
 struct Feedback {
-  base::Word word;            ///< the last that was taken
-  base::AxisVector actual{};  ///< where the axes are
+  base::Word word;             ///< the last that was taken
+  base::AxisVector actual{};   ///< where the slides are, two periods ago
+  double measured_feed = 0;    ///< by their tachogenerators, mm/s (degrees/s where only rotary axes are)
+  double following_error = 0;  ///< the greatest of any axis, mm or degrees
+};
+
+/// What following came to, when all is over.
+struct SlideFigures {
+  std::array<servo::AxisTracking, base::axis_count> axes{};
+  servo::FeedTracking feed;
 };
 
 /// A diagnostic for the other process. Its code is of static storage, which has one place in both: one is the other's
@@ -77,7 +86,10 @@ struct DriveLink {
   std::atomic<std::int64_t> taken{0};         ///< words
   std::atomic<std::int64_t> late_periods{0};  ///< that the drives' own process was late by
   std::atomic<std::int64_t> braked{0};        ///< periods on the way to rest, without a word
+  std::atomic<std::int64_t> beats{0};         ///< periods that the drives' process has lived
+  std::atomic<bool> concluding{false};        ///< it writes its files, which may take long
   SharedProblem problem;
+  SlideFigures slides;  ///< before the phase says that all is over
 
   // The terminal is given back by whoever is left.
   std::atomic<bool> has_terminal{false};

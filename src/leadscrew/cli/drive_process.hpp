@@ -23,13 +23,20 @@ class DriveProcess {
   DriveProcess& operator=(const DriveProcess&) = delete;
 
   DriveLink& link() { return *link_; }
+  /// One that has been silent for too long, while this one was awake, is ended here.
   bool is_running();
+  /// Was it?
+  bool was_silent() const { return was_silent_; }
 
  private:
-  explicit DriveProcess(DriveLink* link) : link_(link) {}
+  explicit DriveProcess(DriveLink* link);
+  bool is_silent();
 
   DriveLink* link_;
   pid_t id_ = 0;
+  bool was_silent_ = false;
+  std::int64_t beats_ = 0;              ///< periods it had lived when it was last looked at
+  std::int64_t beat_ = 0, looked_ = 0;  ///< ns: when it lived one more, and when that was
 };
 
 }  // namespace leadscrew::cli

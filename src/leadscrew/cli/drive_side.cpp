@@ -1,8 +1,12 @@
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <leadscrew/cli/drive_side.hpp>
+#include <leadscrew/cli/slides.hpp>
 #include <leadscrew/cli/terminal.hpp>
 #include <leadscrew/cli/word_file.hpp>
 #include <leadscrew/realtime/schedule.hpp>
+#include <leadscrew/servo/machine_loops.hpp>
 #include <mutex>
 #include <thread>
 
@@ -92,7 +96,10 @@ class DriveSide {
   DriveSide(DriveLink& link, const Job& job, const DriveState& begin)
       : link_(link),
         period_(job.machine.period),
+        machine_(job.machine),
         axes_(begin.axes),
+        servo_(*servo::Servo::create(servo::loops_of(job.machine), period_)),
+        tracking_(job.machine.axis_set()),
         keeper_(job.arguments.drive.state, begin),
         last_(begin.word) {}
 
@@ -121,16 +128,17 @@ class DriveSide {
     took(observe());
     for (const base::PathPlace& place : way_back) {
       if (axes_.at_rest() && is_called_off()) return;
-      axes_.follow(place);
+      follow(place);
       wait();
       took(observe());
     }
-    while (!axes_.at_rest()) axes_.follow(axes_.place());
+    while (!axes_.at_rest()) follow(axes_.place());
   }
   bool is_called_off() const { return failed_ || is_orphan() || link_.order.load() == Order::abandon; }
 
   /// The drives' own clock: what this process is late by is time that stood still for them.
   void wait() {
+    link_.beats.fetch_add(1, std::memory_order_relaxed);
     wake_ += period_.nanoseconds;
     realtime::sleep_until(wake_);
     const std::int64_t late = (realtime::now() - wake_) / period_.nanoseconds;
@@ -148,7 +156,7 @@ class DriveSide {
     if (stands && !link_.words.has_left()) {
       if (order == Order::end) return false;
       if (!is_orphan()) {
-        axes_.follow(axes_.place());
+        follow(axes_.place());
         return true;
       }
     }
@@ -159,7 +167,7 @@ class DriveSide {
     base::Word word;
     if (!link_.words.pop(word)) return false;
     last_ = word;
-    axes_.follow({word.position, word.path_length});
+    follow({word.position, word.path_length});
     took(trace_file_.write(word));
     took(observe());
     link_.taken.fetch_add(1, std::memory_order_release);
@@ -170,10 +178,36 @@ class DriveSide {
   bool come_to_rest() {
     base::PathPlace next = axes_.place();
     if (!link_.words.follow_way(next) && axes_.at_rest()) return false;
-    axes_.follow(next);
+    follow(next);
     link_.braked.fetch_add(1, std::memory_order_relaxed);
     took(observe());
     return true;
+  }
+
+  /// A period: axes are led there, and slides follow.
+  void follow(const base::PathPlace& place) {
+    axes_.follow(place);
+    base::Word word = last_;
+    word.tick = base::Tick{led_++};
+    word.position = place.position;
+    const std::optional<servo::Followed> followed = servo_.follow(word);
+    if (!followed) return;
+    took(check_followed(*followed, machine_));
+    tracking_.observe(*followed);
+    Feedback feedback{last_, followed->position, tracking_.measured_feed()};
+    for (std::size_t i = 0; i < followed->position.size(); ++i)
+      feedback.following_error =
+          std::max(feedback.following_error, std::abs(followed->word.position[i] - followed->position[i]));
+    link_.feedback.push(feedback);
+  }
+  /// Where they overshoot, they do so now.
+  void let_slides_settle() {
+    constexpr double settling = 0.1;  // s
+    for (double left = settling / period_.seconds(); left > 0; --left) follow(axes_.place());
+    for (const base::Axis axis : base::all_axes) {
+      if (machine_.has(axis)) link_.slides.axes[base::index(axis)] = tracking_.axis(axis);
+    }
+    link_.slides.feed = tracking_.feed();
   }
 
   /// Nobody will send the first word.
@@ -184,7 +218,6 @@ class DriveSide {
     word.tick = base::Tick{periods_++};
     word.position = axes_.place().position;
     keeper_.observe(last_, axes_.place());
-    link_.feedback.push({last_, word.position});
     return axes_file_.write(word);
   }
 
@@ -194,6 +227,8 @@ class DriveSide {
 
   /// Files first: who sees the last state finds them. One that could not be written takes no other with it.
   base::Result<void> conclude() {
+    link_.concluding.store(true, std::memory_order_release);
+    let_slides_settle();
     for (WordFile* file : {&trace_file_, &axes_file_}) took(file->publish());
     if (is_orphan() && link_.has_terminal.load(std::memory_order_acquire)) Terminal::restore(link_.terminal);
     const bool has_left = link_.words.has_left();
@@ -207,11 +242,14 @@ class DriveSide {
 
   DriveLink& link_;
   const base::Period period_;
+  const machine::Machine& machine_;
   Axes axes_;
+  servo::Servo servo_;
+  servo::Tracking tracking_;
   StateKeeper keeper_;
   WordFile trace_file_, axes_file_;
   base::Word last_;  ///< taken
-  std::int64_t periods_ = 0, wake_ = 0;
+  std::int64_t periods_ = 0, led_ = 0, wake_ = 0;
   std::optional<base::Diagnostic> failed_;
   const pid_t parent_ = ::getppid();
 };

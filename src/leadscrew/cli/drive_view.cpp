@@ -10,7 +10,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr int status_lines = 7, widest_map = 100, highest_map = 40;
+constexpr int status_lines = 8, widest_map = 100, highest_map = 40;
 constexpr std::int64_t between_pictures = 100'000'000;  // ns
 constexpr std::string_view end = "\033[K\n";
 
@@ -76,6 +76,8 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
   std::string text = place_text();
   text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}", last_.word.feed * 60, factor_ * 100,
                       wait_text(counters), end);
+  text += fmt::format("slides {:6.1f} /min by tachometers, behind by {:.4f}{}", last_.measured_feed * 60,
+                      last_.following_error, end);
   text += fmt::format("look-ahead {:5.0f} ms  planner late {}  {:.1f} s, {:.1f} mm{}", counters.seconds_ahead * 1e3,
                       counters.starvations, static_cast<double>(counters.words) * job_.machine.period.seconds(),
                       last_.word.path_length, end);

@@ -28,13 +28,15 @@ struct AdaptiveFigures {
   double safe_time = 0;  ///< s, that the words take at the programmed feed times `safe` throughout
 };
 
+using TrackedAxes = std::vector<std::pair<base::Axis, servo::AxisTracking>>;
+
 struct SimulateFigures {
   pipeline::Summary summary;
   referee::Verdict verdict;  ///< on where the slides were; only its deviations count
   double tolerance = 0;      ///< mm, that slides are held to
   ContourFigures contour;
   servo::FeedTracking feed;
-  std::vector<std::pair<base::Axis, servo::AxisTracking>> axes;
+  TrackedAxes axes;
   std::optional<double> settling;  ///< s from the last word until every slide stays within a BLU; none: they do not
   std::optional<AdaptiveFigures> adaptive;
   std::vector<std::string> files{};  ///< written

@@ -10,18 +10,6 @@ namespace leadscrew::cli {
 
 namespace {
 
-Json json_of_axes(const SimulateFigures& figures) {
-  Json list = Json::array();
-  for (const auto& [axis, tracking] : figures.axes) {
-    const std::string unit = base::is_rotary(axis) ? "deg" : "mm";
-    list.push_back({{"name", std::string(1, base::letter(axis))},
-                    {"following_max_" + unit, tracking.greatest},
-                    {"following_rms_" + unit, tracking.rms},
-                    {"overshoot_" + unit, tracking.overshoot}});
-  }
-  return list;
-}
-
 Json json_of_cut(const AdaptiveFigures& adaptive, double time) {
   const servo::CutFigures& cut = adaptive.cut;
   return {{"force_limit_n", adaptive.limit},
@@ -72,16 +60,6 @@ std::string time_text(const SimulateFigures& figures) {
   return fmt::format("{:.4f} s; {}", figures.summary.time_s, rest);
 }
 
-std::string axis_rows(const SimulateFigures& figures, const Style& style) {
-  std::string text = style(Tone::faint, "  axis   lags at most        rms    overshoots") + "\n";
-  for (const auto& [axis, tracking] : figures.axes) {
-    const char* unit = base::is_rotary(axis) ? "deg" : "mm";
-    text += fmt::format("  {:<4} {:>11.4g} {:<3} {:>9.4g} {:>13.4g}\n", base::letter(axis), tracking.greatest, unit,
-                        tracking.rms, tracking.overshoot);
-  }
-  return text;
-}
-
 std::string verdict_text(const SimulateFigures& figures, const Style& style) {
   if (figures.kept()) return style(Tone::good, "kept: the slides stay within the tolerance, and come to rest");
   return style(Tone::error, !figures.settling      ? "NOT kept: the slides do not come to rest"
@@ -90,6 +68,28 @@ std::string verdict_text(const SimulateFigures& figures, const Style& style) {
 }
 
 }  // namespace
+
+Json json_of_axes(const TrackedAxes& axes) {
+  Json list = Json::array();
+  for (const auto& [axis, tracking] : axes) {
+    const std::string unit = base::is_rotary(axis) ? "deg" : "mm";
+    list.push_back({{"name", std::string(1, base::letter(axis))},
+                    {"following_max_" + unit, tracking.greatest},
+                    {"following_rms_" + unit, tracking.rms},
+                    {"overshoot_" + unit, tracking.overshoot}});
+  }
+  return list;
+}
+
+std::string axis_rows(const TrackedAxes& axes, const Style& style) {
+  std::string text = style(Tone::faint, "  axis   lags at most        rms    overshoots") + "\n";
+  for (const auto& [axis, tracking] : axes) {
+    const char* unit = base::is_rotary(axis) ? "deg" : "mm";
+    text += fmt::format("  {:<4} {:>11.4g} {:<3} {:>9.4g} {:>13.4g}\n", base::letter(axis), tracking.greatest, unit,
+                        tracking.rms, tracking.overshoot);
+  }
+  return text;
+}
 
 Json json_of_simulation(const std::string& program, const Job& job, const SimulateFigures& figures,
                         const DiagnosticLog& log) {
@@ -117,7 +117,7 @@ Json json_of_simulation(const std::string& program, const Job& job, const Simula
         {"commanded_max_mm_s", feed.commanded_max},
         {"measured_max_mm_s", feed.measured_max},
         {"measured_mean_mm_s", feed.measured_mean}}},
-      {"axes", json_of_axes(figures)},
+      {"axes", json_of_axes(figures.axes)},
       {"diagnostics", json_of_diagnostics(log)}};
   if (figures.adaptive) json["adaptive"] = json_of_cut(*figures.adaptive, summary.time_s);
   return json;
@@ -133,7 +133,7 @@ std::string simulate_summary(const std::string& program, const Job& job, const S
   text += row("contour", fmt::format("slides leave the path of the words by {:.4g} mm at t = {:.4g} s, rms {:.4g} mm",
                                      figures.contour.greatest, figures.contour.at, figures.contour.rms));
   text += row("deviation", deviation_text(figures.verdict.deviation_mm, figures.tolerance));
-  text += axis_rows(figures, style);
+  text += axis_rows(figures.axes, style);
   if (figures.adaptive) {
     text += row("force", force_text(*figures.adaptive, style));
     text += row("override", override_text(*figures.adaptive, summary.time_s));

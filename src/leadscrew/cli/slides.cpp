@@ -58,7 +58,7 @@ Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, Follo
 base::Result<std::optional<servo::Followed>> Slides::follow(const base::Word& word) {
   auto followed = std::visit([&](auto& follower) { return follower.follow(word); }, follower_);
   if (!followed) return followed;
-  if (auto stable = check(*followed); !stable) return base::failure(std::move(stable.error()));
+  if (auto stable = check_followed(*followed, *machine_); !stable) return base::failure(std::move(stable.error()));
   tracking_.observe(*followed);
   matcher_.observe(followed->word.position, followed->position);
   referee_.observe(followed->position);
@@ -66,18 +66,17 @@ base::Result<std::optional<servo::Followed>> Slides::follow(const base::Word& wo
   return followed;
 }
 
-/// A slide that is off by more than its whole travel is not followed any more.
-base::Result<void> Slides::check(const servo::Followed& followed) const {
+base::Result<void> check_followed(const servo::Followed& followed, const machine::Machine& machine) {
   for (const base::Axis axis : base::all_axes) {
-    if (!axes_.contains(axis)) continue;
-    const machine::AxisLimits& limits = machine_->limits(axis);
+    if (!machine.has(axis)) continue;
+    const machine::AxisLimits& limits = machine.limits(axis);
     const double error = followed.word.position[base::index(axis)] - followed.position[base::index(axis)];
     if (std::fabs(error) <= limits.travel_max - limits.travel_min) continue;
     base::Diagnostic problem;
     problem.code = "servo-unstable";
     problem.message =
         fmt::format("axis {}: the slide is off by {:.3g} {} at t = {:.3f} s", base::letter(axis), error,
-                    base::is_rotary(axis) ? "degrees" : "mm", base::seconds(followed.word.tick, machine_->period));
+                    base::is_rotary(axis) ? "degrees" : "mm", base::seconds(followed.word.tick, machine.period));
     problem.hint = "its loop is not stable; lower the gains, or shorten the period";
     return base::failure(std::move(problem));
   }

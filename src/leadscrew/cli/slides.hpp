@@ -14,6 +14,9 @@ namespace leadscrew::cli {
 
 enum class LoopKind : std::uint8_t { words, pulses };
 
+/// A slide that is off by more than its whole travel is not followed any more. Errors: `servo-unstable`.
+base::Result<void> check_followed(const servo::Followed& followed, const machine::Machine& machine);
+
 class Slides {
  public:
   /// moves: of the program, for the referee. The machine must outlive the slides. Errors: those of servo::Servo and
@@ -45,7 +48,6 @@ class Slides {
   using Follower = std::variant<servo::Servo, servo::PulseServo>;
 
   Slides(const machine::Machine& machine, referee::MoveSource moves, Follower follower, double lag);
-  base::Result<void> check(const servo::Followed& followed) const;
   void watch_rest(const servo::Followed& followed);
   std::optional<double> settling() const;
 

@@ -1,7 +1,7 @@
 #pragma once
 // A controller on time: one thread makes a word every servo period, another plans ahead of it.
 //
-//   requests ─ring─▶ planner's thread ─▶ interpolator::Controller ─▶ cyclic thread ─▶ sink
+//   requests ──────▶ planner's thread ─▶ interpolator::Controller ─▶ cyclic thread ─▶ sink
 //   (feed, stop)     ≤ look-ahead s             (chunks)              every period
 //
 // The schedule is absolute: word n is due at t₀ + n·T, or `lead` periods before, where the sink keeps words until their
@@ -58,7 +58,7 @@ struct RunnerOptions {
 /// What has happened so far.
 struct Counters {
   std::int64_t words = 0;         ///< published
-  std::int64_t overruns = 0;      ///< words that were late by a period or more
+  std::int64_t overruns = 0;      ///< periods that the cyclic thread slept through
   std::int64_t slips = 0;         ///< periods by which the schedule gave way to the sink
   std::int64_t late_chunks = 0;   ///< chunks that came after the motion they continue had been stopped
   std::int64_t starvations = 0;   ///< stop tails that ran because nothing followed
