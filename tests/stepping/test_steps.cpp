@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <allocations.hpp>
+#include <leadscrew/pipeline/program.hpp>
 #include <random_numbers.hpp>
 
 #include "stepping_support.hpp"
@@ -265,48 +266,115 @@ TEST(Steps, TakeNoMemory) {
   EXPECT_GT(count, 10000);
 }
 
+/// Steps, counted beside the words that they follow.
+class CountedSteps {
+ public:
+  /// No two steps of an axis may be nearer than so many ticks.
+  CountedSteps(const machine::Machine& machine, std::int64_t clock_hz, std::int64_t ticks_apart)
+      : generator_(StepGenerator::create(machine, clock_hz).value()), ticks_apart_(ticks_apart) {
+    for (std::size_t axis = 0; axis < 3; ++axis) blu_[axis] = machine.axes[axis]->blu;
+    last_.fill(-ticks_apart - 1);
+  }
+
+  void follow(const base::Word& word) {
+    generator_.follow(word, [this](std::span<const StepEvent> events) { count(events); });
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (words_ == 0) sum_[axis] = std::llround(word.position[axis] / blu_[axis]);
+      // The period before has been made.
+      if (words_ > 1)
+        worst_ = std::max(worst_, std::fabs(static_cast<double>(sum_[axis]) - before_[axis] / blu_[axis]));
+    }
+    before_ = word.position;
+    ++words_;
+  }
+  void finish() {
+    generator_.finish([this](std::span<const StepEvent> events) { count(events); });
+  }
+
+  std::int64_t steps() const { return steps_; }
+  std::int64_t at(std::size_t axis) const { return sum_[axis]; }  ///< BLU
+  double worst() const { return worst_; }                         ///< at any word, BLU
+  bool are_apart() const { return apart_; }
+  StepReport report() const { return generator_.report(); }
+
+ private:
+  void count(std::span<const StepEvent> events) {
+    for (const StepEvent event : events) {
+      const std::size_t axis = base::index(event.axis());
+      sum_[axis] += event.direction();
+      apart_ = apart_ && event.tick() >= last_[axis] + ticks_apart_;
+      last_[axis] = event.tick();
+    }
+    steps_ += static_cast<std::int64_t>(events.size());
+  }
+
+  StepGenerator generator_;
+  std::int64_t ticks_apart_;
+  std::array<double, 3> blu_{};
+  std::array<std::int64_t, 3> sum_{}, last_{};
+  base::AxisVector before_{};
+  std::int64_t words_ = 0, steps_ = 0;
+  double worst_ = 0;
+  bool apart_ = true;
+};
+
 /// A Lissajous figure of three axes until so many steps are made: at every word each axis' steps sum up to within half
 /// a BLU of it.
 void expect_none_lost_over(std::int64_t steps) {
-  const machine::Machine machine = mill_with(400, 0.001);
-  auto generator = StepGenerator::create(machine, 3'000'000).value();
-  std::array<std::int64_t, 3> sum{};
-  std::array<std::int64_t, 3> last{-9, -9, -9};
-  std::int64_t count = 0;
-  bool apart = true;
-  const auto sink = [&](std::span<const StepEvent> events) {
-    for (const StepEvent event : events) {
-      const std::size_t axis = base::index(event.axis());
-      sum[axis] += event.direction();
-      apart = apart && event.tick() >= last[axis] + 6;
-      last[axis] = event.tick();
-    }
-    count += static_cast<std::int64_t>(events.size());
-  };
+  CountedSteps counted(mill_with(400, 0.001), 3'000'000, 6);
   base::Word word;
-  base::AxisVector before{};
-  double worst = 0;
-  for (std::int64_t k = 0; count < steps; ++k) {
+  for (std::int64_t k = 0; counted.steps() < steps; ++k) {
     word.tick = base::Tick{k};
     const double t = static_cast<double>(k) / 1000;
     word.position = {60 * std::sin(5 * t), 47 * std::sin(7.1 * t + 1), 20 * std::cos(11.3 * t)};
-    generator.follow(word, sink);
-    if (k > 0) {  // the period before has been made
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double start = axis == 0 ? 0 : std::round(axis == 1 ? 47 * std::sin(1.0) / 0.001 : 20 / 0.001);
-        if (k > 1) worst = std::max(worst, std::fabs(start + static_cast<double>(sum[axis]) - before[axis] / 0.001));
-      }
-    }
-    before = word.position;
+    counted.follow(word);
   }
-  EXPECT_LE(worst, 0.5 + 2e-6);
-  EXPECT_TRUE(apart);
-  EXPECT_EQ(generator.report().steps, count);
-  EXPECT_LE(generator.report().greatest_error, 0.5 + 2e-6);
+  EXPECT_LE(counted.worst(), 0.5 + 2e-6);
+  EXPECT_TRUE(counted.are_apart());
+  EXPECT_EQ(counted.report().steps, counted.steps());
+  EXPECT_LE(counted.report().greatest_error, 0.5 + 2e-6);
+}
+
+/// Lines, arcs, corners to stop at and to blend, dwells and reversals, until so many steps are made.
+void expect_none_lost_in_a_program(std::int64_t steps) {
+  machine::Machine machine = machine::mill3();
+  for (auto& axis : machine.axes) {
+    if (axis) axis->blu = 0.0005;
+  }
+  std::string text = "G21 G90 G94 G17 F9000\n";
+  const std::int64_t steps_of_a_round = 600'000;
+  for (std::int64_t made = 0; made < steps; made += steps_of_a_round) {
+    text +=
+        "G61\nG1 X60 Y10\nG3 X80 Y30 J20\nG1 Y70 Z-5\nG4 P0.01\nG64 P0.05\nG1 X40 Y80\nX20 Y40\nG2 X0 Y0 R30\n"
+        "G1 X33.3333 Y-0.0007\nG1 X0 Y0 Z0.1234\nG0 X12.5 Y60\nG1 X-0.00031 Y-0.00026 Z0\n";
+  }
+  text += "G1 X1.23456 Y-7.65432 Z3.14159\nM2\n";
+  const machine::ToolTable tools;
+  pipeline::Program program(gcode::text_source(text), machine, tools, {}, nullptr);
+  CountedSteps counted(machine, 10'000'000, 20);
+  while (program.prepare()) counted.follow(program.cycle());
+  counted.finish();
+  EXPECT_EQ(program.errors(), 0);
+  EXPECT_GE(counted.steps(), steps);
+  EXPECT_LT(counted.worst(), 1);
+  EXPECT_LT(counted.report().greatest_error, 1);
+  EXPECT_TRUE(counted.are_apart());
+  EXPECT_EQ(counted.report().steps, counted.steps());
+  EXPECT_EQ(counted.at(0), 2469);    // 1.23456 mm
+  EXPECT_EQ(counted.at(1), -15309);  // -7.65432 mm
+  EXPECT_EQ(counted.at(2), 6283);    // 3.14159 mm
 }
 
 TEST(Steps, LoseNoneOverAMillion) {
   expect_none_lost_over(1'000'000);
+}
+
+TEST(Steps, LoseNoneAcrossBlocks) {
+  expect_none_lost_in_a_program(1'000'000);
+}
+
+TEST(LongSteps, LoseNoneAcrossBlocksOverAHundredMillion) {
+  expect_none_lost_in_a_program(100'000'000);
 }
 
 TEST(LongSteps, LoseNoneOverAHundredMillion) {
