@@ -278,9 +278,10 @@ TEST(Drive, TellsHowItsSlidesFollowed) {
   for (const int axis : {0, 1}) {
     const double error = drive["axes"][axis]["following_max_mm"];
     EXPECT_GT(error, 1e-5);
-    EXPECT_NEAR(error, simulate["axes"][axis]["following_max_mm"].get<double>(), 1e-9);
+    // But for how long they are watched at rest, where they hunt between two counts of 1 µm.
+    EXPECT_NEAR(error, simulate["axes"][axis]["following_max_mm"].get<double>(), 2e-4);
   }
-  EXPECT_NEAR(drive["feed"]["measured_max_mm_s"], simulate["feed"]["measured_max_mm_s"].get<double>(), 1e-9);
+  EXPECT_NEAR(drive["feed"]["measured_max_mm_s"], simulate["feed"]["measured_max_mm_s"].get<double>(), 0.05);
 }
 
 /// A full disc, of one file or of the other.
