@@ -123,6 +123,16 @@ inline bool eventually(const std::function<bool()>& condition) {
   return true;
 }
 
+/// Has every process that was started in this folder ended?
+inline bool is_left(const Folder& folder) {
+  const auto here = std::filesystem::canonical(folder.path());
+  for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+    std::error_code gone;
+    if (std::filesystem::read_symlink(process.path() / "cwd", gone) == here) return false;
+  }
+  return true;
+}
+
 /// The command while it runs.
 class Running {
  public:

@@ -139,7 +139,6 @@ class ProgramDrive {
     state.program = file.name();
     state.machine = job_.machine.name;
     state.fingerprint = *fingerprint;
-    state.kind = DriveState::Kind::moving;
     if (arguments_.state) {
       if (auto written = write_state(*arguments_.state, state); !written) return base::failure(written.error());
     }

@@ -1,13 +1,14 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <leadscrew/cli/drive_side.hpp>
 #include <leadscrew/cli/slides.hpp>
 #include <leadscrew/cli/terminal.hpp>
 #include <leadscrew/cli/word_file.hpp>
+#include <leadscrew/realtime/latest.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
-#include <mutex>
 #include <thread>
 
 namespace leadscrew::cli {
@@ -48,35 +49,37 @@ class StateKeeper {
   }
   ~StateKeeper() { end(); }
 
-  void observe(const base::Word& word, const base::PathPlace& axes) {
-    const std::lock_guard lock(mutex_);
-    state_.word = word;
-    state_.axes = axes;
-    changed_ = true;
-  }
+  void observe(const base::Word& word, const base::PathPlace& axes) { seen_.put({word, axes}); }
 
   /// The last state, when all stands still.
   base::Result<void> conclude(DriveState::Kind kind) {
     end();
+    static_cast<void>(take_seen());
     state_.kind = kind;
     if (!path_) return {};
     return write_state(*path_, state_);
   }
 
  private:
+  struct Seen {
+    base::Word word;
+    base::PathPlace axes;
+  };
+
   void keep() {
     while (!ended_.load()) {
-      DriveState state;
-      bool changed = false;
-      {
-        const std::lock_guard lock(mutex_);
-        state = state_;
-        changed = std::exchange(changed_, false);
-      }
       // The last state says whether this can be done.
-      if (changed) static_cast<void>(write_state(*path_, state));
+      if (take_seen()) static_cast<void>(write_state(*path_, state_));
       realtime::sleep_until(realtime::now() + state_interval);
     }
+  }
+  bool take_seen() {
+    Seen seen;
+    if (!seen_.take(seen)) return false;
+    state_.kind = DriveState::Kind::moving;
+    state_.word = seen.word;
+    state_.axes = seen.axes;
+    return true;
   }
   void end() {
     ended_.store(true);
@@ -84,9 +87,8 @@ class StateKeeper {
   }
 
   std::optional<std::string> path_;
-  DriveState state_;
-  bool changed_ = false;
-  std::mutex mutex_;
+  DriveState state_;  ///< its thread's, while there is one
+  realtime::Latest<Seen> seen_;
   std::atomic<bool> ended_{false};
   std::thread thread_;
 };

@@ -23,7 +23,7 @@ struct DriveState {
 
   std::string program, machine;  ///< names, for people
   Fingerprint fingerprint;
-  Kind kind = Kind::moving;
+  Kind kind = Kind::stopped;
   base::Word word;       ///< the last that the drives have taken
   base::PathPlace axes;  ///< where they stand, or stood when this was written: there, or ahead of it
 };
