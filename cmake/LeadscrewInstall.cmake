@@ -1,7 +1,10 @@
-# `cmake --install`, and find_package(leadscrew) for those who build on the rooms of the core.
+# `cmake --install`, and find_package(leadscrew) for those who build on the rooms of the core, or on those and realtime.
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY LEADSCREW_CORE_ROOMS)
+if(TARGET leadscrew_realtime)
+  list(APPEND rooms realtime)
+endif()
 foreach(room ${rooms})
   list(APPEND targets leadscrew_${room})
   install(DIRECTORY src/leadscrew/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/leadscrew FILES_MATCHING PATTERN "*.hpp")

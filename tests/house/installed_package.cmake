@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# Installs the package into a scratch folder, builds the controller example against it, and runs it.
+# Installs the package into a scratch folder, builds the controllers of the examples against it, and runs them.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -10,10 +10,27 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-run(${CMAKE_COMMAND} -S ${EXAMPLE} -B ${SCRATCH}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-  -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
-run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
-run(${SCRATCH}/build/controller ${PROGRAM})
+foreach(example controller controller-on-time)
+  run(${CMAKE_COMMAND} -S ${EXAMPLES}/${example} -B ${SCRATCH}/${example} -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+  run(${CMAKE_COMMAND} --build ${SCRATCH}/${example})
+endforeach()
+run(${SCRATCH}/controller/controller ${PROGRAM})
 if(NOT output MATCHES "1\\.0250 s  X 0\\.0000  Y 0\\.0000  Z 0\\.0000\n$")
   message(FATAL_ERROR "the square should end at its start after 1025 periods; the last words are\n${output}")
+endif()
+run(${SCRATCH}/controller-on-time/controller-on-time ${PROGRAM} ${SCRATCH}/on-time.csv)
+if(NOT output MATCHES "([0-9]+) words, ([0-9]+) stops")
+  message(FATAL_ERROR "it should say how many words there were, and how many stops; it says\n${output}")
+endif()
+set(words ${CMAKE_MATCH_1})
+set(stops ${CMAKE_MATCH_2})
+run(${SCRATCH}/prefix/bin/leadscrew verify ${SCRATCH}/on-time.csv ${PROGRAM})
+# Where planning was not late, words are those of `leadscrew run`.
+if(stops EQUAL 0)
+  run(${SCRATCH}/prefix/bin/leadscrew run ${PROGRAM} --trace ${SCRATCH}/run.csv)
+  run(${CMAKE_COMMAND} -E compare_files ${SCRATCH}/run.csv ${SCRATCH}/on-time.csv)
+  if(NOT words EQUAL 1026)
+    message(FATAL_ERROR "the square should take 1026 words, not ${words}")
+  endif()
 endif()

@@ -1,11 +1,15 @@
 #pragma once
 // A program run on time, in this process.
 
+#include <cmath>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/realtime/runner.hpp>
 #include <leadscrew/realtime/schedule.hpp>
+#include <leadscrew/realtime/word_stream.hpp>
 #include <leadscrew/referee/referee.hpp>
+#include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace leadscrew::testing_support {
@@ -30,13 +34,23 @@ inline referee::Verdict judge(const std::string& text, const machine::Machine& m
 /// What keeps the planner from its work before it plans a chunk.
 using Delay = std::function<void()>;
 
+/// What `leadscrew drive` asks of its runner, where nobody says otherwise.
+inline realtime::RunnerOptions as_drive(const machine::Machine& machine) {
+  return {.period = machine.period,
+          .look_ahead = 0.32,
+          .lead = std::llround(0.1 / machine.period.seconds()),
+          .slice = std::llround(0.02 / machine.period.seconds())};
+}
+
 class Live {
  public:
   std::vector<base::Word> words;  ///< the cyclic thread's, until it has ended
 
-  Live(const std::string& text, const machine::Machine& machine, Delay delay = {}, double look_ahead = 0.2)
+  /// A sink that is not given is `words`.
+  Live(const std::string& text, const machine::Machine& machine, Delay delay, const realtime::RunnerOptions& options,
+       std::optional<realtime::WordSink> sink = {})
       : source_(gcode::text_source(text), machine, tools_, {}, nullptr),
-        runner_(options(machine, look_ahead),
+        runner_(options,
                 {.next =
                      [this, delay] {
                        if (delay) delay();
@@ -44,16 +58,12 @@ class Live {
                      },
                  .refuse = [this] { source_.planner().refuse(); },
                  .override_feed = [this](double factor) { source_.planner().override_feed(factor); }},
-                {.take =
-                     [this](const base::Word& word) {
-                       words.push_back(word);
-                       return true;
-                     },
-                 .lead_on = {},
-                 .publish = {}}) {
+                sink ? *sink : into_words()) {
     source_.planner().slice(0.02);
     words.reserve(1'000'000);
   }
+  Live(const std::string& text, const machine::Machine& machine, Delay delay = {}, double look_ahead = 0.2)
+      : Live(text, machine, std::move(delay), {.period = machine.period, .look_ahead = look_ahead}) {}
 
   realtime::Runner& runner() { return runner_; }
   /// Until the last word has been made.
@@ -62,13 +72,72 @@ class Live {
   }
 
  private:
-  static realtime::RunnerOptions options(const machine::Machine& machine, double look_ahead) {
-    return {.period = machine.period, .look_ahead = look_ahead};
+  realtime::WordSink into_words() {
+    return {.take =
+                [this](const base::Word& word) {
+                  words.push_back(word);
+                  return true;
+                },
+            .lead_on = {},
+            .publish = {}};
   }
 
   machine::ToolTable tools_;
   pipeline::MotionSource source_;
   realtime::Runner runner_;
+};
+
+/// Drives in a thread: a word a period by a clock of their own; without one, the way to rest.
+class Drives {
+ public:
+  std::vector<base::Word> words;      ///< taken
+  std::vector<base::AxisVector> way;  ///< to rest, because words ceased
+
+  explicit Drives(base::Period period) : period_(period) {
+    words.reserve(1'000'000);
+    way.reserve(longest_way);
+  }
+  ~Drives() { end(); }
+
+  realtime::WordSink sink() {
+    return {.take = [this](const base::Word& word) { return stream_->push(word); },
+            .lead_on = [this](const base::PathPlace& place) { return stream_->lead_on(place); },
+            .publish =
+                [this] {
+                  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+                  return stream_->publish();
+                }};
+  }
+  /// Until all words have been taken: when there will be no more.
+  void end() {
+    ended_.store(true);
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  static constexpr std::size_t longest_way = 4096;
+
+  void run() {
+    for (std::int64_t wake = realtime::now();; wake += period_.nanoseconds) {
+      realtime::sleep_until(wake);
+      const bool ends = ended_.load();
+      base::Word word;
+      if (stream_->pop(word)) {
+        words.push_back(word);
+        continue;
+      }
+      if (ends) return;
+      const bool stands = words.empty() || words.back().state == base::MotionState::rest;
+      if (!stands && stream_->leave_if_empty()) break;
+    }
+    for (base::PathPlace place; stream_->follow_way(place);) way.push_back(place.position);
+  }
+
+  const base::Period period_;
+  std::unique_ptr<realtime::WordStream<4096, longest_way>> stream_ =
+      std::make_unique<realtime::WordStream<4096, longest_way>>();
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
 };
 
 }  // namespace leadscrew::testing_support

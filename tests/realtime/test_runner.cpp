@@ -11,6 +11,8 @@
 namespace {
 
 using namespace leadscrew;
+using testing_support::as_drive;
+using testing_support::Drives;
 using testing_support::judge;
 using testing_support::Live;
 using testing_support::words_of;
@@ -69,17 +71,39 @@ TEST(Runner, StopsOnThePathWhenThePlannerIsLateAndGoesOn) {
   expect_kept(judge(part, machine, live.words));
 }
 
-TEST(LongRunner, StopsOnThePathWhenThePlannerIsLateByUpToFiveSecondsAndGoesOn) {
+/// As `leadscrew drive` runs: slices, each with its way to rest, to drives that take a word a period. The planner's
+/// thread sleeps before one chunk of so many, for a random time up to this.
+void expect_stops_and_goes_on(std::int64_t longest_sleep, unsigned one_of, unsigned seed) {
   const machine::Machine machine = mill(1'000'000);
-  std::minstd_rand random(5);
+  std::minstd_rand random(seed);
   const auto late = [&] {
-    if (random() % 16 == 0) realtime::sleep_until(realtime::now() + 2'300 * static_cast<std::int64_t>(random()) / 1000);
+    if (random() % one_of != 0) return;
+    realtime::sleep_until(realtime::now() + std::uniform_int_distribution<std::int64_t>(0, longest_sleep)(random));
   };
-  Live live(part, machine, late);
+  Drives drives(machine.period);
+  Live live(part, machine, late, as_drive(machine), drives.sink());
   live.runner().start();
   live.wait();
-  EXPECT_GT(live.runner().counters().starvations, 0);
-  expect_kept(judge(part, machine, live.words));
+  drives.end();
+  const realtime::Counters counters = live.runner().counters();
+  EXPECT_GT(counters.starvations, 0);
+  EXPECT_GT(counters.late_chunks, 0);
+  EXPECT_LE(counters.late_chunks, counters.starvations);
+  for (std::size_t k = 0; k < drives.words.size(); ++k) {
+    ASSERT_EQ(base::count(drives.words[k].tick), static_cast<std::int64_t>(k));
+  }
+  // No planner keeps words from being on time: made where there are none, and taken.
+  EXPECT_TRUE(drives.way.empty());
+  EXPECT_EQ(counters.words, static_cast<std::int64_t>(drives.words.size()));
+  expect_kept(judge(part, machine, drives.words));
+}
+
+TEST(Runner, BringsDrivesToRestOnThePathWhenThePlannerIsLateAndGoesOn) {
+  expect_stops_and_goes_on(1'500'000'000, 16, 3);
+}
+
+TEST(LongRunner, BringsDrivesToRestOnThePathWhenThePlannerIsLateByUpToFiveSecondsAndGoesOn) {
+  for (const unsigned seed : {5U, 6U, 7U}) expect_stops_and_goes_on(5'000'000'000, 16, seed);
 }
 
 TEST(Runner, HoldsGoesOnAndStops) {
@@ -150,27 +174,32 @@ TEST(Runner, StopsInADwell) {
   EXPECT_EQ(live.words.back().position[0], 5);
 }
 
+/// From the first word to the last, with slices, ways to rest and stops because the planner was late.
 TEST(Runner, TakesNoMemoryForAWord) {
-  planner::Segment standing;
-  standing.duration = 0.6;
-  standing.state = base::MotionState::rest;
-  std::optional<planner::Chunk> dwell(std::in_place);
-  dwell->duration = standing.duration;
-  dwell->segments.push_back(standing);
-  std::int64_t before = 0, after = -1;
-  realtime::Runner runner(
-      {.period = {1'000'000}},
-      {.next = [&] { return std::exchange(dwell, std::nullopt); }, .refuse = [] {}, .override_feed = [](double) {}},
-      {.take =
-           [&](const base::Word& word) {
-             if (base::count(word.tick) == 100) before = testing_support::allocations();
-             if (base::count(word.tick) == 500) after = testing_support::allocations();
-             return true;
-           },
-       .lead_on = {},
-       .publish = {}});
-  runner.start();
-  while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
+  const machine::Machine machine = mill(1'000'000);
+  std::minstd_rand random(3);
+  const auto late = [&] {
+    if (random() % 16 == 0) realtime::sleep_until(realtime::now() + static_cast<std::int64_t>(random() % 900'000'000));
+  };
+  const auto stream = std::make_unique<realtime::WordStream<1 << 15, 4096>>();
+  std::optional<std::int64_t> before;
+  std::int64_t after = -1;
+  Live live(part, machine, late, as_drive(machine),
+            realtime::WordSink{.take =
+                                   [&](const base::Word& word) {
+                                     if (!before) before = testing_support::allocations_of_thread();
+                                     return stream->push(word);
+                                   },
+                               .lead_on = [&](const base::PathPlace& place) { return stream->lead_on(place); },
+                               .publish =
+                                   [&] {
+                                     after = testing_support::allocations_of_thread();
+                                     return stream->publish();
+                                   }});
+  live.runner().start();
+  live.wait();
+  EXPECT_GT(live.runner().counters().starvations, 0);
+  EXPECT_GT(live.runner().counters().words, 2000);
   EXPECT_EQ(before, after);
 }
 

@@ -10,9 +10,11 @@
 namespace {
 
 std::atomic<std::int64_t> count{0}, held{0}, most{0};
+thread_local std::int64_t count_of_thread = 0;
 
 void* take(void* memory) {
   ++count;
+  ++count_of_thread;
   const std::int64_t now = held += static_cast<std::int64_t>(malloc_usable_size(memory));
   for (std::int64_t before = most; before < now && !most.compare_exchange_weak(before, now);) {
   }
@@ -29,6 +31,9 @@ void give_back(void* memory) {
 
 std::int64_t leadscrew::testing_support::allocations() {
   return count;
+}
+std::int64_t leadscrew::testing_support::allocations_of_thread() {
+  return count_of_thread;
 }
 std::int64_t leadscrew::testing_support::memory_held() {
   return held;

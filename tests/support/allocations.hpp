@@ -7,6 +7,8 @@ namespace leadscrew::testing_support {
 
 /// Calls of operator new by the whole program so far.
 std::int64_t allocations();
+/// By the calling thread.
+std::int64_t allocations_of_thread();
 
 /// What the whole program holds of operator new's memory, bytes.
 std::int64_t memory_held();

@@ -1,0 +1,48 @@
+#pragma once
+// A sink for words that go where the cyclic thread may not wait: to a file, over a network. They are kept until a
+// thread of their own has handed them over.
+
+#include <atomic>
+#include <functional>
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/realtime/ring.hpp>
+#include <leadscrew/realtime/runner.hpp>
+#include <memory>
+#include <thread>
+
+namespace leadscrew::realtime {
+
+/// Keeps at most 65536 words: who takes them must be that near. A sink that is full makes the schedule give way, as
+/// any other (Counters::slips): no word is lost.
+class WaitingSink {
+ public:
+  /// `take` may wait as long as it likes; false if it takes no more words: then motion ends. Called in the order of
+  /// words by one thread, that of this sink, until end() returns.
+  explicit WaitingSink(std::function<bool(const base::Word&)> take);
+  ~WaitingSink() { end(); }
+  WaitingSink(const WaitingSink&) = delete;
+  WaitingSink& operator=(const WaitingSink&) = delete;
+
+  /// For a runner that ends before this does. Neither allocates nor locks; needs no way to rest.
+  WordSink sink();
+  /// Hands over what is kept. The runner has ended.
+  void end();
+
+  /// Words handed over.
+  std::int64_t taken() const { return taken_.load(std::memory_order_acquire); }
+  /// Does nobody take words any more?
+  bool is_refused() const { return refused_.load(std::memory_order_acquire); }
+
+ private:
+  static constexpr std::size_t most_words = 1 << 16;
+
+  void hand_over();
+
+  std::function<bool(const base::Word&)> take_;
+  std::unique_ptr<Ring<base::Word, most_words>> kept_ = std::make_unique<Ring<base::Word, most_words>>();
+  std::atomic<bool> ended_{false}, refused_{false};
+  std::atomic<std::int64_t> taken_{0};
+  std::thread thread_;
+};
+
+}  // namespace leadscrew::realtime

@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <leadscrew/realtime/schedule.hpp>
+#include <leadscrew/realtime/waiting_sink.hpp>
+
+#include "live.hpp"
+
+namespace {
+
+using namespace leadscrew;
+using testing_support::Live;
+using testing_support::words_of;
+
+const std::string part = "G21 G90 G94\nG1 X20 F3000\nG1 Y10\nG1 X0 Y0\nM2\n";
+
+/// A disk that stands still for a while does not keep words from being on time.
+TEST(WaitingSink, HandsOverEveryWordInOrderToOneThatWaits) {
+  const machine::Machine machine = machine::mill3();
+  std::vector<base::Word> words;
+  realtime::WaitingSink sink([&](const base::Word& word) {
+    if (words.size() % 300 == 100) realtime::sleep_until(realtime::now() + 200'000'000);
+    words.push_back(word);
+    return true;
+  });
+  Live live(part, machine, {}, {.period = machine.period, .look_ahead = 1}, sink.sink());
+  live.runner().start();
+  live.wait();
+  sink.end();
+  EXPECT_EQ(live.runner().counters().slips, 0);
+  EXPECT_EQ(sink.taken(), live.runner().counters().words);
+  EXPECT_FALSE(sink.is_refused());
+  const std::vector<base::Word> expected = words_of(part, machine);
+  ASSERT_GE(words.size(), expected.size());
+  for (std::size_t k = 0; k < words.size(); ++k) ASSERT_EQ(base::count(words[k].tick), static_cast<std::int64_t>(k));
+  EXPECT_EQ(words.back().position, expected.back().position);
+}
+
+TEST(WaitingSink, EndsMotionWhenNobodyTakesWords) {
+  const machine::Machine machine = machine::mill3();
+  std::int64_t taken = 0;
+  realtime::WaitingSink sink([&](const base::Word&) { return ++taken <= 100; });
+  const std::string line = "G21 G90 G94\nG1 X400 F600\nM2\n";
+  Live live(line, machine, {}, {.period = machine.period}, sink.sink());
+  live.runner().start();
+  live.wait();
+  sink.end();
+  EXPECT_TRUE(sink.is_refused());
+  EXPECT_EQ(sink.taken(), 100);
+  EXPECT_LT(live.runner().counters().words, 5000);
+}
+
+}  // namespace
