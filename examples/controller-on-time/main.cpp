@@ -71,9 +71,9 @@ int main(int argc, char** argv) {
   file.end();
   const bool is_written = writer.finish() && std::fclose(trace) == 0;
   const realtime::Counters counters = runner.counters();
-  std::fprintf(stderr, "\n%lld words, %lld stops as planning was late, %lld periods slept through, 99 %% woke within %.0f µs\n",
-               static_cast<long long>(counters.words), static_cast<long long>(counters.starvations),
-               static_cast<long long>(counters.overruns),
-               static_cast<double>(runner.latencies().percentile(0.99)) / 1000);
+  std::fprintf(
+      stderr, "\n%lld words, %lld stops as planning was late, %lld periods slept through, 99 %% woke within %.0f µs\n",
+      static_cast<long long>(counters.words), static_cast<long long>(counters.starvations),
+      static_cast<long long>(counters.overruns), static_cast<double>(runner.latencies().percentile(0.99)) / 1000);
   return is_written ? interrupted ? 130 : 0 : 4;
 }

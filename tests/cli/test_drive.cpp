@@ -368,6 +368,68 @@ TEST(Drive, GoesBackAlongThePathToWhereItGoesOn) {
   EXPECT_EQ(after, before);
 }
 
+TEST(DriveSink, GetsTheWordsOfRunBitForBit) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  const auto driven = leadscrew(
+      folder, {"drive", "part.ngc", "--sink", "words.csv", "--state", "state", "--json", "--look-ahead", "2s"});
+  EXPECT_EQ(driven.status, 0) << driven.errors;
+  const Json json = driven.json();
+  EXPECT_FALSE(json.contains("drives"));
+  EXPECT_EQ(json["words"], json["words_taken"]);
+  EXPECT_EQ(state_of(folder), "ended");
+  const auto run = leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv", "--json"});
+  if (json["starvations"] == 0) {
+    EXPECT_EQ(folder.read("words.csv"), folder.read("run.csv"));
+  }
+  EXPECT_EQ(leadscrew(folder, {"verify", "words.csv", "part.ngc"}).status, 0);
+  std::uint64_t late = 0;
+  for (const Json& octave : json["latency_ns"]["histogram"]) late += octave["count"].get<std::uint64_t>();
+  EXPECT_GT(late, 0U);
+  EXPECT_LE(late, json["words"].get<std::uint64_t>() + 1);
+}
+
+/// What has reached the file is the last word that counts.
+TEST(DriveSink, KeepsWhatReachedItWhenTheCommandIsKilledAndGoesOn) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"});
+  Running first(folder, {"drive", "part.ngc", "--sink", "1.csv", "--state", "state", "--quiet"});
+  ASSERT_TRUE(comes_to(folder, 15));
+  first.send(SIGKILL);
+  first.wait();
+  const auto second = leadscrew(folder, {"drive", "part.ngc", "--sink", "2.csv", "--resume", "state", "--quiet"});
+  EXPECT_EQ(second.status, 0) << second.errors;
+  EXPECT_EQ(state_of(folder), "ended");
+  const auto path = rows_of(folder.read("run.csv")), one = rows_of(folder.read("1.csv")),
+             two = rows_of(folder.read("2.csv"));
+  ASSERT_FALSE(one.empty());
+  EXPECT_GE(one.back().s, 15);
+  EXPECT_EQ(two.front().s, one.back().s);
+  EXPECT_LE(distance(two.front().q, one.back().q), 1e-9);
+  EXPECT_LE(worst_ratio(two), 1.001);
+  EXPECT_LE(distance(two.back().q, path.back().q), 1e-9);
+}
+
+TEST(DriveSink, EndsMotionWhereNothingCanBeWritten) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X400 F3000\nM2\n");
+  const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--sink", "/dev/full", "--state", "state", "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_TRUE(contains(outcome.errors, "[io-write]")) << outcome.errors;
+  EXPECT_EQ(state_of(folder), "stopped");
+}
+
+TEST(DriveSink, HasNoDrivesWhoseTraceCouldBeWritten) {
+  const Folder folder;
+  folder.write("part.ngc", part);
+  const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--sink", "words.csv", "--axes", "axes.csv"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(contains(outcome.errors, "--axes is of simulated drives")) << outcome.errors;
+  EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--sink", "words.txt"}).status, 2);
+  EXPECT_EQ(folder.names(), Names{"part.ngc"});
+}
+
 /// The drives of the command that was killed are still at work.
 TEST(Drive, WaitsForTheDrivesOfOneThatWasKilled) {
   const Folder folder;

@@ -52,6 +52,21 @@ TEST(Ring, CarriesEveryValueOnceAndWhole) {
   EXPECT_EQ(wrong, 0);
 }
 
+TEST(Histogram, CountsByPowersOfTwo) {
+  Histogram histogram;
+  EXPECT_TRUE(histogram.octaves().empty());
+  for (const std::int64_t time : {40, 64, 100, 127, 1024}) histogram.observe(time);
+  const auto octaves = histogram.octaves();
+  ASSERT_EQ(octaves.size(), 6U);
+  EXPECT_EQ(octaves[0].end, 64U);
+  EXPECT_EQ(octaves[0].count, 1U);
+  EXPECT_EQ(octaves[1].end, 128U);
+  EXPECT_EQ(octaves[1].count, 3U);
+  EXPECT_EQ(octaves[2].count + octaves[3].count + octaves[4].count, 0U);
+  EXPECT_EQ(octaves[5].end, 2048U);
+  EXPECT_EQ(octaves[5].count, 1U);
+}
+
 TEST(Histogram, PercentilesAreRightWithinABucket) {
   Histogram histogram;
   EXPECT_EQ(histogram.percentile(0.5), 0U);

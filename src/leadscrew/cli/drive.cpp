@@ -3,13 +3,12 @@
 #include <atomic>
 #include <cmath>
 #include <leadscrew/cli/drive.hpp>
+#include <leadscrew/cli/drive_checks.hpp>
 #include <leadscrew/cli/drive_process.hpp>
 #include <leadscrew/cli/drive_text.hpp>
 #include <leadscrew/cli/drive_view.hpp>
 #include <leadscrew/cli/interrupt.hpp>
-#include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
@@ -19,10 +18,8 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t frame = 20'000'000;     // ns between two looks at what happens
-constexpr double least_spare = 0.1;            // s planned behind the words that are made ahead
-constexpr std::int64_t least_period = 50'000;  // ns: below, two processes cannot wake each other up in time
-constexpr double slice = 0.02;                 // s of motion that is handed over at a time
+constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
+constexpr double least_spare = 0.1;         // s planned behind the words that are made ahead
 
 base::Diagnostic drives_problem(std::string_view code, std::string message, std::string hint = {}) {
   return base::problem(code, std::move(message), std::move(hint));
@@ -37,9 +34,7 @@ class ProgramDrive {
   std::optional<DriveFigures> execute() {
     const auto file = InputFile::open(program_);
     if (!file) return failed(file.error());
-    if (auto sound = check_files(*file); !sound) return failed(sound.error());
-    if (auto sound = check_period(); !sound) return failed(sound.error());
-    if (auto sound = check_stops(); !sound) return failed(sound.error());
+    if (auto sound = check_drive(*file, job_); !sound) return failed(sound.error());
     read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
     if (auto held = hold_states(); !held) return failed(held.error());
@@ -58,48 +53,6 @@ class ProgramDrive {
   std::nullopt_t failed(const base::Diagnostic& problem) {
     log_.add(problem);
     return std::nullopt;
-  }
-
-  base::Result<void> check_files(const InputFile& program) const {
-    std::vector<std::string> written;
-    for (const auto& path : {arguments_.trace, arguments_.axes, arguments_.state}) {
-      if (path) written.push_back(*path);
-    }
-    // A state that goes on may be kept in another file or in the same.
-    if (arguments_.resume && arguments_.resume != arguments_.state) written.push_back(*arguments_.resume);
-    if (auto sound = check_written(written, program, job_.arguments); !sound) return sound;
-    if (arguments_.state && arguments_.state != arguments_.resume) {
-      if (auto sound = check_replaceable(*arguments_.state); !sound) return sound;
-    }
-    if (auto trace = check_ending("--trace", arguments_.trace, ".csv", ".npy"); !trace) return trace;
-    return check_ending("--axes", arguments_.axes, ".csv", ".npy");
-  }
-
-  /// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, ways to rest go on to the end
-  /// of a window of the planner's, some such stops long: what is longer still ends motion when it comes (why_tripped).
-  base::Result<void> check_stops() const {
-    constexpr double on_curves = 4;
-    double brake = 0, release = 0;
-    for (const auto& limits : job_.machine.axes) {
-      if (!limits) continue;
-      brake = std::max(brake, limits->velocity / limits->acceleration);
-      release = std::max(release, limits->acceleration / limits->jerk);
-    }
-    const double periods = (on_curves * (brake + release) + 2 * slice) / job_.machine.period.seconds();
-    if (periods <= DriveLink::longest_way) return {};
-    return base::failure(drives_problem(
-        "stop-too-long",
-        fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, DriveLink::longest_way),
-        fmt::format("a --period of {:.0f}us or more", std::ceil(job_.machine.period.seconds() * 1e6 * periods /
-                                                                static_cast<double>(DriveLink::longest_way)))));
-  }
-
-  base::Result<void> check_period() const {
-    if (job_.machine.period.nanoseconds >= least_period) return {};
-    return base::failure(drives_problem(
-        "period-too-short",
-        fmt::format("a period of {} is too short for words to be on time", period_text(job_.machine.period)),
-        "a --period of 50us or more; run and simulate take shorter ones"));
   }
 
   base::Result<void> hold_states() {
@@ -157,11 +110,11 @@ class ProgramDrive {
     }
     pipeline::MotionSource source(counted(file.source()), job_.machine, job_.tools, job_.reader_options(file.name()),
                                   nullptr);
-    source.planner().slice(slice);
+    source.planner().slice(drive_slice);
     source.planner().start_at(begin.word.path_length, begin.word.line);
     const double period = job_.machine.period.seconds();
     const std::int64_t lead = std::llround(arguments_.lead / period);
-    const std::int64_t words_of_slice = std::max<std::int64_t>(1, std::llround(slice / period));
+    const std::int64_t words_of_slice = std::max<std::int64_t>(1, std::llround(drive_slice / period));
     realtime::Runner runner({.period = job_.machine.period,
                              .position = begin.word.position,
                              .path_length = begin.word.path_length,
@@ -268,7 +221,8 @@ class ProgramDrive {
   }
 
   void take_slides(const DriveLink& link) {
-    if (!link.is_over()) return;
+    if (!link.is_over() || arguments_.sink) return;
+    figures_.has_drives = true;
     figures_.feed = link.slides.feed;
     for (const base::Axis axis : base::all_axes) {
       if (job_.machine.has(axis)) figures_.axes.emplace_back(axis, link.slides.axes[base::index(axis)]);

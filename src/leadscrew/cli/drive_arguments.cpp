@@ -30,6 +30,11 @@ Parsed<DriveArguments> parse_drive(const DriveTexts& texts) {
   drive.axes = texts.axes;
   drive.state = texts.state ? texts.state : texts.resume;
   drive.resume = texts.resume;
+  drive.sink = texts.sink;
+  if (texts.sink && (texts.trace || texts.axes)) {
+    return tl::unexpected(fmt::format("{} is of simulated drives; with --sink the words are in its file",
+                                      texts.trace ? "--trace" : "--axes"));
+  }
   if (texts.look_ahead) {
     const auto value = parse_seconds(*texts.look_ahead, least_look_ahead, longest_look_ahead);
     if (!value) return tl::unexpected(fmt::format("--look-ahead {}: {}", *texts.look_ahead, value.error()));

@@ -9,14 +9,14 @@
 namespace leadscrew::cli {
 
 struct DriveArguments {
-  std::optional<std::string> trace, axes, state, resume;  ///< files
-  double look_ahead = 0.3;                                ///< s
-  double lead = 0.1;                                      ///< s
+  std::optional<std::string> trace, axes, state, resume, sink;  ///< files
+  double look_ahead = 0.3;                                      ///< s
+  double lead = 0.1;                                            ///< s
 };
 
 /// Options as text, before their values are looked at.
 struct DriveTexts {
-  std::optional<std::string> trace, axes, state, resume, look_ahead, lead;
+  std::optional<std::string> trace, axes, state, resume, sink, look_ahead, lead;
 };
 
 /// Says in whole sentences what is wrong.
@@ -27,6 +27,7 @@ inline constexpr std::string_view drive_examples =
     "  leadscrew drive part.ngc --state part.state\n"
     "  leadscrew drive part.ngc --resume part.state     from where it was stopped or killed\n"
     "  leadscrew drive part.ngc --trace words.csv --axes axes.csv --json\n"
+    "  leadscrew drive part.ngc --sink words.csv        words on time to a file or a pipe, and no drives\n"
     "\n"
     "Keys, on a terminal: space holds and resumes, + and - change the feed by 10 %, q stops. ^C brings motion to rest\n"
     "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"

@@ -13,12 +13,13 @@ struct DriveFigures {
 
   realtime::Counters counters;
   realtime::Histogram latencies;
-  std::int64_t taken = 0;        ///< words, by the drives
+  std::int64_t taken = 0;        ///< words, by the drives or the file
+  bool has_drives = false;       ///< whose figures follow
   std::int64_t drives_late = 0;  ///< periods that the drives' process was late by
   std::int64_t braked = 0;       ///< periods in which the drives braked by themselves
   TrackedAxes axes;              ///< of the slides
   servo::FeedTracking feed;
-  base::Word last{};  ///< that the drives have taken
+  base::Word last{};  ///< that was taken
   End end = End::done;
   std::int64_t blocks = 0;
   bool real_time = false;

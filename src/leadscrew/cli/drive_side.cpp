@@ -1,15 +1,13 @@
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <leadscrew/cli/drive_side.hpp>
+#include <leadscrew/cli/file_side.hpp>
 #include <leadscrew/cli/slides.hpp>
-#include <leadscrew/cli/terminal.hpp>
-#include <leadscrew/cli/word_file.hpp>
-#include <leadscrew/realtime/latest.hpp>
+#include <leadscrew/cli/word_side.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
-#include <thread>
 
 namespace leadscrew::cli {
 
@@ -17,8 +15,6 @@ namespace {
 
 using Order = DriveLink::Order;
 using Phase = DriveLink::Phase;
-
-constexpr std::int64_t state_interval = 100'000'000;  // ns between two states on disk
 
 /// The axes, as they are told: one call a period.
 class Axes {
@@ -41,69 +37,15 @@ class Axes {
   bool stayed_ = true, rest_ = true;
 };
 
-/// Writes states in a thread of its own: the drives do not wait for a disk.
-class StateKeeper {
- public:
-  StateKeeper(std::optional<std::string> path, const DriveState& state) : path_(std::move(path)), state_(state) {
-    if (path_) thread_ = std::thread([this] { keep(); });
-  }
-  ~StateKeeper() { end(); }
-
-  void observe(const base::Word& word, const base::PathPlace& axes) { seen_.put({word, axes}); }
-
-  /// The last state, when all stands still.
-  base::Result<void> conclude(DriveState::Kind kind) {
-    end();
-    static_cast<void>(take_seen());
-    state_.kind = kind;
-    if (!path_) return {};
-    return write_state(*path_, state_);
-  }
-
- private:
-  struct Seen {
-    base::Word word;
-    base::PathPlace axes;
-  };
-
-  void keep() {
-    while (!ended_.load()) {
-      // The last state says whether this can be done.
-      if (take_seen()) static_cast<void>(write_state(*path_, state_));
-      realtime::sleep_until(realtime::now() + state_interval);
-    }
-  }
-  bool take_seen() {
-    Seen seen;
-    if (!seen_.take(seen)) return false;
-    state_.kind = DriveState::Kind::moving;
-    state_.word = seen.word;
-    state_.axes = seen.axes;
-    return true;
-  }
-  void end() {
-    ended_.store(true);
-    if (thread_.joinable()) thread_.join();
-  }
-
-  std::optional<std::string> path_;
-  DriveState state_;  ///< its thread's, while there is one
-  realtime::Latest<Seen> seen_;
-  std::atomic<bool> ended_{false};
-  std::thread thread_;
-};
-
-class DriveSide {
+class DriveSide : public WordSide {
  public:
   DriveSide(DriveLink& link, const Job& job, const DriveState& begin)
-      : link_(link),
+      : WordSide(link, job, begin),
         period_(job.machine.period),
         machine_(job.machine),
         axes_(begin.axes),
         servo_(*servo::Servo::create(servo::loops_of(job.machine), period_)),
-        tracking_(job.machine.axis_set()),
-        keeper_(job.arguments.drive.state, begin),
-        last_(begin.word) {}
+        tracking_(job.machine.axis_set()) {}
 
   base::Result<void> open(const Job& job) {
     const DriveArguments& arguments = job.arguments.drive;
@@ -119,10 +61,10 @@ class DriveSide {
     go(way_back);
     link_.phase.store(Phase::ready, std::memory_order_release);
     while (period()) wait();
-    return conclude();
+    link_.concluding.store(true, std::memory_order_release);
+    let_slides_settle();
+    return conclude(std::array{&trace_file_, &axes_file_});
   }
-  /// Nothing moves: a file that was asked for cannot be opened, and that is what is told.
-  void give_up() { static_cast<void>(keeper_.conclude(DriveState::Kind::stopped)); }
 
  private:
   /// To where the first word will be; called off, to where the way rests next.
@@ -136,7 +78,7 @@ class DriveSide {
     }
     while (!axes_.at_rest()) follow(axes_.place());
   }
-  bool is_called_off() const { return failed_ || is_orphan() || link_.order.load() == Order::abandon; }
+  bool is_called_off() const { return is_orphan() || order() == Order::abandon; }
 
   /// The drives' own clock: what this process is late by is time that stood still for them.
   void wait() {
@@ -150,13 +92,13 @@ class DriveSide {
 
   /// One period; false when all is over. What cannot be written down is not done: then no more words are accepted.
   bool period() {
-    const Order order = failed_ ? Order::abandon : link_.order.load(std::memory_order_acquire);
-    if (order == Order::abandon) link_.words.leave();
+    const Order wanted = order();
+    if (wanted == Order::abandon) link_.words.leave();
     if (take_word()) return true;
     // At rest nothing depends on the next word: there may be none, or the first may be still to come.
     const bool stands = last_.state == base::MotionState::rest || link_.taken.load(std::memory_order_relaxed) == 0;
     if (stands && !link_.words.has_left()) {
-      if (order == Order::end) return false;
+      if (wanted == Order::end) return false;
       if (!is_orphan()) {
         follow(axes_.place());
         return true;
@@ -212,9 +154,6 @@ class DriveSide {
     link_.slides.feed = tracking_.feed();
   }
 
-  /// Nobody will send the first word.
-  bool is_orphan() const { return ::getppid() != parent_; }
-
   base::Result<void> observe() {
     base::Word word = last_;
     word.tick = base::Tick{periods_++};
@@ -223,38 +162,26 @@ class DriveSide {
     return axes_file_.write(word);
   }
 
-  void took(const base::Result<void>& result) {
-    if (!result && !failed_) failed_ = result.error();
-  }
-
-  /// Files first: who sees the last state finds them. One that could not be written takes no other with it.
-  base::Result<void> conclude() {
-    link_.concluding.store(true, std::memory_order_release);
-    let_slides_settle();
-    for (WordFile* file : {&trace_file_, &axes_file_}) took(file->publish());
-    if (is_orphan() && link_.has_terminal.load(std::memory_order_acquire)) Terminal::restore(link_.terminal);
-    const bool has_left = link_.words.has_left();
-    const bool ended = !has_left && last_is_end();
-    took(keeper_.conclude(ended ? DriveState::Kind::ended : DriveState::Kind::stopped));
-    if (failed_) return base::failure(*failed_);
-    link_.phase.store(has_left ? Phase::tripped : Phase::ended, std::memory_order_release);
-    return {};
-  }
-  bool last_is_end() const { return link_.at_end.load(std::memory_order_acquire); }
-
-  DriveLink& link_;
   const base::Period period_;
   const machine::Machine& machine_;
   Axes axes_;
   servo::Servo servo_;
   servo::Tracking tracking_;
-  StateKeeper keeper_;
   WordFile trace_file_, axes_file_;
-  base::Word last_;  ///< taken
   std::int64_t periods_ = 0, led_ = 0, wake_ = 0;
-  std::optional<base::Diagnostic> failed_;
-  const pid_t parent_ = ::getppid();
 };
+
+/// Opens its files, and takes words until there are no more.
+template <class Side, class... WayBack>
+void run(Side& side, DriveLink& link, const Job& job, const WayBack&... way_back) {
+  base::Result<void> done = side.open(job);
+  if (done) {
+    done = side.run(way_back...);
+  } else {
+    side.give_up();
+  }
+  if (!done) link.fail(done.error());
+}
 
 }  // namespace
 
@@ -262,16 +189,14 @@ void run_drives(DriveLink& link, const Job& job, const DriveState& begin,
                 const std::vector<base::PathPlace>& way_back) {
   // A terminal sends ^C to both processes. What to do about it is the other's matter.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  if (job.arguments.drive.sink) {
+    FileSide side(link, job, begin);
+    return run(side, link, job);
+  }
   DriveSide side(link, job, begin);  // with the thread that writes states, which is no hurry of anybody's
   // What is not permitted, the command says of itself.
   static_cast<void>(realtime::become_real_time());
-  base::Result<void> done = side.open(job);
-  if (done) {
-    done = side.run(way_back);
-  } else {
-    side.give_up();
-  }
-  if (!done) link.fail(done.error());
+  run(side, link, job, way_back);
 }
 
 }  // namespace leadscrew::cli

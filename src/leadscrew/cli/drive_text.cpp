@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/drive_text.hpp>
 #include <leadscrew/cli/simulate_form.hpp>
@@ -21,8 +22,43 @@ std::int64_t periods(std::int64_t words) {
   return std::max<std::int64_t>(0, words - 1);
 }
 
+std::string duration_text(std::uint64_t nanoseconds) {
+  const auto value = static_cast<double>(nanoseconds);
+  if (value < 1e3) return fmt::format("{:.0f} ns", value);
+  if (value < 1e6) return fmt::format("{:.3g} us", value / 1e3);
+  if (value < 1e9) return fmt::format("{:.3g} ms", value / 1e6);
+  return fmt::format("{:.3g} s", value / 1e9);
+}
+
 double seconds(const DriveFigures& figures, const Job& job) {
   return job.machine.period.seconds() * static_cast<double>(periods(figures.counters.words));
+}
+
+/// "histogram": how many lay within each power of two, from the first to the last that any lay in.
+Json json_of(const realtime::Histogram& latencies) {
+  Json histogram = Json::array();
+  for (const realtime::Histogram::Octave& octave : latencies.octaves())
+    histogram.push_back({{"below", octave.end}, {"count", octave.count}});
+  return {{"p50", latencies.percentile(0.5)},
+          {"p99", latencies.percentile(0.99)},
+          {"p999", latencies.percentile(0.999)},
+          {"max", latencies.longest()},
+          {"histogram", histogram}};
+}
+
+/// A bar for each power of two, by the logarithm of the count: one late word among millions is seen.
+std::string bars(const realtime::Histogram& latencies) {
+  constexpr std::array<std::string_view, 9> heights = {"·", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  const auto octaves = latencies.octaves();
+  if (octaves.empty()) return "none";
+  double most = 1;
+  for (const auto& octave : octaves) most = std::max(most, std::log2(1 + static_cast<double>(octave.count)));
+  std::string text = fmt::format("{} ", duration_text(octaves.front().end / 2));
+  for (const auto& octave : octaves) {
+    const double share = std::log2(1 + static_cast<double>(octave.count)) / most;
+    text += heights[octave.count == 0 ? 0 : 1 + static_cast<std::size_t>(std::lround(share * 7))];
+  }
+  return text + fmt::format(" {}", duration_text(octaves.back().end));
 }
 
 }  // namespace
@@ -33,32 +69,29 @@ Json json_of_drive(const std::string& program, const Job& job, const DriveFigure
   for (const base::Axis axis : base::all_axes) {
     if (job.machine.has(axis)) position[std::string(1, base::letter(axis))] = figures.last.position[base::index(axis)];
   }
-  return {
-      {"schema", drive_schema},
-      {"program", program},
-      {"machine", job.machine.name},
-      {"period_s", job.machine.period.seconds()},
-      {"end", name(figures.end)},
-      {"real_time", figures.real_time},
-      {"words", periods(counters.words)},
-      {"words_taken", periods(figures.taken)},
-      {"time_s", seconds(figures, job)},
-      {"line", base::number(figures.last.line)},
-      {"path_length_mm", figures.last.path_length},
-      {"position", position},
-      {"axes", json_of_axes(figures.axes)},
-      {"feed", {{"measured_max_mm_s", figures.feed.measured_max}, {"measured_mean_mm_s", figures.feed.measured_mean}}},
-      {"overruns", counters.overruns},
-      {"slips", counters.slips},
-      {"late_chunks", counters.late_chunks},
-      {"starvations", counters.starvations},
-      {"drives", {{"late_periods", figures.drives_late}, {"braked_periods", figures.braked}}},
-      {"latency_ns",
-       {{"p50", figures.latencies.percentile(0.5)},
-        {"p99", figures.latencies.percentile(0.99)},
-        {"p999", figures.latencies.percentile(0.999)},
-        {"max", figures.latencies.longest()}}},
-      {"diagnostics", json_of_diagnostics(log)}};
+  Json json = {{"schema", drive_schema},
+               {"program", program},
+               {"machine", job.machine.name},
+               {"period_s", job.machine.period.seconds()},
+               {"end", name(figures.end)},
+               {"real_time", figures.real_time},
+               {"words", periods(counters.words)},
+               {"words_taken", periods(figures.taken)},
+               {"time_s", seconds(figures, job)},
+               {"line", base::number(figures.last.line)},
+               {"path_length_mm", figures.last.path_length},
+               {"position", position},
+               {"overruns", counters.overruns},
+               {"slips", counters.slips},
+               {"late_chunks", counters.late_chunks},
+               {"starvations", counters.starvations},
+               {"latency_ns", json_of(figures.latencies)},
+               {"diagnostics", json_of_diagnostics(log)}};
+  if (!figures.has_drives) return json;
+  json["axes"] = json_of_axes(figures.axes);
+  json["feed"] = {{"measured_max_mm_s", figures.feed.measured_max}, {"measured_mean_mm_s", figures.feed.measured_mean}};
+  json["drives"] = {{"late_periods", figures.drives_late}, {"braked_periods", figures.braked}};
+  return json;
 }
 
 std::string drive_summary(const std::string& program, const Job& job, const DriveFigures& figures, const Style& style) {
@@ -68,8 +101,8 @@ std::string drive_summary(const std::string& program, const Job& job, const Driv
                                  printable(job.machine.name), period_text(job.machine.period),
                                  figures.end == DriveFigures::End::done ? style(Tone::good, name(figures.end))
                                                                         : style(Tone::warning, name(figures.end)));
-  text += fmt::format("  words      {} made, {} taken by the drives; {:.3f} s\n", periods(counters.words),
-                      periods(figures.taken), seconds(figures, job));
+  text += fmt::format("  words      {} made, {} taken{}; {:.3f} s\n", periods(counters.words), periods(figures.taken),
+                      figures.has_drives ? " by the drives" : "", seconds(figures, job));
   text += fmt::format("  came to    line {}, {:.3f} mm of the path\n", base::number(figures.last.line),
                       figures.last.path_length);
   text += fmt::format(
@@ -78,6 +111,8 @@ std::string drive_summary(const std::string& program, const Job& job, const Driv
   text += fmt::format(
       "  latency    50 % below {:.0f} us, 99 % below {:.0f} us, 99.9 % below {:.0f} us, at most {:.0f} us\n",
       micro(0.5), micro(0.99), micro(0.999), micro(1));
+  text += fmt::format("             {}, each power of two by the logarithm of its count\n", bars(figures.latencies));
+  if (!figures.has_drives) return text;
   text += fmt::format("  drives     their process late by {} periods; {} periods braked without words\n",
                       figures.drives_late, figures.braked);
   text += fmt::format("  slides     measured up to {:.6g} mm/min, {:.6g} on average\n", figures.feed.measured_max * 60,

@@ -76,8 +76,10 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
   std::string text = place_text();
   text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}", last_.word.feed * 60, factor_ * 100,
                       wait_text(counters), end);
-  text += fmt::format("slides {:6.1f} /min by tachometers, behind by {:.4f}{}", last_.measured_feed * 60,
-                      last_.following_error, end);
+  if (!job_.arguments.drive.sink) {
+    text += fmt::format("slides {:6.1f} /min by tachometers, behind by {:.4f}{}", last_.measured_feed * 60,
+                        last_.following_error, end);
+  }
   text += fmt::format("look-ahead {:5.0f} ms  planner late {}  {:.1f} s, {:.1f} mm{}", counters.seconds_ahead * 1e3,
                       counters.starvations, static_cast<double>(counters.words) * job_.machine.period.seconds(),
                       last_.word.path_length, end);

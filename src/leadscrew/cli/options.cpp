@@ -162,13 +162,16 @@ CLI::App* add_verify(CLI::App& app, Arguments& arguments, Texts& texts) {
 
 CLI::App* add_drive(CLI::App& app, Arguments& arguments, Texts& all) {
   DriveTexts& texts = all.drive;
-  CLI::App* drive = app.add_subcommand("drive", "Run on time: the real-time controller, with simulated drives");
+  CLI::App* drive =
+      app.add_subcommand("drive", "Run on time: the real-time controller, with simulated drives or a file");
   drive->add_option("PROGRAM", all.one_program, "Part program; - is standard input")->required()->type_name("");
   add_common(*drive, arguments, all);
   add_period(*drive, all);
   add_motion(*drive, all);
   drive->add_option("--trace", texts.trace, "Write the words that the drives took: .csv or .npy")->type_name("FILE");
   drive->add_option("--axes", texts.axes, "Write where the axes went, period by period: .csv or .npy")
+      ->type_name("FILE");
+  drive->add_option("--sink", texts.sink, "Words go to this file or pipe, and to no drives: .csv or .npy")
       ->type_name("FILE");
   drive->add_option("--state", texts.state, "Keep on disk how far it has come, for --resume")->type_name("FILE");
   drive->add_option("--resume", texts.resume, "Go on from where a drive was stopped or killed; FILE is kept up")

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <bit>
 #include <cstdint>
+#include <vector>
 
 namespace leadscrew::realtime {
 
@@ -41,6 +42,22 @@ class Histogram {
       if (seen > 0 && static_cast<double>(seen) >= wanted) return std::min(last_of(bucket), get(longest_));
     }
     return get(longest_);
+  }
+
+  struct Octave {
+    std::uint64_t end = 0;    ///< ns: as long as this or longer is in the next
+    std::uint64_t count = 0;  ///< of times from half of it on
+  };
+  /// By powers of two, from the first to the last that any time lay in; below 32 ns is one.
+  std::vector<Octave> octaves() const {
+    std::vector<Octave> octaves;
+    for (std::size_t first = 0; first < buckets_.size(); first += fine) {
+      Octave octave{last_of(first + fine - 1) + 1, 0};
+      for (std::size_t bucket = first; bucket < first + fine; ++bucket) octave.count += get(buckets_[bucket]);
+      if (!octaves.empty() || octave.count > 0) octaves.push_back(octave);
+    }
+    while (!octaves.empty() && octaves.back().count == 0) octaves.pop_back();
+    return octaves;
   }
 
   std::uint64_t count() const { return get(count_); }
