@@ -484,7 +484,8 @@ TEST(Drive, RefusesToResumeAnythingElse) {
   const Folder folder;
   folder.write("part.ngc", part);
   folder.write("mill.toml", machine_text());
-  Running first(folder, {"drive", "part.ngc", "--machine", "mill.toml", "--state", "state"});
+  folder.write("tools.tbl", "T1 P1 D6 Z10\n");
+  Running first(folder, {"drive", "part.ngc", "--machine", "mill.toml", "--tools", "tools.tbl", "--state", "state"});
   ASSERT_TRUE(comes_to(folder, 5));
   first.send(SIGINT);
   EXPECT_EQ(first.wait().status, 130);
@@ -495,14 +496,28 @@ TEST(Drive, RefusesToResumeAnythingElse) {
     EXPECT_EQ(outcome.status, 3) << outcome.errors;
     EXPECT_EQ(outcome.json()["diagnostics"][0]["code"], code);
   };
-  refused({"part.ngc", "--machine", "mill.toml", "--start", "X1"}, "resume-machine");
-  folder.write("mill.toml", machine_text(1001));
+  const std::vector<std::string> same = {"part.ngc", "--machine", "mill.toml", "--tools", "tools.tbl"};
+  const auto with = [&](std::vector<std::string> arguments, std::vector<std::string> more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
   refused({"part.ngc", "--machine", "mill.toml"}, "resume-machine");
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--start", "X1"},
+                                               {"--period", "2ms"},
+                                               {"--mode", "exact-stop"},
+                                               {"--tolerance", "0.02"}}) {
+    refused(with(same, more), "resume-machine");
+  }
+  folder.write("mill.toml", machine_text(1001));
+  refused(same, "resume-machine");
   folder.write("mill.toml", machine_text());
+  folder.write("tools.tbl", "T1 P1 D6 Z11\n");
+  refused(same, "resume-machine");
+  folder.write("tools.tbl", "T1 P1 D6 Z10\n");
   folder.write("part.ngc", part + "\n");
-  refused({"part.ngc", "--machine", "mill.toml"}, "resume-program");
+  refused(same, "resume-program");
   folder.write("state", "{}");
-  refused({"part.ngc", "--machine", "mill.toml"}, "resume-state");
+  refused(same, "resume-state");
 }
 
 }  // namespace

@@ -53,10 +53,10 @@ base::Result<void> check_stops(const Job& job) {
 
 base::Result<void> check_period(const Job& job) {
   if (job.machine.period.nanoseconds >= least_period) return {};
-  return base::failure(base::problem(
-      "period-too-short",
-      fmt::format("a period of {} is too short for words to be on time", period_text(job.machine.period)),
-      "a --period of 50us or more; run and simulate take shorter ones"));
+  return base::failure(
+      base::problem("period-too-short",
+                    fmt::format("a period of {} is too short for words to be on time", period_text(job.machine.period)),
+                    "a --period of 50us or more; run and simulate take shorter ones"));
 }
 
 }  // namespace
