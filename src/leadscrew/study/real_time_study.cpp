@@ -177,7 +177,7 @@ Rows time_rows(const std::vector<Place>& curve) {
                "with 106.3 mm/s², which the paper does not state"),
        because(measured_row("92 lines: reading and decoding one", {"ms", 2}, decoding / lines * 1000), "0.3 s in all"),
        exact_row("92 lines: in all", {"s", 1}, whole_time, cutting + decoding),
-       exact_row("times as long", {"", 1}, 3.5, (cutting + decoding) / curve_time),
+       exact_row("times as long", {"", 1}, 3.5, (cutting + decoding) / seconds),
        because(limit_row("greatest feed along any line", {"mm/s", 1}, feed, fastest), "10 mm/s is never reached"),
        measured_row("least of the greatest", {"mm/s", 1}, slowest)});
 }
@@ -197,20 +197,30 @@ Row time_row(std::string what, const PartProgram& program, const machine::Machin
   return measured_row(std::move(what), {"s", 3}, judged->summary.time_s);
 }
 
-/// The same curve and lines by this planner, and how long both programs are.
-Rows planner_rows() {
-  const machine::Machine machine = machine_with({200, 1000, 20000}, {1'000'000});
-  const PartProgram curve = program_of(plane_cubic(), feed);
-  Rows rows = {time_row("one block for the curve", curve, machine)};
+/// The same curve and lines by this planner, each axis within these limits.
+Rows planner_rows(const LimitSet& limits) {
+  const machine::Machine machine = machine_with(limits, {1'000'000});
+  Rows rows = {time_row("one block for the curve", program_of(plane_cubic(), feed), machine)};
   const BlendedProgram* const found = lines_program();
   if (found == nullptr) return rows;
   BlendedProgram slow = *found;
   slow.feed = feed;
   rows.push_back(time_row("92 lines, a stop at each", stopping(slow), machine));
   rows.push_back(time_row("92 lines within 10 µm", blended(slow), machine));
-  rows.push_back(measured_row("program of the curve", {"bytes", 0}, static_cast<double>(curve.text.size())));
-  rows.push_back(measured_row("program of the lines", {"bytes", 0}, static_cast<double>(stopping(slow).text.size())));
-  return under("this planner, 10 mm/s, a 1000 mm/s², j 20000 mm/s³", std::move(rows));
+  const int digits = limits.acceleration == std::round(limits.acceleration) ? 0 : 1;
+  return under("this planner, 10 mm/s, a " + decimal(limits.acceleration, digits) + " mm/s², j " +
+                   decimal(limits.jerk, 0) + " mm/s³",
+               std::move(rows));
+}
+
+Rows size_rows() {
+  const BlendedProgram* const found = lines_program();
+  if (found == nullptr) return {};
+  BlendedProgram slow = *found;
+  slow.feed = feed;
+  const auto bytes = [](const PartProgram& program) { return static_cast<double>(program.text.size()); };
+  return under("sizes of both programs", {measured_row("curve", {"bytes", 0}, bytes(program_of(plane_cubic(), feed))),
+                                          measured_row("92 lines", {"bytes", 0}, bytes(stopping(slow)))});
 }
 
 }  // namespace
@@ -219,7 +229,9 @@ Rows real_time_rows(const Host&) {
   const std::vector<Place> curve = words_of_curve(), stops = words_of_lines(lines_of_cubic());
   Rows rows = time_rows(curve);
   append(rows, speed_rows(curve, stops));
-  append(rows, planner_rows());
+  append(rows, planner_rows({200, acceleration, 1e6}));
+  append(rows, planner_rows({200, 1000, 20000}));
+  append(rows, size_rows());
   return rows;
 }
 
