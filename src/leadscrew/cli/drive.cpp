@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 #include <leadscrew/cli/drive.hpp>
+#include <leadscrew/cli/drive_beginning.hpp>
 #include <leadscrew/cli/drive_checks.hpp>
 #include <leadscrew/cli/drive_process.hpp>
 #include <leadscrew/cli/drive_text.hpp>
@@ -37,14 +38,14 @@ class ProgramDrive {
     if (auto sound = check_drive(*file, job_); !sound) return failed(sound.error());
     read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
-    if (auto held = hold_states(); !held) return failed(held.error());
-    auto begin = beginning(*file);
+    auto begin = DriveBeginning::of(*file, job_);
     if (!begin) return failed(begin.error());
+    if (begin->warning) log_.add(*begin->warning);
     if (auto servo = servo::Servo::create(servo::loops_of(job_.machine), job_.machine.period); !servo)
       return failed(servo.error());
     let_first_interruption_pass();
     // Before there are threads.
-    auto process = DriveProcess::start(job_, *begin, way_back_);
+    auto process = DriveProcess::start(job_, begin->state, begin->way_back);
     if (!process) return failed(process.error());
     return move(*file, *begin, **process);
   }
@@ -55,69 +56,27 @@ class ProgramDrive {
     return std::nullopt;
   }
 
-  base::Result<void> hold_states() {
-    for (const auto& path : {arguments_.resume, arguments_.state}) {
-      if (!path || (!held_.empty() && path == arguments_.resume)) continue;
-      auto held = hold_state(*path);
-      if (!held) return base::failure(held.error());
-      held_.push_back(std::move(*held));
-    }
-    return {};
-  }
-
-  /// Where motion begins: at the start, or where an earlier drive has come to.
-  base::Result<DriveState> beginning(const InputFile& file) {
-    auto fingerprint = fingerprint_of(file, job_);
-    if (!fingerprint) return base::failure(fingerprint.error());
-    DriveState state;
-    state.word.position = state.axes.position = job_.start;
-    if (arguments_.resume) {
-      auto kept = read_state(*arguments_.resume);
-      if (!kept) return kept;
-      if (auto same = check_resumable(*kept, *fingerprint, job_.machine, *arguments_.resume); !same)
-        return base::failure(same.error());
-      auto way_back = find_way_back(*kept, file, job_, *arguments_.resume);
-      if (!way_back) return base::failure(way_back.error());
-      way_back_ = std::move(*way_back);
-      state = *kept;
-      if (state.kind == DriveState::Kind::moving)
-        log_.add(
-            {base::Severity::warning,
-             "resume-cut-twice",
-             "was written in motion: the drives' process ended before it stood, and up to 0.1 s is gone through again",
-             {},
-             base::Place{.file = *arguments_.resume},
-             {}});
-    }
-    state.program = file.name();
-    state.machine = job_.machine.name;
-    state.fingerprint = *fingerprint;
-    if (arguments_.state) {
-      if (auto written = write_state(*arguments_.state, state); !written) return base::failure(written.error());
-    }
-    return state;
-  }
-
-  std::optional<DriveFigures> move(const InputFile& file, const DriveState& begin, DriveProcess& drives) {
+  std::optional<DriveFigures> move(const InputFile& file, const DriveBeginning& begin, DriveProcess& drives) {
+    const base::Word& first = begin.state.word;
     DriveLink& link = drives.link();
     if (const auto settings = Terminal::settings(); settings && !job_.arguments.quiet) {
       link.show_terminal(*settings);
       view_.emplace(*settings, file, job_, console_.error_style());
     }
-    if (auto ready = await(drives); !ready) {
+    if (auto ready = await(drives, begin.way_back.size()); !ready) {
       view_.reset();
       return failed(ready.error());
     }
     pipeline::MotionSource source(counted(file.source()), job_.machine, job_.tools, job_.reader_options(file.name()),
                                   nullptr);
     source.planner().slice(drive_slice);
-    source.planner().start_at(begin.word.path_length, begin.word.line);
+    source.planner().start_at(first.path_length, first.line);
     const double period = job_.machine.period.seconds();
     const std::int64_t lead = std::llround(arguments_.lead / period);
     const std::int64_t words_of_slice = std::max<std::int64_t>(1, std::llround(drive_slice / period));
     realtime::Runner runner({.period = job_.machine.period,
-                             .position = begin.word.position,
-                             .path_length = begin.word.path_length,
+                             .position = first.position,
+                             .path_length = first.path_length,
                              .look_ahead = std::max(arguments_.look_ahead, arguments_.lead + least_spare) +
                                            static_cast<double>(words_of_slice) * period,
                              .lead = lead,
@@ -128,7 +87,7 @@ class ProgramDrive {
                              .lets = [&](const planner::Chunk& chunk) { return lets(chunk); }},
                             sink_to(link, static_cast<std::size_t>(2 * (lead + words_of_slice) + 4)));
     runner.start();
-    figures_.last = begin.word;
+    figures_.last = first;
     watch(runner, drives, file.size());
     conclude(runner, drives);
     view_.reset();
@@ -145,12 +104,12 @@ class ProgramDrive {
   }
 
   /// Until the drives stand where motion begins. After a signal, or q, they do nothing more.
-  base::Result<void> await(DriveProcess& drives) {
+  base::Result<void> await(DriveProcess& drives, std::size_t periods) {
     DriveLink& link = drives.link();
     bool stops = false;
     while (drives.is_running() && (stops || link.phase.load(std::memory_order_acquire) == DriveLink::Phase::starting)) {
       take_feedback(link);
-      if (view_) view_->draw_way_back(static_cast<double>(way_back_.size()) * job_.machine.period.seconds());
+      if (view_) view_->draw_way_back(static_cast<double>(periods) * job_.machine.period.seconds());
       stops = stops || (view_ && view_->is_asked_to_stop()) || interruptions() > 0;
       if (stops) link.order.store(DriveLink::Order::abandon, std::memory_order_release);
       realtime::sleep_until(realtime::now() + frame / 4);
@@ -288,10 +247,8 @@ class ProgramDrive {
   const DriveArguments& arguments_;
   Console& console_;
   DiagnosticLog& log_;
-  std::vector<Descriptor> held_;  ///< states
   std::atomic<bool> has_passed_pause_{false};
-  std::atomic<std::int64_t> read_{0};      ///< bytes of the program, by the planner's thread
-  std::vector<base::PathPlace> way_back_;  ///< to where the first word will be
+  std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
   DriveFigures figures_;
   std::optional<DriveView> view_;           ///< on a terminal
   std::optional<base::Diagnostic> notice_;  ///< that is told when the terminal is as it was

@@ -1,0 +1,59 @@
+#include <leadscrew/cli/drive_beginning.hpp>
+
+namespace leadscrew::cli {
+
+namespace {
+
+base::Result<std::vector<Descriptor>> hold_states(const DriveArguments& arguments) {
+  std::vector<Descriptor> held;
+  for (const auto& path : {arguments.resume, arguments.state}) {
+    if (!path || (!held.empty() && path == arguments.resume)) continue;
+    auto descriptor = hold_state(*path);
+    if (!descriptor) return base::failure(descriptor.error());
+    held.push_back(std::move(*descriptor));
+  }
+  return held;
+}
+
+base::Diagnostic cut_twice(const std::string& path) {
+  return {base::Severity::warning,
+          "resume-cut-twice",
+          "was written in motion: the drives' process ended before it stood, and up to 0.1 s is gone through again",
+          {},
+          base::Place{.file = path},
+          {}};
+}
+
+}  // namespace
+
+base::Result<DriveBeginning> DriveBeginning::of(const InputFile& program, const Job& job) {
+  const DriveArguments& arguments = job.arguments.drive;
+  DriveBeginning begin;
+  auto held = hold_states(arguments);
+  if (!held) return base::failure(held.error());
+  begin.held = std::move(*held);
+  const auto fingerprint = fingerprint_of(program, job);
+  if (!fingerprint) return base::failure(fingerprint.error());
+  DriveState& state = begin.state;
+  state.word.position = state.axes.position = job.start;
+  if (arguments.resume) {
+    auto kept = read_state(*arguments.resume);
+    if (!kept) return base::failure(kept.error());
+    if (auto same = check_resumable(*kept, *fingerprint, job.machine, *arguments.resume); !same)
+      return base::failure(same.error());
+    auto way_back = find_way_back(*kept, program, job, *arguments.resume);
+    if (!way_back) return base::failure(way_back.error());
+    begin.way_back = std::move(*way_back);
+    state = *kept;
+    if (state.kind == DriveState::Kind::moving) begin.warning = cut_twice(*arguments.resume);
+  }
+  state.program = program.name();
+  state.machine = job.machine.name;
+  state.fingerprint = *fingerprint;
+  if (arguments.state) {
+    if (auto written = write_state(*arguments.state, state); !written) return base::failure(written.error());
+  }
+  return begin;
+}
+
+}  // namespace leadscrew::cli
