@@ -173,6 +173,19 @@ TEST(AdaptiveFeed, BridgesShortGaps) {
   EXPECT_EQ(cut.adaptive().failure(), SensorFailure::none);
 }
 
+/// An ideal sensor says the same for as long as nothing changes.
+TEST(AdaptiveFeed, TakesNothingForStuckThatHasNoNoise) {
+  AdaptiveFeed ideal = AdaptiveFeed::create({.limit = 400, .stuck_after = 0}).value();
+  AdaptiveFeed real = AdaptiveFeed::create({.limit = 400}).value();
+  for (int k = 0; k < 1000; ++k) {
+    ideal.sample(500, 1);
+    real.sample(500, 1);
+  }
+  EXPECT_EQ(ideal.failure(), SensorFailure::none);
+  EXPECT_NEAR(ideal.feed_override(), 0.8, 1e-12);
+  EXPECT_EQ(real.failure(), SensorFailure::stuck);
+}
+
 std::string refusal(const AdaptiveFeedOptions& options) {
   const auto adaptive = AdaptiveFeed::create(options);
   return adaptive ? "" : std::string(adaptive.error().code) + ": " + adaptive.error().message;

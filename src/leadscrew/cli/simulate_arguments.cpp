@@ -22,6 +22,8 @@ constexpr std::string_view examples =
     "and an encoder pulse is a BLU.\n"
     "With --adaptive a milling force is reckoned of the feed that the tachometers tell, and the feed override, 5 to\n"
     "200 %, holds its mean at the limit; when the sensor fails, the programmed feed times the safe factor is gone.\n"
+    "A sensor is stuck when 20 samples are alike to the last bit. An ideal one, --noise 0, may well give such, in air\n"
+    "or between teeth, and is not taken for stuck.\n"
     "Depths are from places along the path on, S:DEPTH in mm. Rapid motion does not cut.\n"
     "A trace holds the words, and in columns actual_X, … where the slides were. Exit status 1: slides left the\n"
     "tolerance (the program's, the machine's where that is greater), do not come to rest, or the force is beyond 1.25\n"

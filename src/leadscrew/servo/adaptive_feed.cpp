@@ -43,7 +43,7 @@ base::Result<AdaptiveFeed> AdaptiveFeed::create(const AdaptiveFeedOptions& optio
   refusal.unless_within("the safe override", options.safe, 0, 1);
   refusal.unless_positive("the sensor's range less the limit", options.sensor_range - options.limit);
   refusal.unless_within("the time of silence", options.silent_after, options.sample_period, 3600);
-  refusal.unless_within("the number of samples alike", options.stuck_after, 2, many);
+  if (options.stuck_after != 0) refusal.unless_within("the number of samples alike", options.stuck_after, 2, many);
   if (refusal.found()) return base::failure(*refusal.found());
   return AdaptiveFeed(options);
 }
@@ -74,9 +74,10 @@ SensorFailure AdaptiveFeed::examine(std::optional<double> force) {
   if (std::isnan(*force)) return SensorFailure::not_a_number;
   if (!(std::fabs(*force) <= options_.sensor_range)) return SensorFailure::out_of_range;
   silent_ = 0;
-  alike_ = *force == last_force_ ? alike_ + 1 : 1;
+  alike_ = *force == last_force_ ? std::min(alike_, options_.stuck_after) + 1 : 1;
   last_force_ = *force;
-  return alike_ >= options_.stuck_after ? SensorFailure::stuck : SensorFailure::none;
+  const bool is_stuck = options_.stuck_after != 0 && alike_ >= options_.stuck_after;
+  return is_stuck ? SensorFailure::stuck : SensorFailure::none;
 }
 
 void AdaptiveFeed::change_override() {

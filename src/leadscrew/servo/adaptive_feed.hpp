@@ -48,7 +48,7 @@ struct AdaptiveFeedOptions {
   double safe = 0.5;             ///< override after a failure; 0 … 1
   double sensor_range = 10000;   ///< N: beyond ± that no force is measured; above the limit
   double silent_after = 0.02;    ///< seconds without a sample that can be believed; ≥ sample_period
-  int stuck_after = 20;          ///< samples alike, in the last bit: a live sensor has noise; ≥ 2
+  int stuck_after = 20;  ///< samples alike, in the last bit: a live sensor has noise; ≥ 2. 0: never, it has none
 };
 
 class AdaptiveFeed {
