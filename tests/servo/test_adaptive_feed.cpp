@@ -105,6 +105,19 @@ TEST(AdaptiveFeed, BelievesMoreForceAtOnceAndLessByAndBy) {
   EXPECT_NEAR(change(400), 400.0 / (760 - 36), 1e-6);
 }
 
+/// Braking to rest, a little force in the wrong moment is not believed to be a heavier cut; nor is it a lighter one.
+TEST(AdaptiveFeed, LearnsNoGreaterStiffnessOfNextToNoForce) {
+  AdaptiveFeed adaptive = AdaptiveFeed::create({.limit = 400, .samples = 4, .rise = 1000}).value();
+  const auto change = [&](double force, double feed_share) {
+    for (int k = 0; k < 4; ++k) adaptive.sample(force + 0.001 * k, feed_share);
+    return adaptive.feed_override();
+  };
+  EXPECT_NEAR(change(500, 1), 0.8, 1e-5);
+  EXPECT_NEAR(change(19, 0.02), 0.8, 1e-5);  // 950 N at the programmed feed
+  EXPECT_NEAR(change(21, 0.02), 400.0 / 1050, 1e-4);
+  EXPECT_NEAR(change(19, 0.02), 400.0 / 1000, 1e-4);  // half the way down to 950
+}
+
 /// One tooth that cuts for a fifth of a slow turn: between its passings no force says anything, and the override waits.
 TEST(AdaptiveFeed, DoesNotFallOnBetweenTeeth) {
   AdaptiveCut cut({.turn = 240, .teeth = 1, .lag = 0.01, .noise = 1e-9});

@@ -90,7 +90,8 @@ void AdaptiveFeed::change_override() {
   sums_[newest_] = {};
 }
 
-/// Over the window; empty before the first is full, and where there was next to no feed.
+/// Over the window; empty before the first is full, and where there was next to no feed, or too little force to tell of
+/// more stiffness than is known.
 std::optional<double> AdaptiveFeed::stiffness_seen() const {
   Sums all;
   for (const Sums& sums : sums_) {
@@ -104,7 +105,10 @@ std::optional<double> AdaptiveFeed::stiffness_seen() const {
   const bool cuts = force > least_force * options_.limit;
   const double feed = cuts ? all.force_and_feed / all.force : all.feed / all.samples;
   if (!(feed > least_feed)) return std::nullopt;
-  return force / feed;
+  const double seen = force / feed;
+  // While the feed changes, force without its teeth may tell of too much stiffness, and there is no danger in it.
+  if (!cuts && stiffness_ && seen > *stiffness_) return std::nullopt;
+  return seen;
 }
 
 void AdaptiveFeed::restart() {

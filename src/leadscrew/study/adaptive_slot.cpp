@@ -84,9 +84,9 @@ class SteppedSlot {
   }
 
  private:
-  static constexpr double blu = 0.01;         // mm
-  static constexpr std::int64_t word = 600;   // f/q0 = 600/3000 of 5000 interrupts/s: 10 mm/s
-  static constexpr int interrupts = 5;        // a period
+  static constexpr double blu = 0.01;        // mm
+  static constexpr std::int64_t word = 600;  // f/q0 = 600/3000 of 5000 interrupts/s: 10 mm/s
+  static constexpr int interrupts = 5;       // a period
 
   static std::int64_t steps_of(double length) { return std::lround(length / blu); }
   static stepping::Block slot(std::int64_t steps) {
