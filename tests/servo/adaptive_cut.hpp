@@ -8,6 +8,8 @@
 #include <leadscrew/servo/cutting_force.hpp>
 #include <leadscrew/servo/motion.hpp>
 #include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace leadscrew::servo::testing {
@@ -21,40 +23,34 @@ struct CutOptions {
   std::uint64_t seed = 1;
 };
 
-class AdaptiveCut {
+/// Of a millisecond, each with a force and noise of its own: at least 32 while a tooth passes.
+inline int parts_of(const CutOptions& options) {
+  return std::max(4, 32 * options.teeth / options.turn);
+}
+
+/// Control: sample(force, feed_share) gives the override, feed_override() repeats it; as AdaptiveFeed.
+template <class Control>
+class ControlledCut {
  public:
   static constexpr double feed = 10;    // mm/s, programmed
   static constexpr double limit = 400;  // N: what the programmed feed gives at a depth of 2 mm
 
-  explicit AdaptiveCut(const CutOptions& options)
-      : options_(options), mill_(MillingForce::create(milling(options)).value()), adaptive_(adaptive_for(options)) {}
-
-  static AdaptiveFeed adaptive_for(const CutOptions& options) {
-    const int tooth = options.turn / options.teeth;
-    AdaptiveFeedOptions adaptive{.limit = limit};
-    if (tooth % 4 == 0) {
-      adaptive.samples = tooth / 4;
-      adaptive.window = 4;
-    } else {
-      adaptive.samples = tooth * ((4 + tooth - 1) / tooth);
-    }
-    return AdaptiveFeed::create(adaptive).value();
-  }
+  ControlledCut(const CutOptions& options, Control control)
+      : options_(options), mill_(MillingForce::create(milling(options)).value()), control_(std::move(control)) {}
 
   /// One millisecond. What the sensor says is what `sense` makes of the force.
   template <class Sense>
   void step(Sense&& sense) {
-    const int parts = std::max(4, 32 * options_.teeth / options_.turn);  // at least 32 while a tooth passes
+    const int parts = parts_of(options_);
     double force = 0, travelled = 0;
     for (int part = 0; part < parts; ++part) {
       const double before = motion_.position;
-      motion_ =
-          servo::after(motion_, {feed * adaptive_.feed_override() / options_.lag, 1 / options_.lag}, 1e-3 / parts);
+      motion_ = servo::after(motion_, {feed * control_.feed_override() / options_.lag, 1 / options_.lag}, 1e-3 / parts);
       travelled += motion_.position - before;
       force += mill_.after(1e-3 / parts, motion_.velocity, engagement) / parts;
     }
     forces.push_back(force);
-    overrides.push_back(adaptive_.sample(sense(force), travelled / (feed * 1e-3)));
+    overrides.push_back(control_.sample(sense(force), travelled / (feed * 1e-3)));
   }
   void run(int milliseconds) {
     for (int k = 0; k < milliseconds; ++k) step([](double force) { return std::optional(force); });
@@ -63,8 +59,8 @@ class AdaptiveCut {
   /// Over the turn that ends now, N.
   double mean_force() const { return std::accumulate(forces.end() - options_.turn, forces.end(), 0.0) / options_.turn; }
 
-  const AdaptiveFeed& adaptive() const { return adaptive_; }
-  AdaptiveFeed& adaptive() { return adaptive_; }
+  const Control& adaptive() const { return control_; }
+  Control& adaptive() { return control_; }
   const MillingForce& mill() const { return mill_; }
 
   Engagement engagement{2, 4};
@@ -85,8 +81,25 @@ class AdaptiveCut {
 
   CutOptions options_;
   MillingForce mill_;
-  AdaptiveFeed adaptive_;
+  Control control_;
   Motion motion_{0, feed};
+};
+
+class AdaptiveCut : public ControlledCut<AdaptiveFeed> {
+ public:
+  explicit AdaptiveCut(const CutOptions& options) : ControlledCut(options, adaptive_for(options)) {}
+
+  static AdaptiveFeed adaptive_for(const CutOptions& options) {
+    const int tooth = options.turn / options.teeth;
+    AdaptiveFeedOptions adaptive{.limit = limit};
+    if (tooth % 4 == 0) {
+      adaptive.samples = tooth / 4;
+      adaptive.window = 4;
+    } else {
+      adaptive.samples = tooth * ((4 + tooth - 1) / tooth);
+    }
+    return AdaptiveFeed::create(adaptive).value();
+  }
 };
 
 }  // namespace leadscrew::servo::testing

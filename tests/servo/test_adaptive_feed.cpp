@@ -105,6 +105,19 @@ TEST(AdaptiveFeed, BelievesMoreForceAtOnceAndLessByAndBy) {
   EXPECT_NEAR(change(400), 400.0 / (760 - 36), 1e-6);
 }
 
+/// Braking to rest, a little force in the wrong moment is not believed to be a heavier cut; nor is it a lighter one.
+TEST(AdaptiveFeed, LearnsNoGreaterStiffnessOfNextToNoForce) {
+  AdaptiveFeed adaptive = AdaptiveFeed::create({.limit = 400, .samples = 4, .rise = 1000}).value();
+  const auto change = [&](double force, double feed_share) {
+    for (int k = 0; k < 4; ++k) adaptive.sample(force + 0.001 * k, feed_share);
+    return adaptive.feed_override();
+  };
+  EXPECT_NEAR(change(500, 1), 0.8, 1e-5);
+  EXPECT_NEAR(change(19, 0.02), 0.8, 1e-5);  // 950 N at the programmed feed
+  EXPECT_NEAR(change(21, 0.02), 400.0 / 1050, 1e-4);
+  EXPECT_NEAR(change(19, 0.02), 400.0 / 1000, 1e-4);  // half the way down to 950
+}
+
 /// One tooth that cuts for a fifth of a slow turn: between its passings no force says anything, and the override waits.
 TEST(AdaptiveFeed, DoesNotFallOnBetweenTeeth) {
   AdaptiveCut cut({.turn = 240, .teeth = 1, .lag = 0.01, .noise = 1e-9});
@@ -171,6 +184,19 @@ TEST(AdaptiveFeed, BridgesShortGaps) {
     cut.step([&](double force) { return k % 40 < 19 ? std::optional<double>() : std::optional(force); });
   }
   EXPECT_EQ(cut.adaptive().failure(), SensorFailure::none);
+}
+
+/// An ideal sensor says the same for as long as nothing changes.
+TEST(AdaptiveFeed, TakesNothingForStuckThatHasNoNoise) {
+  AdaptiveFeed ideal = AdaptiveFeed::create({.limit = 400, .stuck_after = 0}).value();
+  AdaptiveFeed real = AdaptiveFeed::create({.limit = 400}).value();
+  for (int k = 0; k < 1000; ++k) {
+    ideal.sample(500, 1);
+    real.sample(500, 1);
+  }
+  EXPECT_EQ(ideal.failure(), SensorFailure::none);
+  EXPECT_NEAR(ideal.feed_override(), 0.8, 1e-12);
+  EXPECT_EQ(real.failure(), SensorFailure::stuck);
 }
 
 std::string refusal(const AdaptiveFeedOptions& options) {

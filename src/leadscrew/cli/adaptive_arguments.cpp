@@ -107,9 +107,8 @@ Parsed<std::optional<AdaptiveArguments>> parse_adaptive(const AdaptiveTexts& tex
         take({"--diameter", texts.diameter, 0.01, 1000}, cut.milling.diameter),
         take({"--spindle", texts.spindle, 1, 300'000}, spindle),
         take({"--edge-force", texts.edge_force, 0, 1e4}, cut.milling.edge_coefficient),
-        take({"--force-limit", texts.force_limit, 0.001, 1e6}, limit),
-        take({"--noise", texts.noise, 0.001, 100}, noise), take({"--seed", texts.seed, 0, 1e15}, seed),
-        take({"--safe-factor", texts.safe_factor, 0.01, 1}, cut.safe)}) {
+        take({"--force-limit", texts.force_limit, 0.001, 1e6}, limit), take({"--noise", texts.noise, 0, 100}, noise),
+        take({"--seed", texts.seed, 0, 1e15}, seed), take({"--safe-factor", texts.safe_factor, 0.01, 1}, cut.safe)}) {
     if (!taken) return tl::unexpected(taken.error());
   }
   cut.width = 0.4 * cut.milling.diameter;
@@ -130,6 +129,8 @@ Parsed<std::optional<AdaptiveArguments>> parse_adaptive(const AdaptiveTexts& tex
     if (!fault) return wrong("--sensor-fault {}: {}", *texts.sensor_fault, fault.error());
     cut.fault = *fault;
   }
+  if (noise == 0 && cut.fault && cut.fault->kind == servo::SensorFailure::stuck)
+    return wrong("--sensor-fault {}: shows by noise that is missing; give --noise above 0", *texts.sensor_fault);
   if (texts.force_limit) adaptive.limit = limit;
   adaptive.noise = noise / 100;
   return std::optional(adaptive);

@@ -7,8 +7,10 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr double least_change = 0.005;  // of the override: less is not worth planning anew
-constexpr double slice = 0.02;          // s, until which a change takes effect
+constexpr double least_change = 0.005;   // of the override's mean: less is not worth planning anew
+constexpr double greatest_change = 0.1;  // of the override itself, that waits for its mean
+constexpr double mean_over = 0.1;        // s
+constexpr double slice = 0.02;           // s, until which a change takes effect
 constexpr std::int64_t words_between_looks = 1024;
 
 /// Of a program, mm/s; 0 where all is rapid.
@@ -48,6 +50,7 @@ base::Result<std::unique_ptr<AdaptiveRun>> AdaptiveRun::create(const InputFile& 
                           {}});
   }
   options.milling.noise = asked->noise * options.limit;
+  run->noise_ = asked->noise;
   auto cut = servo::AdaptiveCut::create(options, job.machine.period.seconds());
   if (!cut) return base::failure(cut.error());
   run->cut_ = std::move(*cut);
@@ -59,9 +62,13 @@ void AdaptiveRun::follow(const servo::Followed& followed, double measured_feed, 
   if (!cut_) return;
   const double programmed = programmed_.at(followed.word.line);
   const double wanted = cut_->follow(measured_feed, programmed, followed.word.path_length);
-  if (std::fabs(wanted - told_) < least_change * told_) return;
-  told_ = wanted;
-  program.override_feed(wanted);
+  mean_ += (wanted - mean_) * std::min(1.0, job_.machine.period.seconds() / mean_over);
+  const bool has_failed = cut_->control().failure() != servo::SensorFailure::none;
+  const double at_once = std::clamp(noise_, least_change, greatest_change);
+  if (has_failed || std::fabs(wanted - told_) >= at_once * told_) mean_ = wanted;
+  if (has_failed ? mean_ == told_ : std::fabs(mean_ - told_) < least_change * told_) return;
+  told_ = mean_;
+  program.override_feed(told_);
 }
 
 base::Result<std::optional<AdaptiveFigures>> AdaptiveRun::conclude() const {

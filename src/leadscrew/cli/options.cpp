@@ -75,7 +75,7 @@ void add_adaptive(CLI::App& simulate, AdaptiveTexts& texts) {
   add("--spindle", texts.spindle, "Speed of the spindle (default: 3000)", "RPM");
   add("--edge-force", texts.edge_force, "Of a mm of cutting edge that rubs (default: 0)", "N/MM");
   add("--force-limit", texts.force_limit, "Of the mean force (default: of the first depth at the greatest feed)", "N");
-  add("--noise", texts.noise, "Of the sensor, in % of the limit (default: 5)", "PERCENT");
+  add("--noise", texts.noise, "Of the sensor, in % of the limit, 0 for an ideal one (default: 5)", "PERCENT");
   add("--seed", texts.seed, "Of the noise (default: 1)", "N");
   add("--safe-factor", texts.safe_factor, "Of the programmed feed, once the sensor has failed (default: 0.5)", "SHARE");
   add("--sensor-fault", texts.sensor_fault, "nan, stuck or silent from a time on, such as stuck@1.5", "KIND@S");

@@ -94,7 +94,10 @@ class Simulation {
     auto of_cut = (*adaptive)->conclude();
     if (!of_cut) return base::failure(of_cut.error());
     figures.adaptive = *of_cut;
-    if (figures.adaptive) warn_of_force(*figures.adaptive);
+    if (figures.adaptive) {
+      warn_of_sensor(*figures.adaptive);
+      warn_of_force(*figures.adaptive);
+    }
     return figures;
   }
 
@@ -113,6 +116,20 @@ class Simulation {
     for (const servo::Contour& contour : contours) {
       outputs.followed()->observe({contour.actual, contour.nearest, contour.distance}, slides.contour_stride());
     }
+  }
+
+  /// Of a sensor that is no longer believed.
+  void warn_of_sensor(const AdaptiveFigures& adaptive) {
+    if (!adaptive.cut.failed_at) return;
+    log_.add(
+        {base::Severity::warning,
+         "force-sensor",
+         fmt::format("the sensor of the force failed ({}): not believed from t = {:.3f} s on, the feed is {:g} times "
+                     "the programmed one from there",
+                     servo::name(adaptive.failure), *adaptive.cut.failed_at, adaptive.safe),
+         "no limit of the force is held without it: choose a --safe-factor that the cut bears",
+         {},
+         {}});
   }
 
   /// Of a limit that no override there is keeps.

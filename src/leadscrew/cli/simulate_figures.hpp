@@ -42,8 +42,9 @@ struct SimulateFigures {
   std::vector<std::string> files{};  ///< written
 
   bool held_force() const { return !adaptive || adaptive->cut.held(adaptive->turn); }
+  bool within_tolerance() const { return verdict.deviation_mm <= tolerance; }
   /// Did the slides keep the tolerance, and come to rest? Was the force held?
-  bool kept() const { return settling && verdict.deviation_mm <= tolerance && held_force(); }
+  bool kept() const { return settling && within_tolerance() && held_force(); }
 };
 
 }  // namespace leadscrew::cli

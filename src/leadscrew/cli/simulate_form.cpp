@@ -61,10 +61,13 @@ std::string time_text(const SimulateFigures& figures) {
 }
 
 std::string verdict_text(const SimulateFigures& figures, const Style& style) {
-  if (figures.kept()) return style(Tone::good, "kept: the slides stay within the tolerance, and come to rest");
-  return style(Tone::error, !figures.settling      ? "NOT kept: the slides do not come to rest"
-                            : figures.held_force() ? "NOT kept: the slides leave the tolerance"
-                                                   : "NOT kept: the force is beyond its limit for too long");
+  std::vector<std::string_view> wrong;
+  if (!figures.within_tolerance()) wrong.push_back("the slides leave the tolerance");
+  if (!figures.settling) wrong.push_back("the slides do not come to rest");
+  if (!figures.held_force()) wrong.push_back("the force is beyond its limit for too long");
+  if (!wrong.empty()) return style(Tone::error, fmt::format("NOT kept: {}", fmt::join(wrong, "; ")));
+  return style(Tone::good, fmt::format("kept: the slides stay within the tolerance, and come to rest{}",
+                                       figures.adaptive ? "; the force is held" : ""));
 }
 
 }  // namespace

@@ -47,7 +47,6 @@ int at_least_one(double value) {
 base::Result<AdaptiveCut> AdaptiveCut::create(const AdaptiveCutOptions& options, double period) {
   Refusal refusal("servo-cut");
   refusal.unless_positive("the period", period);
-  refusal.unless_positive("the noise of the sensor", options.milling.noise);
   refusal.unless_within("the width of the cut", options.width, 0, options.milling.diameter);
   refusal.unless_positive("the safe override", options.safe);
   double from = 0;
@@ -67,6 +66,7 @@ base::Result<AdaptiveCut> AdaptiveCut::create(const AdaptiveCutOptions& options,
   feed.window = window.window;
   feed.sensor_range = std::max(feed.sensor_range, 20 * options.limit);
   feed.silent_after = std::max(feed.silent_after, feed.sample_period);
+  if (options.milling.noise == 0) feed.stuck_after = 0;
   auto control = AdaptiveFeed::create(feed);
   if (!control) return base::failure(std::move(control.error()));
   return AdaptiveCut(options, std::move(*mill), std::move(*control), period);

@@ -30,7 +30,7 @@ struct SensorFault {
 };
 
 struct AdaptiveCutOptions {
-  MillingOptions milling;         ///< its noise above 0: a sensor without any is taken for stuck
+  MillingOptions milling;         ///< without noise the sensor is ideal, and that it is stuck cannot be seen
   double width = 0;               ///< ae, mm; 0 … diameter
   std::vector<DepthStep> depths;  ///< in the order of places, the first from 0
   double limit = 0;               ///< of the mean force, N; > 0

@@ -43,7 +43,7 @@ base::Result<AdaptiveFeed> AdaptiveFeed::create(const AdaptiveFeedOptions& optio
   refusal.unless_within("the safe override", options.safe, 0, 1);
   refusal.unless_positive("the sensor's range less the limit", options.sensor_range - options.limit);
   refusal.unless_within("the time of silence", options.silent_after, options.sample_period, 3600);
-  refusal.unless_within("the number of samples alike", options.stuck_after, 2, many);
+  if (options.stuck_after != 0) refusal.unless_within("the number of samples alike", options.stuck_after, 2, many);
   if (refusal.found()) return base::failure(*refusal.found());
   return AdaptiveFeed(options);
 }
@@ -74,9 +74,10 @@ SensorFailure AdaptiveFeed::examine(std::optional<double> force) {
   if (std::isnan(*force)) return SensorFailure::not_a_number;
   if (!(std::fabs(*force) <= options_.sensor_range)) return SensorFailure::out_of_range;
   silent_ = 0;
-  alike_ = *force == last_force_ ? alike_ + 1 : 1;
+  alike_ = *force == last_force_ ? std::min(alike_, options_.stuck_after) + 1 : 1;
   last_force_ = *force;
-  return alike_ >= options_.stuck_after ? SensorFailure::stuck : SensorFailure::none;
+  const bool is_stuck = options_.stuck_after != 0 && alike_ >= options_.stuck_after;
+  return is_stuck ? SensorFailure::stuck : SensorFailure::none;
 }
 
 void AdaptiveFeed::change_override() {
@@ -89,7 +90,8 @@ void AdaptiveFeed::change_override() {
   sums_[newest_] = {};
 }
 
-/// Over the window; empty before the first is full, and where there was next to no feed.
+/// Over the window; empty before the first is full, and where there was next to no feed, or too little force to tell of
+/// more stiffness than is known.
 std::optional<double> AdaptiveFeed::stiffness_seen() const {
   Sums all;
   for (const Sums& sums : sums_) {
@@ -103,7 +105,10 @@ std::optional<double> AdaptiveFeed::stiffness_seen() const {
   const bool cuts = force > least_force * options_.limit;
   const double feed = cuts ? all.force_and_feed / all.force : all.feed / all.samples;
   if (!(feed > least_feed)) return std::nullopt;
-  return force / feed;
+  const double seen = force / feed;
+  // While the feed changes, force without its teeth may tell of too much stiffness, and there is no danger in it.
+  if (!cuts && stiffness_ && seen > *stiffness_) return std::nullopt;
+  return seen;
 }
 
 void AdaptiveFeed::restart() {

@@ -13,7 +13,8 @@
 //   s ← limit/(c + Fe/s),   whose slope at its fixed point is Fe/limit:
 //
 // it settles there, from either side, without a limit cycle, as long as the limit can be held at all. The mean is
-// taken over a whole number of tooth passings, or the passing of teeth would be taken for a change of the cut.
+// taken over a whole number of tooth passings, or the passing of teeth would be taken for a change of the cut. Next to
+// no force, as in braking to rest, is not believed to tell of a heavier cut.
 //
 // After a depth that doubles, the mean force over a turn is above 1.25 times the limit for no more than two turns or
 // 150 ms, whichever is longer, where the feed follows the override with a time constant of at most 40 ms, Fe is at most
@@ -48,7 +49,7 @@ struct AdaptiveFeedOptions {
   double safe = 0.5;             ///< override after a failure; 0 … 1
   double sensor_range = 10000;   ///< N: beyond ± that no force is measured; above the limit
   double silent_after = 0.02;    ///< seconds without a sample that can be believed; ≥ sample_period
-  int stuck_after = 20;          ///< samples alike, in the last bit: a live sensor has noise; ≥ 2
+  int stuck_after = 20;  ///< samples alike, in the last bit: a live sensor has noise; ≥ 2. 0: never, it has none
 };
 
 class AdaptiveFeed {

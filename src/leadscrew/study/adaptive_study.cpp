@@ -1,223 +1,161 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <leadscrew/gcode/reader.hpp>
-#include <leadscrew/machine/machine.hpp>
-#include <leadscrew/pipeline/program.hpp>
-#include <leadscrew/servo/adaptive_cut.hpp>
-#include <leadscrew/servo/machine_loops.hpp>
-#include <leadscrew/servo/pulse_loop.hpp>
-#include <leadscrew/servo/tracking.hpp>
-#include <leadscrew/stepping/nc_program.hpp>
+#include <leadscrew/study/adaptive_slot.hpp>
 #include <leadscrew/study/studies.hpp>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
-// A slot of 40 mm in steel, which is twice as deep over its middle part, milled with adaptive control: by the planner's
-// feed override, and by the adaptive-control input of Koren's NC program, whose steps drive a pulse-driven axis. Feed
-// is what the tachogenerator tells.
+// A slot in steel whose depth changes along the way, milled with adaptive control: by the planner's feed override, and
+// by the adaptive-control input of Koren's NC program. The limit of the force is what the programmed feed gives in a
+// depth of 2 mm:
+//
+//   depth      2      4      2      1.25     2.5       0.5      2     mm
+//           ├──────┼──────┼──────┼────────┼──────┼────────────┼──────┤
+//   override  100    50     100    160      80        200       100   %, 2 mm/depth, at most 200 %
 
 namespace leadscrew::study {
 
 namespace {
 
-constexpr double feed = 10, way = 40, period = 1e-3;  // mm/s, mm, s
-constexpr double depth = 2, width = 4, safe = 0.5;    // mm, mm, override
-constexpr double deep_from = 12, deep_to = 24;        // mm
-constexpr double fails_at = 0.9;                      // s
-constexpr std::int64_t most_periods = 60'000;
+constexpr double limiting_depth = 2, width = 4;  // mm
+constexpr double safe = 0.5, most = 2;           // overrides
+constexpr double noise = 0.1;                    // of the limit
+constexpr double fails_at = 0.9;                 // s
 
-struct Moved {
-  double feed = 0;  ///< mm/s
-  double way = 0;   ///< mm
+struct Part {
+  double from = 0, to = 0;  ///< mm
+  double depth = 0;         ///< mm
+
+  double override_held() const { return std::min(limiting_depth / depth, most); }
 };
+constexpr std::array<Part, 7> parts = {
+    {{0, 12, 2}, {12, 24, 4}, {24, 36, 2}, {36, 52, 1.25}, {52, 64, 2.5}, {64, 88, 0.5}, {88, 100, 2}}};
+constexpr double length = parts.back().to, failing_length = parts[1].to;
 
-/// Words of the planner, and slides that follow them.
-class PlannedCut {
- public:
-  explicit PlannedCut(double factor)
-      : program_(gcode::text_source(text_), machine_, tools_, {}, nullptr),
-        servo_(servo::Servo::create(servo::loops_of(machine_), machine_.period)),
-        tracking_(machine_.axis_set()) {
-    program_.slice(0.02);
-    program_.override_feed(factor);
-  }
-  PlannedCut(const PlannedCut&) = delete;
-  PlannedCut& operator=(const PlannedCut&) = delete;
-
-  /// A period on; nothing at the end.
-  std::optional<Moved> next() {
-    if (!servo_ || !program_.prepare()) return std::nullopt;
-    const auto followed = servo_->follow(program_.cycle());
-    if (!followed) return Moved{};
-    tracking_.observe(*followed);
-    return Moved{tracking_.measured_feed(), followed->position[0]};
-  }
-  void override_feed(double factor) { program_.override_feed(factor); }
-
- private:
-  std::string text_ = "G21 G90 G94\nG1 X40 F600\nM2\n";
-  machine::Machine machine_ = machine::mill3();
-  machine::ToolTable tools_;
-  pipeline::Program program_;
-  base::Result<servo::Servo> servo_;
-  servo::Tracking tracking_;
-};
-
-/// Pulses of the NC program, and an axis that they drive.
-class PulsedCut {
- public:
-  explicit PulsedCut(double factor)
-      : program_({}, [this] { return std::exchange(block_, std::nullopt); }),
-        loop_(servo::PulseLoop::create(
-            {.converter = 10.0 / 256, .amplifier = 4, .motor = 0.96, .holes = 200, .time_constant = 0.01})) {
-    override_feed(factor);
-    if (loop_) loop_->load(pulses);
-  }
-  PulsedCut(const PulsedCut&) = delete;
-  PulsedCut& operator=(const PulsedCut&) = delete;
-
-  std::optional<Moved> next() {
-    if (!loop_ || program_.done()) return std::nullopt;
-    for (int k = 0; k < interrupts; ++k) {
-      const int step = program_.interrupt().step[0];
-      if (step != 0) loop_->pulse(step);
-      loop_->run_through(period / interrupts);
-    }
-    return Moved{loop_->velocity() * blu, loop_->position() * blu};
-  }
-  void override_feed(double factor) {
-    program_.override_feed(static_cast<int>(std::lround(factor * stepping::full_override)));
-  }
-
- private:
-  static constexpr double blu = 0.01;                       // mm
-  static constexpr std::int64_t pulses = 4000, word = 600;  // f/q0 = 600/3000 of 5000 interrupts/s: 10 mm/s
-  static constexpr int interrupts = 5;                      // a period
-
-  static stepping::Block slot() {
-    stepping::Block block;
-    block.way[0] = block.commands = block.capacity = pulses;
-    block.feed_word = word;
-    block.greatest_word = 2 * word;
-    return block;
-  }
-
-  std::optional<stepping::Block> block_ = slot();
-  stepping::NcProgram program_;
-  base::Result<servo::PulseLoop> loop_;
-};
-
-servo::AdaptiveCutOptions options_with(double noise, std::optional<servo::SensorFault> fault) {
+servo::AdaptiveCutOptions options_with(double noise_share, std::optional<servo::SensorFault> fault) {
   servo::AdaptiveCutOptions options;
   options.milling.cutting_coefficient = 2000;
   options.width = width;
-  options.depths = {{0, depth}, {deep_from, 2 * depth}, {deep_to, depth}};
+  for (const Part& part : parts) options.depths.push_back({part.from, part.depth});
   const auto mill = servo::MillingForce::create(options.milling);
-  options.limit = mill ? mill->mean(feed, {depth, width}) : 1;
-  options.milling.noise = noise * options.limit;
+  options.limit = mill ? mill->mean(slot_feed, {limiting_depth, width}) : 1;
+  options.milling.noise = noise_share * options.limit;
   options.safe = safe;
   options.fault = fault;
   return options;
 }
 
-struct Milled {
-  double time = 0;   ///< s
-  double limit = 0;  ///< N
-  servo::CutFigures cut;
-  servo::SensorFailure failure = servo::SensorFailure::none;
-  double swing = 0;       ///< of the override, last third of every depth, share of its greatest
-  double feed_after = 0;  ///< mm/s, mean over the deep part's last third
-  double override_after = 0;
+/// Of the last third of a part, less where the slide may brake.
+struct Settled {
+  double factor = 0, feed = 0, force = 0;  ///< mean override, mm/s, N
+  double swing = 0;                        ///< standard deviation of the override over its mean
 };
 
-/// The last third of a part of the slot.
-bool is_settled(double at) {
-  const auto within = [&](double from, double to) { return at > to - (to - from) / 3 && at < to - 0.2; };
-  return within(0, deep_from) || within(deep_from, deep_to) || within(deep_to, way - 1);
-}
-
-template <class Cut>
-base::Result<Milled> milled(const servo::AdaptiveCutOptions& options) {
-  auto control = servo::AdaptiveCut::create(options, period);
-  if (!control) return base::failure(control.error());
-  Cut cut(1);
-  Milled milled;
-  milled.limit = options.limit;
-  double least = 2, most = 0, feed_sum = 0;
-  std::int64_t periods = 0, settled = 0;
-  for (auto moved = cut.next(); moved && periods < most_periods; moved = cut.next(), ++periods) {
-    const double factor = control->follow(moved->feed, feed, moved->way);
-    cut.override_feed(factor);
-    if (!is_settled(moved->way)) {
-      least = 2;
-      most = 0;
-      continue;
-    }
-    least = std::min(least, factor);
-    most = std::max(most, factor);
-    milled.swing = std::max(milled.swing, (most - least) / most);
-    if (moved->way < deep_from || moved->way > deep_to) continue;
-    feed_sum += moved->feed;
-    ++settled;
-    milled.override_after = factor;
+Settled settled(const MilledSlot& milled, const Part& part) {
+  Settled sums;
+  double squares = 0, count = 0;
+  for (const SlotPeriod& at : milled.periods) {
+    if (at.way < part.to - (part.to - part.from) / 3 || at.way > part.to - 1) continue;
+    sums.factor += at.factor;
+    sums.feed += at.feed;
+    sums.force += at.mean_force;
+    squares += at.factor * at.factor;
+    ++count;
   }
-  milled.time = static_cast<double>(periods) * period;
-  milled.feed_after = feed_sum / static_cast<double>(std::max<std::int64_t>(1, settled));
-  milled.cut = control->figures();
-  milled.failure = control->control().failure();
-  return milled;
+  if (count == 0) return sums;
+  const double mean = sums.factor / count, variance = std::max(0.0, squares / count - mean * mean);
+  return {mean, sums.feed / count, sums.force / count, std::sqrt(variance) / mean};
 }
 
-template <class Cut>
-double time_at(double factor) {
-  Cut cut(factor);
-  std::int64_t periods = 0;
-  while (cut.next() && periods < most_periods) ++periods;
-  return static_cast<double>(periods) * period;
+/// Greatest of all parts whose override is not at its greatest.
+double greatest_swing(const MilledSlot& milled) {
+  double greatest = 0;
+  for (const Part& part : parts) {
+    if (part.override_held() < most) greatest = std::max(greatest, settled(milled, part).swing);
+  }
+  return greatest;
 }
 
-template <class Cut>
-Rows failing_rows() {
+/// The mean that is controlled is of at least 32 forces, a passing of a tooth, each with noise of its own; steady means
+/// of means swing no more than these do.
+double explained_swing() {
+  return noise / std::sqrt(32.0);
+}
+
+Rows override_rows(const MilledSlot& milled) {
+  Rows rows;
+  for (const Part& part : parts) {
+    const std::string name =
+        "override from " + decimal(part.from, 0) + " mm on, " + decimal(part.depth, 2) + " mm deep";
+    rows.push_back(reproduced_row(name, {"%", 0}, 100 * part.override_held(), 100 * settled(milled, part).factor, 2));
+  }
+  rows.front() = because(std::move(rows.front()), "settled; 2 mm over the depth, at most 200 %");
+  return rows;
+}
+
+/// How far from the limit the mean force is where the override is not at its greatest, share of the limit.
+double greatest_departure(const MilledSlot& milled, double limit) {
+  double greatest = 0;
+  for (const Part& part : parts) {
+    if (part.override_held() < most) greatest = std::max(greatest, std::fabs(settled(milled, part).force / limit - 1));
+  }
+  return greatest;
+}
+
+Rows failing_rows(Overridden overridden) {
   Rows rows;
   for (const servo::SensorFailure kind :
        {servo::SensorFailure::not_a_number, servo::SensorFailure::stuck, servo::SensorFailure::silent}) {
     const std::string name = "sensor " + std::string(servo::name(kind)) + ": ";
-    const auto outcome = milled<Cut>(options_with(0.05, servo::SensorFault{kind, fails_at}));
-    if (!outcome || outcome->failure != kind) {
-      rows.push_back(not_run_row(name + "feed", outcome ? "the failure was not seen" : outcome.error().message));
+    const auto milled = mill_slot(overridden, failing_length, options_with(noise, servo::SensorFault{kind, fails_at}));
+    if (!milled || milled->failure != kind) {
+      rows.push_back(not_run_row(name + "feed", milled ? "the failure was not seen" : milled.error().message));
       continue;
     }
-    const double taken = outcome->cut.failed_at.value_or(1e9) - fails_at;
+    const double taken = milled->cut.failed_at.value_or(1e9) - fails_at;
+    const Settled after = settled(*milled, parts[1]);
     rows.push_back(limit_row(name + "not believed after", {"ms", 0}, 20, taken * 1000, 1));
-    rows.push_back(exact_row(name + "override from there", {"", 2}, safe, outcome->override_after));
-    rows.push_back(reproduced_row(name + "feed from there", {"mm/s", 2}, safe * feed, outcome->feed_after, 0.02));
+    rows.push_back(exact_row(name + "override from there", {"", 2}, safe, milled->periods.back().factor));
+    rows.push_back(reproduced_row(name + "feed from there", {"mm/s", 2}, safe * slot_feed, after.feed, 0.02));
   }
   return rows;
 }
 
-template <class Cut>
-Rows rows_of(const std::string& group) {
-  const auto noisy = milled<Cut>(options_with(0.05, {})), quiet = milled<Cut>(options_with(1e-7, {}));
+Rows rows_of(Overridden overridden, const std::string& group) {
+  const servo::AdaptiveCutOptions options = options_with(noise, {});
+  const auto noisy = mill_slot(overridden, length, options), quiet = mill_slot(overridden, length, options_with(0, {}));
+  const auto safe_time = slot_time(overridden, length, safe);
   if (!noisy || !quiet) return under(group, {not_run_row("force", (noisy ? quiet : noisy).error().message)});
-  const double safe_time = time_at<Cut>(safe);
-  Rows rows = {
-      because(limit_row("force beyond 1.25 limits at a stretch", {"ms", 0}, 150, noisy->cut.longest_excess * 1000),
-              "mean over a turn; 150 ms or two turns of 20 ms, whichever is longer"),
-      measured_row("greatest mean force over a turn", {"% of the limit", 0},
-                   noisy->cut.greatest_mean / noisy->limit * 100),
-      because(limit_row("swing of the override once it is settled", {"%", 2}, 2, quiet->swing * 100),
-              "without noise: no limit cycle"),
-      because(limit_row("time", {"s", 2}, safe_time, noisy->time), "beside the constant safe feed"),
-      measured_row("time saved", {"%", 1}, (1 - noisy->time / safe_time) * 100)};
-  append(rows, failing_rows<Cut>());
+  if (!safe_time) return under(group, {not_run_row("time", safe_time.error().message)});
+  Rows rows = override_rows(*noisy);
+  append(
+      rows,
+      {because(limit_row("mean force, off the limit by", {"%", 1}, 2, 100 * greatest_departure(*noisy, options.limit)),
+               "settled, in parts below 200 %"),
+       because(limit_row("force beyond 1.25 limits at a stretch", {"ms", 0}, 150, noisy->cut.longest_excess * 1000),
+               "mean over a turn; 150 ms or two turns of 20 ms, whichever is longer"),
+       measured_row("greatest mean force over a turn", {"% of the limit", 0},
+                    noisy->cut.greatest_mean / options.limit * 100),
+       because(limit_row("swing of the override, noise 10 %", {"%", 2}, 100 * explained_swing(),
+                         100 * greatest_swing(*noisy)),
+               "settled, standard deviation; limit: of the mean of 32 forces, 10 %/√32"),
+       because(limit_row("swing of the override, no noise", {"%", 2}, 0.1, 100 * greatest_swing(*quiet)),
+               "no limit cycle"),
+       because(limit_row("time", {"s", 2}, *safe_time, noisy->time()),
+               "beside the constant safe feed, 50 %, that the deepest part allows"),
+       measured_row("time saved", {"%", 1}, (1 - noisy->time() / *safe_time) * 100)});
+  append(rows, failing_rows(overridden));
   return under(group, std::move(rows));
 }
 
 }  // namespace
 
 Rows adaptive_rows(const Host&) {
-  Rows rows = rows_of<PlannedCut>("override of the planner, 10 mm/s, depths 2, 4 and 2 mm");
-  append(rows, rows_of<PulsedCut>("override of the NC program, 10 mm/s, depths 2, 4 and 2 mm"));
+  Rows rows = rows_of(Overridden::planner, "override of the planner, 10 mm/s");
+  append(rows, rows_of(Overridden::nc_program, "override of the NC program, 10 mm/s"));
   return rows;
 }
 

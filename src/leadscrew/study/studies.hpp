@@ -56,8 +56,8 @@ Rows real_time_rows(const Host& host);
 /// The measured feed of each.
 std::vector<trace::Chart> real_time_charts();
 
-/// A slot with a deeper middle part under adaptive control: force held and time saved by the planner's feed override
-/// and by that of the NC program; what becomes of the feed when the sensor fails.
+/// A slot of changing depth under adaptive control, from 50 to 200 % of the programmed feed: force held and time saved
+/// by the planner's feed override and by that of the NC program; what becomes of the feed when the sensor fails.
 Rows adaptive_rows(const Host& host);
 
 /// What "Digital integral interpolator based on LabVIEW" says of n-bit registers.
