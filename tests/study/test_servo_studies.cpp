@@ -17,7 +17,7 @@ using leadscrew::study::testing::ours;
 
 TEST(ClosedLoopStudy, ComesOut) {
   const Rows rows = closed_loop_rows({});
-  EXPECT_EQ(rows.size(), 21u);
+  EXPECT_EQ(rows.size(), 22u);
   for (const Row& row : rows) {
     const bool good = row.verdict == Verdict::reproduced || row.verdict == Verdict::exact ||
                       row.verdict == Verdict::kept || row.verdict == Verdict::measured;
@@ -76,6 +76,7 @@ TEST(ClosedLoopStudy, TellsContoursFromThoseOfWrongFormulas) {
   const std::string ellipse = "circle of 10 mm, Kv 20 and 25 1/s, τ 20 ms: ";
   EXPECT_FALSE(is_near(ellipse + "greater semi-axis", circle_error(20, 0.02)));
   EXPECT_FALSE(is_near(ellipse + "greater semi-axis", line_error(1, 20, 25)));  // by the line's formula alone
+  EXPECT_NEAR(ours(rows, group, ellipse + "half the difference of its semi-axes"), line_error(1, 20, 25), 1.1);
 }
 
 /// 3.0 s against 10.1 and 10.4 s, 3.5 times.

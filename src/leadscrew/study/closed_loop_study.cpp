@@ -149,6 +149,10 @@ std::string gains_text(const servo::PositionLoop& x, const servo::PositionLoop& 
          " ms: ";
 }
 
+std::string counts_text(double accuracy) {
+  return decimal(accuracy * 1000, 2) + " µm by the counts of both axes";
+}
+
 Row line_row(double degrees, const servo::PositionLoop& x, const servo::PositionLoop& y) {
   const std::string what = "line at " + decimal(degrees, 0) + "°, " + gains_text(x, y) + "distance from it";
   auto table = Table::create(x, y);
@@ -164,7 +168,7 @@ Row line_row(double degrees, const servo::PositionLoop& x, const servo::Position
   const double expected = servo::line_contour_error(speed, angle, x, y);
   const double accuracy = along_y * coarseness(x) + along_x * coarseness(y);
   return because(reproduced_row(what, micrometres, expected * 1000, sum / count * 1000, accuracy * 1000),
-                 "(V/2) sin 2α (1/Kx − 1/Ky), ± the counts of both axes; the mean of a second");
+                 "(V/2) sin 2α (1/Kx − 1/Ky), ± " + counts_text(accuracy) + "; the mean of a second");
 }
 
 /// Distances from the centre.
@@ -205,6 +209,23 @@ Row textbook_row(const std::string& circle, double radius, const servo::Position
       decimal(textbook * 1000, 2) + " µm, which leaves out τ: 1 − 2Kv·τ of it is left, ± (τω)² + (ω/Kv)²");
 }
 
+/// What unequal gains make of it, by the line's formula at 45°. Exactly, with one τ,
+///
+///   (major − minor)/2 = R·|Hx − Hy|/2 = (V/2)·|1/Kx − 1/Ky|·|Hx|·|Hy|·√(1 + (τω)²),
+///
+/// and 1 − (ω/Kv)²/2 ≤ |H| ≤ 1 while Kv·τ ≤ 1/2.
+Row ellipse_row(const std::string& circle, double radius, const servo::PositionLoop& x, const servo::PositionLoop& y,
+                const Ring& ring, double accuracy) {
+  const double frequency = speed / radius, lag = x.time_constant * frequency;
+  const double of_x = frequency / x.gain, of_y = frequency / y.gain;
+  const double expected = std::abs(servo::line_contour_error(speed, std::numbers::pi / 4, x, y));
+  const double left_out = expected * (lag * lag + of_x * of_x + of_y * of_y) / 2;
+  return because(reproduced_row(circle + "half the difference of its semi-axes", micrometres, expected * 1000,
+                                (ring.farthest - ring.nearest) / 2 * 1000, (accuracy + left_out) * 1000),
+                 "(V/2)(1/Kx − 1/Ky), which leaves out half of (τω)² + (ω/Kx)² + (ω/Ky)² of it: ± " +
+                     decimal((accuracy + left_out) * 1000, 2) + " µm with the counts");
+}
+
 Rows circle_rows(double radius, const servo::PositionLoop& x, const servo::PositionLoop& y) {
   const std::string circle = "circle of " + decimal(radius, 0) + " mm, " + gains_text(x, y);
   const base::Result<Ring> ring = ring_of(radius, x, y);
@@ -214,11 +235,12 @@ Rows circle_rows(double radius, const servo::PositionLoop& x, const servo::Posit
   const auto row = [&](const char* what, double axis, double ours) {
     return because(
         reproduced_row(circle + what, micrometres, (axis - radius) * 1000, (ours - radius) * 1000, accuracy * 1000),
-        "less the radius, by |Kv/(τs² + s + Kv)| at s = jω and both phases, ± the counts of both axes");
+        "less the radius, by Kv/(τs² + s + Kv) at s = jω, ± " + counts_text(accuracy));
   };
   Rows rows = {row("greater semi-axis", expected.major, ring->farthest),
                row("lesser semi-axis", expected.minor, ring->nearest)};
-  if (x == y) rows.push_back(textbook_row(circle, radius, x, (ring->nearest + ring->farthest) / 2, accuracy));
+  rows.push_back(x == y ? textbook_row(circle, radius, x, (ring->nearest + ring->farthest) / 2, accuracy)
+                        : ellipse_row(circle, radius, x, y, *ring, accuracy));
   return rows;
 }
 
