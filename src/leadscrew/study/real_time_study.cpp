@@ -182,15 +182,6 @@ Rows time_rows(const std::vector<Place>& curve) {
        measured_row("least of the greatest", {"mm/s", 1}, slowest)});
 }
 
-constexpr std::string_view as_lines = "plane cubic as 92 lines";
-
-const BlendedProgram* lines_program() {
-  for (const BlendedProgram& program : blended_programs()) {
-    if (program.name == as_lines) return &program;
-  }
-  return nullptr;
-}
-
 Row time_row(std::string what, const PartProgram& program, const machine::Machine& machine) {
   const base::Result<Judged> judged = judge(program, machine);
   if (!judged) return not_run_row(std::move(what), judged.error().message);
@@ -202,10 +193,7 @@ Rows planner_rows() {
   const machine::Machine machine = machine_with({200, 1000, 20000}, {1'000'000});
   const PartProgram curve = program_of(plane_cubic(), feed);
   Rows rows = {time_row("one block for the curve", curve, machine)};
-  const BlendedProgram* const found = lines_program();
-  if (found == nullptr) return rows;
-  BlendedProgram slow = *found;
-  slow.feed = feed;
+  const BlendedProgram slow = cubic_as_lines(feed);
   rows.push_back(time_row("92 lines, a stop at each", stopping(slow), machine));
   rows.push_back(time_row("92 lines within 10 µm", blended(slow), machine));
   rows.push_back(measured_row("program of the curve", {"bytes", 0}, static_cast<double>(curve.text.size())));
