@@ -99,7 +99,7 @@ void expect_stops_and_goes_on(std::int64_t longest_sleep, unsigned one_of, unsig
 }
 
 TEST(Runner, BringsDrivesToRestOnThePathWhenThePlannerIsLateAndGoesOn) {
-  expect_stops_and_goes_on(1'500'000'000, 16, 3);
+  expect_stops_and_goes_on(600'000'000, 16, 3);
 }
 
 TEST(LongRunner, BringsDrivesToRestOnThePathWhenThePlannerIsLateByUpToFiveSecondsAndGoesOn) {

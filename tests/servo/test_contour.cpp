@@ -46,6 +46,25 @@ TEST(LineContour, ErrorOfKnownGains) {
   EXPECT_EQ(line_contour_error(10, 0.7, {20, 0.02}, {20, 0.01}), 0);
 }
 
+/// τh″ + h′ + Kv·h = 0 from h = 0, h′ = Kv/τ, by Runge and Kutta's classical method.
+RC_GTEST_PROP(GreatestGain, IsTheIntegralOfTheImpulseResponse, ()) {
+  const PositionLoop loop{logarithmic(5, 50), logarithmic(0.001, 0.2)};
+  const double step = std::min(loop.time_constant, 1 / loop.gain) / 200;
+  const double end = 50 * std::max(loop.time_constant, 1 / loop.gain);
+  double h = 0, slope = loop.gain / loop.time_constant, sum = 0;
+  const auto pull = [&](double at, double v) { return -(v + loop.gain * at) / loop.time_constant; };
+  for (double time = 0; time < end; time += step) {
+    const double before = h;
+    const double v1 = slope, a1 = pull(h, v1), v2 = v1 + step / 2 * a1, a2 = pull(h + step / 2 * v1, v2);
+    const double v3 = v1 + step / 2 * a2, a3 = pull(h + step / 2 * v2, v3), v4 = v1 + step * a3;
+    const double a4 = pull(h + step * v3, v4);
+    h += step / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+    slope += step / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    sum += step * std::fabs(before + h) / 2;
+  }
+  RC_ASSERT(std::fabs(sum / greatest_gain(loop) - 1) <= 1e-4);
+}
+
 /// Least and greatest distance from the centre in the last turn of several.
 SemiAxes travelled(double radius, double frequency, const PositionLoop& x, const PositionLoop& y, double period) {
   AxisLoop in_x = loop_of(x, period), in_y = loop_of(y, period);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <leadscrew/servo/contour.hpp>
+#include <random>
 #include <random_numbers.hpp>
 #include <vector>
 
@@ -116,6 +119,35 @@ class SmallStepLoop {
   long double kv_, lag_, position_, velocity_ = 0;
   std::int64_t difference_ = 0, count_ = 0;
 };
+
+/// Beside τv′ = Kv(commanded − x) − v, which counts nothing: an encoder whose edges are half a pulse off rounds, and
+/// what it rounds by, half a pulse at most, is one more input of that loop.
+RC_GTEST_PROP(PulseLoop, StaysWithinHalfAPulseTimesTheGreatestGainOfTheLoopWithoutCounts, ()) {
+  const double kv = logarithmic(1, 100), lag = logarithmic(0.02, 2) / kv, step = std::min(lag, 1 / kv) / 100;
+  PulseLoopOptions options = options_with(kv, lag);
+  options.start = 0.5;
+  PulseLoop loop = made(options);
+  loop.load(1 << 30);
+  double x = 0, v = 0, farthest = 0;
+  std::mt19937 random(any(0u, 1u << 31));
+  const double rate = logarithmic(0.005, 0.1);  // pulses a step
+  for (int k = 0; k < 4000; ++k) {
+    const double drawn = static_cast<double>(random()) / std::mt19937::max();
+    if (drawn < rate) loop.pulse(drawn < rate / 3 ? -1 : 1);
+    const auto pull = [&](double at, double w) {
+      return (kv * (static_cast<double>(loop.commanded()) - at) - w) / lag;
+    };
+    const double v1 = v, a1 = pull(x, v1), v2 = v1 + step / 2 * a1, a2 = pull(x + step / 2 * v1, v2);
+    const double v3 = v1 + step / 2 * a2, a3 = pull(x + step / 2 * v2, v3), v4 = v1 + step * a3;
+    const double a4 = pull(x + step * v3, v4);
+    x += step / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+    v += step / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    loop.run_through(step);
+    farthest = std::max(farthest, std::fabs(loop.position() - 0.5 - x));
+  }
+  RC_ASSERT(farthest <= 0.5 * greatest_gain({kv, lag}) + 1e-6);
+  RC_ASSERT(farthest > 0.001);  // it does count
+}
 
 struct EncoderPulse {
   double time;

@@ -5,17 +5,19 @@
 #include <cmath>
 #include <leadscrew/study/studies.hpp>
 #include <set>
+#include <string>
 
 #include "found.hpp"
 
 namespace {
 
 using namespace leadscrew::study;
+using leadscrew::study::testing::found;
 using leadscrew::study::testing::ours;
 
 TEST(ClosedLoopStudy, ComesOut) {
   const Rows rows = closed_loop_rows({});
-  EXPECT_EQ(rows.size(), 17u);
+  EXPECT_EQ(rows.size(), 22u);
   for (const Row& row : rows) {
     const bool good = row.verdict == Verdict::reproduced || row.verdict == Verdict::exact ||
                       row.verdict == Verdict::kept || row.verdict == Verdict::measured;
@@ -33,6 +35,48 @@ TEST(ClosedLoopStudy, HasTheFiguresOfTheLecture) {
   EXPECT_EQ(ours(rows, fast, "pulses of the encoder"), 1500);
   EXPECT_NEAR(ours(rows, fast, "at rest after"), 30.13, 0.005);
   EXPECT_NEAR(ours(rows, slow, "at rest after"), 30.56, 0.005);
+}
+
+/// The slides' contours, µm, and the figures that a wrong formula or gain would have them at: the difference is many
+/// times the 0.2 µm that counts of 0.1 µm are good for.
+TEST(ClosedLoopStudy, TellsContoursFromThoseOfWrongFormulas) {
+  constexpr const char* group = "contours of two pulse-driven axes, 20 mm/s, BLU 0.1 µm, beside their closed forms";
+  constexpr double accuracy = 0.2, radius = 10'000, frequency = 2;
+  const Rows rows = closed_loop_rows({});
+  const auto is_near = [&](const std::string& what, double figure) {
+    const Row row = found(rows, group, what);
+    EXPECT_EQ(row.verdict, Verdict::reproduced) << what;
+    return std::abs(row.ours.value_or(NAN) - figure) <= accuracy;
+  };
+  const std::string line = "line at 30°, Kv 20 and 25 1/s, τ 20 ms: distance from it";
+  const auto line_error = [&](double sine, double x, double y) { return 10'000 * sine * (1 / x - 1 / y); };
+  EXPECT_TRUE(is_near(line, line_error(std::sqrt(0.75), 20, 25)));
+  EXPECT_FALSE(is_near(line, line_error(std::sqrt(0.75), 25, 20)));    // the gains swapped
+  EXPECT_FALSE(is_near(line, line_error(0.5, 20, 25)));                // sin α
+  EXPECT_FALSE(is_near(line, line_error(std::sqrt(0.75), 20.1, 25)));  // a gain off by 0.5 %
+
+  const auto circle_error = [&](double kv, double lag) {
+    return radius * (1 / std::hypot(1 - lag * frequency * frequency / kv, frequency / kv) - 1);
+  };
+  const double textbook = -radius * frequency * frequency / (2 * 20 * 20);
+  for (const double lag : {0.02, 0.001}) {
+    const std::string circle =
+        lag == 0.02 ? "circle of 10 mm, Kv 20 and 20 1/s, τ 20 ms: " : "circle of 10 mm, Kv 20 and 20 1/s, τ 1 ms: ";
+    for (const char* axis : {"greater semi-axis", "lesser semi-axis"}) {
+      EXPECT_TRUE(is_near(circle + axis, circle_error(20, lag)));
+      EXPECT_FALSE(is_near(circle + axis, textbook));
+      EXPECT_FALSE(is_near(circle + axis, circle_error(20.4, lag)));
+    }
+  }
+  EXPECT_NEAR(ours(rows, group, "circle of 10 mm, Kv 20 and 20 1/s, τ 20 ms: share of the textbook's R·ω²/(2Kv²)"), 0.2,
+              0.016);
+  EXPECT_NEAR(ours(rows, group, "circle of 10 mm, Kv 20 and 20 1/s, τ 1 ms: share of the textbook's R·ω²/(2Kv²)"), 0.96,
+              0.015);
+
+  const std::string ellipse = "circle of 10 mm, Kv 20 and 25 1/s, τ 20 ms: ";
+  EXPECT_FALSE(is_near(ellipse + "greater semi-axis", circle_error(20, 0.02)));
+  EXPECT_FALSE(is_near(ellipse + "greater semi-axis", line_error(1, 20, 25)));  // by the line's formula alone
+  EXPECT_NEAR(ours(rows, group, ellipse + "half the difference of its semi-axes"), line_error(1, 20, 25), 1.1);
 }
 
 /// 3.0 s against 10.1 and 10.4 s, 3.5 times.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/nearest.hpp>
 #include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/outputs.hpp>
@@ -110,6 +111,17 @@ void check_standard_input(const Arguments& arguments) {
   const auto from_programs = std::count(arguments.programs.begin(), arguments.programs.end(), "-");
   if (from_programs + (arguments.judged_trace == "-" ? 1 : 0) > 1)
     throw UsageError("standard input (-) can be read only once");
+}
+
+void check_curves(const Arguments& arguments) {
+  for (const std::string& program : arguments.programs) {
+    if (!is_curve(program)) continue;
+    const auto curve = curve_program(program);
+    if (!curve) throw UsageError(curve.error());
+    if (arguments.start.empty()) continue;
+    throw UsageError(
+        fmt::format("--start is of files; {} begins at X{} Y{}", program, curve->start[0], curve->start[1]));
+  }
 }
 
 /// What --out writes of one program must not have the name of another's.
@@ -238,6 +250,7 @@ class Parser {
       take_values(texts_, arguments_);
       check_study(arguments_);
       check_standard_input(arguments_);
+      check_curves(arguments_);
       check_names(arguments_);
       return arguments_;
     } catch (const CLI::CallForHelp&) {

@@ -83,7 +83,7 @@ Status perform(const Arguments& arguments) {
     case Arguments::Command::simulate:
       return simulate(*job, console);
     case Arguments::Command::drive:
-      return drive(*job, console);
+      return drive(job_of(*job, arguments.programs.front()), console);
     case Arguments::Command::pulse:
     case Arguments::Command::study:
     case Arguments::Command::design:

@@ -2,6 +2,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/input_file.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 
@@ -41,6 +42,23 @@ base::Result<Descriptor> copied(const Descriptor& from, const std::string& name)
   }
 }
 
+base::Result<Descriptor> with_text(std::string_view text, const std::string& name) {
+  auto file = anonymous_file();
+  if (!file) return file;
+  auto written = write_all(file->number(), text, "temporary file of " + name);
+  if (!written) return base::failure(written.error());
+  ::lseek(file->number(), 0, SEEK_SET);
+  return file;
+}
+
+base::Result<Descriptor> opened(const std::string& path) {
+  if (path == "-") return Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3));
+  if (!is_curve(path)) return open_descriptor(path, O_RDONLY, "cannot open");
+  const auto program = curve_program(path);
+  if (!program) return base::failure({base::Severity::error, "usage", program.error(), {}, {}, {}});
+  return with_text(program->text, path);
+}
+
 bool can_be_read_twice(const Descriptor& descriptor, const struct stat& status) {
   return S_ISREG(status.st_mode) && ::lseek(descriptor.number(), 0, SEEK_CUR) == 0;
 }
@@ -54,10 +72,9 @@ bool differ(const timespec& a, const timespec& b) {
 base::Result<InputFile> InputFile::open(const std::string& path) {
   InputFile file;
   file.name_ = path == "-" ? "<stdin>" : path;
-  auto opened = path == "-" ? base::Result<Descriptor>(Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)))
-                            : open_descriptor(path, O_RDONLY, "cannot open");
-  if (!opened) return base::failure(opened.error());
-  file.descriptor_ = std::move(*opened);
+  auto descriptor = opened(path);
+  if (!descriptor) return base::failure(descriptor.error());
+  file.descriptor_ = std::move(*descriptor);
   if (::fstat(file.descriptor_.number(), &file.opened_) != 0) {
     return base::failure(system_failure("io-open", "cannot open", file.name_, errno));
   }

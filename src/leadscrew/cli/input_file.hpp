@@ -16,10 +16,11 @@ namespace leadscrew::cli {
 
 class InputFile {
  public:
-  /// "-" is standard input. Errors: `io-open`, `io-read`, `io-write` (of the copy), interruption.
+  /// "-" is standard input, curve:NAME a curve of the studies (curve_program.hpp). Errors: `usage` of the latter,
+  /// `io-open`, `io-read`, `io-write` (of the copy), interruption.
   static base::Result<InputFile> open(const std::string& path);
 
-  const std::string& name() const { return name_; }  ///< for people: the path, or <stdin>
+  const std::string& name() const { return name_; }  ///< for people: the path, curve:NAME, or <stdin>
   std::int64_t size() const { return size_; }        ///< bytes
 
   /// Reads from the beginning; `position`, if given, is kept at the number of bytes read. The file must outlive the

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/machine_file.hpp>
 #include <leadscrew/cli/processor_time.hpp>
@@ -101,6 +102,13 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
   for (const AxisValue& value : arguments.start) take_start(value, job, log);
   if (log.errors() > 0) return std::nullopt;
   return job;
+}
+
+Job job_of(const Job& job, const std::string& program) {
+  Job of_program = job;
+  if (!is_curve(program)) return of_program;
+  if (const auto curve = curve_program(program)) of_program.start = curve->start;
+  return of_program;
 }
 
 Reading read_program(const InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {

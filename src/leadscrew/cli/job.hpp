@@ -25,6 +25,9 @@ struct Job {
 /// Opens the machine file and the tool table. Nothing if the log now has errors.
 std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log);
 
+/// The job for one of its programs: a curve begins where it begins.
+Job job_of(const Job& job, const std::string& program);
+
 /// What reading a whole program tells before anything moves.
 struct Reading {
   std::int64_t blocks = 0;

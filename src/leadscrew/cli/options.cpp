@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <array>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/options.hpp>
 #include <leadscrew/stepping/pulse_method.hpp>
 
@@ -38,7 +39,7 @@ void add_common(CLI::App& command, Arguments& arguments, Texts& texts) {
   command.add_option("--tools", arguments.tools, "Tool table, in LinuxCNC's format")->type_name("FILE");
   command
       .add_option("--start", texts.start,
-                  "Where the program begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)")
+                  "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)")
       ->type_name("X0,Y0,...");
   add_output(command, arguments, texts);
 }
@@ -86,7 +87,10 @@ void add_adaptive(CLI::App& simulate, AdaptiveTexts& texts) {
 CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
   RunTexts& texts = all.run;
   CLI::App* run = app.add_subcommand("run", "Plan and interpolate; summary, report, picture, traces, steps");
-  run->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
+  run->add_option("PROGRAM", arguments.programs,
+                  "Part programs; - is standard input, curve:NAME a curve of the studies")
+      ->required()
+      ->type_name("");
   add_common(*run, arguments, all);
   add_period(*run, all);
   add_motion(*run, all);
@@ -113,14 +117,18 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
   for (std::size_t k = 0; k < step_times.size(); ++k)
     run->add_option(step_time_options[k], texts.step_times[k], step_times[k])->type_name("TIME");
   add_pages(*run, texts);
-  run->footer(std::string(run_examples));
+  run->footer(std::string(run_examples) + curves_text());
   return run;
 }
 
 CLI::App* add_simulate(CLI::App& app, Arguments& arguments, Texts& all) {
   CLI::App* simulate =
       app.add_subcommand("simulate", "Words through simulated loops of all axes: errors of the slides");
-  simulate->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
+  simulate
+      ->add_option("PROGRAM", arguments.programs,
+                   "Part programs; - is standard input, curve:NAME a curve of the studies")
+      ->required()
+      ->type_name("");
   add_common(*simulate, arguments, all);
   add_period(*simulate, all);
   add_motion(*simulate, all);
@@ -134,15 +142,19 @@ CLI::App* add_simulate(CLI::App& app, Arguments& arguments, Texts& all) {
   add_adaptive(*simulate, all.simulate.adaptive);
   simulate->add_option("--trace", all.run.trace, "Write words and slides: .csv or .npy")->type_name("FILE");
   add_pages(*simulate, all.run);
-  simulate->footer(simulate_help());
+  simulate->footer(simulate_help() + curves_text());
   return simulate;
 }
 
 CLI::App* add_check(CLI::App& app, Arguments& arguments, Texts& texts) {
   CLI::App* check = app.add_subcommand("check", "Read only: diagnostics");
-  check->add_option("PROGRAM", arguments.programs, "Part programs; - is standard input")->required()->type_name("");
+  check
+      ->add_option("PROGRAM", arguments.programs,
+                   "Part programs; - is standard input, curve:NAME a curve of the studies")
+      ->required()
+      ->type_name("");
   add_common(*check, arguments, texts);
-  check->footer(std::string(check_examples));
+  check->footer(std::string(check_examples) + curves_text());
   return check;
 }
 
@@ -151,12 +163,16 @@ CLI::App* add_verify(CLI::App& app, Arguments& arguments, Texts& texts) {
   verify->add_option("TRACE", arguments.judged_trace, "Trace, .csv or .npy; - is standard input")
       ->required()
       ->type_name("");
-  verify->add_option("PROGRAM", texts.one_program, "Its part program; - is standard input")->required()->type_name("");
+  verify
+      ->add_option("PROGRAM", texts.one_program,
+                   "Its part program; - is standard input, curve:NAME a curve of the studies")
+      ->required()
+      ->type_name("");
   add_common(*verify, arguments, texts);
   verify->add_option("--period", texts.period, "Time between rows, such as 1ms, in place of what t says")
       ->type_name("TIME");
   add_motion(*verify, texts);
-  verify->footer(std::string(verify_examples));
+  verify->footer(std::string(verify_examples) + curves_text());
   return verify;
 }
 
@@ -164,7 +180,9 @@ CLI::App* add_drive(CLI::App& app, Arguments& arguments, Texts& all) {
   DriveTexts& texts = all.drive;
   CLI::App* drive =
       app.add_subcommand("drive", "Run on time: the real-time controller, with simulated drives or a file");
-  drive->add_option("PROGRAM", all.one_program, "Part program; - is standard input")->required()->type_name("");
+  drive->add_option("PROGRAM", all.one_program, "Part program; - is standard input, curve:NAME a curve of the studies")
+      ->required()
+      ->type_name("");
   add_common(*drive, arguments, all);
   add_period(*drive, all);
   add_motion(*drive, all);
@@ -181,7 +199,7 @@ CLI::App* add_drive(CLI::App& app, Arguments& arguments, Texts& all) {
       ->add_option("--lead", texts.lead,
                    "Words made ahead of their time, so that late ones harm nothing (default 100ms)")
       ->type_name("TIME");
-  drive->footer(std::string(drive_examples));
+  drive->footer(std::string(drive_examples) + curves_text());
   return drive;
 }
 

@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
 
 namespace leadscrew::cli {
@@ -38,13 +39,18 @@ std::filesystem::path normal(const std::string& path) {
   return error ? std::filesystem::path(path).lexically_normal() : known;
 }
 
+/// NAME of DIR/NAME.csv.
+std::string stem_of(const std::string& program) {
+  if (program == "-") return "stdin";
+  return is_curve(program) ? program.substr(curve_prefix.size()) : std::filesystem::path(program).stem().string();
+}
+
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
   OutputPaths paths{arguments.run.trace, arguments.run.report, arguments.run.picture, arguments.run.pulses};
   if (!arguments.run.out) return paths;
-  const std::string stem = program == "-" ? "stdin" : std::filesystem::path(program).stem().string();
-  const std::string base = (std::filesystem::path(*arguments.run.out) / stem).string();
+  const std::string base = (std::filesystem::path(*arguments.run.out) / stem_of(program)).string();
   if (!paths.trace) paths.trace = base + ".csv";
   if (!paths.report) paths.report = base + ".html";
   if (!paths.picture) paths.picture = base + ".svg";

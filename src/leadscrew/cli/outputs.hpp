@@ -25,7 +25,7 @@ struct OutputPaths {
 };
 
 /// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them, and
-/// NAME.steps.vcd or .csv where --pulses names a format. `program`: path, "-" is standard input.
+/// NAME.steps.vcd or .csv where --pulses names a format. `program`: path, "-" is standard input, or a curve.
 OutputPaths output_paths(const Arguments& arguments, const std::string& program);
 
 /// Do both name one regular file, or one that is yet to be made?

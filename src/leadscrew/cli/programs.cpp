@@ -15,7 +15,7 @@ Status for_each_program(const Job& job, Console& console, std::string_view schem
   Status worst = Status::done;
   std::vector<Json> objects;
   for (const std::string& program : arguments.programs) {
-    ProgramResult result = work(program);
+    ProgramResult result = work(program, job_of(job, program));
     worst = worse(worst, result.status);
     if (result.status == Status::interrupted) return worst;
     if (arguments.json) {

@@ -18,10 +18,10 @@ struct ProgramResult {
   std::string summary;  ///< may be empty
 };
 
-using ProgramWork = std::function<ProgramResult(const std::string& program)>;
+using ProgramWork = std::function<ProgramResult(const std::string& program, const Job& job)>;
 
-/// Works on one program after the other, whatever becomes of those before; only an interruption, or a standard output
-/// that cannot be written, ends the row. Returns the greatest status.
+/// Works on one program after the other, each with its own job (job_of), whatever becomes of those before; only an
+/// interruption, or a standard output that cannot be written, ends the row. Returns the greatest status.
 Status for_each_program(const Job& job, Console& console, std::string_view schema, const ProgramWork& work);
 
 /// Writes to standard output. Says why if it cannot, but keeps silent where a reader has closed the pipe.

@@ -140,8 +140,9 @@ ProgramResult run_program(const std::string& program, const Job& job, Console& c
 }  // namespace
 
 Status run(const Job& job, Console& console) {
-  return for_each_program(job, console, run_schema,
-                          [&](const std::string& program) { return run_program(program, job, console); });
+  return for_each_program(job, console, run_schema, [&](const std::string& program, const Job& of_program) {
+    return run_program(program, of_program, console);
+  });
 }
 
 }  // namespace leadscrew::cli

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view examples =
     "Examples:\n"
     "  leadscrew simulate part.ngc\n"
-    "  leadscrew simulate part.ngc --gains 2,2,15 --period 10ms   the published PID gains\n"
+    "  leadscrew simulate curve:plane-cubic --gains 2,2,15 --period 10ms   a published curve under published gains\n"
     "  leadscrew simulate part.ngc --feed-forward off --trace followed.csv\n"
     "  leadscrew simulate part.ngc --adaptive --depth-steps 0:2,40:4 --force-limit 400\n"
     "  leadscrew simulate part.ngc --adaptive --sensor-fault stuck@1.5\n"

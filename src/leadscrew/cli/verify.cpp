@@ -109,8 +109,9 @@ ProgramResult verify_program(const std::string& program, const Job& job, Console
 }  // namespace
 
 Status verify(const Job& job, Console& console) {
-  return for_each_program(job, console, verify_schema,
-                          [&](const std::string& program) { return verify_program(program, job, console); });
+  return for_each_program(job, console, verify_schema, [&](const std::string& program, const Job& of_program) {
+    return verify_program(program, of_program, console);
+  });
 }
 
 }  // namespace leadscrew::cli

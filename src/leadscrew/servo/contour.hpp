@@ -12,17 +12,30 @@
 // axes lie at 45° where only the phases differ; there its error is that of the line, (V/2)·(1/Kx − 1/Ky).
 
 #include <cmath>
+#include <numbers>
 
 namespace leadscrew::servo {
 
 struct PositionLoop {
   double gain = 0;           ///< Kv, 1/s; > 0
   double time_constant = 0;  ///< τ, seconds; ≥ 0
+
+  friend bool operator==(const PositionLoop&, const PositionLoop&) = default;
 };
 
 /// Distance of the path from the line, mm; positive to the left of the way. speed: V, mm/s; angle: α, radians.
 inline double line_contour_error(double speed, double angle, const PositionLoop& x, const PositionLoop& y) {
   return speed / 2 * std::sin(2 * angle) * (1 / x.gain - 1 / y.gain);
+}
+
+/// What inputs within ±1 can move its output by, whatever their course: ∫|h| dt of the impulse response h. That is 1
+/// while Kv·τ ≤ 1/4, where the loop never overshoots. Above, each swing of its step response is ρ of the one before,
+/// and their sum 1 + 2(ρ + ρ² + …).
+inline double greatest_gain(const PositionLoop& loop) {
+  const double product = 4 * loop.gain * loop.time_constant;
+  if (product <= 1) return 1;
+  const double overshoot = std::exp(-std::numbers::pi / std::sqrt(product - 1));
+  return (1 + overshoot) / (1 - overshoot);
 }
 
 /// To a sine of the frequency ω.

@@ -7,9 +7,8 @@ namespace leadscrew::servo {
 
 namespace {
 
-constexpr std::int64_t step_clock = 1'000'000;  // Hz
-constexpr double usual_gain = 40;               // Kv, 1/s
-constexpr double start = 0.5;                   // past an edge, pulses
+constexpr double usual_gain = 40;  // Kv, 1/s
+constexpr double start = 0.5;      // past an edge, pulses
 
 PulseLoopOptions options_of(const machine::AxisDrive& drive) {
   const double gain = drive.position_gain.value_or(usual_gain);

@@ -9,6 +9,7 @@
 // that a step has the same room either way. Play and friction are left out.
 
 #include <array>
+#include <cstdint>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/servo/pulse_loop.hpp>
@@ -21,7 +22,9 @@ namespace leadscrew::servo {
 
 class PulseServo {
  public:
-  /// For each axis the machine has, at its period and a step clock of 1 MHz. Codes: `servo-pulse-loop`, and those of
+  static constexpr std::int64_t step_clock = 1'000'000;  ///< Hz
+
+  /// For each axis the machine has, at its period. Codes: `servo-pulse-loop`, and those of
   /// stepping::validate().
   static base::Result<PulseServo> create(const machine::Machine& machine);
 

@@ -137,10 +137,13 @@ PartProgram program_of(const BlendedProgram& program, const std::string& path_co
           contour.start};
 }
 
+constexpr BlendedProgram cubic_of_92_lines = {
+    "plane cubic as 92 lines", cubic<92>, 100, 0.01, 0.474, "LinuxCNC 2.9, without a limit of jerk: 0.487 s"};
+
 constexpr std::array<BlendedProgram, 11> all = {{
     {"square of 10 mm", square, 100, 0.01, 0.958, "LinuxCNC 2.9, without a limit of jerk: 0.878 s"},
     {"five-pointed star, R 10 mm", star, 100, 0.01, {}},
-    {"plane cubic as 92 lines", cubic<92>, 100, 0.01, 0.474, "LinuxCNC 2.9, without a limit of jerk: 0.487 s"},
+    cubic_of_92_lines,
     {"plane cubic as 1000 lines", cubic<1000>, 100, 0.01, 0.474, "LinuxCNC 2.9, without a limit of jerk: 0.486 s"},
     {"plane cubic as 1000 lines rounded to 1 µm", rounded_cubic, 100, 0.005, 0.474},
     {"plane cubic as 1000 lines rounded to 1 µm, A turning 3°", turning_cubic, 100, 0.01, 0.475,
@@ -156,6 +159,12 @@ constexpr std::array<BlendedProgram, 11> all = {{
 
 std::span<const BlendedProgram> blended_programs() {
   return all;
+}
+
+BlendedProgram cubic_as_lines(double feed) {
+  BlendedProgram program = cubic_of_92_lines;
+  program.feed = feed;
+  return program;
 }
 
 PartProgram blended(const BlendedProgram& program) {

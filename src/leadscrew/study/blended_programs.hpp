@@ -29,6 +29,9 @@ struct BlendedProgram {
 
 std::span<const BlendedProgram> blended_programs();
 
+/// Of them, the plane cubic as 92 lines, at a feed of its own, mm/s.
+BlendedProgram cubic_as_lines(double feed);
+
 /// In G64 with the program's tolerance.
 PartProgram blended(const BlendedProgram& program);
 /// In G61.1.

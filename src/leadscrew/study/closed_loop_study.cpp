@@ -1,14 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/servo/axis_loop.hpp>
 #include <leadscrew/servo/contour.hpp>
 #include <leadscrew/servo/pulse_loop.hpp>
+#include <leadscrew/servo/pulse_servo.hpp>
 #include <leadscrew/study/studies.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 
 // What closed loops make of an interpolator's output: the pulse-driven axis of "Interpolators linear", lecture 12,
-// problem 13.1, as it runs; and the contours of two position loops beside their closed forms.
+// problem 13.1, as it runs; and the contours of two such axes beside their closed forms.
 
 namespace leadscrew::study {
 
@@ -93,83 +94,163 @@ struct Place {
   double x = 0, y = 0;
 };
 
-/// Two axes under proportional loops, read every 0.1 ms.
+constexpr double speed = 20;    // mm/s
+constexpr double blu = 1e-4;    // mm
+constexpr double settling = 1;  // s: the start has died away to e⁻²⁰ of a following error, far below a BLU
+constexpr Scale micrometres = {"µm", 2};
+
+/// Two axes, their pulse-driven loops, and the steps that follow words.
 class Table {
  public:
-  static constexpr double period = 1e-4;
-
-  static base::Result<Table> create(double gain_x, double gain_y) {
-    const auto x = loop_of(gain_x), y = loop_of(gain_y);
-    if (!x) return base::failure(x.error());
-    if (!y) return base::failure(y.error());
-    return Table(*x, *y);
+  static base::Result<Table> create(const servo::PositionLoop& x, const servo::PositionLoop& y) {
+    machine::Machine machine = machine::mill3();
+    for (const auto& [axis, loop] : {std::pair{base::Axis::X, x}, {base::Axis::Y, y}}) {
+      machine.axes[base::index(axis)]->velocity = 2 * speed;
+      machine.axes[base::index(axis)]->blu = blu;
+      machine.drives[base::index(axis)].position_gain = loop.gain;
+      machine.drives[base::index(axis)].time_constant = loop.time_constant * 1000;
+    }
+    auto servo = servo::PulseServo::create(machine);
+    if (!servo) return base::failure(servo.error());
+    return Table(std::move(*servo), machine.period.seconds());
   }
-  /// Where it is when this place is due.
-  Place follow(const Place& due) {
-    const Place here{x_.axis().slide(), y_.axis().slide()};
-    x_.follow({due.x});
-    y_.follow({due.y});
-    return here;
+
+  /// Follows place(t) for so many seconds, and shows where the slides are once they have settled.
+  template <class Path, class Look>
+  void follow(Path&& place, double seconds, Look&& look) {
+    for (std::int64_t k = 0; static_cast<double>(k) * period_ <= seconds; ++k) {
+      const Place due = place(static_cast<double>(k) * period_);
+      base::Word word;
+      word.tick = base::Tick{k};
+      word.position = {due.x, due.y};
+      const auto followed = servo_.follow(word);
+      const bool has_settled = static_cast<double>(k - 1) * period_ >= settling;
+      if (followed && has_settled) look(Place{followed->position[0], followed->position[1]});
+    }
   }
 
  private:
-  Table(servo::AxisLoop x, servo::AxisLoop y) : x_(std::move(x)), y_(std::move(y)) {}
+  Table(servo::PulseServo servo, double period) : servo_(std::move(servo)), period_(period) {}
 
-  static base::Result<servo::AxisLoop> loop_of(double gain) {
-    auto axis = servo::Axis::create({.drive = servo::velocity_drive(1, time_constant)});
-    if (!axis) return base::failure(axis.error());
-    auto pid = servo::Pid::create({.gains = {.proportional = gain}}, period);
-    if (!pid) return base::failure(pid.error());
-    return servo::AxisLoop(std::move(*axis), std::move(*pid), period);
-  }
-
-  servo::AxisLoop x_, y_;
+  servo::PulseServo servo_;
+  double period_;
 };
 
-constexpr double speed = 20;      // mm/s
-constexpr int settling = 40'000;  // periods, 4 s: many times 1/Kv
-
-constexpr Scale micrometres = {"µm", 2};
-
-Row line_row(double degrees, double gain_x, double gain_y) {
-  const std::string what = "line at " + decimal(degrees, 0) + "°, Kv " + decimal(gain_x, 0) + " and " +
-                           decimal(gain_y, 0) + " 1/s: distance from it";
-  auto table = Table::create(gain_x, gain_y);
-  if (!table) return not_run_row(what, table.error().message);
-  const double angle = degrees * std::numbers::pi / 180, along_x = std::cos(angle), along_y = std::sin(angle);
-  Place here;
-  for (int k = 0; k <= settling; ++k) {
-    const double way = speed * Table::period * k;
-    here = table->follow({way * along_x, way * along_y});
-  }
-  const double off = along_x * here.y - along_y * here.x;
-  const double expected = servo::line_contour_error(speed, angle, {gain_x, time_constant}, {gain_y, time_constant});
-  return because(reproduced_row(what, micrometres, expected * 1000, off * 1000, 0.01), "(V/2) sin 2α (1/Kx − 1/Ky)");
+/// How far an axis may ever be from where its loop without counts would be, mm. Steps are within half a BLU of the path
+/// and come with the next tick of their clock; encoder counts are within half a BLU of the slide. The loop passes that
+/// on like any input: times ∫|h| dt of its impulse response h at most.
+double coarseness(const servo::PositionLoop& loop) {
+  constexpr double tick = 1 / static_cast<double>(servo::PulseServo::step_clock);
+  return servo::greatest_gain(loop) * (blu / 2 + speed * tick + blu / 2);
 }
 
-Rows circle_rows(double radius, double gain_x, double gain_y) {
-  const std::string circle =
-      "circle of " + decimal(radius, 0) + " mm, Kv " + decimal(gain_x, 0) + " and " + decimal(gain_y, 0) + " 1/s: ";
-  auto table = Table::create(gain_x, gain_y);
-  if (!table) return {not_run_row(circle + "semi-axes", table.error().message)};
+std::string gains_text(const servo::PositionLoop& x, const servo::PositionLoop& y) {
+  return "Kv " + decimal(x.gain, 0) + " and " + decimal(y.gain, 0) + " 1/s, τ " + decimal(x.time_constant * 1000, 0) +
+         " ms: ";
+}
+
+std::string counts_text(double accuracy) {
+  return decimal(accuracy * 1000, 2) + " µm by the counts of both axes";
+}
+
+Row line_row(double degrees, const servo::PositionLoop& x, const servo::PositionLoop& y) {
+  const std::string what = "line at " + decimal(degrees, 0) + "°, " + gains_text(x, y) + "distance from it";
+  auto table = Table::create(x, y);
+  if (!table) return not_run_row(what, table.error().message);
+  const double angle = degrees * std::numbers::pi / 180, along_x = std::cos(angle), along_y = std::sin(angle);
+  double sum = 0;
+  int count = 0;
+  table->follow([&](double time) { return Place{speed * time * along_x, speed * time * along_y}; }, 2 * settling,
+                [&](const Place& here) {
+                  sum += along_x * here.y - along_y * here.x;
+                  ++count;
+                });
+  const double expected = servo::line_contour_error(speed, angle, x, y);
+  const double accuracy = along_y * coarseness(x) + along_x * coarseness(y);
+  return because(reproduced_row(what, micrometres, expected * 1000, sum / count * 1000, accuracy * 1000),
+                 "(V/2) sin 2α (1/Kx − 1/Ky), ± " + counts_text(accuracy) + "; the mean of a second");
+}
+
+/// Distances from the centre.
+struct Ring {
+  double nearest = 0, farthest = 0;
+};
+
+base::Result<Ring> ring_of(double radius, const servo::PositionLoop& x, const servo::PositionLoop& y) {
+  auto table = Table::create(x, y);
+  if (!table) return base::failure(table.error());
   const double frequency = speed / radius;
-  const int turn = static_cast<int>(std::ceil(2 * std::numbers::pi / frequency / Table::period));
-  double nearest = radius * 10, farthest = 0;
-  for (int k = 0; k <= settling + turn; ++k) {
-    const double angle = frequency * Table::period * k;
-    const Place here = table->follow({radius * (std::cos(angle) - 1), radius * std::sin(angle)});
-    if (k < settling) continue;
-    const double distance = std::hypot(here.x + radius, here.y);
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
-  }
-  const servo::SemiAxes expected =
-      servo::circle_semi_axes(radius, frequency, {gain_x, time_constant}, {gain_y, time_constant});
+  const double half_turn = std::numbers::pi / frequency;  // has each semi-axis once
+  Ring ring{2 * radius, 0};
+  table->follow(
+      [&](double time) {
+        return Place{radius * (std::cos(frequency * time) - 1), radius * std::sin(frequency * time)};
+      },
+      settling + half_turn,
+      [&](const Place& here) {
+        const double distance = std::hypot(here.x + radius, here.y);
+        ring.nearest = std::min(ring.nearest, distance);
+        ring.farthest = std::max(ring.farthest, distance);
+      });
+  return ring;
+}
+
+/// What a circle of equal loops loses, beside R·ω²/(2Kv²). That leaves τ out, and ω/Kv but for its square: to the next
+/// order, with ε = (ω/Kv)²,
+///
+///   (R − R|H|)/(R·ε/2) = 1 − 2Kv·τ + (τω)² − 3/4·ε·(1 − 2Kv·τ + (τω)²)² + …
+Row textbook_row(const std::string& circle, double radius, const servo::PositionLoop& loop, double found,
+                 double accuracy) {
+  const double frequency = speed / radius, ratio = frequency / loop.gain;
+  const double textbook = radius * ratio * ratio / 2, lag = loop.time_constant * frequency;
+  return because(
+      reproduced_row(circle + "share of the textbook's R·ω²/(2Kv²)", {"", 3}, 1 - 2 * loop.gain * loop.time_constant,
+                     (radius - found) / textbook, accuracy / textbook + lag * lag + ratio * ratio),
+      decimal(textbook * 1000, 2) + " µm, which leaves out τ: 1 − 2Kv·τ of it is left, ± (τω)² + (ω/Kv)²");
+}
+
+/// What unequal gains make of it, by the line's formula at 45°. Exactly, with one τ,
+///
+///   (major − minor)/2 = R·|Hx − Hy|/2 = (V/2)·|1/Kx − 1/Ky|·|Hx|·|Hy|·√(1 + (τω)²),
+///
+/// and 1 − (ω/Kv)²/2 ≤ |H| ≤ 1 while Kv·τ ≤ 1/2.
+Row ellipse_row(const std::string& circle, double radius, const servo::PositionLoop& x, const servo::PositionLoop& y,
+                const Ring& ring, double accuracy) {
+  const double frequency = speed / radius, lag = x.time_constant * frequency;
+  const double of_x = frequency / x.gain, of_y = frequency / y.gain;
+  const double expected = std::abs(servo::line_contour_error(speed, std::numbers::pi / 4, x, y));
+  const double left_out = expected * (lag * lag + of_x * of_x + of_y * of_y) / 2;
+  return because(reproduced_row(circle + "half the difference of its semi-axes", micrometres, expected * 1000,
+                                (ring.farthest - ring.nearest) / 2 * 1000, (accuracy + left_out) * 1000),
+                 "(V/2)(1/Kx − 1/Ky), which leaves out half of (τω)² + (ω/Kx)² + (ω/Ky)² of it: ± " +
+                     decimal((accuracy + left_out) * 1000, 2) + " µm with the counts");
+}
+
+Rows circle_rows(double radius, const servo::PositionLoop& x, const servo::PositionLoop& y) {
+  const std::string circle = "circle of " + decimal(radius, 0) + " mm, " + gains_text(x, y);
+  const base::Result<Ring> ring = ring_of(radius, x, y);
+  if (!ring) return {not_run_row(circle + "semi-axes", ring.error().message)};
+  const servo::SemiAxes expected = servo::circle_semi_axes(radius, speed / radius, x, y);
+  const double accuracy = std::hypot(coarseness(x), coarseness(y));
   const auto row = [&](const char* what, double axis, double ours) {
-    return because(reproduced_row(circle + what, micrometres, (axis - radius) * 1000, (ours - radius) * 1000, 0.2),
-                   "less the radius; the closed form knows no periods, of which there is one each 0.1 ms");
+    return because(
+        reproduced_row(circle + what, micrometres, (axis - radius) * 1000, (ours - radius) * 1000, accuracy * 1000),
+        "less the radius, by Kv/(τs² + s + Kv) at s = jω, ± " + counts_text(accuracy));
   };
-  return {row("greater semi-axis", expected.major, farthest), row("lesser semi-axis", expected.minor, nearest)};
+  Rows rows = {row("greater semi-axis", expected.major, ring->farthest),
+               row("lesser semi-axis", expected.minor, ring->nearest)};
+  rows.push_back(x == y ? textbook_row(circle, radius, x, (ring->nearest + ring->farthest) / 2, accuracy)
+                        : ellipse_row(circle, radius, x, y, *ring, accuracy));
+  return rows;
+}
+
+Rows contour_rows() {
+  constexpr servo::PositionLoop slow{20, time_constant}, fast{25, time_constant}, prompt{20, time_constant / 20};
+  Rows rows = {line_row(30, slow, fast), line_row(45, slow, fast), line_row(30, slow, slow)};
+  append(rows, circle_rows(10, slow, slow));
+  append(rows, circle_rows(10, prompt, prompt));
+  append(rows, circle_rows(10, slow, fast));
+  return under("contours of two pulse-driven axes, 20 mm/s, BLU 0.1 µm, beside their closed forms", std::move(rows));
 }
 
 }  // namespace
@@ -177,10 +258,7 @@ Rows circle_rows(double radius, double gain_x, double gain_y) {
 Rows closed_loop_rows(const Host&) {
   Rows rows = pulse_rows(20, 30.13);
   append(rows, pulse_rows(5, 30.56));
-  Rows contours = {line_row(30, 20, 25), line_row(45, 20, 25), line_row(45, 20, 20)};
-  append(contours, circle_rows(10, 20, 20));
-  append(contours, circle_rows(10, 20, 25));
-  append(rows, under("contours of two loops, 20 mm/s, τ 20 ms, beside their closed forms", std::move(contours)));
+  append(rows, contour_rows());
   return rows;
 }
 

@@ -182,15 +182,6 @@ Rows time_rows(const std::vector<Place>& curve) {
        measured_row("least of the greatest", {"mm/s", 1}, slowest)});
 }
 
-constexpr std::string_view as_lines = "plane cubic as 92 lines";
-
-const BlendedProgram* lines_program() {
-  for (const BlendedProgram& program : blended_programs()) {
-    if (program.name == as_lines) return &program;
-  }
-  return nullptr;
-}
-
 Row time_row(std::string what, const PartProgram& program, const machine::Machine& machine) {
   const base::Result<Judged> judged = judge(program, machine);
   if (!judged) return not_run_row(std::move(what), judged.error().message);
@@ -200,11 +191,8 @@ Row time_row(std::string what, const PartProgram& program, const machine::Machin
 /// The same curve and lines by this planner, each axis within these limits.
 Rows planner_rows(const LimitSet& limits) {
   const machine::Machine machine = machine_with(limits, {1'000'000});
+  const BlendedProgram slow = cubic_as_lines(feed);
   Rows rows = {time_row("one block for the curve", program_of(plane_cubic(), feed), machine)};
-  const BlendedProgram* const found = lines_program();
-  if (found == nullptr) return rows;
-  BlendedProgram slow = *found;
-  slow.feed = feed;
   rows.push_back(time_row("92 lines, a stop at each", stopping(slow), machine));
   rows.push_back(time_row("92 lines within 10 µm", blended(slow), machine));
   const int digits = limits.acceleration == std::round(limits.acceleration) ? 0 : 1;
@@ -214,10 +202,7 @@ Rows planner_rows(const LimitSet& limits) {
 }
 
 Rows size_rows() {
-  const BlendedProgram* const found = lines_program();
-  if (found == nullptr) return {};
-  BlendedProgram slow = *found;
-  slow.feed = feed;
+  const BlendedProgram slow = cubic_as_lines(feed);
   const auto bytes = [](const PartProgram& program) { return static_cast<double>(program.text.size()); };
   return under("sizes of both programs", {measured_row("curve", {"bytes", 0}, bytes(program_of(plane_cubic(), feed))),
                                           measured_row("92 lines", {"bytes", 0}, bytes(stopping(slow)))});

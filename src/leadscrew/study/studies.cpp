@@ -15,7 +15,7 @@ constexpr std::array<Study, 14> all = {{
     {"10001", "Koren's half circle of 10 000 BLU, which comes out at 10 001", half_circle_rows},
     {"fpga-table-1", "Steps and errors of four circular interpolators", fpga_rows},
     {"lecture", "The worked problems of a lecture on DDA interpolators", lecture_rows},
-    {"closed-loop-pulses", "A pulse-driven axis as it runs, and contours of unlike position loops", closed_loop_rows},
+    {"closed-loop-pulses", "A pulse-driven axis as it runs, and the contours of two of unlike gains", closed_loop_rows},
     {"real-time-vs-offline", "A curve as one block and as 92 lines with a stop at each, through servo loops",
      real_time_rows, real_time_charts},
     {"adaptive-force", "Force held and time saved by adaptive control, by planner and by NC program", adaptive_rows},

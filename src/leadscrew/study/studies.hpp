@@ -48,7 +48,7 @@ Rows fpga_rows(const Host& host);
 /// The three problems of "Interpolators linear", lecture 12: rates of a pulse-driven axis, DDAs of a line, a timer.
 Rows lecture_rows(const Host& host);
 
-/// Its pulse-driven axis as it runs, and the contours of two position loops beside their closed forms.
+/// Its pulse-driven axis as it runs, and the contours of two such axes beside their closed forms.
 Rows closed_loop_rows(const Host& host);
 
 /// Lin and Koren's plane cubic as one block and as 92 lines with a stop at each, through their servo loops.
