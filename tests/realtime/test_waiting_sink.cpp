@@ -49,4 +49,30 @@ TEST(WaitingSink, EndsMotionWhenNobodyTakesWords) {
   EXPECT_LT(live.runner().counters().words, 5000);
 }
 
+/// One that stands still until no more words can be kept, and then wants none.
+TEST(WaitingSink, EndsMotionAlsoWhenItIsFull) {
+  std::atomic<bool> stands_still{true};
+  realtime::WaitingSink sink([&](const base::Word&) {
+    while (stands_still.load()) realtime::sleep_until(realtime::now() + 1'000'000);
+    return false;
+  });
+  const realtime::WordSink words = sink.sink();
+  std::int64_t kept = 0;
+  const auto fill = [&] {
+    for (; words.take({.tick = base::Tick{kept}}); ++kept) ASSERT_TRUE(words.publish());
+  };
+  fill();
+  // One that is being handed over has left its place.
+  realtime::sleep_until(realtime::now() + 50'000'000);
+  fill();
+  EXPECT_GE(kept, 1 << 16);
+  EXPECT_FALSE(words.take({}));
+  stands_still.store(false);
+  while (!sink.is_refused()) realtime::sleep_until(realtime::now() + 1'000'000);
+  EXPECT_TRUE(words.take({}));
+  EXPECT_FALSE(words.publish());
+  sink.end();
+  EXPECT_EQ(sink.taken(), 0);
+}
+
 }  // namespace

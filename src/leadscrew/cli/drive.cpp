@@ -36,8 +36,12 @@ class ProgramDrive {
     const auto file = InputFile::open(program_);
     if (!file) return failed(file.error());
     if (auto sound = check_drive(*file, job_); !sound) return failed(sound.error());
-    read_program(*file, job_, console_, log_);
+    const Reading reading = read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
+    if (reading.pauses > 0 && !can_wait()) {
+      log_.add(
+          {base::Severity::note, "pause-passed", "M0 and M1 do not pause: no key can be pressed here", {}, {}, {}});
+    }
     auto begin = DriveBeginning::of(*file, job_);
     if (!begin) return failed(begin.error());
     if (begin->warning) log_.add(*begin->warning);
@@ -59,7 +63,7 @@ class ProgramDrive {
   std::optional<DriveFigures> move(const InputFile& file, const DriveBeginning& begin, DriveProcess& drives) {
     const base::Word& first = begin.state.word;
     DriveLink& link = drives.link();
-    if (const auto settings = Terminal::settings(); settings && !job_.arguments.quiet) {
+    if (const auto settings = Terminal::settings(); settings && can_wait()) {
       link.show_terminal(*settings);
       view_.emplace(*settings, file, job_, console_.error_style());
     }
@@ -93,9 +97,6 @@ class ProgramDrive {
     view_.reset();
     console_.clear_progress();
     if (notice_) log_.add(*notice_);
-    if (has_passed_pause_)
-      log_.add(
-          {base::Severity::note, "pause-passed", "M0 and M1 did not pause: no key can be pressed here", {}, {}, {}});
     figures_.blocks = source.reader().blocks();
     if (auto sound = look_at(drives); !sound) return failed(sound.error());
     if (figures_.end == DriveFigures::End::tripped) log_.add(why_tripped());
@@ -189,11 +190,8 @@ class ProgramDrive {
   }
 
   /// M0 and M1 wait for a key, where somebody can press one.
-  bool lets(const planner::Chunk& chunk) {
-    if (view_) return view_->pause().lets(chunk);
-    if (DrivePause::line_before(chunk)) has_passed_pause_.store(true, std::memory_order_relaxed);
-    return true;
-  }
+  bool lets(const planner::Chunk& chunk) { return !view_ || view_->pause().lets(chunk); }
+  bool can_wait() const { return !job_.arguments.quiet && Terminal::settings(); }
 
   static realtime::WordSink sink_to(DriveLink& link, std::size_t room) {
     return {
@@ -247,7 +245,6 @@ class ProgramDrive {
   const DriveArguments& arguments_;
   Console& console_;
   DiagnosticLog& log_;
-  std::atomic<bool> has_passed_pause_{false};
   std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
   DriveFigures figures_;
   std::optional<DriveView> view_;           ///< on a terminal

@@ -31,6 +31,8 @@ inline constexpr std::string_view drive_examples =
     "\n"
     "Keys, on a terminal: space holds and resumes, + and - change the feed by 10 %, q stops. ^C brings motion to rest\n"
     "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"
-    "words cease, they come to rest by themselves, on the path and within the limits of every axis.\n";
+    "words cease, they come to rest by themselves, on the path and within the limits of every axis. Without a "
+    "terminal,\n"
+    "and with --quiet, M0 and M1 do not pause. A pipe of --sink that is full holds motion back, word by word.\n";
 
 }  // namespace leadscrew::cli

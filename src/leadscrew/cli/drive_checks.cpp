@@ -5,6 +5,7 @@
 #include <leadscrew/cli/drive_checks.hpp>
 #include <leadscrew/cli/drive_link.hpp>
 #include <leadscrew/cli/drive_state.hpp>
+#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/quantity.hpp>
 #include <vector>
@@ -14,6 +15,14 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::int64_t least_period = 50'000;  // ns: below, two processes cannot wake each other up in time
+
+base::Result<void> check_sink(const Job& job) {
+  const std::optional<std::string>& sink = job.arguments.drive.sink;
+  if (auto ending = check_ending("--sink", sink, ".csv"); !ending) return ending;
+  if (!sink || !is_standard_output(*sink) || (job.arguments.quiet && !job.arguments.json)) return {};
+  return base::failure(base::problem("usage", fmt::format("--sink {}: is standard output, where results go", *sink),
+                                     "with --quiet it is left to the words"));
+}
 
 base::Result<void> check_files(const InputFile& program, const Job& job) {
   const DriveArguments& arguments = job.arguments.drive;
@@ -28,7 +37,7 @@ base::Result<void> check_files(const InputFile& program, const Job& job) {
     if (auto sound = check_replaceable(*arguments.state); !sound) return sound;
   }
   if (auto trace = check_ending("--trace", arguments.trace, ".csv", ".npy"); !trace) return trace;
-  if (auto sink = check_ending("--sink", arguments.sink, ".csv", ".npy"); !sink) return sink;
+  if (auto sink = check_sink(job); !sink) return sink;
   return check_ending("--axes", arguments.axes, ".csv", ".npy");
 }
 

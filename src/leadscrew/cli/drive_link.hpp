@@ -9,6 +9,7 @@
 // came with them, and write down where.
 
 #include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,7 @@ struct DriveLink {
 
   static constexpr std::size_t most_words = 1 << 16, longest_way = 1 << 18;
 
+  const pid_t maker = ::getpid();  ///< of the words: this is made by the command
   realtime::WordStream<most_words, longest_way> words;
   realtime::Ring<Feedback, 1 << 14> feedback;  ///< what nobody takes is dropped
   std::atomic<Order> order{Order::follow};

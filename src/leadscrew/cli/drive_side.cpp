@@ -188,7 +188,7 @@ void run(Side& side, DriveLink& link, const Job& job, const WayBack&... way_back
 void run_drives(DriveLink& link, const Job& job, const DriveState& begin,
                 const std::vector<base::PathPlace>& way_back) {
   // A terminal sends ^C to both processes. What to do about it is the other's matter.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
   if (job.arguments.drive.sink) {
     FileSide side(link, job, begin);
     return run(side, link, job);

@@ -44,7 +44,7 @@ base::Result<void> check_resumable(const DriveState& state, const Fingerprint& n
 /// Is there no file yet, an empty one, one that is not regular, or an earlier state? Errors: `state-other`.
 base::Result<void> check_replaceable(const std::string& path);
 /// From where the axes stand to where the last word was, a place a period; empty if they stand there. The path is read
-/// anew so far. Errors: `resume-state` where it does not pass there.
+/// anew so far. Errors: `resume-state` where it does not pass there; those of reading it, interruption.
 base::Result<std::vector<base::PathPlace>> find_way_back(const DriveState& state, const InputFile& program,
                                                          const Job& job, const std::string& path);
 

@@ -1,24 +1,35 @@
 #pragma once
-// A file in the place of drives: it gets every word on time, and nothing moves by it.
+// A file or a pipe in the place of drives: it gets every word on time, and nothing moves by it. A word is accepted when
+// its whole row is in the file, under its own name: whatever is killed, the file ends with the state's last word.
 
 #include <leadscrew/cli/word_side.hpp>
+#include <leadscrew/trace/words.hpp>
 
 namespace leadscrew::cli {
 
 class FileSide : public WordSide {
  public:
   /// `begin`: what is known before the first word.
-  FileSide(DriveLink& link, const Job& job, const DriveState& begin) : WordSide(link, job, begin) {}
+  FileSide(DriveLink& link, const Job& job, const DriveState& begin);
 
-  /// The file of DriveArguments::sink, which must be there. Errors as those of WordFile.
-  base::Result<void> open(const Job& job) { return file_.open(*job.arguments.drive.sink, job.machine); }
-  /// Until words end, or nobody sends any: those that have come are written.
+  /// The file of DriveArguments::sink, as CSV; what was in it is gone. Waits for the reader of a pipe. Error:
+  /// `io-open`.
+  base::Result<void> open(const Job& job);
+  /// Until words end, nobody sends any, or none can be written. Errors: `io-write`, `io-pipe`.
   base::Result<void> run();
 
  private:
+  base::Result<void> write(std::string_view bytes);
+  bool waits();
   void take_words();
 
-  WordFile file_;
+  const std::string path_;
+  Descriptor file_;
+  bool is_regular_ = false;
+  std::int64_t accepted_bytes_ = 0, written_bytes_ = 0;
+  trace::CsvWriter writer_;
+  std::int64_t progress_ = 0;  ///< ns: when something was last written
+  bool gave_up_ = false;       ///< on a reader that does not read
 };
 
 }  // namespace leadscrew::cli

@@ -79,6 +79,12 @@ bool is_motion(const gcode::Move& move) {
   return move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event;
 }
 
+bool is_pause(const gcode::Move& move) {
+  using Kind = base::Event::Kind;
+  return move.kind == gcode::Move::Kind::event &&
+         (move.event.kind == Kind::pause || move.event.kind == Kind::optional_pause);
+}
+
 }  // namespace
 
 gcode::ReaderOptions Job::reader_options(const std::string& file) const {
@@ -122,6 +128,7 @@ Reading read_program(const InputFile& file, const Job& job, Console& console, Di
   gcode::Move move;
   for (std::int64_t count = 1; reader.next(move); ++count) {
     if (is_motion(move)) ++reading.moves;
+    if (is_pause(move)) ++reading.pauses;
     if (count % moves_between_looks == 0) console.progress(progress);
   }
   console.clear_progress();

@@ -31,8 +31,9 @@ Job job_of(const Job& job, const std::string& program);
 /// What reading a whole program tells before anything moves.
 struct Reading {
   std::int64_t blocks = 0;
-  std::int64_t moves = 0;  ///< lines and arcs
-  double seconds = 0;      ///< that reading took
+  std::int64_t moves = 0;   ///< lines and arcs
+  std::int64_t pauses = 0;  ///< M0 and M1
+  double seconds = 0;       ///< that reading took
 };
 
 /// Reads the program whole; its problems, and those of its file, go to the log.

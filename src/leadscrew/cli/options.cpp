@@ -189,7 +189,7 @@ CLI::App* add_drive(CLI::App& app, Arguments& arguments, Texts& all) {
   drive->add_option("--trace", texts.trace, "Write the words that the drives took: .csv or .npy")->type_name("FILE");
   drive->add_option("--axes", texts.axes, "Write where the axes went, period by period: .csv or .npy")
       ->type_name("FILE");
-  drive->add_option("--sink", texts.sink, "Words go to this file or pipe, and to no drives: .csv or .npy")
+  drive->add_option("--sink", texts.sink, "Words go on time to this file or pipe, as CSV, and to no drives")
       ->type_name("FILE");
   drive->add_option("--state", texts.state, "Keep on disk how far it has come, for --resume")->type_name("FILE");
   drive->add_option("--resume", texts.resume, "Go on from where a drive was stopped or killed; FILE is kept up")

@@ -39,6 +39,11 @@ bool is_standard_output(const struct stat& file) {
 
 }  // namespace
 
+bool is_standard_output(const std::string& path) {
+  struct stat file = {};
+  return ::stat(path.c_str(), &file) == 0 && is_standard_output(file);
+}
+
 std::string extension(const std::string& path) {
   std::string text = std::filesystem::path(path).extension();
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -14,6 +14,9 @@ namespace leadscrew::cli {
 /// Of a path, in small letters: ".csv".
 std::string extension(const std::string& path);
 
+/// Does standard output go there?
+bool is_standard_output(const std::string& path);
+
 class OutputFile {
  public:
   enum class Access { sequential, rewritable };  ///< rewritable: rewrite_start() will be called

@@ -87,8 +87,9 @@ base::Result<void> check_ending(std::string_view option, const std::optional<std
   if (!path || is_special(*path)) return {};
   const std::string ending = extension(*path);
   if (ending == one || ending == other) return {};
-  return usage(fmt::format("{} {}: ends in neither {} nor {}", option, *path, one, other),
-               "the ending says the format");
+  const std::string what =
+      other.empty() ? fmt::format("does not end in {}", one) : fmt::format("ends in neither {} nor {}", one, other);
+  return usage(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");
 }
 
 base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments) {

@@ -35,9 +35,9 @@ bool is_same_output(const std::string& path, const std::string& other);
 /// the same.
 base::Result<void> check_written(const std::vector<std::string>& paths, const InputFile& program,
                                  const Arguments& arguments);
-/// Of an option that may be absent: does its ending say one of two formats?
+/// Of an option that may be absent: does its ending say one of two formats, or the only one? Error: `usage`.
 base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
-                                std::string_view other);
+                                std::string_view other = {});
 /// Both, of these paths.
 base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments);
 

@@ -32,7 +32,7 @@ Terminal::Terminal(const termios& before) : before_(before) {
   keys.c_cc[VMIN] = 0;
   keys.c_cc[VTIME] = 0;
   ::tcsetattr(STDIN_FILENO, TCSANOW, &keys);
-  draw("\033[?1049h\033[?25l");  // another screen, no cursor
+  draw("\033[?1049h\033[?25l\033[?7l");  // another screen, no cursor, lines are cut
 }
 
 std::optional<char> Terminal::key() {
@@ -55,7 +55,7 @@ void Terminal::draw(std::string_view text) {
 
 void Terminal::restore(const termios& settings) {
   std::signal(SIGTTOU, SIG_IGN);  // else who is not in front would be stopped
-  draw("\033[?25h\033[?1049l");
+  draw("\033[?7h\033[?25h\033[?1049l");
   ::tcsetattr(STDIN_FILENO, TCSANOW, &settings);
 }
 

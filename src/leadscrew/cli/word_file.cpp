@@ -22,14 +22,11 @@ base::Result<void> WordFile::write(const base::Word& word) {
   return {};
 }
 
-base::Result<void> WordFile::flush() {
-  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->finish();
-  return {};
-}
-
 base::Result<void> WordFile::publish() {
   if (!file_) return {};
-  if (auto finished = flush(); !finished) return finished;
+  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) {
+    if (auto finished = csv->finish(); !finished) return finished;
+  }
   if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) {
     if (auto finished = npy->finish(); !finished) return finished;
     if (auto written = file_->rewrite_start(npy->header()); !written) return written;

@@ -15,8 +15,6 @@ class WordFile {
   /// Must stay where it is once it is open. Errors as those of OutputFile.
   base::Result<void> open(const std::string& path, const machine::Machine& machine);
   base::Result<void> write(const base::Word& word);
-  /// Lets who reads a .csv while it is written see all words so far.
-  base::Result<void> flush();
   /// Gives the file its name.
   base::Result<void> publish();
 

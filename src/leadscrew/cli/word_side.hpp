@@ -30,7 +30,7 @@ class WordSide {
     return failed_ ? DriveLink::Order::abandon : link_.order.load(std::memory_order_acquire);
   }
   /// Nobody will send the next word.
-  bool is_orphan() const { return ::getppid() != parent_; }
+  bool is_orphan() const { return ::getppid() != link_.maker; }
   void took(const base::Result<void>& result) {
     if (!result && !failed_) failed_ = result.error();
   }
@@ -41,9 +41,6 @@ class WordSide {
   StateKeeper keeper_;
   base::Word last_;  ///< taken
   std::optional<base::Diagnostic> failed_;
-
- private:
-  const pid_t parent_ = ::getppid();
 };
 
 }  // namespace leadscrew::cli

@@ -14,7 +14,8 @@ WaitingSink::WaitingSink(std::function<bool(const base::Word&)> take)
     : take_(std::move(take)), thread_([this] { hand_over(); }) {}
 
 WordSink WaitingSink::sink() {
-  return {.take = [this](const base::Word& word) { return kept_->push(word); },
+  // Refused, it takes what it will not keep: publish() is asked behind words that were taken.
+  return {.take = [this](const base::Word& word) { return is_refused() || kept_->push(word); },
           .lead_on = {},
           .publish = [this] { return !is_refused(); }};
 }
