@@ -127,6 +127,25 @@ TEST(Simulate, EndsWhereALoopIsNotStable) {
   EXPECT_EQ(folder.names(), (Names{"part.ngc"}));
 }
 
+/// Held within a limit cycle by what torque there is, it would look like a small error.
+TEST(Simulate, RefusesALoopThatIsNotStableBeforeAnythingMoves) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  std::ifstream drives(source_folder / "machines/mill3-drives.toml");
+  std::string machine{std::istreambuf_iterator<char>(drives), {}};
+  const std::string key = "velocity_gain_per_s";
+  const std::size_t at = machine.find(key);
+  ASSERT_NE(at, std::string::npos);
+  machine.replace(at, machine.find('\n', at) - at, key + " = 5000");
+  folder.write("mill.toml", machine);
+  for (const std::string command : {"simulate", "drive"}) {
+    const auto outcome = leadscrew(folder, {command, "part.ngc", "--machine", "mill.toml"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(contains(outcome.errors, "is not stable")) << outcome.errors;
+    EXPECT_TRUE(contains(outcome.errors, "[servo-unstable]")) << outcome.errors;
+  }
+}
+
 /// Words as of `run`, slides beside them, on until they stand.
 TEST(Simulate, WritesWordsAndSlides) {
   const Folder folder;

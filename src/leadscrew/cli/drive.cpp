@@ -13,6 +13,7 @@
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
+#include <leadscrew/servo/stability.hpp>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -45,8 +46,8 @@ class ProgramDrive {
     auto begin = DriveBeginning::of(*file, job_);
     if (!begin) return failed(begin.error());
     if (begin->warning) log_.add(*begin->warning);
-    if (auto servo = servo::Servo::create(servo::loops_of(job_.machine), job_.machine.period); !servo)
-      return failed(servo.error());
+    if (auto stable = servo::check_stable(servo::loops_of(job_.machine), job_.machine.period); !stable)
+      return failed(stable.error());
     let_first_interruption_pass();
     // Before there are threads.
     auto process = DriveProcess::start(job_, begin->state, begin->way_back);

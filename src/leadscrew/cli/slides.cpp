@@ -5,6 +5,7 @@
 #include <leadscrew/cli/slides.hpp>
 #include <leadscrew/referee/metric.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
+#include <leadscrew/servo/stability.hpp>
 
 namespace leadscrew::cli {
 
@@ -40,6 +41,7 @@ base::Result<Slides> Slides::create(const machine::Machine& machine, LoopKind ki
     return Slides(machine, std::move(moves), std::move(*servo), lag);
   }
   const servo::ServoOptions options = servo::loops_of(machine);
+  if (auto stable = servo::check_stable(options, machine.period); !stable) return base::failure(stable.error());
   auto servo = servo::Servo::create(options, machine.period);
   if (!servo) return base::failure(std::move(servo.error()));
   return Slides(machine, std::move(moves), std::move(*servo), servo::longest_lag(options));
