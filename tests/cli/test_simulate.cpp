@@ -98,6 +98,12 @@ TEST(Simulate, SendsStepsThroughPulseDrivenLoops) {
   const Json even = simulated(folder, diagonal, {"--pulses"});
   EXPECT_NEAR(even["axes"][1]["following_max_mm"], 10.0 / std::sqrt(2.0) / 40, 2e-3);
   EXPECT_LT(even["contour"]["max_mm"], 2e-3);
+  // Steps of 1 µm: none is lost, and the screw has gone as far as it was sent.
+  for (const int axis : {0, 1}) {
+    EXPECT_EQ(even["pulses"][axis]["commanded"], 30'000);
+    EXPECT_EQ(even["pulses"][axis]["encoder"], 30'000);
+    EXPECT_EQ(even["pulses"][axis]["lost"], 0);
+  }
 }
 
 TEST(Simulate, SaysWhatIsWrongWithItsOptions) {

@@ -1,12 +1,15 @@
 #pragma once
 // What a simulation found: what its summary and JSON show.
 
+#include <algorithm>
+#include <cstdint>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/servo/adaptive_cut.hpp>
 #include <leadscrew/servo/tracking.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace leadscrew::cli {
@@ -28,6 +31,13 @@ struct AdaptiveFigures {
   double safe_time = 0;  ///< s, that the words take at the programmed feed times `safe` throughout
 };
 
+/// Of a pulse-driven loop, at the end.
+struct PulseCounts {
+  std::int64_t commanded = 0;  ///< steps up less steps down
+  std::int64_t encoder = 0;    ///< pulses one way less those the other
+  std::int64_t lost = 0;       ///< for which the up-down counter had no room
+};
+
 using TrackedAxes = std::vector<std::pair<base::Axis, servo::AxisTracking>>;
 
 struct SimulateFigures {
@@ -37,14 +47,18 @@ struct SimulateFigures {
   ContourFigures contour;
   servo::FeedTracking feed;
   TrackedAxes axes;
+  std::vector<std::pair<base::Axis, PulseCounts>> pulses;  ///< of --pulses
   std::optional<double> settling;  ///< s from the last word until every slide stays within a BLU; none: they do not
   std::optional<AdaptiveFigures> adaptive;
   std::vector<std::string> files{};  ///< written
 
   bool held_force() const { return !adaptive || adaptive->cut.held(adaptive->turn); }
   bool within_tolerance() const { return verdict.deviation_mm <= tolerance; }
-  /// Did the slides keep the tolerance, and come to rest? Was the force held?
-  bool kept() const { return settling && within_tolerance() && held_force(); }
+  bool kept_pulses() const {
+    return std::all_of(pulses.begin(), pulses.end(), [](const auto& axis) { return axis.second.lost == 0; });
+  }
+  /// Did the slides keep the tolerance, and come to rest? Was the force held, and no pulse lost?
+  bool kept() const { return settling && within_tolerance() && held_force() && kept_pulses(); }
 };
 
 }  // namespace leadscrew::cli

@@ -60,10 +60,16 @@ std::string time_text(const SimulateFigures& figures) {
   return fmt::format("{:.4f} s; {}", figures.summary.time_s, rest);
 }
 
+std::string pulse_row(base::Axis axis, const PulseCounts& counts) {
+  return row("pulses", fmt::format("{}: {} commanded, {} of the encoder, {} lost", base::letter(axis), counts.commanded,
+                                   counts.encoder, counts.lost));
+}
+
 std::string verdict_text(const SimulateFigures& figures, const Style& style) {
   std::vector<std::string_view> wrong;
   if (!figures.within_tolerance()) wrong.push_back("the slides leave the tolerance");
   if (!figures.settling) wrong.push_back("the slides do not come to rest");
+  if (!figures.kept_pulses()) wrong.push_back("counters had no room for all pulses");
   if (!figures.held_force()) wrong.push_back("the force is beyond its limit for too long");
   if (!wrong.empty()) return style(Tone::error, fmt::format("NOT kept: {}", fmt::join(wrong, "; ")));
   return style(Tone::good, fmt::format("kept: the slides stay within the tolerance, and come to rest{}",
@@ -122,6 +128,12 @@ Json json_of_simulation(const std::string& program, const Job& job, const Simula
         {"measured_mean_mm_s", feed.measured_mean}}},
       {"axes", json_of_axes(figures.axes)},
       {"diagnostics", json_of_diagnostics(log)}};
+  for (const auto& [axis, counts] : figures.pulses) {
+    json["pulses"].push_back({{"name", std::string(1, base::letter(axis))},
+                              {"commanded", counts.commanded},
+                              {"encoder", counts.encoder},
+                              {"lost", counts.lost}});
+  }
   if (figures.adaptive) json["adaptive"] = json_of_cut(*figures.adaptive, summary.time_s);
   return json;
 }
@@ -137,6 +149,7 @@ std::string simulate_summary(const std::string& program, const Job& job, const S
                                      figures.contour.greatest, figures.contour.at, figures.contour.rms));
   text += row("deviation", deviation_text(figures.verdict.deviation_mm, figures.tolerance));
   text += axis_rows(figures.axes, style);
+  for (const auto& [axis, counts] : figures.pulses) text += pulse_row(axis, counts);
   if (figures.adaptive) {
     text += row("force", force_text(*figures.adaptive, style));
     text += row("override", override_text(*figures.adaptive, summary.time_s));

@@ -133,6 +133,17 @@ std::optional<double> Slides::settling() const {
   return static_cast<double>(last) * machine_->period.seconds();
 }
 
+std::vector<std::pair<base::Axis, PulseCounts>> Slides::pulses() const {
+  std::vector<std::pair<base::Axis, PulseCounts>> counts;
+  const auto* servo = std::get_if<servo::PulseServo>(&follower_);
+  if (servo == nullptr) return counts;
+  for (const base::Axis axis : base::all_axes) {
+    if (const servo::PulseLoop* loop = servo->loop(axis))
+      counts.emplace_back(axis, PulseCounts{loop->commanded(), loop->encoder_count(), loop->lost()});
+  }
+  return counts;
+}
+
 SimulateFigures Slides::conclude() {
   SimulateFigures figures;
   figures.verdict = referee_.conclude();
@@ -142,6 +153,7 @@ SimulateFigures Slides::conclude() {
   for (const base::Axis axis : base::all_axes) {
     if (axes_.contains(axis)) figures.axes.emplace_back(axis, tracking_.axis(axis));
   }
+  figures.pulses = pulses();
   figures.settling = settling();
   return figures;
 }

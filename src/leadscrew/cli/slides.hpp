@@ -50,6 +50,7 @@ class Slides {
   Slides(const machine::Machine& machine, referee::MoveSource moves, Follower follower, double lag);
   void watch_rest(const servo::Followed& followed);
   std::optional<double> settling() const;
+  std::vector<std::pair<base::Axis, PulseCounts>> pulses() const;
 
   const machine::Machine* machine_;
   base::AxisSet axes_;

@@ -9,8 +9,8 @@
 
 namespace leadscrew::servo {
 
-/// Is the error in the last quarter of 40000 periods no greater than in the first, in every loop? Codes: `servo-unstable`, whose
-/// message names the axis, and those of Servo::create().
+/// Is the error in the last quarter of 40000 periods no greater than in the first, in every loop? Codes:
+/// `servo-unstable`, whose message names the axis, and those of Servo::create().
 base::Result<void> check_stable(const ServoOptions& options, base::Period period);
 
 }  // namespace leadscrew::servo
