@@ -18,7 +18,8 @@ base::Result<std::vector<Descriptor>> hold_states(const DriveArguments& argument
 base::Diagnostic cut_twice(const std::string& path) {
   return {base::Severity::warning,
           "resume-cut-twice",
-          "was written in motion: the drives' process ended before it stood, and up to 0.1 s is gone through again",
+          "was written in motion, and its process ended before it wrote another: what moved since then, 0.1 s as a "
+          "rule, is gone through again",
           {},
           base::Place{.file = path},
           {}};
