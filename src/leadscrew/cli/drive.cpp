@@ -82,6 +82,7 @@ class ProgramDrive {
     realtime::Runner runner({.period = job_.machine.period,
                              .position = first.position,
                              .path_length = first.path_length,
+                             .line = first.line,
                              .look_ahead = std::max(arguments_.look_ahead, arguments_.lead + least_spare) +
                                            static_cast<double>(words_of_slice) * period,
                              .lead = lead,

@@ -14,6 +14,18 @@ constexpr int status_lines = 8, widest_map = 100, highest_map = 40;
 constexpr std::int64_t between_pictures = 100'000'000;  // ns
 constexpr std::string_view end = "\033[K\n";
 
+/// As many lines as the terminal has, so that nothing scrolls.
+std::string cut(std::string screen) {
+  std::size_t at = 0;
+  for (int lines = Terminal::rows(); lines > 0; --lines) {
+    at = screen.find('\n', at);
+    if (at == std::string::npos) return screen;
+    ++at;
+  }
+  screen.resize(at - 1);
+  return screen;
+}
+
 }  // namespace
 
 DriveView::DriveView(const termios& settings, const InputFile& file, const Job& job, const Style& style)
@@ -96,7 +108,7 @@ bool DriveView::is_due() {
 }
 
 void DriveView::draw(const realtime::Runner& runner) {
-  if (is_due()) Terminal::draw("\033[H" + status_text(runner) + map_.text(style_) + "\033[J");
+  if (is_due()) Terminal::draw("\033[H" + cut(status_text(runner) + map_.text(style_)) + "\033[J");
 }
 
 void DriveView::draw_way_back(double seconds) {

@@ -4,10 +4,11 @@
 
 namespace leadscrew::interpolator {
 
-Controller::Controller(base::Period period, const base::AxisVector& position, std::size_t capacity, double path_length)
+Controller::Controller(base::Period period, const base::AxisVector& position, std::size_t capacity, double path_length,
+                       base::Line line)
     : capacity_(std::max<std::size_t>(capacity, 2)),
       links_(std::make_unique<Link[]>(capacity_)),
-      interpolator_(period, position, path_length) {}
+      interpolator_(period, position, path_length, line) {}
 
 base::Word Controller::next() noexcept {
   // Bounded: a turn begins one of the accepted chunks or one's tail, and as the position is told only afterwards, the

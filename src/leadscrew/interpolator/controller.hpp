@@ -34,9 +34,10 @@ namespace leadscrew::interpolator {
 /// destroyed.
 class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept apart by lines of the cache
  public:
-  /// Stands at `position`, behind so much of the path. capacity: chunks held at a time, the one in motion included,
-  /// ≥ 2.
-  Controller(base::Period period, const base::AxisVector& position, std::size_t capacity = 8, double path_length = 0);
+  /// Stands at `position`, behind so much of the path and in this line of the program. capacity: chunks held at a time,
+  /// the one in motion included, ≥ 2.
+  Controller(base::Period period, const base::AxisVector& position, std::size_t capacity = 8, double path_length = 0,
+             base::Line line = {});
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 

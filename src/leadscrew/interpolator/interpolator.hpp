@@ -18,8 +18,8 @@ namespace leadscrew::interpolator {
 
 class Interpolator {
  public:
-  /// Stands at `position`, behind so much of the path, until a chunk is loaded.
-  Interpolator(base::Period period, const base::AxisVector& position, double path_length = 0);
+  /// Stands at `position`, behind so much of the path and in this line of the program, until a chunk is loaded.
+  Interpolator(base::Period period, const base::AxisVector& position, double path_length = 0, base::Line line = {});
 
   /// Goes along NURBS curves by one of the published rules, for comparison; by arc length unless told otherwise.
   void step_by(StepRule rule) { rule_ = rule; }
@@ -74,7 +74,7 @@ class Interpolator {
   double length_before_end_ = 0;  ///< travelled before the piece on which the part ends
   double end_on_piece_ = 0;       ///< where on it the part ends
   base::AxisVector rest_;
-  base::Line line_{};
+  base::Line line_;
   StepRule rule_ = StepRule::arc_length;
   // Parameter steps along a piece go on through all chunks that share it, so pieces are told apart by a number.
   std::int64_t first_number_ = 0;     ///< of the chunk's first piece

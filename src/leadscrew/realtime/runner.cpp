@@ -25,7 +25,8 @@ Runner::Runner(const RunnerOptions& options, Planning planning, WordSink sink)
     : options_(options),
       planning_(std::move(planning)),
       sink_(std::move(sink)),
-      controller_(options.period, options.position, chunks_within(options.look_ahead), options.path_length) {}
+      controller_(options.period, options.position, chunks_within(options.look_ahead), options.path_length,
+                  options.line) {}
 
 Runner::~Runner() {
   halt();
