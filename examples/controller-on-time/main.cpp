@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "\rX %.4f  Y %.4f  Z %.4f ", x.load(), y.load(), z.load());
   }
   file.end();
-  const bool is_written = writer.finish() && std::fclose(trace) == 0;
+  const bool is_written = !file.is_refused() && writer.finish() && std::fclose(trace) == 0;
   const realtime::Counters counters = runner.counters();
   std::fprintf(
       stderr, "\n%lld words, %lld stops as planning was late, %lld periods slept through, 99 %% woke within %.0f µs\n",

@@ -166,5 +166,16 @@ TEST(CommandLineCurve, LeavesFilesToTheirPaths) {
   EXPECT_EQ(figures_of(folder, {"check", "curve:circle", "--json"}, 0)["moves"], 1);
 }
 
+/// So slow that no word would ever move: refused where it is read, from a file as well.
+TEST(SimulateCurve, AreRefusedWhereNothingWouldMove) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X20 F0.0000001\nM2\n");
+  for (const std::string program : {"curve:circle@1e-320", "curve:plane-cubic@1e-100", "part.ngc"}) {
+    const Outcome outcome = leadscrew(folder, {"run", program});
+    EXPECT_EQ(outcome.status, 3) << program;
+    EXPECT_TRUE(contains(outcome.errors, "F must be 0.000001 or more")) << outcome.errors;
+  }
+}
+
 }  // namespace
 }  // namespace leadscrew::cli::testing

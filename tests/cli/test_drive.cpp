@@ -406,9 +406,7 @@ TEST(Drive, GoesBackAlongThePathToWhereItGoesOn) {
 TEST(DriveSink, GetsTheWordsOfRunBitForBit) {
   const Folder folder;
   folder.write("part.ngc", part);
-  const auto driven = leadscrew(
-      folder, {"drive", "part.ngc", "--sink", "words.csv", "--state", "state", "--json", "--look-ahead", "2s"});
-  EXPECT_EQ(driven.status, 0) << driven.errors;
+  const auto driven = drive_without_a_tail(folder, {"--sink", "words.csv", "--state", "state"});
   const Json json = driven.json();
   EXPECT_FALSE(json.contains("drives"));
   EXPECT_EQ(json["words"], json["words_taken"]);
@@ -461,6 +459,10 @@ TEST(DriveSink, EndsMotionWhereNothingCanBeWritten) {
   const auto one = rows_of(text);
   ASSERT_GT(one.size(), 100U);
   EXPECT_EQ(one.back().s, Json::parse(folder.read("state"))["path_length"].get<double>());
+  const auto again = leadscrew(folder, {"drive", "part.ngc", "--sink", "1.csv", "--resume", "state", "--quiet"});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_TRUE(contains(again.errors, "holds words already")) << again.errors;
+  EXPECT_EQ(folder.read("1.csv"), text);
   EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--sink", "2.csv", "--resume", "state", "--quiet"}).status, 0);
   const auto two = rows_of(folder.read("2.csv"));
   EXPECT_EQ(two.front().s, one.back().s);
@@ -490,6 +492,16 @@ TEST(DriveSink, WaitsForTheReaderOfAPipe) {
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   unread.send(SIGINT);
   EXPECT_EQ(unread.wait().status, 130);
+  {
+    // Somebody has opened it, and reads nothing.
+    folder.write("long.ngc", "G21 G90 G94\nG1 X400 F600\nM2\n");
+    Running stalled(folder, {"drive", "long.ngc", "--sink", "pipe", "--state", "state", "--quiet"});
+    const std::ifstream idle(pipe);
+    ASSERT_TRUE(comes_to(folder, 5));
+    stalled.send(SIGTERM);
+    EXPECT_EQ(stalled.wait().status, 130);
+    EXPECT_EQ(state_of(folder), "stopped");
+  }
 
   leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv"});
   Running read(folder, {"drive", "part.ngc", "--sink", "pipe", "--json", "--look-ahead", "2s"});
@@ -506,6 +518,10 @@ TEST(DriveSink, WaitsForTheReaderOfAPipe) {
 TEST(DriveSink, LeavesStandardOutputToTheWords) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94\nG1 X1 F3000\nM2\n");
+  const auto words = leadscrew(folder, {"drive", "part.ngc", "--sink", "/dev/stdout", "--quiet"});
+  EXPECT_EQ(words.status, 0) << words.errors;
+  EXPECT_TRUE(words.output.starts_with("t,line,s,feed,X,Y,Z\n0,")) << words.output;
+  EXPECT_EQ(rows_of(words.output).back().q[0], 1);
   EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--sink", "/dev/stdout"}).status, 2);
   EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--sink", "/dev/stdout", "--json", "--quiet"}).status, 2);
 }
@@ -516,7 +532,8 @@ TEST(DriveSink, HasNoDrivesWhoseTraceCouldBeWritten) {
   const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--sink", "words.csv", "--axes", "axes.csv"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_TRUE(contains(outcome.errors, "--axes is of simulated drives")) << outcome.errors;
-  EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--sink", "words.txt"}).status, 2);
+  for (const std::string name : {"words.txt", "words", "-"})
+    EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--sink", name}).status, 2) << name;
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 

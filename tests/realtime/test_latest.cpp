@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <leadscrew/realtime/latest.hpp>
 #include <thread>
 
@@ -36,22 +37,24 @@ TEST(Latest, GivesTheLastValueOnce) {
 TEST(Latest, IsWholeAndNeverOlderThanTheOneBefore) {
   constexpr std::uint64_t last = 300'000;
   realtime::Latest<Value> latest;
+  std::atomic<bool> reads{false}, has_ended{false};
   std::thread writer([&] {
+    while (!reads.load()) std::this_thread::yield();
     for (std::uint64_t number = 1; number <= last; ++number) latest.put(of(number));
+    has_ended.store(true);
   });
-  std::uint64_t before = 0, seen = 0;
-  while (before < last) {
+  std::uint64_t before = 0;
+  for (bool is_last_look = false; !is_last_look && !HasFailure();) {
+    reads.store(true);
+    is_last_look = has_ended.load();
     Value value;
     if (!latest.take(value)) continue;
-    ++seen;
-    if (value != of(value[0]) || value[0] <= before) {
-      ADD_FAILURE() << value[0] << " after " << before;
-      break;
-    }
+    EXPECT_EQ(value, of(value[0]));
+    EXPECT_GT(value[0], before);
     before = value[0];
   }
   writer.join();
-  EXPECT_GT(seen, 1U);
+  EXPECT_EQ(before, last);
 }
 
 }  // namespace

@@ -43,6 +43,31 @@ TEST(Stability, EndsWhereJurySaysSo) {
   }
 }
 
+/// P and I before K/(s(τs + 1)) at short periods: by Routh stable while P > τI. It swings wider by a factor of e in
+/// 1.7 s.
+TEST(Stability, IsLookedAtForSecondsAtShortPeriodsToo) {
+  for (const std::int64_t nanoseconds : {10'000, 20'000, 1'000'000}) {
+    LoopOptions loop = proportional(10, 0.2, 0.5);
+    std::get<PidOptions>(loop.controller).gains.integral = 4;
+    EXPECT_FALSE(check_stable(one_axis(loop), {nanoseconds})) << nanoseconds;
+    std::get<PidOptions>(loop.controller).gains.integral = 1;
+    EXPECT_TRUE(check_stable(one_axis(loop), {nanoseconds})) << nanoseconds;
+  }
+}
+
+/// A velocity loop that is read as a difference of readings has the poles of z² + (PT/2 − 1)z + PT/2.
+TEST(Stability, OfACascadeEndsAtTwoOverThePeriod) {
+  LoopOptions loop{{.drive = {1, 0}}, CascadeOptions{.position_gain = 1e-3}};
+  CascadeOptions& cascade = std::get<CascadeOptions>(loop.controller);
+  for (const double T : {100e-6, 1e-3, 10e-3}) {
+    const base::Period of{std::llround(T * 1e9)};
+    cascade.velocity_gain = 1.98 / T;
+    EXPECT_TRUE(check_stable(one_axis(loop), of)) << T;
+    cascade.velocity_gain = 2.02 / T;
+    EXPECT_FALSE(check_stable(one_axis(loop), of)) << T;
+  }
+}
+
 /// Limits do not make a loop stable, they hide that it is not.
 TEST(Stability, IsThatOfTheLoopWithoutItsLimits) {
   LoopOptions loop = proportional(10, 0.02, 2 * greatest_proportional(10, 0.02, period.seconds()));

@@ -43,11 +43,10 @@ class ProgramDrive {
       log_.add(
           {base::Severity::note, "pause-passed", "M0 and M1 do not pause: no key can be pressed here", {}, {}, {}});
     }
+    if (auto stable = check_loops(); !stable) return failed(stable.error());
     auto begin = DriveBeginning::of(*file, job_);
     if (!begin) return failed(begin.error());
     if (begin->warning) log_.add(*begin->warning);
-    if (auto stable = servo::check_stable(servo::loops_of(job_.machine), job_.machine.period); !stable)
-      return failed(stable.error());
     let_first_interruption_pass();
     // Before there are threads.
     auto process = DriveProcess::start(job_, begin->state, begin->way_back);
@@ -56,6 +55,11 @@ class ProgramDrive {
   }
 
  private:
+  /// Before a state is touched.
+  base::Result<void> check_loops() const {
+    if (arguments_.sink) return {};
+    return servo::check_stable(servo::loops_of(job_.machine), job_.machine.period);
+  }
   std::nullopt_t failed(const base::Diagnostic& problem) {
     log_.add(problem);
     return std::nullopt;
@@ -139,6 +143,7 @@ class ProgramDrive {
       const bool is_asked_to_stop = view_ && view_->obey_keys(runner);
       if ((interruptions() > 0 || is_asked_to_stop) && figures_.end == End::done) {
         runner.stop();
+        drives.link().stopping.store(true, std::memory_order_relaxed);
         figures_.end = End::stopped;
       }
       if (interruptions() > 1) {
@@ -179,7 +184,9 @@ class ProgramDrive {
     figures_.drives_late = link.late_periods.load(std::memory_order_relaxed);
     figures_.braked = link.braked.load(std::memory_order_relaxed);
     take_slides(link);
-    if (link.phase.load() == DriveLink::Phase::tripped && figures_.end != End::abandoned) figures_.end = End::tripped;
+    // A file that was given up while it was to be stopped is no surprise.
+    const bool was_left = figures_.end == End::abandoned || (arguments_.sink && figures_.end == End::stopped);
+    if (link.phase.load() == DriveLink::Phase::tripped && !was_left) figures_.end = End::tripped;
   }
 
   void take_slides(const DriveLink& link) {

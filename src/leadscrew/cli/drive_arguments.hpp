@@ -33,6 +33,7 @@ inline constexpr std::string_view drive_examples =
     "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"
     "words cease, they come to rest by themselves, on the path and within the limits of every axis. Without a "
     "terminal,\n"
-    "and with --quiet, M0 and M1 do not pause. A pipe of --sink that is full holds motion back, word by word.\n";
+    "and with --quiet, M0 and M1 do not pause. What was in the file of --sink is gone. A pipe that is full holds\n"
+    "motion back, word by word; behind it, whoever moves must come to rest by itself when words cease.\n";
 
 }  // namespace leadscrew::cli

@@ -25,6 +25,16 @@ base::Diagnostic cut_twice(const std::string& path) {
           {}};
 }
 
+/// Drives go back to the last word; behind a file there are none.
+base::Diagnostic stands_elsewhere(const std::string& path) {
+  return {base::Severity::error,
+          "resume-state",
+          "was written by simulated drives that stand behind the last word, and no file takes them back",
+          "go on without --sink",
+          base::Place{.file = path},
+          {}};
+}
+
 }  // namespace
 
 base::Result<DriveBeginning> DriveBeginning::of(const InputFile& program, const Job& job) {
@@ -45,6 +55,7 @@ base::Result<DriveBeginning> DriveBeginning::of(const InputFile& program, const 
     auto way_back = find_way_back(*kept, program, job, *arguments.resume);
     if (!way_back) return base::failure(way_back.error());
     begin.way_back = std::move(*way_back);
+    if (arguments.sink && !begin.way_back.empty()) return base::failure(stands_elsewhere(*arguments.resume));
     state = *kept;
     if (state.kind == DriveState::Kind::moving) begin.warning = cut_twice(*arguments.resume);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <leadscrew/cli/drive_checks.hpp>
 #include <leadscrew/cli/drive_link.hpp>
 #include <leadscrew/cli/drive_state.hpp>
@@ -18,10 +19,19 @@ constexpr std::int64_t least_period = 50'000;  // ns: below, two processes canno
 
 base::Result<void> check_sink(const Job& job) {
   const std::optional<std::string>& sink = job.arguments.drive.sink;
+  if (!sink) return {};
+  if (is_standard_output(*sink)) {
+    if (job.arguments.quiet && !job.arguments.json) return {};
+    return base::failure(base::problem("usage", fmt::format("--sink {}: is standard output, where results go", *sink),
+                                       "with --quiet it is left to the words"));
+  }
   if (auto ending = check_ending("--sink", sink, ".csv"); !ending) return ending;
-  if (!sink || !is_standard_output(*sink) || (job.arguments.quiet && !job.arguments.json)) return {};
-  return base::failure(base::problem("usage", fmt::format("--sink {}: is standard output, where results go", *sink),
-                                     "with --quiet it is left to the words"));
+  std::error_code error;
+  const bool holds_words =
+      std::filesystem::is_regular_file(*sink, error) && std::filesystem::file_size(*sink, error) > 0;
+  if (!job.arguments.drive.resume || !holds_words) return {};
+  return base::failure(base::problem("usage", fmt::format("--sink {}: holds words already, which would be lost", *sink),
+                                     "name another file for those that follow"));
 }
 
 base::Result<void> check_files(const InputFile& program, const Job& job) {

@@ -84,6 +84,7 @@ struct DriveLink {
   realtime::Ring<Feedback, 1 << 14> feedback;  ///< what nobody takes is dropped
   std::atomic<Order> order{Order::follow};
   std::atomic<Phase> phase{Phase::starting};
+  std::atomic<bool> stopping{false};          ///< asked to, by a signal or a key
   std::atomic<bool> at_end{false};            ///< with `end`: the program has come to its end
   std::atomic<std::int64_t> taken{0};         ///< words
   std::atomic<std::int64_t> late_periods{0};  ///< that the drives' own process was late by

@@ -53,7 +53,7 @@ std::string bars(const realtime::Histogram& latencies) {
   if (octaves.empty()) return "none";
   double most = 1;
   for (const auto& octave : octaves) most = std::max(most, std::log2(1 + static_cast<double>(octave.count)));
-  std::string text = fmt::format("{} ", duration_text(octaves.front().end / 2));
+  std::string text = fmt::format("{} ", octaves.front().end > 32 ? duration_text(octaves.front().end / 2) : "0");
   for (const auto& octave : octaves) {
     const double share = std::log2(1 + static_cast<double>(octave.count)) / most;
     text += heights[octave.count == 0 ? 0 : 1 + static_cast<std::size_t>(std::lround(share * 7))];

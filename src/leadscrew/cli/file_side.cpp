@@ -1,7 +1,10 @@
+#include <poll.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <leadscrew/cli/file_side.hpp>
+#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <vector>
 
@@ -9,8 +12,9 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t nap = 1'000'000;                   // ns between two looks for words, or for room
-constexpr std::int64_t longest_for_none = 1'000'000'000;  // ns that a reader is waited for when nobody sends words
+constexpr std::int64_t nap = 1'000'000;           // ns between two looks for words, or for room
+constexpr std::int64_t patience = 3'000'000'000;  // ns without progress, when motion is to end or nobody sends
+constexpr std::size_t most_at_once = 4096;        // bytes, for which a pipe that is ready has room
 
 }  // namespace
 
@@ -23,14 +27,17 @@ FileSide::FileSide(DriveLink& link, const Job& job, const DriveState& begin)
 base::Result<void> FileSide::open(const Job&) {
   // A pipe without a reader cannot be opened so: ENXIO.
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC;
+  struct stat status = {};
   while (true) {
-    file_ = Descriptor(::open(path_.c_str(), flags, 0666));
+    file_ = Descriptor(is_standard_output(path_) ? ::dup(STDOUT_FILENO) : ::open(path_.c_str(), flags, 0666));
     if (file_) break;
-    if (errno != ENXIO && errno != EINTR) return base::failure(system_failure("io-open", "cannot write", path_, errno));
+    const int error = errno;
+    const bool is_pipe = ::stat(path_.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+    if (error != EINTR && !(error == ENXIO && is_pipe))
+      return base::failure(system_failure("io-open", "cannot write", path_, error));
     if (!waits()) return {};
   }
-  struct stat status = {};
-  is_regular_ = ::fstat(file_.number(), &status) == 0 && S_ISREG(status.st_mode);
+  is_regular_ = !is_standard_output(path_) && ::fstat(file_.number(), &status) == 0 && S_ISREG(status.st_mode);
   return {};
 }
 
@@ -70,14 +77,16 @@ void FileSide::take_words() {
 
 base::Result<void> FileSide::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(file_.number(), bytes.data(), bytes.size());
+    pollfd ready = {file_.number(), POLLOUT, 0};
+    const bool has_room = ::poll(&ready, 1, 0) != 0;
+    const ssize_t written = has_room ? ::write(file_.number(), bytes.data(), std::min(bytes.size(), most_at_once)) : -1;
     if (written >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(written));
       written_bytes_ += written;
       progress_ = realtime::now();
       continue;
     }
-    const int error = errno;
+    const int error = has_room ? errno : EAGAIN;
     if (error != EAGAIN && error != EINTR)
       return base::failure(system_failure(error == EPIPE ? "io-pipe" : "io-write", "cannot write", path_, error));
     if (!waits()) return base::failure(system_failure("io-pipe", "cannot write", path_, EAGAIN));
@@ -89,8 +98,8 @@ base::Result<void> FileSide::write(std::string_view bytes) {
 bool FileSide::waits() {
   realtime::sleep_until(realtime::now() + nap);
   link_.beats.fetch_add(1, std::memory_order_relaxed);
-  const bool is_left = is_orphan() && realtime::now() - progress_ > longest_for_none;
-  gave_up_ = is_left || order() == DriveLink::Order::abandon;
+  const bool is_to_end = is_orphan() || link_.stopping.load(std::memory_order_relaxed);
+  gave_up_ = (is_to_end && realtime::now() - progress_ > patience) || order() == DriveLink::Order::abandon;
   return !gave_up_;
 }
 

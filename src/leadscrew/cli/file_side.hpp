@@ -1,6 +1,6 @@
 #pragma once
 // A file or a pipe in the place of drives: it gets every word on time, and nothing moves by it. A word is accepted when
-// its whole row is in the file, under its own name: whatever is killed, the file ends with the state's last word.
+// its whole row is in the file, under its own name: whatever is killed, all words that the state knows are there.
 
 #include <leadscrew/cli/word_side.hpp>
 #include <leadscrew/trace/words.hpp>
@@ -12,8 +12,8 @@ class FileSide : public WordSide {
   /// `begin`: what is known before the first word.
   FileSide(DriveLink& link, const Job& job, const DriveState& begin);
 
-  /// The file of DriveArguments::sink, as CSV; what was in it is gone. Waits for the reader of a pipe. Error:
-  /// `io-open`.
+  /// The file of DriveArguments::sink, as CSV; what was in it is gone, but for standard output. Waits for the reader of
+  /// a pipe. Error: `io-open`.
   base::Result<void> open(const Job& job);
   /// Until words end, nobody sends any, or none can be written. Errors: `io-write`, `io-pipe`.
   base::Result<void> run();

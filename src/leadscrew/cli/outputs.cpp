@@ -86,7 +86,7 @@ base::Result<void> check_ending(std::string_view option, const std::optional<std
                                 std::string_view other) {
   if (!path || is_special(*path)) return {};
   const std::string ending = extension(*path);
-  if (ending == one || ending == other) return {};
+  if (ending == one || (!other.empty() && ending == other)) return {};
   const std::string what =
       other.empty() ? fmt::format("does not end in {}", one) : fmt::format("ends in neither {} nor {}", one, other);
   return usage(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");

@@ -187,8 +187,9 @@ void Interpreter::set_feed(const Block& block) {
   }
   if (!block.has('F')) return;
   const double value = block['F'];
-  if (!(value > 0)) {
-    error("bad-value", block.column_of('F'), "the feed is " + text(value), "F must be above 0");
+  constexpr double least = 1e-6;  // a millimetre in two years
+  if (!(value >= least)) {
+    error("bad-value", block.column_of('F'), "the feed is " + text(value), "F must be 0.000001 or more");
     assume_feed();
     return;
   }

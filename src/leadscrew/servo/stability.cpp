@@ -8,7 +8,8 @@ namespace leadscrew::servo {
 
 namespace {
 
-constexpr int periods = 40'000;
+constexpr double look = 10;                                // s
+constexpr std::int64_t fewest = 40'000, most = 1'000'000;  // periods
 
 LoopOptions linear(LoopOptions loop) {
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -18,9 +19,9 @@ LoopOptions linear(LoopOptions loop) {
 }
 
 /// The greatest error over so many periods; infinite where it is no number any more.
-double greatest_error(AxisLoop& loop, double reference, int count) {
+double greatest_error(AxisLoop& loop, double reference, std::int64_t count) {
   double greatest = 0;
-  for (int n = 0; n < count; ++n) {
+  for (std::int64_t n = 0; n < count; ++n) {
     loop.follow({.position = reference});
     const double error = std::abs(reference - loop.axis().screw().position);
     if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
@@ -32,6 +33,7 @@ double greatest_error(AxisLoop& loop, double reference, int count) {
 }  // namespace
 
 base::Result<void> check_stable(const ServoOptions& options, base::Period period) {
+  const std::int64_t periods = std::clamp<std::int64_t>(std::llround(look / period.seconds()), fewest, most);
   constexpr double step = 1;  // mm or degrees; of a linear loop any will do
   ServoOptions linear_loops;
   for (std::size_t i = 0; i < options.size(); ++i) {

@@ -9,7 +9,8 @@
 
 namespace leadscrew::servo {
 
-/// Is the error in the last quarter of 40000 periods no greater than in the first, in every loop? Codes:
+/// Is the error in the last quarter of 10 s, or of 40000 periods if they are longer, no greater than in the first, in
+/// every loop? What swings wider so slowly that it is not seen by then passes. Codes:
 /// `servo-unstable`, whose message names the axis, and those of Servo::create().
 base::Result<void> check_stable(const ServoOptions& options, base::Period period);
 
