@@ -81,12 +81,13 @@ base::Result<std::optional<AdaptiveFigures>> AdaptiveRun::conclude() const {
 
 base::Result<double> AdaptiveRun::time_at(double factor) const {
   pipeline::Program program(file_.source(), job_.machine, job_.tools, job_.reader_options(file_.name()), nullptr);
+  program.watch([this] { return file_.unchanged(); });
   program.override_feed(factor);
   while (program.prepare()) {
     const base::Word word = program.cycle();
     if (base::count(word.tick) % words_between_looks == 0 && interrupted()) return base::failure(interruption());
   }
-  if (program.source_failure()) return base::failure(*program.source_failure());
+  if (program.failure()) return base::failure(*program.failure());
   return program.summary().time_s;
 }
 

@@ -101,6 +101,7 @@ class ProgramRun {
     Progress progress{.work = "moving", .total = file.size()};
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
+    program.watch([&] { return file.unchanged(); });
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
@@ -116,7 +117,7 @@ class ProgramRun {
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
       console_.progress(progress);
     }
-    if (program.source_failure()) return base::failure(*program.source_failure());
+    if (program.failure()) return base::failure(*program.failure());
     referee::Verdict verdict = referee.conclude();
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     return RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};

@@ -65,6 +65,7 @@ class Simulation {
     Progress progress{.work = "moving", .total = file.size()};
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
+    program.watch([&] { return file.unchanged(); });
     gcode::Reader reader = silent_reader(file, job_);
     const LoopKind kind = job_.arguments.simulate.pulses ? LoopKind::pulses : LoopKind::words;
     auto slides = Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
@@ -84,7 +85,7 @@ class Simulation {
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
       console_.progress(progress);
     }
-    if (program.source_failure()) return base::failure(*program.source_failure());
+    if (program.failure()) return base::failure(*program.failure());
     if (auto done = come_to_rest(word, *slides, outputs); !done) return base::failure(done.error());
     record(slides->finish_contour(), *slides, outputs);
     SimulateFigures figures = slides->conclude();
