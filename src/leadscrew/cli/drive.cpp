@@ -1,16 +1,14 @@
 #include <fmt/format.h>
 
-#include <atomic>
-#include <cmath>
 #include <leadscrew/cli/drive.hpp>
 #include <leadscrew/cli/drive_beginning.hpp>
 #include <leadscrew/cli/drive_checks.hpp>
+#include <leadscrew/cli/drive_motion.hpp>
 #include <leadscrew/cli/drive_process.hpp>
 #include <leadscrew/cli/drive_text.hpp>
 #include <leadscrew/cli/drive_view.hpp>
 #include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
 #include <leadscrew/servo/stability.hpp>
@@ -21,7 +19,6 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
-constexpr double least_spare = 0.1;         // s planned behind the words that are made ahead
 
 base::Diagnostic drives_problem(std::string_view code, std::string message, std::string hint = {}) {
   return base::problem(code, std::move(message), std::move(hint));
@@ -76,37 +73,23 @@ class ProgramDrive {
       view_.reset();
       return failed(ready.error());
     }
-    pipeline::MotionSource source(counted(file.source()), job_.machine, job_.tools, job_.reader_options(file.name()),
-                                  nullptr);
-    source.planner().slice(drive_slice);
-    source.planner().start_at(first.path_length, first.line);
-    const double period = job_.machine.period.seconds();
-    const std::int64_t lead = std::llround(arguments_.lead / period);
-    const std::int64_t words_of_slice = std::max<std::int64_t>(1, std::llround(drive_slice / period));
-    realtime::Runner runner({.period = job_.machine.period,
-                             .position = first.position,
-                             .path_length = first.path_length,
-                             .line = first.line,
-                             .look_ahead = std::max(arguments_.look_ahead, arguments_.lead + least_spare) +
-                                           static_cast<double>(words_of_slice) * period,
-                             .lead = lead,
-                             .slice = words_of_slice},
-                            {.next = [&] { return source.next(); },
-                             .refuse = [&] { source.planner().refuse(); },
-                             .override_feed = [&](double factor) { source.planner().override_feed(factor); },
-                             .lets = [&](const planner::Chunk& chunk) { return lets(chunk); }},
-                            sink_to(link, static_cast<std::size_t>(2 * (lead + words_of_slice) + 4)));
-    runner.start();
+    DriveMotion motion(file, job_, first, link, [&](const planner::Chunk& chunk) { return lets(chunk); });
+    motion.start();
     figures_.last = first;
-    watch(runner, drives, file.size());
-    conclude(runner, drives);
+    watch(motion, drives, file.size());
+    conclude(motion, drives);
     view_.reset();
     console_.clear_progress();
     if (notice_) log_.add(*notice_);
-    figures_.blocks = source.reader().blocks();
+    figures_.blocks = motion.blocks();
     if (auto sound = look_at(drives); !sound) return failed(sound.error());
-    if (figures_.end == DriveFigures::End::tripped) log_.add(why_tripped());
-    if (source.reader().source_failure()) return failed(*source.reader().source_failure());
+    if (const auto failure = motion.failure()) {
+      log_.add(*failure);
+      if (figures_.end != DriveFigures::End::stopped && figures_.end != DriveFigures::End::abandoned)
+        figures_.end = DriveFigures::End::failed;
+    } else if (figures_.end == DriveFigures::End::tripped) {
+      log_.add(why_tripped());
+    }
     return figures_;
   }
 
@@ -127,8 +110,9 @@ class ProgramDrive {
   }
 
   /// Until the last word is made, or nobody takes words any more.
-  void watch(realtime::Runner& runner, DriveProcess& drives, std::int64_t size) {
+  void watch(DriveMotion& motion, DriveProcess& drives, std::int64_t size) {
     using End = DriveFigures::End;
+    realtime::Runner& runner = motion.runner();
     Progress progress{.work = "driving", .total = size};
     console_.begin_progress();
     bool has_notice = false;
@@ -155,7 +139,7 @@ class ProgramDrive {
         runner.halt();
         break;
       }
-      progress.bytes = read_.load(std::memory_order_relaxed);
+      progress.bytes = motion.bytes_read();
       progress.words = runner.counters().words;
       progress.motion_seconds = job_.machine.period.seconds() * static_cast<double>(progress.words);
       if (view_) {
@@ -166,10 +150,10 @@ class ProgramDrive {
     }
   }
 
-  void conclude(realtime::Runner& runner, DriveProcess& drives) {
+  void conclude(DriveMotion& motion, DriveProcess& drives) {
     using End = DriveFigures::End;
     DriveLink& link = drives.link();
-    link.at_end.store(figures_.end == End::done && runner.has_ended(), std::memory_order_release);
+    link.at_end.store(figures_.end == End::done && motion.has_come_to_end(), std::memory_order_release);
     auto order = DriveLink::Order::follow;
     link.order.compare_exchange_strong(order, DriveLink::Order::end);
     while (drives.is_running()) {
@@ -178,8 +162,9 @@ class ProgramDrive {
       realtime::sleep_until(realtime::now() + frame / 4);
     }
     take_feedback(link);
-    figures_.counters = runner.counters();
-    figures_.latencies = runner.latencies();
+    motion.conclude();
+    figures_.counters = motion.counters();
+    figures_.latencies = motion.latencies();
     figures_.taken = link.taken.load(std::memory_order_acquire);
     figures_.drives_late = link.late_periods.load(std::memory_order_relaxed);
     figures_.braked = link.braked.load(std::memory_order_relaxed);
@@ -202,13 +187,6 @@ class ProgramDrive {
   bool lets(const planner::Chunk& chunk) { return !view_ || view_->pause().lets(chunk); }
   bool can_wait() const { return !job_.arguments.quiet && Terminal::settings(); }
 
-  static realtime::WordSink sink_to(DriveLink& link, std::size_t room) {
-    return {
-        .take = [&link, room](const base::Word& word) { return link.words.waiting() < room && link.words.push(word); },
-        .lead_on = [&link](const base::PathPlace& place) { return link.words.lead_on(place); },
-        .publish = [&link] { return link.words.publish(); }};
-  }
-
   base::Diagnostic why_tripped() const {
     if (figures_.counters.too_long_to_rest) {
       return drives_problem(
@@ -218,14 +196,6 @@ class ProgramDrive {
     }
     return drives_problem("words-late", "the drives got no word in time and came to rest by themselves",
                           "--resume goes on from there; a greater --lead lets words be later");
-  }
-
-  gcode::ByteSource counted(gcode::ByteSource source) {
-    return [this, source = std::move(source)](std::span<char> bytes) {
-      auto got = source(bytes);
-      if (got) read_.fetch_add(static_cast<std::int64_t>(*got), std::memory_order_relaxed);
-      return got;
-    };
   }
 
   void take_feedback(DriveLink& link) {
@@ -254,7 +224,6 @@ class ProgramDrive {
   const DriveArguments& arguments_;
   Console& console_;
   DiagnosticLog& log_;
-  std::atomic<std::int64_t> read_{0};  ///< bytes of the program, by the planner's thread
   DriveFigures figures_;
   std::optional<DriveView> view_;           ///< on a terminal
   std::optional<base::Diagnostic> notice_;  ///< that is told when the terminal is as it was
@@ -268,6 +237,7 @@ ProgramResult drive_program(const std::string& program, const Job& job, Console&
   const auto status = [&] {
     switch (figures->end) {
       case DriveFigures::End::done:
+      case DriveFigures::End::failed:
         return log.status();
       case DriveFigures::End::tripped:
         return Status::not_kept;

@@ -9,7 +9,9 @@
 namespace leadscrew::cli {
 
 struct DriveFigures {
-  enum class End { done, stopped, abandoned, tripped };
+  /// failed: the program could not be read on as it was checked, or a word was refused; motion came to rest on the
+  /// path.
+  enum class End { done, stopped, abandoned, tripped, failed };
 
   realtime::Counters counters;
   realtime::Histogram latencies;

@@ -224,7 +224,7 @@ base::Result<std::vector<base::PathPlace>> find_way_back(const DriveState& state
   source.on_element = [&](const toolpath::Element& element) { stretch.push(element); };
   source.planner().start_at(state.word.path_length, state.word.line);
   bool goes_on = source.next().has_value();
-  if (source.reader().source_failure()) return base::failure(*source.reader().source_failure());
+  if (source.failure()) return base::failure(*source.failure());
   const std::optional<geometry::Point> at = source.planner().started_at();
   if (!at) return refused(state.word.path_length, "it is shorter");
   if (!are_same(*at, state.word.position)) return refused(state.word.path_length, "it is elsewhere there");
@@ -233,7 +233,7 @@ base::Result<std::vector<base::PathPlace>> find_way_back(const DriveState& state
     return refused(state.axes.path_length, "it is elsewhere there");
   }
   while (goes_on && !stretch.is_whole()) goes_on = source.next().has_value();
-  if (source.reader().source_failure()) return base::failure(*source.reader().source_failure());
+  if (source.failure()) return base::failure(*source.failure());
   if (!stretch.is_whole()) return refused(state.axes.path_length, "it is shorter");
   if (!are_same(stretch.at(stretch.to()).position, state.axes.position))
     return refused(state.axes.path_length, "it is elsewhere there");

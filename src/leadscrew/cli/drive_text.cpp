@@ -13,7 +13,7 @@ namespace leadscrew::cli {
 namespace {
 
 std::string_view name(DriveFigures::End end) {
-  constexpr std::array<std::string_view, 4> names = {"done", "stopped", "abandoned", "tripped"};
+  constexpr std::array<std::string_view, 5> names = {"done", "stopped", "abandoned", "tripped", "failed"};
   return names[static_cast<std::size_t>(end)];
 }
 

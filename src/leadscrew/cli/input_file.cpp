@@ -69,9 +69,13 @@ bool differ(const timespec& a, const timespec& b) {
 
 }  // namespace
 
-base::Result<InputFile> InputFile::open(const std::string& path) {
-  InputFile file;
-  file.name_ = path == "-" ? "<stdin>" : path;
+InputFile::InputFile(std::string name, std::string_view changed)
+    : name_(std::move(name)),
+      changed_(problem(changed, "was changed while it was read", name_, "do not change a file while it is read")),
+      text_(changed_) {}
+
+base::Result<InputFile> InputFile::open(const std::string& path, std::string_view changed) {
+  InputFile file(path == "-" ? "<stdin>" : path, changed);
   auto descriptor = opened(path);
   if (!descriptor) return base::failure(descriptor.error());
   file.descriptor_ = std::move(*descriptor);
@@ -110,21 +114,21 @@ base::Result<std::size_t> InputFile::read_at(std::int64_t offset, std::span<char
 }
 
 gcode::ByteSource InputFile::source(std::int64_t* position) const {
-  return [this, position, offset = std::int64_t{0}](std::span<char> buffer) mutable -> base::Result<std::size_t> {
-    auto got = read_at(offset, buffer);
-    if (!got) return got;
-    offset += static_cast<std::int64_t>(*got);
-    if (position != nullptr) *position = offset;
-    return got;
-  };
+  return text_.source(
+      [this, position, offset = std::int64_t{0}](std::span<char> buffer) mutable -> base::Result<std::size_t> {
+        auto got = read_at(offset, buffer);
+        if (!got) return got;
+        offset += static_cast<std::int64_t>(*got);
+        if (position != nullptr) *position = offset;
+        return got;
+      });
 }
 
 base::Result<void> InputFile::unchanged() const {
   struct stat now = {};
   ::fstat(descriptor_.number(), &now);
   if (now.st_size == opened_.st_size && !differ(now.st_mtim, opened_.st_mtim)) return {};
-  return base::failure(
-      problem("io-read", "was changed while it was read", name_, "do not change a file while it is read"));
+  return base::failure(changed_);
 }
 
 bool InputFile::is_same(const std::string& path) const {

@@ -21,7 +21,7 @@ class Verification {
 
   /// Nothing where the log says why.
   std::optional<VerifyFigures> execute(const std::string& trace, const std::string& program) {
-    const auto trace_file = InputFile::open(trace);
+    const auto trace_file = InputFile::open(trace, "trace-changed");
     if (!trace_file) log_.add(trace_file.error());
     const auto program_file = InputFile::open(program);
     if (!program_file) log_.add(program_file.error());
