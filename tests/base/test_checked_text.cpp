@@ -43,7 +43,7 @@ Diagnostic changed() {
 }
 
 /// Reads `text` as it stands then, so many bytes at a time.
-CheckedText::ByteSource source_of(const std::string& text, std::size_t at_once) {
+ByteSource source_of(const std::string& text, std::size_t at_once) {
   return [&text, at_once, at = std::size_t{0}](std::span<char> buffer) mutable -> Result<std::size_t> {
     const std::size_t count = std::min({buffer.size(), at_once, text.size() - std::min(at, text.size())});
     if (count > 0) std::memcpy(buffer.data(), text.data() + at, count);
@@ -57,7 +57,7 @@ struct Read {
   std::string error;  ///< its code
 };
 
-Read read(CheckedText::ByteSource source, std::size_t at_once = 1000) {
+Read read(ByteSource source, std::size_t at_once = 1000) {
   Read read;
   std::string buffer(at_once, '\0');
   while (true) {

@@ -11,10 +11,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/hash.hpp>
 #include <leadscrew/base/result.hpp>
+#include <leadscrew/base/sink.hpp>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -24,9 +24,6 @@ namespace leadscrew::base {
 
 class CheckedText {
  public:
-  /// Fills the buffer with the next bytes and returns how many; 0 at the end.
-  using ByteSource = std::function<Result<std::size_t>(std::span<char>)>;
-
   static constexpr std::size_t piece_size = 64 * 1024;  ///< bytes
 
   /// `changed`: the error of a reading that differs from the first.
