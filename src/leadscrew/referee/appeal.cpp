@@ -141,6 +141,7 @@ void Appeal::transfer() {
     if (whole.next.alive && !better(candidate, whole.next)) continue;
     whole.next = candidate;
     whole.next.place = std::min(part.begins + part.scale * candidate.place, whole.piece.span);
+    whole.next.held = true;  // the best of the parts need not be the nearest
   }
   whole_.replace_next(last);
 }

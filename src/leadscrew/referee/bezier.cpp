@@ -268,4 +268,21 @@ double length_in(const Metric& metric, const Coordinates& coordinates, const Bez
   return length_halved(metric, coordinates, bezier, most_halvings);
 }
 
+void Turning::add(const Bezier& bezier) {
+  const Polygon polygon(metric_, bezier);
+  const double rounding = polygon.rounding(metric_);
+  for (std::size_t i = 0; i < polygon.last(); ++i) {
+    const double length = distance_in(metric_, coordinates_, polygon.points[i], polygon.points[i + 1]);
+    if (!(length > rounding)) continue;  // of no direction
+    Point direction{};
+    for (std::size_t k = 0; k < metric_.dimensions(); ++k) {
+      if (coordinates_[k]) direction[k] = (polygon.points[i + 1][k] - polygon.points[i][k]) / length;
+    }
+    if (metric_.dot(direction_, direction_) > 0) {
+      sum_ += std::acos(std::clamp(metric_.dot(direction_, direction), -1.0, 1.0));
+    }
+    direction_ = direction;
+  }
+}
+
 }  // namespace leadscrew::referee

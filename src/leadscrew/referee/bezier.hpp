@@ -72,4 +72,20 @@ double distance_in(const Metric& metric, const Coordinates& coordinates, const P
 /// Length in these coordinates, mm; relative error below 5e-5 for certain, about 1e-8 where the curve is smooth.
 double length_in(const Metric& metric, const Coordinates& coordinates, const Bezier& bezier);
 
+/// By how much segments that follow each other turn in these coordinates, at most: the sum of the angles between the
+/// legs of their control polygons, radians.
+class Turning {
+ public:
+  Turning(const Metric& metric, const Coordinates& coordinates) : metric_(metric), coordinates_(coordinates) {}
+
+  void add(const Bezier& bezier);
+  double sum() const { return sum_; }
+
+ private:
+  const Metric& metric_;
+  const Coordinates& coordinates_;
+  double sum_ = 0;
+  Point direction_{};  // of the last leg; 0 before the first
+};
+
 }  // namespace leadscrew::referee

@@ -121,6 +121,7 @@ Candidate Frontier::candidate_on(const Slot& slot, const Candidate& carried) {
   const auto arrive = [&](Candidate candidate, double place, double distance) {
     if (piece.kind != Piece::Kind::line) pass_bend(piece, place, distance, candidate);
     candidate.place = place;
+    candidate.held = place > nearest.place;
     candidate.distance = distance;
     candidate.cost = std::max(candidate.cost, distance);
     candidate.margin = std::max(candidate.margin, distance - piece.tolerance);
@@ -167,6 +168,7 @@ void Frontier::pass_to_end(std::size_t i, double most, Candidate& candidate) {
   candidate = past_bend(here, distance, candidate);
   pass_over(distance, tolerance, piece.line, candidate);
   candidate.place = 0;
+  candidate.held = false;
   candidate.distance = distance;
   candidate.alive = candidate.margin <= most;
 }

@@ -26,6 +26,7 @@ struct Candidate {
 
   bool alive = false;
   double place = 0;           ///< on its piece
+  bool held = false;          ///< by the order: a place before it may be nearer to the word
   double distance = 0;        ///< mm; from there to the latest word, or to the chord where path was passed over
   double cost = 0;            ///< mm; largest distance since it was last forgotten
   double margin = none;       ///< mm; likewise

@@ -11,7 +11,6 @@ constexpr double search_factor = 16;               // of the least cost, while i
 constexpr double doubt = 1. / 16;                  // of the tolerance: deviations larger by more are judged again
 constexpr double on_arc = 1e-3;                    // of the radius: words farther off may bend otherwise
 constexpr double same_distance = 1e-9;             // mm; rounding is below
-constexpr double greatest_stretch = 4. / 3;        // of a chord; an arc's of 2½ radians
 
 }  // namespace
 
@@ -19,7 +18,8 @@ Matcher::Matcher(PieceSource& source, const Metric& metric)
     : source_(source),
       metric_(metric),
       frontier_(metric, [&source](Piece& piece) { return source.next(piece); }),
-      appeal_(metric, frontier_) {}
+      appeal_(metric, frontier_),
+      curve_travel_(metric) {}
 
 Passage Matcher::begin(const Point& word) {
   frontier_.begin(word);
@@ -165,38 +165,17 @@ Passage Matcher::passage(std::size_t last) {
   }
   const Slot& matched = slot(nearest);
   result.line = matched.piece.line;
-  const double place = matched.piece.angle_before + matched.next.place;
-  if (one_block && matched.piece.block == matched_.block) {
-    const double off = std::max(matched.next.distance, matched_.distance);
-    if (matched.piece.kind == Piece::Kind::arc && off <= nanometre + on_arc * matched.piece.radius) {
-      result.arc = &matched.piece;
-      result.turn = std::abs(place - matched_.place);
-    } else if (matched.piece.kind == Piece::Kind::curve && std::isfinite(result.feed.value)) {
-      result.stretch = stretch_to(nearest);
-    }
+  const bool stays = one_block && matched.piece.block == matched_.block;
+  const double angle = matched.piece.angle_before + matched.next.place;
+  if (stays && matched.piece.kind == Piece::Kind::arc &&
+      std::max(matched.next.distance, matched_.distance) <= nanometre + on_arc * matched.piece.radius) {
+    result.arc = &matched.piece;
+    result.turn = std::abs(angle - matched_.angle);
   }
-  matched_ = {matched.piece.block, matched.piece.number, place, matched.next.distance};
+  if (!stays) curve_travel_.forget();
+  if (matched.piece.kind == Piece::Kind::curve) result.stretch = curve_travel_.observe(frontier_, last);
+  matched_ = {matched.piece.block, angle, matched.next.distance};
   return result;
-}
-
-/// Length of a curve from the match of the word before to this word's over the length of their chord, in the axes of
-/// the feed; 1 where a word does not lie on it, or where the chord says too little.
-double Matcher::stretch_to(std::size_t nearest) {
-  const Slot& end = slot(nearest);
-  const std::int64_t behind = end.piece.number - matched_.number;
-  if (behind < 0 || behind > static_cast<std::int64_t>(nearest)) return 1;
-  if (std::max(end.next.distance, matched_.distance) > nanometre) return 1;
-  const std::size_t begin = nearest - static_cast<std::size_t>(behind);
-  if (behind == 0 && !(end.next.place > matched_.place)) return 1;
-  const Coordinates coordinates = coordinates_of(metric_, end.piece.feed.axes);
-  double length = 0;
-  for (std::size_t i = begin; i <= nearest; ++i) {
-    const double from = i == begin ? matched_.place : 0, to = i == nearest ? end.next.place : 1;
-    length += length_in(metric_, coordinates, part(metric_, slot(i).piece.segment, from, to));
-  }
-  const double chord = distance_in(metric_, coordinates, point_at(metric_, slot(begin).piece, matched_.place),
-                                   point_at(metric_, end.piece, end.next.place));
-  return length > chord && length <= greatest_stretch * chord ? length / chord : 1;
 }
 
 std::optional<Finding> Matcher::conclude() {

@@ -33,6 +33,7 @@
 
 #include <cstdint>
 #include <leadscrew/referee/appeal.hpp>
+#include <leadscrew/referee/curve_travel.hpp>
 #include <leadscrew/referee/frontier.hpp>
 #include <leadscrew/referee/piece_source.hpp>
 #include <optional>
@@ -52,7 +53,7 @@ struct Passage {
   ProgrammedFeed feed;  ///< greatest of the blocks the two words may lie on; infinite if they tell it in different axes
   const Piece* arc = nullptr;  ///< if both words lie on the same arc: a piece of it
   double turn = 0;             ///< and the angle between them, radians
-  double stretch = 1;          ///< if both lie on the same curve: its length between them over their chord's
+  double stretch = 1;          ///< if both lie on the same curve: its length between them over their chord's, at least
   std::optional<Finding> deviation;
   std::optional<Finding> skipped;
 };
@@ -84,7 +85,6 @@ class Matcher {
   void settle(std::size_t best, Passage& passage);
   void adopt();
   Passage passage(std::size_t last);
-  double stretch_to(std::size_t nearest);
 
   PieceSource& source_;
   const Metric& metric_;
@@ -99,10 +99,10 @@ class Matcher {
   /// Where the word before lies nearest to.
   struct Match {
     std::int64_t block = -1;
-    std::int64_t number = 0;  // of the piece, if that is of a curve
-    double place = 0;         // on the piece; of an arc from the block's start, radians
-    double distance = 0;      // mm
+    double angle = 0;     // of an arc from the block's start, radians
+    double distance = 0;  // mm
   } matched_;
+  CurveTravel curve_travel_;
 };
 
 }  // namespace leadscrew::referee
