@@ -9,20 +9,20 @@ namespace {
 constexpr double greatest_stretch = 4. / 3;  // of a chord; an arc's of 2½ radians
 constexpr double hidden_share = 1e-4;        // of the length; a tenth of what is objected to
 constexpr double same_length = 1e-9;         // mm
-constexpr std::size_t most_places = 64;      // of a word; where there are more, the chord is told
+constexpr std::size_t most_places = 64;      // of a word; where there are more, the chord counts
 
 }  // namespace
 
 /// Those places from which the distance to the word grows both ways, within a nanometre.
-void CurveTravel::find_places(Frontier& frontier, std::size_t last) {
+void CurveTravel::find_places(CandidateSet& candidates, std::size_t last) {
   now_.clear();
   for (std::size_t i = 0; i <= last && now_.size() <= most_places; ++i) {
-    const Frontier::Slot& here = frontier.slot(i);
+    const CandidateSet::Slot& here = candidates.slot(i);
     if (!here.next.alive) continue;
     Nearest nearest{here.next.place, here.next.distance};
-    if (here.next.held) nearest = nearest_on(metric_, here.piece, frontier.word());
+    if (here.next.held) nearest = nearest_on(metric_, here.piece, candidates.word());
     if (!(nearest.distance <= nanometre)) continue;
-    const std::int64_t serial = frontier.front_serial() + static_cast<std::int64_t>(i);
+    const std::int64_t serial = candidates.front_serial() + static_cast<std::int64_t>(i);
     if (!now_.empty() && now_.back().serial == serial - 1) {
       if (nearest.place <= 0) continue;
       if (now_.back().place >= 1) now_.pop_back();
@@ -31,8 +31,8 @@ void CurveTravel::find_places(Frontier& frontier, std::size_t last) {
   }
 }
 
-double CurveTravel::observe(Frontier& frontier, std::size_t last) {
-  find_places(frontier, last);
+double CurveTravel::observe(CandidateSet& candidates, std::size_t last) {
+  find_places(candidates, last);
   double result = 1;
   double least = std::numeric_limits<double>::infinity();
   const bool few = std::max(before_.size(), now_.size()) <= most_places;
@@ -42,9 +42,9 @@ double CurveTravel::observe(Frontier& frontier, std::size_t last) {
       return from.serial < to.serial || (from.serial == to.serial && from.place <= to.place);
     };
     while (next < before_.size() && not_after(before_[next])) ++next;
-    if (next == 0 || before_[next - 1].serial < frontier.front_serial()) continue;
+    if (next == 0 || before_[next - 1].serial < candidates.front_serial()) continue;
     double length = 0;
-    const double found = stretch(frontier, before_[next - 1], to, length);
+    const double found = stretch(candidates, before_[next - 1], to, length);
     if (length < least - same_length) {
       least = length;
       result = found;
@@ -54,9 +54,9 @@ double CurveTravel::observe(Frontier& frontier, std::size_t last) {
   return result;
 }
 
-double CurveTravel::stretch(Frontier& frontier, const Place& from, const Place& to, double& length) const {
+double CurveTravel::stretch(CandidateSet& candidates, const Place& from, const Place& to, double& length) const {
   const auto piece = [&](std::int64_t serial) -> const Piece& {
-    return frontier.slot(static_cast<std::size_t>(serial - frontier.front_serial())).piece;
+    return candidates.slot(static_cast<std::size_t>(serial - candidates.front_serial())).piece;
   };
   const auto part_of = [&](std::int64_t serial) {
     return part(metric_, piece(serial).segment, serial == from.serial ? from.place : 0,

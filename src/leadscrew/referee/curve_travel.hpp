@@ -3,7 +3,7 @@
 //
 // A word within a nanometre of the curve lies on it. Where the curve comes by more than once, as on both sides of a tip
 // at which it turns back, the word may lie at each of these places, and counting from one that is not the right one
-// would count the way to the tip twice:
+// would count the travel to the tip twice:
 //
 //     a ────────────● word before ──────●──╮      the second word may lie before the tip or behind it
 //     b ────────────────────────────────●──╯
@@ -11,10 +11,10 @@
 // So the least length is taken that places of both words in order allow. Nor do words tell of bends that a motion
 // within a nanometre of the curve may cut: beside a curve of length L that turns by θ, a motion within δ of it, which
 // begins at δ₀ and ends at δ₁ from the curve's ends, has a length of at least L − δ₀ − δ₁ − δθ (project it on the
-// curve's tangents and integrate by parts). Where that is less than L by more than a ten-thousandth, the words' chord
-// is told.
+// curve's tangents and integrate by parts). Where that is less than L by more than a ten-thousandth, the chord of the
+// words counts.
 
-#include <leadscrew/referee/frontier.hpp>
+#include <leadscrew/referee/candidate_set.hpp>
 #include <vector>
 
 namespace leadscrew::referee {
@@ -29,7 +29,7 @@ class CurveTravel {
   /// After a step whose last candidate is in this slot, all of them on one curve: the least length of the curve between
   /// the word before and this one over the length of its chord, in the axes of the feed. 1 where a word does not lie on
   /// it, or where the chord says too little.
-  double observe(Frontier& frontier, std::size_t last);
+  double observe(CandidateSet& candidates, std::size_t last);
 
  private:
   /// Where a word may lie.
@@ -39,8 +39,8 @@ class CurveTravel {
     double distance = 0;      // mm
   };
 
-  void find_places(Frontier& frontier, std::size_t last);
-  double stretch(Frontier& frontier, const Place& from, const Place& to, double& length) const;
+  void find_places(CandidateSet& candidates, std::size_t last);
+  double stretch(CandidateSet& candidates, const Place& from, const Place& to, double& length) const;
 
   const Metric& metric_;
   std::vector<Place> before_, now_;  // in the order of the path
