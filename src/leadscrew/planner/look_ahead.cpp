@@ -26,6 +26,19 @@ constexpr std::size_t least_to_change = 8;  // intervals left of a window for a 
 constexpr std::size_t most_pieces = 900;
 constexpr std::size_t most_patience = 16;  // segments
 
+/// Of limits that bound speed: how fast motion may become there. An axis that hardly moves there, but may soon, does
+/// not count.
+template <typename Row>
+double speed_to_reckon_with(const Row&) {
+  return infinity;
+}
+double speed_to_reckon_with(const constraints::SpeedRow& row) {
+  return std::abs(row.rate) > 1e-3 ? row.limit / std::abs(row.rate) : infinity;
+}
+double speed_to_reckon_with(const constraints::SquareRow& row) {
+  return std::sqrt(row.greatest);
+}
+
 }  // namespace
 
 void LookAhead::append(const toolpath::Piece& piece) {
@@ -33,12 +46,13 @@ void LookAhead::append(const toolpath::Piece& piece) {
   const double length = geometry::length(piece.curve);
   for (const double s : {0.0, length / 2}) {
     const geometry::PointJet jet = geometry::jets(piece.curve, s);
-    const TangentLimits limits = tangent_limits(jet, machine_);
-    double speed = piece.greatest_speed(jet);
-    for (const base::Axis axis : base::all_axes) {
-      const double rate = std::abs(jet[base::index(axis)].first);
-      if (rate > 1e-3) speed = std::min(speed, machine_.limits(axis).velocity / rate);
-      if (rate > 1e-12) moving_.set(base::index(axis));
+    const machine::Derivatives limits = tangent_limits(jet, constraints_);
+    double speed = infinity;
+    constraints_.each_row({jet, piece.greatest_speed(jet)}, [&](auto kind, std::size_t, const auto& row) {
+      if constexpr (constraints::KindAt<kind>::is_proven) speed = std::min(speed, speed_to_reckon_with(row));
+    });
+    for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
+      if (std::abs(jet[axis].first) > 1e-12) moving_.set(axis);
     }
     fastest_ = std::max(fastest_, speed);
     slowest_stop_ = std::max(slowest_stop_, stop_time(speed, limits));
@@ -151,7 +165,7 @@ std::unique_ptr<Window> LookAhead::solve(Refinement refinement) {
   if (continuation_ && refinement == Refinement::where_speed_changes) {
     stretch.changes_from = continuation_->c[0];
   }
-  return settled(plan_window(section_, machine_, stretch, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
+  return settled(plan_window(section_, constraints_, stretch, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
                              most_intervals()));
 }
 
@@ -171,7 +185,7 @@ void LookAhead::solve_to_rest() {
   Stretch stretch = next_stretch();
   stretch.ends_at_rest = true;
   for (int halving = 0; halving < 40 && !window_; ++halving) {
-    window_ = settled(plan_window(section_, machine_, stretch, continuation_, Aim::fastest, most_intervals()));
+    window_ = settled(plan_window(section_, constraints_, stretch, continuation_, Aim::fastest, most_intervals()));
     stretch.end = begin_ + (stretch.end - begin_) / 2;
   }
 }
@@ -249,7 +263,7 @@ std::size_t LookAhead::split_at(Window& window, std::size_t next) const {
     now = now + segment.duration;
     const bool fast = window.profile.is_too_fast() || factor_ == 0;
     const double feed_factor = fast ? infinity : planned_factor_;
-    if (greatest_ratios(segment, section_, machine_, feed_factor, few_looks).worst() > 1) return 0;
+    if (greatest_ratios(segment, section_, constraints_, feed_factor, few_looks).worst() > 1) return 0;
   }
   const DoubleDouble later = now - (whole.begin + whole.duration);
   for (std::size_t i = next + 1; i < window.segments.size(); ++i) {
@@ -280,7 +294,7 @@ Chunk LookAhead::hand_out() {
   const double end = after < count ? segments[after].s0.value() : window.end;
   const std::size_t first_piece = section_.piece_at(begin_, Side::right);
   Tail tail{{middle, segments.end()}, window.end};
-  if (slice_ < infinity && factor_ > 0) tail = tail_of(window, after, section_, machine_, planned_factor_);
+  if (slice_ < infinity && factor_ > 0) tail = tail_of(window, after, section_, constraints_, planned_factor_);
   const double rest = tail.end;
   const std::size_t last_piece = section_.piece_at(rest, Side::left);
   Chunk chunk;
