@@ -8,10 +8,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double greatest_speed_of(const SpeedRow& row) {
-  return row.rate != 0 ? row.limit / std::abs(row.rate) : infinity;
+double greatest_speed_of(const SpeedRow& row, double least_rate = 0) {
+  const double rate = std::abs(row.rate);
+  return rate > least_rate ? row.limit / rate : infinity;
 }
-double greatest_speed_of(const SquareRow& row) {
+double greatest_speed_of(const SquareRow& row, double = 0) {
   return std::sqrt(row.greatest);
 }
 
@@ -67,11 +68,11 @@ double Constraints::greatest_square(const Place& at) const {
   return std::min(speed * speed, square);
 }
 
-double Constraints::greatest_speed(const Place& at) const {
+double Constraints::greatest_speed(const Place& at, double least_rate) const {
   double speed = infinity;
   each_row(at, [&](auto kind, std::size_t, const auto& row) {
     using Row = std::remove_cvref_t<decltype(row)>;
-    if constexpr (is_speed<Row> && KindAt<kind>::is_proven) speed = std::min(speed, greatest_speed_of(row));
+    if constexpr (is_speed<Row> && KindAt<kind>::is_proven) speed = std::min(speed, greatest_speed_of(row, least_rate));
   });
   return speed;
 }

@@ -137,8 +137,8 @@ class Constraints {
 
   /// Greatest x = ṡ² by what bounds speed; infinite where nothing does.
   double greatest_square(const Place& at) const;
-  /// The same without what is not proven, as a speed ṡ.
-  double greatest_speed(const Place& at) const;
+  /// The same without what is not proven, as a speed ṡ; rows whose rate is no more than `least_rate` do not count.
+  double greatest_speed(const Place& at, double least_rate = 0) const;
   /// What the tangent alone allows: |q′|·ṡ ≤ v, |q′|·|s̈| ≤ a, |q′|·|s⃛| ≤ j, as if the path went straight on; infinite
   /// where nothing bounds. skip: axes that are left out.
   machine::Derivatives along_tangent(const Place& at, base::AxisSet skip = {}) const;

@@ -25,19 +25,7 @@ constexpr double few_share = 0.6;           // of the intervals that a window ma
 constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 constexpr std::size_t most_pieces = 900;
 constexpr std::size_t most_patience = 16;  // segments
-
-/// Of limits that bound speed: how fast motion may become there. An axis that hardly moves there, but may soon, does
-/// not count.
-template <typename Row>
-double speed_to_reckon_with(const Row&) {
-  return infinity;
-}
-double speed_to_reckon_with(const constraints::SpeedRow& row) {
-  return std::abs(row.rate) > 1e-3 ? row.limit / std::abs(row.rate) : infinity;
-}
-double speed_to_reckon_with(const constraints::SquareRow& row) {
-  return std::sqrt(row.greatest);
-}
+constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity does not count yet
 
 }  // namespace
 
@@ -47,10 +35,7 @@ void LookAhead::append(const toolpath::Piece& piece) {
   for (const double s : {0.0, length / 2}) {
     const geometry::PointJet jet = geometry::jets(piece.curve, s);
     const machine::Derivatives limits = tangent_limits(jet, constraints_);
-    double speed = infinity;
-    constraints_.each_row({jet, piece.greatest_speed(jet)}, [&](auto kind, std::size_t, const auto& row) {
-      if constexpr (constraints::KindAt<kind>::is_proven) speed = std::min(speed, speed_to_reckon_with(row));
-    });
+    const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(jet)}, hardly_moves);
     for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
       if (std::abs(jet[axis].first) > 1e-12) moving_.set(axis);
     }

@@ -187,7 +187,8 @@ void SpeedProfile::build(const Section& section, const constraints::Constraints&
       };
       for (std::size_t i = 0; i < RowPairs::size; ++i) {
         const auto& [a, j] = here.pairs[i];
-        const auto& [left_a, left_j] = left_rows.pairs[i], &[ right_a, right_j ] = right_rows.pairs[i];
+        const auto& [left_a, left_j] = left_rows.pairs[i];
+        const auto& [right_a, right_j] = right_rows.pairs[i];
         if (above(a.by_x, left_a.by_x, right_a.by_x, next_to_nothing * a.limit / squared(fastest)) ||
             above(j.by_x, left_j.by_x, right_j.by_x, next_to_nothing * j.limit / (squared(fastest) * fastest))) {
           return true;
