@@ -58,7 +58,7 @@ std::string fingerprint(const Case& program) {
   source.add(program.text);
   source.add(testing_support::limits_of(program.machine));
   pipeline::Program motion(gcode::text_source(program.text), program.machine, program.tools, {.start = program.start},
-                           [](const base::Diagnostic&) {});
+                           [](const base::Diagnostic& problem) { EXPECT_EQ(problem.message, ""); });
   if (program.is_overridden) motion.slice(0.02);
   std::uint64_t count = 0;
   for (; count < program.most_words && motion.prepare(); ++count) {
@@ -90,8 +90,9 @@ std::map<std::string, Case> examples() {
     Case& program = cases["example/" + entry.path().stem().string()];
     program.text = file_text(entry.path());
     program.tools = tools;
-    auto& rotary = program.machine.axes[base::index(base::Axis::A)];
-    rotary = machine::AxisLimits{-1e5, 1e5, 60, 300, 6000, 0.001};
+    for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::C}) {
+      program.machine.axes[base::index(axis)] = machine::AxisLimits{-1e5, 1e5, 60, 300, 6000, 0.001};
+    }
   }
   return cases;
 }
