@@ -7,7 +7,7 @@
 #include <cctype>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/curve_program.hpp>
-#include <leadscrew/cli/nearest.hpp>
+#include <leadscrew/base/nearest.hpp>
 #include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/study/studies.hpp>
@@ -147,7 +147,7 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::vector<std::string_view> views(known.begin(), known.end());
-  return cli::did_you_mean(word, std::span(views));
+  return base::did_you_mean(word, std::span(views));
 }
 
 void check_picture(const Arguments& arguments) {
@@ -182,7 +182,7 @@ std::string unexpected(const CLI::App& command) {
   // Dashes would count as letters that are right.
   const std::vector<std::string> known = names_of_options(command);
   const std::vector<std::string_view> views(known.begin(), known.end());
-  const auto meant = nearest(std::string_view(name).substr(std::min(name.find_first_not_of('-'), name.size())), views);
+  const auto meant = base::nearest(std::string_view(name).substr(std::min(name.find_first_not_of('-'), name.size())), views);
   return fmt::format("no option {}{}", name, meant ? fmt::format("; did you mean --{}?", *meant) : "");
 }
 

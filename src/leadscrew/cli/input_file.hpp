@@ -3,7 +3,7 @@
 //
 // It is opened once and held open; every source reads it from the beginning at an offset of its own. So a file that is
 // renamed or removed meanwhile is still read to its end, and one that shrinks or is changed is noticed. What cannot be
-// read twice (a pipe, a terminal) is first copied to a temporary file without a name.
+// read twice (a pipe, a terminal, a device) is first copied to a temporary file without a name, up to 1 GiB.
 
 #include <sys/stat.h>
 
@@ -14,11 +14,15 @@
 
 namespace leadscrew::cli {
 
+/// Bytes of what is copied.
+inline constexpr std::int64_t largest_copy = std::int64_t{1} << 30;
+
 class InputFile {
  public:
   /// "-" is standard input, curve:NAME a curve of the studies (curve_program.hpp). Errors: `usage` of the latter,
-  /// `io-open`, `io-read`, `io-write` (of the copy), interruption.
-  static base::Result<InputFile> open(const std::string& path);
+  /// `io-open`, `io-read`, `io-write` (of the copy), `input-too-large` where there is more to copy than so many bytes,
+  /// interruption.
+  static base::Result<InputFile> open(const std::string& path, std::int64_t largest = largest_copy);
 
   const std::string& name() const { return name_; }  ///< for people: the path, curve:NAME, or <stdin>
   std::int64_t size() const { return size_; }        ///< bytes
@@ -42,7 +46,7 @@ class InputFile {
   struct stat opened_ = {};
 };
 
-/// The whole of a small file, such as a machine file. Errors as above, and `io-read` beyond 16 MiB.
-base::Result<std::string> read_whole(const std::string& path);
+/// The whole of a small file, such as a machine file. Errors as above; `input-too-large` of a file of any kind.
+base::Result<std::string> read_whole(const std::string& path, std::int64_t largest);
 
 }  // namespace leadscrew::cli

@@ -2,8 +2,8 @@
 
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/machine_file.hpp>
 #include <leadscrew/cli/processor_time.hpp>
+#include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 
 namespace leadscrew::cli {
@@ -11,10 +11,11 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::string_view built_in = "mill3";
+constexpr std::int64_t largest_tool_table = 16 << 20;
 
 /// Adds its text to what was read.
 machine::Machine read_machine_file(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = read_whole(path);
+  const auto text = read_whole(path, config::largest_machine_file);
   if (!text) {
     base::Diagnostic problem = text.error();
     if (problem.code == "io-open" && problem.hint.empty()) problem.hint = "give a machine file; built in is mill3";
@@ -22,13 +23,14 @@ machine::Machine read_machine_file(const std::string& path, std::string& read, D
     return {};
   }
   read += *text;
-  MachineFile file = read_machine(*text, path);
-  for (const base::Diagnostic& problem : file.diagnostics) log.add(problem);
-  return file.machine;
+  auto machine = config::read_machine(*text, path);
+  if (machine) return std::move(*machine);
+  for (const base::Diagnostic& problem : machine.error()) log.add(problem);
+  return {};
 }
 
 machine::ToolTable read_tools(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = read_whole(path);
+  const auto text = read_whole(path, largest_tool_table);
   if (!text) {
     log.add(text.error());
     return {};

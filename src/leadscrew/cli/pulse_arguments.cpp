@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <leadscrew/cli/nearest.hpp>
+#include <leadscrew/base/nearest.hpp>
 #include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/output_name.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
@@ -55,7 +55,7 @@ Parsed<T> parse_name(std::string_view option, std::string_view text, const std::
   std::transform(known.begin(), known.end(), names.begin(), [](T value) { return stepping::name(value); });
   const auto found = std::find(names.begin(), names.end(), text);
   if (found != names.end()) return known[static_cast<std::size_t>(found - names.begin())];
-  return wrong("{} {}: is none of {}{}", option, text, fmt::join(names, ", "), did_you_mean(text, names));
+  return wrong("{} {}: is none of {}{}", option, text, fmt::join(names, ", "), base::did_you_mean(text, names));
 }
 
 /// Without spaces around it.
@@ -164,7 +164,7 @@ Parsed<PulseMethod> parse_pulse_method(std::string_view text) {
   }
   std::vector<std::string_view> names;
   for (const PulseMethod method : stepping::all_pulse_methods) names.push_back(stepping::name(method));
-  return wrong("is none of {}{}", names_of_pulse_methods(), did_you_mean(text, names));
+  return wrong("is none of {}{}", names_of_pulse_methods(), base::did_you_mean(text, names));
 }
 
 std::string names_of_pulse_methods() {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <leadscrew/cli/drive_keys.hpp>
+#include <leadscrew/config/drive_help.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
 #include <vector>
 
@@ -83,7 +83,7 @@ void SimulateArguments::put_into(machine::Machine& machine) const {
 }
 
 std::string simulate_help() {
-  return std::string(examples) + "\n" + std::string(drive_help);
+  return std::string(examples) + "\n" + std::string(config::drive_help);
 }
 
 }  // namespace leadscrew::cli

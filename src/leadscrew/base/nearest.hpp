@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace leadscrew::cli {
+namespace leadscrew::base {
 
 /// The known word the fewest insertions, removals, changes and swaps of neighbours (Damerau 1964) away, if that is
 /// fewer than half of the word's letters.
@@ -15,4 +15,4 @@ std::optional<std::string_view> nearest(std::string_view word, std::span<const s
 /// "; did you mean run?", or nothing where no known word is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::base

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cctype>
-#include <leadscrew/cli/nearest.hpp>
+#include <leadscrew/base/nearest.hpp>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::base {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
   return meant ? "; did you mean " + std::string(*meant) + "?" : std::string();
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::base

@@ -1,27 +1,9 @@
 #pragma once
-// The keys of [axis.X.drive] in machine files.
+// The keys of [axis.X.drive] as people read of them.
 
-#include <leadscrew/base/axes.hpp>
-#include <leadscrew/machine/drive.hpp>
-#include <string>
 #include <string_view>
-#include <vector>
 
-namespace leadscrew::cli {
-
-inline constexpr std::string_view controller_key = "controller", encoder_key = "encoder";
-
-/// The key of each of machine::drive_numbers, in their order; in mm or in degrees.
-const std::array<std::string_view, machine::drive_numbers.size()>& drive_keys_of(base::Axis axis);
-
-/// Every key there is.
-std::vector<std::string_view> all_drive_keys(base::Axis axis);
-
-/// "axis.X.drive"
-std::string drive_section_of(base::Axis axis);
-
-/// Where the number stands that a `machine-drive` problem is about: "axis.X.drive.gain_mm_s". Empty for none.
-std::string drive_slot_of(base::Axis axis, std::string_view message);
+namespace leadscrew::config {
 
 inline constexpr std::string_view drive_help =
     "Drives are told in the machine file; what is left out has the value in brackets, deg stands for mm in rotary "
@@ -50,4 +32,4 @@ inline constexpr std::string_view drive_help =
     "  encoder = \"screw\"               # or \"slide\" [screw]\n"
     "The play between screw and slide is backlash_mm of [axis.X].\n";
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::config
