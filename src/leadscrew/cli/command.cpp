@@ -35,21 +35,21 @@ Status answer(const Answer& answer) {
   return answer.status;
 }
 
-std::string_view schema_of(Arguments::Command command) {
+std::string_view schema_of(Arguments::Verb command) {
   switch (command) {
-    case Arguments::Command::run:
+    case Arguments::Verb::run:
       return run_schema;
-    case Arguments::Command::check:
+    case Arguments::Verb::check:
       return check_schema;
-    case Arguments::Command::verify:
+    case Arguments::Verb::verify:
       return verify_schema;
-    case Arguments::Command::simulate:
+    case Arguments::Verb::simulate:
       return simulate_schema;
-    case Arguments::Command::drive:
+    case Arguments::Verb::drive:
       return drive_schema;
-    case Arguments::Command::pulse:
-    case Arguments::Command::study:
-    case Arguments::Command::design:
+    case Arguments::Verb::pulse:
+    case Arguments::Verb::study:
+    case Arguments::Verb::design:
       break;  // work on no program
   }
   return run_schema;
@@ -60,33 +60,33 @@ Status end_without_job(const Arguments& arguments, const DiagnosticLog& log, Con
   if (!arguments.json || log.status() == Status::usage || log.status() == Status::interrupted) return log.status();
   std::vector<Json> objects;
   for (const std::string& program : arguments.programs) {
-    objects.push_back(json_of_rejected(schema_of(arguments.command), program, {}, log));
+    objects.push_back(json_of_rejected(schema_of(arguments.verb), program, {}, log));
   }
-  return worse(log.status(), write_output(console, json_text(schema_of(arguments.command), std::move(objects))));
+  return worse(log.status(), write_output(console, json_text(schema_of(arguments.verb), std::move(objects))));
 }
 
 Status perform(const Arguments& arguments) {
   Console console(arguments.color, arguments.quiet);
-  if (arguments.command == Arguments::Command::pulse) return pulse(arguments, console);
-  if (arguments.command == Arguments::Command::study) return study(arguments, console);
-  if (arguments.command == Arguments::Command::design) return design(arguments, console);
+  if (arguments.verb == Arguments::Verb::pulse) return pulse(arguments, console);
+  if (arguments.verb == Arguments::Verb::study) return study(arguments, console);
+  if (arguments.verb == Arguments::Verb::design) return design(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
   if (!job) return end_without_job(arguments, log, console);
-  switch (arguments.command) {
-    case Arguments::Command::run:
+  switch (arguments.verb) {
+    case Arguments::Verb::run:
       return run(*job, console);
-    case Arguments::Command::check:
+    case Arguments::Verb::check:
       return check(*job, console);
-    case Arguments::Command::verify:
+    case Arguments::Verb::verify:
       return verify(*job, console);
-    case Arguments::Command::simulate:
+    case Arguments::Verb::simulate:
       return simulate(*job, console);
-    case Arguments::Command::drive:
+    case Arguments::Verb::drive:
       return drive(job_of(*job, arguments.programs.front()), console);
-    case Arguments::Command::pulse:
-    case Arguments::Command::study:
-    case Arguments::Command::design:
+    case Arguments::Verb::pulse:
+    case Arguments::Verb::study:
+    case Arguments::Verb::design:
       break;
   }
   return Status::usage;

@@ -75,6 +75,18 @@ Parsed<double> parse_number(std::string_view text) {
   return value;
 }
 
+Parsed<std::vector<double>> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const auto number = parse_number(text.substr(0, comma));
+    if (!number) return wrong(number.error());
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 Parsed<base::Period> parse_period(std::string_view text) {
   const auto nanoseconds = parse_nanoseconds(text, "such as 1ms or 250us", {10e3, 20e6}, "10us to 20ms");
   if (!nanoseconds) return wrong(nanoseconds.error());

@@ -219,15 +219,15 @@ std::string study_table(const study::Rows& rows, std::optional<int> width, const
 
 Status study(const Arguments& arguments, Console& console) {
   const Style& style = console.output_style();
-  if (arguments.study == "list") return write_output(console, arguments.json ? list_json() : list_text(style));
+  if (arguments.study.name == "list") return write_output(console, arguments.json ? list_json() : list_text(style));
   const auto known = study::studies();
   const auto chosen =
-      std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study; });
+      std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study.name; });
   if (chosen == known.end()) return Status::usage;
   end_when_interrupted();
   const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
-  if (arguments.study_picture) {
-    if (auto drawn = draw(*chosen, *arguments.study_picture); !drawn) {
+  if (arguments.study.picture) {
+    if (auto drawn = draw(*chosen, *arguments.study.picture); !drawn) {
       DiagnosticLog log(console);
       log.add(drawn.error());
       return log.status();
