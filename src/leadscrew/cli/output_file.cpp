@@ -115,7 +115,7 @@ base::Result<void> OutputFile::rewrite_start(std::string_view bytes) {
   return write(bytes);
 }
 
-trace::ByteSink OutputFile::sink() {
+base::ByteSink OutputFile::sink() {
   return [this](std::string_view bytes) { return write(bytes); };
 }
 

@@ -4,8 +4,8 @@
 // Bytes go to a temporary file in the same folder, which takes the final name when it is published and is removed when
 // it is not. What is no regular file (/dev/null, a pipe) is written straight.
 
+#include <leadscrew/base/sink.hpp>
 #include <leadscrew/cli/descriptor.hpp>
-#include <leadscrew/trace/sink.hpp>
 #include <string>
 #include <string_view>
 
@@ -34,7 +34,7 @@ class OutputFile {
   /// Overwrites the first bytes of the file.
   base::Result<void> rewrite_start(std::string_view bytes);
   /// Refers to this file, which must stay where it is.
-  trace::ByteSink sink();
+  base::ByteSink sink();
 
   /// All bytes have reached the system; nothing more will be written.
   base::Result<void> close();

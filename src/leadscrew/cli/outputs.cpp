@@ -154,13 +154,13 @@ base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector
   return {};
 }
 
-base::Result<void> Outputs::write_pages(const trace::Report& report) {
+base::Result<void> Outputs::write_pages(const report::Report& report) {
   if (report_) {
     auto written =
-        trace::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
+        report::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
     if (!written) return written;
   }
-  if (picture_) return trace::write_path_svg(report.title, *recording_, picture_->sink());
+  if (picture_) return report::write_path_svg(report.title, *recording_, picture_->sink());
   return {};
 }
 

@@ -6,8 +6,8 @@
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/step_output.hpp>
-#include <leadscrew/trace/recording.hpp>
-#include <leadscrew/trace/report.hpp>
+#include <leadscrew/report/recording.hpp>
+#include <leadscrew/report/report.hpp>
 #include <leadscrew/trace/words.hpp>
 #include <memory>
 #include <optional>
@@ -51,11 +51,11 @@ class Outputs {
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
 
   /// What a report and a picture are made of; nothing where none was asked for.
-  const trace::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
+  const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
-  trace::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
+  report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
   /// Writes the report and the picture, whichever was asked for.
-  base::Result<void> write_pages(const trace::Report& report);
+  base::Result<void> write_pages(const report::Report& report);
   /// Writes the steps that are left.
   base::Result<void> finish_steps(const InputFile& program) {
     return steps_ ? steps_->finish(program) : base::Result<void>();
@@ -77,8 +77,8 @@ class Outputs {
   std::unique_ptr<OutputFile> trace_, report_, picture_;  ///< their sinks refer to them
   Writer writer_;
   std::unique_ptr<StepOutput> steps_;
-  std::optional<trace::Recording> recording_;
-  std::optional<trace::FollowedRecording> followed_;
+  std::optional<report::Recording> recording_;
+  std::optional<report::FollowedRecording> followed_;
 };
 
 }  // namespace leadscrew::cli

@@ -21,9 +21,9 @@ base::Diagnostic problem(std::string_view code, std::string message, std::string
 
 base::Result<AllPulses> measured(const PulseArguments& arguments) {
   AllPulses all;
-  for (const stepping::PulseMethod method : arguments.methods) {
-    const stepping::PulseRun run(method, arguments.curve, arguments.options);
-    stepping::PulseMeasurement measurement(run, arguments.curve);
+  for (const nc::PulseMethod method : arguments.methods) {
+    const nc::PulseRun run(method, arguments.curve, arguments.options);
+    nc::PulseMeasurement measurement(run, arguments.curve);
     while (!measurement.done()) {
       measurement.step();
       if (measurement.run().clock() % clocks_between_looks == 0 && interrupted()) return base::failure(interruption());
@@ -37,7 +37,7 @@ base::Result<AllPulses> measured(const PulseArguments& arguments) {
 base::Result<void> check_length(const PulseArguments& arguments, const AllPulses& pulses) {
   if (!arguments.path && !arguments.table) return {};
   std::int64_t clocks = 0;
-  for (const trace::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
+  for (const waves::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
   if (clocks <= most_places) return {};
   return base::failure(problem("too-many-clocks",
                                std::to_string(clocks) + " clocks are too many for " +
@@ -54,10 +54,10 @@ class PulseFiles {
       return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
                                    "give each output a name of its own"));
     return write_one(arguments.vcd,
-                     [&](const auto& sink) { return trace::write_pulse_dump(arguments.curve, pulses, sink); })
+                     [&](const auto& sink) { return waves::write_pulse_dump(arguments.curve, pulses, sink); })
         .and_then([&] {
           return write_one(arguments.svg,
-                           [&](const auto& sink) { return trace::write_pulse_picture(arguments.curve, pulses, sink); });
+                           [&](const auto& sink) { return waves::write_pulse_picture(arguments.curve, pulses, sink); });
         })
         .and_then([&] { return publish(); });
   }
@@ -92,7 +92,7 @@ std::string text_of(const PulseArguments& arguments, const AllPulses& pulses, co
   std::string text = pulse_summary(arguments.curve, pulses, style);
   const bool is_short = pulses.size() == 1 && pulses.front().figures.clocks <= most_clocks_shown;
   if (!arguments.table && !is_short) return text;
-  for (const trace::MeasuredPulses& each : pulses) text += "\n" + pulse_table(arguments.curve, each, style);
+  for (const waves::MeasuredPulses& each : pulses) text += "\n" + pulse_table(arguments.curve, each, style);
   return text;
 }
 
@@ -117,10 +117,10 @@ Status pulse(const Arguments& arguments, Console& console) {
   DiagnosticLog log(console);
   for (const base::Diagnostic& each : asked.overflows) log.add(each);
   if (log.errors() > 0) return rejected(arguments, log, console);
-  for (const base::Diagnostic& each : stepping::problems_of(asked.curve, asked.options.bits)) log.add(each);
+  for (const base::Diagnostic& each : nc::problems_of(asked.curve, asked.options.bits)) log.add(each);
   if (log.errors() > 0) return rejected(arguments, log, console);
-  for (const stepping::PulseMethod method : asked.methods) {
-    if (const auto problem = stepping::capacity_problem(method, asked.curve, asked.options)) log.add(*problem);
+  for (const nc::PulseMethod method : asked.methods) {
+    if (const auto problem = nc::capacity_problem(method, asked.curve, asked.options)) log.add(*problem);
   }
   if (log.errors() > 0) return rejected(arguments, log, console);
   const auto pulses = made(asked);

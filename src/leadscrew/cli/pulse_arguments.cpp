@@ -15,7 +15,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-using stepping::PulseMethod;
+using nc::PulseMethod;
 
 constexpr const char* examples =
     "Examples:\n"
@@ -62,7 +62,7 @@ Parsed<pulse::Point> parse_point(std::string_view of, std::string_view text, std
     if (!parsed) return tl::unexpected(parsed.error());
     *coordinate = *parsed;
     if (*parsed < -pulse::greatest_coordinate || *parsed > pulse::greatest_coordinate)
-      overflows.push_back(stepping::overflow_beyond(name, fmt::format("{} of the {}", name, of), digits));
+      overflows.push_back(nc::overflow_beyond(name, fmt::format("{} of the {}", name, of), digits));
   }
   return point;
 }
@@ -71,7 +71,7 @@ Parsed<pulse::Point> parse_point(std::string_view of, std::string_view text, std
 template <class T, std::size_t count>
 std::vector<std::pair<std::string_view, T>> named(const std::array<T, count>& values) {
   std::vector<std::pair<std::string_view, T>> pairs;
-  for (const T value : values) pairs.emplace_back(stepping::name(value), value);
+  for (const T value : values) pairs.emplace_back(nc::name(value), value);
   return pairs;
 }
 
@@ -99,8 +99,8 @@ Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
 Parsed<int> parse_bits(std::string_view text) {
   int bits = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bits);
-  if (error != std::errc() || end != text.data() + text.size() || bits < 1 || bits > stepping::most_pulse_bits)
-    return wrong("is not a whole number from 1 to {}", stepping::most_pulse_bits);
+  if (error != std::errc() || end != text.data() + text.size() || bits < 1 || bits > nc::most_pulse_bits)
+    return wrong("is not a whole number from 1 to {}", nc::most_pulse_bits);
   return bits;
 }
 
@@ -156,39 +156,39 @@ void add_curve(Command& command, PulseArguments& pulse, Given& given) {
 }
 
 void add_methods(Command& command, PulseArguments& pulse) {
-  stepping::MethodOptions& options = pulse.options;
+  nc::MethodOptions& options = pulse.options;
   command.value("--method", "LIST", "Some of " + names_of_pulse_methods() + " (default: all)", pulse.methods,
                 parse_methods);
   command.value("--bits", "N", "Width of the registers; the capacity of dda is then 2^N", options.bits, parse_bits);
   command.choice("--preload", "LOAD", "Of the remainders: zero, half, half-lagging or full", options.preload,
-                 named(stepping::all_preloads));
+                 named(nc::all_preloads));
   command.choice("--tie", "WAY", "Where point comparison goes on the circle: outward or inward", options.tie,
-                 named(stepping::all_ties));
+                 named(nc::all_ties));
   command.choice("--order", "ORDER", "Of the integrators of arcs: parallel, x-first, shrinking-first or growing-first",
-                 options.order, named(stepping::all_orders));
+                 options.order, named(nc::all_orders));
 }
 
 }  // namespace
 
 Parsed<PulseMethod> parse_pulse_method(std::string_view text) {
-  for (const PulseMethod method : stepping::all_pulse_methods) {
-    if (text == stepping::name(method)) return method;
+  for (const PulseMethod method : nc::all_pulse_methods) {
+    if (text == nc::name(method)) return method;
   }
   std::vector<std::string_view> names;
-  for (const PulseMethod method : stepping::all_pulse_methods) names.push_back(stepping::name(method));
+  for (const PulseMethod method : nc::all_pulse_methods) names.push_back(nc::name(method));
   return wrong("is none of {}{}", names_of_pulse_methods(), base::did_you_mean(text, names));
 }
 
 std::string names_of_pulse_methods() {
   std::string names;
-  for (const PulseMethod method : stepping::all_pulse_methods)
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", stepping::name(method));
+  for (const PulseMethod method : nc::all_pulse_methods)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", nc::name(method));
   return names;
 }
 
 void describe_pulse(Command& command, Arguments& arguments) {
   PulseArguments& pulse = arguments.pulse;
-  pulse.methods = {stepping::all_pulse_methods.begin(), stepping::all_pulse_methods.end()};
+  pulse.methods = {nc::all_pulse_methods.begin(), nc::all_pulse_methods.end()};
   // Lives as long as the check.
   const auto given = std::make_shared<Given>();
   add_curve(command, pulse, *given);
@@ -199,8 +199,8 @@ void describe_pulse(Command& command, Arguments& arguments) {
   command.output("--svg", "FILE.svg", "Write the steps over the true curve", pulse.svg);
   add_output(command, arguments);
   command.check([&command, &arguments, given]() -> Parsed<void> {
-    using Shape = stepping::PulseCurve::Shape;
-    stepping::PulseCurve& curve = arguments.pulse.curve;
+    using Shape = nc::PulseCurve::Shape;
+    nc::PulseCurve& curve = arguments.pulse.curve;
     curve.shape = given->arc ? Shape::arc : Shape::line;
     curve.direction = given->clockwise ? pulse::Direction::clockwise : pulse::Direction::counterclockwise;
     return check_curve(command, *given)
