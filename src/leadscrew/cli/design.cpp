@@ -7,7 +7,6 @@
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/design/design_check.hpp>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 
@@ -80,17 +79,17 @@ Result answer(const DdaQuestion& question, const Style& style) {
   const design::DdaRange& range = question.range;
   const design::DdaDesign design = design::design_dda(range);
   const double word_max = 10 * range.max_feed_mm_min / range.min_distance_mm;
-  Result result{{{"schema", schema},
-                 {"blu_mm", range.blu_mm},
-                 {"axis_bits", design.axis_bits},
-                 {"feed_bits", design.feed_bits},
-                 {"clock_pps", design.clock_pps},
-                 {"feed_word_max", design.feed_word_max}},
+  Result result{Json::object({{"schema", schema},
+                              {"blu_mm", range.blu_mm},
+                              {"axis_bits", design.axis_bits},
+                              {"feed_bits", design.feed_bits},
+                              {"clock_pps", design.clock_pps},
+                              {"feed_word_max", design.feed_word_max}}),
                 heading(style, "linear interpolator of digital integrators")};
-  Json ideal = {{"axis_bits", std::log2(range.travel_mm / range.blu_mm + 1)},
-                {"feed_bits", std::log2(word_max + 1)},
-                {"clock_pps", design.clock_pps},
-                {"feed_word_max", word_max}};
+  Json ideal = Json::object({{"axis_bits", std::log2(range.travel_mm / range.blu_mm + 1)},
+                             {"feed_bits", std::log2(word_max + 1)},
+                             {"clock_pps", design.clock_pps},
+                             {"feed_word_max", word_max}});
   result.text += row("bits of the axis DDAs, n", number(design.axis_bits), "", "") +
                  row("bits of the feed DDA, m", number(design.feed_bits), "", "") +
                  row("clock f", numbers({design.clock_pps}), "", "pulses/s") +
@@ -103,7 +102,7 @@ Result answer(const DdaQuestion& question, const Style& style) {
     result.json["feed_word"] = std::llround(real.feed_word);
     result.json["pulses"] = real.pulses;
     add_line(ideal, meant, asked);
-    Json pulses = Json::array();
+    Json pulses = Json::list();
     for (const double way : question.line->way_mm) pulses.push_back(way / range.blu_mm);
     ideal["pulses"] = std::move(pulses);
     result.text += line_text(real, meant, asked);
@@ -123,14 +122,14 @@ Result answer(const TimerQuestion& question, const Style& style) {
   const double capacity = std::ldexp(1.0, timer.bits);
   std::vector<double> loads;
   for (const double delay : question.delays) loads.push_back(capacity / (delay * question.clock_pps));
-  Result result{{{"schema", schema},
-                 {"clock_pps", question.clock_pps},
-                 {"bits", timer.bits},
-                 {"register_max", static_cast<std::int64_t>(capacity) - 1},
-                 {"delays_s", question.delays},
-                 {"loads", timer.loads},
-                 {"seconds", timer.seconds},
-                 {"ideal", {{"loads", loads}, {"seconds", question.delays}}}},
+  Result result{Json::object({{"schema", schema},
+                              {"clock_pps", question.clock_pps},
+                              {"bits", timer.bits},
+                              {"register_max", static_cast<std::int64_t>(capacity) - 1},
+                              {"delays_s", question.delays},
+                              {"loads", timer.loads},
+                              {"seconds", timer.seconds},
+                              {"ideal", Json::object({{"loads", loads}, {"seconds", question.delays}})}}),
                 heading(style, fmt::format("timer of a digital integrator, clock {:g} pulses/s", question.clock_pps))};
   result.text += row("bits", number(timer.bits), "", "");
   for (std::size_t i = 0; i < timer.loads.size(); ++i) {
@@ -168,14 +167,14 @@ std::string word_text(const design::FeedWord& real, const design::FeedWord& idea
 Result answer(const InverseTimeQuestion& question, const Style& style) {
   const design::InverseTimeRange& range = question.range;
   const design::InverseTimeDesign design = design::design_inverse_time(range);
-  Json software = {{"q0", design.software_feed_capacity},
-                   {"clock_pps", design.software_clock_pps},
-                   {"interrupt_us", 1e6 / design.software_clock_pps}};
-  Json object = {{"schema", schema},
-                 {"blu", range.blu},
-                 {"q", design.capacity},
-                 {"q0", design.feed_capacity},
-                 {"clock_pps", design.clock_pps}};
+  Json software = Json::object({{"q0", design.software_feed_capacity},
+                                {"clock_pps", design.software_clock_pps},
+                                {"interrupt_us", 1e6 / design.software_clock_pps}});
+  Json object = Json::object({{"schema", schema},
+                              {"blu", range.blu},
+                              {"q", design.capacity},
+                              {"q0", design.feed_capacity},
+                              {"clock_pps", design.clock_pps}});
   Json ideal = Json::object();
   std::string hard = heading(style, "hardware: inverse-time code, fixed capacity q") +
                      row("q", std::to_string(design.capacity), "", "BLU") +
@@ -217,13 +216,13 @@ Status design(const Arguments& arguments, Console& console) {
   for (const base::Diagnostic& problem : problems) log.add(problem);
   if (log.errors() > 0) {
     if (!arguments.json) return log.status();
-    Json object = {{"schema", schema}, {"diagnostics", json_of_diagnostics(log)}};
+    Json object = Json::object({{"schema", schema}, {"diagnostics", json_of_diagnostics(log)}});
     return worse(log.status(), write_output(console, json_text(schema, {std::move(object)})));
   }
   const Style& style = console.output_style();
   Result result = std::visit([&](const auto& question) { return answer(question, style); }, arguments.design);
   if (!arguments.json) return arguments.quiet ? Status::done : write_output(console, result.text);
-  result.json["diagnostics"] = Json::array();
+  result.json["diagnostics"] = Json::list();
   return write_output(console, json_text(schema, {std::move(result.json)}));
 }
 

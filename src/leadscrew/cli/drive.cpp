@@ -14,7 +14,6 @@
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
 #include <leadscrew/servo/stability.hpp>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 

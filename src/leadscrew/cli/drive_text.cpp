@@ -6,7 +6,6 @@
 #include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/drive_text.hpp>
 #include <leadscrew/cli/simulate_form.hpp>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 
@@ -36,14 +35,14 @@ double seconds(const DriveFigures& figures, const Job& job) {
 
 /// "histogram": how many lay within each power of two, from the first to the last that any lay in.
 Json json_of(const realtime::Histogram& latencies) {
-  Json histogram = Json::array();
+  Json histogram = Json::list();
   for (const realtime::Histogram::Octave& octave : latencies.octaves())
-    histogram.push_back({{"below", octave.end}, {"count", octave.count}});
-  return {{"p50", latencies.percentile(0.5)},
-          {"p99", latencies.percentile(0.99)},
-          {"p999", latencies.percentile(0.999)},
-          {"max", latencies.longest()},
-          {"histogram", histogram}};
+    histogram.push_back(Json::object({{"below", octave.end}, {"count", octave.count}}));
+  return Json::object({{"p50", latencies.percentile(0.5)},
+                       {"p99", latencies.percentile(0.99)},
+                       {"p999", latencies.percentile(0.999)},
+                       {"max", latencies.longest()},
+                       {"histogram", histogram}});
 }
 
 /// A bar for each power of two, by the logarithm of the count: one late word among millions is seen.
@@ -69,28 +68,29 @@ Json json_of_drive(const std::string& program, const Job& job, const DriveFigure
   for (const base::Axis axis : base::all_axes) {
     if (job.machine.has(axis)) position[std::string(1, base::letter(axis))] = figures.last.position[base::index(axis)];
   }
-  Json json = {{"schema", drive_schema},
-               {"program", program},
-               {"machine", job.machine.name},
-               {"period_s", job.machine.period.seconds()},
-               {"end", name(figures.end)},
-               {"real_time", figures.real_time},
-               {"words", periods(counters.words)},
-               {"words_taken", periods(figures.taken)},
-               {"time_s", seconds(figures, job)},
-               {"line", base::number(figures.last.line)},
-               {"path_length_mm", figures.last.path_length},
-               {"position", position},
-               {"overruns", counters.overruns},
-               {"slips", counters.slips},
-               {"late_chunks", counters.late_chunks},
-               {"starvations", counters.starvations},
-               {"latency_ns", json_of(figures.latencies)},
-               {"diagnostics", json_of_diagnostics(log)}};
+  Json json = Json::object({{"schema", drive_schema},
+                            {"program", program},
+                            {"machine", job.machine.name},
+                            {"period_s", job.machine.period.seconds()},
+                            {"end", name(figures.end)},
+                            {"real_time", figures.real_time},
+                            {"words", periods(counters.words)},
+                            {"words_taken", periods(figures.taken)},
+                            {"time_s", seconds(figures, job)},
+                            {"line", base::number(figures.last.line)},
+                            {"path_length_mm", figures.last.path_length},
+                            {"position", position},
+                            {"overruns", counters.overruns},
+                            {"slips", counters.slips},
+                            {"late_chunks", counters.late_chunks},
+                            {"starvations", counters.starvations},
+                            {"latency_ns", json_of(figures.latencies)},
+                            {"diagnostics", json_of_diagnostics(log)}});
   if (!figures.has_drives) return json;
   json["axes"] = json_of_axes(figures.axes);
-  json["feed"] = {{"measured_max_mm_s", figures.feed.measured_max}, {"measured_mean_mm_s", figures.feed.measured_mean}};
-  json["drives"] = {{"late_periods", figures.drives_late}, {"braked_periods", figures.braked}};
+  json["feed"] = Json::object(
+      {{"measured_max_mm_s", figures.feed.measured_max}, {"measured_mean_mm_s", figures.feed.measured_mean}});
+  json["drives"] = Json::object({{"late_periods", figures.drives_late}, {"braked_periods", figures.braked}});
   return json;
 }
 

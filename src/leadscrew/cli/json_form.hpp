@@ -4,14 +4,14 @@
 #include <leadscrew/cli/diagnostic_log.hpp>
 #include <leadscrew/cli/figures.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <nlohmann/json_fwd.hpp>
+#include <leadscrew/json/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace leadscrew::cli {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 inline constexpr std::string_view run_schema = "leadscrew.run/1";
 inline constexpr std::string_view check_schema = "leadscrew.check/1";

@@ -5,7 +5,6 @@
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/pulse_text.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <leadscrew/cli/pulse_text.hpp>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 
@@ -17,7 +16,7 @@ std::string point_text(pulse::Point at) {
 }
 
 Json point_list(pulse::Point at) {
-  return Json::array({at.x, at.y});
+  return Json::list({at.x, at.y});
 }
 
 /// Names and values of what is in force.
@@ -35,16 +34,16 @@ Json json_of(const PulseConventions& conventions) {
 std::string text_of(const PulseConventions& conventions) {
   const Json options = json_of(conventions);
   std::string text;
-  for (const auto& [key, value] : options.items())
+  for (const auto& [key, value] : *options.members())
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key,
-                        value.is_string() ? value.get<std::string>() : value.dump());
+                        value.text() != nullptr ? *value.text() : value.written_in_line());
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }
 
 /// The place after each pulse.
 Json path_of(PulseRun run) {
-  Json path = Json::array();
+  Json path = Json::list();
   while (!run.done()) {
     if (run.step() != pulse::Pulse<2>{}) path.push_back(point_list(run.at()));
   }
@@ -53,23 +52,23 @@ Json path_of(PulseRun run) {
 
 Json json_of(const waves::MeasuredPulses& pulses, bool with_path) {
   const nc::PulseFigures& figures = pulses.figures;
-  Json object = {{"method", nc::name(pulses.run.method())},
-                 {"pulses", figures.pulses},
-                 {"clocks", figures.clocks},
-                 {"max_error_blu", figures.max_error},
-                 {"rms_error_blu", figures.rms_error},
-                 {"worst", point_list(figures.worst)},
-                 {"end", point_list(figures.end)}};
+  Json object = Json::object({{"method", nc::name(pulses.run.method())},
+                              {"pulses", figures.pulses},
+                              {"clocks", figures.clocks},
+                              {"max_error_blu", figures.max_error},
+                              {"rms_error_blu", figures.rms_error},
+                              {"worst", point_list(figures.worst)},
+                              {"end", point_list(figures.end)}});
   if (with_path) object["path"] = path_of(pulses.run);
   object["options"] = json_of(pulses.run.conventions());
   return object;
 }
 
 Json json_of(const PulseCurve& curve) {
-  Json object = {{"schema", pulse_schema},
-                 {"shape", curve.is_arc() ? "arc" : "line"},
-                 {"start", point_list(curve.start)},
-                 {"end", point_list(curve.end)}};
+  Json object = Json::object({{"schema", pulse_schema},
+                              {"shape", curve.is_arc() ? "arc" : "line"},
+                              {"start", point_list(curve.start)},
+                              {"end", point_list(curve.end)}});
   if (!curve.is_arc()) return object;
   object["center"] = point_list(curve.center);
   object["direction"] = curve.direction == pulse::Direction::clockwise ? "cw" : "ccw";
@@ -139,15 +138,15 @@ std::string pulse_table(const PulseCurve& curve, const waves::MeasuredPulses& pu
 
 Json json_of_pulses(const PulseCurve& curve, const AllPulses& pulses, bool with_path) {
   Json object = json_of(curve);
-  object["methods"] = Json::array();
+  object["methods"] = Json::list();
   for (const waves::MeasuredPulses& each : pulses) object["methods"].push_back(json_of(each, with_path));
-  object["diagnostics"] = Json::array();
+  object["diagnostics"] = Json::list();
   return object;
 }
 
 Json json_of_rejected_pulses(const PulseCurve& curve, const DiagnosticLog& log) {
   Json object = json_of(curve);
-  object["methods"] = Json::array();
+  object["methods"] = Json::list();
   object["diagnostics"] = json_of_diagnostics(log);
   return object;
 }

@@ -4,7 +4,6 @@
 #include <leadscrew/cli/progress_text.hpp>
 #include <leadscrew/cli/simulate_form.hpp>
 #include <leadscrew/cli/summary_text.hpp>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 
@@ -12,18 +11,20 @@ namespace {
 
 Json json_of_cut(const AdaptiveFigures& adaptive, double time) {
   const servo::CutFigures& cut = adaptive.cut;
-  return {{"force_limit_n", adaptive.limit},
-          {"mean_force_max_n", cut.greatest_mean},
-          {"longest_excess_s", cut.longest_excess},
-          {"longest_excess_turns", cut.longest_excess / adaptive.turn},
-          {"held", cut.held(adaptive.turn)},
-          {"unreachable_s", cut.unreachable},
-          {"override", {{"min", cut.least_override}, {"mean", cut.mean_override}, {"max", cut.greatest_override}}},
-          {"safe_factor", adaptive.safe},
-          {"safe_time_s", adaptive.safe_time},
-          {"time_saved_s", adaptive.safe_time - time},
-          {"sensor_failure", servo::name(adaptive.failure)},
-          {"failed_at_s", cut.failed_at ? Json(*cut.failed_at) : Json(nullptr)}};
+  return Json::object(
+      {{"force_limit_n", adaptive.limit},
+       {"mean_force_max_n", cut.greatest_mean},
+       {"longest_excess_s", cut.longest_excess},
+       {"longest_excess_turns", cut.longest_excess / adaptive.turn},
+       {"held", cut.held(adaptive.turn)},
+       {"unreachable_s", cut.unreachable},
+       {"override",
+        Json::object({{"min", cut.least_override}, {"mean", cut.mean_override}, {"max", cut.greatest_override}})},
+       {"safe_factor", adaptive.safe},
+       {"safe_time_s", adaptive.safe_time},
+       {"time_saved_s", adaptive.safe_time - time},
+       {"sensor_failure", servo::name(adaptive.failure)},
+       {"failed_at_s", cut.failed_at}});
 }
 
 std::string force_text(const AdaptiveFigures& adaptive, const Style& style) {
@@ -79,13 +80,13 @@ std::string verdict_text(const SimulateFigures& figures, const Style& style) {
 }  // namespace
 
 Json json_of_axes(const TrackedAxes& axes) {
-  Json list = Json::array();
+  Json list = Json::list();
   for (const auto& [axis, tracking] : axes) {
     const std::string unit = base::is_rotary(axis) ? "deg" : "mm";
-    list.push_back({{"name", std::string(1, base::letter(axis))},
-                    {"following_max_" + unit, tracking.greatest},
-                    {"following_rms_" + unit, tracking.rms},
-                    {"overshoot_" + unit, tracking.overshoot}});
+    list.push_back(Json::object({{"name", std::string(1, base::letter(axis))},
+                                 {"following_max_" + unit, tracking.greatest},
+                                 {"following_rms_" + unit, tracking.rms},
+                                 {"overshoot_" + unit, tracking.overshoot}}));
   }
   return list;
 }
@@ -104,35 +105,34 @@ Json json_of_simulation(const std::string& program, const Job& job, const Simula
                         const DiagnosticLog& log) {
   const pipeline::Summary& summary = figures.summary;
   const servo::FeedTracking& feed = figures.feed;
-  Json json = {
-      {"schema", simulate_schema},
-      {"program", program},
-      {"machine", job.machine.name},
-      {"period_s", job.machine.period.seconds()},
-      {"words", summary.words},
-      {"blocks", summary.blocks},
-      {"moves", summary.moves},
-      {"length_mm", summary.length_mm},
-      {"time_s", summary.time_s},
-      {"dwell_s", summary.dwell_s},
-      {"settling_s", figures.settling ? Json(*figures.settling) : Json(nullptr)},
-      {"deviation_mm", figures.verdict.deviation_mm},
-      {"tolerance_mm", figures.tolerance},
-      {"end_error_mm", figures.verdict.end_error_mm},
-      {"contour",
-       {{"max_mm", figures.contour.greatest}, {"rms_mm", figures.contour.rms}, {"max_at_s", figures.contour.at}}},
-      {"feed",
-       {{"programmed_max_mm_s", summary.feed_programmed_max},
-        {"commanded_max_mm_s", feed.commanded_max},
-        {"measured_max_mm_s", feed.measured_max},
-        {"measured_mean_mm_s", feed.measured_mean}}},
-      {"axes", json_of_axes(figures.axes)},
-      {"diagnostics", json_of_diagnostics(log)}};
+  Json json = Json::object({{"schema", simulate_schema},
+                            {"program", program},
+                            {"machine", job.machine.name},
+                            {"period_s", job.machine.period.seconds()},
+                            {"words", summary.words},
+                            {"blocks", summary.blocks},
+                            {"moves", summary.moves},
+                            {"length_mm", summary.length_mm},
+                            {"time_s", summary.time_s},
+                            {"dwell_s", summary.dwell_s},
+                            {"settling_s", figures.settling},
+                            {"deviation_mm", figures.verdict.deviation_mm},
+                            {"tolerance_mm", figures.tolerance},
+                            {"end_error_mm", figures.verdict.end_error_mm},
+                            {"contour", Json::object({{"max_mm", figures.contour.greatest},
+                                                      {"rms_mm", figures.contour.rms},
+                                                      {"max_at_s", figures.contour.at}})},
+                            {"feed", Json::object({{"programmed_max_mm_s", summary.feed_programmed_max},
+                                                   {"commanded_max_mm_s", feed.commanded_max},
+                                                   {"measured_max_mm_s", feed.measured_max},
+                                                   {"measured_mean_mm_s", feed.measured_mean}})},
+                            {"axes", json_of_axes(figures.axes)},
+                            {"diagnostics", json_of_diagnostics(log)}});
   for (const auto& [axis, counts] : figures.pulses) {
-    json["pulses"].push_back({{"name", std::string(1, base::letter(axis))},
-                              {"commanded", counts.commanded},
-                              {"encoder", counts.encoder},
-                              {"lost", counts.lost}});
+    json["pulses"].push_back(Json::object({{"name", std::string(1, base::letter(axis))},
+                                           {"commanded", counts.commanded},
+                                           {"encoder", counts.encoder},
+                                           {"lost", counts.lost}}));
   }
   if (figures.adaptive) json["adaptive"] = json_of_cut(*figures.adaptive, summary.time_s);
   return json;

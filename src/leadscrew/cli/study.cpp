@@ -151,23 +151,19 @@ std::string line_of(const study::Row& row, const Widths& widths, std::optional<i
          "\n";
 }
 
-Json json_of(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json json_of(const study::Row& row) {
-  return {{"what", row.group.empty() ? row.what : row.group + ": " + row.what},
-          {"published", json_of(row.published)},
-          {"ours", json_of(row.ours)},
-          {"unit", row.scale.unit},
-          {"verdict", study::name(row.verdict)},
-          {"why", row.why}};
+  return Json::object({{"what", row.group.empty() ? row.what : row.group + ": " + row.what},
+                       {"published", row.published},
+                       {"ours", row.ours},
+                       {"unit", row.scale.unit},
+                       {"verdict", study::name(row.verdict)},
+                       {"why", row.why}});
 }
 
 std::string json_text_of(std::string_view name, const study::Rows& rows) {
-  Json list = Json::array();
+  Json list = Json::list();
   for (const study::Row& row : rows) list.push_back(json_of(row));
-  return json_text(schema, {{{"schema", schema}, {"name", name}, {"rows", std::move(list)}}});
+  return json_text(schema, {Json::object({{"schema", schema}, {"name", name}, {"rows", std::move(list)}})});
 }
 
 std::string list_text(const Style& style) {
@@ -181,9 +177,10 @@ std::string list_text(const Style& style) {
 }
 
 std::string list_json() {
-  Json list = Json::array();
-  for (const study::Study& each : study::studies()) list.push_back({{"name", each.name}, {"title", each.title}});
-  return json_text(schema, {{{"schema", schema}, {"name", "list"}, {"studies", std::move(list)}}});
+  Json list = Json::list();
+  for (const study::Study& each : study::studies())
+    list.push_back(Json::object({{"name", each.name}, {"title", each.title}}));
+  return json_text(schema, {Json::object({{"schema", schema}, {"name", "list"}, {"studies", std::move(list)}})});
 }
 
 base::Result<void> draw(const study::Study& study, const std::string& path) {
