@@ -12,6 +12,7 @@
 #include <leadscrew/cli/simulate_arguments.hpp>
 #include <leadscrew/cli/status.hpp>
 #include <leadscrew/cli/study_arguments.hpp>
+#include <leadscrew/drive/setup.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ struct Arguments {
   SimulateArguments simulate;          ///< of simulate
   PulseArguments pulse;                ///< of pulse
   DesignArguments design;              ///< of design
-  DriveArguments drive;                ///< of drive
+  drive::Options drive;                ///< of drive
   StudyArguments study;                ///< of study
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine
   std::optional<std::string> tools;    ///< file

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/base/nearest.hpp>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/study/named_curves.hpp>
 #include <vector>
 

@@ -37,7 +37,7 @@ Parsed<double> parse_seconds(std::string_view text, double least, double greates
 }
 
 /// What several options come to together.
-Parsed<void> settle(const Command& command, DriveArguments& drive) {
+Parsed<void> settle(const Command& command, drive::Options& drive) {
   if (!drive.state) drive.state = drive.resume;
   const std::string_view of_drives = command.first_given({"--trace", "--axes"});
   if (!drive.sink || of_drives.empty()) return {};
@@ -47,7 +47,7 @@ Parsed<void> settle(const Command& command, DriveArguments& drive) {
 }  // namespace
 
 void describe_drive(Command& command, Arguments& arguments) {
-  DriveArguments& drive = arguments.drive;
+  drive::Options& drive = arguments.drive;
   command.word("PROGRAM", "Part program; - is standard input, curve:NAME a curve of the studies", arguments.programs);
   add_common(command, arguments);
   add_period(command, arguments);

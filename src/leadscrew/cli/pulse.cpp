@@ -1,9 +1,9 @@
-#include <leadscrew/cli/interrupt.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/pulse_text.hpp>
+#include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <memory>
 
 namespace leadscrew::cli {
@@ -25,7 +25,8 @@ base::Result<AllPulses> measured(const PulseArguments& arguments) {
     nc::PulseMeasurement measurement(run, arguments.curve);
     while (!measurement.done()) {
       measurement.step();
-      if (measurement.run().clock() % clocks_between_looks == 0 && interrupted()) return base::failure(interruption());
+      if (measurement.run().clock() % clocks_between_looks == 0 && files::interrupted())
+        return base::failure(files::interruption());
     }
     all.push_back({run, measurement.figures()});
   }
@@ -65,11 +66,11 @@ class PulseFiles {
   template <class Write>
   base::Result<void> write_one(const std::optional<std::string>& path, const Write& write) {
     if (!path) return {};
-    auto file = OutputFile::create(*path, OutputFile::Access::sequential);
+    auto file = files::OutputFile::create(*path, files::OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());
-    files_.push_back(std::make_unique<OutputFile>(std::move(*file)));
+    files_.push_back(std::make_unique<files::OutputFile>(std::move(*file)));
     return write([sink = files_.back()->sink()](std::string_view bytes) -> base::Result<void> {
-      if (interrupted()) return base::failure(interruption());
+      if (files::interrupted()) return base::failure(files::interruption());
       return sink(bytes);
     });
   }
@@ -84,7 +85,7 @@ class PulseFiles {
     return {};
   }
 
-  std::vector<std::unique_ptr<OutputFile>> files_;
+  std::vector<std::unique_ptr<files::OutputFile>> files_;
 };
 
 std::string text_of(const PulseArguments& arguments, const AllPulses& pulses, const Style& style) {

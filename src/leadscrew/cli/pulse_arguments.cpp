@@ -5,9 +5,9 @@
 #include <charconv>
 #include <leadscrew/base/nearest.hpp>
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <limits>
 #include <memory>
 
@@ -134,9 +134,9 @@ Parsed<void> check_use(const PulseArguments& arguments) {
 Parsed<void> check_outputs(const PulseArguments& pulse, bool json) {
   if (pulse.path && !json) return wrong("--path is for --json; --table is the same as text");
   if (pulse.table && json) return wrong("--table is text; with --json, --path gives every place");
-  if (pulse.vcd && extension(*pulse.vcd) == ".svg")
+  if (pulse.vcd && files::extension(*pulse.vcd) == ".svg")
     return wrong("--vcd {}: would write registers; --svg writes the picture", *pulse.vcd);
-  if (pulse.svg && extension(*pulse.svg) == ".vcd")
+  if (pulse.svg && files::extension(*pulse.svg) == ".vcd")
     return wrong("--svg {}: would write the picture; --vcd writes registers", *pulse.svg);
   return {};
 }

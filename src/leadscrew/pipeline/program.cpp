@@ -21,6 +21,10 @@ bool Program::prepare() {
   if (ended_) return false;
   while (interpolator_.wants_chunk()) {
     if (plan_next()) continue;
+    if (interpolator_.has_stop_tail_left()) {  // the motion has failed
+      stop();
+      continue;
+    }
     // The plan has ended: the word at its end, at rest, is the last.
     ended_ = true;
     return true;
@@ -34,8 +38,13 @@ base::Word Program::cycle() {
   return word;
 }
 
-std::int64_t Program::errors() const {
-  return source_.reader().errors() + (source_failure() ? 1 : 0);
+/// Goes on through the stop tail of the last chunk, which becomes part of the motion.
+void Program::stop() {
+  planner::Chunk tail = chunk_;
+  tail.segments = tail.stop_tail;
+  planner::raise_limit_ratios(tail, machine_, summary_.plan);
+  summary_.length_mm += chunk_.tail_length;
+  interpolator_.run_stop_tail();
 }
 
 bool Program::plan_next() {

@@ -1,8 +1,8 @@
 #pragma once
 // The rooms joined into one: the text of a part program goes in, words come out, one a call, in constant memory.
 //
-//   text ─gcode::Reader─▶ moves ─toolpath::Builder─▶ path ─planner::Planner─▶ motion ─interpolator::Interpolator─▶
-//   words
+//        gcode::Reader    toolpath::Builder    planner::Planner    interpolator::Interpolator
+//   text ─────────────▶ moves ─────────────▶ path ──────────────▶ motion ─────────────▶ words
 
 #include <cstdint>
 #include <functional>
@@ -57,22 +57,25 @@ class Program {
   void override_feed(double factor) { source_.planner().override_feed(factor); }
 
   void on_event(EventSink sink) { events_ = std::move(sink); }
+  /// Before the first word: how to ask whether the program is still the one that was checked
+  /// (MotionSource::unchanged).
+  void watch(std::function<base::Result<void>()> unchanged) { source_.unchanged = std::move(unchanged); }
 
   /// Reads and plans as far as the next word needs; false when the last word (at rest, at the end) has been made. The
-  /// first word is that of t = 0, at rest at the start; a program that moves nothing has that one word.
+  /// first word is that of t = 0, at rest at the start; a program that moves nothing has that one word. Motion that
+  /// fails goes through its stop tail to a last word at rest on the path.
   bool prepare();
 
   /// The next word; prepare() must have said true.
   base::Word cycle();
 
   const Summary& summary() const { return summary_; }
-  /// Diagnostics of severity error so far; a source that failed counts.
-  std::int64_t errors() const;
-  /// Set when the source failed while reading.
-  const std::optional<base::Diagnostic>& source_failure() const { return source_.reader().source_failure(); }
+  /// Why motion ends before the program does (MotionSource::failure).
+  const std::optional<base::Diagnostic>& failure() const { return source_.failure(); }
 
  private:
   bool plan_next();
+  void stop();
   void account(const gcode::Move& move);
   void account(const base::Word& word);
 

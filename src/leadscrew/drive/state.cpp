@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <leadscrew/base/hash.hpp>
+#include <leadscrew/drive/state.hpp>
+#include <leadscrew/files/output_file.hpp>
+#include <leadscrew/json/json.hpp>
+#include <stdexcept>
+
+namespace leadscrew::drive {
+
+namespace {
+
+using json::Json;
+
+constexpr std::string_view state_schema = "leadscrew.state/3";
+constexpr std::int64_t largest_state = 1 << 20;
+constexpr std::array<std::string_view, 3> kinds = {"moving", "stopped", "ended"};
+
+std::string text_of(const base::Hash& hash) {
+  return fmt::format("{:016x}-{}", hash.value(), hash.count());
+}
+
+std::string text_of(const base::AxisVector& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format(" {:a}", value);
+  return text;
+}
+
+std::string machine_text(const Setup& setup) {
+  std::string text = fmt::format("{} {}\n{}\n", setup.machine.name, setup.machine.period.nanoseconds, setup.text);
+  const gcode::ReaderOptions& reading = setup.reading;
+  text += "start" + text_of(reading.start);
+  if (reading.path_mode) text += fmt::format(" mode {}", static_cast<int>(*reading.path_mode));
+  if (reading.tolerance) text += fmt::format(" tolerance {:a}", *reading.tolerance);
+  return text;
+}
+
+Json json_of(const base::AxisVector& values) {
+  return std::vector<double>(values.begin(), values.end());
+}
+
+/// The members of a state file; each throws where there is none of its kind.
+class Members {
+ public:
+  explicit Members(const Json& json) : json_(json) {}
+
+  std::string text(std::string_view key) const {
+    const std::string* text = member(key).text();
+    return text != nullptr ? *text : throw wrong(key, "is no text");
+  }
+  std::int64_t count(std::string_view key) const {
+    const auto count = member(key).integer();
+    return count && *count >= 0 ? *count : throw wrong(key, "counts nothing");
+  }
+  double length(std::string_view key) const {
+    const auto length = member(key).number();
+    return length && *length >= 0 ? *length : throw wrong(key, "is no length");
+  }
+  base::AxisVector axes(std::string_view key) const {
+    const auto* list = member(key).values();
+    base::AxisVector values{};
+    if (list == nullptr || list->size() != values.size()) throw wrong(key, "is no list of nine axes");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto number = (*list)[i].number();
+      values[i] = number ? *number : throw wrong(key, "is no list of numbers");
+    }
+    return values;
+  }
+
+ private:
+  const Json& member(std::string_view key) const {
+    const Json* found = json_.find(key);
+    return found != nullptr ? *found : throw wrong(key, "is missing");
+  }
+  static std::runtime_error wrong(std::string_view key, std::string_view what) {
+    return std::runtime_error(fmt::format("{} {}", key, what));
+  }
+
+  const Json& json_;
+};
+
+tl::unexpected<base::Diagnostic> refusal(std::string_view code, std::string message, std::string hint,
+                                         const std::string& path) {
+  return base::failure(
+      {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = path}, {}});
+}
+
+}  // namespace
+
+base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup) {
+  base::Hash text, machine;
+  std::vector<char> buffer(1 << 16);
+  auto source = program.source();
+  while (true) {
+    const auto got = source(buffer);
+    if (!got) return base::failure(got.error());
+    if (*got == 0) break;
+    text.add({buffer.data(), *got});
+  }
+  machine.add(machine_text(setup));
+  return Fingerprint{text_of(text), text_of(machine)};
+}
+
+base::Result<void> write_state(const std::string& path, const State& state) {
+  const Json json = Json::object({{"schema", state_schema},
+                                  {"program", state.program},
+                                  {"program_hash", state.fingerprint.program},
+                                  {"machine", state.machine},
+                                  {"machine_hash", state.fingerprint.machine},
+                                  {"state", kinds[static_cast<std::size_t>(state.kind)]},
+                                  {"word", base::count(state.word.tick)},
+                                  {"line", base::number(state.word.line)},
+                                  {"path_length", state.word.path_length},
+                                  {"position", json_of(state.word.position)},
+                                  {"axes", json_of(state.axes.position)},
+                                  {"axes_path_length", state.axes.path_length}});
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  if (auto written = file->write(json.written() + "\n"); !written) return written;
+  return file->publish_durably();
+}
+
+base::Result<State> read_state(const std::string& path) {
+  const auto text = files::read_whole(path, largest_state);
+  if (!text) return base::failure(text.error());
+  try {
+    const auto json = Json::parse(*text);
+    if (!json) throw std::runtime_error("no JSON");
+    const Members members(*json);
+    if (members.text("schema") != state_schema) throw std::runtime_error("another schema");
+    State state;
+    state.program = members.text("program");
+    state.machine = members.text("machine");
+    state.fingerprint = {members.text("program_hash"), members.text("machine_hash")};
+    const auto kind = std::find(kinds.begin(), kinds.end(), members.text("state"));
+    if (kind == kinds.end()) throw std::runtime_error("another state");
+    state.kind = static_cast<State::Kind>(kind - kinds.begin());
+    state.word.tick = base::Tick{members.count("word")};
+    state.word.line = base::Line{members.count("line")};
+    state.word.path_length = members.length("path_length");
+    state.word.position = members.axes("position");
+    state.axes = {members.axes("axes"), members.length("axes_path_length")};
+    constexpr double rounded = 1e-6;
+    if (state.axes.path_length < state.word.path_length - rounded)
+      throw std::runtime_error("axes stand before the last word");
+    state.axes.path_length = std::max(state.axes.path_length, state.word.path_length);
+    return state;
+  } catch (const std::exception& error) {
+    return refusal("resume-state", fmt::format("is no state of a drive: {}", error.what()),
+                   "give the file that --state of an earlier drive wrote", path);
+  }
+}
+
+base::Result<void> check_replaceable(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) == 0) return {};
+  if (read_state(path)) return {};
+  return refusal("state-other", "holds something else than the state of a drive",
+                 "name another file, or remove this one", path);
+}
+
+}  // namespace leadscrew::drive
