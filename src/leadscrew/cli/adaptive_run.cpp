@@ -71,12 +71,13 @@ void AdaptiveRun::follow(const servo::Followed& followed, double measured_feed, 
   program.override_feed(told_);
 }
 
-base::Result<std::optional<AdaptiveFigures>> AdaptiveRun::conclude() const {
-  if (!cut_) return std::optional<AdaptiveFigures>();
+base::Result<std::optional<results::AdaptiveFigures>> AdaptiveRun::conclude() const {
+  if (!cut_) return std::optional<results::AdaptiveFigures>();
   const double safe = job_.arguments.simulate.adaptive->cut.safe;
   const auto time = time_at(safe);
   if (!time) return base::failure(time.error());
-  return std::optional(AdaptiveFigures{cut_->figures(), limit_, cut_->turn(), safe, cut_->control().failure(), *time});
+  return std::optional(
+      results::AdaptiveFigures{cut_->figures(), limit_, cut_->turn(), safe, cut_->control().failure(), *time});
 }
 
 base::Result<double> AdaptiveRun::time_at(double factor) const {

@@ -14,6 +14,7 @@
 #include <leadscrew/cli/study_arguments.hpp>
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/results/sizing.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -30,7 +31,7 @@ struct Arguments {
   RunArguments run;                    ///< of run; its files of simulate too
   SimulateArguments simulate;          ///< of simulate
   PulseArguments pulse;                ///< of pulse
-  DesignArguments design;              ///< of design
+  results::SizingQuestion design;      ///< of design
   drive::Options drive;                ///< of drive
   StudyArguments study;                ///< of study
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine

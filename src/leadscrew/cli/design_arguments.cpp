@@ -10,6 +10,10 @@ namespace leadscrew::cli {
 
 namespace {
 
+using results::DdaQuestion;
+using results::InverseTimeQuestion;
+using results::SizingQuestion;
+using results::TimerQuestion;
 using Names = std::initializer_list<std::string_view>;
 
 constexpr const char* examples =
@@ -76,7 +80,7 @@ Parsed<DdaQuestion::Line> line_of(const Command& command, const Given& given) {
   return line;
 }
 
-Parsed<DesignArguments> dda_of(const Command& command, const Given& given) {
+Parsed<SizingQuestion> dda_of(const Command& command, const Given& given) {
   const auto sound =
       refuse(command, "a linear interpolator",
              {"--clock", "--delays", "--distance", "--radius", "--resolution", "--digits"})
@@ -94,7 +98,7 @@ Parsed<DesignArguments> dda_of(const Command& command, const Given& given) {
   return question;
 }
 
-Parsed<DesignArguments> timer_of(const Command& command, const Given& given) {
+Parsed<SizingQuestion> timer_of(const Command& command, const Given& given) {
   const auto sound = refuse(command, "--timer",
                             {"--travel", "--blu", "--max-feed", "--min-distance", "--from", "--to", "--feed",
                              "--distance", "--radius", "--resolution", "--digits"})
@@ -104,7 +108,7 @@ Parsed<DesignArguments> timer_of(const Command& command, const Given& given) {
   return TimerQuestion{.clock_pps = given.clock, .delays = given.delays};
 }
 
-Parsed<DesignArguments> inverse_time_of(const Command& command, const Given& given) {
+Parsed<SizingQuestion> inverse_time_of(const Command& command, const Given& given) {
   const auto sound =
       refuse(command, "--inverse-time", {"--min-distance", "--from", "--to", "--clock", "--delays"}).and_then([&] {
         return need(command, {"--travel", "--blu", "--max-feed"});

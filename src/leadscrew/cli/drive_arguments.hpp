@@ -1,7 +1,6 @@
 #pragma once
 // What the command line asks `leadscrew drive` for: drive::Options.
 
-
 namespace leadscrew::cli {
 
 struct Arguments;

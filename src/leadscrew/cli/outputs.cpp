@@ -176,7 +176,7 @@ std::array<files::OutputFile*, 4> Outputs::files() const {
   return {trace_.get(), report_.get(), picture_.get(), steps_ ? &steps_->file() : nullptr};
 }
 
-std::optional<StepFigures> Outputs::step_figures() const {
+std::optional<results::StepFigures> Outputs::step_figures() const {
   if (!steps_) return std::nullopt;
   return steps_->figures();
 }

@@ -62,7 +62,7 @@ class Outputs {
     return steps_ ? steps_->finish(program) : base::Result<void>();
   }
   /// What steps were written, if they were asked for.
-  std::optional<StepFigures> step_figures() const;
+  std::optional<results::StepFigures> step_figures() const;
   /// Ends the trace and gives all files their names; returns these.
   base::Result<std::vector<std::string>> publish();
 

@@ -134,10 +134,4 @@ Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text) {
   }
 }
 
-std::string period_text(base::Period period) {
-  const auto nanoseconds = static_cast<double>(period.nanoseconds);
-  return period.nanoseconds >= 1'000'000 ? fmt::format("{} ms", nanoseconds / 1e6)
-                                         : fmt::format("{} us", nanoseconds / 1e3);
-}
-
 }  // namespace leadscrew::cli

@@ -38,7 +38,4 @@ using AxisValue = std::pair<base::Axis, double>;
 /// X0,Y-1.5,A90: letters of axes with numbers.
 Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text);
 
-/// "1 ms", "62.5 us".
-std::string period_text(base::Period period);
-
 }  // namespace leadscrew::cli

@@ -180,9 +180,9 @@ base::Result<void> StepOutput::write_program(const files::InputFile& program) {
   return state_;
 }
 
-StepFigures StepOutput::figures() const {
+results::StepFigures StepOutput::figures() const {
   const Arguments& arguments = job_->arguments;
-  StepFigures figures;
+  results::StepFigures figures;
   figures.method = arguments.run.pulse_method ? std::string(nc::name(*arguments.run.pulse_method)) : "words";
   if (arguments.run.pulse_method) figures.conventions = dda_conventions(*arguments.run.pulse_method);
   figures.clock_hz = arguments.run.step_clock;

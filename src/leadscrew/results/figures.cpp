@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <leadscrew/cli/figures.hpp>
+#include <leadscrew/results/figures.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -14,8 +14,12 @@ bool is_within(const planner::AxisRatios& ratios) {
 
 }  // namespace
 
+std::int64_t count(const Diagnostics& diagnostics, base::Severity severity) {
+  return std::ranges::count(diagnostics, severity, &base::Diagnostic::severity);
+}
+
 bool RunFigures::kept() const {
   return !verdict.objects() && std::all_of(summary.plan.begin(), summary.plan.end(), is_within);
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

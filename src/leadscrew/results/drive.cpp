@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <leadscrew/cli/diagnostic_text.hpp>
-#include <leadscrew/cli/drive_text.hpp>
-#include <leadscrew/cli/simulate_form.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/drive.hpp>
+#include <leadscrew/results/program_text.hpp>
+#include <leadscrew/results/simulation.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -29,8 +30,8 @@ std::string duration_text(std::uint64_t nanoseconds) {
   return fmt::format("{:.3g} s", value / 1e9);
 }
 
-double seconds(const drive::Figures& figures, const Job& job) {
-  return job.machine.period.seconds() * static_cast<double>(periods(figures.counters.words));
+double seconds(const drive::Figures& figures, const machine::Machine& machine) {
+  return machine.period.seconds() * static_cast<double>(periods(figures.counters.words));
 }
 
 /// "histogram": how many lay within each power of two, from the first to the last that any lay in.
@@ -62,22 +63,22 @@ std::string bars(const realtime::Histogram& latencies) {
 
 }  // namespace
 
-Json json_of_drive(const std::string& program, const Job& job, const drive::Figures& figures,
-                   const DiagnosticLog& log) {
+Json json_of_drive(const std::string& program, const machine::Machine& machine, const drive::Figures& figures,
+                   const Diagnostics& diagnostics) {
   const realtime::Counters& counters = figures.counters;
   Json position = Json::object();
   for (const base::Axis axis : base::all_axes) {
-    if (job.machine.has(axis)) position[std::string(1, base::letter(axis))] = figures.last.position[base::index(axis)];
+    if (machine.has(axis)) position[std::string(1, base::letter(axis))] = figures.last.position[base::index(axis)];
   }
   Json json = Json::object({{"schema", drive_schema},
                             {"program", program},
-                            {"machine", job.machine.name},
-                            {"period_s", job.machine.period.seconds()},
+                            {"machine", machine.name},
+                            {"period_s", machine.period.seconds()},
                             {"end", name(figures.end)},
                             {"real_time", figures.real_time},
                             {"words", periods(counters.words)},
                             {"words_taken", periods(figures.taken)},
-                            {"time_s", seconds(figures, job)},
+                            {"time_s", seconds(figures, machine)},
                             {"line", base::number(figures.last.line)},
                             {"path_length_mm", figures.last.path_length},
                             {"position", position},
@@ -86,7 +87,7 @@ Json json_of_drive(const std::string& program, const Job& job, const drive::Figu
                             {"late_chunks", counters.late_chunks},
                             {"starvations", counters.starvations},
                             {"latency_ns", json_of(figures.latencies)},
-                            {"diagnostics", json_of_diagnostics(log)}});
+                            {"diagnostics", json_of_diagnostics(diagnostics)}});
   if (!figures.has_drives) return json;
   json["axes"] = json_of_axes(figures.axes);
   json["feed"] = Json::object(
@@ -95,16 +96,16 @@ Json json_of_drive(const std::string& program, const Job& job, const drive::Figu
   return json;
 }
 
-std::string drive_summary(const std::string& program, const Job& job, const drive::Figures& figures,
+std::string drive_summary(const std::string& program, const machine::Machine& machine, const drive::Figures& figures,
                           const Style& style) {
   const realtime::Counters& counters = figures.counters;
   const auto micro = [&](double part) { return static_cast<double>(figures.latencies.percentile(part)) / 1e3; };
   std::string text = fmt::format("{} on {}, period {}: {}\n", style(Tone::strong, printable(program)),
-                                 printable(job.machine.name), period_text(job.machine.period),
+                                 printable(machine.name), period_text(machine.period),
                                  figures.end == drive::Figures::End::done ? style(Tone::good, name(figures.end))
                                                                           : style(Tone::warning, name(figures.end)));
   text += fmt::format("  words      {} made, {} taken{}; {:.3f} s\n", periods(counters.words), periods(figures.taken),
-                      figures.has_drives ? " by the drives" : "", seconds(figures, job));
+                      figures.has_drives ? " by the drives" : "", seconds(figures, machine));
   text += fmt::format("  came to    line {}, {:.3f} mm of the path\n", base::number(figures.last.line),
                       figures.last.path_length);
   text += fmt::format(
@@ -122,4 +123,4 @@ std::string drive_summary(const std::string& program, const Job& job, const driv
   return text + axis_rows(figures.axes, style);
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

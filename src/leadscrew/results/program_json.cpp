@@ -1,7 +1,7 @@
-#include <leadscrew/cli/diagnostic_text.hpp>
-#include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/program_json.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -83,24 +83,25 @@ Json json_of_steps(const StepFigures& steps) {
 }  // namespace
 
 Json json_of_rejected(std::string_view schema, const std::string& program, const std::string& machine,
-                      const DiagnosticLog& log) {
+                      const Diagnostics& diagnostics) {
   return Json::object({{"schema", schema},
                        {"program", program},
                        {"machine", machine.empty() ? Json(nullptr) : Json(machine)},
-                       {"diagnostics", list_of(log.all())}});
+                       {"diagnostics", list_of(diagnostics)}});
 }
 
-Json json_of_diagnostics(const DiagnosticLog& log) {
-  return list_of(log.all());
+Json json_of_diagnostics(const Diagnostics& diagnostics) {
+  return list_of(diagnostics);
 }
 
-Json json_of_run(const std::string& program, const Job& job, const RunFigures& figures, const DiagnosticLog& log) {
+Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
+                 const Diagnostics& diagnostics) {
   const pipeline::Summary& summary = figures.summary;
   const referee::Verdict& verdict = figures.verdict;
   Json json = Json::object({{"schema", run_schema},
                             {"program", program},
-                            {"machine", job.machine.name},
-                            {"period_s", job.machine.period.seconds()},
+                            {"machine", machine.name},
+                            {"period_s", machine.period.seconds()},
                             {"words", summary.words},
                             {"blocks", summary.blocks},
                             {"moves", summary.moves},
@@ -114,32 +115,33 @@ Json json_of_run(const std::string& program, const Job& job, const RunFigures& f
                                                    {"max_ratio", verdict.feed_max_ratio},
                                                    {"ripple", summary.ripple}})},
                             {"axes", axes_of(verdict)},
-                            {"plan", plan_of(summary.plan, job.machine)},
+                            {"plan", plan_of(summary.plan, machine)},
                             {"violation_count", verdict.violation_count},
                             {"cpu", cpu_of(figures.effort)},
-                            {"diagnostics", list_of(log.all())}});
+                            {"diagnostics", list_of(diagnostics)}});
   if (figures.steps) json["pulses"] = json_of_steps(*figures.steps);
   return json;
 }
 
-Json json_of_check(const std::string& program, const Job& job, const Reading& reading, const DiagnosticLog& log) {
+Json json_of_check(const std::string& program, const machine::Machine& machine, const CheckFigures& reading,
+                   const Diagnostics& diagnostics) {
   return Json::object({{"schema", check_schema},
                        {"program", program},
-                       {"machine", job.machine.name},
+                       {"machine", machine.name},
                        {"blocks", reading.blocks},
                        {"moves", reading.moves},
-                       {"errors", log.errors()},
-                       {"warnings", log.warnings()},
-                       {"diagnostics", list_of(log.all())}});
+                       {"errors", count(diagnostics, base::Severity::error)},
+                       {"warnings", count(diagnostics, base::Severity::warning)},
+                       {"diagnostics", list_of(diagnostics)}});
 }
 
-Json json_of_verify(const std::string& program, const Job& job, const VerifyFigures& figures,
-                    const DiagnosticLog& log) {
+Json json_of_verify(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,
+                    const Diagnostics& diagnostics) {
   const referee::Verdict& verdict = figures.verdict;
   return Json::object({{"schema", verify_schema},
                        {"trace", figures.trace},
                        {"program", program},
-                       {"machine", job.machine.name},
+                       {"machine", machine.name},
                        {"period_s", figures.period.seconds()},
                        {"time_s", verdict.time_s},
                        {"deviation_mm", verdict.deviation_mm},
@@ -152,7 +154,7 @@ Json json_of_verify(const std::string& program, const Job& job, const VerifyFigu
                                               {"ripple", nullptr}})},
                        {"violations", violations_of(verdict)},
                        {"violation_count", verdict.violation_count},
-                       {"diagnostics", list_of(log.all())}});
+                       {"diagnostics", list_of(diagnostics)}});
 }
 
 std::string json_text(std::string_view schema, std::vector<Json> objects) {
@@ -161,4 +163,4 @@ std::string json_text(std::string_view schema, std::vector<Json> objects) {
   return object.written() + "\n";
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <leadscrew/cli/diagnostic_text.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -115,4 +115,4 @@ std::string diagnostic_text(const base::Diagnostic& diagnostic, const Style& sty
   return text;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <leadscrew/cli/diagnostic_text.hpp>
-#include <leadscrew/cli/progress_text.hpp>
-#include <leadscrew/cli/simulate_form.hpp>
-#include <leadscrew/cli/summary_text.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/program_text.hpp>
+#include <leadscrew/results/simulation.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -101,14 +100,14 @@ std::string axis_rows(const drive::TrackedAxes& axes, const Style& style) {
   return text;
 }
 
-Json json_of_simulation(const std::string& program, const Job& job, const SimulateFigures& figures,
-                        const DiagnosticLog& log) {
+Json json_of_simulation(const std::string& program, const machine::Machine& machine, const SimulateFigures& figures,
+                        const Diagnostics& diagnostics) {
   const pipeline::Summary& summary = figures.summary;
   const servo::FeedTracking& feed = figures.feed;
   Json json = Json::object({{"schema", simulate_schema},
                             {"program", program},
-                            {"machine", job.machine.name},
-                            {"period_s", job.machine.period.seconds()},
+                            {"machine", machine.name},
+                            {"period_s", machine.period.seconds()},
                             {"words", summary.words},
                             {"blocks", summary.blocks},
                             {"moves", summary.moves},
@@ -127,7 +126,7 @@ Json json_of_simulation(const std::string& program, const Job& job, const Simula
                                                    {"measured_max_mm_s", feed.measured_max},
                                                    {"measured_mean_mm_s", feed.measured_mean}})},
                             {"axes", json_of_axes(figures.axes)},
-                            {"diagnostics", json_of_diagnostics(log)}});
+                            {"diagnostics", json_of_diagnostics(diagnostics)}});
   for (const auto& [axis, counts] : figures.pulses) {
     json["pulses"].push_back(Json::object({{"name", std::string(1, base::letter(axis))},
                                            {"commanded", counts.commanded},
@@ -138,10 +137,10 @@ Json json_of_simulation(const std::string& program, const Job& job, const Simula
   return json;
 }
 
-std::string simulate_summary(const std::string& program, const Job& job, const SimulateFigures& figures,
-                             const Style& style) {
+std::string simulate_summary(const std::string& program, const machine::Machine& machine,
+                             const SimulateFigures& figures, const Style& style) {
   const pipeline::Summary& summary = figures.summary;
-  std::string text = heading(program, job.machine.name, job.machine.period, style);
+  std::string text = heading(program, machine.name, machine.period, style);
   text += row("time", time_text(figures));
   text += row("length", fmt::format("{:.3f} mm, {} blocks", summary.length_mm, summary.blocks));
   text += row("feed", feed_text(figures));
@@ -160,4 +159,4 @@ std::string simulate_summary(const std::string& program, const Job& job, const S
   return text;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

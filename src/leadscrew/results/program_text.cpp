@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <leadscrew/cli/diagnostic_text.hpp>
-#include <leadscrew/cli/progress_text.hpp>
-#include <leadscrew/cli/summary_text.hpp>
+#include <cmath>
+#include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/program_text.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -92,6 +92,19 @@ std::string verdict_text(bool kept, const Style& style) {
 
 }  // namespace
 
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+  const auto hours = whole / 3600, minutes = whole / 60 % 60;
+  if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
+  return fmt::format("{}:{:02}", minutes, whole % 60);
+}
+
+std::string period_text(base::Period period) {
+  const auto nanoseconds = static_cast<double>(period.nanoseconds);
+  return period.nanoseconds >= 1'000'000 ? fmt::format("{} ms", nanoseconds / 1e6)
+                                         : fmt::format("{} us", nanoseconds / 1e3);
+}
+
 std::string row(std::string_view name, const std::string& value) {
   return fmt::format("  {:<10} {}\n", name, value);
 }
@@ -105,13 +118,14 @@ std::string deviation_text(double deviation, double tolerance) {
   return fmt::format("{:.3g} mm, tolerance {:g} mm", deviation, tolerance);
 }
 
-std::string run_summary(const std::string& program, const Job& job, const RunFigures& figures, const Style& style) {
+std::string run_summary(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
+                        const Style& style) {
   const pipeline::Summary& summary = figures.summary;
   const referee::Verdict& verdict = figures.verdict;
   std::string time = seconds_text(summary.time_s);
   if (summary.dwell_s > 0) time += fmt::format(", {:g} s of it dwell", summary.dwell_s);
   time += fmt::format("; at least {} without a limit of jerk", seconds_text(summary.bound_s));
-  std::string text = heading(program, job.machine.name, job.machine.period, style);
+  std::string text = heading(program, machine.name, machine.period, style);
   text += row("time", time);
   text += row("length", fmt::format("{:.3f} mm: {}, {}", summary.length_mm, counted(summary.blocks, "block"),
                                     counted(summary.moves, "move")));
@@ -128,21 +142,23 @@ std::string run_summary(const std::string& program, const Job& job, const RunFig
   return text;
 }
 
-std::string check_summary(const std::string& program, const Reading& reading, const DiagnosticLog& log,
+std::string check_summary(const std::string& program, const CheckFigures& reading, const Diagnostics& diagnostics,
                           const Style& style) {
-  const std::string problems = log.errors() > 0
-                                   ? style(Tone::error, fmt::format("{}, {}", counted(log.errors(), "error"),
-                                                                    counted(log.warnings(), "warning")))
-                               : log.warnings() > 0 ? style(Tone::warning, counted(log.warnings(), "warning"))
-                                                    : style(Tone::good, "no problem");
+  const std::string problems =
+      count(diagnostics, base::Severity::error) > 0
+          ? style(Tone::error, fmt::format("{}, {}", counted(count(diagnostics, base::Severity::error), "error"),
+                                           counted(count(diagnostics, base::Severity::warning), "warning")))
+      : count(diagnostics, base::Severity::warning) > 0
+          ? style(Tone::warning, counted(count(diagnostics, base::Severity::warning), "warning"))
+          : style(Tone::good, "no problem");
   return fmt::format("{}: {}, {}: {}\n", style(Tone::strong, printable(program)), counted(reading.blocks, "block"),
                      counted(reading.moves, "move"), problems);
 }
 
-std::string verify_summary(const std::string& program, const Job& job, const VerifyFigures& figures,
+std::string verify_summary(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,
                            const Style& style) {
   const referee::Verdict& verdict = figures.verdict;
-  std::string text = heading(figures.trace + " against " + program, job.machine.name, figures.period, style);
+  std::string text = heading(figures.trace + " against " + program, machine.name, figures.period, style);
   text += row("time", seconds_text(verdict.time_s));
   text += row("feed", feed_text(verdict.feed_programmed_max, verdict.feed_max_ratio));
   text += row("deviation", deviation_text(verdict.deviation_mm, verdict.tolerance_mm));
@@ -154,4 +170,4 @@ std::string verify_summary(const std::string& program, const Job& job, const Ver
   return text;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

@@ -1,13 +1,13 @@
 #pragma once
 // What interpolators of reference pulses make, as people and programs read it.
 
-#include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/json_form.hpp>
+#include <leadscrew/results/program_json.hpp>
+#include <leadscrew/results/style.hpp>
 #include <leadscrew/waves/pulses.hpp>
 #include <string>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 inline constexpr std::string_view pulse_schema = "leadscrew.pulse/1";
 
@@ -20,6 +20,6 @@ std::string pulse_summary(const nc::PulseCurve& curve, const AllPulses& pulses, 
 std::string pulse_table(const nc::PulseCurve& curve, const waves::MeasuredPulses& pulses, const Style& style);
 
 Json json_of_pulses(const nc::PulseCurve& curve, const AllPulses& pulses, bool with_path);
-Json json_of_rejected_pulses(const nc::PulseCurve& curve, const DiagnosticLog& log);
+Json json_of_rejected_pulses(const nc::PulseCurve& curve, const Diagnostics& diagnostics);
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

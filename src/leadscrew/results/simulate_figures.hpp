@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 /// Of --adaptive.
 struct AdaptiveFigures {
@@ -36,4 +36,4 @@ struct SimulateFigures : drive::SlideFigures {
   bool kept() const { return settling && within_tolerance() && held_force() && kept_pulses(); }
 };
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

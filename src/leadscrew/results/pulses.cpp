@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <leadscrew/cli/pulse_text.hpp>
+#include <leadscrew/results/pulses.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -144,11 +144,11 @@ Json json_of_pulses(const PulseCurve& curve, const AllPulses& pulses, bool with_
   return object;
 }
 
-Json json_of_rejected_pulses(const PulseCurve& curve, const DiagnosticLog& log) {
+Json json_of_rejected_pulses(const PulseCurve& curve, const Diagnostics& diagnostics) {
   Json object = json_of(curve);
   object["methods"] = Json::list();
-  object["diagnostics"] = json_of_diagnostics(log);
+  object["diagnostics"] = json_of_diagnostics(diagnostics);
   return object;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

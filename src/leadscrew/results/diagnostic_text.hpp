@@ -7,15 +7,15 @@
 //         hint: …
 
 #include <leadscrew/base/diagnostic.hpp>
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/results/style.hpp>
 #include <string>
 #include <string_view>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 std::string diagnostic_text(const base::Diagnostic& diagnostic, const Style& style);
 
 /// Bytes that a terminal would obey instead of show, and what is not UTF-8, become '?'; tabs stay.
 std::string printable(std::string_view text);
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results
