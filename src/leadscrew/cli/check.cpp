@@ -16,7 +16,8 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
   }
   const Reading reading = read_program(*file, job, console, log);
   const results::CheckFigures figures{reading.blocks, reading.moves};
-XX
+  return {log.status(), results::json_of_check(file->name(), job.machine, figures, log.all()),
+          results::check_summary(file->name(), figures, log.all(), console.output_style())};
 }
 
 }  // namespace

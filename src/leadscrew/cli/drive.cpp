@@ -19,7 +19,7 @@ class ProgramDrive {
   ProgramDrive(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
       : program_(program), job_(job), setup_(setup_of(job)), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
+  /// Empty where the log says why.
   std::optional<drive::Figures> execute() {
     const auto file = open_program(program_);
     if (!file) return failed(file.error());

@@ -127,7 +127,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 }
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
-  constexpr std::int64_t moves_between_looks = 4096;
+  constexpr std::int64_t moves_between_checks = 4096;
   const double begin = processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
@@ -138,7 +138,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   for (std::int64_t count = 1; reader.next(move); ++count) {
     if (is_motion(move)) ++reading.moves;
     if (is_pause(move)) ++reading.pauses;
-    if (count % moves_between_looks == 0) console.progress(progress);
+    if (count % moves_between_checks == 0) console.progress(progress);
   }
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());

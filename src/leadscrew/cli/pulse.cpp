@@ -11,7 +11,7 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::int64_t most_clocks_shown = 64;  // unasked
-constexpr std::int64_t clocks_between_looks = 1 << 16;
+constexpr std::int64_t clocks_between_checks = 1 << 16;
 constexpr std::int64_t most_places = 10'000'000;  // that --path and --table give: half a gigabyte of text
 
 base::Diagnostic problem(std::string_view code, std::string message, std::string hint) {
@@ -25,7 +25,7 @@ base::Result<results::AllPulses> measured(const PulseArguments& arguments) {
     nc::PulseMeasurement measurement(run, arguments.curve);
     while (!measurement.done()) {
       measurement.step();
-      if (measurement.run().clock() % clocks_between_looks == 0 && files::interrupted())
+      if (measurement.run().clock() % clocks_between_checks == 0 && files::interrupted())
         return base::failure(files::interruption());
     }
     all.push_back({run, measurement.figures()});

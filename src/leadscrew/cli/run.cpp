@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t words_between_looks = 1024;
+constexpr std::int64_t words_between_checks = 1024;
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -56,7 +56,7 @@ class ProgramRun {
   ProgramRun(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
       : program_(program), job_(job), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
+  /// Empty where the log says why.
   std::optional<results::RunFigures> execute() {
     const auto file = open_program(program_);
     if (!file) return failed(file.error());
@@ -112,7 +112,7 @@ class ProgramRun {
       const base::Word word = watch.cycle([&] { return program.cycle(); });
       referee.observe(word.position);
       if (auto written = outputs.write(word); !written) return base::failure(written.error());
-      if (base::count(word.tick) % words_between_looks != 0) continue;
+      if (base::count(word.tick) % words_between_checks != 0) continue;
       if (files::interrupted()) return base::failure(files::interruption());
       progress.words = base::count(word.tick);
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);

@@ -16,13 +16,13 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t words_between_looks = 1024;
+constexpr std::int64_t words_between_checks = 1024;
 
 class Simulation {
  public:
   Simulation(const Job& job, Console& console, DiagnosticLog& log) : job_(job), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
+  /// Empty where the log says why.
   std::optional<results::SimulateFigures> execute(const std::string& program) {
     const auto file = open_program(program);
     if (!file) return failed(file.error());
@@ -79,7 +79,7 @@ class Simulation {
       const auto followed = follow(word, *slides, outputs);
       if (!followed) return base::failure(followed.error());
       if (*followed) (*adaptive)->follow(**followed, slides->measured_feed(), program);
-      if (base::count(word.tick) % words_between_looks != 0) continue;
+      if (base::count(word.tick) % words_between_checks != 0) continue;
       if (files::interrupted()) return base::failure(files::interruption());
       progress.words = base::count(word.tick);
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
@@ -154,7 +154,7 @@ class Simulation {
     while (!slides.has_ended()) {
       word.tick = base::next(word.tick);
       if (auto done = follow(word, slides, outputs); !done) return base::failure(done.error());
-      if (base::count(word.tick) % words_between_looks == 0 && files::interrupted())
+      if (base::count(word.tick) % words_between_checks == 0 && files::interrupted())
         return base::failure(files::interruption());
     }
     return {};

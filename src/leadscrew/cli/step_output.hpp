@@ -33,7 +33,7 @@ void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& lo
 
 class StepOutput {
  public:
-  /// .vcd or .csv; the job, which check_steps() has nothing against, must outlive it. Errors: those of the file.
+  /// .vcd or .csv; the job, which check_steps() finds sound, must outlive it. Errors: those of the file.
   static base::Result<std::unique_ptr<StepOutput>> open(const std::string& path, const Job& job);
 
   /// Words of successive periods, from where the program begins.

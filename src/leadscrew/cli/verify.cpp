@@ -12,14 +12,14 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t rows_between_looks = 1024;
+constexpr std::int64_t rows_between_checks = 1024;
 
 class Verification {
  public:
   Verification(const Job& job, Console& console, DiagnosticLog& log)
       : job_(job), machine_(job.machine), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
+  /// Empty where the log says why.
   std::optional<results::VerifyFigures> execute(const std::string& trace, const std::string& program) {
     const auto trace_file = files::InputFile::open(trace, "trace-changed");
     if (!trace_file) log_.add(trace_file.error());
@@ -62,7 +62,7 @@ class Verification {
       if (!row) return base::failure(row.error());
       if (!*row) break;
       referee.observe(completed((*row)->position, rows->axes()));
-      if (++progress.words % rows_between_looks != 0) continue;
+      if (++progress.words % rows_between_checks != 0) continue;
       progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
       console_.progress(progress);
     }
