@@ -122,7 +122,7 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     *output = std::move(*file);
     if (!outputs.recording_) outputs.recording_.emplace(job.machine, job.machine.period);
   }
-  const bool follows = job.arguments.command == Arguments::Command::simulate;
+  const bool follows = job.arguments.verb == Arguments::Verb::simulate;
   if (follows && outputs.report_) outputs.followed_.emplace(job.machine.axis_set());
   return outputs;
 }
@@ -133,7 +133,7 @@ base::Result<void> Outputs::open_trace(const std::string& path) {
   if (!file) return base::failure(file.error());
   trace_ = std::move(*file);
   const base::AxisSet axes = job_->machine.axis_set();
-  const bool follows = job_->arguments.command == Arguments::Command::simulate;
+  const bool follows = job_->arguments.verb == Arguments::Verb::simulate;
   const trace::TraceKind kind = follows ? trace::TraceKind::followed : trace::TraceKind::words;
   if (is_npy) {
     writer_.emplace<trace::NpyWriter>(trace_->sink(), axes, job_->machine.period, kind);
@@ -176,7 +176,7 @@ std::array<files::OutputFile*, 4> Outputs::files() const {
   return {trace_.get(), report_.get(), picture_.get(), steps_ ? &steps_->file() : nullptr};
 }
 
-std::optional<StepFigures> Outputs::step_figures() const {
+std::optional<results::StepFigures> Outputs::step_figures() const {
   if (!steps_) return std::nullopt;
   return steps_->figures();
 }

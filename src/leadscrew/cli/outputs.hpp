@@ -51,7 +51,7 @@ class Outputs {
   /// And where the slides were, with the feed that was measured, mm/s.
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
 
-  /// What a report and a picture are made of; nothing where none was asked for.
+  /// What a report and a picture are made of; null where neither was asked for.
   const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
   report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
@@ -62,7 +62,7 @@ class Outputs {
     return steps_ ? steps_->finish(program) : base::Result<void>();
   }
   /// What steps were written, if they were asked for.
-  std::optional<StepFigures> step_figures() const;
+  std::optional<results::StepFigures> step_figures() const;
   /// Ends the trace and gives all files their names; returns these.
   base::Result<std::vector<std::string>> publish();
 

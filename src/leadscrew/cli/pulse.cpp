@@ -1,32 +1,31 @@
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
-#include <leadscrew/cli/pulse_text.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/results/pulses.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
 
 constexpr std::int64_t most_clocks_shown = 64;  // unasked
-constexpr std::int64_t clocks_between_looks = 1 << 16;
+constexpr std::int64_t clocks_between_checks = 1 << 16;
 constexpr std::int64_t most_places = 10'000'000;  // that --path and --table give: half a gigabyte of text
 
 base::Diagnostic problem(std::string_view code, std::string message, std::string hint) {
   return {base::Severity::error, code, std::move(message), std::move(hint), {}, {}};
 }
 
-base::Result<AllPulses> measured(const PulseArguments& arguments) {
-  AllPulses all;
+base::Result<results::AllPulses> measured(const PulseArguments& arguments) {
+  results::AllPulses all;
   for (const nc::PulseMethod method : arguments.methods) {
     const nc::PulseRun run(method, arguments.curve, arguments.options);
     nc::PulseMeasurement measurement(run, arguments.curve);
     while (!measurement.done()) {
       measurement.step();
-      if (measurement.run().clock() % clocks_between_looks == 0 && files::interrupted())
+      if (measurement.run().clock() % clocks_between_checks == 0 && files::interrupted())
         return base::failure(files::interruption());
     }
     all.push_back({run, measurement.figures()});
@@ -35,7 +34,7 @@ base::Result<AllPulses> measured(const PulseArguments& arguments) {
 }
 
 /// Every clock as text is for curves of some size.
-base::Result<void> check_length(const PulseArguments& arguments, const AllPulses& pulses) {
+base::Result<void> check_length(const PulseArguments& arguments, const results::AllPulses& pulses) {
   if (!arguments.path && !arguments.table) return {};
   std::int64_t clocks = 0;
   for (const waves::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
@@ -50,7 +49,7 @@ base::Result<void> check_length(const PulseArguments& arguments, const AllPulses
 /// The files that were asked for. They appear together, or not at all.
 class PulseFiles {
  public:
-  base::Result<void> write(const PulseArguments& arguments, const AllPulses& pulses) {
+  base::Result<void> write(const PulseArguments& arguments, const results::AllPulses& pulses) {
     if (arguments.vcd && arguments.svg && is_same_output(*arguments.vcd, *arguments.svg))
       return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
                                    "give each output a name of its own"));
@@ -89,15 +88,15 @@ class PulseFiles {
   std::vector<std::unique_ptr<files::OutputFile>> files_;
 };
 
-std::string text_of(const PulseArguments& arguments, const AllPulses& pulses, const Style& style) {
-  std::string text = pulse_summary(arguments.curve, pulses, style);
+std::string text_of(const PulseArguments& arguments, const results::AllPulses& pulses, const Style& style) {
+  std::string text = results::pulse_summary(arguments.curve, pulses, style);
   const bool is_short = pulses.size() == 1 && pulses.front().figures.clocks <= most_clocks_shown;
   if (!arguments.table && !is_short) return text;
-  for (const waves::MeasuredPulses& each : pulses) text += "\n" + pulse_table(arguments.curve, each, style);
+  for (const waves::MeasuredPulses& each : pulses) text += "\n" + results::pulse_table(arguments.curve, each, style);
   return text;
 }
 
-base::Result<AllPulses> made(const PulseArguments& arguments) {
+base::Result<results::AllPulses> made(const PulseArguments& arguments) {
   auto pulses = measured(arguments);
   if (!pulses) return pulses;
   if (auto sound = check_length(arguments, *pulses); !sound) return base::failure(sound.error());
@@ -107,7 +106,8 @@ base::Result<AllPulses> made(const PulseArguments& arguments) {
 
 Status rejected(const Arguments& arguments, const DiagnosticLog& log, Console& console) {
   if (!arguments.json || log.status() == Status::usage || log.status() == Status::interrupted) return log.status();
-  const std::string text = json_text(pulse_schema, {json_of_rejected_pulses(arguments.pulse.curve, log)});
+  const std::string text =
+      results::json_text(results::pulse_schema, {results::json_of_rejected_pulses(arguments.pulse.curve, log.all())});
   return worse(log.status(), write_output(console, text));
 }
 
@@ -130,7 +130,8 @@ Status pulse(const Arguments& arguments, Console& console) {
     return rejected(arguments, log, console);
   }
   if (arguments.json)
-    return write_output(console, json_text(pulse_schema, {json_of_pulses(asked.curve, *pulses, asked.path)}));
+    return write_output(console, results::json_text(results::pulse_schema,
+                                                    {results::json_of_pulses(asked.curve, *pulses, asked.path)}));
   if (arguments.quiet && !asked.table) return Status::done;
   return write_output(console, text_of(asked, *pulses, console.output_style()));
 }

@@ -21,8 +21,12 @@ constexpr double along_chords = 0.6 * along_path, across_chords = 0.4 * along_pa
 
 constexpr double longest_braking = 0x1p21;  // commands: the feed register counts them times its capacity
 
-base::Diagnostic refused(const Block& block, std::string_view code, std::string message, std::string hint) {
-  return {base::Severity::error, code, std::move(message), std::move(hint), {"", base::number(block.line), 0}, ""};
+base::Diagnostic refused(const Block& block, std::string_view code, std::string message, std::string hint,
+                         std::optional<base::Axis> axis = {}) {
+  base::Diagnostic problem =
+      base::problem(code, std::move(message), std::move(hint), {.axis = axis, .field = pulses_field});
+  problem.place.line = base::number(block.line);
+  return problem;
 }
 
 double real(std::int64_t value) {
@@ -127,13 +131,13 @@ std::optional<base::Diagnostic> rate_problem(const Block& block, const Programme
                    "pulses: " + asked + ", axis " + base::letter(options.slowest_steps) + " allows " +
                        per_second(by_step) + ": " + std::to_string(options.step_clocks) +
                        " clocks from a step to its next",
-                   "program a lower feed or shorten the times of its steps");
+                   "program a lower feed or shorten the times of its steps", options.slowest_steps);
   }
   if (is_shaped || programmed.of_velocity * (1 - numeric::quotient_rounding) <= 1) return std::nullopt;
   return refused(block, "pulse-velocity",
                  "pulses: " + asked + ", axis " + base::letter(programmed.fastest) + " allows " +
                      per_second(programmed.rate / programmed.of_velocity),
-                 "program a lower feed, or have the feed shaped to what the axes can do");
+                 "program a lower feed, or have the feed shaped to what the axes can do", programmed.fastest);
 }
 
 }  // namespace
