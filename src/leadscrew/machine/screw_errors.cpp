@@ -14,15 +14,15 @@ bool is_finite(const PitchError& entry) {
 }
 
 void check_step(const std::string& name, const PitchError& before, const PitchError& now, Problems& problems) {
-  const double way = now.position - before.position, change = now.error - before.error;
-  if (!(way > 0)) {
+  const double distance = now.position - before.position, change = now.error - before.error;
+  if (!(distance > 0)) {
     problems.push_back(base::problem(
         "pitch-order", name + " is at " + text(now.position) + ", the one before at " + text(before.position),
         "positions that rise from entry to entry"));
-  } else if (std::fabs(change) > greatest_pitch_slope * way) {
+  } else if (std::fabs(change) > greatest_pitch_slope * distance) {
     problems.push_back(base::problem("pitch-slope",
-                                     name + ": the error changes by " + text(change) + " along " + text(way),
-                                     "at most a tenth of the way; are errors in the same unit as positions?"));
+                                     name + ": the error changes by " + text(change) + " along " + text(distance),
+                                     "at most a tenth of the distance; are errors in the same unit as positions?"));
   }
 }
 
