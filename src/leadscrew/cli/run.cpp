@@ -103,7 +103,8 @@ class ProgramRun {
                               nullptr);
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
-    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
+                             interrupted);
     StopWatch watch;
     console_.begin_progress();
     while (watch.prepare([&] { return program.prepare(); })) {
@@ -118,6 +119,7 @@ class ProgramRun {
     }
     if (program.source_failure()) return base::failure(*program.source_failure());
     referee::Verdict verdict = referee.conclude();
+    if (interrupted()) return base::failure(interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     return RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};
   }

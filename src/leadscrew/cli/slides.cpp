@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/slides.hpp>
 #include <leadscrew/referee/metric.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
@@ -53,7 +54,7 @@ Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, Follo
       follower_(std::move(follower)),
       tracking_(axes_),
       matcher_(scale_of(machine), window_of(lag, machine.period)),
-      referee_(std::move(moves), machine, machine.period),
+      referee_(std::move(moves), machine, machine.period, interrupted),
       quiet_(periods_in(std::max(quiet_time, 2 * std::min(lag, 1.0)), machine.period)),
       most_after_(std::min<std::int64_t>(periods_in(longest_time, machine.period), 200'000)) {}
 
