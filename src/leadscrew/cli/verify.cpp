@@ -6,7 +6,7 @@
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
 #include <leadscrew/referee/referee.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
 
 namespace leadscrew::cli {
 
