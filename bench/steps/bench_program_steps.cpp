@@ -35,7 +35,7 @@ void steps(benchmark::State& state, const bench::PulsedProgram& program) {
     };
     for (; motion.prepare(); ++words) generator->follow(motion.cycle(), sink);
     generator->finish(sink);
-    if (motion.errors() > 0 || sum.steps == 0) return state.SkipWithError("the program has errors, or no steps");
+    if (motion.failure() || sum.steps == 0) return state.SkipWithError("the program has errors, or no steps");
     benchmark::DoNotOptimize(sum.sum);
   }
   state.SetItemsProcessed(sum.pulses);

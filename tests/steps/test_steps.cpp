@@ -354,7 +354,7 @@ void expect_none_lost_in_a_program(std::int64_t steps) {
   CountedSteps counted(machine, 10'000'000, 20);
   while (program.prepare()) counted.follow(program.cycle());
   counted.finish();
-  EXPECT_EQ(program.errors(), 0);
+  EXPECT_FALSE(program.failure());
   EXPECT_GE(counted.steps(), steps);
   EXPECT_LT(counted.worst(), 1);
   EXPECT_LT(counted.report().greatest_error, 1);

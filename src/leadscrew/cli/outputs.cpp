@@ -24,14 +24,14 @@ tl::unexpected<base::Diagnostic> usage(std::string message, std::string hint) {
 base::Result<void> make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return base::failure(system_failure("io-open", "cannot make the folder", folder, error.value()));
+  if (error) return base::failure(files::system_failure("io-open", "cannot make the folder", folder, error.value()));
   return {};
 }
 
-base::Result<std::unique_ptr<OutputFile>> create(const std::string& path, OutputFile::Access access) {
-  auto file = OutputFile::create(path, access);
+base::Result<std::unique_ptr<files::OutputFile>> create(const std::string& path, files::OutputFile::Access access) {
+  auto file = files::OutputFile::create(path, access);
   if (!file) return base::failure(file.error());
-  return std::make_unique<OutputFile>(std::move(*file));
+  return std::make_unique<files::OutputFile>(std::move(*file));
 }
 
 /// The path by which two spellings of one file are equal.
@@ -66,7 +66,7 @@ bool is_same_output(const std::string& path, const std::string& other) {
   return !is_special(path) && (normal(path) == normal(other) || std::filesystem::equivalent(path, other, error));
 }
 
-base::Result<void> check_written(const std::vector<std::string>& paths, const InputFile& program,
+base::Result<void> check_written(const std::vector<std::string>& paths, const files::InputFile& program,
                                  const Arguments& arguments) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const std::string& path = paths[i];
@@ -87,15 +87,15 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const In
 base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path,
                                 const std::vector<std::string_view>& endings) {
   if (!path || is_special(*path)) return {};
-  if (std::find(endings.begin(), endings.end(), extension(*path)) != endings.end()) return {};
+  if (std::find(endings.begin(), endings.end(), files::extension(*path)) != endings.end()) return {};
   const std::vector<std::string_view> all_but_last(endings.begin(), endings.end() - 1);
-  const std::string what = all_but_last.empty()
-                               ? fmt::format("does not end in {}", endings.back())
-                               : fmt::format("ends in neither {} nor {}", fmt::join(all_but_last, ", "), endings.back());
+  const std::string what =
+      all_but_last.empty() ? fmt::format("does not end in {}", endings.back())
+                           : fmt::format("ends in neither {} nor {}", fmt::join(all_but_last, ", "), endings.back());
   return usage(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");
 }
 
-base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments) {
+base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments) {
   std::vector<std::string> written;
   for (const auto& path : paths.all()) {
     if (path) written.push_back(*path);
@@ -123,7 +123,7 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   }
   for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_), {&paths.picture, &outputs.picture_}}) {
     if (!*path) continue;
-    auto file = create(**path, OutputFile::Access::sequential);
+    auto file = create(**path, files::OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());
     *output = std::move(*file);
     if (!outputs.recording_) outputs.recording_.emplace(job.machine, job.machine.period);
@@ -158,11 +158,11 @@ std::optional<StepFigures> Outputs::step_figures() const {
 
 base::Result<std::vector<std::string>> Outputs::publish() {
   if (auto finished = trace_.finish(); !finished) return base::failure(finished.error());
-  OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
-  const auto files = {trace_.file(), report_.get(), picture_.get(), steps};
-  if (auto published = publish_together(files); !published) return base::failure(published.error());
+  files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
+  const auto written = {trace_.file(), report_.get(), picture_.get(), steps};
+  if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
-  for (const OutputFile* file : files) {
+  for (const files::OutputFile* file : written) {
     if (file != nullptr) paths.push_back(file->path());
   }
   return paths;

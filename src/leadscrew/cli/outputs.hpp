@@ -4,9 +4,9 @@
 #include <array>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/step_output.hpp>
-#include <leadscrew/cli/word_file.hpp>
+#include <leadscrew/files/input_file.hpp>
+#include <leadscrew/files/word_file.hpp>
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
 #include <memory>
@@ -32,13 +32,13 @@ bool is_same_output(const std::string& path, const std::string& other);
 
 /// What is wrong with files that are to be written, before anything is done: one is read by the command too, or two are
 /// the same.
-base::Result<void> check_written(const std::vector<std::string>& paths, const InputFile& program,
+base::Result<void> check_written(const std::vector<std::string>& paths, const files::InputFile& program,
                                  const Arguments& arguments);
 /// Of an option that may be absent: does its ending say one of the formats? Error: `usage`.
 base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path,
                                 const std::vector<std::string_view>& endings);
 /// Both, of these paths.
-base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments);
+base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments);
 
 class Outputs {
  public:
@@ -56,7 +56,7 @@ class Outputs {
   /// Writes the report and the picture, whichever was asked for.
   base::Result<void> write_pages(const report::Report& report);
   /// Writes the steps that are left.
-  base::Result<void> finish_steps(const InputFile& program) {
+  base::Result<void> finish_steps(const files::InputFile& program) {
     return steps_ ? steps_->finish(program) : base::Result<void>();
   }
   /// What steps were written, if they were asked for.
@@ -68,8 +68,8 @@ class Outputs {
   explicit Outputs(const Job& job) : job_(&job) {}
 
   const Job* job_;
-  WordFile trace_;
-  std::unique_ptr<OutputFile> report_, picture_;  ///< their sinks refer to them
+  files::WordFile trace_;
+  std::unique_ptr<files::OutputFile> report_, picture_;  ///< their sinks refer to them
   std::unique_ptr<StepOutput> steps_;
   std::optional<report::Recording> recording_;
   std::optional<report::FollowedRecording> followed_;

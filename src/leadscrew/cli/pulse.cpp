@@ -1,9 +1,9 @@
-#include <leadscrew/cli/interrupt.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/pulse_text.hpp>
+#include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -26,7 +26,8 @@ base::Result<AllPulses> measured(const PulseArguments& arguments) {
     nc::PulseMeasurement measurement(run, arguments.curve);
     while (!measurement.done()) {
       measurement.step();
-      if (measurement.run().clock() % clocks_between_looks == 0 && interrupted()) return base::failure(interruption());
+      if (measurement.run().clock() % clocks_between_looks == 0 && files::interrupted())
+        return base::failure(files::interruption());
     }
     all.push_back({run, measurement.figures()});
   }
@@ -48,13 +49,13 @@ base::Result<void> check_length(const PulseArguments& arguments, const AllPulses
 
 /// A file that takes bytes until the user interrupts.
 template <class Write>
-base::Result<std::unique_ptr<OutputFile>> written(const std::optional<std::string>& path, const Write& write) {
+base::Result<std::unique_ptr<files::OutputFile>> written(const std::optional<std::string>& path, const Write& write) {
   if (!path) return nullptr;
-  auto created = OutputFile::create(*path, OutputFile::Access::sequential);
+  auto created = files::OutputFile::create(*path, files::OutputFile::Access::sequential);
   if (!created) return base::failure(created.error());
-  auto file = std::make_unique<OutputFile>(std::move(*created));
+  auto file = std::make_unique<files::OutputFile>(std::move(*created));
   const base::Result<void> result = write([&](std::string_view bytes) -> base::Result<void> {
-    if (interrupted()) return base::failure(interruption());
+    if (files::interrupted()) return base::failure(files::interruption());
     return file->write(bytes);
   });
   if (!result) return base::failure(result.error());
@@ -72,7 +73,7 @@ base::Result<void> write_files(const PulseArguments& arguments, const AllPulses&
   const auto picture = written(
       arguments.svg, [&](const auto& sink) { return waves::write_pulse_picture(arguments.curve, pulses, sink); });
   if (!picture) return base::failure(picture.error());
-  return publish_together({dump->get(), picture->get()});
+  return files::publish_together({dump->get(), picture->get()});
 }
 
 std::string text_of(const PulseArguments& arguments, const AllPulses& pulses, const Style& style) {

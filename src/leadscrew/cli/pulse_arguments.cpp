@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <leadscrew/cli/nearest.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/output_name.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <limits>
 #include <span>
 
@@ -162,9 +162,9 @@ Parsed<void> check_files(const PulseTexts& texts) {
   for (const auto& [option, text] : {std::pair("--vcd", &texts.vcd), {"--svg", &texts.svg}}) {
     if (auto sound = check_output_name(option, *text); !sound) return sound;
   }
-  if (texts.vcd && extension(*texts.vcd) == ".svg")
+  if (texts.vcd && files::extension(*texts.vcd) == ".svg")
     return wrong("--vcd {}: would write registers; --svg writes the picture", *texts.vcd);
-  if (texts.svg && extension(*texts.svg) == ".vcd")
+  if (texts.svg && files::extension(*texts.svg) == ".vcd")
     return wrong("--svg {}: would write the picture; --vcd writes registers", *texts.svg);
   return {};
 }

@@ -11,14 +11,14 @@
 namespace leadscrew::cli {
 
 /// Errors: those of reading the file once more.
-base::Result<report::Report> report_of(const InputFile& file, const Job& job, const RunFigures& figures,
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const RunFigures& figures,
                                        const DiagnosticLog& log, const report::Recording& recording);
 
 /// Of slides: deviation and tolerance are theirs, limits those of the plan.
-base::Result<report::Report> report_of(const InputFile& file, const Job& job, const SimulateFigures& figures,
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const SimulateFigures& figures,
                                        const DiagnosticLog& log, const report::Recording& recording);
 
 /// The programmed geometry, move by move, curves in 64 parts.
-void observe_ideal_path(const InputFile& file, const Job& job, report::FollowedRecording& followed);
+void observe_ideal_path(const files::InputFile& file, const Job& job, report::FollowedRecording& followed);
 
 }  // namespace leadscrew::cli

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/step_hints.hpp>
 #include <leadscrew/cli/step_output.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/nc/pulse_program.hpp>
 #include <string_view>
 
@@ -77,7 +77,7 @@ nc::PulseOptions pulse_options(const Job& job) {
   return options;
 }
 
-void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
+void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& log) {
   if (!job.arguments.run.pulses) return;
   if (!job.arguments.run.pulse_method) return check_signals(job, log);
   check_screws(job, log);
@@ -88,8 +88,8 @@ void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
       [&](const base::Diagnostic& problem) {
         if (is_of_pulses(problem) || problem.code == enough_problems) log.add(in_options(problem, job));
       },
-      [] { return !interrupted(); });
-  if (interrupted()) log.add(interruption());
+      [] { return !files::interrupted(); });
+  if (files::interrupted()) log.add(files::interruption());
 }
 
 base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& path, const Job& job) {
@@ -104,12 +104,12 @@ base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& pa
     compensation.emplace(std::move(*compensating));
     generator.emplace(std::move(*generating));
   }
-  auto file = OutputFile::create(path, OutputFile::Access::sequential);
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   std::unique_ptr<StepOutput> output(new StepOutput(std::move(*file), job));
   output->compensation_ = std::move(compensation);
   output->generator_ = std::move(generator);
-  if (extension(path) == ".csv") {
+  if (files::extension(path) == ".csv") {
     output->writer_.emplace<waves::StepCsvWriter>(output->file_.sink(), clock_hz);
   } else {
     output->writer_.emplace<waves::StepVcdWriter>(output->file_.sink(), job.machine, clock_hz);
@@ -139,14 +139,14 @@ void StepOutput::follow(const base::Word& word) {
 base::Result<void> StepOutput::follow_to_the_end() {
   for (std::int64_t count = 1; state_ && last_word_ && !compensation_->settled(); ++count) {
     follow(*last_word_);
-    if (count % words_between_looks == 0 && interrupted()) return base::failure(interruption());
+    if (count % words_between_looks == 0 && files::interrupted()) return base::failure(files::interruption());
   }
   generator_->finish([this](auto events) { put(events); });
   if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
   return {};
 }
 
-base::Result<void> StepOutput::finish(const InputFile& program) {
+base::Result<void> StepOutput::finish(const files::InputFile& program) {
   if (generator_) {
     if (auto followed = follow_to_the_end(); !followed) return followed;
   } else if (auto written = write_program(program); !written) {
@@ -157,7 +157,7 @@ base::Result<void> StepOutput::finish(const InputFile& program) {
   return std::get<waves::StepVcdWriter>(writer_).finish();
 }
 
-base::Result<void> StepOutput::write_program(const InputFile& program) {
+base::Result<void> StepOutput::write_program(const files::InputFile& program) {
   std::optional<base::Diagnostic> problem;
   nc::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program.name()),
                           pulse_options(*job_), [&](const base::Diagnostic& found) {
@@ -166,7 +166,7 @@ base::Result<void> StepOutput::write_program(const InputFile& program) {
   std::array<steps::StepEvent, steps_between_looks> room;
   for (auto steps = pulses.next(room); state_ && !steps.empty(); steps = pulses.next(room)) {
     put(steps);
-    if (interrupted()) return base::failure(interruption());
+    if (files::interrupted()) return base::failure(files::interruption());
   }
   if (pulses.source_failure()) return base::failure(*pulses.source_failure());
   if (problem) return base::failure(*problem);

@@ -5,9 +5,9 @@
 
 #include <cstdint>
 #include <leadscrew/base/word.hpp>
-#include <leadscrew/cli/input_file.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/output_file.hpp>
+#include <leadscrew/files/input_file.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <leadscrew/nc/pulse_options.hpp>
 #include <leadscrew/steps/compensation.hpp>
 #include <leadscrew/steps/step_generator.hpp>
@@ -46,7 +46,7 @@ nc::PulseOptions pulse_options(const Job& job);
 /// machine cannot give, and `pulse-compensation` where its screws have errors: they can be made good between words and
 /// steps alone, and interpolators of blocks know no words. The reader's own errors must be in the log; blocks without
 /// any are planned all the same.
-void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log);
+void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& log);
 
 class StepOutput {
  public:
@@ -56,21 +56,21 @@ class StepOutput {
   /// Words of successive periods, from where the program begins.
   base::Result<void> write(const base::Word& word);
   /// The words have ended: writes what is left, or all steps of the interpolator's.
-  base::Result<void> finish(const InputFile& program);
+  base::Result<void> finish(const files::InputFile& program);
 
-  OutputFile& file() { return file_; }
+  files::OutputFile& file() { return file_; }
   StepFigures figures() const;
 
  private:
   using Writer = std::variant<std::monostate, waves::StepCsvWriter, waves::StepVcdWriter>;
 
-  StepOutput(OutputFile file, const Job& job) : file_(std::move(file)), job_(&job) {}
+  StepOutput(files::OutputFile file, const Job& job) : file_(std::move(file)), job_(&job) {}
   void put(std::span<const steps::StepEvent> events);
   void follow(const base::Word& word);
   base::Result<void> follow_to_the_end();
-  base::Result<void> write_program(const InputFile& program);
+  base::Result<void> write_program(const files::InputFile& program);
 
-  OutputFile file_;
+  files::OutputFile file_;
   const Job* job_;
   Writer writer_;
   // Where steps follow words:
