@@ -7,7 +7,7 @@
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
 
 namespace leadscrew::cli {
 
