@@ -107,7 +107,7 @@ base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile&
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   Outputs outputs(job);
-  const bool follows = job.arguments.command == Arguments::Command::simulate;
+  const bool follows = job.arguments.verb == Arguments::Verb::simulate;
   if (job.arguments.run.out) {
     if (auto made = make_folder(*job.arguments.run.out); !made) return base::failure(made.error());
   }
