@@ -30,6 +30,6 @@ concept Rows =
     };
 
 /// That recognises() is asked about, where a text has so many.
-inline constexpr std::size_t start_bytes = 16;
+inline constexpr std::size_t start_bytes = 6;
 
 }  // namespace leadscrew::trace

@@ -18,6 +18,13 @@ std::vector<std::string_view> endings() {
   return std::apply([](const auto&... format) { return std::vector{format.ending...}; }, formats);
 }
 
+std::string endings_text() {
+  const std::vector<std::string_view> all = endings();
+  std::string text(all.front());
+  for (std::size_t i = 1; i < all.size(); ++i) text.append(i + 1 < all.size() ? ", " : " or ").append(all[i]);
+  return text;
+}
+
 bool has_header_last(std::string_view ending) {
   bool is_last = false;
   with_format(ending, [&]<class F>(const F&) { is_last = HeaderLast<typename F::Writer>; });

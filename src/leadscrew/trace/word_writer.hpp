@@ -10,6 +10,8 @@ namespace leadscrew::trace {
 
 /// ".csv" and all others, as formats.hpp has them.
 std::vector<std::string_view> endings();
+/// ".csv or .npy", for people.
+std::string endings_text();
 
 /// Will header() have to be written over the beginning of such a file?
 bool has_header_last(std::string_view ending);
