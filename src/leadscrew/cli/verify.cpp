@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/summary_text.hpp>
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/trace/words.hpp>
 
@@ -22,9 +22,9 @@ class Verification {
 
   /// Nothing where the log says why.
   std::optional<VerifyFigures> execute(const std::string& trace, const std::string& program) {
-    const auto trace_file = InputFile::open(trace);
+    const auto trace_file = files::InputFile::open(trace, "trace-changed");
     if (!trace_file) log_.add(trace_file.error());
-    const auto program_file = InputFile::open(program);
+    const auto program_file = open_program(program);
     if (!program_file) log_.add(program_file.error());
     if (log_.errors() > 0) return std::nullopt;
     read_program(*program_file, job_, console_, log_);
@@ -37,27 +37,27 @@ class Verification {
   }
 
  private:
-  base::Result<VerifyFigures> judge(const InputFile& trace, const InputFile& program) {
+  base::Result<VerifyFigures> judge(const files::InputFile& trace, const files::InputFile& program) {
     const auto period = job_.arguments.period ? base::Result<base::Period>(*job_.arguments.period)
                                               : trace_period(trace, machine_.axis_set(), machine_.period);
     if (!period) return base::failure(period.error());
     machine_.period = *period;
     auto verdict = verdict_on(trace, program);
     if (!verdict) return base::failure(verdict.error());
-    for (const InputFile* file : {&trace, &program}) {
+    for (const files::InputFile* file : {&trace, &program}) {
       if (auto same = file->unchanged(); !same) return base::failure(same.error());
     }
     return VerifyFigures{trace.name(), *period, std::move(*verdict)};
   }
 
-  base::Result<referee::Verdict> verdict_on(const InputFile& trace, const InputFile& program) {
+  base::Result<referee::Verdict> verdict_on(const files::InputFile& trace, const files::InputFile& program) {
     Progress progress{.work = "judging", .total = trace.size()};
     auto rows = trace::TraceReader::open(trace.source(&progress.bytes), trace.name(), machine_.axis_set());
     if (!rows) return base::failure(rows.error());
     note_absent_axes(rows->axes(), trace.name());
     gcode::Reader reader = silent_reader(program, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine_, machine_.period,
-                             interrupted);
+                             files::interrupted);
     console_.begin_progress();
     while (true) {
       const auto row = rows->next();
@@ -65,12 +65,12 @@ class Verification {
       if (!*row) break;
       referee.observe(completed((*row)->position, rows->axes()));
       if (++progress.words % rows_between_looks != 0) continue;
-      if (interrupted()) return base::failure(interruption());
+      if (files::interrupted()) return base::failure(files::interruption());
       progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
       console_.progress(progress);
     }
     referee::Verdict verdict = referee.conclude();
-    if (interrupted()) return base::failure(interruption());
+    if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     return verdict;
   }

@@ -1,26 +1,59 @@
 #include <leadscrew/pipeline/motion_source.hpp>
+#include <utility>
 
 namespace leadscrew::pipeline {
 
+MotionSource::MotionSource(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+                           gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
+    : reader_(watched(std::move(source)), machine, tools, options, watched(std::move(diagnostics))),
+      planner_(machine, options.start) {}
+
+gcode::ByteSource MotionSource::watched(gcode::ByteSource source) {
+  return [this, source = std::move(source)](std::span<char> buffer) -> base::Result<std::size_t> {
+    auto count = source(buffer);
+    if (!count || !unchanged) return count;
+    // After the bytes are here, so that none of a file that is being written passes.
+    if (auto same = unchanged(); !same) return base::failure(same.error());
+    return count;
+  };
+}
+
+gcode::DiagnosticSink MotionSource::watched(gcode::DiagnosticSink diagnostics) {
+  return [this, diagnostics = std::move(diagnostics)](const base::Diagnostic& diagnostic) {
+    if (diagnostic.severity == base::Severity::error && !failure_) failure_ = diagnostic;
+    if (diagnostics) diagnostics(diagnostic);
+  };
+}
+
 std::optional<planner::Chunk> MotionSource::next() {
-  std::optional<planner::Chunk> chunk = planner_.pop();
-  while (!chunk && reading_) {
-    gcode::Move move;
-    reading_ = reader_.next(move);
-    if (reading_) {
-      if (on_move) on_move(move);
-      builder_.push(move);
-    } else {
-      builder_.finish();
-    }
-    while (const std::optional<toolpath::Element> element = builder_.pop()) {
-      planner_.push(*element);
-      if (on_element) on_element(*element);
-    }
-    if (!reading_) planner_.finish();
-    chunk = planner_.pop();
+  if (failure_) return std::nullopt;
+  if (unchanged) {
+    if (auto same = unchanged(); !same) failure_ = same.error();
   }
+  std::optional<planner::Chunk> chunk;
+  while (!failure_ && !(chunk = planner_.pop()) && reading_) reading_ = read_move();
   return chunk;
+}
+
+/// Reads on by one move and gives the planner what path it settles. False at the program's end, or on a failure.
+bool MotionSource::read_move() {
+  gcode::Move move;
+  const bool has_move = reader_.next(move);
+  if (!failure_) failure_ = reader_.source_failure();
+  // A move behind an error may begin where the error would have moved to, not where motion is.
+  if (failure_) return false;
+  if (has_move) {
+    if (on_move) on_move(move);
+    builder_.push(move);
+  } else {
+    builder_.finish();
+  }
+  while (const std::optional<toolpath::Element> element = builder_.pop()) {
+    planner_.push(*element);
+    if (on_element) on_element(*element);
+  }
+  if (!has_move) planner_.finish();
+  return has_move;
 }
 
 }  // namespace leadscrew::pipeline

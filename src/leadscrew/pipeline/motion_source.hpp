@@ -1,5 +1,9 @@
 #pragma once
 // From text to motion: reader, tool path and planner joined, a chunk a call, in constant memory.
+//
+// Whoever moves a machine has read the whole program before and found no error in it. It is read again to move, and
+// that second reading must find the same: motion ends, at rest on the path, as soon as it reports an error, the source
+// fails, or `unchanged` says that the program is another by now.
 
 #include <functional>
 #include <leadscrew/gcode/reader.hpp>
@@ -15,16 +19,27 @@ namespace leadscrew::pipeline {
 /// this.
 class MotionSource {
  public:
+  /// diagnostics: gets every diagnostic of this reading; may be empty.
   MotionSource(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-               gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
-      : reader_(std::move(source), machine, tools, options, std::move(diagnostics)), planner_(machine, options.start) {}
+               gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics);
+  MotionSource(const MotionSource&) = delete;  // the reader tells this one what it finds
+  MotionSource& operator=(const MotionSource&) = delete;
 
   /// Called with what passes on its way to the planner.
   std::function<void(const gcode::Move&)> on_move;
   std::function<void(const toolpath::Element&)> on_element;
+  /// Is the program still the one that was checked? Asked after each piece of text that is read, before anything is
+  /// made of it, and before each chunk. An error it returns ends the motion. Absent: it cannot change.
+  std::function<base::Result<void>()> unchanged;
 
-  /// Reads and plans as far as the next chunk needs; none at the program's end, or while motion is held.
+  /// Reads and plans as far as the next chunk needs; none at the program's end, while motion is held, and from then on
+  /// when the motion has failed. What was handed out stays good: a cycle that gets no chunk runs the stop tail of the
+  /// last, and rests on the path of the program that was checked.
   std::optional<planner::Chunk> next();
+
+  /// Why motion ends before the program does: the first error of this reading, be it the reader's (which its sink gets
+  /// as well), the source's or that of `unchanged`.
+  const std::optional<base::Diagnostic>& failure() const { return failure_; }
 
   const gcode::Reader& reader() const { return reader_; }
   /// To change what is planned, between two chunks.
@@ -33,6 +48,11 @@ class MotionSource {
   bool has_read_all() const { return !reading_; }
 
  private:
+  gcode::ByteSource watched(gcode::ByteSource source);
+  gcode::DiagnosticSink watched(gcode::DiagnosticSink diagnostics);
+  bool read_move();
+
+  std::optional<base::Diagnostic> failure_;
   gcode::Reader reader_;
   toolpath::Builder builder_;
   planner::Planner planner_;

@@ -1,13 +1,14 @@
 #pragma once
 // The rooms joined into one: the text of a part program goes in, words come out, one a call, in constant memory.
 //
-//   text ─gcode::Reader─▶ moves ─toolpath::Builder─▶ path ─planner::Planner─▶ motion ─interpolator::Interpolator─▶
-//   words
+//        gcode::Reader    toolpath::Builder    planner::Planner    interpolator::Interpolator
+//   text ─────────────▶ moves ─────────────▶ path ──────────────▶ motion ─────────────▶ words
 
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/interpolator/interpolator.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -30,7 +31,7 @@ struct Summary {
   double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
   double tolerance_mm = 0;         ///< the largest that applied
   double ripple = 0;  ///< largest relative departure of path length per period where the plan says constant speed
-  planner::LimitRatios plan{};  ///< analytically, from the motion
+  constraints::LimitRatios plan{};  ///< analytically, from the motion
 };
 
 /// Called for each event as the chunk that follows it begins.
@@ -57,26 +58,30 @@ class Program {
   void override_feed(double factor) { source_.planner().override_feed(factor); }
 
   void on_event(EventSink sink) { events_ = std::move(sink); }
+  /// Before the first word: how to ask whether the program is still the one that was checked
+  /// (MotionSource::unchanged).
+  void watch(std::function<base::Result<void>()> unchanged) { source_.unchanged = std::move(unchanged); }
 
   /// Reads and plans as far as the next word needs; false when the last word (at rest, at the end) has been made. The
-  /// first word is that of t = 0, at rest at the start; a program that moves nothing has that one word.
+  /// first word is that of t = 0, at rest at the start; a program that moves nothing has that one word. Motion that
+  /// fails goes through its stop tail to a last word at rest on the path.
   bool prepare();
 
   /// The next word; prepare() must have said true.
   base::Word cycle();
 
   const Summary& summary() const { return summary_; }
-  /// Diagnostics of severity error so far; a source that failed counts.
-  std::int64_t errors() const;
-  /// Set when the source failed while reading.
-  const std::optional<base::Diagnostic>& source_failure() const { return source_.reader().source_failure(); }
+  /// Why motion ends before the program does (MotionSource::failure).
+  const std::optional<base::Diagnostic>& failure() const { return source_.failure(); }
 
  private:
   bool plan_next();
+  void stop();
   void account(const gcode::Move& move);
   void account(const base::Word& word);
 
   const machine::Machine& machine_;
+  constraints::Constraints constraints_;
   MotionSource source_;
   planner::TimeBound bound_;
   interpolator::Interpolator interpolator_;
