@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
