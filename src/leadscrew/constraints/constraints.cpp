@@ -44,6 +44,19 @@ machine::Derivatives LimitRatios::of_axis(base::Axis axis) const {
   return result;
 }
 
+machine::Derivatives LimitRatios::by_derivative() const {
+  machine::Derivatives result;
+  for_each_kind([&](auto kind) {
+    using Kind = KindAt<kind>;
+    if constexpr (Kind::is_proven) {
+      double& of_derivative = result.*derivative_of<typename Kind::Row>;
+      for (std::size_t i = 0; i < row_count<kind>; ++i)
+        of_derivative = std::max(of_derivative, values_[offset<kind> + i]);
+    }
+  });
+  return result;
+}
+
 std::array<LimitRatios::Named, LimitRatios::path_limits> LimitRatios::of_path() const {
   std::array<Named, path_limits> result{};
   std::size_t next = 0;
