@@ -62,7 +62,10 @@ std::array<LimitRatios::Named, LimitRatios::path_limits> LimitRatios::of_path() 
   std::size_t next = 0;
   for_each_kind([&](auto kind) {
     using Kind = KindAt<kind>;
-    if constexpr (Kind::is_proven && !Kind::is_of_axes) result[next++] = {Kind::name, values_[offset<kind>]};
+    if constexpr (Kind::is_proven && !Kind::is_of_axes) {
+      const double ratio = values_[offset<kind>];  // a row of x says that of speeds
+      result[next++] = {Kind::name, std::is_same_v<typename Kind::Row, SquareRow> ? ratio * ratio : ratio};
+    }
   });
   return result;
 }
