@@ -28,12 +28,12 @@ machine::Machine random_machine() {
   return machine;
 }
 
-numeric::Jet random_jet() {
+numeric::Jet<> random_jet() {
   return {logarithmic(0.1, 10), any(-10, 11) / 10.0, any(-10, 11) / 20.0, any(-10, 11) / 30.0};
 }
 
 /// q(s(t)) near t = 0, s(t) = vt + at²/2 + jt³/6, q by its Taylor polynomial of the third order.
-long double coordinate(const numeric::Jet& q, const PathRates& rates, long double t) {
+long double coordinate(const numeric::Jet<>& q, const PathRates& rates, long double t) {
   const long double s = t * (rates.speed + t * (rates.acceleration / 2.0L + t * rates.jerk / 6.0L));
   return q.value + s * (q.first + s * (q.second / 2.0L + s * q.third / 6.0L));
 }
