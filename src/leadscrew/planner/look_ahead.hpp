@@ -28,7 +28,7 @@ namespace leadscrew::planner {
 
 class LookAhead {
  public:
-  explicit LookAhead(const constraints::Constraints& constraints) : constraints_(constraints) {}
+  explicit LookAhead(const machine::Machine& machine) : constraints_(machine) {}
 
   /// The section goes on with this piece.
   void append(const toolpath::Piece& piece);

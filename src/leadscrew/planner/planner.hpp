@@ -27,7 +27,7 @@ class Planner {
  public:
   /// Stands at `start`, mm or degrees.
   Planner(const machine::Machine& machine, const geometry::Point& start)
-      : machine_(machine), constraints_(machine), look_ahead_(constraints_), position_(start) {}
+      : machine_(machine), constraints_(machine), look_ahead_(machine), position_(start) {}
 
   void push(const toolpath::Element& element) { waiting_.push_back(element); }
   /// No more elements will come.
