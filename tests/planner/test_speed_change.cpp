@@ -37,7 +37,7 @@ RC_GTEST_PROP(SpeedChange, EndsAtTheSpeedWithoutAccelerationInsideTheBounds, ())
   const double scale = 1e-9 * (1 + fastest);
   RC_ASSERT(std::abs(v - to) <= scale);
   RC_ASSERT(std::abs(b) <= 1e-9 * limits.acceleration);
-  RC_ASSERT(std::abs(s - change.way) <= 1e-9 * (1 + change.way));
+  RC_ASSERT(std::abs(s - change.distance) <= 1e-9 * (1 + change.distance));
   const double let_go = speed + a * std::abs(a) / (2 * limits.jerk);
   RC_ASSERT(fastest <= std::max({speed, to, let_go}) + scale);
   RC_ASSERT(slowest >= std::min({speed, to, let_go}) - scale);
@@ -47,7 +47,7 @@ TEST(SpeedChange, TakesTheTextbooksTime) {
   // 100 mm/s with 1000 mm/s² and 20000 mm/s³: v/a + a/j, and half the way at the mean speed.
   const planner::SpeedChange stop = planner::change_speed(100, 0, 0, {0, 1000, 20000});
   EXPECT_NEAR(stop.phases[0].duration + stop.phases[1].duration + stop.phases[2].duration, 0.15, 1e-12);
-  EXPECT_NEAR(stop.way, 100 * 0.15 / 2, 1e-9);
+  EXPECT_NEAR(stop.distance, 100 * 0.15 / 2, 1e-9);
 }
 
 }  // namespace

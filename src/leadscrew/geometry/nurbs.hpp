@@ -1,8 +1,9 @@
 #pragma once
 // NURBS curves by arc length.
 //
-//        u(s)                      C(u) = Σ w_i N_i,p(u) P_i / Σ w_i N_i,p(u)
-//   s ─────────▶ u ─────────▶ q        (Piegl and Tiller, "The NURBS Book", eq. 4.1)
+//        u(s)         C(u)
+//   s ─────────▶ u ─────────▶ q          C(u) = Σ w_i N_i,p(u) P_i / Σ w_i N_i,p(u)
+//                                        (Piegl and Tiller, "The NURBS Book", eq. 4.1)
 //
 // The length of a rational B-spline has no closed form, and neither has its inverse. u(s) is therefore a table, made
 // once: on each of its pieces, none of which crosses a knot, a quintic polynomial that has at both ends the value and

@@ -87,7 +87,7 @@ void Interpolator::run_stop_tail() {
   last_number_ = first_number_ + last.piece;
   length_before_ = length_before_end_;
   const std::size_t from = chunk_->segments.back().piece, to = chunk_->stop_tail.front().piece;
-  if (from != to) length_before_ += geometry::length(chunk_->pieces[from].curve);
+  if (from != to) length_before_ += chunk_->pieces[from].axes().length();
   begin_part(chunk_->stop_tail, begin_ + (last.begin + last.duration));
 }
 
@@ -103,9 +103,9 @@ void Interpolator::begin_part(std::span<const planner::Segment> segments, Double
   if (last.state == base::MotionState::rest) return;  // on the piece before
   length_before_end_ = length_before_;
   for (std::size_t piece = segments.front().piece; piece < last.piece; ++piece) {
-    length_before_end_ += geometry::length(chunk_->pieces[piece].curve);
+    length_before_end_ += chunk_->pieces[piece].axes().length();
   }
-  const double length = geometry::length(chunk_->pieces[last.piece].curve);
+  const double length = chunk_->pieces[last.piece].axes().length();
   constexpr double nothing = 1e-9;
   const double s = planner::evaluate(last, (end_ - begin_ - last.begin).value()).s;
   end_on_piece_ = s > length - nothing ? length : s;
@@ -135,20 +135,20 @@ base::Word Interpolator::next() {
   }
   const auto [s, speed] = along(segment, now - segment_begin_);
   const toolpath::Piece& piece = chunk_->pieces[segment.piece];
-  word.position = position(piece.curve, segment.piece, s);
+  word.position = position(piece, segment.piece, s);
   word.path_length = length_before_ + s.value();
   word.speed = word.feed = speed;
   if (piece.feed_axes != toolpath::FeedAxes::none) {
-    word.feed *= toolpath::rate(geometry::jets(piece.curve, s.value()), piece.feed_axes);
+    word.feed *= toolpath::rate(piece.axes().jets(s.value()), piece.feed_axes);
   }
   word.line = piece.line_at(s.value());
   return word;
 }
 
-base::AxisVector Interpolator::position(const geometry::Curve& curve, std::size_t piece, DoubleDouble s) {
-  const auto* nurbs = std::get_if<geometry::Nurbs>(&curve);
-  if (rule_ == StepRule::arc_length || !nurbs) return geometry::evaluate(curve, s);
-  const std::int64_t number = first_number_ + static_cast<std::int64_t>(piece);
+base::AxisVector Interpolator::position(const toolpath::Piece& piece, std::size_t index, DoubleDouble s) {
+  const auto* nurbs = std::get_if<geometry::Nurbs>(&piece.curve);
+  if (rule_ == StepRule::arc_length || !nurbs) return piece.axes().position(s);
+  const std::int64_t number = first_number_ + static_cast<std::int64_t>(index);
   if (stepped_number_ != number) {
     stepped_number_ = number;
     parameter_ = nurbs->first_parameter();
@@ -165,7 +165,7 @@ base::AxisVector Interpolator::position(const geometry::Curve& curve, std::size_
 const planner::Segment& Interpolator::segment_at(DoubleDouble time) {
   while (segment_end_ <= time && segment_ + 1 < segments_.size()) {
     const std::size_t piece = segments_[segment_++].piece;
-    if (segments_[segment_].piece != piece) length_before_ += geometry::length(chunk_->pieces[piece].curve);
+    if (segments_[segment_].piece != piece) length_before_ += chunk_->pieces[piece].axes().length();
     segment_begin_ = segment_end_;
     segment_end_ = segment_ + 1 < segments_.size() ? begin_ + segments_[segment_ + 1].begin : end_;
   }

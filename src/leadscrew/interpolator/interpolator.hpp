@@ -52,7 +52,7 @@ class Interpolator {
   base::Tick tick() const { return tick_; }
 
  private:
-  base::AxisVector position(const geometry::Curve& curve, std::size_t piece, numeric::DoubleDouble s);
+  base::AxisVector position(const toolpath::Piece& piece, std::size_t index, numeric::DoubleDouble s);
   void begin_part(std::span<const planner::Segment> segments, numeric::DoubleDouble end);
   const planner::Segment& segment_at(numeric::DoubleDouble time);
 

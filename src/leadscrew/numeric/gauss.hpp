@@ -1,6 +1,6 @@
 #pragma once
-// Gauss-Legendre quadrature with eight points: exact for polynomials of degree 15 (Abramowitz and Stegun, "Handbook of
-// Mathematical Functions", 25.4.29 and table 25.4).
+// Gauss-Legendre quadrature with three and with eight points: exact for polynomials of degree 5 and 15 (Abramowitz and
+// Stegun, "Handbook of Mathematical Functions", 25.4.29 and table 25.4).
 
 #include <array>
 
@@ -15,6 +15,12 @@ inline constexpr std::array<GaussPoint, 4> gauss_8 = {{{0.18343464249564980, 0.3
                                                        {0.52553240991632899, 0.31370664587788729},
                                                        {0.79666647741362674, 0.22238103445337447},
                                                        {0.96028985649753623, 0.10122853629037626}}};
+
+/// √0.6: with 0 and its mirror image the three points on [−1, 1].
+inline constexpr double gauss_3_abscissa = 0.7745966692414834;
+/// The three points on [0, 1], and their weights there.
+inline constexpr std::array<double, 3> gauss_3_places = {0.1127016653792583, 0.5, 0.8872983346207417};
+inline constexpr std::array<double, 3> gauss_3_weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 /// ∫ f over [a, b].
 template <typename Function>

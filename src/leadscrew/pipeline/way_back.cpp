@@ -88,7 +88,7 @@ void PathStretch::push(const toolpath::Element& element) {
   const auto* piece = std::get_if<toolpath::Piece>(&element);
   if (piece == nullptr || is_whole()) return;
   const double begin = length_;
-  length_ += geometry::length(piece->curve);
+  length_ += piece->axes().length();
   if (length_ >= from_ - rounded) parts_.push_back({*piece, begin});
 }
 
@@ -100,13 +100,13 @@ const PathStretch::Part& PathStretch::part_at(double s) const {
 
 base::PathPlace PathStretch::at(double s) const {
   const Part& part = part_at(s);
-  return {geometry::evaluate(part.piece.curve, numeric::DoubleDouble(s - part.begin)), s};
+  return {part.piece.axes().position(s - part.begin), s};
 }
 
 double PathStretch::greatest_speed(double s) const {
   const Part& part = part_at(s);
-  const double on_piece = std::clamp(s - part.begin, 0.0, geometry::length(part.piece.curve));
-  return part.piece.greatest_speed(geometry::jets(part.piece.curve, on_piece));
+  const double on_piece = std::clamp(s - part.begin, 0.0, part.piece.axes().length());
+  return part.piece.greatest_speed(part.piece.axes().jets(on_piece));
 }
 
 std::optional<Places> way_back(const PathStretch& stretch, const machine::Machine& machine, double longest_hop) {

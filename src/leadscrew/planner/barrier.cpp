@@ -136,8 +136,8 @@ bool BarrierSolver::measure_objective(const std::vector<double>& c, double& obje
     for (std::size_t q = 0; q < 3; ++q) {
       const double x = dot(problem_.gauss()[3 * k + q], &c[k]);
       if (!(x > 0)) return false;
-      sum += h * gauss_weights[q] / std::sqrt(x);
-      if (!goal_.wanted.empty()) sum += excess(x, goal_.wanted[3 * k + q]).value * h * gauss_weights[q];
+      sum += h * numeric::gauss_3_weights[q] / std::sqrt(x);
+      if (!goal_.wanted.empty()) sum += excess(x, goal_.wanted[3 * k + q]).value * h * numeric::gauss_3_weights[q];
     }
   }
   objective = sum;
@@ -212,13 +212,13 @@ void add_objective(const SpeedProblem& problem, const SpeedGoal& goal, std::size
   const double h = problem.basis()[k].h;
   for (std::size_t q = 0; q < 3; ++q) {
     const Four& e = problem.gauss()[3 * k + q];
-    const double x = dot(e, model.c), part = t * h * gauss_weights[q] / (x * std::sqrt(x));
+    const double x = dot(e, model.c), part = t * h * numeric::gauss_3_weights[q] / (x * std::sqrt(x));
     model.along(e, -0.5 * part);
     model.rank_one(e, 0.75 * part / x);
     if (goal.wanted.empty()) continue;
     const Excess above = excess(x, goal.wanted[3 * k + q]);
-    model.along(e, t * h * gauss_weights[q] * above.slope);
-    model.rank_one(e, t * h * gauss_weights[q] * above.curvature);
+    model.along(e, t * h * numeric::gauss_3_weights[q] * above.slope);
+    model.rank_one(e, t * h * numeric::gauss_3_weights[q] * above.curvature);
   }
 }
 

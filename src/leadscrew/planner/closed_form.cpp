@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/bisection.hpp>
 #include <leadscrew/planner/closed_form.hpp>
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
@@ -48,9 +49,9 @@ class Phases {
     acceleration_is(0);
   }
 
-  DoubleDouble way() const { return s_; }
+  DoubleDouble distance() const { return s_; }
 
-  /// Rounding has left the way a few units in the last place off the end: spread that evenly over time. The speed that
+  /// Rounding has left the distance a few units in the last place off the end: spread that evenly over time. The speed that
   /// this takes goes to the lesser part of v0, so that a motion from rest is seen to begin at speed 0.
   std::vector<Segment> take(double end) {
     const DoubleDouble defect_rate = (DoubleDouble(end) - s_) / begin_;
@@ -89,10 +90,10 @@ bool has_closed_form(const Section& section) {
   const auto is_line = [&](const toolpath::Piece& piece) {
     // Where feed is counted by some axes only, lines may differ in how fast it lets them be travelled.
     const bool is_alike = piece.feed == section.piece(0).feed && piece.feed_axes == toolpath::FeedAxes::none;
-    return std::holds_alternative<geometry::Line>(piece.curve) && (is_alike || section.size() == 1);
+    return piece.axes().line() && (is_alike || section.size() == 1);
   };
   if (std::all_of(section.pieces().begin(), section.pieces().end(), is_line)) return true;
-  const auto* arc = std::get_if<geometry::Arc>(&section.piece(0).curve);
+  const geometry::Arc* arc = section.piece(0).axes().arc();
   constexpr double small_angle = 0.02;  // rad
   return section.size() == 1 && arc && std::abs(arc->angle_rate()) * arc->length() < small_angle;
 }
@@ -101,8 +102,7 @@ bool has_closed_form(const Section& section) {
 toolpath::Piece whole(const Section& section) {
   toolpath::Piece piece = section.piece(0);
   if (section.size() == 1) return piece;
-  piece.curve = geometry::Line(geometry::start(piece.curve), geometry::end(section.piece(section.size() - 1).curve),
-                               section.length());
+  piece.curve = geometry::Line(piece.axes().start(), section.piece(section.size() - 1).axes().end(), section.length());
   return piece;
 }
 
@@ -120,7 +120,7 @@ std::optional<ClosedForm> ClosedForm::plan(const Section& section, const constra
   toolpath::Piece piece = whole(section);
   piece.feed *= feed_factor;
   const RestToRest motion = plan_piece(piece, constraints);
-  const auto* line = std::get_if<geometry::Line>(&piece.curve);
+  const geometry::Line* line = piece.axes().line();
   // On an arc those of its motion, which is proven for them; a change is looked at before it is made.
   form.limits_ = line
                      ? line_limits(*line, constraints)
@@ -142,7 +142,7 @@ std::optional<ClosedForm> ClosedForm::plan(const Section& section, const constra
 std::optional<ClosedForm::Motion> ClosedForm::along(std::vector<Segment> segments, double end) const {
   Motion motion{std::move(segments), {}, end};
   motion.duration = end_of(motion.segments.back());
-  const bool is_line = std::holds_alternative<geometry::Line>(section_.piece(0).curve);
+  const bool is_line = section_.piece(0).axes().line() != nullptr;
   if (section_.size() == 1 && is_line) return motion;
   if (section_.size() > 1) motion.segments = along_pieces(motion.segments, section_, end, 0);
   Chunk all;
@@ -157,10 +157,10 @@ std::optional<ClosedForm::Motion> ClosedForm::along(std::vector<Segment> segment
 /// To rest on the way, as soon as the limits allow; nothing where the motion there is comes to rest as soon.
 std::optional<ClosedForm::Motion> ClosedForm::stop(const PathState& from) const {
   const SpeedChange stop = change_speed(from.speed, from.acceleration, 0, limits_);
-  if (stop.way >= motion_.end - from.s) return std::nullopt;
+  if (stop.distance >= motion_.end - from.s) return std::nullopt;
   Phases phases(from);
   phases.add(stop);
-  const double end = phases.way().value();
+  const double end = phases.distance().value();
   if (!(from.s < end && end < motion_.end - nearest_rest * section_.length())) return std::nullopt;
   return along(phases.take(end), end);
 }
@@ -184,27 +184,23 @@ void ClosedForm::override_feed(double factor) {
   now_ = 0;
 }
 
-/// To the speed that is wanted, and from it to rest at the section's end; nothing where there is no room for it.
+/// To the speed that is wanted, and from it to rest at the section's end; nothing where what is left is too short for it.
 std::optional<ClosedForm::Motion> ClosedForm::change(const PathState& from) const {
   const toolpath::Piece piece = whole(section_);
-  const double feed = piece.greatest_speed(geometry::jets(piece.curve, 0)) * factor_;
-  const double room = section_.length() - from.s;
-  const auto way = [&](double speed) {
-    return change_speed(from.speed, from.acceleration, speed, limits_).way + change_speed(speed, 0, 0, limits_).way;
+  const double feed = piece.greatest_speed(piece.axes().jets(0)) * factor_;
+  const double left = section_.length() - from.s;
+  const auto distance = [&](double speed) {
+    return change_speed(from.speed, from.acceleration, speed, limits_).distance +
+           change_speed(speed, 0, 0, limits_).distance;
   };
   double speed = std::min(limits_.velocity, feed);
-  if (way(speed) > room) {
-    double low = 0, high = speed;
-    if (way(low) >= room) return std::nullopt;
-    for (int halving = 0; halving < 60; ++halving) {
-      const double middle = (low + high) / 2;
-      (way(middle) > room ? high : low) = middle;
-    }
-    speed = low;
+  if (distance(speed) > left) {
+    if (distance(0) >= left) return std::nullopt;
+    speed = numeric::bisect(0, speed, 60, [&](double lower) { return !(distance(lower) > left); }).from;
   }
   Phases phases(from);
   phases.add(change_speed(from.speed, from.acceleration, speed, limits_));
-  if (speed > 0) phases.add(0, (room - way(speed)) / speed, MotionState::constant);
+  if (speed > 0) phases.add(0, (left - distance(speed)) / speed, MotionState::constant);
   phases.add(change_speed(speed, 0, 0, limits_));
   return along(phases.take(section_.length()), section_.length());
 }
@@ -255,8 +251,8 @@ void ClosedForm::place(Chunk& chunk) const {
   }
   const toolpath::Piece& piece = section_.piece(last);
   const bool is_at_end = rest_ >= section_.offset(last + 1);
-  const double on_piece = is_at_end ? geometry::length(piece.curve) : rest_ - section_.offset(last);
-  chunk.rest = geometry::evaluate(piece.curve, DoubleDouble(on_piece));
+  const double on_piece = is_at_end ? piece.axes().length() : rest_ - section_.offset(last);
+  chunk.rest = piece.axes().position(on_piece);
   chunk.rest_line = is_at_end ? piece.last_line() : piece.line_at(on_piece);
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 // Sections that have a closed form: lines that run straight on, and arcs so short that the axes hardly trade places.
 //
-//      speed   .-----+.                From rest to rest there are seven phases of constant jerk (rest_to_rest.hpp).
-//      The
-//             /      | \               motion is handed out in slices: the same polynomials, however it is cut. A
-//             change
-//            /       '--\-----.        of feed takes effect where the last slice ends: from the speed and acceleration
-//           /   0.8      \     \       there, three phases lead to the speed that is wanted and three more to rest
-//                                      (speed_change.hpp).
+//      speed    ╭───────┼─╮
+//              ╱        │  ╲              ┼ a slice ends here, feed is changed to 0.8
+//             ╱         ╰╮  ╲
+//            ╱     0.8   ╰──────────╮
+//           ╱                        ╲
+//
+// From rest to rest there are seven phases of constant jerk (rest_to_rest.hpp). The motion is handed out in slices: the
+// same polynomials, however it is cut. A change of feed takes effect where the last slice ends: from the speed and
+// acceleration there, three phases lead to the speed that is wanted and three more to rest (speed_change.hpp).
 
 #include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/motion.hpp>

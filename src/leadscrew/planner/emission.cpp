@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <leadscrew/numeric/bisection.hpp>
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <limits>
@@ -20,6 +21,7 @@ constexpr int looks_per_polynomial = 6;
 constexpr std::size_t most_borders = 60;  // that are looked at so closely
 constexpr int stop_looks = 32;            // of the proof that a stop keeps its limits
 
+// Of numeric::gauss_8, to 16 digits: durations, and with them words, would differ in their last bits.
 constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                                                      0.9602898564975363};
 constexpr std::array<double, 4> gauss_half_weights = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
@@ -92,14 +94,10 @@ class Peaks {
   LimitRatios jumping_;  ///< of what does not run smoothly
 };
 
-/// The time at which the segment passes a place inside it, by bisection and Newton.
+/// The time at which the segment passes a place inside it.
 double time_at(const Segment& segment, double s) {
-  double from = 0, to = segment.duration.value();
-  for (int step = 0; step < 200 && to - from > 1e-16 * to; ++step) {
-    const double middle = (from + to) / 2;
-    (evaluate(segment, middle).s < s ? from : to) = middle;
-  }
-  return to;
+  const auto is_before = [&](double t) { return evaluate(segment, t).s < s; };
+  return numeric::bisect(0, segment.duration.value(), 200, is_before, 1e-16).to;
 }
 
 /// The same polynomial from a later time on.
@@ -116,14 +114,10 @@ Segment later(const Segment& segment, double t) {
   return rest;
 }
 
-/// The least speed where acceleration, a cubic, passes from below 0 at one time to above 0 at another: by bisection.
+/// The least speed where acceleration, a cubic, passes from below 0 at one time to above 0 at another.
 double least_speed(const Segment& segment, double from, double to) {
-  constexpr int halvings = 20;
-  for (int k = 0; k < halvings; ++k) {
-    const double middle = (from + to) / 2;
-    (evaluate(segment, middle).acceleration < 0 ? from : to) = middle;
-  }
-  return evaluate(segment, from).speed;
+  const auto slows_down = [&](double t) { return evaluate(segment, t).acceleration < 0; };
+  return evaluate(segment, numeric::bisect(from, to, 20, slows_down).from).speed;
 }
 
 class Emitter {
@@ -221,9 +215,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
   constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
   constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
   constexpr double dense_steps = 1 + 1e-3;    // where there are so many that not all are looked at: at a cusp
-  const auto has_table = [&](std::size_t piece) {
-    return std::holds_alternative<geometry::Nurbs>(section.piece(piece).curve);
-  };
+  const auto has_table = [&](std::size_t piece) { return section.piece(piece).axes().has_table(); };
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
   const std::size_t last = section.piece_at(end, Side::left);
   const double on_curves = borders > most_borders ? dense_steps : has_table(first) || has_table(last) ? map_steps : 1;

@@ -115,7 +115,7 @@ class Placement {
     for (std::size_t p = section_.piece_at(stretch_.begin, Side::right); p < section_.size(); ++p) {
       if (section_.offset(p) >= end) break;
       const toolpath::Piece& piece = section_.piece(p);
-      for (const double s : geometry::breaks(piece.curve)) add(section_.offset(p) + s);
+      for (const double s : piece.axes().breaks()) add(section_.offset(p) + s);
       if (p + 1 < section_.size() && jumps(p)) add(section_.offset(p + 1));
     }
     breaks_.push_back(end);
@@ -123,8 +123,8 @@ class Placement {
 
   bool jumps(std::size_t p) const {
     const toolpath::Piece &a = section_.piece(p), &b = section_.piece(p + 1);
-    const geometry::PointJet leaving = one_sided_jets(a.curve, geometry::length(a.curve), Side::left);
-    const geometry::PointJet entering = one_sided_jets(b.curve, 0, Side::right);
+    const geometry::PointJet leaving = one_sided_jets(a.axes(), a.axes().length(), Side::left);
+    const geometry::PointJet entering = one_sided_jets(b.axes(), 0, Side::right);
     if (!a.is_fed_as(b)) return true;
     for (std::size_t i = 0; i < leaving.size(); ++i) {
       const double size = std::abs(leaving[i].third) + std::abs(entering[i].third);
@@ -307,7 +307,7 @@ class Placement {
     for (std::size_t k = samples_.size() - 1; k-- > 0;) grade(samples_[k], samples_[k + 1]);
   }
 
-  /// What is kept, and between it knots that lie closer where the law of time is another from `begin` on: there jerk
+  /// What is kept, and between it knots that lie closer where the time law is another from `begin` on: there jerk
   /// changes at once.
   void keep() {
     const std::vector<double>& s = stretch_.kept;

@@ -13,11 +13,11 @@ constexpr double no_feed = std::numeric_limits<double>::infinity();
 /// Along a line every derivative is largest where a segment begins or ends: its polynomial is a cubic whose
 /// acceleration is monotonic and whose speed turns only where acceleration is 0, at a knot. On a curve the axes trade
 /// places with the angle: look at least every 0.05 rad, 6 times a polynomial and 8 times a segment.
-int looks(const geometry::Curve& curve, const Segment& segment) {
-  if (std::holds_alternative<geometry::Line>(curve)) return segment.c4 == 0 && segment.c5 == 0 ? 1 : 8;
+int looks(const toolpath::AxisPath& axes, const Segment& segment) {
+  if (axes.line()) return segment.c4 == 0 && segment.c5 == 0 ? 1 : 8;
   const double begin = segment.s0.value(), end = evaluate(segment, segment.duration.value()).s;
-  const auto* arc = std::get_if<geometry::Arc>(&curve);
-  if (!arc) return std::clamp(6 * static_cast<int>(geometry::borders(curve, begin, end) + 1), 8, 256);
+  const geometry::Arc* arc = axes.arc();
+  if (!arc) return std::clamp(6 * static_cast<int>(axes.borders(begin, end) + 1), 8, 256);
   const double angle = arc->angle_rate() * (end - begin);
   return std::clamp(static_cast<int>(std::abs(angle) / 0.05), 8, 256);
 }
@@ -28,11 +28,11 @@ void raise_limit_ratios(const Chunk& chunk, const constraints::Constraints& cons
                         constraints::LimitRatios& ratios) {
   for (const Segment& segment : chunk.segments) {
     if (segment.state == base::MotionState::rest) continue;
-    const geometry::Curve& curve = chunk.pieces[segment.piece].curve;
-    const int count = looks(curve, segment);
+    const toolpath::AxisPath axes = chunk.pieces[segment.piece].axes();
+    const int count = looks(axes, segment);
     for (int k = 0; k <= count; ++k) {
       const PathState at = evaluate(segment, segment.duration.value() * k / count);
-      const geometry::PointJet jet = one_sided_jets(curve, at.s, k == 0 ? Side::right : Side::left);
+      const geometry::PointJet jet = one_sided_jets(axes, at.s, k == 0 ? Side::right : Side::left);
       constraints.raise({jet, no_feed}, rates(at), ratios);
     }
   }

@@ -31,9 +31,9 @@ constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity d
 
 void LookAhead::append(const toolpath::Piece& piece) {
   section_.append(piece);
-  const double length = geometry::length(piece.curve);
+  const double length = piece.axes().length();
   for (const double s : {0.0, length / 2}) {
-    const geometry::PointJet jet = geometry::jets(piece.curve, s);
+    const geometry::PointJet jet = piece.axes().jets(s);
     const machine::Derivatives limits = tangent_limits(jet, constraints_);
     const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(jet)}, hardly_moves);
     for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
@@ -293,9 +293,9 @@ Chunk LookAhead::hand_out() {
   chunk.tail_length = rest - end;
   const toolpath::Piece& last = section_.piece(last_piece);
   // At the end of a piece exactly there: the way on it, which has been rounded, may fall short of its length.
-  const double offset = section_.offset(last_piece), length = geometry::length(last.curve);
+  const double offset = section_.offset(last_piece), length = last.axes().length();
   const double on_piece = rest >= offset + length ? length : rest - offset;
-  chunk.rest = geometry::evaluate(last.curve, DoubleDouble(on_piece));
+  chunk.rest = last.axes().position(on_piece);
   chunk.rest_line = last.line_at(on_piece);
   // Of the window: what is forgotten must not depend on how it is sliced.
   if (window.next == 0) last_begin_ = begin_;

@@ -6,7 +6,7 @@
 //      |    /  committed :   \  stop tail
 //      +--'--------------+-----'---> t
 //
-// A chunk holds its pieces of path and the law of time along them, as polynomials between knots. The chunk that follows
+// A chunk holds its pieces of path and the time law along them, as polynomials between knots. The chunk that follows
 // goes on exactly where the committed part ends: same place, speed and acceleration. If none has come by then, the
 // cycle runs the stop tail, and the machine comes to rest on the path within its limits; the chunk that follows then
 // begins there, at rest. Chunks whose committed part ends at rest have no tail.

@@ -123,10 +123,10 @@ machine::Derivatives line_limits(const geometry::Line& line, const constraints::
 }
 
 RestToRest plan_piece(const toolpath::Piece& piece, const constraints::Constraints& constraints) {
-  const geometry::PointJet jet = geometry::jets(piece.curve, 0);
+  const geometry::PointJet jet = piece.axes().jets(0);
   const double feed = piece.greatest_speed(jet);  // everywhere the same
-  if (const auto* arc = std::get_if<geometry::Arc>(&piece.curve)) return plan(*arc, feed, constraints);
-  return rest_to_rest(geometry::length(piece.curve), constraints.along_tangent({jet, feed}));
+  if (const geometry::Arc* arc = piece.axes().arc()) return plan(*arc, feed, constraints);
+  return rest_to_rest(piece.axes().length(), constraints.along_tangent({jet, feed}));
 }
 
 }  // namespace leadscrew::planner

@@ -96,15 +96,15 @@ std::optional<geometry::Point> Planner::started_at() const {
 bool Planner::pass_over(const toolpath::Element& element) {
   const double room = start_->path_length - start_->passed;
   if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
-    const double length = geometry::length(piece->curve);
-    position_ = geometry::end(piece->curve);
+    const double length = piece->axes().length();
+    position_ = piece->axes().end();
     line_ = piece->last_line();
     start_->passed += length;
     if (length <= room + nothing) return true;
     start_.reset();
-    started_at_ = geometry::evaluate(piece->curve, DoubleDouble(std::max(room, 0.0)));
+    started_at_ = piece->axes().position(std::max(room, 0.0));
     if (room <= nothing) return false;
-    position_ = geometry::evaluate(piece->curve, DoubleDouble(room));
+    position_ = piece->axes().position(room);
     take(*piece);
     look_ahead_.begin_at(room);
     return true;
@@ -155,8 +155,8 @@ void Planner::keep_in_force(const base::Event& event) {
 /// Does the piece go on with the section? Otherwise the section ends before it.
 bool Planner::take(const toolpath::Piece& piece) {
   if (last_) {
-    const geometry::PointJet leaving = geometry::jets(last_->curve, geometry::length(last_->curve));
-    const geometry::PointJet entering = geometry::jets(piece.curve, 0);
+    const geometry::PointJet leaving = last_->axes().jets(last_->axes().length());
+    const geometry::PointJet entering = piece.axes().jets(0);
     const double square = std::min(constraints_.greatest_square({leaving, last_->greatest_speed(leaving)}),
                                    squared(piece.greatest_speed(entering)));
     if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {

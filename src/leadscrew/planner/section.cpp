@@ -11,10 +11,10 @@ constexpr double unseen = 1e-4;  // of the limit of jerk
 
 }  // namespace
 
-geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side side) {
+geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side side) {
   constexpr double aside = 4e-13;
-  const double length = geometry::length(curve), step = aside * length;
-  return geometry::jets(curve, std::clamp(side == Side::left ? s - step : s + step, 0.0, length));
+  const double length = axes.length(), step = aside * length;
+  return axes.jets(std::clamp(side == Side::left ? s - step : s + step, 0.0, length));
 }
 
 bool turns(const geometry::PointJet& jet) {
@@ -23,7 +23,7 @@ bool turns(const geometry::PointJet& jet) {
 
 void Section::append(const toolpath::Piece& piece) {
   pieces_.push_back(piece);
-  offsets_.push_back(offsets_.back() + geometry::length(piece.curve));
+  offsets_.push_back(offsets_.back() + piece.axes().length());
 }
 
 double Section::forget_before(double s) {
@@ -50,17 +50,17 @@ std::size_t Section::piece_at(double s, Side side) const {
 
 geometry::PointJet Section::jets(double s, Side side) const {
   const std::size_t index = piece_at(s, side);
-  return one_sided_jets(pieces_[index].curve, s - offsets_[index], side);
+  return one_sided_jets(pieces_[index].axes(), s - offsets_[index], side);
 }
 
 std::size_t Section::borders(double from, double to) const {
   const std::size_t first = piece_at(from, Side::right), last = piece_at(to, Side::left);
   std::size_t count = 0;
   for (std::size_t p = first; p <= last; ++p) {
-    const geometry::Curve& curve = pieces_[p].curve;
-    const double begin = p == first ? from - offsets_[p] : 0, length = geometry::length(curve);
+    const toolpath::AxisPath axes = pieces_[p].axes();
+    const double begin = p == first ? from - offsets_[p] : 0, length = axes.length();
     const double end = p == last ? std::min(to - offsets_[p], length) : length;
-    if (begin < end) count += geometry::borders(curve, begin, end);
+    if (begin < end) count += axes.borders(begin, end);
   }
   return count + (last > first ? last - first : 0);
 }

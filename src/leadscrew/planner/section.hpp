@@ -11,9 +11,9 @@ namespace leadscrew::planner {
 /// Which of its two values is meant where a derivative by path length jumps.
 enum class Side : std::uint8_t { left, right };
 
-/// Derivatives of a curve at s, or so little aside of it that a step of the third derivative at s is told from which
+/// Derivatives of axes at s, or so little aside of it that a step of the third derivative at s is told from which
 /// side it is seen.
-geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side side);
+geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side side);
 
 /// Do the axes trade places here: is any q″ other than 0?
 bool turns(const geometry::PointJet& jet);

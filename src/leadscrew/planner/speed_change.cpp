@@ -17,7 +17,7 @@ SpeedChange change_speed(double speed, double acceleration, double to, const mac
   result.phases = {{{sign * J, (peak - from) / J}, {0, peak > 0 ? held : 0}, {-sign * J, peak / J}}};
   double v = speed, b = a;
   for (const auto& [jerk, t] : result.phases) {
-    result.way += t * (v + t * (b / 2 + t * jerk / 6));
+    result.distance += t * (v + t * (b / 2 + t * jerk / 6));
     v += t * (b + t * jerk / 2);
     b += t * jerk;
   }

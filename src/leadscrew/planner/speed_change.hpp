@@ -18,7 +18,7 @@ struct Phase {
 
 struct SpeedChange {
   std::array<Phase, 3> phases{};
-  double way = 0;  ///< that it takes, units
+  double distance = 0;  ///< that it takes, units
 };
 
 /// From `speed` and `acceleration` to the speed `to` ≥ 0 and acceleration 0, by the bounds of acceleration and jerk.

@@ -98,7 +98,7 @@ class SpeedProblem::Builder {
     problem_.gauss_.reserve(3 * n);
     for (std::size_t k = 0; k < n; ++k) {
       problem_.basis_.emplace_back(around(s, k));
-      for (const double u : gauss_places) problem_.gauss_.push_back(problem_.basis_[k].value(u));
+      for (const double u : numeric::gauss_3_places) problem_.gauss_.push_back(problem_.basis_[k].value(u));
     }
     if (problem_.starts_at_rest()) problem_.start_tie_ = rest_tie(problem_.knots_.start_ramp, s[1] - s[0], s[2] - s[1]);
     if (problem_.ends_at_rest())

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/constraints/constraints.hpp>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/cubic_basis.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/section.hpp>
@@ -21,10 +22,6 @@
 #include <vector>
 
 namespace leadscrew::planner {
-
-/// Places of an interval for three-point Gauss quadrature, and their weights.
-inline constexpr std::array<double, 3> gauss_places = {0.1127016653792583, 0.5, 0.8872983346207417};
-inline constexpr std::array<double, 3> gauss_weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 /// Greatest x: of the coefficients, which holds between knots as well; at the knots; in the middle of the intervals.
 struct SquareCaps {
@@ -52,7 +49,7 @@ class SpeedProblem {
   bool starts_at_rest() const { return knots_.start_ramp > 0; }
   bool ends_at_rest() const { return knots_.end_ramp > 0; }
   std::span<const CubicBasis> basis() const { return basis_; }
-  /// Values of the basis at the Gauss places, three an interval.
+  /// Values of the basis at numeric::gauss_3_places of every interval.
   std::span<const Four> gauss() const { return gauss_; }
   std::span<const Site> sites() const { return sites_; }
   std::span<const Row> rows(const Site& site) const {

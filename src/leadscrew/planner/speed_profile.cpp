@@ -93,7 +93,7 @@ void SpeedProfile::descend() {
   for (std::size_t k = 0; k < intervals(); ++k) {
     const double lower =
         std::min({caps.knots[k], caps.knots[k + 1], caps.coefficients[k + 1], caps.coefficients[k + 2]});
-    goal.wanted.insert(goal.wanted.end(), gauss_places.size(), lower);
+    goal.wanted.insert(goal.wanted.end(), numeric::gauss_3_places.size(), lower);
   }
   for (std::size_t i = 0; i < c().size(); ++i)
     goal.floors.push_back(std::min(descent_floor * caps.coefficients[i], descent_floor * descent_floor * c()[i]));
@@ -105,7 +105,7 @@ void SpeedProfile::descend_to_creep() {
   const double least = 2e-3 * c()[0];
   goal_ = {};
   for (std::size_t k = 0; k < intervals(); ++k) {
-    for (std::size_t q = 0; q < gauss_places.size(); ++q)
+    for (std::size_t q = 0; q < numeric::gauss_3_places.size(); ++q)
       goal_.wanted.push_back(std::max(0.5 * dot(problem_.gauss()[3 * k + q], &problem_.creep()[k]), least));
   }
   optimize(goal_, cold_descent_gap, descent_gap);

@@ -48,13 +48,13 @@ void TimeBound::push(const toolpath::Element& element) {
   }
   const auto* piece = std::get_if<toolpath::Piece>(&element);
   if (!piece) return;
-  if (!is_smooth(leaving_, geometry::jets(piece->curve, 0))) stop();
-  if (const auto* line = std::get_if<geometry::Line>(&piece->curve)) {
+  if (!is_smooth(leaving_, piece->axes().jets(0))) stop();
+  if (const auto* line = piece->axes().line()) {
     add_straight(*line, *piece);
   } else {
     add_curved(*piece);
   }
-  leaving_ = geometry::jets(piece->curve, geometry::length(piece->curve));
+  leaving_ = piece->axes().jets(piece->axes().length());
   if (piece->stop) stop();
 }
 
@@ -72,12 +72,12 @@ void TimeBound::add_straight(const geometry::Line& line, const toolpath::Piece& 
 }
 
 void TimeBound::add_curved(const toolpath::Piece& piece) {
-  const geometry::Curve& curve = piece.curve;
-  const double length = geometry::length(curve);
-  const std::vector<double> breaks = geometry::breaks(curve);
+  const toolpath::AxisPath axes = piece.axes();
+  const double length = axes.length();
+  const std::vector<double> breaks = axes.breaks();
   auto stop_at = breaks.begin();
   double s = 0;
-  geometry::PointJet here = geometry::jets(curve, 0);
+  geometry::PointJet here = axes.jets(0);
   while (s < length) {
     // Knots crowd towards the ends, where the motion may come from rest or go to it.
     const double longest = std::min(length / fewest_intervals, finest_step(here));
@@ -85,17 +85,17 @@ void TimeBound::add_curved(const toolpath::Piece& piece) {
     const double limit = stop_at == breaks.end() ? length : *stop_at;
     const auto next_knot = [&](double step) { return limit - s < 1.5 * step ? limit : s + step; };
     double s_next = next_knot(std::min(longest, graded));
-    geometry::PointJet next = geometry::jets(curve, s_next);
+    geometry::PointJet next = axes.jets(s_next);
     // Into a turn that begins on the way, with shorter steps.
     for (int halving = 0; halving < most_halvings && finest_step(next) < (s_next - s) / 2; ++halving) {
       s_next = s + (s_next - s) / 2;
-      next = geometry::jets(curve, s_next);
+      next = axes.jets(s_next);
     }
     Interval interval;
     interval.length = s_next - s;
     interval.x_max = velocity_limit(here, piece);
     interval.x_end_max = velocity_limit(next, piece);
-    add_rows(geometry::jets(curve, (s + s_next) / 2), interval);
+    add_rows(axes.jets((s + s_next) / 2), interval);
     add(interval);
     here = next;
     s = s_next;

@@ -105,7 +105,7 @@ class WindowPlanner {
   std::size_t most_intervals_;
 };
 
-/// Law of time of the window, proven or not: `worst` ratio, and `factors` by which rows must be tightened. False if it
+/// Time law of the window, proven or not: `worst` ratio, and `factors` by which rows must be tightened. False if it
 /// cannot come to rest at its end.
 bool WindowPlanner::emit(Window& window) const {
   SpeedProfile& profile = window.profile;

@@ -7,6 +7,7 @@
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/toolpath/axis_path.hpp>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -35,6 +36,8 @@ struct Piece {
   /// Whose length feed is counted by; none: the curve's.
   FeedAxes feed_axes = FeedAxes::none;
 
+  /// How axes travel it.
+  AxisPath axes() const { return AxisPath(curve); }
   /// By feed, along the curve where it has these derivatives, units of its length per second; infinite where the axes
   /// stand by which feed is counted.
   double greatest_speed(const geometry::PointJet& jet) const {

@@ -7,8 +7,7 @@
 //   - A joint is a corner where the direction turns by 81° or more within eight tolerances, or feed comes to be counted
 //     by other axes; elsewhere it is smooth.
 //   - Short legs that are joined smoothly, and the nearest parts of long ones, are a run: a spline through the tube
-//   around
-//     them (TubeSpline). The rest of the long ones stays what it is.
+//     around them (TubeSpline). The rest of the long ones stays what it is.
 //   - Corners are blended (corner.hpp); where none is worth it, and where the path turns back, the motion stops.
 
 #include <deque>

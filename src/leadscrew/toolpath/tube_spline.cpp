@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/numeric/banded.hpp>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/tube_spline.hpp>
 #include <utility>
@@ -185,12 +186,13 @@ void TubeSpline::solve() {
     }
   };
   for (const Sample& sample : samples_) add(sample.span, sample.basis, sample.weight, &sample.position);
-  constexpr double gauss_place = 0.7745966692414834, outer = 5.0 / 18, inner = 8.0 / 18;
+  constexpr double place_of_gauss = numeric::gauss_3_abscissa;
+  const auto [outer, inner, mirrored] = numeric::gauss_3_weights;
   for (std::size_t span = 0; span < stretch_.spans(); ++span) {
     const double from = stretch_.span_begin(span), to = stretch_.span_end(span), width = to - from;
     const double length = std::min(smoothing_length(from), smoothing_length(to));
     const double factor = width * std::pow(length, 6);
-    for (const auto& [place, weight] : {std::pair{-gauss_place, outer}, {0.0, inner}, {gauss_place, outer}}) {
+    for (const auto& [place, weight] : {std::pair{-place_of_gauss, outer}, {0.0, inner}, {place_of_gauss, mirrored}}) {
       add(span, quintic_third_derivatives(t.data() + span, from + width * (1 + place) / 2), factor * weight, nullptr);
     }
   }

@@ -1,0 +1,21 @@
+#pragma once
+// Bisection: where a condition that holds at first holds no more.
+
+namespace leadscrew::numeric {
+
+/// Two neighbouring places: the condition holds at `from`, or that is where it was looked for, and not at `to`.
+struct Bracket {
+  double from = 0, to = 0;
+};
+
+/// Halves from … to at most so often, and no further than to a width of `relative` times its end.
+template <typename IsBefore>
+constexpr Bracket bisect(double from, double to, int halvings, const IsBefore& is_before, double relative = 0) {
+  for (int k = 0; k < halvings && to - from > relative * to; ++k) {
+    const double middle = (from + to) / 2;
+    (is_before(middle) ? from : to) = middle;
+  }
+  return {from, to};
+}
+
+}  // namespace leadscrew::numeric

@@ -1,0 +1,45 @@
+#pragma once
+// The door between a path and the axes that travel it: positions of all axes as a function of path length. Whoever plans,
+// interpolates or goes back asks a piece for it (Piece::axes()) and never takes coordinates of a curve for positions of
+// axes.
+//
+// On a Cartesian machine the two are the same, and everything here is inline and passes through. A machine that turns
+// tool or workpiece puts its kinematics between them, pushing positions and jets of the pose through one formula: here,
+// and nowhere else.
+
+#include <cstddef>
+#include <leadscrew/geometry/curve.hpp>
+#include <vector>
+
+namespace leadscrew::toolpath {
+
+/// Of one piece, which must outlive it. Path length runs from 0 to length().
+class AxisPath {
+ public:
+  explicit AxisPath(const geometry::Curve& curve) : curve_(curve) {}
+
+  double length() const { return geometry::length(curve_); }
+  geometry::Point start() const { return geometry::start(curve_); }
+  geometry::Point end() const { return geometry::end(curve_); }
+  /// mm or degrees, rounded once; at s ≤ 0 and s ≥ length the start and the end, exactly. For the cycle: takes no memory.
+  geometry::Point position(numeric::DoubleDouble s) const { return geometry::evaluate(curve_, s); }
+  /// Positions and three derivatives by path length.
+  geometry::PointJet jets(double s) const { return geometry::jets(curve_, s); }
+  /// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.
+  std::vector<double> breaks() const { return geometry::breaks(curve_); }
+  /// How many polynomials there are from one path length to another, 0 ≤ from ≤ to ≤ length, less one: between two of
+  /// them derivatives may have peaks anywhere.
+  std::size_t borders(double from, double to) const { return geometry::borders(curve_, from, to); }
+  /// Are derivatives those of a table of arc length, exact only to its tolerance?
+  bool has_table() const { return std::holds_alternative<geometry::Nurbs>(curve_); }
+
+  /// Where every axis goes straight, or two of them round a circle at constant rate and the others straight; else none.
+  /// For closed forms.
+  const geometry::Line* line() const { return std::get_if<geometry::Line>(&curve_); }
+  const geometry::Arc* arc() const { return std::get_if<geometry::Arc>(&curve_); }
+
+ private:
+  const geometry::Curve& curve_;
+};
+
+}  // namespace leadscrew::toolpath
