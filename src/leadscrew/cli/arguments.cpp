@@ -7,6 +7,7 @@
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
+#include <leadscrew/trace/word_writer.hpp>
 #include <set>
 
 namespace leadscrew::cli {
@@ -94,7 +95,7 @@ void describe_check(Command& command, Arguments& arguments) {
 }
 
 void describe_verify(Command& command, Arguments& arguments) {
-  command.word("TRACE", "Trace, .csv or .npy; - is standard input", arguments.judged_trace);
+  command.word("TRACE", "Trace, " + trace::endings_text() + "; - is standard input", arguments.judged_trace);
   command.word("PROGRAM", "Its part program; - is standard input, curve:NAME a curve of the studies",
                arguments.programs);
   add_common(command, arguments);

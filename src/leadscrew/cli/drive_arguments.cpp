@@ -2,6 +2,7 @@
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/drive_arguments.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
+#include <leadscrew/trace/word_writer.hpp>
 
 namespace leadscrew::cli {
 
@@ -52,8 +53,8 @@ void describe_drive(Command& command, Arguments& arguments) {
   add_common(command, arguments);
   add_period(command, arguments);
   add_motion(command, arguments);
-  command.text("--trace", "FILE", "Write the words that the drives took: .csv or .npy", drive.trace);
-  command.text("--axes", "FILE", "Write where the axes went, period by period: .csv or .npy", drive.axes);
+  command.text("--trace", "FILE", "Write the words that the drives took: " + trace::endings_text(), drive.trace);
+  command.text("--axes", "FILE", "Write where the axes went, period by period: " + trace::endings_text(), drive.axes);
   command.text("--sink", "FILE", "Words go on time to this file or pipe, as CSV, and to no drives", drive.sink);
   command.text("--state", "FILE", "Keep on disk how far it has come, for --resume", drive.state);
   command.text("--resume", "FILE", "Go on from where a drive was stopped or killed; FILE is kept up", drive.resume);

@@ -61,8 +61,8 @@ base::Result<SourceLines> source_lines(const files::InputFile& file, const std::
   return std::move(gatherer).lines();
 }
 
-std::vector<report::LimitRatios> limits_of(const results::RunFigures& figures) {
-  std::vector<report::LimitRatios> list;
+std::vector<report::AxisRatios> limits_of(const results::RunFigures& figures) {
+  std::vector<report::AxisRatios> list;
   for (const referee::AxisVerdict& axis : figures.verdict.axes) {
     const machine::Derivatives plan = figures.summary.plan.of_axis(axis.axis);
     list.push_back({.axis = axis.axis,

@@ -6,6 +6,7 @@
 #include <leadscrew/cli/run_arguments.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
 #include <leadscrew/machine/step_times.hpp>
+#include <leadscrew/trace/word_writer.hpp>
 
 namespace leadscrew::cli {
 
@@ -96,7 +97,7 @@ void describe_run(Command& command, Arguments& arguments) {
   command.choice("--interpolator", "RULE",
                  "Parameter steps along curves: arc-length (default), taylor1, taylor2, newton or uniform",
                  run.interpolator, step_rules());
-  command.output("--trace", "FILE", "Write the words: .csv or .npy", run.trace);
+  command.output("--trace", "FILE", "Write the words: " + trace::endings_text(), run.trace);
   add_pulses(command, run);
   add_pages(command, arguments);
   command.check([&arguments] { return check_pulses(arguments); });

@@ -4,6 +4,7 @@
 #include <leadscrew/cli/shared_arguments.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
 #include <leadscrew/config/drive_help.hpp>
+#include <leadscrew/trace/word_writer.hpp>
 
 namespace leadscrew::cli {
 
@@ -58,7 +59,7 @@ void describe_simulate(Command& command, Arguments& arguments) {
                 parse_switch);
   command.flag("--pulses", "Steps through pulse-driven loops, in place of words", simulate.pulses);
   add_adaptive(command, arguments);
-  command.output("--trace", "FILE", "Write words and slides: .csv or .npy", arguments.run.trace);
+  command.output("--trace", "FILE", "Write words and slides: " + trace::endings_text(), arguments.run.trace);
   add_pages(command, arguments);
   command.check([&command, &simulate]() -> Parsed<void> {
     const std::string_view of_words = command.first_given({"--gains", "--feed-forward"});

@@ -43,6 +43,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/result.hpp>
+#include <leadscrew/base/sink.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -53,8 +54,7 @@
 
 namespace leadscrew::gcode {
 
-/// Fills the buffer with the next bytes of the text and returns how many; 0 at the end of the text.
-using ByteSource = std::function<base::Result<std::size_t>(std::span<char>)>;
+using base::ByteSource;
 
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);

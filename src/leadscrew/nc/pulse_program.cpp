@@ -55,8 +55,8 @@ void PulseProgram::override_feed(int thousandths) {
   aim();
 }
 
-std::span<const steps::StepEvent> PulseProgram::next(std::span<steps::StepEvent> room) {
-  StepWriter steps(room, tick_);
+std::span<const steps::StepEvent> PulseProgram::next(std::span<steps::StepEvent> buffer) {
+  StepWriter steps(buffer, tick_);
   while (interpolator_.done()) {
     if (!begin_block()) return steps.written();
     steps.pass(tick_ - steps.tick());
@@ -75,7 +75,7 @@ std::span<const steps::StepEvent> PulseProgram::next(std::span<steps::StepEvent>
 
 /// Reads on until so much is known that nothing behind can matter, or until the first problem.
 void PulseProgram::fill() {
-  const std::size_t enough = options_.shape == Shape::accelerate ? LookAhead::most_blocks : 1;
+  const std::size_t enough = options_.shape == Shape::accelerate ? BlockLookAhead::most_blocks : 1;
   while (reading_ && ahead_.size() < enough) {
     auto planned = maker_.next();
     if (!planned) {
@@ -100,7 +100,7 @@ bool PulseProgram::begin_block() {
   fill();
   if (ahead_.is_empty()) return false;
   const double speed = this->speed();
-  const LookAhead::Next next = ahead_.pop(static_cast<double>(override_) / full_override);
+  const BlockLookAhead::Next next = ahead_.pop(static_cast<double>(override_) / full_override);
   planned_ = next.planned;
   const Block& block = planned_.block;
   if (block.kind == Block::Kind::dwell) {
@@ -114,7 +114,7 @@ bool PulseProgram::begin_block() {
   return true;
 }
 
-void PulseProgram::begin_feed(const LookAhead::Next& next, double speed) {
+void PulseProgram::begin_feed(const BlockLookAhead::Next& next, double speed) {
   if (options_.shape == Shape::constant) {
     feed_.begin_constant();
     return;

@@ -1,7 +1,7 @@
 #pragma once
 // A part program as steps of reference pulses, as many a call as are wanted, in bounded memory.
 //
-//   text ─gcode::Reader─▶ moves ─BlockMaker─▶ blocks ─LookAhead─▶ RampedFeed ──command──▶ BlockInterpolator ─▶ steps
+//   text ─gcode::Reader─▶ moves ─BlockMaker─▶ blocks ─look-ahead─▶ RampedFeed ──command──▶ BlockInterpolator ─▶ steps
 //
 // Steps happen at ticks of the clock, the first at tick 1 or later; at each of them an axis makes at most one step. Of
 // any method, the steps of a program sum to its end on the lattice, exactly, and no axis exceeds its velocity by more
@@ -11,8 +11,8 @@
 
 #include <functional>
 #include <leadscrew/base/event.hpp>
+#include <leadscrew/nc/block_look_ahead.hpp>
 #include <leadscrew/nc/block_maker.hpp>
-#include <leadscrew/nc/look_ahead.hpp>
 #include <leadscrew/nc/ramped_feed.hpp>
 
 namespace leadscrew::nc {
@@ -34,8 +34,8 @@ class PulseProgram {
                gcode::ReaderOptions reading, const PulseOptions& options, gcode::DiagnosticSink sink);
 
   /// The next steps in order, all those of the last tick too: of one clock at least, of one block, and as many as find
-  /// room, which is for base::axis_count or more. None at the program's end, and at its first problem.
-  std::span<const steps::StepEvent> next(std::span<steps::StepEvent> room);
+  /// buffer, which is for base::axis_count or more. None at the program's end, and at its first problem.
+  std::span<const steps::StepEvent> next(std::span<steps::StepEvent> buffer);
 
   /// Of the part program: where the last steps come from.
   base::Line line() const { return planned_.block.line; }
@@ -53,13 +53,13 @@ class PulseProgram {
   bool begin_block();
   void fill();
   void aim();
-  void begin_feed(const LookAhead::Next& next, double speed);
+  void begin_feed(const BlockLookAhead::Next& next, double speed);
   double speed() const;
 
   PulseOptions options_;
   gcode::Reader reader_;
   BlockMaker maker_;
-  LookAhead ahead_;
+  BlockLookAhead ahead_;
   RampedFeed feed_;
   gcode::Move move_;
   bool reading_ = true;

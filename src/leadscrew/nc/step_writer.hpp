@@ -1,5 +1,5 @@
 #pragma once
-// Steps of pulse after pulse, written into a caller's room.
+// Steps of pulse after pulse, written into a caller's buffer.
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@ namespace leadscrew::nc {
 
 class StepWriter {
  public:
-  /// room.size() ≥ base::axis_count.
-  constexpr StepWriter(std::span<steps::StepEvent> room, std::int64_t tick)
-      : begin_(room.data()), at_(begin_), last_(begin_ + (room.size() - base::axis_count)), tick_(tick) {}
+  /// buffer.size() ≥ base::axis_count.
+  constexpr StepWriter(std::span<steps::StepEvent> buffer, std::int64_t tick)
+      : begin_(buffer.data()), at_(begin_), last_(begin_ + (buffer.size() - base::axis_count)), tick_(tick) {}
 
-  /// Is there no room for a pulse of all axes?
+  /// Is there no space for a pulse of all axes?
   constexpr bool is_full() const { return at_ > last_; }
   constexpr void pass(std::int64_t ticks) { tick_ += ticks; }
   /// A step at this tick, or none: no branch, for it would go the wrong way. Not when full.

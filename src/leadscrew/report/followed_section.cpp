@@ -22,17 +22,17 @@ constexpr double width = 1200, height = 640, border = 40;
 constexpr double magnified_share = 0.05;  // of the picture's lesser side, that the greatest error may take
 
 /// The one that shows most.
-Side side_of(std::span<const PathPoint> path) {
-  const auto size = [&](Side side) {
+ViewSide side_of(std::span<const PathPoint> path) {
+  const auto size = [&](ViewSide side) {
     const SeenExtent extent = extent_of(path, side);
     return std::min(extent.width(), extent.height()) + 1e-3 * std::max(extent.width(), extent.height());
   };
-  const std::array<Side, 3> sides = {Side::top, Side::front, Side::right};
+  const std::array<ViewSide, 3> sides = {ViewSide::top, ViewSide::front, ViewSide::right};
   return *std::ranges::max_element(sides, {}, size);
 }
 
-std::string_view name_of(Side side) {
-  return side == Side::top ? "Top" : side == Side::front ? "Front" : "Right side";
+std::string_view name_of(ViewSide side) {
+  return side == ViewSide::top ? "Top" : side == ViewSide::front ? "Front" : "Right side";
 }
 
 /// 1, 2 or 5 times a power of ten, not above the value, at least 1.
@@ -47,7 +47,7 @@ double round_factor(double value) {
 
 class Picture {
  public:
-  Picture(std::span<const PathPoint> path, Side side) : side_(side) {
+  Picture(std::span<const PathPoint> path, ViewSide side) : side_(side) {
     const SeenExtent extent = extent_of(path, side);
     const double wide = std::max(extent.width(), 1e-3), high = std::max(extent.height(), 1e-3);
     placement_ = centred(extent, std::min((width - 2 * border) / wide, (height - 2 * border) / high), border, border,
@@ -78,7 +78,7 @@ class Picture {
     put(data, data.empty() ? "M" : "L", fixed(placement_.x(seen.right), 1), " ", fixed(placement_.y(seen.up), 1));
   }
 
-  Side side_;
+  ViewSide side_;
   Placement placement_;
 };
 
@@ -105,7 +105,7 @@ void put_followed_section(std::string& page, const PageContent& content) {
   if (content.followed == nullptr) return;
   FollowedRecording& followed = *content.followed;
   const auto ideal = followed.ideal().empty() ? content.recording.path() : followed.ideal();
-  const Side side = side_of(ideal);
+  const ViewSide side = side_of(ideal);
   const Picture picture(ideal, side);
   const double error = std::max(followed.greatest_contour(), 1e-9) * picture.scale();
   const double greatest = round_factor(magnified_share * height / error);

@@ -18,7 +18,7 @@ using markup::readable_time;
 /// What rounding of positions can make of a deviation of nothing, mm.
 constexpr double deviation_rounding = 1e-6;
 
-void add_broken_limits(std::vector<std::string>& broken, const LimitRatios& ratios, const machine::AxisLimits& limits) {
+void add_broken_limits(std::vector<std::string>& broken, const AxisRatios& ratios, const machine::AxisLimits& limits) {
   const struct {
     std::string_view name, per;
     double found, planned, limit;
@@ -100,7 +100,7 @@ std::string_view unit(base::Axis axis) {
 std::vector<std::string> broken_promises(const PageContent& content) {
   const Report& report = content.report;
   std::vector<std::string> broken;
-  for (const LimitRatios& ratios : report.limits) {
+  for (const AxisRatios& ratios : report.limits) {
     if (content.machine.has(ratios.axis)) add_broken_limits(broken, ratios, content.machine.limits(ratios.axis));
   }
   add_broken_travel(broken, content);

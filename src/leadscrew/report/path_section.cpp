@@ -25,16 +25,16 @@ constexpr double border = 14;  // of the plot that the path leaves free
 constexpr std::size_t most_points = 10000;
 
 struct View {
-  Side side;
+  ViewSide side;
   std::string_view name;
   std::string_view across;  ///< axis to the right
   std::string_view upward;
 };
 
-constexpr std::array<View, 4> views = {{{Side::top, "Top", "X", "Y"},
-                                        {Side::isometric, "Isometric", "", ""},
-                                        {Side::front, "Front", "X", "Z"},
-                                        {Side::right, "Right side", "Y", "Z"}}};
+constexpr std::array<View, 4> views = {{{ViewSide::top, "Top", "X", "Y"},
+                                        {ViewSide::isometric, "Isometric", "", ""},
+                                        {ViewSide::front, "Front", "X", "Z"},
+                                        {ViewSide::right, "Right side", "Y", "Z"}}};
 
 double fitting_scale(const SeenExtent& extent) {
   const double least = 1e-6;
@@ -43,9 +43,9 @@ double fitting_scale(const SeenExtent& extent) {
 }
 
 /// What a view must show: the path, and in the isometric view the box around it.
-SeenExtent shown_extent(std::span<const PathPoint> path, Side side) {
-  if (side != Side::isometric) return extent_of(path, side);
-  const SeenExtent top = extent_of(path, Side::top), front = extent_of(path, Side::front);
+SeenExtent shown_extent(std::span<const PathPoint> path, ViewSide side) {
+  if (side != ViewSide::isometric) return extent_of(path, side);
+  const SeenExtent top = extent_of(path, ViewSide::top), front = extent_of(path, ViewSide::front);
   std::vector<PathPoint> corners;
   for (const double x : {top.left, top.right}) {
     for (const double y : {top.bottom, top.top}) {
@@ -108,9 +108,9 @@ void put_ruler(std::string& out, const View& view, const Placement& placement) {
 
 /// The box around the path, as floor and posts, and which way the axes point.
 void put_box(std::string& out, std::span<const PathPoint> path, const Placement& placement) {
-  const SeenExtent top = extent_of(path, Side::top), front = extent_of(path, Side::front);
+  const SeenExtent top = extent_of(path, ViewSide::top), front = extent_of(path, ViewSide::front);
   const auto corner = [&](double x, double y, double z) {
-    const Seen seen = seen_from(Side::isometric, {x, y, z});
+    const Seen seen = seen_from(ViewSide::isometric, {x, y, z});
     return fixed(placement.x(seen.right), 1) + " " + fixed(placement.y(seen.up), 1);
   };
   const auto edge = [&](const std::string& a, const std::string& b) { return "M" + a + "L" + b; };
@@ -140,14 +140,14 @@ void put_card(std::string& page, const View& view, std::span<const PathPoint> pa
   const SeenExtent extent = shown_extent(path, view.side);
   const Placement placement = centred(extent, scales.of(extent), left, above, plot_width, plot_height);
   put(page, "<figure class=\"card\"><figcaption><b>", view.name, "</b> ");
-  if (view.side == Side::isometric) {
+  if (view.side == ViewSide::isometric) {
     put(page, "from the front, right and above");
   } else {
     put(page, view.across, view.upward, ", mm");
   }
   put(page, "</figcaption>\n<svg viewBox=\"0 0 ", fixed(card_width, 0), " ", fixed(card_height, 0),
       "\" role=\"img\" aria-label=\"Path, ", view.name, "\">\n");
-  if (view.side == Side::isometric) {
+  if (view.side == ViewSide::isometric) {
     put_box(page, path, placement);
   } else {
     put_ruler(page, view, placement);

@@ -29,8 +29,8 @@ base::AxisSet linear_axes() {
 }
 
 bool is_flat(std::span<const PathPoint> path) {
-  const SeenExtent top = extent_of(path, Side::top);
-  return extent_of(path, Side::front).height() <= 1e-3 * std::max(top.width(), top.height());
+  const SeenExtent top = extent_of(path, ViewSide::top);
+  return extent_of(path, ViewSide::front).height() <= 1e-3 * std::max(top.width(), top.height());
 }
 
 /// Greyer than black on white and than white on black, so that it reads on both where a page does not tell which it is.
@@ -69,7 +69,7 @@ base::Result<void> write_path_svg(const std::string& title, const Recording& rec
   const std::vector<PathPoint> path =
       thinned_to(recording.path(), linear_axes(), most_points, {0.001, 0.01 * speed_scale(recording.path()).greatest});
   const SpeedScale speeds = speed_scale(path);
-  const Side side = is_flat(path) ? Side::top : Side::isometric;
+  const ViewSide side = is_flat(path) ? ViewSide::top : ViewSide::isometric;
   const SeenExtent extent = extent_of(path, side);
 
   const bool is_point = std::max(extent.width(), extent.height()) < 1e-6;

@@ -53,22 +53,22 @@ void put_mark(std::string& out, std::string_view kind, Pixel at) {
 
 }  // namespace
 
-Seen seen_from(Side side, const base::AxisVector& position) {
+Seen seen_from(ViewSide side, const base::AxisVector& position) {
   const double x = position[0], y = position[1], z = position[2];
   switch (side) {
-    case Side::top:
+    case ViewSide::top:
       return {x, y};
-    case Side::front:
+    case ViewSide::front:
       return {x, z};
-    case Side::right:
+    case ViewSide::right:
       return {y, z};
-    case Side::isometric:
+    case ViewSide::isometric:
       return {(x + y) / std::sqrt(2.0), (y - x + 2 * z) / std::sqrt(6.0)};
   }
   return {};
 }
 
-SeenExtent extent_of(std::span<const PathPoint> path, Side side) {
+SeenExtent extent_of(std::span<const PathPoint> path, ViewSide side) {
   SeenExtent extent;
   bool first = true;
   for (const PathPoint& point : path) {
@@ -87,7 +87,7 @@ Placement centred(const SeenExtent& extent, double scale, double x, double y, do
           y + height / 2 + scale * (extent.bottom + extent.top) / 2};
 }
 
-void put_strokes(std::string& out, std::span<const PathPoint> path, Side side, const Placement& placement,
+void put_strokes(std::string& out, std::span<const PathPoint> path, ViewSide side, const Placement& placement,
                  const SpeedScale& speeds, double stroke_width) {
   if (path.empty()) return;
   std::array<Level, speed_levels> levels;

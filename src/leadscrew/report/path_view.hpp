@@ -9,7 +9,7 @@
 
 namespace leadscrew::report {
 
-enum class Side : std::uint8_t { top, front, right, isometric };
+enum class ViewSide : std::uint8_t { top, front, right, isometric };
 
 /// A point of the picture plane: to the right and up, mm.
 struct Seen {
@@ -18,7 +18,7 @@ struct Seen {
 };
 
 /// top: X right, Y up. front: X right, Z up. right: Y right, Z up. isometric: from the front, right and above.
-Seen seen_from(Side side, const base::AxisVector& position);
+Seen seen_from(ViewSide side, const base::AxisVector& position);
 
 /// Least and greatest coordinates of a picture, mm.
 struct SeenExtent {
@@ -27,7 +27,7 @@ struct SeenExtent {
   double width() const { return right - left; }
   double height() const { return top - bottom; }
 };
-SeenExtent extent_of(std::span<const PathPoint> path, Side side);
+SeenExtent extent_of(std::span<const PathPoint> path, ViewSide side);
 
 /// Where the picture plane lies in the SVG: x = x0 + scale·right, y = y0 − scale·up.
 struct Placement {
@@ -42,7 +42,7 @@ struct Placement {
 Placement centred(const SeenExtent& extent, double scale, double x, double y, double width, double height);
 
 /// The strokes, with classes v0 … v23 by speed, slow ones above fast ones, and marks at start (ring) and end (square).
-void put_strokes(std::string& out, std::span<const PathPoint> path, Side side, const Placement& placement,
+void put_strokes(std::string& out, std::span<const PathPoint> path, ViewSide side, const Placement& placement,
                  const SpeedScale& speeds, double stroke_width);
 
 /// CSS rules of the classes v0 … v23 (as stroke) for a background.

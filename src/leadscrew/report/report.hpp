@@ -15,7 +15,7 @@
 namespace leadscrew::report {
 
 /// Value over limit of one axis, as the referee found it and as the plan promises it.
-struct LimitRatios {
+struct AxisRatios {
   base::Axis axis{};
   double velocity = 0, acceleration = 0, jerk = 0;                          ///< by the referee, from words
   double planned_velocity = 0, planned_acceleration = 0, planned_jerk = 0;  ///< analytically, from the plan
@@ -32,7 +32,7 @@ struct Report {
   double deviation_mm = 0, tolerance_mm = 0;
   double feed_programmed_max = 0;  ///< mm/s
   double feed_max_ratio = 0;
-  std::vector<LimitRatios> limits;
+  std::vector<AxisRatios> limits;
   std::vector<base::Diagnostic> diagnostics;
   std::vector<std::pair<base::Line, std::string>> source;  ///< text of the lines that the tables of blocks name
 };

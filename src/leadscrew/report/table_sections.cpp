@@ -104,7 +104,7 @@ void put_limit_section(std::string& page, const PageContent& content) {
       "<th colspan=\"2\">Acceleration</th><th colspan=\"2\">Jerk</th></tr><tr>");
   for (int i = 0; i < 3; ++i) put(page, "<th>measured</th><th>planned</th>");
   put(page, "</tr></thead><tbody>\n");
-  for (const LimitRatios& ratios : content.report.limits) {
+  for (const AxisRatios& ratios : content.report.limits) {
     put(page, "<tr><td>", std::string(1, base::letter(ratios.axis)), "</td>");
     for (const double ratio : {ratios.velocity, ratios.planned_velocity, ratios.acceleration,
                                ratios.planned_acceleration, ratios.jerk, ratios.planned_jerk}) {

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/nc/look_ahead.hpp>
+#include <leadscrew/nc/block_look_ahead.hpp>
 #include <utility>
 
 namespace leadscrew::nc {
@@ -33,16 +33,16 @@ double greatest_entry(const PlannedBlock& planned, double exit_rate, double grea
 
 }  // namespace
 
-double LookAhead::greatest_rate(const PlannedBlock& planned) const {
+double BlockLookAhead::greatest_rate(const PlannedBlock& planned) const {
   return std::min(planned.greatest_rate, planned.rate * feed_factor_);
 }
 
-double LookAhead::rest_rate(const PlannedBlock& planned) const {
+double BlockLookAhead::rest_rate(const PlannedBlock& planned) const {
   return std::min(greatest_rate(planned), step_of_rest * std::sqrt(planned.acceleration));
 }
 
 /// Speed at which both can meet; 0 where the path must rest.
-double LookAhead::junction(const PlannedBlock& before, const PlannedBlock& after) const {
+double BlockLookAhead::junction(const PlannedBlock& before, const PlannedBlock& after) const {
   if (before.stops || before.block.kind == Block::Kind::dwell || after.block.kind == Block::Kind::dwell) return 0;
   const double out = norm(before.exit), in = norm(after.entry);
   double speed = std::min(greatest_rate(before) * out, greatest_rate(after) * in);
@@ -63,7 +63,7 @@ double LookAhead::junction(const PlannedBlock& before, const PlannedBlock& after
   return is_rest ? 0 : speed;
 }
 
-LookAhead::Next LookAhead::pop(double feed_factor) {
+BlockLookAhead::Next BlockLookAhead::pop(double feed_factor) {
   feed_factor_ = feed_factor;
   double exit_speed = 0;
   for (std::size_t i = blocks_.size() - 1; i > 0; --i) {

@@ -14,11 +14,11 @@
 namespace leadscrew::nc {
 
 /// Blocks that are known and not yet begun.
-class LookAhead {
+class BlockLookAhead {
  public:
   static constexpr std::size_t most_blocks = 64;
 
-  explicit LookAhead(const machine::Machine& machine) : machine_(machine) {}
+  explicit BlockLookAhead(const machine::Machine& machine) : machine_(machine) {}
 
   std::size_t size() const { return blocks_.size(); }
   bool is_empty() const { return blocks_.empty(); }
