@@ -96,6 +96,7 @@ TEST(Problems, AreToldUpToAHundred) {
   for (std::size_t k = 0; k < most_machine_problems; ++k) {
     const base::Diagnostic& problem = read.error()[k];
     EXPECT_EQ(problem.code, "machine-key");
+    EXPECT_EQ(problem.place.line, static_cast<std::int64_t>(k) + 7);
     EXPECT_NE(problem.message.find(problem.source.substr(1, problem.source.size() - 2)), std::string::npos);
   }
   EXPECT_EQ(read.error().back().code, "too-many-problems");

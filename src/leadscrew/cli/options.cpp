@@ -28,7 +28,7 @@ CLI::App* add_command(CLI::App& app, Command& command) {
     CLI::Option* made = added->add_option(option.name, take_texts, option.what)->type_name(option.value_name);
     const bool is_word = option.kind == Option::Kind::word || option.kind == Option::Kind::words;
     if (is_word) made->required();
-    if (option.kind == Option::Kind::words) made->expected(1, CLI::detail::expected_max_vector_size);
+    if (option.kind == Option::Kind::words) made->expected(CLI::detail::expected_max_vector_size);
   }
   added->footer(command.help());
   return added;

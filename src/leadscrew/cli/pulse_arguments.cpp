@@ -89,7 +89,8 @@ Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
     const std::size_t comma = text.find(',');
     const std::string_view name = trimmed(text.substr(0, comma));
     const auto method = parse_pulse_method(name);
-    if (!method) return wrong("{} {}", name, method.error());
+    const bool is_only = methods.empty() && comma == std::string_view::npos;
+    if (!method) return is_only ? wrong("{}", method.error()) : wrong("{} {}", name, method.error());
     if (std::find(methods.begin(), methods.end(), *method) != methods.end()) return wrong("{} is named twice", name);
     methods.push_back(*method);
     if (comma == std::string_view::npos) return methods;

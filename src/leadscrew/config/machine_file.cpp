@@ -77,6 +77,17 @@ std::pair<std::string, std::string> not_a_pair(std::string_view what, const toml
   return {fmt::format("{} is a list, but not of two numbers", what), hint};
 }
 
+/// In the order of the file.
+std::vector<const toml::key*> unknown_keys(const toml::table& table, std::span<const std::string_view> known) {
+  std::vector<const toml::key*> unknown;
+  for (const auto& [key, node] : table) {
+    if (std::find(known.begin(), known.end(), key.str()) == known.end()) unknown.push_back(&key);
+  }
+  std::sort(unknown.begin(), unknown.end(),
+            [](const toml::key* a, const toml::key* b) { return a->source().begin < b->source().begin; });
+  return unknown;
+}
+
 /// The nearest whole number of them; empty for NaN.
 std::optional<std::int64_t> nanoseconds(double microseconds) {
   if (std::isnan(microseconds)) return std::nullopt;
@@ -299,12 +310,11 @@ class MachineReader {
   std::set<std::string_view> check_keys(const toml::table& table, std::span<const std::string_view> known,
                                         bool is_of_axes) {
     std::set<std::string_view> meant;
-    for (const auto& [key, node] : table) {
-      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    for (const toml::key* key : unknown_keys(table, known)) {
       has_axis_ = has_axis_ || is_of_axes;
-      const auto suggestion = is_full() ? std::nullopt : base::nearest(key.str(), known);
-      report("machine-key", key.source().begin,
-             fmt::format("{} \"{}\" is not known", is_of_axes ? "axis" : "key", shown(key.str())),
+      const auto suggestion = is_full() ? std::nullopt : base::nearest(key->str(), known);
+      report("machine-key", key->source().begin,
+             fmt::format("{} \"{}\" is not known", is_of_axes ? "axis" : "key", shown(key->str())),
              suggestion && !is_of_axes ? fmt::format("did you mean {}?", *suggestion)
                                        : fmt::format("known here: {}", fmt::join(known, ", ")));
       if (suggestion && !table.contains(*suggestion)) meant.insert(*suggestion);
