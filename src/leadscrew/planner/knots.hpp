@@ -3,6 +3,7 @@
 // rest.
 
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/planner/effort.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <vector>
 
@@ -46,6 +47,14 @@ struct Stretch {
 double ramp_width(const TangentLimits& limits, double x);
 
 /// Knots along the stretch, at most about `most` intervals: fewer than reach its end if they would be more.
-Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most);
+/// Good only while the effort goes on.
+Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most,
+                  Effort& effort);
+/// With all the effort of one window.
+inline Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch,
+                         std::size_t most) {
+  Effort effort;
+  return place_knots(section, machine, stretch, most, effort);
+}
 
 }  // namespace leadscrew::planner
