@@ -110,7 +110,7 @@ TEST(Inputs, ThatAreWrittenOverWhileTheyAreReadAreInputOutput) {
     file.seekp(-5, std::ios::end) << "(";
   });
   EXPECT_EQ(run.status, 4);
-  EXPECT_TRUE(contains(run.errors, " [io-read]\n")) << run.errors;
+  EXPECT_TRUE(contains(run.errors, " [program-changed]\n")) << run.errors;
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 
@@ -119,7 +119,7 @@ TEST(Inputs, ThatGrowWhileTheyAreReadAreInputOutput) {
   const auto run =
       disturbed_run(folder, [](const fs::path& program) { std::ofstream(program, std::ios::app) << "G0 X400\n"; });
   EXPECT_EQ(run.status, 4);
-  EXPECT_TRUE(contains(run.errors, " [io-read]\n")) << run.errors;
+  EXPECT_TRUE(contains(run.errors, " [program-changed]\n")) << run.errors;
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 

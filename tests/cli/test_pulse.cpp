@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <leadscrew/stepping/pulse_method.hpp>
+#include <leadscrew/nc/pulse_method.hpp>
 
 #include "quarter.hpp"
 
@@ -157,7 +157,7 @@ TEST(PulseText, ShowsPlacesWhereTheyAreNotTheRegisters) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-using stepping::PulseMethod;
+using nc::PulseMethod;
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -173,8 +173,8 @@ TEST(PulsePicture, HasAPanelForEachMethod) {
   EXPECT_TRUE(picture.ends_with("</svg>\n"));
   EXPECT_EQ(count_of(picture, "class=\"steps\""), 6u + 1);  // and the legend's
   EXPECT_EQ(count_of(picture, "class=\"worst\""), 6u + 1);
-  for (const PulseMethod method : stepping::all_pulse_methods)
-    EXPECT_TRUE(contains(picture, ">" + std::string(stepping::name(method)) + "<"));
+  for (const PulseMethod method : nc::all_pulse_methods)
+    EXPECT_TRUE(contains(picture, ">" + std::string(nc::name(method)) + "<"));
   EXPECT_TRUE(contains(picture, "greatest error 0.8769 BLU, at (4, 1)"));
   EXPECT_TRUE(contains(picture, "prefers-color-scheme:dark"));
 }

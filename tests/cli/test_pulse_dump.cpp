@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <leadscrew/stepping/pulse_signals.hpp>
+#include <leadscrew/nc/pulse_signals.hpp>
 
 #include "quarter.hpp"
 #include "value_changes.hpp"
@@ -11,12 +11,12 @@
 namespace leadscrew::cli::testing {
 namespace {
 
-using stepping::PulseMethod;
+using nc::PulseMethod;
 
 constexpr std::int64_t units_per_clock = 10;  // of 100 ns
 
 /// Every signal of a scope at every clock, beside the interpolator itself.
-void expect_equal(const Dump& dump, stepping::PulseRun run, std::string scope, const stepping::PulseCurve& curve) {
+void expect_equal(const Dump& dump, nc::PulseRun run, std::string scope, const nc::PulseCurve& curve) {
   std::replace(scope.begin(), scope.end(), '-', '_');
   while (true) {
     const std::int64_t clock = run.clock();
@@ -30,8 +30,8 @@ void expect_equal(const Dump& dump, stepping::PulseRun run, std::string scope, c
       ASSERT_EQ(value("X"), run.at().x) << scope << clock;
       ASSERT_EQ(value("Y"), run.at().y) << scope << clock;
     }
-    const stepping::Registers registers = stepping::signals_of(run, curve);
-    for (const stepping::Register& each : registers.all())
+    const nc::Registers registers = nc::signals_of(run, curve);
+    for (const nc::Register& each : registers.all())
       ASSERT_EQ(value(std::string(each.name)), each.value) << scope << clock << each.name;
     if (run.done()) break;
     run.step();
@@ -42,13 +42,13 @@ void expect_equal(const Dump& dump, stepping::PulseRun run, std::string scope, c
 
 TEST(PulseDump, HasEveryRegisterAtEveryClock) {
   const Folder folder;
-  using Shape = stepping::PulseCurve::Shape;
-  const stepping::PulseCurve around{Shape::arc, {-30, 1}, {-30, 1}, {-17, 1}, pulse::Direction::clockwise};
+  using Shape = nc::PulseCurve::Shape;
+  const nc::PulseCurve around{Shape::arc, {-30, 1}, {-30, 1}, {-17, 1}, pulse::Direction::clockwise};
   ASSERT_EQ(leadscrew(folder, {"pulse", "--arc", "--start", "-30,1", "--end", "-30,1", "--center", "-17,1", "--cw",
                                "--quiet", "--vcd", "arc.vcd"})
                 .status,
             0);
-  const stepping::PulseCurve across{Shape::line, {}, {90, -37}, {}, {}};
+  const nc::PulseCurve across{Shape::line, {}, {90, -37}, {}, {}};
   ASSERT_EQ(leadscrew(folder, {"pulse", "--line", "--end", "90,-37", "--quiet", "--vcd", "line.vcd"}).status, 0);
   EXPECT_EQ(folder.names(), (Names{"arc.vcd", "line.vcd"}));
   const Dump arc = read_dump(folder.read("arc.vcd")), line = read_dump(folder.read("line.vcd"));
@@ -57,9 +57,9 @@ TEST(PulseDump, HasEveryRegisterAtEveryClock) {
     EXPECT_TRUE(dump->has_initial_values);
     EXPECT_EQ(dump->first, 0);
   }
-  for (const PulseMethod method : stepping::all_pulse_methods) {
-    expect_equal(arc, stepping::PulseRun(method, around), std::string(stepping::name(method)), around);
-    expect_equal(line, stepping::PulseRun(method, across), std::string(stepping::name(method)), across);
+  for (const PulseMethod method : nc::all_pulse_methods) {
+    expect_equal(arc, nc::PulseRun(method, around), std::string(nc::name(method)), around);
+    expect_equal(line, nc::PulseRun(method, across), std::string(nc::name(method)), across);
   }
 }
 

@@ -3,12 +3,12 @@
 #include <bit>
 #include <leadscrew/trace/words.hpp>
 
-#include "support.hpp"
+#include "byte_sinks.hpp"
 
 namespace leadscrew::trace {
 namespace {
 
-using namespace testing;
+using namespace testing_support;
 
 base::AxisSet xyz() {
   return machine::mill3().axis_set();

@@ -8,12 +8,12 @@
 #include <fstream>
 #include <leadscrew/trace/words.hpp>
 
-#include "support.hpp"
+#include "byte_sinks.hpp"
 
 namespace leadscrew::trace {
 namespace {
 
-using namespace testing;
+using namespace testing_support;
 
 base::AxisSet axes_from(std::uint16_t bits) {
   base::AxisSet axes;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/cli/adaptive_run.hpp>
-#include <leadscrew/cli/interrupt.hpp>
+#include <leadscrew/files/interrupt.hpp>
 
 namespace leadscrew::cli {
 
@@ -14,7 +14,7 @@ constexpr double slice = 0.02;           // s, until which a change takes effect
 constexpr std::int64_t words_between_looks = 1024;
 
 /// Of a program, mm/s; 0 where all is rapid.
-double greatest_feed(const InputFile& file, const Job& job) {
+double greatest_feed(const files::InputFile& file, const Job& job) {
   gcode::Reader reader = silent_reader(file, job);
   gcode::Move move;
   double greatest = 0;
@@ -24,13 +24,13 @@ double greatest_feed(const InputFile& file, const Job& job) {
 
 }  // namespace
 
-AdaptiveRun::AdaptiveRun(const InputFile& file, const Job& job)
+AdaptiveRun::AdaptiveRun(const files::InputFile& file, const Job& job)
     : file_(file),
       job_(job),
       reader_(silent_reader(file, job)),
       programmed_([this](gcode::Move& move) { return reader_.next(move); }) {}
 
-base::Result<std::unique_ptr<AdaptiveRun>> AdaptiveRun::create(const InputFile& file, const Job& job,
+base::Result<std::unique_ptr<AdaptiveRun>> AdaptiveRun::create(const files::InputFile& file, const Job& job,
                                                                pipeline::Program& program) {
   std::unique_ptr<AdaptiveRun> run(new AdaptiveRun(file, job));
   const auto& asked = job.arguments.simulate.adaptive;
@@ -82,11 +82,12 @@ base::Result<std::optional<AdaptiveFigures>> AdaptiveRun::conclude() const {
 base::Result<double> AdaptiveRun::time_at(double factor) const {
   pipeline::Program program(file_.source(), job_.machine, job_.tools, job_.reader_options(file_.name()), nullptr);
   program.watch([this] { return file_.unchanged(); });
-  program.stop_when(interrupted);
+  program.stop_when(files::interrupted);
   program.override_feed(factor);
   while (program.prepare()) {
     const base::Word word = program.cycle();
-    if (base::count(word.tick) % words_between_looks == 0 && interrupted()) return base::failure(interruption());
+    if (base::count(word.tick) % words_between_looks == 0 && files::interrupted())
+      return base::failure(files::interruption());
   }
   if (program.failure()) return base::failure(*program.failure());
   return program.summary().time_s;

@@ -20,7 +20,7 @@ class AdaptiveRun {
   /// Does nothing where no adaptive control was asked for; else has the program, before its first word, plan in short
   /// slices. File and job must outlive it. Errors: those of servo::AdaptiveCut, and `usage` where no limit is told and
   /// nothing cuts.
-  static base::Result<std::unique_ptr<AdaptiveRun>> create(const InputFile& file, const Job& job,
+  static base::Result<std::unique_ptr<AdaptiveRun>> create(const files::InputFile& file, const Job& job,
                                                            pipeline::Program& program);
 
   /// A period: what was followed, and the feed that was measured meanwhile, mm/s.
@@ -30,10 +30,10 @@ class AdaptiveRun {
   base::Result<std::optional<AdaptiveFigures>> conclude() const;
 
  private:
-  AdaptiveRun(const InputFile& file, const Job& job);
+  AdaptiveRun(const files::InputFile& file, const Job& job);
   base::Result<double> time_at(double factor) const;
 
-  const InputFile& file_;
+  const files::InputFile& file_;
   const Job& job_;
   gcode::Reader reader_;
   pipeline::ProgrammedFeed programmed_;

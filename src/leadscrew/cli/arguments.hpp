@@ -28,7 +28,7 @@ struct Arguments {
   SimulateArguments simulate;         ///< of simulate
   PulseArguments pulse;               ///< of pulse
   DesignArguments design;             ///< of design
-  DriveArguments drive;               ///< of drive
+  drive::Options drive;               ///< of drive
   std::string study;                  ///< of study: the name of one that there is, or "list"
   std::optional<std::string> study_picture;
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine

@@ -9,7 +9,7 @@ namespace {
 
 ProgramResult check_program(const std::string& program, const Job& job, Console& console) {
   DiagnosticLog log(console);
-  const auto file = InputFile::open(program);
+  const auto file = open_program(program);
   if (!file) {
     log.add(file.error());
     return {log.status(), json_of_rejected(check_schema, program, job.machine.name, log), {}};

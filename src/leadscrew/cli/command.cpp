@@ -4,7 +4,6 @@
 #include <leadscrew/cli/command.hpp>
 #include <leadscrew/cli/design.hpp>
 #include <leadscrew/cli/drive.hpp>
-#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
@@ -13,6 +12,7 @@
 #include <leadscrew/cli/simulate_form.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/cli/verify.hpp>
+#include <leadscrew/files/interrupt.hpp>
 
 namespace leadscrew::cli {
 
@@ -96,7 +96,7 @@ Status perform(const Arguments& arguments) {
 
 int command(int count, const char* const* values) {
   occupy_standard_descriptors();
-  watch_signals();
+  files::watch_signals();
   const auto parsed = parse_arguments(count, values);
   const auto* arguments = std::get_if<Arguments>(&parsed);
   return static_cast<int>(arguments != nullptr ? perform(*arguments) : answer(std::get<Answer>(parsed)));

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/descriptor.hpp>
 #include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/progress_text.hpp>
+#include <leadscrew/files/descriptor.hpp>
 
 namespace leadscrew::cli {
 
@@ -59,7 +59,7 @@ Console::Console(ColorChoice color, bool quiet)
 
 base::Result<void> Console::output(std::string_view text) {
   clear_progress();
-  return write_all(STDOUT_FILENO, text, "standard output");
+  return files::write_all(STDOUT_FILENO, text, "standard output");
 }
 
 void Console::diagnostic(const base::Diagnostic& diagnostic) {
@@ -69,7 +69,7 @@ void Console::diagnostic(const base::Diagnostic& diagnostic) {
 void Console::error_text(std::string_view text) {
   clear_progress();
   // There is nowhere to say that standard error cannot be written.
-  static_cast<void>(write_all(STDERR_FILENO, text, "standard error"));
+  static_cast<void>(files::write_all(STDERR_FILENO, text, "standard error"));
 }
 
 void Console::begin_progress() {
@@ -84,13 +84,13 @@ void Console::progress(const Progress& progress) {
   const double elapsed = std::chrono::duration<double>(now - begun_).count();
   const std::string text = "\r" + progress_text(progress, elapsed, terminal_width() - 1) + "\033[K";
   drawn_ = true;
-  static_cast<void>(write_all(STDERR_FILENO, text, "standard error"));
+  static_cast<void>(files::write_all(STDERR_FILENO, text, "standard error"));
 }
 
 void Console::clear_progress() {
   if (!drawn_) return;
   drawn_ = false;
-  static_cast<void>(write_all(STDERR_FILENO, "\r\033[K", "standard error"));
+  static_cast<void>(files::write_all(STDERR_FILENO, "\r\033[K", "standard error"));
 }
 
 }  // namespace leadscrew::cli

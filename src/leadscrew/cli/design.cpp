@@ -6,7 +6,7 @@
 #include <leadscrew/cli/diagnostic_log.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/stepping/design_check.hpp>
+#include <leadscrew/design/design_check.hpp>
 #include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
@@ -47,9 +47,9 @@ std::string numbers(const std::vector<double>& values, int decimals = 2) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 Problems problems_of(const DdaQuestion& question) {
-  Problems problems = stepping::problems_of(question.range);
+  Problems problems = design::problems_of(question.range);
   if (problems.empty() && question.line)
-    problems = stepping::problems_of(question.range, question.line->way_mm, question.line->feed_mm_min);
+    problems = design::problems_of(question.range, question.line->way_mm, question.line->feed_mm_min);
   return problems;
 }
 
@@ -57,7 +57,7 @@ double feed_error(double feed, double asked) {
   return feed / asked - 1;
 }
 
-void add_line(Json& object, const stepping::DdaLine& line, double asked) {
+void add_line(Json& object, const design::DdaLine& line, double asked) {
   object["feed_word"] = line.feed_word;
   object["feed_pps"] = line.feed_pps;
   object["axis_pps"] = line.axis_pps;
@@ -66,7 +66,7 @@ void add_line(Json& object, const stepping::DdaLine& line, double asked) {
   object["time_s"] = line.seconds;
 }
 
-std::string line_text(const stepping::DdaLine& real, const stepping::DdaLine& ideal, double asked) {
+std::string line_text(const design::DdaLine& real, const design::DdaLine& ideal, double asked) {
   return row("pulses", fmt::format("{}", fmt::join(real.pulses, ", ")), "", "BLU") +
          row("feed word S", number(real.feed_word), fmt::format("{:.3f}", ideal.feed_word), "") +
          row("out of the feed DDA", numbers({real.feed_pps}), numbers({ideal.feed_pps}), "pulses/s") +
@@ -77,8 +77,8 @@ std::string line_text(const stepping::DdaLine& real, const stepping::DdaLine& id
 }
 
 Result answer(const DdaQuestion& question, const Style& style) {
-  const stepping::DdaRange& range = question.range;
-  const stepping::DdaDesign design = stepping::design_dda(range);
+  const design::DdaRange& range = question.range;
+  const design::DdaDesign design = design::design_dda(range);
   const double word_max = 10 * range.max_feed_mm_min / range.min_distance_mm;
   Result result{{{"schema", schema},
                  {"blu_mm", range.blu_mm},
@@ -97,8 +97,8 @@ Result answer(const DdaQuestion& question, const Style& style) {
                  row("greatest feed word", std::to_string(design.feed_word_max), number(word_max), "");
   if (question.line) {
     const double asked = question.line->feed_mm_min;
-    const auto real = stepping::along_line(design, range, question.line->way_mm, asked, true);
-    const auto meant = stepping::along_line(design, range, question.line->way_mm, asked, false);
+    const auto real = design::along_line(design, range, question.line->way_mm, asked, true);
+    const auto meant = design::along_line(design, range, question.line->way_mm, asked, false);
     add_line(result.json, real, asked);
     result.json["feed_word"] = std::llround(real.feed_word);
     result.json["pulses"] = real.pulses;
@@ -115,11 +115,11 @@ Result answer(const DdaQuestion& question, const Style& style) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 Problems problems_of(const TimerQuestion& question) {
-  return stepping::problems_of(question.clock_pps, question.delays);
+  return design::problems_of(question.clock_pps, question.delays);
 }
 
 Result answer(const TimerQuestion& question, const Style& style) {
-  const stepping::DdaTimer timer = stepping::design_timer(question.clock_pps, question.delays);
+  const design::DdaTimer timer = design::design_timer(question.clock_pps, question.delays);
   const double capacity = std::ldexp(1.0, timer.bits);
   std::vector<double> loads;
   for (const double delay : question.delays) loads.push_back(capacity / (delay * question.clock_pps));
@@ -145,20 +145,20 @@ Result answer(const TimerQuestion& question, const Style& style) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 Problems problems_of(const InverseTimeQuestion& question) {
-  Problems problems = stepping::problems_of(question.range);
+  Problems problems = design::problems_of(question.range);
   if (problems.empty() && question.block)
-    problems = stepping::problems_of(question.range, question.block->distance, question.block->feed);
+    problems = design::problems_of(question.range, question.block->distance, question.block->feed);
   return problems;
 }
 
-void add_word(Json& object, const stepping::FeedWord& word, double asked) {
+void add_word(Json& object, const design::FeedWord& word, double asked) {
   object["feed_word"] = word.word;
   object["feed"] = word.feed;
   object["feed_pps"] = word.feed_pps;
   object["feed_error"] = feed_error(word.feed, asked);
 }
 
-std::string word_text(const stepping::FeedWord& real, const stepping::FeedWord& ideal, double asked) {
+std::string word_text(const design::FeedWord& real, const design::FeedWord& ideal, double asked) {
   return row("feed word f", number(real.word), fmt::format("{:.4f}", ideal.word), "") +
          row("feed", fmt::format("{:.4f}", real.feed), fmt::format("{:.4f}", ideal.feed), "units/min") +
          row("", numbers({real.feed_pps}), numbers({ideal.feed_pps}), "pulses/s") +
@@ -166,8 +166,8 @@ std::string word_text(const stepping::FeedWord& real, const stepping::FeedWord& 
 }
 
 Result answer(const InverseTimeQuestion& question, const Style& style) {
-  const stepping::InverseTimeRange& range = question.range;
-  const stepping::InverseTimeDesign design = stepping::design_inverse_time(range);
+  const design::InverseTimeRange& range = question.range;
+  const design::InverseTimeDesign design = design::design_inverse_time(range);
   Json software = {{"q0", design.software_feed_capacity},
                    {"clock_pps", design.software_clock_pps},
                    {"interrupt_us", 1e6 / design.software_clock_pps}};
@@ -187,10 +187,10 @@ Result answer(const InverseTimeQuestion& question, const Style& style) {
                      row("time between interrupts", number(1e6 / design.software_clock_pps), "", "us");
   if (question.block) {
     const auto& [distance, is_radius, feed] = *question.block;
-    const auto real = stepping::inverse_time_word(range, distance, feed, true);
-    const auto meant = stepping::inverse_time_word(range, distance, feed, false);
-    const auto real_software = stepping::software_word(range, feed, true);
-    const auto meant_software = stepping::software_word(range, feed, false);
+    const auto real = design::inverse_time_word(range, distance, feed, true);
+    const auto meant = design::inverse_time_word(range, distance, feed, false);
+    const auto real_software = design::software_word(range, feed, true);
+    const auto meant_software = design::software_word(range, feed, false);
     object[is_radius ? "radius" : "distance"] = distance;
     object["time_inverse_per_min"] = feed / distance;
     add_word(object, real, feed);

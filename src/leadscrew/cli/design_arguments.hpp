@@ -2,8 +2,8 @@
 // What the command line asks `leadscrew design` for.
 
 #include <leadscrew/cli/quantity.hpp>
-#include <leadscrew/stepping/dda_design.hpp>
-#include <leadscrew/stepping/inverse_time.hpp>
+#include <leadscrew/design/dda_design.hpp>
+#include <leadscrew/design/inverse_time.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +18,7 @@ struct DdaQuestion {
     std::vector<double> way_mm;
     double feed_mm_min = 0;
   };
-  stepping::DdaRange range;
+  design::DdaRange range;
   std::optional<Line> line;
 };
 
@@ -34,7 +34,7 @@ struct InverseTimeQuestion {
     bool is_radius = false;
     double feed = 0;
   };
-  stepping::InverseTimeRange range;
+  design::InverseTimeRange range;
   std::optional<Block> block;
 };
 

@@ -23,9 +23,9 @@ Parsed<double> parse_seconds(std::string_view text, double least, double greates
 
 }  // namespace
 
-Parsed<DriveArguments> parse_drive(const DriveTexts& texts) {
+Parsed<drive::Options> parse_drive(const DriveTexts& texts) {
   constexpr double least_look_ahead = 0.01, longest_look_ahead = 60, longest_lead = 2;
-  DriveArguments drive;
+  drive::Options drive;
   drive.trace = texts.trace;
   drive.axes = texts.axes;
   drive.state = texts.state ? texts.state : texts.resume;

@@ -2,17 +2,12 @@
 // What the command line asks `leadscrew drive` for, beside what other commands are asked for too.
 
 #include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/drive/setup.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace leadscrew::cli {
-
-struct DriveArguments {
-  std::optional<std::string> trace, axes, state, resume, sink;  ///< files
-  double look_ahead = 0.3;                                      ///< s
-  double lead = 0.1;                                            ///< s
-};
 
 /// Options as text, before their values are looked at.
 struct DriveTexts {
@@ -20,7 +15,7 @@ struct DriveTexts {
 };
 
 /// Says in whole sentences what is wrong.
-Parsed<DriveArguments> parse_drive(const DriveTexts& texts);
+Parsed<drive::Options> parse_drive(const DriveTexts& texts);
 
 inline constexpr std::string_view drive_examples =
     "Examples:\n"

@@ -12,8 +12,8 @@ namespace leadscrew::cli {
 
 namespace {
 
-std::string_view name(DriveFigures::End end) {
-  constexpr std::array<std::string_view, 4> names = {"done", "stopped", "abandoned", "tripped"};
+std::string_view name(drive::Figures::End end) {
+  constexpr std::array<std::string_view, 5> names = {"done", "stopped", "abandoned", "tripped", "failed"};
   return names[static_cast<std::size_t>(end)];
 }
 
@@ -30,7 +30,7 @@ std::string duration_text(std::uint64_t nanoseconds) {
   return fmt::format("{:.3g} s", value / 1e9);
 }
 
-double seconds(const DriveFigures& figures, const Job& job) {
+double seconds(const drive::Figures& figures, const Job& job) {
   return job.machine.period.seconds() * static_cast<double>(periods(figures.counters.words));
 }
 
@@ -63,7 +63,8 @@ std::string bars(const realtime::Histogram& latencies) {
 
 }  // namespace
 
-Json json_of_drive(const std::string& program, const Job& job, const DriveFigures& figures, const DiagnosticLog& log) {
+Json json_of_drive(const std::string& program, const Job& job, const drive::Figures& figures,
+                   const DiagnosticLog& log) {
   const realtime::Counters& counters = figures.counters;
   Json position = Json::object();
   for (const base::Axis axis : base::all_axes) {
@@ -94,13 +95,14 @@ Json json_of_drive(const std::string& program, const Job& job, const DriveFigure
   return json;
 }
 
-std::string drive_summary(const std::string& program, const Job& job, const DriveFigures& figures, const Style& style) {
+std::string drive_summary(const std::string& program, const Job& job, const drive::Figures& figures,
+                          const Style& style) {
   const realtime::Counters& counters = figures.counters;
   const auto micro = [&](double part) { return static_cast<double>(figures.latencies.percentile(part)) / 1e3; };
   std::string text = fmt::format("{} on {}, period {}: {}\n", style(Tone::strong, printable(program)),
                                  printable(job.machine.name), period_text(job.machine.period),
-                                 figures.end == DriveFigures::End::done ? style(Tone::good, name(figures.end))
-                                                                        : style(Tone::warning, name(figures.end)));
+                                 figures.end == drive::Figures::End::done ? style(Tone::good, name(figures.end))
+                                                                          : style(Tone::warning, name(figures.end)));
   text += fmt::format("  words      {} made, {} taken{}; {:.3f} s\n", periods(counters.words), periods(figures.taken),
                       figures.has_drives ? " by the drives" : "", seconds(figures, job));
   text += fmt::format("  came to    line {}, {:.3f} mm of the path\n", base::number(figures.last.line),

@@ -17,7 +17,7 @@ constexpr std::string_view end = "\033[K\n";
 /// As many lines as the terminal has, so that nothing scrolls.
 std::string cut(std::string screen) {
   std::size_t at = 0;
-  for (int lines = Terminal::rows(); lines > 0; --lines) {
+  for (int lines = drive::Terminal::rows(); lines > 0; --lines) {
     at = screen.find('\n', at);
     if (at == std::string::npos) return screen;
     ++at;
@@ -28,21 +28,32 @@ std::string cut(std::string screen) {
 
 }  // namespace
 
-DriveView::DriveView(const termios& settings, const InputFile& file, const Job& job, const Style& style)
+DriveView::DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style)
     : terminal_(settings),
       job_(job),
       program_(printable(file.name())),
       style_(style),
-      map_(file, job, std::min(Terminal::columns() - 1, widest_map),
-           std::min(Terminal::rows() - status_lines, highest_map)) {}
+      map_(file, job, std::min(drive::Terminal::columns() - 1, widest_map),
+           std::min(drive::Terminal::rows() - status_lines, highest_map)) {}
 
-void DriveView::observe(const Feedback& feedback) {
+void DriveView::observe(const drive::Feedback& feedback) {
   last_ = feedback;
   map_.visit(feedback.actual);
 }
 
+bool DriveView::go_on(realtime::Runner& runner) {
+  const bool is_asked = obey_keys(runner);
+  draw(runner);
+  return is_asked;
+}
+
+bool DriveView::go_back(double seconds) {
+  draw_way_back(seconds);
+  return is_asked_to_stop();
+}
+
 bool DriveView::obey_keys(realtime::Runner& runner) {
-  while (const auto key = Terminal::key()) {
+  while (const auto key = drive::Terminal::key()) {
     if (*key == 'q') return true;
     if (*key == ' ' && !held_ && stands_at_pause(runner.counters())) {
       pause_.go_on();
@@ -69,7 +80,7 @@ std::string DriveView::wait_text(const realtime::Counters& counters) const {
 
 bool DriveView::is_asked_to_stop() {
   bool asked = false;
-  while (const auto key = Terminal::key()) asked = asked || *key == 'q';
+  while (const auto key = drive::Terminal::key()) asked = asked || *key == 'q';
   return asked;
 }
 
@@ -108,13 +119,13 @@ bool DriveView::is_due() {
 }
 
 void DriveView::draw(const realtime::Runner& runner) {
-  if (is_due()) Terminal::draw("\033[H" + cut(status_text(runner) + map_.text(style_)) + "\033[J");
+  if (is_due()) drive::Terminal::draw("\033[H" + cut(status_text(runner) + map_.text(style_)) + "\033[J");
 }
 
 void DriveView::draw_way_back(double seconds) {
   if (!is_due()) return;
-  Terminal::draw(fmt::format("\033[H{}back along the path to where motion goes on, {:.1f} s{}{}{}{}\033[J",
-                             place_text(), seconds, end, style_(Tone::faint, "q stop"), end, map_.text(style_)));
+  drive::Terminal::draw(fmt::format("\033[H{}back along the path to where motion goes on, {:.1f} s{}{}{}{}\033[J",
+                                    place_text(), seconds, end, style_(Tone::faint, "q stop"), end, map_.text(style_)));
 }
 
 }  // namespace leadscrew::cli

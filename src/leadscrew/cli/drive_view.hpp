@@ -1,45 +1,45 @@
 #pragma once
 // The live view of a drive on a terminal, and its keys.
 
-#include <leadscrew/cli/drive_link.hpp>
-#include <leadscrew/cli/drive_pause.hpp>
 #include <leadscrew/cli/part_map.hpp>
-#include <leadscrew/cli/terminal.hpp>
+#include <leadscrew/drive/link.hpp>
+#include <leadscrew/drive/pause.hpp>
+#include <leadscrew/drive/terminal.hpp>
 #include <leadscrew/realtime/runner.hpp>
 
 namespace leadscrew::cli {
 
 class DriveView {
  public:
-  DriveView(const termios& settings, const InputFile& file, const Job& job, const Style& style);
+  DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style);
 
-  void observe(const Feedback& feedback);
+  void observe(const drive::Feedback& feedback);
   /// Motion waits at M0 and M1, if this is asked.
-  DrivePause& pause() { return pause_; }
-  /// Does what keys ask for: space holds and resumes, also at M0; + and − change the feed by 10 %. True if q was
-  /// pressed.
-  bool obey_keys(realtime::Runner& runner);
-  /// Before there are words: was q pressed?
-  bool is_asked_to_stop();
-  /// Ten times a second.
-  void draw(const realtime::Runner& runner);
+  drive::Pause& pause() { return pause_; }
+  /// Draws ten times a second, and does what keys ask for: space holds and resumes, also at M0; + and − change the feed
+  /// by 10 %. True if q was pressed.
+  bool go_on(realtime::Runner& runner);
   /// The same before there are words, while axes go back for so many seconds.
-  void draw_way_back(double seconds);
+  bool go_back(double seconds);
 
  private:
+  bool obey_keys(realtime::Runner& runner);
+  bool is_asked_to_stop();
+  void draw(const realtime::Runner& runner);
+  void draw_way_back(double seconds);
   std::string place_text() const;
   std::string status_text(const realtime::Runner& runner) const;
   std::string wait_text(const realtime::Counters& counters) const;
   bool stands_at_pause(const realtime::Counters& counters) const;
   bool is_due();
 
-  Terminal terminal_;
+  drive::Terminal terminal_;
   const Job& job_;
   std::string program_;
   Style style_;
   PartMap map_;
-  Feedback last_{};
-  DrivePause pause_;
+  drive::Feedback last_{};
+  drive::Pause pause_;
   double factor_ = 1;  ///< of the feed, when it is not held
   bool held_ = false;
   std::int64_t drawn_ = 0;  ///< ns

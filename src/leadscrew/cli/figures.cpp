@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <leadscrew/cli/figures.hpp>
 
 namespace leadscrew::cli {
@@ -8,14 +7,10 @@ namespace {
 /// As the referee has it: a limit is not kept when it is passed by more than 0.1 %.
 constexpr double largest_ratio = 1.001;
 
-bool is_within(const planner::AxisRatios& ratios) {
-  return std::max({ratios.velocity, ratios.acceleration, ratios.jerk}) <= largest_ratio;
-}
-
 }  // namespace
 
 bool RunFigures::kept() const {
-  return !verdict.objects() && std::all_of(summary.plan.begin(), summary.plan.end(), is_within);
+  return !verdict.objects() && summary.plan.greatest() <= largest_ratio;
 }
 
 }  // namespace leadscrew::cli

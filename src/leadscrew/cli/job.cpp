@@ -14,7 +14,7 @@ constexpr std::string_view built_in = "mill3";
 
 /// Adds its text to what was read.
 machine::Machine read_machine_file(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = read_whole(path);
+  const auto text = files::read_whole(path);
   if (!text) {
     base::Diagnostic problem = text.error();
     if (problem.code == "io-open" && problem.hint.empty()) problem.hint = "give a machine file; built in is mill3";
@@ -28,7 +28,7 @@ machine::Machine read_machine_file(const std::string& path, std::string& read, D
 }
 
 machine::ToolTable read_tools(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = read_whole(path);
+  const auto text = files::read_whole(path);
   if (!text) {
     log.add(text.error());
     return {};
@@ -117,7 +117,14 @@ Job job_of(const Job& job, const std::string& program) {
   return of_program;
 }
 
-Reading read_program(const InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
+base::Result<files::InputFile> open_program(const std::string& program) {
+  if (!is_curve(program)) return files::InputFile::open(program);
+  const auto curve = curve_program(program);
+  if (!curve) return base::failure({base::Severity::error, "usage", curve.error(), {}, {}, {}});
+  return files::InputFile::of_text(curve->text, program);
+}
+
+Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
   constexpr std::int64_t moves_between_looks = 4096;
   const double begin = processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
@@ -138,7 +145,7 @@ Reading read_program(const InputFile& file, const Job& job, Console& console, Di
   return reading;
 }
 
-gcode::Reader silent_reader(const InputFile& file, const Job& job) {
+gcode::Reader silent_reader(const files::InputFile& file, const Job& job) {
   return gcode::Reader(file.source(), job.machine, job.tools, job.reader_options(file.name()), nullptr);
 }
 

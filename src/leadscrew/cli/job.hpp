@@ -3,7 +3,7 @@
 
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/diagnostic_log.hpp>
-#include <leadscrew/cli/input_file.hpp>
+#include <leadscrew/files/input_file.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -28,6 +28,10 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log);
 /// The job for one of its programs: a curve begins where it begins.
 Job job_of(const Job& job, const std::string& program);
 
+/// A program of the command line: a file, standard input or a curve of the studies. Errors: `usage` of a curve, those
+/// of files::InputFile::open().
+base::Result<files::InputFile> open_program(const std::string& program);
+
 /// What reading a whole program tells before anything moves.
 struct Reading {
   std::int64_t blocks = 0;
@@ -37,9 +41,9 @@ struct Reading {
 };
 
 /// Reads the program whole; its problems, and those of its file, go to the log.
-Reading read_program(const InputFile& file, const Job& job, Console& console, DiagnosticLog& log);
+Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log);
 
 /// A reader over the file that says nothing: for programs that have been read whole.
-gcode::Reader silent_reader(const InputFile& file, const Job& job);
+gcode::Reader silent_reader(const files::InputFile& file, const Job& job);
 
 }  // namespace leadscrew::cli

@@ -2,7 +2,7 @@
 #include <array>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/options.hpp>
-#include <leadscrew/stepping/pulse_method.hpp>
+#include <leadscrew/nc/pulse_method.hpp>
 
 namespace leadscrew::cli {
 

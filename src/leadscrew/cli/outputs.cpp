@@ -22,14 +22,14 @@ tl::unexpected<base::Diagnostic> usage(std::string message, std::string hint) {
 base::Result<void> make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return base::failure(system_failure("io-open", "cannot make the folder", folder, error.value()));
+  if (error) return base::failure(files::system_failure("io-open", "cannot make the folder", folder, error.value()));
   return {};
 }
 
-base::Result<std::unique_ptr<OutputFile>> create(const std::string& path, OutputFile::Access access) {
-  auto file = OutputFile::create(path, access);
+base::Result<std::unique_ptr<files::OutputFile>> create(const std::string& path, files::OutputFile::Access access) {
+  auto file = files::OutputFile::create(path, access);
   if (!file) return base::failure(file.error());
-  return std::make_unique<OutputFile>(std::move(*file));
+  return std::make_unique<files::OutputFile>(std::move(*file));
 }
 
 /// The path by which two spellings of one file are equal.
@@ -64,7 +64,7 @@ bool is_same_output(const std::string& path, const std::string& other) {
   return !is_special(path) && (normal(path) == normal(other) || std::filesystem::equivalent(path, other, error));
 }
 
-base::Result<void> check_written(const std::vector<std::string>& paths, const InputFile& program,
+base::Result<void> check_written(const std::vector<std::string>& paths, const files::InputFile& program,
                                  const Arguments& arguments) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const std::string& path = paths[i];
@@ -85,14 +85,14 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const In
 base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
                                 std::string_view other) {
   if (!path || is_special(*path)) return {};
-  const std::string ending = extension(*path);
+  const std::string ending = files::extension(*path);
   if (ending == one || (!other.empty() && ending == other)) return {};
   const std::string what =
       other.empty() ? fmt::format("does not end in {}", one) : fmt::format("ends in neither {} nor {}", one, other);
   return usage(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");
 }
 
-base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments) {
+base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments) {
   std::vector<std::string> written;
   for (const auto& path : paths.all()) {
     if (path) written.push_back(*path);
@@ -117,7 +117,7 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   }
   for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_), {&paths.picture, &outputs.picture_}}) {
     if (!*path) continue;
-    auto file = create(**path, OutputFile::Access::sequential);
+    auto file = create(**path, files::OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());
     *output = std::move(*file);
     if (!outputs.recording_) outputs.recording_.emplace(job.machine, job.machine.period);
@@ -128,8 +128,8 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
 }
 
 base::Result<void> Outputs::open_trace(const std::string& path) {
-  const bool is_npy = extension(path) == ".npy";
-  auto file = create(path, is_npy ? OutputFile::Access::rewritable : OutputFile::Access::sequential);
+  const bool is_npy = files::extension(path) == ".npy";
+  auto file = create(path, is_npy ? files::OutputFile::Access::rewritable : files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   trace_ = std::move(*file);
   const base::AxisSet axes = job_->machine.axis_set();
@@ -154,13 +154,13 @@ base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector
   return {};
 }
 
-base::Result<void> Outputs::write_pages(const trace::Report& report) {
+base::Result<void> Outputs::write_pages(const report::Report& report) {
   if (report_) {
     auto written =
-        trace::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
+        report::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
     if (!written) return written;
   }
-  if (picture_) return trace::write_path_svg(report.title, *recording_, picture_->sink());
+  if (picture_) return report::write_path_svg(report.title, *recording_, picture_->sink());
   return {};
 }
 
@@ -172,7 +172,7 @@ base::Result<void> Outputs::finish_trace() {
   return trace_->rewrite_start(npy->header());
 }
 
-std::array<OutputFile*, 4> Outputs::files() const {
+std::array<files::OutputFile*, 4> Outputs::files() const {
   return {trace_.get(), report_.get(), picture_.get(), steps_ ? &steps_->file() : nullptr};
 }
 
@@ -184,11 +184,11 @@ std::optional<StepFigures> Outputs::step_figures() const {
 base::Result<std::vector<std::string>> Outputs::publish() {
   if (auto finished = finish_trace(); !finished) return base::failure(finished.error());
   std::vector<std::string> paths;
-  for (OutputFile* file : files()) {
+  for (files::OutputFile* file : files()) {
     if (file == nullptr) continue;
     if (auto closed = file->close(); !closed) return base::failure(closed.error());
   }
-  for (OutputFile* file : files()) {
+  for (files::OutputFile* file : files()) {
     if (file == nullptr) continue;
     if (auto published = file->publish(); !published) return base::failure(published.error());
     paths.push_back(file->path());

@@ -4,10 +4,11 @@
 #include <array>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/step_output.hpp>
-#include <leadscrew/trace/recording.hpp>
-#include <leadscrew/trace/report.hpp>
+#include <leadscrew/files/input_file.hpp>
+#include <leadscrew/files/output_file.hpp>
+#include <leadscrew/report/recording.hpp>
+#include <leadscrew/report/report.hpp>
 #include <leadscrew/trace/words.hpp>
 #include <memory>
 #include <optional>
@@ -33,13 +34,13 @@ bool is_same_output(const std::string& path, const std::string& other);
 
 /// What is wrong with files that are to be written, before anything is done: one is read by the command too, or two are
 /// the same.
-base::Result<void> check_written(const std::vector<std::string>& paths, const InputFile& program,
+base::Result<void> check_written(const std::vector<std::string>& paths, const files::InputFile& program,
                                  const Arguments& arguments);
 /// Of an option that may be absent: does its ending say one of two formats, or the only one? Error: `usage`.
 base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
                                 std::string_view other = {});
 /// Both, of these paths.
-base::Result<void> check_paths(const OutputPaths& paths, const InputFile& program, const Arguments& arguments);
+base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments);
 
 class Outputs {
  public:
@@ -51,13 +52,13 @@ class Outputs {
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
 
   /// What a report and a picture are made of; nothing where none was asked for.
-  const trace::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
+  const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
-  trace::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
+  report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
   /// Writes the report and the picture, whichever was asked for.
-  base::Result<void> write_pages(const trace::Report& report);
+  base::Result<void> write_pages(const report::Report& report);
   /// Writes the steps that are left.
-  base::Result<void> finish_steps(const InputFile& program) {
+  base::Result<void> finish_steps(const files::InputFile& program) {
     return steps_ ? steps_->finish(program) : base::Result<void>();
   }
   /// What steps were written, if they were asked for.
@@ -71,14 +72,14 @@ class Outputs {
   explicit Outputs(const Job& job) : job_(&job) {}
   base::Result<void> open_trace(const std::string& path);
   base::Result<void> finish_trace();
-  std::array<OutputFile*, 4> files() const;
+  std::array<files::OutputFile*, 4> files() const;
 
   const Job* job_;
-  std::unique_ptr<OutputFile> trace_, report_, picture_;  ///< their sinks refer to them
+  std::unique_ptr<files::OutputFile> trace_, report_, picture_;  ///< their sinks refer to them
   Writer writer_;
   std::unique_ptr<StepOutput> steps_;
-  std::optional<trace::Recording> recording_;
-  std::optional<trace::FollowedRecording> followed_;
+  std::optional<report::Recording> recording_;
+  std::optional<report::FollowedRecording> followed_;
 };
 
 }  // namespace leadscrew::cli

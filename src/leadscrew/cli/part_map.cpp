@@ -10,7 +10,7 @@ namespace {
 
 /// Chords along everything that is travelled at feed.
 template <class Take>
-void each_chord(const InputFile& file, const Job& job, const Take& take) {
+void each_chord(const files::InputFile& file, const Job& job, const Take& take) {
   gcode::ReaderOptions options = job.reader_options(file.name());
   options.path_mode = gcode::PathMode::exact_stop;  // as it was programmed
   gcode::Reader reader(file.source(), job.machine, job.tools, options, nullptr);
@@ -37,7 +37,7 @@ void each_chord(const InputFile& file, const Job& job, const Take& take) {
 
 }  // namespace
 
-PartMap::PartMap(const InputFile& file, const Job& job, int columns, int rows)
+PartMap::PartMap(const files::InputFile& file, const Job& job, int columns, int rows)
     : columns_(std::max(columns, 1)), rows_(std::max(rows, 1)) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double left = infinity, right = -infinity, bottom = infinity, top = -infinity;

@@ -8,8 +8,8 @@
 
 #include <cstdint>
 #include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/input_file.hpp>
 #include <leadscrew/cli/job.hpp>
+#include <leadscrew/files/input_file.hpp>
 #include <string>
 #include <vector>
 
@@ -18,7 +18,7 @@ namespace leadscrew::cli {
 class PartMap {
  public:
   /// All that the program travels at feed, in X and Y; so many characters large.
-  PartMap(const InputFile& file, const Job& job, int columns, int rows);
+  PartMap(const files::InputFile& file, const Job& job, int columns, int rows);
 
   /// The axes have been here.
   void visit(const base::AxisVector& position);

@@ -1,9 +1,9 @@
-#include <leadscrew/cli/interrupt.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/pulse_text.hpp>
+#include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -21,12 +21,13 @@ base::Diagnostic problem(std::string_view code, std::string message, std::string
 
 base::Result<AllPulses> measured(const PulseArguments& arguments) {
   AllPulses all;
-  for (const stepping::PulseMethod method : arguments.methods) {
-    const stepping::PulseRun run(method, arguments.curve, arguments.options);
-    stepping::PulseMeasurement measurement(run, arguments.curve);
+  for (const nc::PulseMethod method : arguments.methods) {
+    const nc::PulseRun run(method, arguments.curve, arguments.options);
+    nc::PulseMeasurement measurement(run, arguments.curve);
     while (!measurement.done()) {
       measurement.step();
-      if (measurement.run().clock() % clocks_between_looks == 0 && interrupted()) return base::failure(interruption());
+      if (measurement.run().clock() % clocks_between_looks == 0 && files::interrupted())
+        return base::failure(files::interruption());
     }
     all.push_back({run, measurement.figures()});
   }
@@ -37,7 +38,7 @@ base::Result<AllPulses> measured(const PulseArguments& arguments) {
 base::Result<void> check_length(const PulseArguments& arguments, const AllPulses& pulses) {
   if (!arguments.path && !arguments.table) return {};
   std::int64_t clocks = 0;
-  for (const trace::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
+  for (const waves::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
   if (clocks <= most_places) return {};
   return base::failure(problem("too-many-clocks",
                                std::to_string(clocks) + " clocks are too many for " +
@@ -54,10 +55,10 @@ class PulseFiles {
       return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
                                    "give each output a name of its own"));
     return write_one(arguments.vcd,
-                     [&](const auto& sink) { return trace::write_pulse_dump(arguments.curve, pulses, sink); })
+                     [&](const auto& sink) { return waves::write_pulse_dump(arguments.curve, pulses, sink); })
         .and_then([&] {
           return write_one(arguments.svg,
-                           [&](const auto& sink) { return trace::write_pulse_picture(arguments.curve, pulses, sink); });
+                           [&](const auto& sink) { return waves::write_pulse_picture(arguments.curve, pulses, sink); });
         })
         .and_then([&] { return publish(); });
   }
@@ -66,11 +67,11 @@ class PulseFiles {
   template <class Write>
   base::Result<void> write_one(const std::optional<std::string>& path, const Write& write) {
     if (!path) return {};
-    auto file = OutputFile::create(*path, OutputFile::Access::sequential);
+    auto file = files::OutputFile::create(*path, files::OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());
-    files_.push_back(std::make_unique<OutputFile>(std::move(*file)));
+    files_.push_back(std::make_unique<files::OutputFile>(std::move(*file)));
     return write([sink = files_.back()->sink()](std::string_view bytes) -> base::Result<void> {
-      if (interrupted()) return base::failure(interruption());
+      if (files::interrupted()) return base::failure(files::interruption());
       return sink(bytes);
     });
   }
@@ -85,14 +86,14 @@ class PulseFiles {
     return {};
   }
 
-  std::vector<std::unique_ptr<OutputFile>> files_;
+  std::vector<std::unique_ptr<files::OutputFile>> files_;
 };
 
 std::string text_of(const PulseArguments& arguments, const AllPulses& pulses, const Style& style) {
   std::string text = pulse_summary(arguments.curve, pulses, style);
   const bool is_short = pulses.size() == 1 && pulses.front().figures.clocks <= most_clocks_shown;
   if (!arguments.table && !is_short) return text;
-  for (const trace::MeasuredPulses& each : pulses) text += "\n" + pulse_table(arguments.curve, each, style);
+  for (const waves::MeasuredPulses& each : pulses) text += "\n" + pulse_table(arguments.curve, each, style);
   return text;
 }
 
@@ -117,10 +118,10 @@ Status pulse(const Arguments& arguments, Console& console) {
   DiagnosticLog log(console);
   for (const base::Diagnostic& each : asked.overflows) log.add(each);
   if (log.errors() > 0) return rejected(arguments, log, console);
-  for (const base::Diagnostic& each : stepping::problems_of(asked.curve, asked.options.bits)) log.add(each);
+  for (const base::Diagnostic& each : nc::problems_of(asked.curve, asked.options.bits)) log.add(each);
   if (log.errors() > 0) return rejected(arguments, log, console);
-  for (const stepping::PulseMethod method : asked.methods) {
-    if (const auto problem = stepping::capacity_problem(method, asked.curve, asked.options)) log.add(*problem);
+  for (const nc::PulseMethod method : asked.methods) {
+    if (const auto problem = nc::capacity_problem(method, asked.curve, asked.options)) log.add(*problem);
   }
   if (log.errors() > 0) return rejected(arguments, log, console);
   const auto pulses = made(asked);

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <charconv>
 #include <leadscrew/cli/nearest.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/output_name.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <limits>
 
 namespace leadscrew::cli {
 
 namespace {
 
-using stepping::PulseMethod;
+using nc::PulseMethod;
 
 template <class... Values>
 auto wrong(fmt::format_string<Values...> text, Values&&... values) {
@@ -43,7 +43,7 @@ Parsed<pulse::Point> parse_point(std::string_view option, std::string_view of, s
     if (!parsed) return wrong("{} {}: {}", option, text, parsed.error());
     *coordinate = *parsed;
     if (*parsed < -pulse::greatest_coordinate || *parsed > pulse::greatest_coordinate)
-      overflows.push_back(stepping::overflow_beyond(name, fmt::format("{} of the {}", name, of), digits));
+      overflows.push_back(nc::overflow_beyond(name, fmt::format("{} of the {}", name, of), digits));
   }
   return point;
 }
@@ -52,7 +52,7 @@ Parsed<pulse::Point> parse_point(std::string_view option, std::string_view of, s
 template <class T, std::size_t count>
 Parsed<T> parse_name(std::string_view option, std::string_view text, const std::array<T, count>& known) {
   std::array<std::string_view, count> names;
-  std::transform(known.begin(), known.end(), names.begin(), [](T value) { return stepping::name(value); });
+  std::transform(known.begin(), known.end(), names.begin(), [](T value) { return nc::name(value); });
   const auto found = std::find(names.begin(), names.end(), text);
   if (found != names.end()) return known[static_cast<std::size_t>(found - names.begin())];
   return wrong("{} {}: is none of {}{}", option, text, fmt::join(names, ", "), did_you_mean(text, names));
@@ -69,25 +69,25 @@ Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
   std::vector<PulseMethod> methods;
   while (true) {
     const std::size_t comma = text.find(',');
-    const auto method = parse_name("--method", trimmed(text.substr(0, comma)), stepping::all_pulse_methods);
+    const auto method = parse_name("--method", trimmed(text.substr(0, comma)), nc::all_pulse_methods);
     if (!method) return tl::unexpected(method.error());
     if (std::find(methods.begin(), methods.end(), *method) != methods.end())
-      return wrong("--method: {} is named twice", stepping::name(*method));
+      return wrong("--method: {} is named twice", nc::name(*method));
     methods.push_back(*method);
     if (comma == std::string_view::npos) return methods;
     text.remove_prefix(comma + 1);
   }
 }
 
-Parsed<stepping::PulseCurve> parse_curve(const PulseTexts& texts, std::vector<base::Diagnostic>& overflows) {
-  using Shape = stepping::PulseCurve::Shape;
+Parsed<nc::PulseCurve> parse_curve(const PulseTexts& texts, std::vector<base::Diagnostic>& overflows) {
+  using Shape = nc::PulseCurve::Shape;
   if (texts.arc == texts.line) return wrong("needs either --arc or --line");
   if (texts.clockwise && texts.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
   if (!texts.end) return wrong("--end is missing: where the {} ends, such as 0,5", texts.arc ? "arc" : "line");
   if (texts.arc && !texts.start) return wrong("--start is missing: where the arc starts, such as 5,0");
   if (texts.line && (texts.center || texts.clockwise || texts.counterclockwise))
     return wrong("{} is for arcs", texts.center ? "--center" : texts.clockwise ? "--cw" : "--ccw");
-  stepping::PulseCurve curve;
+  nc::PulseCurve curve;
   curve.shape = texts.arc ? Shape::arc : Shape::line;
   curve.direction = texts.clockwise ? pulse::Direction::clockwise : pulse::Direction::counterclockwise;
   for (const auto& [option, of, text, point] : {std::tuple("--start", "start", &texts.start, &curve.start),
@@ -111,20 +111,19 @@ Parsed<void> take_name(std::string_view option, const std::optional<std::string>
   return {};
 }
 
-Parsed<stepping::MethodOptions> parse_options(const PulseTexts& texts) {
-  stepping::MethodOptions options;
+Parsed<nc::MethodOptions> parse_options(const PulseTexts& texts) {
+  nc::MethodOptions options;
   if (texts.bits) {
     int bits = 0;
     const char* const last = texts.bits->data() + texts.bits->size();
     const auto [end, error] = std::from_chars(texts.bits->data(), last, bits);
-    if (error != std::errc() || end != last || bits < 1 || bits > stepping::most_pulse_bits)
-      return wrong("--bits {}: is not a whole number from 1 to {}", *texts.bits, stepping::most_pulse_bits);
+    if (error != std::errc() || end != last || bits < 1 || bits > nc::most_pulse_bits)
+      return wrong("--bits {}: is not a whole number from 1 to {}", *texts.bits, nc::most_pulse_bits);
     options.bits = bits;
   }
-  const auto taken =
-      take_name("--preload", texts.preload, stepping::all_preloads, options.preload)
-          .and_then([&] { return take_name("--tie", texts.tie, stepping::all_ties, options.tie); })
-          .and_then([&] { return take_name("--order", texts.order, stepping::all_orders, options.order); });
+  const auto taken = take_name("--preload", texts.preload, nc::all_preloads, options.preload)
+                         .and_then([&] { return take_name("--tie", texts.tie, nc::all_ties, options.tie); })
+                         .and_then([&] { return take_name("--order", texts.order, nc::all_orders, options.order); });
   if (!taken) return tl::unexpected(taken.error());
   return options;
 }
@@ -149,9 +148,9 @@ Parsed<void> check_files(const PulseTexts& texts) {
   for (const auto& [option, text] : {std::pair("--vcd", &texts.vcd), {"--svg", &texts.svg}}) {
     if (auto sound = check_output_name(option, *text); !sound) return sound;
   }
-  if (texts.vcd && extension(*texts.vcd) == ".svg")
+  if (texts.vcd && files::extension(*texts.vcd) == ".svg")
     return wrong("--vcd {}: would write registers; --svg writes the picture", *texts.vcd);
-  if (texts.svg && extension(*texts.svg) == ".vcd")
+  if (texts.svg && files::extension(*texts.svg) == ".vcd")
     return wrong("--svg {}: would write the picture; --vcd writes registers", *texts.svg);
   return {};
 }
@@ -159,18 +158,18 @@ Parsed<void> check_files(const PulseTexts& texts) {
 }  // namespace
 
 Parsed<PulseMethod> parse_pulse_method(std::string_view text) {
-  for (const PulseMethod method : stepping::all_pulse_methods) {
-    if (text == stepping::name(method)) return method;
+  for (const PulseMethod method : nc::all_pulse_methods) {
+    if (text == nc::name(method)) return method;
   }
   std::vector<std::string_view> names;
-  for (const PulseMethod method : stepping::all_pulse_methods) names.push_back(stepping::name(method));
+  for (const PulseMethod method : nc::all_pulse_methods) names.push_back(nc::name(method));
   return wrong("is none of {}{}", names_of_pulse_methods(), did_you_mean(text, names));
 }
 
 std::string names_of_pulse_methods() {
   std::string names;
-  for (const PulseMethod method : stepping::all_pulse_methods)
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", stepping::name(method));
+  for (const PulseMethod method : nc::all_pulse_methods)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", nc::name(method));
   return names;
 }
 
@@ -182,7 +181,7 @@ Parsed<PulseArguments> parse_pulse(const PulseTexts& texts, bool json) {
   if (!options) return tl::unexpected(options.error());
   arguments.curve = *curve;
   arguments.options = *options;
-  arguments.methods = {stepping::all_pulse_methods.begin(), stepping::all_pulse_methods.end()};
+  arguments.methods = {nc::all_pulse_methods.begin(), nc::all_pulse_methods.end()};
   if (texts.methods) {
     auto methods = parse_methods(*texts.methods);
     if (!methods) return tl::unexpected(methods.error());

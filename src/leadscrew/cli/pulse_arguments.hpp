@@ -2,7 +2,7 @@
 // What the command line asks `leadscrew pulse` for.
 
 #include <leadscrew/cli/quantity.hpp>
-#include <leadscrew/stepping/pulse_method.hpp>
+#include <leadscrew/nc/pulse_method.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,10 +11,10 @@
 namespace leadscrew::cli {
 
 struct PulseArguments {
-  stepping::PulseCurve curve;
-  std::vector<base::Diagnostic> overflows;     ///< coordinates that no register holds; the curve has what 64 bits do
-  std::vector<stepping::PulseMethod> methods;  ///< one or more, none twice
-  stepping::MethodOptions options;
+  nc::PulseCurve curve;
+  std::vector<base::Diagnostic> overflows;  ///< coordinates that no register holds; the curve has what 64 bits do
+  std::vector<nc::PulseMethod> methods;     ///< one or more, none twice
+  nc::MethodOptions options;
   bool path = false;   ///< every place, in JSON
   bool table = false;  ///< every register at every clock, as text
   std::optional<std::string> vcd, svg;
@@ -48,7 +48,7 @@ inline constexpr std::string_view pulse_examples =
     "Sum_Z and, for koren, y1 r1 dz1.\n";
 
 /// One of their names; what is wrong follows "--option TEXT: ".
-Parsed<stepping::PulseMethod> parse_pulse_method(std::string_view text);
+Parsed<nc::PulseMethod> parse_pulse_method(std::string_view text);
 
 /// "point-comparison, dda, …": every method there is.
 std::string names_of_pulse_methods();

@@ -8,9 +8,9 @@ namespace leadscrew::cli {
 
 namespace {
 
-using stepping::PulseConventions;
-using stepping::PulseCurve;
-using stepping::PulseRun;
+using nc::PulseConventions;
+using nc::PulseCurve;
+using nc::PulseRun;
 
 std::string point_text(pulse::Point at) {
   return fmt::format("({}, {})", at.x, at.y);
@@ -25,8 +25,8 @@ Json json_of(const PulseConventions& conventions) {
   Json options = Json::object();
   if (conventions.bits) options["bits"] = *conventions.bits;
   if (conventions.capacity) options["capacity"] = *conventions.capacity;
-  if (conventions.preload) options["preload"] = stepping::name(*conventions.preload);
-  if (conventions.order) options["order"] = stepping::name(*conventions.order);
+  if (conventions.preload) options["preload"] = nc::name(*conventions.preload);
+  if (conventions.order) options["order"] = nc::name(*conventions.order);
   if (!conventions.tie.empty()) options["tie"] = conventions.tie;
   options["end_rule"] = conventions.end;
   return options;
@@ -51,9 +51,9 @@ Json path_of(PulseRun run) {
   return path;
 }
 
-Json json_of(const trace::MeasuredPulses& pulses, bool with_path) {
-  const stepping::PulseFigures& figures = pulses.figures;
-  Json object = {{"method", stepping::name(pulses.run.method())},
+Json json_of(const waves::MeasuredPulses& pulses, bool with_path) {
+  const nc::PulseFigures& figures = pulses.figures;
+  Json object = {{"method", nc::name(pulses.run.method())},
                  {"pulses", figures.pulses},
                  {"clocks", figures.clocks},
                  {"max_error_blu", figures.max_error},
@@ -81,8 +81,7 @@ std::size_t digits(std::int64_t value) {
 }
 
 /// The columns behind clock, dx and dy.
-std::vector<std::pair<std::string, std::size_t>> columns_of(const PulseCurve& curve,
-                                                            const stepping::PulseFigures& figures) {
+std::vector<std::pair<std::string, std::size_t>> columns_of(const PulseCurve& curve, const nc::PulseFigures& figures) {
   std::vector<std::pair<std::string, std::size_t>> columns;
   const auto add = [&](std::string_view name, std::int64_t least, std::int64_t greatest) {
     columns.emplace_back(name, std::max({name.size(), digits(least), digits(greatest)}));
@@ -93,22 +92,22 @@ std::vector<std::pair<std::string, std::size_t>> columns_of(const PulseCurve& cu
     add("X", registers[0].least + origin.x, registers[0].greatest + origin.x);
     add("Y", registers[1].least + origin.y, registers[1].greatest + origin.y);
   }
-  for (const stepping::RegisterRange& each : registers) add(each.name, each.least, each.greatest);
+  for (const nc::RegisterRange& each : registers) add(each.name, each.least, each.greatest);
   return columns;
 }
 
 }  // namespace
 
 std::string pulse_summary(const PulseCurve& curve, const AllPulses& pulses, const Style& style) {
-  std::string title = trace::title_of(curve);
+  std::string title = waves::title_of(curve);
   if (curve.is_arc()) title += fmt::format(", R = {:.6g} BLU", curve.radius());
   std::string text = style(Tone::strong, title) + "\n";
   text += style(Tone::faint, fmt::format("  {:<18} {:>9} {:>9} {:>10} {:>10}  {:<14} {}", "method", "pulses", "clocks",
                                          "max error", "rms error", "at", "end")) +
           "\n";
-  for (const trace::MeasuredPulses& each : pulses) {
-    const stepping::PulseFigures& figures = each.figures;
-    text += fmt::format("  {:<18} {:>9} {:>9} {:>10.3f} {:>10.3f}  {:<14} {}\n", stepping::name(each.run.method()),
+  for (const waves::MeasuredPulses& each : pulses) {
+    const nc::PulseFigures& figures = each.figures;
+    text += fmt::format("  {:<18} {:>9} {:>9} {:>10.3f} {:>10.3f}  {:<14} {}\n", nc::name(each.run.method()),
                         figures.pulses, figures.clocks, figures.max_error, figures.rms_error, point_text(figures.worst),
                         point_text(figures.end));
     text += style(Tone::faint, "      " + text_of(each.run.conventions())) + "\n";
@@ -116,21 +115,21 @@ std::string pulse_summary(const PulseCurve& curve, const AllPulses& pulses, cons
   return text;
 }
 
-std::string pulse_table(const PulseCurve& curve, const trace::MeasuredPulses& pulses, const Style& style) {
+std::string pulse_table(const PulseCurve& curve, const waves::MeasuredPulses& pulses, const Style& style) {
   const auto columns = columns_of(curve, pulses.figures);
   const std::size_t widest = std::max<std::size_t>(5, digits(pulses.figures.clocks));
-  std::string text = style(Tone::strong, stepping::name(pulses.run.method())) + "\n";
+  std::string text = style(Tone::strong, nc::name(pulses.run.method())) + "\n";
   std::string heading = fmt::format("  {:>{}}  dx  dy", "clock", widest);
   for (const auto& [name, width] : columns) heading += fmt::format("  {:>{}}", name, width);
   text += style(Tone::faint, heading) + "\n";
   PulseRun run = pulses.run;
   while (true) {
     text += fmt::format("  {:>{}}  {:>2}  {:>2}", run.clock(), widest, run.last().step[0], run.last().step[1]);
-    const stepping::Registers registers = stepping::signals_of(run, curve);
+    const nc::Registers registers = nc::signals_of(run, curve);
     std::size_t column = columns.size() - registers.all().size();
     if (column > 0)
       text += fmt::format("  {:>{}}  {:>{}}", run.at().x, columns[0].second, run.at().y, columns[1].second);
-    for (const stepping::Register& each : registers.all())
+    for (const nc::Register& each : registers.all())
       text += fmt::format("  {:>{}}", each.value, columns[column++].second);
     text += '\n';
     if (run.done()) return text;
@@ -141,7 +140,7 @@ std::string pulse_table(const PulseCurve& curve, const trace::MeasuredPulses& pu
 Json json_of_pulses(const PulseCurve& curve, const AllPulses& pulses, bool with_path) {
   Json object = json_of(curve);
   object["methods"] = Json::array();
-  for (const trace::MeasuredPulses& each : pulses) object["methods"].push_back(json_of(each, with_path));
+  for (const waves::MeasuredPulses& each : pulses) object["methods"].push_back(json_of(each, with_path));
   object["diagnostics"] = Json::array();
   return object;
 }

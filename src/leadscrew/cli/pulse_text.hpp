@@ -3,7 +3,7 @@
 
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/json_form.hpp>
-#include <leadscrew/trace/pulses.hpp>
+#include <leadscrew/waves/pulses.hpp>
 #include <string>
 #include <vector>
 
@@ -11,15 +11,15 @@ namespace leadscrew::cli {
 
 inline constexpr std::string_view pulse_schema = "leadscrew.pulse/1";
 
-using AllPulses = std::vector<trace::MeasuredPulses>;
+using AllPulses = std::vector<waves::MeasuredPulses>;
 
 /// A line of figures for each method, and the conventions that were in force.
-std::string pulse_summary(const stepping::PulseCurve& curve, const AllPulses& pulses, const Style& style);
+std::string pulse_summary(const nc::PulseCurve& curve, const AllPulses& pulses, const Style& style);
 
 /// Every register at every clock.
-std::string pulse_table(const stepping::PulseCurve& curve, const trace::MeasuredPulses& pulses, const Style& style);
+std::string pulse_table(const nc::PulseCurve& curve, const waves::MeasuredPulses& pulses, const Style& style);
 
-Json json_of_pulses(const stepping::PulseCurve& curve, const AllPulses& pulses, bool with_path);
-Json json_of_rejected_pulses(const stepping::PulseCurve& curve, const DiagnosticLog& log);
+Json json_of_pulses(const nc::PulseCurve& curve, const AllPulses& pulses, bool with_path);
+Json json_of_rejected_pulses(const nc::PulseCurve& curve, const DiagnosticLog& log);
 
 }  // namespace leadscrew::cli

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::size_t longest_line = 200;
 
-std::set<base::Line> lines_named(const trace::Recording& recording) {
+std::set<base::Line> lines_named(const report::Recording& recording) {
   std::set<base::Line> lines;
-  for (const trace::BlockFigures& block : recording.slowest_blocks()) lines.insert(block.line);
-  for (const trace::BlockFigures& block : recording.nearest_to_limit()) lines.insert(block.line);
+  for (const report::BlockFigures& block : recording.slowest_blocks()) lines.insert(block.line);
+  for (const report::BlockFigures& block : recording.nearest_to_limit()) lines.insert(block.line);
   return lines;
 }
 
@@ -48,7 +48,7 @@ class LineGatherer {
   bool is_wanted_ = false;
 };
 
-base::Result<SourceLines> source_lines(const InputFile& file, const std::set<base::Line>& wanted) {
+base::Result<SourceLines> source_lines(const files::InputFile& file, const std::set<base::Line>& wanted) {
   LineGatherer gatherer(wanted);
   auto source = file.source();
   std::array<char, 1 << 16> buffer;
@@ -61,10 +61,10 @@ base::Result<SourceLines> source_lines(const InputFile& file, const std::set<bas
   return std::move(gatherer).lines();
 }
 
-std::vector<trace::LimitRatios> limits_of(const RunFigures& figures) {
-  std::vector<trace::LimitRatios> list;
+std::vector<report::LimitRatios> limits_of(const RunFigures& figures) {
+  std::vector<report::LimitRatios> list;
   for (const referee::AxisVerdict& axis : figures.verdict.axes) {
-    const planner::AxisRatios& plan = figures.summary.plan[base::index(axis.axis)];
+    const machine::Derivatives plan = figures.summary.plan.of_axis(axis.axis);
     list.push_back({.axis = axis.axis,
                     .velocity = axis.velocity_ratio,
                     .acceleration = axis.acceleration_ratio,
@@ -78,12 +78,12 @@ std::vector<trace::LimitRatios> limits_of(const RunFigures& figures) {
 
 }  // namespace
 
-base::Result<trace::Report> report_of(const InputFile& file, const Job& job, const RunFigures& figures,
-                                      const DiagnosticLog& log, const trace::Recording& recording) {
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const RunFigures& figures,
+                                       const DiagnosticLog& log, const report::Recording& recording) {
   const pipeline::Summary& summary = figures.summary;
   auto source = source_lines(file, lines_named(recording));
   if (!source) return base::failure(source.error());
-  trace::Report report;
+  report::Report report;
   report.title = file.name();
   report.version = LEADSCREW_VERSION;
   report.command = job.arguments.command_line;
@@ -104,12 +104,12 @@ base::Result<trace::Report> report_of(const InputFile& file, const Job& job, con
   return report;
 }
 
-base::Result<trace::Report> report_of(const InputFile& file, const Job& job, const SimulateFigures& figures,
-                                      const DiagnosticLog& log, const trace::Recording& recording) {
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const SimulateFigures& figures,
+                                       const DiagnosticLog& log, const report::Recording& recording) {
   RunFigures of_words{figures.summary, figures.verdict, {}};
   of_words.verdict.axes.clear();
   for (const auto& [axis, tracking] : figures.axes) {
-    const planner::AxisRatios& plan = figures.summary.plan[base::index(axis)];
+    const machine::Derivatives plan = figures.summary.plan.of_axis(axis);
     of_words.verdict.axes.push_back({axis, plan.velocity, plan.acceleration, plan.jerk});
   }
   of_words.verdict.feed_max_ratio = 0;  // an override may double it
@@ -118,7 +118,7 @@ base::Result<trace::Report> report_of(const InputFile& file, const Job& job, con
   return report;
 }
 
-void observe_ideal_path(const InputFile& file, const Job& job, trace::FollowedRecording& followed) {
+void observe_ideal_path(const files::InputFile& file, const Job& job, report::FollowedRecording& followed) {
   constexpr int parts = 64;
   gcode::Reader reader = silent_reader(file, job);
   gcode::Move move;

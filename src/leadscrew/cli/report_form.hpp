@@ -5,20 +5,20 @@
 #include <leadscrew/cli/figures.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/simulate_figures.hpp>
-#include <leadscrew/trace/recording.hpp>
-#include <leadscrew/trace/report.hpp>
+#include <leadscrew/report/recording.hpp>
+#include <leadscrew/report/report.hpp>
 
 namespace leadscrew::cli {
 
 /// Errors: those of reading the file once more.
-base::Result<trace::Report> report_of(const InputFile& file, const Job& job, const RunFigures& figures,
-                                      const DiagnosticLog& log, const trace::Recording& recording);
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const RunFigures& figures,
+                                       const DiagnosticLog& log, const report::Recording& recording);
 
 /// Of slides: deviation and tolerance are theirs, limits those of the plan.
-base::Result<trace::Report> report_of(const InputFile& file, const Job& job, const SimulateFigures& figures,
-                                      const DiagnosticLog& log, const trace::Recording& recording);
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const SimulateFigures& figures,
+                                       const DiagnosticLog& log, const report::Recording& recording);
 
 /// The programmed geometry, move by move, curves in 64 parts.
-void observe_ideal_path(const InputFile& file, const Job& job, trace::FollowedRecording& followed);
+void observe_ideal_path(const files::InputFile& file, const Job& job, report::FollowedRecording& followed);
 
 }  // namespace leadscrew::cli

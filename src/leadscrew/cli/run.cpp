@@ -1,5 +1,4 @@
 #include <chrono>
-#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/processor_time.hpp>
@@ -7,6 +6,7 @@
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/cli/summary_text.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
 
@@ -58,7 +58,7 @@ class ProgramRun {
 
   /// Nothing where the log says why.
   std::optional<RunFigures> execute() {
-    const auto file = InputFile::open(program_);
+    const auto file = open_program(program_);
     if (!file) return failed(file.error());
     const OutputPaths paths = output_paths(job_.arguments, program_);
     if (auto sound = check_paths(paths, *file, job_.arguments); !sound) return failed(sound.error());
@@ -77,7 +77,7 @@ class ProgramRun {
     return std::nullopt;
   }
 
-  base::Result<RunFigures> move(const InputFile& file, const OutputPaths& paths, const Reading& reading) {
+  base::Result<RunFigures> move(const files::InputFile& file, const OutputPaths& paths, const Reading& reading) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
     auto figures = make_words(file, *outputs, reading);
@@ -90,19 +90,19 @@ class ProgramRun {
       if (!report) return base::failure(report.error());
       if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
     }
-    if (interrupted()) return base::failure(interruption());
+    if (files::interrupted()) return base::failure(files::interruption());
     auto files = outputs->publish();
     if (!files) return base::failure(files.error());
     figures->files = std::move(*files);
     return figures;
   }
 
-  base::Result<RunFigures> make_words(const InputFile& file, Outputs& outputs, const Reading& reading) {
+  base::Result<RunFigures> make_words(const files::InputFile& file, Outputs& outputs, const Reading& reading) {
     Progress progress{.work = "moving", .total = file.size()};
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
     program.watch([&] { return file.unchanged(); });
-    program.stop_when(interrupted);
+    program.stop_when(files::interrupted);
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
@@ -113,7 +113,7 @@ class ProgramRun {
       referee.observe(word.position);
       if (auto written = outputs.write(word); !written) return base::failure(written.error());
       if (base::count(word.tick) % words_between_looks != 0) continue;
-      if (interrupted()) return base::failure(interruption());
+      if (files::interrupted()) return base::failure(files::interruption());
       progress.words = base::count(word.tick);
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
       console_.progress(progress);

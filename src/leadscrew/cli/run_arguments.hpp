@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/interpolator/parameter_steps.hpp>
-#include <leadscrew/stepping/pulse_method.hpp>
+#include <leadscrew/nc/pulse_method.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,9 +15,9 @@ namespace leadscrew::cli {
 struct RunArguments {
   interpolator::StepRule interpolator = interpolator::StepRule::arc_length;  ///< parameter steps along curves
   std::optional<std::string> trace, report, picture, pulses, out;            ///< pulses: beside out maybe a step format
-  std::optional<stepping::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
-  bool accelerate = false;                            ///< of a pulse_method: keep the axes' acceleration
-  std::int64_t step_clock = 1'000'000;                ///< of --pulses, Hz
+  std::optional<nc::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
+  bool accelerate = false;                      ///< of a pulse_method: keep the axes' acceleration
+  std::int64_t step_clock = 1'000'000;          ///< of --pulses, Hz
   /// Of --pulses, in place of every axis' own; ns, in the order of machine::all_step_times.
   std::array<std::optional<std::int64_t>, 4> step_times;
 };

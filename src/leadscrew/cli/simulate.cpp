@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <leadscrew/cli/adaptive_run.hpp>
-#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/simulate.hpp>
 #include <leadscrew/cli/simulate_form.hpp>
-#include <leadscrew/cli/slides.hpp>
+#include <leadscrew/drive/slides.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/pipeline/programmed_feed.hpp>
 
@@ -24,7 +24,7 @@ class Simulation {
 
   /// Nothing where the log says why.
   std::optional<SimulateFigures> execute(const std::string& program) {
-    const auto file = InputFile::open(program);
+    const auto file = open_program(program);
     if (!file) return failed(file.error());
     const OutputPaths paths = output_paths(job_.arguments, program);
     if (auto sound = check_paths(paths, *file, job_.arguments); !sound) return failed(sound.error());
@@ -42,7 +42,7 @@ class Simulation {
     return std::nullopt;
   }
 
-  base::Result<SimulateFigures> move(const InputFile& file, const OutputPaths& paths) {
+  base::Result<SimulateFigures> move(const files::InputFile& file, const OutputPaths& paths) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
     auto figures = follow_words(file, *outputs);
@@ -54,22 +54,22 @@ class Simulation {
       if (!report) return base::failure(report.error());
       if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
     }
-    if (interrupted()) return base::failure(interruption());
+    if (files::interrupted()) return base::failure(files::interruption());
     auto files = outputs->publish();
     if (!files) return base::failure(files.error());
     figures->files = std::move(*files);
     return figures;
   }
 
-  base::Result<SimulateFigures> follow_words(const InputFile& file, Outputs& outputs) {
+  base::Result<SimulateFigures> follow_words(const files::InputFile& file, Outputs& outputs) {
     Progress progress{.work = "moving", .total = file.size()};
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
     program.watch([&] { return file.unchanged(); });
-    program.stop_when(interrupted);
+    program.stop_when(files::interrupted);
     gcode::Reader reader = silent_reader(file, job_);
-    const LoopKind kind = job_.arguments.simulate.pulses ? LoopKind::pulses : LoopKind::words;
-    auto slides = Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
+    const drive::LoopKind kind = job_.arguments.simulate.pulses ? drive::LoopKind::pulses : drive::LoopKind::words;
+    auto slides = drive::Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
     if (!slides) return base::failure(slides.error());
     auto adaptive = AdaptiveRun::create(file, job_, program);
     if (!adaptive) return base::failure(adaptive.error());
@@ -81,7 +81,7 @@ class Simulation {
       if (!followed) return base::failure(followed.error());
       if (*followed) (*adaptive)->follow(**followed, slides->measured_feed(), program);
       if (base::count(word.tick) % words_between_looks != 0) continue;
-      if (interrupted()) return base::failure(interruption());
+      if (files::interrupted()) return base::failure(files::interruption());
       progress.words = base::count(word.tick);
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
       console_.progress(progress);
@@ -90,7 +90,7 @@ class Simulation {
     if (const auto warning = program.warning()) log_.add(*warning);
     if (auto done = come_to_rest(word, *slides, outputs); !done) return base::failure(done.error());
     record(slides->finish_contour(), *slides, outputs);
-    SimulateFigures figures = slides->conclude();
+    SimulateFigures figures{slides->conclude()};
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     figures.summary = program.summary();
     figures.tolerance = std::max(figures.summary.tolerance_mm, job_.machine.tolerance);
@@ -104,7 +104,7 @@ class Simulation {
     return figures;
   }
 
-  base::Result<std::optional<servo::Followed>> follow(const base::Word& word, Slides& slides, Outputs& outputs) {
+  base::Result<std::optional<servo::Followed>> follow(const base::Word& word, drive::Slides& slides, Outputs& outputs) {
     auto followed = slides.follow(word);
     if (!followed) return followed;
     if (!*followed) return followed;
@@ -114,7 +114,7 @@ class Simulation {
     return followed;
   }
 
-  static void record(const std::vector<servo::Contour>& contours, const Slides& slides, Outputs& outputs) {
+  static void record(const std::vector<servo::Contour>& contours, const drive::Slides& slides, Outputs& outputs) {
     if (outputs.followed() == nullptr) return;
     for (const servo::Contour& contour : contours) {
       outputs.followed()->observe({contour.actual, contour.nearest, contour.distance}, slides.contour_stride());
@@ -149,14 +149,15 @@ class Simulation {
   }
 
   /// Repeats the last word until the slides stand.
-  base::Result<void> come_to_rest(base::Word word, Slides& slides, Outputs& outputs) {
+  base::Result<void> come_to_rest(base::Word word, drive::Slides& slides, Outputs& outputs) {
     word.speed = word.feed = 0;
     word.state = base::MotionState::rest;
     slides.end_words();
     while (!slides.has_ended()) {
       word.tick = base::next(word.tick);
       if (auto done = follow(word, slides, outputs); !done) return base::failure(done.error());
-      if (base::count(word.tick) % words_between_looks == 0 && interrupted()) return base::failure(interruption());
+      if (base::count(word.tick) % words_between_looks == 0 && files::interrupted())
+        return base::failure(files::interruption());
     }
     return {};
   }

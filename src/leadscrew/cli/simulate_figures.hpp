@@ -2,24 +2,14 @@
 // What a simulation found: what its summary and JSON show.
 
 #include <algorithm>
-#include <cstdint>
+#include <leadscrew/drive/slide_figures.hpp>
 #include <leadscrew/pipeline/program.hpp>
-#include <leadscrew/referee/referee.hpp>
 #include <leadscrew/servo/adaptive_cut.hpp>
-#include <leadscrew/servo/tracking.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace leadscrew::cli {
-
-/// Distance of the slides from the path of the words, mm.
-struct ContourFigures {
-  double greatest = 0;
-  double rms = 0;
-  double at = 0;  ///< of the greatest, seconds
-};
 
 /// Of --adaptive.
 struct AdaptiveFigures {
@@ -31,24 +21,9 @@ struct AdaptiveFigures {
   double safe_time = 0;  ///< s, that the words take at the programmed feed times `safe` throughout
 };
 
-/// Of a pulse-driven loop, at the end.
-struct PulseCounts {
-  std::int64_t commanded = 0;  ///< steps up less steps down
-  std::int64_t encoder = 0;    ///< pulses one way less those the other
-  std::int64_t lost = 0;       ///< for which the up-down counter had no room
-};
-
-using TrackedAxes = std::vector<std::pair<base::Axis, servo::AxisTracking>>;
-
-struct SimulateFigures {
+struct SimulateFigures : drive::SlideFigures {
   pipeline::Summary summary;
-  referee::Verdict verdict;  ///< on where the slides were; only its deviations count
-  double tolerance = 0;      ///< mm, that slides are held to
-  ContourFigures contour;
-  servo::FeedTracking feed;
-  TrackedAxes axes;
-  std::vector<std::pair<base::Axis, PulseCounts>> pulses;  ///< of --pulses
-  std::optional<double> settling;  ///< s from the last word until every slide stays within a BLU; none: they do not
+  double tolerance = 0;  ///< mm, that slides are held to
   std::optional<AdaptiveFigures> adaptive;
   std::vector<std::string> files{};  ///< written
 

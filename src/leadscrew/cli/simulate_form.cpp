@@ -60,7 +60,7 @@ std::string time_text(const SimulateFigures& figures) {
   return fmt::format("{:.4f} s; {}", figures.summary.time_s, rest);
 }
 
-std::string pulse_row(base::Axis axis, const PulseCounts& counts) {
+std::string pulse_row(base::Axis axis, const drive::PulseCounts& counts) {
   return row("pulses", fmt::format("{}: {} commanded, {} of the encoder, {} lost", base::letter(axis), counts.commanded,
                                    counts.encoder, counts.lost));
 }
@@ -78,7 +78,7 @@ std::string verdict_text(const SimulateFigures& figures, const Style& style) {
 
 }  // namespace
 
-Json json_of_axes(const TrackedAxes& axes) {
+Json json_of_axes(const drive::TrackedAxes& axes) {
   Json list = Json::array();
   for (const auto& [axis, tracking] : axes) {
     const std::string unit = base::is_rotary(axis) ? "deg" : "mm";
@@ -90,7 +90,7 @@ Json json_of_axes(const TrackedAxes& axes) {
   return list;
 }
 
-std::string axis_rows(const TrackedAxes& axes, const Style& style) {
+std::string axis_rows(const drive::TrackedAxes& axes, const Style& style) {
   std::string text = style(Tone::faint, "  axis   lags at most        rms    overshoots") + "\n";
   for (const auto& [axis, tracking] : axes) {
     const char* unit = base::is_rotary(axis) ? "deg" : "mm";

@@ -10,8 +10,8 @@ namespace leadscrew::cli {
 inline constexpr std::string_view simulate_schema = "leadscrew.simulate/1";
 
 /// How the slides of each axis followed.
-Json json_of_axes(const TrackedAxes& axes);
-std::string axis_rows(const TrackedAxes& axes, const Style& style);
+Json json_of_axes(const drive::TrackedAxes& axes);
+std::string axis_rows(const drive::TrackedAxes& axes, const Style& style);
 
 Json json_of_simulation(const std::string& program, const Job& job, const SimulateFigures& figures,
                         const DiagnosticLog& log);

@@ -5,7 +5,7 @@
 #include <leadscrew/cli/machine_keys.hpp>
 #include <leadscrew/cli/step_hints.hpp>
 #include <leadscrew/machine/step_times.hpp>
-#include <leadscrew/stepping/step_timing.hpp>
+#include <leadscrew/steps/step_timing.hpp>
 #include <string>
 #include <vector>
 
@@ -22,7 +22,7 @@ std::string time_text(std::size_t k, base::Axis axis, const Job& job) {
 }
 
 /// By their place in machine::all_step_times.
-std::vector<std::size_t> limiting_times(const stepping::StepTicks& ticks) {
+std::vector<std::size_t> limiting_times(const steps::StepTicks& ticks) {
   constexpr std::size_t length = 0, space = 1, setup = 2, hold = 3;
   const std::int64_t turn = ticks.length + ticks.hold + ticks.setup;
   std::vector<std::size_t> times = {length};
@@ -35,16 +35,16 @@ std::vector<std::size_t> limiting_times(const stepping::StepTicks& ticks) {
 std::string hint_of_step_times(const Job& job) {
   constexpr std::int64_t fastest_clock = 10'000'000;
   const std::int64_t clock_hz = job.arguments.run.step_clock;
-  const stepping::LongestReversal slowest = stepping::longest_reversal(job.machine, clock_hz);
+  const steps::LongestReversal slowest = steps::longest_reversal(job.machine, clock_hz);
   const machine::StepTimes& times = job.machine.limits(slowest.axis).step_times;
   std::string hint = "program a lower feed";
   std::vector<std::string> named;
-  for (const std::size_t k : limiting_times(stepping::in_ticks(times, clock_hz))) {
+  for (const std::size_t k : limiting_times(steps::in_ticks(times, clock_hz))) {
     const std::int64_t nanoseconds = times.*machine::all_step_times[k].value;
     if (nanoseconds * clock_hz > 1'000'000'000) named.push_back(time_text(k, slowest.axis, job));
   }
   if (!named.empty()) hint += fmt::format(", or shorten what sets it: {}", fmt::join(named, ", "));
-  const auto finer = static_cast<double>(stepping::in_ticks(times, fastest_clock).reversal()) / fastest_clock;
+  const auto finer = static_cast<double>(steps::in_ticks(times, fastest_clock).reversal()) / fastest_clock;
   if (1.5 * finer < static_cast<double>(slowest.ticks) / static_cast<double>(clock_hz))
     hint += ", or give a faster --step-clock, up to 10MHz";
   return hint;

@@ -5,7 +5,7 @@
 
 namespace leadscrew::cli {
 
-/// The diagnostic, one of stepping::check_pulses(), with the options that would help; of `pulse-step-length` with those
+/// The diagnostic, one of nc::check_pulses(), with the options that would help; of `pulse-step-length` with those
 /// of the axis' times that set the limit.
 base::Diagnostic in_options(base::Diagnostic problem, const Job& job);
 

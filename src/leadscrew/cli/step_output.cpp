@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/step_hints.hpp>
 #include <leadscrew/cli/step_output.hpp>
-#include <leadscrew/stepping/pulse_program.hpp>
+#include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/nc/pulse_program.hpp>
 #include <string_view>
 
 namespace leadscrew::cli {
@@ -40,24 +40,24 @@ void check_screws(const Job& job, DiagnosticLog& log) {
   std::vector<char> letters;
   for (const base::Axis axis : axes_with_errors(job.machine)) letters.push_back(base::letter(axis));
   if (letters.empty()) return;
-  log.add(base::problem(
-      "pulse-compensation",
-      fmt::format("--pulse-method {} cannot make good the errors of screws that machine {} gives for {}",
-                  stepping::name(*job.arguments.run.pulse_method), job.machine.name, fmt::join(letters, ", ")),
-      "leave --pulse-method out, for steps that follow the words; or give a machine without pitch "
-      "errors and backlash"));
+  log.add(
+      base::problem("pulse-compensation",
+                    fmt::format("--pulse-method {} cannot make good the errors of screws that machine {} gives for {}",
+                                nc::name(*job.arguments.run.pulse_method), job.machine.name, fmt::join(letters, ", ")),
+                    "leave --pulse-method out, for steps that follow the words; or give a machine without pitch "
+                    "errors and backlash"));
 }
 
 /// Along whole programs both kinds of DDA have capacities for an even feed, whatever `pulse` takes for hardware.
-std::string_view dda_conventions(stepping::PulseMethod method) {
-  if (method == stepping::PulseMethod::dda) return "capacity R or L, registers clocked together, half full";
-  if (method == stepping::PulseMethod::koren) return "capacity R or L, x before y, half full";
+std::string_view dda_conventions(nc::PulseMethod method) {
+  if (method == nc::PulseMethod::dda) return "capacity R or L, registers clocked together, half full";
+  if (method == nc::PulseMethod::koren) return "capacity R or L, x before y, half full";
   return {};
 }
 
 /// As it is asked to move, so that its screws' errors are made good.
 base::Result<machine::Machine> compensated_machine(const Job& job) {
-  const auto compensation = stepping::Compensation::create(job.machine);
+  const auto compensation = steps::Compensation::create(job.machine);
   if (!compensation) return base::failure(compensation.error());
   return compensation->stretched(job.machine);
 }
@@ -65,71 +65,71 @@ base::Result<machine::Machine> compensated_machine(const Job& job) {
 void check_signals(const Job& job, DiagnosticLog& log) {
   const auto machine = compensated_machine(job);
   if (!machine) return log.add(machine.error());
-  for (const base::Diagnostic& problem : stepping::validate(job.arguments.run.step_clock, *machine)) log.add(problem);
+  for (const base::Diagnostic& problem : steps::validate(job.arguments.run.step_clock, *machine)) log.add(problem);
 }
 
 }  // namespace
 
-stepping::PulseOptions pulse_options(const Job& job) {
+nc::PulseOptions pulse_options(const Job& job) {
   const RunArguments& run = job.arguments.run;
-  stepping::PulseOptions options;
+  nc::PulseOptions options;
   if (run.pulse_method) options.method = *run.pulse_method;
   options.clock_pps = run.step_clock;
   // Of any two steps, for an axis may turn back between them.
-  const stepping::LongestReversal slowest = stepping::longest_reversal(job.machine, run.step_clock);
+  const steps::LongestReversal slowest = steps::longest_reversal(job.machine, run.step_clock);
   options.step_clocks = slowest.ticks;
   options.slowest_steps = slowest.axis;
   options.interpolation.places = 16;
-  if (run.accelerate) options.shape = stepping::Shape::accelerate;
+  if (run.accelerate) options.shape = nc::Shape::accelerate;
   return options;
 }
 
-void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log) {
+void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& log) {
   if (!job.arguments.run.pulses) return;
   if (!job.arguments.run.pulse_method) return check_signals(job, log);
   check_screws(job, log);
   if (has_enough(log)) return;
   // What else the reader has to say has been said.
-  stepping::check_pulses(
+  nc::check_pulses(
       file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
       [&](const base::Diagnostic& problem) {
         if (is_of_pulses(problem) || problem.code == enough_problems) log.add(in_options(problem, job));
       },
-      [] { return !interrupted(); });
-  if (interrupted()) log.add(interruption());
+      [] { return !files::interrupted(); });
+  if (files::interrupted()) log.add(files::interruption());
 }
 
 base::Result<std::unique_ptr<StepOutput>> StepOutput::open(const std::string& path, const Job& job) {
   const std::int64_t clock_hz = job.arguments.run.step_clock;
-  std::optional<stepping::Compensation> compensation;
-  std::optional<stepping::StepGenerator> generator;
+  std::optional<steps::Compensation> compensation;
+  std::optional<steps::StepGenerator> generator;
   if (!job.arguments.run.pulse_method) {
-    auto compensating = stepping::Compensation::create(job.machine);
+    auto compensating = steps::Compensation::create(job.machine);
     if (!compensating) return base::failure(compensating.error());
-    auto generating = stepping::StepGenerator::create(compensating->stretched(job.machine), clock_hz);
+    auto generating = steps::StepGenerator::create(compensating->stretched(job.machine), clock_hz);
     if (!generating) return base::failure(generating.error());
     compensation.emplace(std::move(*compensating));
     generator.emplace(std::move(*generating));
   }
-  auto file = OutputFile::create(path, OutputFile::Access::sequential);
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   std::unique_ptr<StepOutput> output(new StepOutput(std::move(*file), job));
   output->compensation_ = std::move(compensation);
   output->generator_ = std::move(generator);
-  if (extension(path) == ".csv") {
-    output->writer_.emplace<trace::StepCsvWriter>(output->file_.sink(), clock_hz);
+  if (files::extension(path) == ".csv") {
+    output->writer_.emplace<waves::StepCsvWriter>(output->file_.sink(), clock_hz);
   } else {
-    output->writer_.emplace<trace::StepVcdWriter>(output->file_.sink(), job.machine, clock_hz);
+    output->writer_.emplace<waves::StepVcdWriter>(output->file_.sink(), job.machine, clock_hz);
   }
   return output;
 }
 
-void StepOutput::put(std::span<const stepping::StepEvent> events) {
+void StepOutput::put(std::span<const steps::StepEvent> events) {
   steps_ += static_cast<std::int64_t>(events.size());
   last_tick_ = events.back().tick();
   if (!state_) return;
-  if (auto* csv = std::get_if<trace::StepCsvWriter>(&writer_)) state_ = csv->write(events);
-  if (auto* vcd = std::get_if<trace::StepVcdWriter>(&writer_)) state_ = vcd->write(events);
+  if (auto* csv = std::get_if<waves::StepCsvWriter>(&writer_)) state_ = csv->write(events);
+  if (auto* vcd = std::get_if<waves::StepVcdWriter>(&writer_)) state_ = vcd->write(events);
 }
 
 base::Result<void> StepOutput::write(const base::Word& word) {
@@ -146,34 +146,34 @@ void StepOutput::follow(const base::Word& word) {
 base::Result<void> StepOutput::follow_to_the_end() {
   for (std::int64_t count = 1; state_ && last_word_ && !compensation_->settled(); ++count) {
     follow(*last_word_);
-    if (count % words_between_looks == 0 && interrupted()) return base::failure(interruption());
+    if (count % words_between_looks == 0 && files::interrupted()) return base::failure(files::interruption());
   }
   generator_->finish([this](auto events) { put(events); });
   if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
   return {};
 }
 
-base::Result<void> StepOutput::finish(const InputFile& program) {
+base::Result<void> StepOutput::finish(const files::InputFile& program) {
   if (generator_) {
     if (auto followed = follow_to_the_end(); !followed) return followed;
   } else if (auto written = write_program(program); !written) {
     return written;
   }
   if (!state_) return state_;
-  if (auto* csv = std::get_if<trace::StepCsvWriter>(&writer_)) return csv->finish();
-  return std::get<trace::StepVcdWriter>(writer_).finish();
+  if (auto* csv = std::get_if<waves::StepCsvWriter>(&writer_)) return csv->finish();
+  return std::get<waves::StepVcdWriter>(writer_).finish();
 }
 
-base::Result<void> StepOutput::write_program(const InputFile& program) {
+base::Result<void> StepOutput::write_program(const files::InputFile& program) {
   std::optional<base::Diagnostic> problem;
-  stepping::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program.name()),
-                                pulse_options(*job_), [&](const base::Diagnostic& found) {
-                                  if (is_of_pulses(found) && !problem) problem = found;
-                                });
-  std::array<stepping::StepEvent, steps_between_looks> room;
+  nc::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program.name()),
+                          pulse_options(*job_), [&](const base::Diagnostic& found) {
+                            if (is_of_pulses(found) && !problem) problem = found;
+                          });
+  std::array<steps::StepEvent, steps_between_looks> room;
   for (auto steps = pulses.next(room); state_ && !steps.empty(); steps = pulses.next(room)) {
     put(steps);
-    if (interrupted()) return base::failure(interruption());
+    if (files::interrupted()) return base::failure(files::interruption());
   }
   if (pulses.source_failure()) return base::failure(*pulses.source_failure());
   if (problem) return base::failure(*problem);
@@ -183,7 +183,7 @@ base::Result<void> StepOutput::write_program(const InputFile& program) {
 StepFigures StepOutput::figures() const {
   const Arguments& arguments = job_->arguments;
   StepFigures figures;
-  figures.method = arguments.run.pulse_method ? std::string(stepping::name(*arguments.run.pulse_method)) : "words";
+  figures.method = arguments.run.pulse_method ? std::string(nc::name(*arguments.run.pulse_method)) : "words";
   if (arguments.run.pulse_method) figures.conventions = dda_conventions(*arguments.run.pulse_method);
   figures.clock_hz = arguments.run.step_clock;
   figures.steps = steps_;

@@ -5,13 +5,13 @@
 
 #include <cstdint>
 #include <leadscrew/base/word.hpp>
-#include <leadscrew/cli/input_file.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/output_file.hpp>
-#include <leadscrew/stepping/compensation.hpp>
-#include <leadscrew/stepping/pulse_options.hpp>
-#include <leadscrew/stepping/step_generator.hpp>
-#include <leadscrew/trace/step_dump.hpp>
+#include <leadscrew/files/input_file.hpp>
+#include <leadscrew/files/output_file.hpp>
+#include <leadscrew/nc/pulse_options.hpp>
+#include <leadscrew/steps/compensation.hpp>
+#include <leadscrew/steps/step_generator.hpp>
+#include <leadscrew/waves/step_dump.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,14 +39,14 @@ struct StepFigures {
 };
 
 /// Of the interpolator that the command line names.
-stepping::PulseOptions pulse_options(const Job& job);
+nc::PulseOptions pulse_options(const Job& job);
 
 /// What the steps that were asked for cannot be goes to the log. Those that follow words: everything that
-/// stepping::validate() says. Those of an interpolator: it reads and plans the program, and says what lattice, clock or
+/// steps::validate() says. Those of an interpolator: it reads and plans the program, and says what lattice, clock or
 /// machine cannot give, and `pulse-compensation` where its screws have errors: they can be made good between words and
 /// steps alone, and interpolators of blocks know no words. The reader's own errors must be in the log; blocks without
 /// any are planned all the same.
-void check_steps(const InputFile& file, const Job& job, DiagnosticLog& log);
+void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& log);
 
 class StepOutput {
  public:
@@ -56,26 +56,26 @@ class StepOutput {
   /// Words of successive periods, from where the program begins.
   base::Result<void> write(const base::Word& word);
   /// The words have ended: writes what is left, or all steps of the interpolator's.
-  base::Result<void> finish(const InputFile& program);
+  base::Result<void> finish(const files::InputFile& program);
 
-  OutputFile& file() { return file_; }
+  files::OutputFile& file() { return file_; }
   StepFigures figures() const;
 
  private:
-  using Writer = std::variant<std::monostate, trace::StepCsvWriter, trace::StepVcdWriter>;
+  using Writer = std::variant<std::monostate, waves::StepCsvWriter, waves::StepVcdWriter>;
 
-  StepOutput(OutputFile file, const Job& job) : file_(std::move(file)), job_(&job) {}
-  void put(std::span<const stepping::StepEvent> events);
+  StepOutput(files::OutputFile file, const Job& job) : file_(std::move(file)), job_(&job) {}
+  void put(std::span<const steps::StepEvent> events);
   void follow(const base::Word& word);
   base::Result<void> follow_to_the_end();
-  base::Result<void> write_program(const InputFile& program);
+  base::Result<void> write_program(const files::InputFile& program);
 
-  OutputFile file_;
+  files::OutputFile file_;
   const Job* job_;
   Writer writer_;
   // Where steps follow words:
-  std::optional<stepping::Compensation> compensation_;
-  std::optional<stepping::StepGenerator> generator_;
+  std::optional<steps::Compensation> compensation_;
+  std::optional<steps::StepGenerator> generator_;
   std::optional<base::Word> last_word_;
   std::int64_t steps_ = 0, last_tick_ = 0;
   base::Result<void> state_;

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <leadscrew/cli/diagnostic_log.hpp>
-#include <leadscrew/cli/interrupt.hpp>
 #include <leadscrew/cli/json_form.hpp>
-#include <leadscrew/cli/output_file.hpp>
 #include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
+#include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <leadscrew/study/studies.hpp>
 
 namespace leadscrew::cli {
@@ -187,10 +187,10 @@ std::string list_json() {
 }
 
 base::Result<void> draw(const study::Study& study, const std::string& path) {
-  auto file = OutputFile::create(path, OutputFile::Access::sequential);
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   const std::string title = "leadscrew study " + std::string(study.name) + ": feed at the tachometers";
-  if (auto written = trace::write_charts(title, "mm/s", study.charts(), file->sink()); !written) return written;
+  if (auto written = report::write_charts(title, "mm/s", study.charts(), file->sink()); !written) return written;
   if (auto closed = file->close(); !closed) return closed;
   return file->publish();
 }
@@ -224,7 +224,7 @@ Status study(const Arguments& arguments, Console& console) {
   const auto chosen =
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study; });
   if (chosen == known.end()) return Status::usage;
-  end_when_interrupted();
+  files::end_when_interrupted();
   const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
   if (arguments.study_picture) {
     if (auto drawn = draw(*chosen, *arguments.study_picture); !drawn) {

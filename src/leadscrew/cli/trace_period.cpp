@@ -11,14 +11,14 @@ namespace {
 constexpr double evenness = 0.02;
 constexpr double shortest = 1e-6, longest = 1.0;  // seconds; a log of another controller may be slower than a servo
 
-tl::unexpected<base::Diagnostic> problem(std::string_view code, const InputFile& file, std::string message,
+tl::unexpected<base::Diagnostic> problem(std::string_view code, const files::InputFile& file, std::string message,
                                          std::string hint) {
   return base::failure({base::Severity::error, code, std::move(message), std::move(hint), {.file = file.name()}, {}});
 }
 
 }  // namespace
 
-base::Result<base::Period> trace_period(const InputFile& file, base::AxisSet axes, base::Period otherwise) {
+base::Result<base::Period> trace_period(const files::InputFile& file, base::AxisSet axes, base::Period otherwise) {
   auto reader = trace::TraceReader::open(file.source(), file.name(), axes);
   if (!reader) return base::failure(reader.error());
   double first = 0, before = 0, spacing = 0;

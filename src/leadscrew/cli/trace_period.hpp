@@ -4,13 +4,13 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/time.hpp>
-#include <leadscrew/cli/input_file.hpp>
+#include <leadscrew/files/input_file.hpp>
 
 namespace leadscrew::cli {
 
 /// Rows must be evenly spaced, to 2 % of the first spacing, which leaves room for times of few digits; the period is
 /// their mean spacing, to the nanosecond. A trace of one row has the period `otherwise`. Errors: `trace-period` with
 /// the first row that is out of step, `trace-empty`, and those of trace::TraceReader.
-base::Result<base::Period> trace_period(const InputFile& file, base::AxisSet axes, base::Period otherwise);
+base::Result<base::Period> trace_period(const files::InputFile& file, base::AxisSet axes, base::Period otherwise);
 
 }  // namespace leadscrew::cli

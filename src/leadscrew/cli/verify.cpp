@@ -21,9 +21,9 @@ class Verification {
 
   /// Nothing where the log says why.
   std::optional<VerifyFigures> execute(const std::string& trace, const std::string& program) {
-    const auto trace_file = InputFile::open(trace);
+    const auto trace_file = files::InputFile::open(trace, "trace-changed");
     if (!trace_file) log_.add(trace_file.error());
-    const auto program_file = InputFile::open(program);
+    const auto program_file = open_program(program);
     if (!program_file) log_.add(program_file.error());
     if (log_.errors() > 0) return std::nullopt;
     read_program(*program_file, job_, console_, log_);
@@ -36,20 +36,20 @@ class Verification {
   }
 
  private:
-  base::Result<VerifyFigures> judge(const InputFile& trace, const InputFile& program) {
+  base::Result<VerifyFigures> judge(const files::InputFile& trace, const files::InputFile& program) {
     const auto period = job_.arguments.period ? base::Result<base::Period>(*job_.arguments.period)
                                               : trace_period(trace, machine_.axis_set(), machine_.period);
     if (!period) return base::failure(period.error());
     machine_.period = *period;
     auto verdict = verdict_on(trace, program);
     if (!verdict) return base::failure(verdict.error());
-    for (const InputFile* file : {&trace, &program}) {
+    for (const files::InputFile* file : {&trace, &program}) {
       if (auto same = file->unchanged(); !same) return base::failure(same.error());
     }
     return VerifyFigures{trace.name(), *period, std::move(*verdict)};
   }
 
-  base::Result<referee::Verdict> verdict_on(const InputFile& trace, const InputFile& program) {
+  base::Result<referee::Verdict> verdict_on(const files::InputFile& trace, const files::InputFile& program) {
     Progress progress{.work = "judging", .total = trace.size()};
     auto rows = trace::TraceReader::open(trace.source(&progress.bytes), trace.name(), machine_.axis_set());
     if (!rows) return base::failure(rows.error());

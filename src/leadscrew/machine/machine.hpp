@@ -36,9 +36,8 @@ struct Machine {
   double tolerance = 0.01;                                       ///< mm; of G64 without P; ≥ 0
   double chord_error = 0.001;                                    ///< mm; > 0
   std::array<std::optional<AxisLimits>, base::axis_count> axes;  ///< an axis the machine lacks is empty
-  std::array<ScrewErrors, base::axis_count>
-      screws;                                      ///< no motion knows of them; stepping::Compensation makes them good
-  std::array<AxisDrive, base::axis_count> drives;  ///< for simulation
+  std::array<ScrewErrors, base::axis_count> screws;  ///< no motion knows of them; steps::Compensation makes them good
+  std::array<AxisDrive, base::axis_count> drives;    ///< for simulation
 
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
   base::AxisSet axis_set() const {

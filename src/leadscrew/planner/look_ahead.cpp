@@ -25,6 +25,7 @@ constexpr double few_share = 0.6;           // of the intervals that a window ma
 constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 constexpr std::size_t most_pieces = 900;
 constexpr std::size_t most_patience = 16;  // segments
+constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity does not count yet
 
 // Gentler limits: acceleration is reached no sooner than in this time, and the greatest speed by it no sooner either.
 // Where limits of jerk and acceleration are far greater than speeds are, knots lie so close that a window of them is
@@ -41,12 +42,10 @@ void LookAhead::append(const toolpath::Piece& piece) {
   const double length = geometry::length(piece.curve);
   for (const double s : {0.0, length / 2}) {
     const geometry::PointJet jet = geometry::jets(piece.curve, s);
-    const TangentLimits limits = tangent_limits(jet, machine_);
-    double speed = piece.greatest_speed(jet);
-    for (const base::Axis axis : base::all_axes) {
-      const double rate = std::abs(jet[base::index(axis)].first);
-      if (rate > 1e-3) speed = std::min(speed, machine_.limits(axis).velocity / rate);
-      if (rate > 1e-12) moving_.set(base::index(axis));
+    const machine::Derivatives limits = tangent_limits(jet, constraints_);
+    const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(jet)}, hardly_moves);
+    for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
+      if (std::abs(jet[axis].first) > 1e-12) moving_.set(axis);
     }
     fastest_ = std::max(fastest_, speed);
     slowest_stop_ = std::max(slowest_stop_, stop_time(speed, limits));
@@ -270,13 +269,14 @@ bool LookAhead::be_gentler() {
   const double speed = fastest_ * std::pow(slower, -gentleness_);
   ++gentleness_;
   least_balance_ = std::min(effort_.balance(), 0.0) - between_lowerings;
-  gentle_ = machine_;
-  for (std::optional<machine::AxisLimits>& axis : gentle_->axes) {
+  machine::Machine gentle = machine_;
+  for (std::optional<machine::AxisLimits>& axis : gentle.axes) {
     if (!axis) continue;
     axis->velocity = std::min(axis->velocity, speed);
     axis->acceleration = std::min(axis->acceleration, axis->velocity / gentle_time);
     axis->jerk = std::min(axis->jerk, axis->acceleration / gentle_time);
   }
+  gentle_.emplace(gentle);
   return true;
 }
 

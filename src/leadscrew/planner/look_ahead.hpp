@@ -15,6 +15,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/planner/effort.hpp>
 #include <leadscrew/planner/motion.hpp>
@@ -30,7 +31,7 @@ namespace leadscrew::planner {
 class LookAhead {
  public:
   /// The machine must outlive this.
-  explicit LookAhead(const machine::Machine& machine) : machine_(machine) {}
+  explicit LookAhead(const machine::Machine& machine) : machine_(machine), constraints_(machine) {}
 
   /// What planning takes, and who may stop it: then no chunk comes any more.
   Effort& effort() { return effort_; }
@@ -86,7 +87,7 @@ class LookAhead {
   void plan_in_motion();
   bool is_overdrawn() const;
   bool be_gentler();
-  const machine::Machine& limits() const { return gentle_ ? *gentle_ : machine_; }
+  const constraints::Constraints& limits() const { return gentle_ ? *gentle_ : constraints_; }
   bool may_change() const;
   void take_change();
   void go_on_from(Continuation continuation);
@@ -97,9 +98,11 @@ class LookAhead {
   Chunk hand_out();
 
   const machine::Machine& machine_;
-  std::optional<machine::Machine> gentle_;  ///< whose limits are kept in its place, where planning took too much effort
-  int gentleness_ = 0;                      ///< how many times limits have been lowered on this section
-  double least_balance_ = 0;                ///< of the effort: below it they are lowered
+  constraints::Constraints constraints_;
+  /// Kept in its place, where planning took too much effort.
+  std::optional<constraints::Constraints> gentle_;
+  int gentleness_ = 0;        ///< how many times limits have been lowered on this section
+  double least_balance_ = 0;  ///< of the effort: below it they are lowered
   Effort effort_;
   Section section_;
   bool closed_ = false;

@@ -7,6 +7,8 @@ namespace leadscrew::planner {
 
 namespace {
 
+using constraints::RowPairs;
+
 constexpr double next_to_nothing = 0.01;  // of a limit, by the curve alone at the greatest speed
 constexpr std::size_t most_borders = 7;   // between polynomials, that an interval has sites for
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -36,10 +38,6 @@ std::array<double, 3> rest_tie(double s1, double h0, double h1) {
   return {1, g1, g1 + (h0 + h1) / 3 * (bend * h0 / 2 + slope)};
 }
 
-bool moves(const numeric::Jet& q) {
-  return q.first != 0 || q.second != 0 || q.third != 0;
-}
-
 constexpr std::size_t blend = 16;  // coefficients over which a cruise is reached and left
 
 /// From 0 to 1 with two derivatives 0 at both ends; 0 below and 1 above.
@@ -50,20 +48,21 @@ double smooth_share(double u) {
 
 }  // namespace
 
-SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, double feed_factor)
-    : machine_(&machine), knots_(std::move(knots)) {
-  build(section, {}, feed_factor);
+SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraints& constraints, Knots knots,
+                           double feed_factor)
+    : knots_(std::move(knots)) {
+  build(section, constraints, {}, feed_factor);
   tie_variables();
   creep();
 }
 
-SpeedProfile::SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, Continuation before,
-                           double feed_factor)
-    : machine_(&machine), knots_(std::move(knots)) {
+SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraints& constraints, Knots knots,
+                           Continuation before, double feed_factor)
+    : knots_(std::move(knots)) {
   for (std::size_t k = 0; k < knots_.s.size() && knots_.s[k] < before.s.back(); ++k) {
     if (knots_.s[k] != before.s[k]) before.insert(knots_.s[k]);
   }
-  build(section, before, feed_factor);
+  build(section, constraints, before, feed_factor);
   tie_variables();
   c_ = creep_;
   for (double& c : c_) c *= before.share;
@@ -125,7 +124,8 @@ bool SpeedProfile::grant(double margin) {
   return raised;
 }
 
-void SpeedProfile::build(const Section& section, const Continuation& before, double feed_factor) {
+void SpeedProfile::build(const Section& section, const constraints::Constraints& constraints,
+                         const Continuation& before, double feed_factor) {
   const std::vector<double>& s = knots_.s;
   const std::size_t n = intervals();
   basis_.reserve(n);
@@ -141,9 +141,14 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   std::size_t sites = 2 * n + static_cast<std::size_t>(std::count(knots_.breaks.begin(), knots_.breaks.end(), true));
   sites += sites / 4;
   sites_.reserve(sites);
-  const geometry::PointJet half_way = section.jets(s[n / 2], Side::right), last = section.jets(s[n], Side::left);
+  const auto rows_at = [&](const geometry::PointJet& jet) { return constraints.row_pairs({jet, infinity}); };
+  RowPairs left_rows = rows_at(left);
+  const RowPairs half_way = rows_at(section.jets(s[n / 2], Side::right)),
+                 last = rows_at(section.jets(s[n], Side::left));
   std::size_t moving = 0;
-  for (std::size_t i = 0; i < left.size(); ++i) moving += moves(left[i]) || moves(half_way[i]) || moves(last[i]);
+  for (std::size_t i = 0; i < RowPairs::size; ++i) {
+    moving += left_rows.pairs[i].bounds() || half_way.pairs[i].bounds() || last.pairs[i].bounds();
+  }
   rows_.reserve(sites * moving);
   // Where rows had to be tightened they would have to be again, when there may be less room for it.
   const std::size_t known = std::min({before.loose, before.tightened.size(), n});
@@ -161,51 +166,52 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   middle_caps_.assign(n, infinity);
   const auto cap = [&](double at, Side side, const geometry::PointJet& jet) {
     const double feed = feed_factor * section.greatest_speed(at, side, jet),
-                 square = greatest_square(jet, feed, *machine_);
+                 square = constraints.greatest_square({jet, feed});
     const bool by_feed = square == squared(feed);
     return (turns(jet) && !by_feed ? turning_margin : feed_margin) * square;
   };
   knot_caps_[0] = cap(s[0], Side::right, left);
-  add_site(0, 0, left);
+  add_site(0, 0, left_rows);
   for (std::size_t k = 0; k < n; ++k) {
     const double half = (s[k] + s[k + 1]) / 2;
     const geometry::PointJet middle = section.jets(half, Side::left), right = section.jets(s[k + 1], Side::left);
     middle_caps_[k] = cap(half, Side::left, middle);
     knot_caps_[k + 1] = cap(s[k + 1], Side::left, right);
-    if (k > 0 && knots_.breaks[k]) add_site(k, 0, left);
-    add_hull(k, {&left, &middle, &right});
+    const RowPairs middle_rows = rows_at(middle), right_rows = rows_at(right);
+    if (k > 0 && knots_.breaks[k]) add_site(k, 0, left_rows);
+    add_hull(k, {&left_rows, &middle_rows, &right_rows});
     const double fastest = std::sqrt(std::max({middle_caps_[k], knot_caps_[k], knot_caps_[k + 1]}));
-    const auto is_above_ends = [&](const geometry::PointJet& here) {
-      for (const base::Axis axis : base::all_axes) {
-        const std::size_t i = base::index(axis);
-        const auto above = [](double m, double x, double y, double counts) {
-          return std::abs(m) > std::max(1.001 * std::max(std::abs(x), std::abs(y)), counts);
-        };
-        if (here[i].second == 0 && here[i].third == 0) continue;
-        const machine::AxisLimits& limits = machine_->limits(axis);
-        if (above(here[i].second, left[i].second, right[i].second,
-                  next_to_nothing * limits.acceleration / squared(fastest)) ||
-            above(here[i].third, left[i].third, right[i].third,
-                  next_to_nothing * limits.jerk / (squared(fastest) * fastest))) {
+    const auto is_above_ends = [&](const RowPairs& here) {
+      const auto above = [](double m, double x, double y, double counts) {
+        return std::abs(m) > std::max(1.001 * std::max(std::abs(x), std::abs(y)), counts);
+      };
+      for (std::size_t i = 0; i < RowPairs::size; ++i) {
+        const auto& [a, j] = here.pairs[i];
+        const auto& [left_a, left_j] = left_rows.pairs[i];
+        const auto& [right_a, right_j] = right_rows.pairs[i];
+        if (above(a.by_x, left_a.by_x, right_a.by_x, next_to_nothing * a.limit / squared(fastest)) ||
+            above(j.by_x, left_j.by_x, right_j.by_x, next_to_nothing * j.limit / (squared(fastest) * fastest))) {
           return true;
         }
       }
       return false;
     };
     // Where the curve is made of several polynomials, peaks may lie anywhere.
-    const bool peak = is_above_ends(middle);
+    const bool peak = is_above_ends(middle_rows);
     const std::size_t borders = std::min(section.borders(s[k], s[k + 1]), most_borders);
     const std::size_t inside = borders > 0 || peak ? std::max<std::size_t>(3, 2 * borders + 1) : 0;
     for (std::size_t i = 1; i <= inside; ++i) {
       const double u = static_cast<double>(i) / static_cast<double>(inside + 1);
-      const geometry::PointJet here =
-          2 * i == inside + 1 ? middle : section.jets(s[k] + u * (s[k + 1] - s[k]), Side::left);
+      const RowPairs here =
+          2 * i == inside + 1 ? middle_rows : rows_at(section.jets(s[k] + u * (s[k + 1] - s[k]), Side::left));
       if ((peak && inside == 3) || is_above_ends(here)) add_site(k, u, here);
     }
-    add_site(k, 1, right);
+    add_site(k, 1, right_rows);
     left = right;
+    left_rows = right_rows;
     if (knots_.breaks[k + 1]) {
       left = section.jets(s[k + 1], Side::right);
+      left_rows = rows_at(left);
       knot_caps_[k + 1] = std::min(knot_caps_[k + 1], cap(s[k + 1], Side::right, left));
     }
   }
@@ -229,26 +235,25 @@ void SpeedProfile::build(const Section& section, const Continuation& before, dou
   find_creep();
 }
 
-void SpeedProfile::add_site(std::size_t interval, double u, const geometry::PointJet& jet) {
+void SpeedProfile::add_site(std::size_t interval, double u, const RowPairs& at) {
   const CubicBasis& basis = basis_[interval];
   const Four x = basis.value(u), slope = basis.slope(u), bend = basis.bend(u);
   Site site{static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, false, 1, x};
-  for (const base::Axis axis : base::all_axes) {
-    const numeric::Jet& q = jet[base::index(axis)];
-    if (!moves(q)) continue;
-    const machine::AxisLimits& limits = machine_->limits(axis);
-    const double a = 1 / (limit_margin * limits.acceleration), j = 1 / (limit_margin * limits.jerk);
+  for (const RowPairs::Pair& pair : at.pairs) {
+    if (!pair.bounds()) continue;
+    const auto& [acceleration, jerk] = pair;
+    const double a = 1 / (limit_margin * acceleration.limit), j = 1 / (limit_margin * jerk.limit);
     Row& row = rows_.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) {
-      row.acceleration[k] = a * (q.second * x[k] + q.first * slope[k] / 2);
-      row.jerk[k] = j * (q.third * x[k] + 1.5 * q.second * slope[k] + q.first * bend[k] / 2);
+      row.acceleration[k] = a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
+      row.jerk[k] = j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
     }
   }
   site.end_row = static_cast<std::uint32_t>(rows_.size());
   sites_.push_back(site);
 }
 
-void SpeedProfile::add_hull(std::size_t interval, const std::array<const geometry::PointJet*, 3>& jets) {
+void SpeedProfile::add_hull(std::size_t interval, const std::array<const RowPairs*, 3>& at) {
   const CubicBasis& basis = basis_[interval];
   const auto neighbour = [&](std::size_t k) { return std::abs(basis_[k].h / basis.h - 1); };
   double uneven = 0;
@@ -261,19 +266,17 @@ void SpeedProfile::add_hull(std::size_t interval, const std::array<const geometr
   const std::array<double, 3> places = {0, 0.5, 1}, parts = {-0.5, 2, -0.5};
   Site site{
       static_cast<std::uint32_t>(interval), static_cast<std::uint32_t>(rows_.size()), 0, true, 1, basis.value(0.5)};
-  for (const base::Axis axis : base::all_axes) {
-    const std::size_t i = base::index(axis);
-    const auto moves_axis = [&](const geometry::PointJet* jet) { return moves((*jet)[i]); };
-    if (std::none_of(jets.begin(), jets.end(), moves_axis)) continue;
-    const machine::AxisLimits& limits = machine_->limits(axis);
-    const double a = 1 / (limit_margin * limits.acceleration), j = jerk_factor / (limit_margin * limits.jerk);
+  for (std::size_t i = 0; i < RowPairs::size; ++i) {
+    const auto bounds = [&](const RowPairs* rows) { return rows->pairs[i].bounds(); };
+    if (std::none_of(at.begin(), at.end(), bounds)) continue;
     Row& row = rows_.emplace_back();
     for (std::size_t p = 0; p < 3; ++p) {
-      const numeric::Jet& q = (*jets[p])[i];
+      const auto& [acceleration, jerk] = at[p]->pairs[i];
+      const double a = 1 / (limit_margin * acceleration.limit), j = jerk_factor / (limit_margin * jerk.limit);
       const Four x = basis.value(places[p]), slope = basis.slope(places[p]), bend = basis.bend(places[p]);
       for (std::size_t k = 0; k < 4; ++k) {
-        row.acceleration[k] += parts[p] * a * (q.second * x[k] + q.first * slope[k] / 2);
-        row.jerk[k] += parts[p] * j * (q.third * x[k] + 1.5 * q.second * slope[k] + q.first * bend[k] / 2);
+        row.acceleration[k] += parts[p] * a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
+        row.jerk[k] += parts[p] * j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
       }
     }
   }

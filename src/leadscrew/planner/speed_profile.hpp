@@ -23,7 +23,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/numeric/banded.hpp>
 #include <leadscrew/planner/cubic_basis.hpp>
 #include <leadscrew/planner/knots.hpp>
@@ -59,12 +59,12 @@ struct Ratios {
 
 class SpeedProfile {
  public:
-  /// Creep along the section, from rest. The machine must outlive this.
-  /// Programmed feed is multiplied by `feed_factor`.
-  SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, double feed_factor = 1);
+  /// Creep along the section, from rest. Programmed feed is multiplied by `feed_factor`.
+  SpeedProfile(const Section& section, const constraints::Constraints& constraints, Knots knots,
+               double feed_factor = 1);
   /// Goes on in motion: first interval where the continuation begins, whose knots must be among these. Where that is
   /// faster than the greatest speed (the feed has been overridden since), its own speed is granted and is_too_fast().
-  SpeedProfile(const Section& section, const machine::Machine& machine, Knots knots, Continuation before,
+  SpeedProfile(const Section& section, const constraints::Constraints& constraints, Knots knots, Continuation before,
                double feed_factor = 1);
   bool is_too_fast() const { return too_fast_; }
 
@@ -140,14 +140,15 @@ class SpeedProfile {
     double objective = 0;  ///< T, and what is above the wanted speed
   };
 
-  void build(const Section& section, const Continuation& before, double feed_factor);
+  void build(const Section& section, const constraints::Constraints& constraints, const Continuation& before,
+             double feed_factor);
   bool grant(double margin);
   void loosen();
   void find_creep();
   void tie_variables();
   void read_variables();
-  void add_site(std::size_t interval, double u, const geometry::PointJet& jet);
-  void add_hull(std::size_t interval, const std::array<const geometry::PointJet*, 3>& jets);
+  void add_site(std::size_t interval, double u, const constraints::RowPairs& at);
+  void add_hull(std::size_t interval, const std::array<const constraints::RowPairs*, 3>& at);
   Step measure(const std::vector<double>& c, double t) const;
   void assemble(double t);
   bool newton(double t, Step& at, double& decrement);
@@ -156,7 +157,6 @@ class SpeedProfile {
   std::size_t constraints() const { return 2 * (rows_.size() + caps_.size() + intervals()) + 1; }
   bool is_free(std::size_t coefficient) const { return variable_[coefficient] >= 0; }
 
-  const machine::Machine* machine_;
   Knots knots_;
   std::vector<CubicBasis> basis_;
   std::vector<Four> gauss_;  ///< three places an interval

@@ -12,7 +12,7 @@
 //
 // Ends: the first word at the program's start, the last at its end.
 //
-// Feed: the way from word to word against the programmed feed (feed_check.hpp).
+// Feed: the travel from word to word against the programmed feed (feed_check.hpp).
 //
 //     words    ●──●──●──●         ●──●     the word at ▲ is too far from the path: "deviation"
 //                        ╲  ●  ╱
@@ -21,7 +21,7 @@
 //                        └─────┘
 //
 // A trace is a set of samples: what happened between two words and left no sign in them cannot be judged. At 1 ms and
-// 1 m/s² that is an eighth of a micrometre.
+// 1 m/s² that is an eighth of a micrometre (sampling_allowance.hpp).
 
 #include <cstdint>
 #include <functional>

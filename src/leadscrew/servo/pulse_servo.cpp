@@ -25,7 +25,7 @@ PulseLoopOptions options_of(const machine::AxisDrive& drive) {
 }  // namespace
 
 base::Result<PulseServo> PulseServo::create(const machine::Machine& machine) {
-  auto generator = stepping::StepGenerator::create(machine, step_clock);
+  auto generator = steps::StepGenerator::create(machine, step_clock);
   if (!generator) return base::failure(std::move(generator.error()));
   PulseServo made(std::move(*generator), machine.period.seconds());
   for (const base::Axis axis : base::all_axes) {
@@ -43,7 +43,7 @@ base::Result<PulseServo> PulseServo::create(const machine::Machine& machine) {
 std::optional<Followed> PulseServo::follow(const base::Word& word) {
   if (!before_) origin_ = word.position;
   // The steps of the period that ends with the word before.
-  generator_.follow(word, [this](std::span<const stepping::StepEvent> events) { take(events); });
+  generator_.follow(word, [this](std::span<const steps::StepEvent> events) { take(events); });
   const std::optional<base::Word> due = std::exchange(before_, word);
   if (!due) return std::nullopt;
   Followed followed{*due, due->position, {}};
@@ -57,8 +57,8 @@ std::optional<Followed> PulseServo::follow(const base::Word& word) {
   return followed;
 }
 
-void PulseServo::take(std::span<const stepping::StepEvent> events) {
-  for (const stepping::StepEvent& event : events) {
+void PulseServo::take(std::span<const steps::StepEvent> events) {
+  for (const steps::StepEvent& event : events) {
     auto& axis = axes_[base::index(event.axis())];
     if (!axis) continue;
     run_until(*axis, static_cast<double>(event.tick()) / static_cast<double>(step_clock));

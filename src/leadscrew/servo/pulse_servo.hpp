@@ -14,7 +14,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/servo/pulse_loop.hpp>
 #include <leadscrew/servo/servo.hpp>
-#include <leadscrew/stepping/step_generator.hpp>
+#include <leadscrew/steps/step_generator.hpp>
 #include <optional>
 #include <span>
 
@@ -25,7 +25,7 @@ class PulseServo {
   static constexpr std::int64_t step_clock = 1'000'000;  ///< Hz
 
   /// For each axis the machine has, at its period. Codes: `servo-pulse-loop`, and those of
-  /// stepping::validate().
+  /// steps::validate().
   static base::Result<PulseServo> create(const machine::Machine& machine);
 
   /// Words of successive periods; positions and velocities at the word before. Empty for the first word; after the
@@ -47,11 +47,11 @@ class PulseServo {
     double time = 0;  // s, since the first word, that the loop has run
   };
 
-  PulseServo(stepping::StepGenerator generator, double period) : generator_(std::move(generator)), period_(period) {}
-  void take(std::span<const stepping::StepEvent> events);
+  PulseServo(steps::StepGenerator generator, double period) : generator_(std::move(generator)), period_(period) {}
+  void take(std::span<const steps::StepEvent> events);
   static void run_until(OfAxis& axis, double time);
 
-  stepping::StepGenerator generator_;
+  steps::StepGenerator generator_;
   double period_;
   std::array<std::optional<OfAxis>, base::axis_count> axes_;
   double longest_lag_ = 0;

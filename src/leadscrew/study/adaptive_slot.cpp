@@ -2,11 +2,11 @@
 #include <functional>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/nc/nc_program.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
 #include <leadscrew/servo/pulse_loop.hpp>
 #include <leadscrew/servo/tracking.hpp>
-#include <leadscrew/stepping/nc_program.hpp>
 #include <leadscrew/study/adaptive_slot.hpp>
 #include <optional>
 #include <string>
@@ -80,7 +80,7 @@ class SteppedSlot {
     return Moved{loop_->velocity() * blu, loop_->position() * blu};
   }
   void override_feed(double factor) {
-    program_.override_feed(static_cast<int>(std::lround(factor * stepping::full_override)));
+    program_.override_feed(static_cast<int>(std::lround(factor * nc::full_override)));
   }
 
  private:
@@ -89,16 +89,16 @@ class SteppedSlot {
   static constexpr int interrupts = 5;       // a period
 
   static std::int64_t steps_of(double length) { return std::lround(length / blu); }
-  static stepping::Block slot(std::int64_t steps) {
-    stepping::Block block;
+  static nc::Block slot(std::int64_t steps) {
+    nc::Block block;
     block.way[0] = block.commands = block.capacity = steps;
     block.feed_word = word;
     block.greatest_word = 2 * word;
     return block;
   }
 
-  std::optional<stepping::Block> block_;
-  stepping::NcProgram program_;
+  std::optional<nc::Block> block_;
+  nc::NcProgram program_;
   base::Result<servo::PulseLoop> loop_;
 };
 

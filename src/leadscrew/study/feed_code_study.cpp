@@ -1,7 +1,7 @@
+#include <leadscrew/design/inverse_time.hpp>
+#include <leadscrew/nc/nc_program.hpp>
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/linear.hpp>
-#include <leadscrew/stepping/inverse_time.hpp>
-#include <leadscrew/stepping/nc_program.hpp>
 #include <leadscrew/study/studies.hpp>
 #include <optional>
 #include <utility>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double blu_inch = 0.0001;
 /// Ways of up to 12 in by four-digit words; up to 30 in/min, told to 0.01 in/min.
-constexpr stepping::InverseTimeRange range{12, blu_inch, 30, 0.01, 4};
+constexpr design::InverseTimeRange range{12, blu_inch, 30, 0.01, 4};
 constexpr Scale pps = {"pps", 0};
 constexpr Scale plain = {"", 0};
 
@@ -31,9 +31,9 @@ double clocks_to_end(pulse::FeedDda feed, State state) {
 /// 2 in at 10 in/min.
 Rows inverse_time_rows() {
   constexpr double feed_in_min = 10, way_in = 2;
-  const stepping::InverseTimeDesign design = stepping::design_inverse_time(range);
+  const design::InverseTimeDesign design = design::design_inverse_time(range);
   const double feed_pps = feed_in_min / 60 / blu_inch, way = way_in / blu_inch;
-  const double by_inches = stepping::inverse_time_word(range, way_in, feed_in_min, false).word;
+  const double by_inches = design::inverse_time_word(range, way_in, feed_in_min, false).word;
   const double by_pulses = 600 * feed_pps / way;
   const auto steps = static_cast<std::int64_t>(way);
   const pulse::FeedDda feed(design.feed_capacity, static_cast<std::int64_t>(by_pulses + 0.5));
@@ -59,7 +59,7 @@ std::int64_t commands(std::int64_t word, std::int64_t clocks) {
 }
 
 Rows direct_rows() {
-  const stepping::InverseTimeDesign design = stepping::design_inverse_time(range);
+  const design::InverseTimeDesign design = design::design_inverse_time(range);
   const double clock = design.software_clock_pps, capacity = static_cast<double>(design.software_feed_capacity);
   constexpr std::int64_t second = 5000, minute = 60 * second;
   const auto a_second = static_cast<double>(commands(1234, minute)) / 60;
@@ -67,8 +67,7 @@ Rows direct_rows() {
       "q = L, eqs. 19 to 21",
       {exact_row("clock", pps, 5000, clock), exact_row("from interrupt to interrupt", {"µs", 0}, 200, 1e6 / clock),
        exact_row("q0", plain, 3000, capacity),
-       because(exact_row("f of 30 in/min, eq. 21", plain, 3000, stepping::software_word(range, 30, true).word),
-               "100 V0"),
+       because(exact_row("f of 30 in/min, eq. 21", plain, 3000, design::software_word(range, 30, true).word), "100 V0"),
        because(exact_row("commands an interrupt at f = 3000", plain, 1,
                          static_cast<double>(commands(3000, second)) / second),
                "clocked for a second"),
@@ -77,15 +76,15 @@ Rows direct_rows() {
 }
 
 /// Around a circle of 1 in at 30 in/min: a command, and the interpolator with it, at every interrupt.
-stepping::NcProgram travelled_circle() {
+nc::NcProgram travelled_circle() {
   constexpr std::int64_t radius = 10'000;
-  stepping::Block circle;
-  circle.kind = stepping::Block::Kind::arc;
+  nc::Block circle;
+  circle.kind = nc::Block::Kind::arc;
   circle.arc = {{radius, 0}, {radius, 0}, pulse::Direction::counterclockwise};
-  circle.feed_word = circle.greatest_word = stepping::NcProgram::feed_word(30);
-  stepping::ArcTape tape;
-  stepping::count_commands(circle, stepping::PulseMethod::koren, {}, tape);
-  stepping::NcProgram program({}, [circle, is_given = false]() mutable {
+  circle.feed_word = circle.greatest_word = nc::NcProgram::feed_word(30);
+  nc::ArcTape tape;
+  nc::count_commands(circle, nc::PulseMethod::koren, {}, tape);
+  nc::NcProgram program({}, [circle, is_given = false]() mutable {
     return std::exchange(is_given, true) ? std::nullopt : std::optional(circle);
   });
   while (!program.done()) program.interrupt();
@@ -95,7 +94,7 @@ stepping::NcProgram travelled_circle() {
 /// 170 µs of 200, at 2 µs an instruction: 85 of them, beside the operations that the NC program counts.
 Rows load_rows() {
   constexpr double interrupt = 200, instruction = 2, published = 170;  // µs
-  const stepping::NcProgram program = travelled_circle();
+  const nc::NcProgram program = travelled_circle();
   const auto operations = static_cast<double>(program.operations().worst);
   const auto initiator = static_cast<double>(program.initiations().worst);
   return under(

@@ -1,6 +1,6 @@
 #include <array>
 #include <cmath>
-#include <leadscrew/stepping/dda_design.hpp>
+#include <leadscrew/design/dda_design.hpp>
 #include <leadscrew/study/studies.hpp>
 
 // "Interpolators linear", lecture 12: its three worked problems.
@@ -27,17 +27,17 @@ Rows encoder_rows() {
 }
 
 /// As the lecture calculates it: f S/2ᵐ with S = 10 V/L, V 300 000 BLU/min and L = √(10000² + 5000²), rounded.
-double rounded_feed_pps(const stepping::DdaDesign& design) {
+double rounded_feed_pps(const design::DdaDesign& design) {
   const double clock = std::floor(design.clock_pps), length = std::round(std::hypot(10000, 5000));
   return clock * (10 * 300000 / length) / std::ldexp(1.0, design.feed_bits);
 }
 
 /// 600 × 600 mm, 12 m/min along 50 mm or more, steps of 10 µm; (20, 10) to (120, 60) at 3 m/min.
 Rows dda_rows() {
-  constexpr stepping::DdaRange table{600, 0.01, 12000, 50};
-  const stepping::DdaDesign design = stepping::design_dda(table);
-  const stepping::DdaLine ideal = stepping::along_line(design, table, {100, 50}, 3000, false);
-  const stepping::DdaLine real = stepping::along_line(design, table, {100, 50}, 3000, true);
+  constexpr design::DdaRange table{600, 0.01, 12000, 50};
+  const design::DdaDesign design = design::design_dda(table);
+  const design::DdaLine ideal = design::along_line(design, table, {100, 50}, 3000, false);
+  const design::DdaLine real = design::along_line(design, table, {100, 50}, 3000, true);
   const double to_mm_min = table.blu_mm * 60;
   Rows rows = {
       exact_row("bits of the axis DDAs", whole, 16, design.axis_bits),
@@ -69,7 +69,7 @@ Rows dda_rows() {
 
 /// A clock of 1024 pulses a second; first overflow after 2, 4 and 8 s.
 Rows timer_rows() {
-  const stepping::DdaTimer timer = stepping::design_timer(1024, {2, 4, 8});
+  const design::DdaTimer timer = design::design_timer(1024, {2, 4, 8});
   Rows rows = {because(exact_row("greatest number in the register", whole, 8191, std::ldexp(1.0, timer.bits) - 1),
                        "2¹³ − 1; with 12 bits 8 s are out of reach")};
   constexpr std::array<const char*, 3> delays = {"delay 1", "delay 2", "delay 3"};

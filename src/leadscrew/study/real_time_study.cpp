@@ -220,8 +220,8 @@ Rows real_time_rows(const Host&) {
   return rows;
 }
 
-std::vector<trace::Chart> real_time_charts() {
-  std::vector<trace::Chart> charts;
+std::vector<report::Chart> real_time_charts() {
+  std::vector<report::Chart> charts;
   const std::vector<Place> curve = words_of_curve(), stops = words_of_lines(lines_of_cubic());
   for (const Plant& plant : plants) {
     for (const Gains& set : sets) {

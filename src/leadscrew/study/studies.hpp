@@ -1,9 +1,9 @@
 #pragma once
 // The published experiments, each a function that makes it again and returns a row for every figure.
 
+#include <leadscrew/report/charts.hpp>
 #include <leadscrew/study/host.hpp>
 #include <leadscrew/study/row.hpp>
-#include <leadscrew/trace/charts.hpp>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,7 +14,7 @@ struct Study {
   std::string_view name;   ///< as the command line takes it
   std::string_view title;  ///< one line
   Rows (*rows)(const Host&);
-  std::vector<trace::Chart> (*charts)() = nullptr;  ///< mm/s over time, where there are any
+  std::vector<report::Chart> (*charts)() = nullptr;  ///< mm/s over time, where there are any
 };
 
 /// All there are, in the order in which they are listed.
@@ -54,7 +54,7 @@ Rows closed_loop_rows(const Host& host);
 /// Lin and Koren's plane cubic as one block and as 92 lines with a stop at each, through their servo loops.
 Rows real_time_rows(const Host& host);
 /// The measured feed of each.
-std::vector<trace::Chart> real_time_charts();
+std::vector<report::Chart> real_time_charts();
 
 /// A slot of changing depth under adaptive control, from 50 to 200 % of the programmed feed: force held and time saved
 /// by the planner's feed override and by that of the NC program; what becomes of the feed when the sensor fails.

@@ -1,17 +1,17 @@
 // Words as comma-separated rows.
 
-#include <leadscrew/trace/digits.hpp>
+#include <leadscrew/base/digits.hpp>
 #include <leadscrew/trace/words.hpp>
 
 namespace leadscrew::trace {
 namespace {
 
 constexpr std::size_t block_bytes = 64 * 1024;
-constexpr std::size_t longest_row = (4 + 2 * base::axis_count) * (digits_room + 1);
+constexpr std::size_t longest_row = (4 + 2 * base::axis_count) * (base::digits_room + 1);
 
 }  // namespace
 
-CsvWriter::CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
+CsvWriter::CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
     : sink_(std::move(sink)), axes_(axes), period_(period), kind_(kind) {
   rows_.reserve(block_bytes + longest_row);
   rows_ = "t,line,s,feed";
@@ -31,22 +31,22 @@ CsvWriter::CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period, Tra
 base::Result<void> CsvWriter::write(const base::Word& word, const base::AxisVector& actual) {
   if (!state_) return state_;
   char row[longest_row];
-  char* at = write_digits(row, base::seconds(word.tick, period_));
+  char* at = base::write_digits(row, base::seconds(word.tick, period_));
   *at++ = ',';
-  at = write_integer(at, base::number(word.line));
+  at = base::write_integer(at, base::number(word.line));
   *at++ = ',';
-  at = write_digits(at, word.path_length);
+  at = base::write_digits(at, word.path_length);
   *at++ = ',';
-  at = write_digits(at, word.feed);
+  at = base::write_digits(at, word.feed);
   for (const base::Axis axis : base::all_axes) {
     if (!axes_.contains(axis)) continue;
     *at++ = ',';
-    at = write_digits(at, word.position[base::index(axis)]);
+    at = base::write_digits(at, word.position[base::index(axis)]);
   }
   for (const base::Axis axis : base::all_axes) {
     if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
     *at++ = ',';
-    at = write_digits(at, actual[base::index(axis)]);
+    at = base::write_digits(at, actual[base::index(axis)]);
   }
   *at++ = '\n';
   rows_.append(row, static_cast<std::size_t>(at - row));

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <leadscrew/base/result.hpp>
-#include <leadscrew/trace/sink.hpp>
+#include <leadscrew/base/sink.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -15,7 +15,7 @@ class Input {
   /// Also the length of the longest line.
   static constexpr std::size_t capacity = 64 * 1024;
 
-  explicit Input(ByteSource source) : source_(std::move(source)), buffer_(capacity) {}
+  explicit Input(base::ByteSource source) : source_(std::move(source)), buffer_(capacity) {}
 
   /// The next `wanted` ≤ capacity bytes, or what is left of them before the end. Valid until the next call that reads.
   base::Result<std::string_view> peek(std::size_t wanted);
@@ -32,7 +32,7 @@ class Input {
   base::Result<bool> fill();
   std::string_view unread() const { return {buffer_.data() + begin_, end_ - begin_}; }
 
-  ByteSource source_;
+  base::ByteSource source_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;

@@ -32,7 +32,7 @@ int columns(base::AxisSet axes, TraceKind kind) {
 
 }  // namespace
 
-NpyWriter::NpyWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
+NpyWriter::NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
     : sink_(std::move(sink)), axes_(axes), period_(period), kind_(kind) {
   rows_.reserve(block_bytes + 8 * (4 + 2 * base::axis_count));
   rows_ = header();

@@ -25,7 +25,7 @@ class TraceReader::Implementation {
   std::variant<CsvRows, NpyRows> rows_;
 };
 
-base::Result<TraceReader> TraceReader::open(ByteSource source, std::string_view file, base::AxisSet axes) {
+base::Result<TraceReader> TraceReader::open(base::ByteSource source, std::string_view file, base::AxisSet axes) {
   Input input(std::move(source));
   const auto start = input.peek(NpyRows::magic.size());
   if (!start) return base::failure(start.error());

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/result.hpp>
+#include <leadscrew/base/sink.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/base/word.hpp>
-#include <leadscrew/trace/sink.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,14 +31,14 @@ enum class TraceKind : std::uint8_t {
 /// failed, every later call fails with the same diagnostic.
 class CsvWriter {
  public:
-  CsvWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
+  CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
   /// actual: of TraceKind::followed, mm or degrees.
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
   /// Writes what is still gathered.
   base::Result<void> finish();
 
  private:
-  ByteSink sink_;
+  base::ByteSink sink_;
   base::AxisSet axes_;
   base::Period period_;
   TraceKind kind_;
@@ -51,7 +51,7 @@ class CsvWriter {
 /// every later call fails with the same diagnostic.
 class NpyWriter {
  public:
-  NpyWriter(ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
+  NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
   /// actual: of TraceKind::followed, mm or degrees.
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
   base::Result<void> finish();
@@ -59,7 +59,7 @@ class NpyWriter {
   std::string header() const;
 
  private:
-  ByteSink sink_;
+  base::ByteSink sink_;
   base::AxisSet axes_;
   base::Period period_;
   TraceKind kind_;
@@ -83,7 +83,7 @@ struct Row {
 class TraceReader {
  public:
   /// Reads the header. `axes`: those of the machine, for NPY without names.
-  static base::Result<TraceReader> open(ByteSource source, std::string_view file, base::AxisSet axes);
+  static base::Result<TraceReader> open(base::ByteSource source, std::string_view file, base::AxisSet axes);
 
   /// The next row; nullopt at the end.
   base::Result<std::optional<Row>> next();

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/drive/checks.hpp>
+#include <leadscrew/drive/link.hpp>
+#include <leadscrew/servo/machine_loops.hpp>
+#include <leadscrew/servo/stability.hpp>
+
+namespace leadscrew::drive {
+
+namespace {
+
+constexpr std::int64_t least_period = 50'000;  // ns: below, two processes cannot wake each other up in time
+
+/// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, ways to rest go on to the end
+/// of a window of the planner's, some such stops long: what is longer still ends motion when it comes
+/// (`stop-too-long`).
+base::Result<void> check_stops(const Setup& setup) {
+  constexpr double on_curves = 4;
+  double brake = 0, release = 0;
+  for (const auto& limits : setup.machine.axes) {
+    if (!limits) continue;
+    brake = std::max(brake, limits->velocity / limits->acceleration);
+    release = std::max(release, limits->acceleration / limits->jerk);
+  }
+  const double periods = (on_curves * (brake + release) + 2 * slice_duration) / setup.machine.period.seconds();
+  if (periods <= Link::longest_way) return {};
+  return base::failure(base::problem(
+      "stop-too-long",
+      fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, Link::longest_way),
+      fmt::format("a --period of {:.0f}us or more",
+                  std::ceil(setup.machine.period.seconds() * 1e6 * periods / static_cast<double>(Link::longest_way)))));
+}
+
+base::Result<void> check_period(const Setup& setup) {
+  if (setup.machine.period.nanoseconds >= least_period) return {};
+  return base::failure(base::problem("period-too-short",
+                                     fmt::format("a period of {:g}us is too short for words to be on time",
+                                                 static_cast<double>(setup.machine.period.nanoseconds) / 1e3),
+                                     "a --period of 50us or more; run and simulate take shorter ones"));
+}
+
+}  // namespace
+
+base::Result<void> check_machine(const Setup& setup) {
+  if (auto sound = check_period(setup); !sound) return sound;
+  if (auto sound = check_stops(setup); !sound) return sound;
+  if (setup.options.sink) return {};
+  return servo::check_stable(servo::loops_of(setup.machine), setup.machine.period);
+}
+
+}  // namespace leadscrew::drive

@@ -1,0 +1,37 @@
+#pragma once
+// What a drive is asked for: the machine, how its program is read, and the files that are written while it moves.
+
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/machine/tool_table.hpp>
+#include <optional>
+#include <string>
+
+namespace leadscrew::drive {
+
+/// Motion that is handed over at a time, s.
+inline constexpr double slice_duration = 0.02;
+
+struct Options {
+  std::optional<std::string> trace, axes;    ///< files of the simulated drives: words taken, where the axes went
+  std::optional<std::string> state, resume;  ///< files: kept while it moves, and where it goes on from
+  std::optional<std::string> sink;           ///< file or pipe that gets the words in the place of drives
+  double look_ahead = 0.3;                   ///< s planned ahead of the words, 0.01 … 60
+  double lead = 0.1;                         ///< s that words are made ahead of their time, 0 … 2
+};
+
+struct Setup {
+  machine::Machine machine;
+  machine::ToolTable tools;
+  gcode::ReaderOptions reading;  ///< but for the file's name; `start` is where the axes stand
+  std::string text;              ///< of the machine file and the tool table: a state names them by its hash
+  Options options;
+
+  gcode::ReaderOptions reader_options(const std::string& file) const {
+    gcode::ReaderOptions options_of_file = reading;
+    options_of_file.file = file;
+    return options_of_file;
+  }
+};
+
+}  // namespace leadscrew::drive

@@ -1,0 +1,40 @@
+#pragma once
+// What is measured of the slides of a simulated machine.
+
+#include <cstdint>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/referee/referee.hpp>
+#include <leadscrew/servo/tracking.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace leadscrew::drive {
+
+/// Distance of the slides from the path of the words, mm.
+struct ContourFigures {
+  double greatest = 0;
+  double rms = 0;
+  double at = 0;  ///< of the greatest, seconds
+};
+
+/// Of a pulse-driven loop, at the end.
+struct PulseCounts {
+  std::int64_t commanded = 0;  ///< steps up less steps down
+  std::int64_t encoder = 0;    ///< pulses one way less those the other
+  std::int64_t lost = 0;       ///< for which the up-down counter had no room
+};
+
+using TrackedAxes = std::vector<std::pair<base::Axis, servo::AxisTracking>>;
+
+/// Of words that slides have followed to their rest.
+struct SlideFigures {
+  referee::Verdict verdict;  ///< on where the slides were; only its deviations count
+  ContourFigures contour;
+  servo::FeedTracking feed;
+  TrackedAxes axes;
+  std::vector<std::pair<base::Axis, PulseCounts>> pulses;  ///< of pulse-driven loops
+  std::optional<double> settling;  ///< s from the last word until every slide stays within a BLU; none: they do not
+};
+
+}  // namespace leadscrew::drive

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/drive/slides.hpp>
+#include <leadscrew/referee/metric.hpp>
+#include <leadscrew/servo/machine_loops.hpp>
+#include <leadscrew/servo/stability.hpp>
+
+namespace leadscrew::drive {
+
+namespace {
+
+constexpr double quiet_time = 0.05, longest_time = 4;  // s after the last word
+
+base::AxisVector scale_of(const machine::Machine& machine) {
+  base::AxisVector scale{};
+  for (const base::Axis axis : base::all_axes) {
+    if (machine.has(axis)) scale[base::index(axis)] = base::is_rotary(axis) ? referee::millimetres_per_degree : 1;
+  }
+  return scale;
+}
+
+std::int64_t periods_in(double seconds, base::Period period) {
+  return std::max<std::int64_t>(1, std::llround(std::min(seconds, 60.0) / period.seconds()));
+}
+
+/// Six time constants behind: e⁻⁶ of a step is left.
+servo::ContourWindow window_of(double lag, base::Period period) {
+  const auto behind = static_cast<int>(std::max<std::int64_t>(16, periods_in(6 * lag, period)));
+  return {behind, std::max(8, behind / 3)};
+}
+
+}  // namespace
+
+base::Result<Slides> Slides::create(const machine::Machine& machine, LoopKind kind, referee::MoveSource moves) {
+  if (kind == LoopKind::pulses) {
+    auto servo = servo::PulseServo::create(machine);
+    if (!servo) return base::failure(std::move(servo.error()));
+    const double lag = servo->longest_lag();
+    return Slides(machine, std::move(moves), std::move(*servo), lag);
+  }
+  const servo::ServoOptions options = servo::loops_of(machine);
+  if (auto stable = servo::check_stable(options, machine.period); !stable) return base::failure(stable.error());
+  auto servo = servo::Servo::create(options, machine.period);
+  if (!servo) return base::failure(std::move(servo.error()));
+  return Slides(machine, std::move(moves), std::move(*servo), servo::longest_lag(options));
+}
+
+Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, Follower follower, double lag)
+    : machine_(&machine),
+      axes_(machine.axis_set()),
+      follower_(std::move(follower)),
+      tracking_(axes_),
+      matcher_(scale_of(machine), window_of(lag, machine.period)),
+      referee_(std::move(moves), machine, machine.period),
+      quiet_(periods_in(std::max(quiet_time, 2 * std::min(lag, 1.0)), machine.period)),
+      most_after_(std::min<std::int64_t>(periods_in(longest_time, machine.period), 200'000)) {}
+
+base::Result<std::optional<servo::Followed>> Slides::follow(const base::Word& word) {
+  auto followed = std::visit([&](auto& follower) { return follower.follow(word); }, follower_);
+  if (!followed) return followed;
+  if (auto stable = check_followed(*followed, *machine_); !stable) return base::failure(std::move(stable.error()));
+  tracking_.observe(*followed);
+  matcher_.observe(followed->word.position, followed->position);
+  referee_.observe(followed->position);
+  if (ending_) watch_rest(*followed);
+  return followed;
+}
+
+base::Result<void> check_followed(const servo::Followed& followed, const machine::Machine& machine) {
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    const machine::AxisLimits& limits = machine.limits(axis);
+    const double error = followed.word.position[base::index(axis)] - followed.position[base::index(axis)];
+    if (std::fabs(error) <= limits.travel_max - limits.travel_min) continue;
+    base::Diagnostic problem;
+    problem.code = "servo-unstable";
+    problem.message =
+        fmt::format("axis {}: the slide is off by {:.3g} {} at t = {:.3f} s", base::letter(axis), error,
+                    base::is_rotary(axis) ? "degrees" : "mm", base::seconds(followed.word.tick, machine.period));
+    problem.hint = "its loop is not stable; lower the gains, or shorten the period";
+    return base::failure(std::move(problem));
+  }
+  return {};
+}
+
+void Slides::watch_rest(const servo::Followed& followed) {
+  ++since_end_;
+  after_end_.push_back(followed.position);
+  if (since_end_ < quiet_) return;
+  const base::AxisVector& before = after_end_[static_cast<std::size_t>(since_end_ - quiet_)];
+  rests_ = true;
+  for (const base::Axis axis : base::all_axes) {
+    if (!axes_.contains(axis)) continue;
+    const std::size_t k = base::index(axis);
+    const double blu = machine_->limits(axis).blu;
+    const std::optional<double> counts = machine_->drives[k].encoder_counts;
+    // Between two counts of its encoder a slide may hunt for ever.
+    const double count = counts ? 1 / *counts : blu;
+    const bool hunts = std::all_of(after_end_.end() - quiet_, after_end_.end(), [&](const base::AxisVector& at) {
+      return std::fabs(at[k] - followed.position[k]) <= count;
+    });
+    rests_ = rests_ && hunts && std::fabs(followed.position[k] - before[k]) <= blu / 4;
+  }
+}
+
+std::vector<servo::Contour> Slides::take_contour() {
+  std::vector<servo::Contour> contours = matcher_.take();
+  for (const servo::Contour& contour : contours) {
+    const double error = contour.distance;
+    if (error > contour_.greatest) {
+      contour_.greatest = error;
+      contour_.at = static_cast<double>(contour_count_ * matcher_.stride()) * machine_->period.seconds();
+    }
+    contour_squares_ += error * error;
+    ++contour_count_;
+  }
+  return contours;
+}
+
+/// How long it takes after the last word until every slide stays within a BLU of where it comes to rest.
+std::optional<double> Slides::settling() const {
+  if (!rests_) return std::nullopt;
+  const base::AxisVector& rest = after_end_.back();
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < after_end_.size(); ++i) {
+    for (const base::Axis axis : base::all_axes) {
+      const std::size_t k = base::index(axis);
+      if (axes_.contains(axis) && std::fabs(after_end_[i][k] - rest[k]) > machine_->limits(axis).blu) last = i + 1;
+    }
+  }
+  return static_cast<double>(last) * machine_->period.seconds();
+}
+
+std::vector<std::pair<base::Axis, PulseCounts>> Slides::pulses() const {
+  std::vector<std::pair<base::Axis, PulseCounts>> counts;
+  const auto* servo = std::get_if<servo::PulseServo>(&follower_);
+  if (servo == nullptr) return counts;
+  for (const base::Axis axis : base::all_axes) {
+    if (const servo::PulseLoop* loop = servo->loop(axis))
+      counts.emplace_back(axis, PulseCounts{loop->commanded(), loop->encoder_count(), loop->lost()});
+  }
+  return counts;
+}
+
+SlideFigures Slides::conclude() {
+  SlideFigures figures;
+  figures.verdict = referee_.conclude();
+  contour_.rms = std::sqrt(contour_squares_ / static_cast<double>(std::max<std::int64_t>(1, contour_count_)));
+  figures.contour = contour_;
+  figures.feed = tracking_.feed();
+  for (const base::Axis axis : base::all_axes) {
+    if (axes_.contains(axis)) figures.axes.emplace_back(axis, tracking_.axis(axis));
+  }
+  figures.pulses = pulses();
+  figures.settling = settling();
+  return figures;
+}
+
+}  // namespace leadscrew::drive

@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <leadscrew/base/hash.hpp>
+#include <leadscrew/drive/state.hpp>
+#include <leadscrew/files/output_file.hpp>
+#include <nlohmann/json.hpp>
+
+namespace leadscrew::drive {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view state_schema = "leadscrew.state/3";
+constexpr std::array<std::string_view, 3> kinds = {"moving", "stopped", "ended"};
+
+std::string text_of(const base::Hash& hash) {
+  return fmt::format("{:016x}-{}", hash.value(), hash.count());
+}
+
+std::string text_of(const base::AxisVector& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format(" {:a}", value);
+  return text;
+}
+
+std::string machine_text(const Setup& setup) {
+  std::string text = fmt::format("{} {}\n{}\n", setup.machine.name, setup.machine.period.nanoseconds, setup.text);
+  const gcode::ReaderOptions& reading = setup.reading;
+  text += "start" + text_of(reading.start);
+  if (reading.path_mode) text += fmt::format(" mode {}", static_cast<int>(*reading.path_mode));
+  if (reading.tolerance) text += fmt::format(" tolerance {:a}", *reading.tolerance);
+  return text;
+}
+
+Json json_of(const base::AxisVector& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(value);
+  return list;
+}
+
+base::AxisVector axes_of(const Json& list) {
+  base::AxisVector values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = list.at(i).get<double>();
+  return values;
+}
+
+std::int64_t count_of(const Json& value) {
+  const auto count = value.get<std::int64_t>();
+  if (count < 0) throw std::runtime_error(fmt::format("{} counts nothing", count));
+  return count;
+}
+
+double length_of(const Json& value) {
+  const auto length = value.get<double>();
+  if (!(length >= 0)) throw std::runtime_error(fmt::format("{} mm is no length", length));
+  return length;
+}
+
+tl::unexpected<base::Diagnostic> refusal(std::string_view code, std::string message, std::string hint,
+                                         const std::string& path) {
+  return base::failure(
+      {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = path}, {}});
+}
+
+}  // namespace
+
+base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup) {
+  base::Hash text, machine;
+  std::vector<char> buffer(1 << 16);
+  auto source = program.source();
+  while (true) {
+    const auto got = source(buffer);
+    if (!got) return base::failure(got.error());
+    if (*got == 0) break;
+    text.add({buffer.data(), *got});
+  }
+  machine.add(machine_text(setup));
+  return Fingerprint{text_of(text), text_of(machine)};
+}
+
+base::Result<void> write_state(const std::string& path, const State& state) {
+  const Json json = {{"schema", state_schema},
+                     {"program", state.program},
+                     {"program_hash", state.fingerprint.program},
+                     {"machine", state.machine},
+                     {"machine_hash", state.fingerprint.machine},
+                     {"state", kinds[static_cast<std::size_t>(state.kind)]},
+                     {"word", base::count(state.word.tick)},
+                     {"line", base::number(state.word.line)},
+                     {"path_length", state.word.path_length},
+                     {"position", json_of(state.word.position)},
+                     {"axes", json_of(state.axes.position)},
+                     {"axes_path_length", state.axes.path_length}};
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  if (auto written = file->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); !written)
+    return written;
+  return file->publish_durably();
+}
+
+base::Result<State> read_state(const std::string& path) {
+  const auto text = files::read_whole(path);
+  if (!text) return base::failure(text.error());
+  try {
+    const Json json = Json::parse(*text);
+    if (json.at("schema").get<std::string>() != state_schema) throw std::runtime_error("another schema");
+    State state;
+    state.program = json.at("program").get<std::string>();
+    state.machine = json.at("machine").get<std::string>();
+    state.fingerprint = {json.at("program_hash").get<std::string>(), json.at("machine_hash").get<std::string>()};
+    const auto kind = std::find(kinds.begin(), kinds.end(), json.at("state").get<std::string>());
+    if (kind == kinds.end()) throw std::runtime_error("another state");
+    state.kind = static_cast<State::Kind>(kind - kinds.begin());
+    state.word.tick = base::Tick{count_of(json.at("word"))};
+    state.word.line = base::Line{count_of(json.at("line"))};
+    state.word.path_length = length_of(json.at("path_length"));
+    state.word.position = axes_of(json.at("position"));
+    state.axes = {axes_of(json.at("axes")), length_of(json.at("axes_path_length"))};
+    constexpr double rounded = 1e-6;
+    if (state.axes.path_length < state.word.path_length - rounded)
+      throw std::runtime_error("axes stand before the last word");
+    state.axes.path_length = std::max(state.axes.path_length, state.word.path_length);
+    return state;
+  } catch (const std::exception& error) {
+    return refusal("resume-state", fmt::format("is no state of a drive: {}", error.what()),
+                   "give the file that --state of an earlier drive wrote", path);
+  }
+}
+
+base::Result<void> check_replaceable(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) == 0) return {};
+  if (read_state(path)) return {};
+  return refusal("state-other", "holds something else than the state of a drive",
+                 "name another file, or remove this one", path);
+}
+
+}  // namespace leadscrew::drive

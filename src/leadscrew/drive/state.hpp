@@ -1,0 +1,36 @@
+#pragma once
+// Where a drive has come to, on disk: what it takes to go on after a stop, a kill or a power failure.
+
+#include <leadscrew/base/result.hpp>
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/drive/setup.hpp>
+#include <leadscrew/files/input_file.hpp>
+#include <string>
+
+namespace leadscrew::drive {
+
+/// What must be the same for a place on the path to mean the same.
+struct Fingerprint {
+  std::string program;  ///< of its bytes
+  std::string machine;  ///< of the machine, its tools, and how the program is read
+};
+/// Errors: those of reading the program.
+base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup);
+
+struct State {
+  enum class Kind { moving, stopped, ended };
+
+  std::string program, machine;  ///< names, for people
+  Fingerprint fingerprint;
+  Kind kind = Kind::stopped;
+  base::Word word;       ///< the last that the drives have taken
+  base::PathPlace axes;  ///< where they stand, or stood when this was written: there, or ahead of it
+};
+
+/// Durable before it is visible, and whole or not there at all. Errors: `io-open`, `io-write`.
+base::Result<void> write_state(const std::string& path, const State& state);
+/// Errors: `io-…` and `resume-state`.
+base::Result<State> read_state(const std::string& path);
+/// Is there no file yet, an empty one, one that is not regular, or an earlier state? Errors: `state-other`.
+base::Result<void> check_replaceable(const std::string& path);
+}  // namespace leadscrew::drive

@@ -1,0 +1,42 @@
+#pragma once
+// What all who take words in a process of their own have in common: the last word, the state on disk, and how it ends.
+
+#include <leadscrew/drive/link.hpp>
+#include <leadscrew/drive/setup.hpp>
+#include <leadscrew/drive/state.hpp>
+#include <leadscrew/drive/state_writer.hpp>
+#include <leadscrew/files/word_file.hpp>
+#include <optional>
+#include <span>
+
+namespace leadscrew::drive {
+
+class WordSide {
+ public:
+  /// Nothing moves: a file that was asked for cannot be opened, and that is what is told.
+  void give_up() { static_cast<void>(state_writer_.conclude(State::Kind::stopped)); }
+
+ protected:
+  WordSide(Link& link, const Setup& setup, const State& begin)
+      : link_(link), state_writer_(setup.options.state, begin), last_(begin.word) {}
+  ~WordSide() = default;
+  WordSide(const WordSide&) = delete;
+  WordSide& operator=(const WordSide&) = delete;
+
+  /// What the command wants; after a failure, no more words.
+  Link::Order order() const { return failed_ ? Link::Order::abandon : link_.order.load(std::memory_order_acquire); }
+  /// Nobody will send the next word.
+  bool is_orphan() const { return link_.is_orphan(); }
+  void took(const base::Result<void>& result) {
+    if (!result && !failed_) failed_ = result.error();
+  }
+  /// Files first: who sees the last state finds them. One that could not be written takes no other with it.
+  base::Result<void> conclude(std::span<files::WordFile* const> files);
+
+  Link& link_;
+  StateWriter state_writer_;
+  base::Word last_;  ///< taken
+  std::optional<base::Diagnostic> failed_;
+};
+
+}  // namespace leadscrew::drive

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <leadscrew/files/input_file.hpp>
+#include <leadscrew/files/interrupt.hpp>
+
+namespace leadscrew::files {
+
+namespace {
+
+constexpr std::size_t largest_small_file = 16 << 20;
+
+base::Diagnostic problem(std::string_view code, std::string message, const std::string& file, std::string hint = {}) {
+  return {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = file}, {}};
+}
+
+/// A file that has no name and goes when it is closed.
+base::Result<Descriptor> anonymous_file() {
+  const char* folder = std::getenv("TMPDIR");
+  const std::string where = folder != nullptr && *folder != '\0' ? folder : "/tmp";
+  const int number = ::open(where.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (number >= 0) return Descriptor(number);
+  std::string name = where + "/leadscrew-XXXXXX";
+  Descriptor named(::mkostemp(name.data(), O_CLOEXEC));
+  if (!named) return base::failure(system_failure("io-open", "cannot make a temporary file", where, errno));
+  ::unlink(name.c_str());
+  return named;
+}
+
+base::Result<Descriptor> copied(const Descriptor& from, const std::string& name) {
+  auto copy = anonymous_file();
+  if (!copy) return copy;
+  std::array<char, 1 << 16> buffer;
+  while (true) {
+    const auto got = read_some(from.number(), buffer, name);
+    if (!got) return base::failure(got.error());
+    if (*got == 0) return copy;
+    auto written = write_all(copy->number(), {buffer.data(), *got}, "temporary copy of " + name);
+    if (!written) return base::failure(written.error());
+  }
+}
+
+base::Result<Descriptor> with_text(std::string_view text, const std::string& name) {
+  auto file = anonymous_file();
+  if (!file) return file;
+  auto written = write_all(file->number(), text, "temporary file of " + name);
+  if (!written) return base::failure(written.error());
+  ::lseek(file->number(), 0, SEEK_SET);
+  return file;
+}
+
+base::Result<Descriptor> opened(const std::string& path) {
+  if (path == "-") return Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3));
+  return open_descriptor(path, O_RDONLY, "cannot open");
+}
+
+bool can_be_read_twice(const Descriptor& descriptor, const struct stat& status) {
+  return S_ISREG(status.st_mode) && ::lseek(descriptor.number(), 0, SEEK_CUR) == 0;
+}
+
+bool differ(const timespec& a, const timespec& b) {
+  return a.tv_sec != b.tv_sec || a.tv_nsec != b.tv_nsec;
+}
+
+}  // namespace
+
+InputFile::InputFile(std::string name, std::string_view changed)
+    : name_(std::move(name)),
+      changed_(problem(changed, "was changed while it was read", name_, "do not change a file while it is read")),
+      text_(changed_) {}
+
+base::Result<InputFile> InputFile::open(const std::string& path, std::string_view changed) {
+  InputFile file(path == "-" ? "<stdin>" : path, changed);
+  auto descriptor = opened(path);
+  if (!descriptor) return base::failure(descriptor.error());
+  if (auto taken = file.take(std::move(*descriptor)); !taken) return base::failure(taken.error());
+  return file;
+}
+
+base::Result<InputFile> InputFile::of_text(std::string_view text, const std::string& name) {
+  InputFile file(name, "program-changed");
+  auto descriptor = with_text(text, name);
+  if (!descriptor) return base::failure(descriptor.error());
+  if (auto taken = file.take(std::move(*descriptor)); !taken) return base::failure(taken.error());
+  return file;
+}
+
+base::Result<void> InputFile::take(Descriptor descriptor) {
+  descriptor_ = std::move(descriptor);
+  if (::fstat(descriptor_.number(), &opened_) != 0)
+    return base::failure(system_failure("io-open", "cannot open", name_, errno));
+  if (S_ISDIR(opened_.st_mode))
+    return base::failure(problem("io-open", "is a directory", name_, "give the files in it"));
+  if (!can_be_read_twice(descriptor_, opened_)) {
+    auto copy = copied(descriptor_, name_);
+    if (!copy) return base::failure(copy.error());
+    descriptor_ = std::move(*copy);
+    ::fstat(descriptor_.number(), &opened_);
+  }
+  size_ = opened_.st_size;
+  return {};
+}
+
+base::Result<std::size_t> InputFile::read_at(std::int64_t offset, std::span<char> buffer) const {
+  // Not beyond the size it had: what is appended meanwhile is not part of this run.
+  const auto wanted = std::min<std::int64_t>(static_cast<std::int64_t>(buffer.size()), size_ - offset);
+  if (wanted <= 0) return std::size_t{0};
+  while (true) {
+    if (interrupted()) return base::failure(interruption());
+    const ssize_t got = ::pread(descriptor_.number(), buffer.data(), static_cast<std::size_t>(wanted), offset);
+    if (got > 0) return static_cast<std::size_t>(got);
+    if (got == 0) {
+      return base::failure(problem(
+          "io-read",
+          "ends at byte " + std::to_string(offset) + " but had " + std::to_string(size_) + " bytes when it was opened",
+          name_, "do not change a file while it is read"));
+    }
+    if (errno != EINTR) return base::failure(system_failure("io-read", "cannot read", name_, errno));
+  }
+}
+
+base::ByteSource InputFile::source(std::int64_t* position) const {
+  return text_.source(
+      [this, position, offset = std::int64_t{0}](std::span<char> buffer) mutable -> base::Result<std::size_t> {
+        auto got = read_at(offset, buffer);
+        if (!got) return got;
+        offset += static_cast<std::int64_t>(*got);
+        if (position != nullptr) *position = offset;
+        return got;
+      });
+}
+
+base::Result<void> InputFile::unchanged() const {
+  struct stat now = {};
+  ::fstat(descriptor_.number(), &now);
+  if (now.st_size == opened_.st_size && !differ(now.st_mtim, opened_.st_mtim)) return {};
+  return base::failure(changed_);
+}
+
+bool InputFile::is_same(const std::string& path) const {
+  struct stat other = {};
+  return ::stat(path.c_str(), &other) == 0 && other.st_dev == opened_.st_dev && other.st_ino == opened_.st_ino;
+}
+
+base::Result<std::string> read_whole(const std::string& path) {
+  auto file = InputFile::open(path);
+  if (!file) return base::failure(file.error());
+  if (static_cast<std::size_t>(file->size()) > largest_small_file) {
+    return base::failure(problem("io-read", "is larger than 16 MiB", path, "is this the right file?"));
+  }
+  std::string text(static_cast<std::size_t>(file->size()), '\0');
+  auto source = file->source();
+  for (std::size_t filled = 0; filled < text.size();) {
+    const auto got = source(std::span(text).subspan(filled));
+    if (!got) return base::failure(got.error());
+    filled += *got;
+  }
+  return text;
+}
+
+}  // namespace leadscrew::files

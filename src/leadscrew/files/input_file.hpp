@@ -1,0 +1,58 @@
+#pragma once
+// A file that is read more than once, in constant memory: a program or a trace.
+//
+// It is opened once and held open; every source reads it from the beginning at an offset of its own. So a file that is
+// renamed or removed meanwhile is still read to its end. What is read again is what was read first: a piece of it that
+// was changed meanwhile is an error before a byte of it is handed on (base/checked_text.hpp). What cannot be read twice
+// (a pipe, a terminal) is first copied to a temporary file without a name.
+
+#include <sys/stat.h>
+
+#include <cstdint>
+#include <leadscrew/base/checked_text.hpp>
+#include <leadscrew/base/sink.hpp>
+#include <leadscrew/files/descriptor.hpp>
+#include <string>
+
+namespace leadscrew::files {
+
+class InputFile {
+ public:
+  /// "-" is standard input. Errors: `io-open`, `io-read`, `io-write` (of the copy), interruption.
+  /// changed: the code of the error when it is another file when it is read again.
+  static base::Result<InputFile> open(const std::string& path, std::string_view changed = "program-changed");
+
+  /// A file that nobody else knows, which holds this. Errors: `io-open`, `io-write`, interruption.
+  static base::Result<InputFile> of_text(std::string_view text, const std::string& name);
+
+  const std::string& name() const { return name_; }  ///< for people: the path, or <stdin>
+  std::int64_t size() const { return size_; }        ///< bytes
+
+  /// Reads from the beginning; `position`, if given, is kept at the number of bytes read. The file must outlive the
+  /// source and stay where it is; one thread at a time reads it. Errors: `io-read`, interruption, and `changed`
+  /// where it differs from what an earlier source has read.
+  base::ByteSource source(std::int64_t* position = nullptr) const;
+
+  /// Has it been written to since it was opened, read already or not? Error: `changed`.
+  base::Result<void> unchanged() const;
+
+  /// Is this path the same file?
+  bool is_same(const std::string& path) const;
+
+ private:
+  InputFile(std::string name, std::string_view changed);
+  base::Result<void> take(Descriptor descriptor);
+  base::Result<std::size_t> read_at(std::int64_t offset, std::span<char> buffer) const;
+
+  Descriptor descriptor_;
+  std::string name_;
+  std::int64_t size_ = 0;
+  struct stat opened_ = {};
+  base::Diagnostic changed_;
+  mutable base::CheckedText text_;  ///< what any source has read so far
+};
+
+/// The whole of a small file, such as a machine file. Errors as above, and `io-read` beyond 16 MiB.
+base::Result<std::string> read_whole(const std::string& path);
+
+}  // namespace leadscrew::files

@@ -1,0 +1,128 @@
+#pragma once
+// What turns a command of feed into steps, along one block, by any of the methods.
+//
+//                     lines, any number of axes                    arcs
+//   koren             DDA, q = L                                   DDA, q = R, the new value used (eq. 27)
+//   dda               DDA, q = L                                   DDA, q = R, registers clocked together
+//   point comparison  the axis that is furthest behind             one axis a command, by the sign of F
+//   least error,      Bresenham's: the longest axis at every       the least |F| of three steps; the faster axis
+//   improved          command                                      at every command
+//   bresenham         the same                                     as least error
+//
+// Axes beside the plane of an arc go with it (helix.hpp): the first integrand of their DDA, with q = √(n² + Σ Δ²), is
+// the circle's n commands.
+//
+// Which of them it is matters once a run of commands: each has a loop of its own.
+
+#include <leadscrew/nc/arc_tape.hpp>
+#include <leadscrew/nc/block.hpp>
+#include <leadscrew/nc/helix.hpp>
+#include <leadscrew/nc/point_to_point.hpp>
+#include <leadscrew/nc/program_circle.hpp>
+#include <leadscrew/nc/pulse_method.hpp>
+#include <leadscrew/nc/step_writer.hpp>
+#include <leadscrew/pulse/circular_search.hpp>
+#include <leadscrew/pulse/linear.hpp>
+#include <leadscrew/pulse/stretch.hpp>
+#include <variant>
+
+namespace leadscrew::nc {
+
+struct InterpolationOptions {
+  pulse::Preload preload = pulse::Preload::half;  ///< of DDAs; Koren's registers begin empty
+  int places = 0;  ///< 0 … 16, of the radius in circular DDAs: more where feed on circles is to be exact
+};
+
+/// Fills in how many commands a block takes by a method, and the capacity of its DDA: exactly so many, but of arcs of
+/// more than ArcTape::most_commands within block.uncertain. Shorter ones are recorded on the tape, if that does not
+/// hold them already.
+void count_commands(Block& block, PulseMethod method, const InterpolationOptions& options, ArcTape& tape);
+
+class BlockInterpolator {
+ public:
+  /// Of nothing: done.
+  BlockInterpolator() = default;
+  /// Of a block with counted commands.
+  BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options);
+  /// The same; an arc that the tape holds is taken from there, until when the tape must stay as it is.
+  BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options, const ArcTape& tape);
+
+  bool done() const {
+    return std::visit([](const auto& state) { return state.done(); }, state_);
+  }
+
+  /// What one command makes; at most one step of each axis.
+  AxisPulse step();
+
+  /// One command after the other, each after as many clocks as the feed says, until it is done or there is no room: at
+  /// most so many, > 0. How many there were.
+  template <typename Feed>
+  std::int64_t run(Feed& feed, std::int64_t most, StepWriter& steps) {
+    return std::visit([&](auto& state) { return run(state, feed, most, steps); }, state_);
+  }
+
+  /// Steps that the counter of an axis still holds; in the plane of an arc those of the quadrant, as far as the method
+  /// keeps any.
+  std::int64_t left(std::size_t axis) const;
+
+ private:
+  template <pulse::Search method>
+  using Search = pulse::CircularSearch<method>;
+  using LeastError = Search<pulse::Search::least_error>;
+  using ImprovedLeastError = Search<pulse::Search::improved_least_error>;
+  using PointComparison = Search<pulse::Search::point_comparison>;
+  template <std::size_t axes>
+  using Dda = pulse::LinearDda<axes>;
+  template <std::size_t axes>
+  using Comparison = pulse::LinearPointComparison<axes>;
+  static constexpr std::size_t all = base::axis_count, all_beside = all - 2;
+  // Of few axes and of all, for those that stand still take their time too.
+  using State = std::variant<PointToPoint<all>,                                                               //
+                             Dda<2>, Dda<3>, Dda<5>, Dda<all>,                                                //
+                             Comparison<2>, Comparison<3>, Comparison<5>, Comparison<all>,                    //
+                             ArcTape::Player, Helix<ArcTape::Player, 1>, Helix<ArcTape::Player, all_beside>,  //
+                             ProgramCircle, Helix<ProgramCircle, 1>, Helix<ProgramCircle, all_beside>,        //
+                             PointComparison, Helix<PointComparison, 1>, Helix<PointComparison, all_beside>,  //
+                             LeastError, Helix<LeastError, 1>, Helix<LeastError, all_beside>,                 //
+                             ImprovedLeastError, Helix<ImprovedLeastError, 1>, Helix<ImprovedLeastError, all_beside>>;
+
+  void load_line(const Block& block, PulseMethod method, const InterpolationOptions& options);
+  template <std::size_t axes>
+  void load_line(const Block& block, const LatticeVector& way, PulseMethod method, const InterpolationOptions& options);
+  template <typename Circle>
+  void load_arc(const Block& block, const Circle& circle, PulseMethod method, const InterpolationOptions& options);
+
+  template <typename Interpolator, typename Feed>
+  std::int64_t run(Interpolator& interpolator, Feed& feed, std::int64_t most, StepWriter& steps) {
+    if (most <= 0 || steps.is_full()) return 0;
+    // What is not seen from elsewhere can be kept in the processor's registers.
+    Interpolator copy = interpolator;
+    Feed clock = feed;
+    StepWriter writer = steps;
+    const auto lanes = lanes_;
+    const bool in_order = in_order_;
+    std::int64_t commands = 0;
+    pulse::step_through(copy, [&](auto& state) __attribute__((always_inline)) {
+      writer.pass(clock.skip());
+      if constexpr (requires { state.step_one(); }) {
+        const auto [axis, step] = state.step_one();
+        writer.put(lanes[axis], step);
+      } else {
+        const auto pulse = state.step();
+        for (std::size_t i = 0; i < pulse.step.size(); ++i) writer.put(lanes[i], pulse.step[i]);
+        if (!in_order) writer.order(pulse.step.size());
+      }
+      return ++commands < most && !writer.is_full();
+    });
+    interpolator = copy;
+    feed = clock;
+    steps = writer;
+    return commands;
+  }
+
+  State state_ = PointToPoint<all>({});
+  std::array<base::Axis, base::axis_count> lanes_{};  // of the interpolator's axes; beyond the block's they never step
+  bool in_order_ = true;
+};
+
+}  // namespace leadscrew::nc

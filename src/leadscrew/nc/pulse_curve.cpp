@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <leadscrew/nc/pulse_curve.hpp>
+#include <string>
+#include <utility>
+
+namespace leadscrew::nc {
+
+namespace {
+
+using pulse::absolute;
+using pulse::Point;
+
+using Problems = std::vector<base::Diagnostic>;
+
+Point from(Point origin, Point at) {
+  return {at.x - origin.x, at.y - origin.y};
+}
+
+double length_of(Point way) {
+  return std::sqrt(static_cast<double>(way.x * way.x + way.y * way.y));
+}
+
+std::string text(Point at) {
+  return "(" + std::to_string(at.x) + ", " + std::to_string(at.y) + ")";
+}
+
+std::string decimal(double value) {
+  const auto thousandths = std::llround(value * 1000);
+  const std::string digits = std::to_string(1000 + thousandths % 1000);
+  return std::to_string(thousandths / 1000) + "." + digits.substr(1);
+}
+
+void add(Problems& problems, std::string_view code, std::string message, std::string hint) {
+  problems.push_back(base::problem(code, std::move(message), std::move(hint)));
+}
+
+base::Diagnostic overflow(std::string_view name, std::string_view meaning, std::string_view value,
+                          std::int64_t greatest, std::string hint) {
+  std::string message(meaning);
+  message.append(" is ").append(value).append(": register ").append(name);
+  return base::problem("register-overflow", message + " holds no more than " + std::to_string(greatest),
+                       std::move(hint));
+}
+
+void check_register(Problems& problems, const RegisterContent& content, std::optional<int> bits) {
+  if (auto problem = overflow_of(content, bits)) problems.push_back(std::move(*problem));
+}
+
+/// As they were given: beyond the greatest even their differences might be out of range.
+void check_given(Problems& problems, const PulseCurve& curve) {
+  const auto check = [&](const char* of, Point at) {
+    check_register(problems, {"x", at.x, "x of the " + std::string(of)}, std::nullopt);
+    check_register(problems, {"y", at.y, "y of the " + std::string(of)}, std::nullopt);
+  };
+  check("start", curve.start);
+  check("end", curve.end);
+  if (curve.is_arc()) check("centre", curve.center);
+}
+
+void check_line(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
+  const Point way = curve.way();
+  if (way == Point{}) {
+    add(problems, "no-way", "the line ends at " + text(curve.end) + ", where it starts",
+        "a line needs a way; a full circle is an arc");
+    return;
+  }
+  check_register(problems, {"Jx", way.x, "the way along x"}, bits);
+  check_register(problems, {"Jy", way.y, "the way along y"}, bits);
+}
+
+void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
+  const pulse::Arc arc = curve.arc();
+  if (arc.start == Point{}) {
+    add(problems, "zero-radius", "the radius is 0: the arc starts at its centre " + text(curve.center),
+        "a centre away from the start");
+    return;
+  }
+  const std::size_t before = problems.size();
+  check_register(problems, {"x", arc.start.x, "x of the start, from the centre,"}, bits);
+  check_register(problems, {"y", arc.start.y, "y of the start, from the centre,"}, bits);
+  check_register(problems, {"x", arc.end.x, "x of the end, from the centre,"}, bits);
+  check_register(problems, {"y", arc.end.y, "y of the end, from the centre,"}, bits);
+  if (problems.size() > before) return;
+  const double radius = curve.radius(), at_end = length_of(arc.end);
+  if (std::abs(at_end - radius) > 0.5) {
+    add(problems, "end-off-circle",
+        "the end " + text(curve.end) + " is " + decimal(at_end) + " BLU from the centre, the start " + decimal(radius),
+        "the end may be off the circle through the start by half a BLU at most");
+    return;
+  }
+  // Where the arc passes an axis, a coordinate grows to the radius.
+  if (pulse::borders(arc) == 0) return;
+  const int quadrant = pulse::quadrant(arc.start, arc.direction);
+  const Point border = pulse::border(quadrant, arc.direction, pulse::root(arc.squared_radius(), 0));
+  check_register(problems, {"x", border.x, "x where the arc passes an axis"}, bits);
+  check_register(problems, {"y", border.y, "y where the arc passes an axis"}, bits);
+}
+
+}  // namespace
+
+std::optional<base::Diagnostic> overflow_of(const RegisterContent& content, std::optional<int> bits) {
+  const std::int64_t greatest = bits ? (std::int64_t{1} << *bits) - 1 : pulse::greatest_coordinate;
+  if (content.value >= -greatest && content.value <= greatest) return std::nullopt;
+  if (!bits) return overflow_beyond(content.name, content.meaning, std::to_string(content.value));
+  const std::string name = content.name + (" of " + std::to_string(*bits) + (*bits == 1 ? " bit" : " bits"));
+  const auto needed = std::bit_width(static_cast<std::uint64_t>(absolute(content.value)));
+  return overflow(name, content.meaning, std::to_string(content.value), greatest,
+                  std::to_string(needed) + " bits would hold it");
+}
+
+base::Diagnostic overflow_beyond(std::string_view name, std::string_view meaning, std::string_view value) {
+  return overflow(name, meaning, value, pulse::greatest_coordinate, "make the curve smaller, or the BLU larger");
+}
+
+pulse::Arc PulseCurve::arc() const {
+  return {from(center, start), from(center, end), direction};
+}
+
+Point PulseCurve::way() const {
+  return from(start, end);
+}
+
+double PulseCurve::radius() const {
+  return length_of(from(center, start));
+}
+
+Problems problems_of(const PulseCurve& curve, std::optional<int> bits) {
+  Problems problems;
+  check_given(problems, curve);
+  if (!problems.empty()) return problems;
+  if (curve.is_arc()) {
+    check_arc(problems, curve, bits);
+  } else {
+    check_line(problems, curve, bits);
+  }
+  return problems;
+}
+
+PulseError::PulseError(const PulseCurve& curve)
+    : curve_(curve),
+      way_(curve.is_arc() ? from(curve.center, curve.start) : curve.way()),
+      square_(way_.x * way_.x + way_.y * way_.y),
+      root_(std::sqrt(static_cast<double>(square_))) {}
+
+double PulseError::operator()(Point place) const {
+  const Point at = from(curve_.origin(), place);
+  if (!curve_.is_arc()) return static_cast<double>(way_.x * at.y - way_.y * at.x) / root_;
+  // F = ρ² − R² is exact: F/(ρ + R) has no difference of nearly equal roots.
+  const std::int64_t square = at.x * at.x + at.y * at.y;
+  return static_cast<double>(square - square_) / (std::sqrt(static_cast<double>(square)) + root_);
+}
+
+}  // namespace leadscrew::nc

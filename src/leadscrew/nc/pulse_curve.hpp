@@ -1,0 +1,66 @@
+#pragma once
+// One line or one arc on the lattice of steps, as it is asked for: before any register is loaded.
+
+#include <cstdint>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/pulse/arc.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace leadscrew::nc {
+
+/// Coordinates in BLU. An arc whose end is where it starts is a full circle.
+struct PulseCurve {
+  enum class Shape : std::uint8_t { line, arc };
+
+  Shape shape = Shape::line;
+  pulse::Point start, end;
+  pulse::Point center;                                              ///< of an arc
+  pulse::Direction direction = pulse::Direction::counterclockwise;  ///< of an arc
+
+  bool is_arc() const { return shape == Shape::arc; }
+  /// Where the interpolator's own coordinates begin: the centre of an arc, the start of a line.
+  pulse::Point origin() const { return is_arc() ? center : start; }
+  /// The arc about the origin.
+  pulse::Arc arc() const;
+  /// The line's end from its start.
+  pulse::Point way() const;
+  double radius() const;  ///< of an arc, BLU
+};
+
+/// What no interpolator could do: a line without a way, an arc of radius 0, an end off the circle by more than half a
+/// BLU, a coordinate that the registers do not hold: 2ⁿ − 1 is the greatest of n `bits`, pulse::greatest_coordinate
+/// without. Codes: `no-way`, `zero-radius`, `end-off-circle`, `register-overflow`. Empty where all is well.
+std::vector<base::Diagnostic> problems_of(const PulseCurve& curve, std::optional<int> bits);
+
+struct RegisterContent {
+  const char* name;
+  std::int64_t value;
+  std::string meaning;  ///< in words
+};
+
+/// `register-overflow` where a register of so many bits does not hold it; without bits it is as wide as the
+/// interpolators can have it.
+std::optional<base::Diagnostic> overflow_of(const RegisterContent& content, std::optional<int> bits);
+
+/// The same diagnostic of a value, in digits, that no register holds however wide.
+base::Diagnostic overflow_beyond(std::string_view name, std::string_view meaning, std::string_view value);
+
+/// How far places are from a curve.
+class PulseError {
+ public:
+  explicit PulseError(const PulseCurve& curve);
+
+  /// Of a place, BLU: along the radius of an arc, > 0 outside; across a line, > 0 to its left.
+  double operator()(pulse::Point at) const;
+
+ private:
+  PulseCurve curve_;
+  pulse::Point way_;
+  std::int64_t square_;  ///< of the radius or the length
+  double root_;
+};
+
+}  // namespace leadscrew::nc

@@ -1,0 +1,74 @@
+#pragma once
+// The interpolators of pulse/ by name, each for lines and for arcs, and the conventions that the papers leave open.
+//
+//   method              arcs                                    lines
+//   point-comparison    F and the quadrant say which axis       F = |a|y − |b|x says which axis
+//   dda                 hardware: capacity R, clocked together  hardware: capacity 2ⁿ of n-bit registers
+//   min-error           the least |F| of three steps            as bresenham
+//   improved-min-error  the middle between two steps            as bresenham
+//   bresenham           as min-error                            the longer axis at each clock
+//   koren               software: capacity R, x before y        software: capacity ⌈L⌉
+//
+// On a line the nearest of three steps is one of the two that Bresenham's middle decides between; on a circle
+// Bresenham's (1977) compares the same three |F| that the method of least error does, and no two are ever equal.
+
+#include <array>
+#include <cstdint>
+#include <leadscrew/nc/pulse_curve.hpp>
+#include <leadscrew/pulse/circular_dda.hpp>
+#include <leadscrew/pulse/circular_search.hpp>
+#include <optional>
+#include <string_view>
+
+namespace leadscrew::nc {
+
+enum class PulseMethod : std::uint8_t { point_comparison, dda, min_error, improved_min_error, bresenham, koren };
+
+/// By integrators: at the rate of the path, whatever its course.
+constexpr bool is_dda(PulseMethod method) {
+  return method == PulseMethod::koren || method == PulseMethod::dda;
+}
+
+inline constexpr std::array all_pulse_methods = {PulseMethod::point_comparison, PulseMethod::dda,
+                                                 PulseMethod::min_error,        PulseMethod::improved_min_error,
+                                                 PulseMethod::bresenham,        PulseMethod::koren};
+inline constexpr std::array all_preloads = {pulse::Preload::none, pulse::Preload::half, pulse::Preload::half_lagging,
+                                            pulse::Preload::full};
+inline constexpr std::array all_ties = {pulse::OnCircle::outward, pulse::OnCircle::inward};
+inline constexpr std::array all_orders = {pulse::Order::parallel, pulse::Order::x_first, pulse::Order::shrinking_first,
+                                          pulse::Order::growing_first};
+
+// As the command line and JSON have them.
+std::string_view name(PulseMethod method);
+std::string_view name(pulse::Preload preload);
+std::string_view name(pulse::OnCircle tie);
+std::string_view name(pulse::Order order);
+
+/// Conventions that were asked for; each method has a default of its own for what was not.
+struct MethodOptions {
+  std::optional<int> bits;  ///< 1 … 30: of the registers; the capacity of `dda` is 2ⁿ
+  std::optional<pulse::Preload> preload;
+  std::optional<pulse::OnCircle> tie;
+  std::optional<pulse::Order> order;
+};
+
+inline constexpr int most_pulse_bits = 30;
+
+/// Those that are in force; empty where the method has no such choice.
+struct PulseConventions {
+  std::optional<int> bits;               ///< of the registers
+  std::optional<std::int64_t> capacity;  ///< q
+  std::optional<pulse::Preload> preload;
+  std::optional<pulse::Order> order;
+  std::string_view tie;  ///< what happens where two steps are as good as one another
+  std::string_view end;  ///< how the end is found
+};
+
+PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options);
+
+/// Of a curve that problems_of() finds nothing wrong with: `register-overflow` where the bits asked for do not hold the
+/// capacity of `koren`, which is the radius of an arc, rounded, and the length of a line, rounded up.
+std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
+                                                 const MethodOptions& options);
+
+}  // namespace leadscrew::nc

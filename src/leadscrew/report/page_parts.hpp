@@ -1,0 +1,42 @@
+#pragma once
+// The parts the report's page is made of; each appends itself to the page.
+
+#include <leadscrew/report/report.hpp>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::report {
+
+/// Everything a part may show.
+struct PageContent {
+  const Report& report;
+  const Recording& recording;
+  const machine::Machine& machine;
+  base::Period period;
+  FollowedRecording* followed = nullptr;  ///< slides, where there were any
+};
+
+/// Share of a limit or tolerance by which a value may exceed it and still keep it.
+inline constexpr double keeps_up_to = 1.001;
+
+/// "mm" or "°".
+std::string_view unit(base::Axis axis);
+
+/// The verdict in a sentence for each promise that is broken; empty when all are kept.
+std::vector<std::string> broken_promises(const PageContent& content);
+
+void put_heading(std::string& page, const PageContent& content);       ///< title, verdict, key figures
+void put_path_section(std::string& page, const PageContent& content);  ///< the path from all sides
+/// Ideal, commanded and actual path, errors magnified; nothing without slides.
+void put_followed_section(std::string& page, const PageContent& content);
+void put_time_section(std::string& page, const PageContent& content);   ///< feed and axes over time
+void put_limit_section(std::string& page, const PageContent& content);  ///< table of ratios
+void put_block_section(std::string& page, const PageContent& content);  ///< slowest, nearest to a limit
+void put_diagnostics(std::string& page, const PageContent& content);
+void put_origin(std::string& page, const PageContent& content);  ///< how to make the page again
+
+/// Text of the page's style and script; both without markup of their own.
+std::string page_style();
+std::string_view page_script();
+
+}  // namespace leadscrew::report

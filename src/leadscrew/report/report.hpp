@@ -1,0 +1,48 @@
+#pragma once
+// The report: one self-contained page that shows what a program really does on a machine.
+
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/result.hpp>
+#include <leadscrew/base/sink.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/report/followed_recording.hpp>
+#include <leadscrew/report/recording.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace leadscrew::report {
+
+/// Value over limit of one axis, as the referee found it and as the plan promises it.
+struct LimitRatios {
+  base::Axis axis{};
+  double velocity = 0, acceleration = 0, jerk = 0;                          ///< by the referee, from words
+  double planned_velocity = 0, planned_acceleration = 0, planned_jerk = 0;  ///< analytically, from the plan
+};
+
+struct Report {
+  std::string title;    ///< the program's name
+  std::string version;  ///< of Leadscrew
+  std::string command;  ///< the command line that makes this report again
+  double time_s = 0, dwell_s = 0;
+  double bound_s = 0;  ///< the least time on this path within velocity, acceleration and feed, without a limit of jerk
+  double length_mm = 0;
+  std::int64_t blocks = 0, moves = 0, words = 0;
+  double deviation_mm = 0, tolerance_mm = 0;
+  double feed_programmed_max = 0;  ///< mm/s
+  double feed_max_ratio = 0;
+  std::vector<LimitRatios> limits;
+  std::vector<base::Diagnostic> diagnostics;
+  std::vector<std::pair<base::Line, std::string>> source;  ///< text of the lines that the tables of blocks name
+};
+
+/// Writes the page; below 5 MB for any recording. followed: where slides followed the words that were recorded, or
+/// null.
+base::Result<void> write_report(const Report& report, const Recording& recording, const machine::Machine& machine,
+                                base::Period period, const base::ByteSink& sink, FollowedRecording* followed = nullptr);
+
+/// Writes the path alone as an SVG picture (isometric view, coloured by speed), for light and dark pages.
+base::Result<void> write_path_svg(const std::string& title, const Recording& recording, const base::ByteSink& sink);
+
+}  // namespace leadscrew::report

@@ -1,0 +1,33 @@
+#pragma once
+// A colour for each speed: hue from violet over teal to yellow while lightness rises evenly, so that it reads without
+// colour vision and in grey print. Two ramps, one that stands out on white, one on black.
+//
+// Colours are computed in OKLCH (B. Ottosson, "A perceptual color space for image processing", 2020).
+
+#include <cstddef>
+#include <leadscrew/report/recording.hpp>
+#include <span>
+#include <string>
+
+namespace leadscrew::report {
+
+inline constexpr std::size_t speed_levels = 24;
+
+enum class Background { light, dark, either };
+
+/// "#rrggbb" of a level in [0, speed_levels).
+std::string speed_color(std::size_t level, Background background);
+
+/// From speed to place on the ramp, 0 … 1. Where most of the path is much slower than its fastest part, as with rapids,
+/// the square root of the speed is shown instead of the speed, so that differences among slow parts can be seen.
+struct SpeedScale {
+  double greatest = 0;  ///< mm/s
+  bool square_root = false;
+
+  double place(double feed) const;
+  std::size_t level(double feed) const;
+};
+
+SpeedScale speed_scale(std::span<const PathPoint> path);
+
+}  // namespace leadscrew::report

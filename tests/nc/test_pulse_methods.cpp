@@ -1,0 +1,285 @@
+// The interpolators by name: published figures, conventions, registers beside their definitions, what is refused.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <leadscrew/nc/pulse_figures.hpp>
+#include <set>
+#include <string>
+
+namespace leadscrew::nc {
+namespace {
+
+using pulse::Direction;
+using pulse::Point;
+
+constexpr auto line = PulseCurve::Shape::line;
+constexpr auto arc = PulseCurve::Shape::arc;
+
+constexpr PulseCurve quarter{arc, {5, 0}, {0, 5}, {}, Direction::counterclockwise};
+
+PulseFigures figures_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options = {}) {
+  return measure(PulseRun(method, curve, options), curve);
+}
+
+std::int64_t value_of(const PulseRun& run, std::string_view name) {
+  const Registers registers = run.registers();
+  for (const Register& each : registers.all()) {
+    if (each.name == name) return each.value;
+  }
+  ADD_FAILURE() << "no register " << name;
+  return 0;
+}
+
+TEST(PulseMethods, GiveTheFpgaTableByDefault) {
+  struct Published {
+    PulseMethod method;
+    std::int64_t clocks, pulses;
+    double error;
+  };
+  for (const auto& [method, clocks, pulses, error] :
+       {Published{PulseMethod::point_comparison, 10, 10, 0.877}, Published{PulseMethod::min_error, 7, 7, 0.385},
+        Published{PulseMethod::improved_min_error, 7, 7, 0.385}, Published{PulseMethod::dda, 8, 7, 0.385}}) {
+    const PulseFigures figures = figures_of(method, quarter);
+    EXPECT_EQ(figures.clocks, clocks) << name(method);
+    EXPECT_EQ(figures.pulses, pulses) << name(method);
+    EXPECT_NEAR(figures.max_error, error, 5e-4) << name(method);
+    EXPECT_EQ(figures.end, quarter.end) << name(method);
+  }
+  EXPECT_NEAR(figures_of(PulseMethod::point_comparison, quarter, {.tie = pulse::OnCircle::inward}).max_error, 1, 1e-12);
+  EXPECT_EQ(figures_of(PulseMethod::point_comparison, quarter).worst, (Point{4, 1}));
+}
+
+/// (10, 0) in 4 bits: an overflow whenever a sixteenth of 10 a clock adds up to a whole one.
+TEST(PulseMethods, DrawALineOf4BitsIn16Clocks) {
+  const PulseCurve level{line, {3, 4}, {13, 4}, {}, {}};
+  PulseRun run(PulseMethod::dda, level, {.bits = 4});
+  for (std::int64_t clock = 1; !run.done(); ++clock) {
+    run.step();
+    EXPECT_EQ(run.at(), (Point{3 + clock * 10 / 16, 4})) << clock;
+    EXPECT_EQ(value_of(run, "rx"), clock * 10 % 16) << clock;
+  }
+  EXPECT_EQ(run.clock(), 16);
+  EXPECT_EQ(run.conventions().capacity, 16);
+  EXPECT_EQ(PulseRun(PulseMethod::dda, level).conventions().bits, 4);
+}
+
+TEST(PulseMethods, SayWhichConventionsAreInForce) {
+  const auto of_arc = [](PulseMethod method) { return conventions_of(method, quarter, {}); };
+  EXPECT_EQ(of_arc(PulseMethod::dda).capacity, 5);
+  EXPECT_EQ(of_arc(PulseMethod::dda).order, pulse::Order::parallel);
+  EXPECT_EQ(of_arc(PulseMethod::dda).preload, pulse::Preload::half_lagging);
+  EXPECT_EQ(of_arc(PulseMethod::koren).order, pulse::Order::x_first);
+  EXPECT_EQ(of_arc(PulseMethod::koren).preload, pulse::Preload::half);
+  EXPECT_EQ(of_arc(PulseMethod::point_comparison).tie, "outward");
+  EXPECT_FALSE(of_arc(PulseMethod::min_error).capacity.has_value());
+  EXPECT_EQ(conventions_of(PulseMethod::dda, quarter, {.bits = 3}).capacity, 8);
+  EXPECT_EQ(conventions_of(PulseMethod::koren, {line, {}, {3, 5}, {}, {}}, {}).capacity, 6);
+}
+
+TEST(PulseMethods, HaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (const PulseMethod method : all_pulse_methods) names.insert(name(method));
+  for (const pulse::Preload preload : all_preloads) names.insert(name(preload));
+  for (const pulse::Order order : all_orders) names.insert(name(order));
+  for (const pulse::OnCircle tie : all_ties) names.insert(name(tie));
+  EXPECT_EQ(names.size(), 16u);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Loads half in the axis with the shorter way alone.
+TEST(HalfLagging, LoadsTheShorterAxisOfALine) {
+  const PulseRun run(PulseMethod::dda, {line, {}, {9, -4}, {}, {}},
+                     {.bits = 4, .preload = pulse::Preload::half_lagging, .tie = {}, .order = {}});
+  EXPECT_EQ(value_of(run, "rx"), 0);
+  EXPECT_EQ(value_of(run, "ry"), 8);
+}
+
+PulseMethod any_method() {
+  return *rc::gen::elementOf(all_pulse_methods);
+}
+
+Direction any_direction() {
+  return *rc::gen::element(Direction::clockwise, Direction::counterclockwise);
+}
+
+/// The start, turned and mirrored onto another of the eight points that are as far from the centre.
+Point moved(Point at) {
+  if (*rc::gen::arbitrary<bool>()) at = {at.y, at.x};
+  const bool flips_x = *rc::gen::arbitrary<bool>(), flips_y = *rc::gen::arbitrary<bool>();
+  return {flips_x ? -at.x : at.x, flips_y ? -at.y : at.y};
+}
+
+PulseCurve any_arc() {
+  const auto coordinate = rc::gen::inRange<std::int64_t>(-60, 61);
+  Point from_center{*coordinate, *coordinate};
+  if (from_center == Point{}) from_center = {7, 0};
+  const Point center{*coordinate, *coordinate}, to = moved(from_center);
+  return {arc,
+          {center.x + from_center.x, center.y + from_center.y},
+          {center.x + to.x, center.y + to.y},
+          center,
+          any_direction()};
+}
+
+/// What the registers hold, by what they mean.
+void expect_meaning(const PulseRun& run, const PulseCurve& curve, std::int64_t square) {
+  const std::int64_t x = value_of(run, "x"), y = value_of(run, "y");
+  RC_ASSERT(x == run.at().x - curve.center.x);
+  RC_ASSERT(y == run.at().y - curve.center.y);
+  if (run.conventions().capacity) {
+    const std::int64_t q = value_of(run, "q");
+    RC_ASSERT(q == *run.conventions().capacity);
+    // A clock overflows once at most, and a coordinate may be beyond R by its error.
+    RC_ASSERT(value_of(run, "rx") >= 0 && value_of(run, "rx") <= q + 2);
+    RC_ASSERT(value_of(run, "ry") >= 0 && value_of(run, "ry") <= q + 2);
+  } else {
+    RC_ASSERT(value_of(run, "F") == x * x + y * y - square);
+  }
+}
+
+RC_GTEST_PROP(PulseMethods, RegistersOfAnArcMeanWhatTheySay, ()) {
+  const PulseCurve curve = any_arc();
+  const PulseMethod method = any_method();
+  RC_ASSERT(problems_of(curve, std::nullopt).empty());
+  PulseRun run(method, curve);
+  const Point start{curve.start.x - curve.center.x, curve.start.y - curve.center.y};
+  const std::int64_t square = start.x * start.x + start.y * start.y;
+  Point before = run.at();
+  double worst = 0;
+  while (!run.done()) {
+    expect_meaning(run, curve, square);
+    const auto pulse = run.step();
+    RC_ASSERT(run.at() == (Point{before.x + pulse.step[0], before.y + pulse.step[1]}));
+    before = run.at();
+    const double x = static_cast<double>(before.x - curve.center.x), y = static_cast<double>(before.y - curve.center.y);
+    worst = std::max(worst, std::abs(std::hypot(x, y) - std::sqrt(static_cast<double>(square))));
+    RC_ASSERT(run.clock() < 2000);
+  }
+  RC_ASSERT(run.at() == curve.end);
+  const PulseFigures figures = figures_of(method, curve);
+  RC_ASSERT(std::abs(figures.max_error - worst) < 1e-9);
+  RC_ASSERT(figures.clocks == run.clock());
+  RC_ASSERT(figures.rms_error <= figures.max_error);
+}
+
+RC_GTEST_PROP(PulseMethods, LinesEndAtTheirEnds, ()) {
+  const auto coordinate = rc::gen::inRange<std::int64_t>(-90, 91);
+  const PulseCurve curve{line, {*coordinate, *coordinate}, {*coordinate, *coordinate}, {}, {}};
+  RC_PRE(curve.start != curve.end);
+  const PulseMethod method = any_method();
+  const PulseFigures figures = figures_of(method, curve);
+  RC_ASSERT(figures.end == curve.end);
+  const auto [a, b] = curve.way();
+  const std::int64_t longer = std::max(std::abs(a), std::abs(b));
+  const double bound = method == PulseMethod::dda || method == PulseMethod::point_comparison ? 1 : 0.7072;
+  RC_ASSERT(figures.max_error < bound);
+  RC_ASSERT(figures.pulses >= longer && figures.pulses <= std::abs(a) + std::abs(b));
+  if (method == PulseMethod::dda) RC_ASSERT(figures.clocks == *conventions_of(method, curve, {}).capacity);
+  // Across the line, by the area between the way and the place.
+  const double expected =
+      std::abs(static_cast<double>(a * (figures.worst.y - curve.start.y) - b * (figures.worst.x - curve.start.x))) /
+      std::hypot(static_cast<double>(a), static_cast<double>(b));
+  RC_ASSERT(std::abs(figures.max_error - expected) < 1e-9);
+}
+
+RC_GTEST_PROP(RegisterRange, IsAsWideAsTwosComplementNeeds, (std::int32_t a, std::int32_t b)) {
+  const RegisterRange range{"F", std::min(a, b), std::max(a, b)};
+  const auto holds = [&](int bits) {
+    const std::int64_t half = std::int64_t{1} << (bits - 1);
+    return range.least >= -half && range.greatest < half;
+  };
+  RC_ASSERT(holds(range.width()));
+  const bool is_least = range.width() == 1 || !holds(range.width() - 1);
+  RC_ASSERT(is_least);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct Refused {
+  PulseCurve curve;
+  std::optional<int> bits;
+  const char* code;
+  const char* said;
+};
+
+TEST(PulseProblems, NameTheRegisterOrTheValue) {
+  constexpr auto ccw = Direction::counterclockwise;
+  for (const auto& [curve, bits, code, said] : {
+           Refused{{line, {3, 4}, {3, 4}, {}, {}}, {}, "no-way", "(3, 4)"},
+           Refused{{line, {}, {256, 3}, {}, {}},
+                   8,
+                   "register-overflow",
+                   "way along x is 256: register Jx of 8 bits holds no more than 255"},
+           Refused{{line, {0, 100}, {5, -28}, {}, {}},
+                   7,
+                   "register-overflow",
+                   "way along y is -128: register Jy of 7 bits"},
+           Refused{
+               {line, {}, {std::int64_t{1} << 31, 0}, {}, {}}, {}, "register-overflow", "x of the end is 2147483648"},
+           Refused{{line, {-(std::int64_t{1} << 30), 0}, {1, 0}, {}, {}},
+                   {},
+                   "register-overflow",
+                   "register Jx holds no more than 1073741824"},
+           Refused{{arc, {2, 1}, {5, 5}, {2, 1}, ccw}, {}, "zero-radius", "(2, 1)"},
+           Refused{{arc, {5, 0}, {0, 4}, {}, ccw},
+                   {},
+                   "end-off-circle",
+                   "(0, 4) is 4.000 BLU from the centre, the start 5.000"},
+           Refused{{arc, {5, 0}, {}, {}, ccw}, {}, "end-off-circle", "0.000"},
+           Refused{{arc, {8, 0}, {0, 8}, {}, ccw}, 3, "register-overflow", "register x of 3 bits holds no more than 7"},
+           Refused{{arc, {10, 7}, {10, -7}, {4, 0}, Direction::clockwise},
+                   3,
+                   "register-overflow",
+                   "x where the arc passes an axis is 9: register x of 3 bits"},
+       }) {
+    const auto problems = problems_of(curve, bits);
+    ASSERT_FALSE(problems.empty()) << said;
+    EXPECT_EQ(problems.front().code, code) << said;
+    EXPECT_EQ(problems.front().severity, base::Severity::error);
+    EXPECT_NE(problems.front().message.find(said), std::string::npos) << problems.front().message;
+  }
+}
+
+TEST(PulseProblems, EveryRegisterIsNamed) {
+  EXPECT_EQ(problems_of({line, {}, {300, 300}, {}, {}}, 8).size(), 2u);
+  EXPECT_TRUE(problems_of({line, {}, {255, -255}, {}, {}}, 8).empty());
+  // The same arc, but it passes no axis.
+  EXPECT_TRUE(problems_of({arc, {10, -7}, {11, -6}, {4, 0}, Direction::counterclockwise}, 3).empty());
+}
+
+/// Every coordinate below 8, but not the capacity: of the arc the radius 8.6, of the line the length. DDAs of hardware
+/// have 2ⁿ.
+TEST(PulseProblems, TheCapacityIsNamedWhereBitsDoNotHoldIt) {
+  const PulseCurve way{line, {}, {7, 7}, {}, {}}, piece{arc, {7, 5}, {5, 7}, {}, Direction::counterclockwise};
+  MethodOptions options;
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, way, options));
+  options.bits = 3;
+  for (const auto& [curve, said] :
+       {std::pair{way, "the length, rounded up, is 10: register q of 3 bits holds no more than 7"},
+        {piece, "the radius, rounded, is 9: register q of 3 bits"}}) {
+    EXPECT_TRUE(problems_of(curve, options.bits).empty());
+    const auto problem = capacity_problem(PulseMethod::koren, curve, options);
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->code, "register-overflow");
+    EXPECT_NE(problem->message.find(said), std::string::npos) << problem->message;
+    EXPECT_EQ(problem->hint, "4 bits would hold it");
+    EXPECT_FALSE(capacity_problem(PulseMethod::dda, curve, options));
+  }
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, {arc, {5, 5}, {4, 6}, {}, Direction::counterclockwise}, options));
+  options.bits = 4;
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, way, options));
+}
+
+/// (3, 4) is 5 from the centre; (4, 4) .66 more, (5, 1) .1 more.
+TEST(PulseProblems, AnEndMayBeHalfABluOffTheCircle) {
+  const auto to = [](Point end) { return problems_of({arc, {5, 0}, end, {}, {}}, std::nullopt).size(); };
+  EXPECT_EQ(to({3, 4}), 0u);
+  EXPECT_EQ(to({5, 1}), 0u);
+  EXPECT_EQ(to({4, 4}), 1u);
+}
+
+}  // namespace
+}  // namespace leadscrew::nc

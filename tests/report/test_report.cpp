@@ -1,0 +1,245 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <leadscrew/report/report.hpp>
+#include <set>
+
+#include "byte_sinks.hpp"
+
+namespace leadscrew::report {
+namespace {
+
+using namespace testing_support;
+
+/// Every element is closed in order, nothing but known references follows an ampersand; says what is wrong.
+std::string wrong_markup(const std::string& page) {
+  const std::set<std::string> void_elements{"meta", "!DOCTYPE", "br"};
+  std::vector<std::string> open;
+  for (std::size_t at = 0; at < page.size(); ++at) {
+    if (page[at] == '&') {
+      const std::string name = page.substr(at, page.find(';', at) - at + 1);
+      if (!std::set<std::string>{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"}.contains(name)) return "reference " + name;
+    }
+    if (page[at] != '<') continue;
+    const std::size_t end = page.find('>', at);
+    if (end == std::string::npos) return "open end";
+    const std::string tag = page.substr(at + 1, end - at - 1);
+    const std::string name = tag.substr(tag.starts_with('/'), tag.find_first_of(" \n/", 1) - tag.starts_with('/'));
+    at = end;
+    if (tag.starts_with('/')) {
+      if (open.empty() || open.back() != tag.substr(1))
+        return "closes " + tag + " in " + (open.empty() ? "" : open.back());
+      open.pop_back();
+    } else if (!tag.ends_with('/') && !void_elements.contains(name)) {
+      open.push_back(name);
+    }
+    if (!tag.starts_with('/') && (name == "script" || name == "style")) at = page.find("</" + name, at) - 1;
+  }
+  return open.empty() ? "" : "leaves open " + open.back();
+}
+
+base::Diagnostic diagnostic(base::Severity severity, std::string_view code, const std::string& text,
+                            const std::string& file, std::int64_t line, std::int64_t column) {
+  base::Diagnostic made;
+  made.severity = severity;
+  made.code = code;
+  made.message = "message " + text;
+  made.hint = "hint " + text;
+  made.source = text;
+  made.place.file = file;
+  made.place.line = line;
+  made.place.column = column;
+  return made;
+}
+
+struct Recorded {
+  machine::Machine machine = machine::mill3();
+  Recording recording{machine, millisecond};
+  Report report;
+
+  explicit Recorded(const std::vector<base::Word>& words) {
+    for (const base::Word& word : words) recording.observe(word);
+    report.title = "part.ngc";
+    report.version = "9.8.7";
+    report.command = "leadscrew run part.ngc --report r.html";
+    report.time_s = recording.seconds();
+    report.tolerance_mm = 0.01;
+    report.limits = {{base::Axis::X, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5}};
+  }
+
+  std::string page() const {
+    std::string text;
+    EXPECT_TRUE(write_report(report, recording, machine, millisecond, into(text)));
+    return text;
+  }
+
+  std::string picture() const {
+    std::string text;
+    EXPECT_TRUE(write_path_svg(report.title, recording, into(text)));
+    return text;
+  }
+};
+
+bool has(const std::string& page, std::string_view text) {
+  return page.find(text) != std::string::npos;
+}
+
+TEST(Report, SaysWhatItMust) {
+  Recorded run(random_train(5000, 2));
+  run.report.source = {{run.recording.slowest_blocks()[0].line, "N10 G1 X5 (rough)"}};
+  run.report.diagnostics.push_back(diagnostic(base::Severity::warning, "feed-missing", "no feed", "part.ngc", 3, 2));
+  const std::string page = run.page();
+  EXPECT_EQ(wrong_markup(page), "");
+  for (const char* text : {"part.ngc",     "Keeps every limit",
+                           "9.8.7",        "leadscrew run part.ngc --report r.html",
+                           "4.999 s",      "Top",
+                           "Front",        "Right side",
+                           "Isometric",    "mm/min",
+                           "Axis X",       "Axis Y",
+                           "Axis Z",       "velocity",
+                           "acceleration", "jerk",
+                           "limit 200",    "N10 G1 X5 (rough)",
+                           "part.ngc:3:2", "[feed-missing]",
+                           "hint no feed", "mill3",
+                           "color-scheme", "prefers-color-scheme:dark",
+                           "@media print"}) {
+    EXPECT_TRUE(has(page, text)) << text;
+  }
+}
+
+TEST(Report, NeedsNothingFromOutside) {
+  const std::string page = Recorded(random_train(500, 2)).page();
+  for (const char* text : {"http:", "https:", "src=", "@import", "url(", "<link", "<iframe"})
+    EXPECT_FALSE(has(page, text)) << text;
+}
+
+TEST(Report, VerdictNamesWhatIsExceeded) {
+  Recorded run(random_train(500, 2));
+  run.report.limits[0].jerk = 1.25;
+  EXPECT_TRUE(has(run.page(), "Exceeds the jerk limit of axis X by 25 %"));
+  EXPECT_FALSE(has(run.page(), "Keeps every limit"));
+  run.report.limits[0].jerk = 1.0009;
+  EXPECT_TRUE(has(run.page(), "Keeps every limit"));
+  run.report.limits[0].planned_velocity = 1.1;
+  EXPECT_TRUE(has(run.page(), "in the plan alone"));
+  run.report.limits[0].planned_velocity = 0;
+  run.report.deviation_mm = 0.015;
+  EXPECT_TRUE(has(run.page(), "Leaves the programmed path by 15 µm; 10 µm is allowed"));
+  run.report.deviation_mm = 0;
+  run.report.feed_max_ratio = 1.02;
+  EXPECT_TRUE(has(run.page(), "Exceeds the programmed feed by 2 %"));
+  run.report.feed_max_ratio = 1;
+  run.report.diagnostics.push_back(diagnostic(base::Severity::error, "x", "", "", 0, 0));
+  EXPECT_TRUE(has(run.page(), "Has an error"));
+}
+
+TEST(Report, VerdictNamesAnAxisThatLeavesItsTravel) {
+  auto words = random_train(500, 2);
+  for (base::Word& word : words) word.position[2] += 1000;
+  EXPECT_TRUE(has(Recorded(words).page(), "Leaves the travel of axis Z"));
+}
+
+TEST(Report, ForeignTextCannotBecomeMarkup) {
+  const std::string evil = "<script>alert('x')</script>&\"\xff\x01</title></style>-->";
+  Recorded run(random_train(500, 2));
+  run.machine.name = evil;
+  run.report.title = run.report.version = run.report.command = evil;
+  for (const BlockFigures& block : run.recording.slowest_blocks()) run.report.source.emplace_back(block.line, evil);
+  run.report.diagnostics.push_back(diagnostic(base::Severity::error, "bad", evil, evil, 1, 9));
+  EXPECT_EQ(wrong_markup(run.page()), "");
+  EXPECT_FALSE(has(run.page(), "<script>alert"));
+  EXPECT_FALSE(has(run.page(), "\xff"));
+  EXPECT_TRUE(has(run.page(), "&lt;script&gt;alert(&#39;x&#39;)"));
+  EXPECT_EQ(wrong_markup(run.picture()), "");
+  EXPECT_FALSE(has(run.picture(), "<script>"));
+  EXPECT_FALSE(has(run.picture(), "\xff"));
+}
+
+TEST(Report, RecordingsOfNothingMakeASanePage) {
+  for (const std::size_t count : {0, 1, 2, 5000}) {
+    const std::vector<base::Word> at_rest(count);
+    Recorded run(at_rest);
+    run.report.deviation_mm = NAN;
+    const std::string page = run.page(), picture = run.picture();
+    EXPECT_EQ(wrong_markup(page), "");
+    EXPECT_EQ(wrong_markup(picture), "");
+    for (const char* text : {"nan", "inf\""}) {
+      EXPECT_FALSE(has(page, text)) << text;
+      EXPECT_FALSE(has(picture, text)) << text;
+    }
+    EXPECT_EQ(has(page, "Nothing moves"), count < 2) << count;
+  }
+}
+
+TEST(Report, MachinesWithoutLinearAxesAndWithNineHaveAPage) {
+  for (const bool all : {false, true}) {
+    machine::Machine machine = machine::mill3();
+    for (const base::Axis axis : base::all_axes) {
+      machine.axes[base::index(axis)].reset();
+      if (all || base::is_rotary(axis))
+        machine.axes[base::index(axis)] = machine::AxisLimits{-99, 99, 200, 1000, 20000, 0.001};
+    }
+    Recording recording(machine, millisecond);
+    for (const base::Word& word : random_train(6000, 8)) recording.observe(word);
+    std::string page;
+    ASSERT_TRUE(write_report({}, recording, machine, millisecond, into(page)));
+    EXPECT_EQ(wrong_markup(page), "");
+    EXPECT_TRUE(has(page, "°/s²"));
+    EXPECT_LT(page.size(), 5'000'000u);
+  }
+}
+
+TEST(Report, TenMillionWordsMakeLessThanFiveMegabytes) {
+  machine::Machine machine = machine::mill3();
+  for (auto& axis : machine.axes) axis = machine::AxisLimits{-1e6, 1e6, 200, 1000, 20000, 0.001};
+  Recording recording(machine, millisecond);
+  auto words = random_train(100000, 5, 2);
+  std::int64_t tick = 0;
+  for (int round = 0; round < 100; ++round) {
+    for (base::Word word : words) {
+      word.tick = base::Tick{tick++};
+      word.position[0] += round * 0.1;
+      recording.observe(word);
+    }
+  }
+  EXPECT_LE(recording.path().size(), 20000u);
+  EXPECT_LE(recording.feed().size(), 4096u);
+  Report report;
+  report.diagnostics.resize(100000);
+  for (base::Diagnostic& diagnostic : report.diagnostics) {
+    diagnostic.message = diagnostic.hint = diagnostic.source = std::string(5000, '<');
+  }
+  report.title = report.command = std::string(1'000'000, '&');
+  std::string page, picture;
+  ASSERT_TRUE(write_report(report, recording, machine, millisecond, into(page)));
+  ASSERT_TRUE(write_path_svg("long", recording, into(picture)));
+  EXPECT_LT(page.size(), 5'000'000u);
+  EXPECT_LT(picture.size(), 300'000u);
+  EXPECT_EQ(wrong_markup(page), "");
+  EXPECT_EQ(wrong_markup(picture), "");
+}
+
+TEST(Report, PassesOnWhatTheSinkSays) {
+  const Recorded run(random_train(500, 2));
+  for (const std::size_t room : {0, 1000}) {
+    EXPECT_FALSE(write_report(run.report, run.recording, run.machine, millisecond, failing_after(room)));
+    EXPECT_FALSE(write_path_svg("x", run.recording, failing_after(room)));
+  }
+}
+
+TEST(PathPicture, FlatPathsAreSeenFromAbove) {
+  std::vector<base::Word> words;
+  for (int i = 0; i <= 100; ++i) {
+    base::Word word;
+    word.tick = base::Tick{i};
+    word.position = {i * 1.0, 0, 0};
+    word.feed = 10;
+    words.push_back(word);
+  }
+  EXPECT_TRUE(has(Recorded(words).picture(), "l7520 0"));  // the whole width, level
+  words.back().position[2] = 50;
+  EXPECT_FALSE(has(Recorded(words).picture(), "l7520 0"));
+}
+
+}  // namespace
+}  // namespace leadscrew::report
