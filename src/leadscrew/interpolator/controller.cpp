@@ -39,23 +39,26 @@ bool Controller::go_on() noexcept {
   return true;
 }
 
-Controller::Offer Controller::offer(planner::Chunk& chunk) {
-  const std::int64_t next = accepted_ + 1;
-  if (next - begun() >= static_cast<std::int64_t>(capacity_)) return Offer::full;
+Controller::Offer Controller::offer(std::span<planner::Chunk> chunks) {
+  const auto count = static_cast<std::int64_t>(chunks.size());
+  if (accepted_ + count - begun() >= static_cast<std::int64_t>(capacity_)) return Offer::full;
   Link& last = link(accepted_);
-  const bool begins_at_rest = chunk.begins_at_rest();
+  const bool begins_at_rest = chunks.front().begins_at_rest();
   // Looked at first, so that a late chunk is not moved from.
   const bool is_late = last.chunk.stop_tail.empty() || last.follow.load(std::memory_order_relaxed) == Follow::closed;
   if (!begins_at_rest && is_late) return Offer::late;
-  Link& fresh = link(next);
-  fresh.chunk = std::move(chunk);
-  fresh.committed_seconds = last.committed_seconds + fresh.chunk.duration.value();
-  fresh.follow.store(Follow::open, std::memory_order_relaxed);
+  for (std::int64_t k = 0; k < count; ++k) {
+    Link& fresh = link(accepted_ + 1 + k);
+    fresh.chunk = std::move(chunks[static_cast<std::size_t>(k)]);
+    fresh.committed_seconds = link(accepted_ + k).committed_seconds + fresh.chunk.duration.value();
+    fresh.follow.store(k + 1 < count ? Follow::followed : Follow::open, std::memory_order_relaxed);
+  }
   if (!append(last, begins_at_rest)) {
-    chunk = std::move(fresh.chunk);
+    for (std::int64_t k = 0; k < count; ++k)
+      chunks[static_cast<std::size_t>(k)] = std::move(link(accepted_ + 1 + k).chunk);
     return Offer::late;
   }
-  accepted_ = next;
+  accepted_ += count;
   return Offer::accepted;
 }
 

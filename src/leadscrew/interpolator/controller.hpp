@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <leadscrew/interpolator/interpolator.hpp>
 #include <memory>
+#include <span>
 
 namespace leadscrew::interpolator {
 
@@ -57,7 +58,12 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   /// Hands over the chunk that comes after the last accepted one; moved from only if accepted. One that begins at rest
   /// follows when the one before has come to rest, by its tail if it has one. One that begins in motion after a chunk
   /// that ends at rest is late. Nobody here looks at its events: begun() tells when it begins.
-  Offer offer(planner::Chunk& chunk);
+  Offer offer(planner::Chunk& chunk) { return offer(std::span(&chunk, 1)); }
+  /// Hands over several at once: the cycle sees all of them or none. Each but the first goes on with the motion of the
+  /// one before. At least one.
+  Offer offer(std::span<planner::Chunk> chunks);
+
+  std::size_t capacity() const { return capacity_; }
 
   /// Committed motion, dwells included, that was accepted and that the cycle has not begun, seconds; nothing of the
   /// chunk in motion.

@@ -1,4 +1,5 @@
 #include <leadscrew/pipeline/motion_source.hpp>
+#include <string>
 #include <utility>
 
 namespace leadscrew::pipeline {
@@ -31,8 +32,27 @@ std::optional<planner::Chunk> MotionSource::next() {
     if (auto same = unchanged(); !same) failure_ = same.error();
   }
   std::optional<planner::Chunk> chunk;
-  while (!failure_ && !(chunk = planner_.pop()) && reading_) reading_ = read_move();
+  while (!failure_ && !(chunk = pop()) && reading_) reading_ = read_move();
   return chunk;
+}
+
+std::optional<planner::Chunk> MotionSource::pop() {
+  std::optional<planner::Chunk> chunk = planner_.pop();
+  if (planner_.is_stopped() && !failure_) failure_ = base::problem("interrupted", "interrupted", {});
+  return chunk;
+}
+
+std::optional<base::Diagnostic> MotionSource::warning() const {
+  const std::int64_t count = planner_.simplified_sections();
+  if (count == 0) return std::nullopt;
+  return base::Diagnostic{
+      base::Severity::warning,
+      "planning-simplified",
+      "the fastest motion would take too long to plan: " + std::to_string(count) + (count == 1 ? " part" : " parts") +
+          " of the path are travelled by lower limits than the machine's",
+      "limits of acceleration and jerk that are far beyond what the speeds need are the usual cause",
+      {},
+      {}};
 }
 
 /// Reads on by one move and gives the planner what path it settles. False at the program's end, or on a failure.
