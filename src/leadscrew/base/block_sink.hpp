@@ -21,7 +21,8 @@ class BlockSink {
   std::string& text() { return text_; }
   const Result<void>& state() const { return state_; }
 
-  Result<void> flush_if_full() { return text_.size() < block_bytes ? state_ : flush(); }
+  bool is_full() const { return text_.size() >= block_bytes; }
+  Result<void> flush_if_full() { return is_full() ? flush() : state_; }
   Result<void> flush() {
     if (state_ && !text_.empty()) state_ = sink_(text_);
     text_.clear();

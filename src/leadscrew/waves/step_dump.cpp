@@ -39,7 +39,8 @@ base::Result<void> StepCsvWriter::write(std::span<const steps::StepEvent> events
     at = base::write_integer(at, event.direction());
     *at++ = '\n';
     rows_.text().append(row, static_cast<std::size_t>(at - row));
-    if (auto written = rows_.flush_if_full(); !written) return written;
+    if (!rows_.is_full()) continue;
+    if (auto written = rows_.flush(); !written) return written;
   }
   return rows_.state();
 }
@@ -75,7 +76,8 @@ base::Result<void> StepVcdWriter::write(std::span<const steps::StepEvent> events
     add(event.tick(), step_signal(event.axis()), '1');
     add(event.tick() + ticks.length, step_signal(event.axis()), '0');
     put_before(event.tick() - longest_setup_);  // no event to come changes anything earlier
-    if (auto written = text_.flush_if_full(); !written) return written;
+    if (!text_.is_full()) continue;
+    if (auto written = text_.flush(); !written) return written;
   }
   return text_.state();
 }
