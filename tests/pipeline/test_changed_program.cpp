@@ -63,7 +63,7 @@ double distance_to_path(const base::Word& word) {
 struct Ending {
   std::optional<base::Diagnostic> failure;
   std::vector<base::Word> words;
-  planner::LimitRatios plan{};
+  constraints::LimitRatios plan;
   double length = 0;
 };
 
@@ -90,9 +90,7 @@ void expect_rest_on_the_path(const Ending& ending) {
   EXPECT_EQ(ending.words.back().speed, 0);
   EXPECT_EQ(ending.words.back().state, base::MotionState::rest);
   EXPECT_NEAR(ending.words.back().path_length, ending.length, 1e-6);
-  for (const planner::AxisRatios& axis : ending.plan) {
-    EXPECT_LE(std::max({axis.velocity, axis.acceleration, axis.jerk}), 1.001);
-  }
+  EXPECT_LE(ending.plan.greatest(), 1.001);
 }
 
 TEST(ChangedProgram, RestsOnThePathThatWasCheckedWhateverIsSavedAndWhenever) {
