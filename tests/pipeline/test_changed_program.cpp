@@ -63,7 +63,7 @@ double distance_to_path(const base::Word& word) {
 struct Ending {
   std::optional<base::Diagnostic> failure;
   std::vector<base::Word> words;
-  constraints::LimitRatios plan{};
+  constraints::LimitRatios plan;
   double length = 0;
 };
 

@@ -166,10 +166,9 @@ class MachineReader {
     if (const auto kinematics = string(root, "kinematics", field::kinematics)) machine_.kinematics = *kinematics;
     if (const auto period = number(root, "period_us", {.field = field::period}))
       machine_.period = base::Period{nanoseconds(*period).value_or(0)};
-    if (const auto tolerance = number(root, "tolerance_mm", {.field = field::tolerance}))
-      machine_.tolerance = *tolerance;
-    if (const auto chord_error = number(root, "chord_error_mm", {.field = field::chord_error}))
-      machine_.chord_error = *chord_error;
+    for (const auto& [field, key, value] : machine_numbers) {
+      if (const auto given = number(root, key, {.field = field})) machine_.*value = *given;
+    }
   }
 
   void read_axes(const toml::table& root) {

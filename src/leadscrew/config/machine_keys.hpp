@@ -6,6 +6,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/machine/drive.hpp>
 #include <leadscrew/machine/fields.hpp>
+#include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <string>
 #include <string_view>
@@ -13,8 +14,22 @@
 
 namespace leadscrew::config {
 
-inline constexpr std::array<std::string_view, 6> machine_keys = {"name",         "kinematics",     "period_us",
-                                                                 "tolerance_mm", "chord_error_mm", "axis"};
+/// A number of the machine itself, in the unit that it has there.
+struct MachineNumber {
+  std::string_view field, key;
+  double machine::Machine::* value;
+};
+inline constexpr std::array machine_numbers = {
+    MachineNumber{machine::field::tolerance, "tolerance_mm", &machine::Machine::tolerance},
+    MachineNumber{machine::field::chord_error, "chord_error_mm", &machine::Machine::chord_error}};
+
+/// Outside tables.
+inline constexpr auto machine_keys = [] {
+  std::array<std::string_view, 4 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
+  keys.back() = "axis";
+  return keys;
+}();
 
 inline constexpr std::array<std::string_view, base::axis_count> axis_names = {"X", "Y", "Z", "A", "B",
                                                                               "C", "U", "V", "W"};

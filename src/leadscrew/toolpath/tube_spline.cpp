@@ -144,6 +144,61 @@ void TubeSpline::take_samples() {
   }
 }
 
+/// Of the free points, first … last: sums of squares of rows of six, each less its target.
+class TubeSpline::NormalEquations {
+ public:
+  NormalEquations(std::vector<Point>& points, std::size_t first, std::size_t last)
+      : points_(points), first_(first), last_(last), right_(last - first, Point{}) {
+    matrix_.reset(last - first);
+  }
+
+  /// target: none for 0.
+  void add(std::size_t span, const Six& row, double weight, const Point* target) {
+    for (std::size_t a = 0; a < row.size(); ++a) {
+      const std::size_t i = span + a;
+      if (i < first_ || i >= last_) continue;
+      const double scaled = weight * row[a];
+      Point& b = right_[i - first_];
+      if (target) {
+        for (std::size_t k = 0; k < b.size(); ++k) b[k] += scaled * (*target)[k];
+      }
+      for (std::size_t d = 0; d < row.size(); ++d) {
+        const std::size_t j = span + d;
+        if (j < first_ || j >= last_) {
+          const double product = scaled * row[d];
+          for (std::size_t k = 0; k < b.size(); ++k) b[k] -= product * points_[j][k];
+        } else if (j <= i) {
+          matrix_.add(i - first_, j - first_, scaled * row[d]);
+        }
+      }
+    }
+  }
+
+  /// Where all that is known of a coordinate is one value, rounding must not move it.
+  void solve(const std::vector<Sample>& samples) {
+    matrix_.factor(1e-15);
+    std::vector<double> column(right_.size());
+    for (std::size_t k = 0; k < base::axis_count; ++k) {
+      const double at = points_[0][k];
+      const auto stands = [&](const Point& point) { return point[k] == at; };
+      const auto from = points_.begin(), to = points_.end();
+      const bool moves =
+          !std::all_of(from, from + static_cast<std::ptrdiff_t>(first_), stands) ||
+          !std::all_of(from + static_cast<std::ptrdiff_t>(last_), to, stands) ||
+          std::any_of(samples.begin(), samples.end(), [&](const Sample& sample) { return sample.position[k] != at; });
+      for (std::size_t i = 0; i < column.size(); ++i) column[i] = right_[i][k];
+      if (moves) matrix_.solve(column);
+      for (std::size_t i = 0; i < column.size(); ++i) points_[first_ + i][k] = moves ? column[i] : at;
+    }
+  }
+
+ private:
+  std::vector<Point>& points_;
+  std::size_t first_, last_;
+  numeric::BandedMatrix<quintic_degree> matrix_;
+  std::vector<Point> right_;
+};
+
 void TubeSpline::solve() {
   const std::vector<double>& t = stretch_.knots;
   std::vector<Point>& c = stretch_.points;
@@ -161,31 +216,8 @@ void TubeSpline::solve() {
   }
   if (first >= last) return;
 
-  const std::size_t free = last - first;
-  numeric::BandedMatrix<quintic_degree> matrix;
-  matrix.reset(free);
-  std::vector<Point> right(free, Point{});
-  const auto add = [&](std::size_t span, const Six& row, double weight, const Point* target) {
-    for (std::size_t a = 0; a < row.size(); ++a) {
-      const std::size_t i = span + a;
-      if (i < first || i >= last) continue;
-      const double scaled = weight * row[a];
-      Point& b = right[i - first];
-      if (target) {
-        for (std::size_t k = 0; k < b.size(); ++k) b[k] += scaled * (*target)[k];
-      }
-      for (std::size_t d = 0; d < row.size(); ++d) {
-        const std::size_t j = span + d;
-        if (j < first || j >= last) {
-          const double product = scaled * row[d];
-          for (std::size_t k = 0; k < b.size(); ++k) b[k] -= product * c[j][k];
-        } else if (j <= i) {
-          matrix.add(i - first, j - first, scaled * row[d]);
-        }
-      }
-    }
-  };
-  for (const Sample& sample : samples_) add(sample.span, sample.basis, sample.weight, &sample.position);
+  NormalEquations equations(c, first, last);
+  for (const Sample& sample : samples_) equations.add(sample.span, sample.basis, sample.weight, &sample.position);
   constexpr double place_of_gauss = numeric::gauss_3_abscissa;
   const auto [outer, inner, mirrored] = numeric::gauss_3_weights;
   for (std::size_t span = 0; span < stretch_.spans(); ++span) {
@@ -193,43 +225,33 @@ void TubeSpline::solve() {
     const double length = std::min(smoothing_length(from), smoothing_length(to));
     const double factor = width * std::pow(length, 6);
     for (const auto& [place, weight] : {std::pair{-place_of_gauss, outer}, {0.0, inner}, {place_of_gauss, mirrored}}) {
-      add(span, quintic_third_derivatives(t.data() + span, from + width * (1 + place) / 2), factor * weight, nullptr);
+      const Six row = quintic_third_derivatives(t.data() + span, from + width * (1 + place) / 2);
+      equations.add(span, row, factor * weight, nullptr);
     }
   }
-  matrix.factor(1e-15);
-  std::vector<double> column(free);
-  for (std::size_t k = 0; k < base::axis_count; ++k) {
-    // Where all that is known of a coordinate is one value, rounding must not move it.
-    const double at = c[0][k];
-    const auto stands = [&](const Point& point) { return point[k] == at; };
-    const bool moves =
-        !std::all_of(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(first), stands) ||
-        !std::all_of(c.begin() + static_cast<std::ptrdiff_t>(last), c.end(), stands) ||
-        std::any_of(samples_.begin(), samples_.end(), [&](const Sample& sample) { return sample.position[k] != at; });
-    for (std::size_t i = 0; i < free; ++i) column[i] = right[i][k];
-    if (moves) matrix.solve(column);
-    for (std::size_t i = 0; i < free; ++i) c[first + i][k] = moves ? column[i] : at;
-  }
+  equations.solve(samples_);
 }
 
-/// Is the window inside the tube? Where it is not, ℓ is shortened.
-bool TubeSpline::check() {
+/// |D²_i| of the control points.
+std::vector<double> TubeSpline::bends() const {
   const std::vector<double>& t = stretch_.knots;
   const std::vector<Point>& c = stretch_.points;
-  std::vector<double> bend(c.size() - 2);  // |D²_i|
+  std::vector<double> bend(c.size() - 2);
   std::vector<Point> slope(c.size() - 1);
   for (std::size_t i = 0; i < slope.size(); ++i) {
     const double factor = 5 / (t[i + 6] - t[i + 1]);
     for (std::size_t k = 0; k < slope[i].size(); ++k) slope[i][k] = factor * (c[i + 1][k] - c[i][k]);
   }
   for (std::size_t i = 0; i < bend.size(); ++i) bend[i] = 4 / (t[i + 6] - t[i + 2]) * distance(slope[i + 1], slope[i]);
-  const auto greatest_bend = [&](std::size_t span) { return *std::max_element(&bend[span], &bend[span] + 4); };
+  return bend;
+}
 
-  // Towards an end that is none the curve is free, and what it does there is not settled.
-  const std::size_t judged = whole_ ? stretch_.spans() : std::max(settled_spans(), stretch_.spans() * 3 / 4);
-  turns_back_ = false;
-  Point before{}, way_before{};
+/// Where the samples are on the curve, and whether it takes longer by feed than the polyline. None where it turns back.
+std::optional<bool> TubeSpline::is_detour(std::size_t judged) {
+  const std::vector<Point>& c = stretch_.points;
+  Point before{}, step_before{};
   double last_u = 0, u_before = 0, time = 0, time_before = 0;  // of the curve and of the polyline, by feed
+  bool turns_back = false;
   for (Sample& sample : samples_) {
     Point there{};
     for (std::size_t a = 0; a < sample.basis.size(); ++a) {
@@ -237,27 +259,39 @@ bool TubeSpline::check() {
     }
     sample.distance = distance(there, sample.position);
     // Nearly on the spot: motion would all but stop, at a bend that is hard to plan.
-    const Point way = difference(there, before);
-    const double along = dot(way, way_before), lengths = norm(way) * norm(way_before);
+    const Point step = difference(there, before);
+    const double along = dot(step, step_before), lengths = norm(step) * norm(step_before);
     if (&sample - samples_.data() > 1 && sample.span < judged && along < back * lengths &&
-        norm(way) + norm(way_before) < least_advance * (sample.u - u_before)) {
-      turns_back_ = true;
+        norm(step) + norm(step_before) < least_advance * (sample.u - u_before)) {
+      turns_back = true;
       worst_ = sample.vertex;
     }
     if (&sample != samples_.data()) {
       const double pace = vertices_[sample.vertex].pace, apart = sample.u - last_u;
-      sample.lengthened = apart > rounding * longest_ ? norm(way) / apart : 0;
+      sample.lengthened = apart > rounding * longest_ ? norm(step) / apart : 0;
       if (sample.span < settled_spans()) {
-        time += pace * norm(way);
+        time += pace * norm(step);
         time_before += pace * apart;
       }
     }
     u_before = std::exchange(last_u, sample.u);
-    way_before = way;
+    step_before = step;
     before = there;
   }
+  if (turns_back) return std::nullopt;
+  return time > std::max(most_lengthened * time_before, time_before + granted_time);
+}
+
+/// Is the window inside the tube? Where it is not, ℓ is shortened.
+bool TubeSpline::check() {
+  const std::vector<double> bend = bends();
+  const auto greatest_bend = [&](std::size_t span) { return *std::max_element(&bend[span], &bend[span] + 4); };
+
+  // Towards an end that is none the curve is free, and what it does there is not settled.
+  const std::size_t judged = whole_ ? stretch_.spans() : std::max(settled_spans(), stretch_.spans() * 3 / 4);
+  const std::optional<bool> detour = is_detour(judged);
+  turns_back_ = !detour;
   if (turns_back_) return false;
-  const bool is_detour = time > std::max(most_lengthened * time_before, time_before + granted_time);
   double worst = 1, greatest = 0;
   bool inside = true;
   std::vector<Apex> found;
@@ -267,8 +301,8 @@ bool TubeSpline::check() {
     const double apart = b.u - a.u, bent = std::max(greatest_bend(a.span), greatest_bend(b.span));
     double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].room;
     if (a.span < settled_spans()) greatest = std::max(greatest, share);
-    if (is_detour && b.lengthened > 1) share = std::max(share, b.lengthened);
-    if (share <= 1) continue;  // what is no number is outside
+    if (*detour && b.lengthened > 1) share = std::max(share, b.lengthened);
+    if (share <= 1) continue;  // NaN counts as outside
     inside = false;
     const double u = a.distance > b.distance ? a.u : b.u;
     found.push_back({u, smoothing_length(u) * std::clamp(std::sqrt(0.9 / share), shortened_most, shortened_least)});

@@ -90,7 +90,10 @@ class TubeSpline {
   void shorten(double u, double length);
   void place_knots();
   void take_samples();
+  class NormalEquations;
   void solve();
+  std::vector<double> bends() const;
+  std::optional<bool> is_detour(std::size_t judged);
   bool check();
   std::size_t settled_spans() const;
 
