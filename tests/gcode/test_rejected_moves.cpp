@@ -41,7 +41,7 @@ TEST(RejectedMoves, AreNamedAtTheFirstWordOfTheirBlock) {
 
 /// At their blocks, and where a curve of several lines begins.
 TEST(RejectedMoves, KeepTheirSubject) {
-  const Reading reading = read_rejecting("G0 X0 Y0\nG5.2 X1 Y1 F60\nX2 Y0 P3\nX9 Y9\nG5.3\nM2\n");
+  const Reading reading = read_rejecting("G0 X1 Y1\nG5.2 X2 Y1 F60\nX3 Y0 P3\nX9 Y9\nG5.3\nM2\n");
   ASSERT_EQ(reading.problems(), "1:1 no-good; 2:1 no-good; ");
   for (const base::Diagnostic& problem : reading.diagnostics) {
     EXPECT_EQ(problem.subject.axis, base::Axis::Y);
