@@ -46,47 +46,34 @@ base::Result<void> check_length(const PulseArguments& arguments, const results::
                                "--vcd writes any number of them"));
 }
 
-/// The files that were asked for. They appear together, or not at all.
-class PulseFiles {
- public:
-  base::Result<void> write(const PulseArguments& arguments, const results::AllPulses& pulses) {
-    if (arguments.vcd && arguments.svg && is_same_output(*arguments.vcd, *arguments.svg))
-      return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
-                                   "give each output a name of its own"));
-    return write_one(arguments.vcd,
-                     [&](const auto& sink) { return waves::write_pulse_dump(arguments.curve, pulses, sink); })
-        .and_then([&] {
-          return write_one(arguments.svg,
-                           [&](const auto& sink) { return waves::write_pulse_picture(arguments.curve, pulses, sink); });
-        })
-        .and_then([&] { return publish(); });
-  }
+/// A file that takes bytes until the user interrupts.
+template <class Write>
+base::Result<std::unique_ptr<files::OutputFile>> written(const std::optional<std::string>& path, const Write& write) {
+  if (!path) return nullptr;
+  auto created = files::OutputFile::create(*path, files::OutputFile::Access::sequential);
+  if (!created) return base::failure(created.error());
+  auto file = std::make_unique<files::OutputFile>(std::move(*created));
+  const base::Result<void> result = write([&](std::string_view bytes) -> base::Result<void> {
+    if (files::interrupted()) return base::failure(files::interruption());
+    return file->write(bytes);
+  });
+  if (!result) return base::failure(result.error());
+  return file;
+}
 
- private:
-  template <class Write>
-  base::Result<void> write_one(const std::optional<std::string>& path, const Write& write) {
-    if (!path) return {};
-    auto file = files::OutputFile::create(*path, files::OutputFile::Access::sequential);
-    if (!file) return base::failure(file.error());
-    files_.push_back(std::make_unique<files::OutputFile>(std::move(*file)));
-    return write([sink = files_.back()->sink()](std::string_view bytes) -> base::Result<void> {
-      if (files::interrupted()) return base::failure(files::interruption());
-      return sink(bytes);
-    });
-  }
-
-  base::Result<void> publish() {
-    for (const auto& file : files_) {
-      if (auto closed = file->close(); !closed) return closed;
-    }
-    for (const auto& file : files_) {
-      if (auto published = file->publish(); !published) return published;
-    }
-    return {};
-  }
-
-  std::vector<std::unique_ptr<files::OutputFile>> files_;
-};
+/// The files that were asked for.
+base::Result<void> write_files(const PulseArguments& arguments, const results::AllPulses& pulses) {
+  if (arguments.vcd && arguments.svg && is_same_output(*arguments.vcd, *arguments.svg))
+    return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
+                                 "give each output a name of its own"));
+  const auto dump =
+      written(arguments.vcd, [&](const auto& sink) { return waves::write_pulse_dump(arguments.curve, pulses, sink); });
+  if (!dump) return base::failure(dump.error());
+  const auto picture = written(
+      arguments.svg, [&](const auto& sink) { return waves::write_pulse_picture(arguments.curve, pulses, sink); });
+  if (!picture) return base::failure(picture.error());
+  return files::publish_together({dump->get(), picture->get()});
+}
 
 std::string text_of(const PulseArguments& arguments, const results::AllPulses& pulses, const Style& style) {
   std::string text = results::pulse_summary(arguments.curve, pulses, style);
@@ -100,7 +87,7 @@ base::Result<results::AllPulses> made(const PulseArguments& arguments) {
   auto pulses = measured(arguments);
   if (!pulses) return pulses;
   if (auto sound = check_length(arguments, *pulses); !sound) return base::failure(sound.error());
-  if (auto written = PulseFiles().write(arguments, *pulses); !written) return base::failure(written.error());
+  if (auto written = write_files(arguments, *pulses); !written) return base::failure(written.error());
   return pulses;
 }
 

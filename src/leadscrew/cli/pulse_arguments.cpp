@@ -10,6 +10,7 @@
 #include <leadscrew/files/output_file.hpp>
 #include <limits>
 #include <memory>
+#include <span>
 
 namespace leadscrew::cli {
 
@@ -116,19 +117,32 @@ Parsed<void> check_curve(const Command& command, const Given& given) {
   return {};
 }
 
+/// "dda and koren": the methods that have something.
+template <class Has>
+std::string names_of(const Has& has) {
+  std::vector<std::string_view> names;
+  for (const PulseMethod method : nc::all_pulse_methods) {
+    if (has(method)) names.push_back(nc::name(method));
+  }
+  const std::span all_but_last(names.begin(), names.end() - 1);
+  return fmt::format("{}{}{}", fmt::join(all_but_last, ", "), all_but_last.empty() ? "" : " and ", names.back());
+}
+
 /// An option that none of the methods has would be ignored.
 Parsed<void> check_use(const PulseArguments& arguments) {
   const bool is_arc = arguments.curve.is_arc();
-  const auto is_any = [&](std::initializer_list<PulseMethod> methods) {
-    return std::find_first_of(arguments.methods.begin(), arguments.methods.end(), methods.begin(), methods.end()) !=
-           arguments.methods.end();
+  const auto check = [&](std::string_view option, bool is_given, bool nc::MethodUses::* use) -> Parsed<void> {
+    const auto has = [&](PulseMethod method) { return nc::uses_of(method).*use; };
+    const bool is_of_arcs = use != &nc::MethodUses::preload;
+    const bool is_used =
+        std::any_of(arguments.methods.begin(), arguments.methods.end(), has) && (is_arc || !is_of_arcs);
+    if (!is_given || is_used) return {};
+    return wrong("{} is for {}{}", option, is_of_arcs ? "arcs by " : "", names_of(has));
   };
-  const bool integrates = is_any({PulseMethod::dda, PulseMethod::koren});
-  if (arguments.options.preload && !integrates) return wrong("--preload is for dda and koren");
-  if (arguments.options.order && !(integrates && is_arc)) return wrong("--order is for arcs by dda and koren");
-  if (arguments.options.tie && !(is_arc && is_any({PulseMethod::point_comparison})))
-    return wrong("--tie is for arcs by point-comparison");
-  return {};
+  const nc::MethodOptions& options = arguments.options;
+  return check("--preload", options.preload.has_value(), &nc::MethodUses::preload)
+      .and_then([&] { return check("--order", options.order.has_value(), &nc::MethodUses::order); })
+      .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); });
 }
 
 /// Of what is written: each ending belongs to one option.

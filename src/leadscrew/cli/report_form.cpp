@@ -64,7 +64,7 @@ base::Result<SourceLines> source_lines(const files::InputFile& file, const std::
 std::vector<report::LimitRatios> limits_of(const results::RunFigures& figures) {
   std::vector<report::LimitRatios> list;
   for (const referee::AxisVerdict& axis : figures.verdict.axes) {
-    const planner::AxisRatios& plan = figures.summary.plan[base::index(axis.axis)];
+    const machine::Derivatives plan = figures.summary.plan.of_axis(axis.axis);
     list.push_back({.axis = axis.axis,
                     .velocity = axis.velocity_ratio,
                     .acceleration = axis.acceleration_ratio,
@@ -110,7 +110,7 @@ base::Result<report::Report> report_of(const files::InputFile& file, const Job& 
   results::RunFigures of_words{figures.summary, figures.verdict, {}};
   of_words.verdict.axes.clear();
   for (const auto& [axis, tracking] : figures.axes) {
-    const planner::AxisRatios& plan = figures.summary.plan[base::index(axis)];
+    const machine::Derivatives plan = figures.summary.plan.of_axis(axis);
     of_words.verdict.axes.push_back({axis, plan.velocity, plan.acceleration, plan.jerk});
   }
   of_words.verdict.feed_max_ratio = 0;  // an override may double it

@@ -105,7 +105,8 @@ class ProgramRun {
     program.watch([&] { return file.unchanged(); });
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
-    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
+                             files::interrupted);
     StopWatch watch;
     console_.begin_progress();
     while (watch.prepare([&] { return program.prepare(); })) {
@@ -120,6 +121,7 @@ class ProgramRun {
     }
     if (program.failure()) return base::failure(*program.failure());
     referee::Verdict verdict = referee.conclude();
+    if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     return results::RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};
   }

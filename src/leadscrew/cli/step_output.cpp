@@ -48,13 +48,6 @@ void check_screws(const Job& job, DiagnosticLog& log) {
                     "errors and backlash"));
 }
 
-/// Along whole programs both kinds of DDA have capacities for an even feed, whatever `pulse` takes for hardware.
-std::string_view dda_conventions(nc::PulseMethod method) {
-  if (method == nc::PulseMethod::dda) return "capacity R or L, registers clocked together, half full";
-  if (method == nc::PulseMethod::koren) return "capacity R or L, x before y, half full";
-  return {};
-}
-
 /// As it is asked to move, so that its screws' errors are made good.
 base::Result<machine::Machine> compensated_machine(const Job& job) {
   const auto compensation = steps::Compensation::create(job.machine);
@@ -184,7 +177,7 @@ results::StepFigures StepOutput::figures() const {
   const Arguments& arguments = job_->arguments;
   results::StepFigures figures;
   figures.method = arguments.run.pulse_method ? std::string(nc::name(*arguments.run.pulse_method)) : "words";
-  if (arguments.run.pulse_method) figures.conventions = dda_conventions(*arguments.run.pulse_method);
+  if (arguments.run.pulse_method) figures.conventions = nc::conventions_in_programs(*arguments.run.pulse_method);
   figures.clock_hz = arguments.run.step_clock;
   figures.steps = steps_;
   figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.run.step_clock);

@@ -32,8 +32,7 @@ base::Result<void> draw(const study::Study& study, const std::string& path) {
   if (!file) return base::failure(file.error());
   const std::string title = "leadscrew study " + std::string(study.name) + ": feed at the tachometers";
   if (auto written = report::write_charts(title, "mm/s", study.charts(), file->sink()); !written) return written;
-  if (auto closed = file->close(); !closed) return closed;
-  return file->publish();
+  return files::publish_together({&*file});
 }
 
 Status status_of(const study::Rows& rows) {

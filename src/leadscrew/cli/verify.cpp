@@ -3,10 +3,11 @@
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
 
 namespace leadscrew::cli {
 
@@ -55,7 +56,8 @@ class Verification {
     if (!rows) return base::failure(rows.error());
     note_absent_axes(rows->axes(), trace.name());
     gcode::Reader reader = silent_reader(program, job_);
-    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine_, machine_.period);
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine_, machine_.period,
+                             files::interrupted);
     console_.begin_progress();
     while (true) {
       const auto row = rows->next();
@@ -63,10 +65,12 @@ class Verification {
       if (!*row) break;
       referee.observe(completed((*row)->position, rows->axes()));
       if (++progress.words % rows_between_checks != 0) continue;
+      if (files::interrupted()) return base::failure(files::interruption());
       progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
       console_.progress(progress);
     }
     referee::Verdict verdict = referee.conclude();
+    if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     return verdict;
   }

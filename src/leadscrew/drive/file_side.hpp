@@ -3,7 +3,7 @@
 // its whole row is in the file, under its own name: whatever is killed, all words that the state knows are there.
 
 #include <leadscrew/drive/word_side.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/csv_writer.hpp>
 
 namespace leadscrew::drive {
 

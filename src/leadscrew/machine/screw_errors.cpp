@@ -24,7 +24,7 @@ void check_step(const std::string& name, const base::Subject& entry, const Pitch
   } else if (std::fabs(change) > greatest_pitch_slope * distance) {
     problems.push_back(base::problem("pitch-slope",
                                      name + ": the error changes by " + text(change) + " along " + text(distance),
-                                     "at most a tenth of the way; are errors in the same unit as positions?", entry));
+                                     "at most a tenth of the distance; are errors in the same unit as positions?", entry));
   }
 }
 

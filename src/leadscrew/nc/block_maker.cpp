@@ -32,7 +32,7 @@ base::AxisVector between(const base::AxisVector& from, const base::AxisVector& t
 /// By length, 1/mm or 1/degree: at what the chord's error is an eighth of its square by this.
 double curvature(const geometry::Nurbs& piece, double s) {
   double square = 0;
-  for (const numeric::Jet& jet : piece.jets(s)) square += jet.second * jet.second;
+  for (const numeric::Jet<>& jet : piece.jets(s)) square += jet.second * jet.second;
   return std::sqrt(square);
 }
 

@@ -37,8 +37,7 @@ double real(std::int64_t value) {
 /// speed; where one axis steps at every command the other one's rate is the tangent, whose second derivative is 2√2 at
 /// an eighth of a turn.
 double curving(PulseMethod method) {
-  const bool is_search = !is_dda(method) && method != PulseMethod::point_comparison;
-  return is_search ? 2 * std::numbers::sqrt2 : 1;
+  return rate_of(method) == CommandRate::longest_axis ? 2 * std::numbers::sqrt2 : 1;
 }
 
 /// Steps of the arc's axes a command, where it passes `at`.
@@ -46,11 +45,9 @@ void set_tangent(const Block& block, pulse::Point at, PulseMethod method, std::a
   const double radius = std::hypot(real(at.x), real(at.y)), sense = static_cast<double>(block.arc.direction);
   const double x = -sense * real(at.y) / radius, y = sense * real(at.x) / radius;
   double scale = real(block.circle_commands) / real(block.commands);
-  if (method == PulseMethod::point_comparison) {
-    scale /= std::abs(x) + std::abs(y);
-  } else if (curving(method) > 1) {
-    scale /= std::max(std::abs(x), std::abs(y));
-  }
+  const CommandRate rate = rate_of(method);
+  if (rate == CommandRate::every_step) scale /= std::abs(x) + std::abs(y);
+  if (rate == CommandRate::longest_axis) scale /= std::max(std::abs(x), std::abs(y));
   steps[block.first_axis] = x * scale;
   steps[block.second_axis] = y * scale;
 }

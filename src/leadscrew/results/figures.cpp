@@ -8,10 +8,6 @@ namespace {
 /// As the referee has it: a limit is not kept when it is passed by more than 0.1 %.
 constexpr double largest_ratio = 1.001;
 
-bool is_within(const planner::AxisRatios& ratios) {
-  return std::max({ratios.velocity, ratios.acceleration, ratios.jerk}) <= largest_ratio;
-}
-
 }  // namespace
 
 std::int64_t count(const Diagnostics& diagnostics, base::Severity severity) {
@@ -19,7 +15,7 @@ std::int64_t count(const Diagnostics& diagnostics, base::Severity severity) {
 }
 
 bool RunFigures::kept() const {
-  return !verdict.objects() && std::all_of(summary.plan.begin(), summary.plan.end(), is_within);
+  return !verdict.objects() && summary.plan.greatest() <= largest_ratio;
 }
 
 }  // namespace leadscrew::results

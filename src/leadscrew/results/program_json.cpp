@@ -36,12 +36,15 @@ Json axes_of(const referee::Verdict& verdict) {
   return list;
 }
 
-Json plan_of(const planner::LimitRatios& plan, const machine::Machine& machine) {
+Json plan_of(const constraints::LimitRatios& plan, const machine::Machine& machine) {
   Json list = Json::list();
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
-    const planner::AxisRatios& ratios = plan[base::index(axis)];
+    const machine::Derivatives ratios = plan.of_axis(axis);
     list.push_back(axis_object(axis, ratios.velocity, ratios.acceleration, ratios.jerk));
+  }
+  for (const auto& [name, ratio] : plan.of_path()) {
+    if (ratio > 0) list.push_back(Json::object({{"name", name}, {"ratio", ratio}}));
   }
   return list;
 }

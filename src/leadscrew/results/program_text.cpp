@@ -30,7 +30,7 @@ std::string feed_text(double programmed_mm_s, double max_ratio) {
   return fmt::format("programmed up to {:g} mm/min, reached {:.1f} % of it", programmed_mm_s * 60, max_ratio * 100);
 }
 
-std::string axis_table(const referee::Verdict& verdict, const planner::LimitRatios* plan, const Style& style) {
+std::string axis_table(const referee::Verdict& verdict, const constraints::LimitRatios* plan, const Style& style) {
   std::string text = style(
       Tone::faint, plan == nullptr
                        ? "  axis    velocity   accel.     jerk    of its limit"
@@ -40,11 +40,20 @@ std::string axis_table(const referee::Verdict& verdict, const planner::LimitRati
     text += fmt::format("  {:<4} {}{}{}", base::letter(axis.axis), percent(axis.velocity_ratio, style),
                         percent(axis.acceleration_ratio, style), percent(axis.jerk_ratio, style));
     if (plan != nullptr) {
-      const planner::AxisRatios& ratios = (*plan)[base::index(axis.axis)];
+      const machine::Derivatives ratios = plan->of_axis(axis.axis);
       text += fmt::format("{:24}{}{}{}", "", percent(ratios.velocity, style), percent(ratios.acceleration, style),
                           percent(ratios.jerk, style));
     }
     text += '\n';
+  }
+  return text;
+}
+
+/// A line for each limit of the path itself that the machine has.
+std::string path_limits_text(const constraints::LimitRatios& plan, const Style& style) {
+  std::string text;
+  for (const auto& [name, ratio] : plan.of_path()) {
+    if (ratio > 0) text += fmt::format("  {} {} of its limit, by plan\n", name, percent(ratio, style));
   }
   return text;
 }
@@ -132,7 +141,7 @@ std::string run_summary(const std::string& program, const machine::Machine& mach
   text += row("words", fmt::format("{}", summary.words));
   text += row("feed", feed_text(summary.feed_programmed_max, verdict.feed_max_ratio));
   text += row("deviation", deviation_text(verdict.deviation_mm, summary.tolerance_mm));
-  text += axis_table(verdict, &summary.plan, style);
+  text += axis_table(verdict, &summary.plan, style) + path_limits_text(summary.plan, style);
   text += violations_text(verdict, style);
   text += verdict_text(figures.kept(), style);
   if (figures.steps) text += row("steps", steps_text(*figures.steps));

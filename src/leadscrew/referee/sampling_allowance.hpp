@@ -1,5 +1,5 @@
 #pragma once
-// How far a motion may have been from the chord between two words without the words showing it.
+// The sampling allowance: how far a motion may have been from the chord between two words without the words showing it.
 //
 // With |f″| ≤ a between two samples T apart, f departs from their chord by at most a·T²/8. The acceleration limits
 // bound a, and so do the words themselves: the second difference of the last three is T² times the mean of the
@@ -12,11 +12,11 @@
 
 namespace leadscrew::referee {
 
-class SamplingExcuse {
+class SamplingAllowance {
  public:
-  SamplingExcuse(const Metric& metric, double period) : metric_(metric), period_(period) {}
+  SamplingAllowance(const Metric& metric, double period) : metric_(metric), period_(period) {}
 
-  /// The motion stands here.
+  /// The motion is at rest at this first word.
   void begin(const Point& word) { before_ = last_ = word; }
 
   /// For the chord from the word before to this one, mm.

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/referee/appeal.hpp>
+#include <leadscrew/referee/rematch.hpp>
 
 namespace leadscrew::referee {
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double fineness = 16;            // parts for a length of the tolerance
 constexpr int most_parts_at_end = 64;      // of a piece: 4 tolerances
-constexpr double far = 3;                  // tolerances
+constexpr double far = 3;                  // tolerances; between marks, and from where a rematch began
 constexpr std::size_t most_words = 4096;   // after a mark
 constexpr std::size_t most_cut = 512;      // parts; where as many are held already, pieces stay whole
 constexpr std::size_t most_parts = 16896;  // looked ahead
@@ -19,7 +19,7 @@ bool better(const Candidate& a, const Candidate& b) {
 
 }  // namespace
 
-Appeal::Cuts::Cuts(const Metric& metric, const Piece& piece) {
+Rematch::Cuts::Cuts(const Metric& metric, const Piece& piece) {
   if (!(piece.tolerance > 0)) return;
   const double parts = std::ceil(fineness * length_of(metric, piece) / piece.tolerance);
   const bool middle = parts > 2 * most_parts_at_end;
@@ -27,55 +27,58 @@ Appeal::Cuts::Cuts(const Metric& metric, const Piece& piece) {
   fine = 1 / (middle ? parts : count);
 }
 
-double Appeal::Cuts::operator[](int i) const {
+double Rematch::Cuts::operator[](int i) const {
   return i <= count / 2 ? fine * i : 1 - fine * (count - i);
 }
 
-Appeal::Appeal(const Metric& metric, Frontier& whole)
-    : metric_(metric), whole_(whole), parts_(metric, [this](Piece& part) { return next_part(part); }) {}
+Rematch::Rematch(const Metric& metric, CandidateSet& whole, Cancellation& cancellation)
+    : metric_(metric),
+      cancellation_(cancellation),
+      whole_(whole),
+      parts_(metric, [this](Piece& part) { return next_part(part); }, cancellation) {}
 
-void Appeal::set(Mark& mark) {
+void Rematch::set(Mark& mark) {
   mark.word = whole_.word();
   mark.words.clear();
   mark.candidates.clear();
   for (std::size_t i = 0; i <= whole_.last_alive(); ++i) {
-    const Frontier::Slot& slot = whole_.slot(i);
+    const CandidateSet::Slot& slot = whole_.slot(i);
     if (slot.now.alive) mark.candidates.push_back({whole_.front_serial() + static_cast<std::int64_t>(i), slot.now});
   }
 }
 
-void Appeal::begin() {
+void Rematch::start_recording() {
   set(older_);
   set(newer_);
   recording_ = true;
 }
 
-void Appeal::record(const Point& word, double excuse) {
+void Rematch::record(const Point& word, double allowance) {
   if (!recording_) return;
   std::vector<Word>& words = newer_.words;
-  if (words.empty() || words.back().point != word) words.push_back({word, excuse});
+  if (words.empty() || words.back().point != word) words.push_back({word, allowance});
 }
 
-void Appeal::mark(double tolerance) {
-  if (!recording_) return begin();
+void Rematch::advance_mark(double tolerance) {
+  if (!recording_) return start_recording();
   if (near(newer_.word, tolerance) && newer_.words.size() < most_words) return;
   std::swap(older_, newer_);
   set(newer_);
 }
 
-void Appeal::forget() {
-  recording_ = open_ = false;
+void Rematch::stop() {
+  recording_ = running_ = false;
 }
 
-void Appeal::close(double tolerance) {
-  if (!near(opened_, tolerance)) open_ = false;
+void Rematch::stop_when_far(double tolerance) {
+  if (!near(started_at_, tolerance)) running_ = false;
 }
 
-bool Appeal::near(const Point& place, double tolerance) const {
+bool Rematch::near(const Point& place, double tolerance) const {
   return metric_.squared_distance(whole_.word(), place) <= far * far * tolerance * tolerance;
 }
 
-bool Appeal::begin_parts() {
+bool Rematch::begin_parts() {
   if (!recording_ || !whole_.keeps(first_needed())) return false;
   parts_.begin(older_.word);
   serial_ = first_needed();
@@ -95,36 +98,36 @@ bool Appeal::begin_parts() {
   return true;
 }
 
-bool Appeal::hear() {
+bool Rematch::run() {
   if (!begin_parts()) return false;
   bool first = true;
   for (const Mark* mark : {&older_, &newer_}) {
     for (const Word& word : mark->words) {
       if (!first) parts_.adopt();
       first = false;
-      if (!judge(word.point, word.excuse)) return false;
+      if (!judge(word.point, word.allowance)) return false;
     }
   }
   if (first) return false;
-  opened_ = whole_.word();
-  open_ = true;
+  started_at_ = whole_.word();
+  running_ = true;
   return true;
 }
 
-bool Appeal::observe(const Point& word, double excuse) {
+bool Rematch::observe(const Point& word, double allowance) {
   parts_.adopt();
   parts_.limit(most_parts);
-  open_ = judge(word, excuse);
-  return open_;
+  running_ = judge(word, allowance);
+  return running_;
 }
 
-bool Appeal::judge(const Point& word, double excuse) {
-  parts_.observe(word, excuse);
+bool Rematch::judge(const Point& word, double allowance) {
+  parts_.observe(word, allowance);
   best_ = parts_.step({nanometre, nanometre, most_parts});
-  return parts_.slot(best_).next.margin <= nanometre;
+  return !cancellation_.requested() && parts_.slot(best_).next.margin <= nanometre;
 }
 
-void Appeal::transfer() {
+void Rematch::transfer_candidates() {
   std::size_t first = 0;
   while (!parts_.slot(first).next.alive) ++first;
   whole_.reach_back(parts_.slot(first).piece.serial);
@@ -137,22 +140,23 @@ void Appeal::transfer() {
     const Piece& part = parts_.slot(i).piece;
     const Candidate& candidate = parts_.slot(i).next;
     if (!candidate.alive) continue;
-    Frontier::Slot& whole = whole_.slot(index(i));
+    CandidateSet::Slot& whole = whole_.slot(index(i));
     if (whole.next.alive && !better(candidate, whole.next)) continue;
     whole.next = candidate;
     whole.next.place = std::min(part.begins + part.scale * candidate.place, whole.piece.span);
+    whole.next.held = true;  // the best of the parts need not be the nearest
   }
   whole_.replace_next(last);
 }
 
-std::optional<Frontier::End> Appeal::conclude() {
-  if (!open_ && !hear()) return std::nullopt;
+std::optional<CandidateSet::End> Rematch::conclude() {
+  if (!running_ && !run()) return std::nullopt;
   if (!whole_.keeps(serial_)) return std::nullopt;
   parts_.adopt();
   return parts_.conclude(0);
 }
 
-bool Appeal::next_part(Piece& result) {
+bool Rematch::next_part(Piece& result) {
   const Piece* piece = whole_.find(serial_);
   if (piece == nullptr) return false;
   if (cut_ == 0) cuts_ = parts_.count() < most_cut ? Cuts(metric_, *piece) : Cuts();

@@ -1,11 +1,4 @@
-#include <leadscrew/report/page_parts.hpp>
-
-namespace leadscrew::report {
-
-// The page is complete without it: it adds the shared cursor and zoom to the charts over time. With every zoom the
-// bands and the time ticks are drawn anew from the bins, which are finer than what the page shows at first.
-std::string_view page_script() {
-  return R"('use strict';
+'use strict';
 (() => {
   const holder = document.getElementById('channels');
   if (!holder) return;
@@ -139,7 +132,3 @@ std::string_view page_script() {
   all.addEventListener('click', () => look(0, data.end));
   document.documentElement.classList.add('scripted');
 })();
-)";
-}
-
-}  // namespace leadscrew::report

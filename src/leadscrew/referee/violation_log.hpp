@@ -1,5 +1,5 @@
 #pragma once
-// What is held against the trace.
+// The violations of a trace: all counted, the first 1000 listed.
 
 #include <algorithm>
 #include <leadscrew/referee/referee.hpp>
@@ -12,20 +12,20 @@ inline constexpr double objectionable_ratio = 1.001;
 
 inline constexpr std::size_t most_violations_listed = 1000;
 
-class Docket {
+class ViolationLog {
  public:
   void add(double t, base::Line line, const char* what, double value, double limit) {
     ++count_;
     if (ordinary_.size() < most_violations_listed) ordinary_.push_back({t, line, what, value, limit});
   }
 
-  /// Of a kind that there are few of: listed before others, so that a long departure does not hide them.
+  /// For kinds of which there are few: listed before all others, so that a long departure does not hide them.
   void add_rare(double t, base::Line line, const char* what, double value, double limit) {
     ++count_;
     if (rare_.size() < most_violations_listed) rare_.push_back({t, line, what, value, limit});
   }
 
-  /// For those who count by themselves, and list at most as many as are listed.
+  /// Lists without counting and counts without listing, for checks that know only at the end which ones count.
   void list(Violation violation) { ordinary_.push_back(std::move(violation)); }
   void add_count(std::int64_t count) { count_ += count; }
 

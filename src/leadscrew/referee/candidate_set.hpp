@@ -1,19 +1,21 @@
 #pragma once
-// All that the latest word may be matched to, carried from word to word (matcher.hpp).
+// The candidate set: every place of the path that the latest word may be matched to, carried from word to word
+// (matcher.hpp).
 //
-// Every piece of the path holds at most one candidate: the place matched to the latest word if that word is on this
-// piece, and the largest distance that led there. From word to word,
+// Every piece of the path holds at most one candidate: the place on this piece that is matched to the latest word, and
+// the largest distance of the matching that leads to it. From word to word,
 //
 //     cost'(piece) = max(distance of the word to the piece, min(cost(piece), carried)),
-//     carried      = min over earlier pieces of max(cost, largest distance of all between to the chord − a·T²/8).
+//     carried      = min over earlier pieces of max(cost, largest distance of all between to the chord − allowance),
 //
-// On its piece a candidate goes to the place nearest to the word and never back. Where words run back along a piece it
-// is therefore told too far, by no more than the piece is long: a matching that visits the same pieces in the same
-// order has every word on the same piece.
+// with the sampling allowance a·T²/8 (sampling_allowance.hpp). On its piece a candidate goes to the place nearest to
+// the word and never back. Where words run back along a piece its distance therefore comes out too large, by no more
+// than the piece's length: a matching that visits the same pieces in the same order has every word on the same piece.
 
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/line.hpp>
+#include <leadscrew/referee/cancellation.hpp>
 #include <leadscrew/referee/piece.hpp>
 #include <limits>
 #include <vector>
@@ -26,21 +28,22 @@ struct Candidate {
 
   bool alive = false;
   double place = 0;           ///< on its piece
+  bool held = false;          ///< true if a place before it on the piece, to which it may not return, may be nearer
   double distance = 0;        ///< mm; from there to the latest word, or to the chord where path was passed over
-  double cost = 0;            ///< mm; largest distance since it was last forgotten
-  double margin = none;       ///< mm; likewise
-  double skip = 0;            ///< mm; largest distance of path between words to their chord, less the excuse
+  double cost = 0;            ///< mm; largest distance since the last reset_cost()
+  double margin = none;       ///< mm; largest margin since then
+  double skip = 0;            ///< mm; largest distance of path between words to their chord, less the allowance
   double skip_margin = none;  ///< mm
   base::Line skip_line{};
 
-  /// What led here is settled.
-  void forget() {
+  /// Where this is the only candidate left, its past no longer decides between matchings.
+  void reset_cost() {
     cost = 0;
     margin = none;
   }
 };
 
-class Frontier {
+class CandidateSet {
  public:
   /// The next piece; false at the program's end.
   using Supply = std::function<bool(Piece&)>;
@@ -51,28 +54,29 @@ class Frontier {
     Candidate next;
   };
 
-  /// How far candidates may go in one step, beside a share of the tolerance.
+  /// How far candidates may go in one step; a quarter of the tolerance is added to both margins.
   struct Reach {
     double carry = nanometre;  ///< mm; margin up to which path is passed over
     double keep = nanometre;   ///< mm; margin up to which a candidate is kept
     std::size_t pieces = 0;    ///< ahead
   };
 
-  Frontier(const Metric& metric, Supply supply);
+  CandidateSet(const Metric& metric, Supply supply, Cancellation& cancellation);
 
-  /// Stands at a word; pieces and candidates are gone.
+  /// Drops all pieces and candidates and takes this as the latest word.
   void begin(const Point& word);
-  /// The next chord, to this word; `excuse`: how far from it the motion may have been unseen, mm.
-  void observe(const Point& word, double excuse);
+  /// The next word; `allowance`: how far the motion may have been from the chord to it, mm.
+  void observe(const Point& word, double allowance);
 
-  /// Computes every `next` after the chord; returns the slot of the best.
+  /// Computes every `next` after the chord; returns the slot of the best. Of no use once cancelled, as conclude() is.
   std::size_t step(const Reach& reach);
-  /// Makes every `next` the present candidate and drops the pieces before the first.
+  /// Makes every `next` the present candidate and drops the pieces before the first candidate.
   void adopt();
-  /// Gives up the first piece where more are held than may be.
+  /// Drops the first piece if as many as `pieces` are held.
   void limit(std::size_t pieces);
 
-  /// To the end of the program from the last word: the one candidate there is, and what it was before the end.
+  /// The best candidate at the end of the program after the last word, and what it was before the end point itself was
+  /// passed over.
   struct End {
     Candidate at, before;
     Point point{};
@@ -81,7 +85,7 @@ class Frontier {
 
   bool pull();
   void drop_front();
-  /// A point, where the program has no piece.
+  /// Adds a piece without length, for a program that has none.
   Piece& add_point();
 
   Slot& slot(std::size_t i) { return slots_[(front_ + i) & (slots_.size() - 1)]; }
@@ -92,12 +96,12 @@ class Frontier {
   std::size_t next_last() const { return next_last_; }    ///< slot of the last of them
   const Point& word() const { return word_; }
 
-  /// Puts a candidate on a slot, from the first to the last.
+  /// Puts a candidate on a slot; slots in rising order.
   void place(std::size_t i, const Candidate& candidate);
-  /// Replaces what the step found by what `next` of the slots up to `last` says.
+  /// Takes `next` of the slots up to `last`, as the caller has set them, for the result of the step.
   void replace_next(std::size_t last);
 
-  /// Dropped pieces are kept from this one on, and found again by their serial number.
+  /// Of the dropped pieces, keeps those from this serial number on; find() and reach_back() still know them.
   void keep_from(std::int64_t serial);
   bool keeps(std::int64_t serial) const;
   std::int64_t front_serial() const { return front_serial_; }
@@ -114,7 +118,8 @@ class Frontier {
 
   const Metric& metric_;
   Supply supply_;
-  double excuse_ = 0;
+  Cancellation& cancellation_;
+  double allowance_ = 0;
   Chord chord_;
   Point word_{};
 
