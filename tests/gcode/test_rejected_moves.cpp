@@ -21,7 +21,7 @@ Reading read_rejecting(const std::string& text, std::int64_t line = 0) {
   while (reader.next(move)) {
     reading.moves.push_back(move);
     if (move.kind == Move::Kind::event || (line != 0 && base::number(move.line) != line)) continue;
-    reader.reject(move, {base::Severity::error, "no-good", "no good", "better", {}, {}});
+    reader.reject(move, base::problem("no-good", "no good", "better", {.axis = base::Axis::Y, .field = "good"}));
   }
   reading.errors = reader.errors();
   return reading;
@@ -37,6 +37,16 @@ TEST(RejectedMoves, AreNamedAtTheFirstWordOfTheirBlock) {
   EXPECT_EQ(last.hint, "better");
   EXPECT_EQ(reading.errors, 3);
   EXPECT_EQ(reading.moves.size(), 4u);
+}
+
+/// At their blocks, and where a curve of several lines begins.
+TEST(RejectedMoves, KeepTheirSubject) {
+  const Reading reading = read_rejecting("G0 X1 Y1\nG5.2 X2 Y1 F60\nX3 Y0 P3\nX9 Y9\nG5.3\nM2\n");
+  ASSERT_EQ(reading.problems(), "1:1 no-good; 2:1 no-good; ");
+  for (const base::Diagnostic& problem : reading.diagnostics) {
+    EXPECT_EQ(problem.subject.axis, base::Axis::Y);
+    EXPECT_EQ(problem.subject.field, "good");
+  }
 }
 
 /// Among the errors that the reader finds itself; and none of them makes another.

@@ -44,9 +44,10 @@ class Reader::Implementation {
 
   void reject(const Move& move, base::Diagnostic problem) {
     if (move.line == reporter_.line()) {
-      reporter_.error(problem.code, block_.first_column, std::move(problem.message), std::move(problem.hint));
+      reporter_.error(problem.code, block_.first_column, std::move(problem.message), std::move(problem.hint),
+                      problem.subject);
     } else {
-      reporter_.error_where_kept(problem.code, std::move(problem.message), std::move(problem.hint));
+      reporter_.error_where_kept(problem.code, std::move(problem.message), std::move(problem.hint), problem.subject);
     }
   }
 

@@ -75,8 +75,8 @@ Reporter::Reporter(std::string file, DiagnosticSink sink) : file_(std::move(file
 }
 
 void Reporter::send(base::Severity severity, std::string_view code, base::Place place, std::string message,
-                    std::string hint, std::string source) {
-  if (sink_) sink_({severity, code, std::move(message), std::move(hint), std::move(place), std::move(source)});
+                    std::string hint, std::string source, base::Subject subject) {
+  if (sink_) sink_({severity, code, std::move(message), std::move(hint), std::move(place), std::move(source), subject});
 }
 
 void Reporter::report(base::Severity severity, std::string_view code, base::Place place, std::string message,
@@ -85,9 +85,10 @@ void Reporter::report(base::Severity severity, std::string_view code, base::Plac
   send(severity, code, std::move(place), std::move(message), std::move(hint), {});
 }
 
-bool Reporter::error(std::string_view code, std::int64_t column, std::string message, std::string hint) {
+bool Reporter::error(std::string_view code, std::int64_t column, std::string message, std::string hint,
+                     base::Subject subject) {
   failed_ = true;
-  return error_at({file_, line_.number, column}, text(), code, std::move(message), std::move(hint));
+  return error_at({file_, line_.number, column}, text(), code, std::move(message), std::move(hint), subject);
 }
 
 void Reporter::keep(std::int64_t column) {
@@ -96,15 +97,15 @@ void Reporter::keep(std::int64_t column) {
   kept_text_.assign(text().substr(0, longest_source + 1));
 }
 
-bool Reporter::error_where_kept(std::string_view code, std::string message, std::string hint) {
-  return error_at({file_, kept_line_, kept_column_}, kept_text_, code, std::move(message), std::move(hint));
+bool Reporter::error_where_kept(std::string_view code, std::string message, std::string hint, base::Subject subject) {
+  return error_at({file_, kept_line_, kept_column_}, kept_text_, code, std::move(message), std::move(hint), subject);
 }
 
 bool Reporter::error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
-                        std::string hint) {
+                        std::string hint, base::Subject subject) {
   if (muted_ || full_) return false;
   ++errors_;
-  send(base::Severity::error, code, place, std::move(message), std::move(hint), source_of(text, place.column));
+  send(base::Severity::error, code, place, std::move(message), std::move(hint), source_of(text, place.column), subject);
   if (errors_ < most_errors) return false;
   full_ = true;
   ++errors_;

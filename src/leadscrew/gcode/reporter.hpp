@@ -22,7 +22,8 @@ class Reporter {
   }
 
   /// Reports an error at a column, counted in bytes from 1, and returns false.
-  bool error(std::string_view code, std::int64_t column, std::string message, std::string hint);
+  bool error(std::string_view code, std::int64_t column, std::string message, std::string hint,
+             base::Subject subject = {});
   void warning(std::string_view code, std::int64_t column, std::string message, std::string hint);
   /// Says something about the text as a whole.
   void report(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint);
@@ -30,7 +31,7 @@ class Reporter {
   /// Keeps the line and a column of it, where something begins that further lines belong to.
   void keep(std::int64_t column);
   /// Reports an error there.
-  bool error_where_kept(std::string_view code, std::string message, std::string hint);
+  bool error_where_kept(std::string_view code, std::string message, std::string hint, base::Subject subject = {});
 
   /// Makes the block fail for a cause that has been reported before, and returns false.
   bool fail() {
@@ -50,9 +51,9 @@ class Reporter {
 
  private:
   void send(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint,
-            std::string source);
+            std::string source, base::Subject subject = {});
   bool error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
-                std::string hint);
+                std::string hint, base::Subject subject);
   std::string_view text() const { return {line_.begin, static_cast<std::size_t>(line_.end - line_.begin)}; }
 
   std::string file_;
