@@ -15,12 +15,12 @@
 
 namespace leadscrew::cli {
 
-/// Where the time of the computer went, in seconds of the steady clock.
+/// Where the time of the computer went.
 struct Effort {
-  double read = 0;   ///< the program, whole, for its diagnostics
-  double plan = 0;   ///< all calls that prepare words
-  double words = 0;  ///< all calls that make words
-  realtime::Histogram cycles;
+  double read = 0;             ///< s of the processor: the program, whole, for its diagnostics
+  double plan = 0;             ///< s of the processor: all calls that plan
+  double words = 0;            ///< s: all calls that make words, from those that were timed
+  realtime::Histogram cycles;  ///< of the calls that were timed (stop_watch.hpp)
 };
 
 struct RunFigures {

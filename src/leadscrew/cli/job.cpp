@@ -3,7 +3,7 @@
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/machine_file.hpp>
-#include <leadscrew/cli/processor_time.hpp>
+#include <leadscrew/cli/stop_watch.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 
 namespace leadscrew::cli {
@@ -126,7 +126,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
   constexpr std::int64_t moves_between_looks = 4096;
-  const double begin = processor_seconds();
+  const double begin = SystemClocks::processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
   gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file.name()),
@@ -141,7 +141,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());
   reading.blocks = reader.blocks();
-  reading.seconds = processor_seconds() - begin;
+  reading.seconds = SystemClocks::processor_seconds() - begin;
   return reading;
 }
 

@@ -1,10 +1,9 @@
-#include <chrono>
 #include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/outputs.hpp>
-#include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/run.hpp>
+#include <leadscrew/cli/stop_watch.hpp>
 #include <leadscrew/cli/summary_text.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
@@ -14,42 +13,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::int64_t words_between_looks = 1024;
-
-double seconds(Clock::duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
-/// Times what prepares (processor time) and what makes each word.
-class StopWatch {
- public:
-  template <class Work>
-  auto prepare(Work&& work) {
-    const double begin = processor_seconds();
-    auto result = work();
-    planning_ += processor_seconds() - begin;
-    return result;
-  }
-
-  template <class Work>
-  auto cycle(Work&& work) {
-    const auto begin = Clock::now();
-    auto result = work();
-    const auto duration = Clock::now() - begin;
-    cycling_ += duration;
-    cycles_.observe(std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count());
-    return result;
-  }
-
-  Effort effort(double read_seconds) const { return {read_seconds, planning_, seconds(cycling_), cycles_}; }
-
- private:
-  double planning_ = 0;  // s
-  Clock::duration cycling_{};
-  realtime::Histogram cycles_;
-};
 
 class ProgramRun {
  public:
@@ -107,7 +71,7 @@ class ProgramRun {
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
     StopWatch watch;
     console_.begin_progress();
-    while (watch.prepare([&] { return program.prepare(); })) {
+    while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
       const base::Word word = watch.cycle([&] { return program.cycle(); });
       referee.observe(word.position);
       if (auto written = outputs.write(word); !written) return base::failure(written.error());
@@ -120,7 +84,8 @@ class ProgramRun {
     if (program.failure()) return base::failure(*program.failure());
     referee::Verdict verdict = referee.conclude();
     if (reader.source_failure()) return base::failure(*reader.source_failure());
-    return RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};
+    return RunFigures{program.summary(), std::move(verdict),
+                      Effort{reading.seconds, watch.preparing(), watch.cycling(), watch.samples()}};
   }
 
   std::string program_;

@@ -56,6 +56,6 @@ inline constexpr std::string_view run_examples =
     "greatest velocity and acceleration is refused before anything moves.\n"
     "\n"
     "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
-    "every call that makes a word, the two looks at the clock included.\n";
+    "a call that makes a word, of every 61st from the first on, the two looks at the clock included.\n";
 
 }  // namespace leadscrew::cli

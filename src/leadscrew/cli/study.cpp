@@ -6,7 +6,7 @@
 #include <chrono>
 #include <leadscrew/cli/diagnostic_log.hpp>
 #include <leadscrew/cli/json_form.hpp>
-#include <leadscrew/cli/processor_time.hpp>
+#include <leadscrew/cli/stop_watch.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
@@ -225,7 +225,7 @@ Status study(const Arguments& arguments, Console& console) {
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study; });
   if (chosen == known.end()) return Status::usage;
   files::end_when_interrupted();
-  const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
+  const study::Rows rows = chosen->rows({SystemClocks::processor_seconds, wall_seconds, share_out});
   if (arguments.study_picture) {
     if (auto drawn = draw(*chosen, *arguments.study_picture); !drawn) {
       DiagnosticLog log(console);

@@ -1,3 +1,4 @@
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -81,6 +82,7 @@ base::Result<void> OutputFile::open_temporary() {
     const int number = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (number >= 0) {
       descriptor_ = Descriptor(number);
+      if (!is_locked()) continue;
       temporary_ = name;
       return {};
     }
@@ -91,6 +93,14 @@ base::Result<void> OutputFile::open_temporary() {
       return base::failure(std::move(problem));
     }
   }
+}
+
+/// False if somebody took it for one that was left behind, and removed it, before it could be locked.
+bool OutputFile::is_locked() const {
+  // A file system that knows no locks knows no one who could hold them.
+  if (::flock(descriptor_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+  struct stat status = {};
+  return ::fstat(descriptor_.number(), &status) == 0 && status.st_nlink > 0;
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept

@@ -66,6 +66,9 @@ class Program {
   /// fails goes through its stop tail to a last word at rest on the path.
   bool prepare();
 
+  /// Will the next prepare() read or plan, or is the motion of the next word there already?
+  bool will_plan() const { return !ended_ && interpolator_.wants_chunk(); }
+
   /// The next word; prepare() must have said true.
   base::Word cycle();
 
