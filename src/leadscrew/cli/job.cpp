@@ -4,6 +4,7 @@
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/machine_file.hpp>
 #include <leadscrew/cli/stop_watch.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 
 namespace leadscrew::cli {
@@ -136,10 +137,13 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   for (std::int64_t count = 1; reader.next(move); ++count) {
     if (is_motion(move)) ++reading.moves;
     if (is_pause(move)) ++reading.pauses;
-    if (count % moves_between_looks == 0) console.progress(progress);
+    if (count % moves_between_looks != 0) continue;
+    if (files::interrupted()) break;  // a block may repeat itself for ever
+    console.progress(progress);
   }
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());
+  if (files::interrupted() && !reader.source_failure()) log.add(files::interruption());
   reading.blocks = reader.blocks();
   reading.seconds = SystemClocks::processor_seconds() - begin;
   return reading;

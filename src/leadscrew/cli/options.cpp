@@ -44,6 +44,13 @@ void add_common(CLI::App& command, Arguments& arguments, Texts& texts) {
   add_output(command, arguments, texts);
 }
 
+void add_threads(CLI::App& command, Arguments& arguments) {
+  constexpr int most_threads = 1024;
+  command.add_option("--threads", arguments.threads, "Work on so many programs at a time (default: one a processor)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+}
+
 void add_period(CLI::App& command, Texts& texts) {
   command.add_option("--period", texts.period, "Servo period, such as 1ms or 250us, in place of the machine's")
       ->type_name("TIME");
@@ -117,6 +124,7 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments, Texts& all) {
   for (std::size_t k = 0; k < step_times.size(); ++k)
     run->add_option(step_time_options[k], texts.step_times[k], step_times[k])->type_name("TIME");
   add_pages(*run, texts);
+  add_threads(*run, arguments);
   run->footer(std::string(run_examples) + curves_text());
   return run;
 }
@@ -142,6 +150,7 @@ CLI::App* add_simulate(CLI::App& app, Arguments& arguments, Texts& all) {
   add_adaptive(*simulate, all.simulate.adaptive);
   simulate->add_option("--trace", all.run.trace, "Write words and slides: .csv or .npy")->type_name("FILE");
   add_pages(*simulate, all.run);
+  add_threads(*simulate, arguments);
   simulate->footer(simulate_help() + curves_text());
   return simulate;
 }
@@ -154,6 +163,7 @@ CLI::App* add_check(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->required()
       ->type_name("");
   add_common(*check, arguments, texts);
+  add_threads(*check, arguments);
   check->footer(std::string(check_examples) + curves_text());
   return check;
 }

@@ -106,9 +106,7 @@ ProgramResult run_program(const std::string& program, const Job& job, Console& c
 }  // namespace
 
 Status run(const Job& job, Console& console) {
-  return for_each_program(job, console, run_schema, [&](const std::string& program, const Job& of_program) {
-    return run_program(program, of_program, console);
-  });
+  return for_each_program(job, console, run_schema, run_program);
 }
 
 }  // namespace leadscrew::cli

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <leadscrew/cli/diagnostic_log.hpp>
 #include <leadscrew/cli/json_form.hpp>
-#include <leadscrew/cli/stop_watch.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
+#include <leadscrew/cli/stop_watch.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>

@@ -5,6 +5,7 @@
 #include <leadscrew/cli/summary_text.hpp>
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/trace/words.hpp>
 
@@ -63,6 +64,7 @@ class Verification {
       if (!*row) break;
       referee.observe(completed((*row)->position, rows->axes()));
       if (++progress.words % rows_between_looks != 0) continue;
+      if (files::interrupted()) return base::failure(files::interruption());
       progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
       console_.progress(progress);
     }
@@ -109,9 +111,7 @@ ProgramResult verify_program(const std::string& program, const Job& job, Console
 }  // namespace
 
 Status verify(const Job& job, Console& console) {
-  return for_each_program(job, console, verify_schema, [&](const std::string& program, const Job& of_program) {
-    return verify_program(program, of_program, console);
-  });
+  return for_each_program(job, console, verify_schema, verify_program);
 }
 
 }  // namespace leadscrew::cli

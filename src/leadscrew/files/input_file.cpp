@@ -28,14 +28,19 @@ base::Result<Descriptor> anonymous_file() {
   return named;
 }
 
-base::Result<Descriptor> copied(const Descriptor& from, const std::string& name) {
+base::Result<Descriptor> copied(const Descriptor& from, const std::string& name, std::int64_t largest) {
   auto copy = anonymous_file();
   if (!copy) return copy;
   std::array<char, 1 << 16> buffer;
-  while (true) {
+  for (std::int64_t size = 0;;) {
     const auto got = read_some(from.number(), buffer, name);
     if (!got) return base::failure(got.error());
     if (*got == 0) return copy;
+    size += static_cast<std::int64_t>(*got);
+    if (size > largest) {
+      return base::failure(problem("io-read", "is longer than " + std::to_string(largest >> 20) + " MiB", name,
+                                   "what is no file is copied; give a file, which may be of any size"));
+    }
     auto written = write_all(copy->number(), {buffer.data(), *got}, "temporary copy of " + name);
     if (!written) return base::failure(written.error());
   }
@@ -70,11 +75,11 @@ InputFile::InputFile(std::string name, std::string_view changed)
       changed_(problem(changed, "was changed while it was read", name_, "do not change a file while it is read")),
       text_(changed_) {}
 
-base::Result<InputFile> InputFile::open(const std::string& path, std::string_view changed) {
+base::Result<InputFile> InputFile::open(const std::string& path, std::string_view changed, std::int64_t largest_copy) {
   InputFile file(path == "-" ? "<stdin>" : path, changed);
   auto descriptor = opened(path);
   if (!descriptor) return base::failure(descriptor.error());
-  if (auto taken = file.take(std::move(*descriptor)); !taken) return base::failure(taken.error());
+  if (auto taken = file.take(std::move(*descriptor), largest_copy); !taken) return base::failure(taken.error());
   return file;
 }
 
@@ -82,18 +87,18 @@ base::Result<InputFile> InputFile::of_text(std::string_view text, const std::str
   InputFile file(name, "program-changed");
   auto descriptor = with_text(text, name);
   if (!descriptor) return base::failure(descriptor.error());
-  if (auto taken = file.take(std::move(*descriptor)); !taken) return base::failure(taken.error());
+  if (auto taken = file.take(std::move(*descriptor), 0); !taken) return base::failure(taken.error());
   return file;
 }
 
-base::Result<void> InputFile::take(Descriptor descriptor) {
+base::Result<void> InputFile::take(Descriptor descriptor, std::int64_t largest_copy) {
   descriptor_ = std::move(descriptor);
   if (::fstat(descriptor_.number(), &opened_) != 0)
     return base::failure(system_failure("io-open", "cannot open", name_, errno));
   if (S_ISDIR(opened_.st_mode))
     return base::failure(problem("io-open", "is a directory", name_, "give the files in it"));
   if (!can_be_read_twice(descriptor_, opened_)) {
-    auto copy = copied(descriptor_, name_);
+    auto copy = copied(descriptor_, name_, largest_copy);
     if (!copy) return base::failure(copy.error());
     descriptor_ = std::move(*copy);
     ::fstat(descriptor_.number(), &opened_);

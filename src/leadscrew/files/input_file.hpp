@@ -18,9 +18,11 @@ namespace leadscrew::files {
 
 class InputFile {
  public:
-  /// "-" is standard input. Errors: `io-open`, `io-read`, `io-write` (of the copy), interruption.
-  /// changed: the code of the error when it is another file when it is read again.
-  static base::Result<InputFile> open(const std::string& path, std::string_view changed = "program-changed");
+  /// "-" is standard input. What can be read but once is copied, up to `largest_copy` bytes. Errors: `io-open`,
+  /// `io-read` (also of what is longer), `io-write` (of the copy), interruption. changed: the code of the error when it
+  /// is another file when it is read again.
+  static base::Result<InputFile> open(const std::string& path, std::string_view changed = "program-changed",
+                                      std::int64_t largest_copy = std::int64_t{1} << 30);
 
   /// A file that nobody else knows, which holds this. Errors: `io-open`, `io-write`, interruption.
   static base::Result<InputFile> of_text(std::string_view text, const std::string& name);
@@ -41,7 +43,7 @@ class InputFile {
 
  private:
   InputFile(std::string name, std::string_view changed);
-  base::Result<void> take(Descriptor descriptor);
+  base::Result<void> take(Descriptor descriptor, std::int64_t largest_copy);
   base::Result<std::size_t> read_at(std::int64_t offset, std::span<char> buffer) const;
 
   Descriptor descriptor_;
