@@ -12,8 +12,53 @@ function(leadscrew_compile_options TARGET)
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
     -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(${TARGET} PRIVATE -Wno-restrict)  # GCC bug 105651: false alarms in std::string
+    # GCC bug 105651: false alarms in std::string
+    target_compile_options(${TARGET} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    target_compile_options(${TARGET} PRIVATE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
+    target_link_options(${TARGET} PRIVATE -Wl,-z,relro,-z,now)
+  endif()
+endfunction()
+
+# Headers of the standard library and of others that most sources include, compiled once for each kind of target that they
+# are compiled alike for: core (no exceptions), edge, text (edge with fmt), test. Sources include what they need all the same: the build for
+# WebAssembly and the test of the include order compile without.
+set(LEADSCREW_PRECOMPILED_STANDARD <algorithm> <array> <bit> <charconv> <cmath> <cstdint> <functional> <limits> <map> <memory>
+  <numbers> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector> <tl/expected.hpp>)
+set(LEADSCREW_PRECOMPILED_core ${LEADSCREW_PRECOMPILED_STANDARD})
+set(LEADSCREW_PRECOMPILED_edge ${LEADSCREW_PRECOMPILED_STANDARD} <atomic> <chrono> <filesystem> <thread>)
+set(LEADSCREW_PRECOMPILED_text ${LEADSCREW_PRECOMPILED_edge} <fmt/format.h>)
+set(LEADSCREW_PRECOMPILED_test ${LEADSCREW_PRECOMPILED_STANDARD} <gtest/gtest.h> <rapidcheck.h>)
+
+function(leadscrew_precompile TARGET KIND)
+  if(NOT LEADSCREW_PCH OR CMAKE_CROSSCOMPILING)
+    return()
+  endif()
+  set(first leadscrew_precompiled_${KIND})
+  if(NOT TARGET ${first})
+    set(source ${CMAKE_BINARY_DIR}/precompiled_${KIND}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "")
+    add_library(${first} OBJECT ${source})
+    leadscrew_compile_options(${first})
+    if(KIND STREQUAL "core")
+      target_compile_options(${first} PRIVATE -fno-exceptions)
+    endif()
+    if(NOT KIND STREQUAL "test")
+      set_target_properties(${first} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
+    if(KIND STREQUAL "text")
+      target_link_libraries(${first} PRIVATE fmt::fmt)
+    elseif(KIND STREQUAL "test")
+      target_link_libraries(${first} PRIVATE GTest::gtest rapidcheck)
+    endif()
+    target_precompile_headers(${first} PRIVATE ${LEADSCREW_PRECOMPILED_${KIND}})
+    if(NOT TARGET leadscrew_precompiled)
+      add_custom_target(leadscrew_precompiled)  # all of them: what the linter needs of a build
+    endif()
+    add_dependencies(leadscrew_precompiled ${first})
+  endif()
+  target_precompile_headers(${TARGET} REUSE_FROM ${first})
 endfunction()
 
 # leadscrew_use(TARGET ROOM…): link these rooms and see their headers; no others.
@@ -24,10 +69,10 @@ function(leadscrew_use TARGET)
   endforeach()
 endfunction()
 
-# leadscrew_room(NAME [EDGE] [DEPENDS room…] [HEADERS header-only-library…]): a room of the house. EDGE rooms lie outside the
-# core: they may throw, start threads and use the host's libraries.
+# leadscrew_room(NAME [EDGE] [TEXT] [DEPENDS room…] [HEADERS header-only-library…]): a room of the house. EDGE rooms lie outside
+# the core: they may throw, start threads and use the host's libraries. TEXT rooms, of these, write text with fmt.
 function(leadscrew_room NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 room "EDGE" "" "DEPENDS;HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 room "EDGE;TEXT" "" "DEPENDS;HEADERS")
   set(target leadscrew_${NAME})
   set(view ${LEADSCREW_ROOM_VIEWS}/${NAME}/leadscrew)
   file(MAKE_DIRECTORY ${view})
@@ -66,6 +111,12 @@ function(leadscrew_room NAME)
   if(NOT room_EDGE)
     target_compile_options(${target} PRIVATE -fno-exceptions)
     set_property(GLOBAL APPEND PROPERTY LEADSCREW_CORE_ROOMS ${NAME})
+    leadscrew_precompile(${target} core)
+  elseif(room_TEXT)
+    target_link_libraries(${target} PRIVATE fmt::fmt)
+    leadscrew_precompile(${target} text)
+  else()
+    leadscrew_precompile(${target} edge)
   endif()
   if(LEADSCREW_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Fat objects hold machine code as well: the installed archives work with any compiler.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <leadscrew/drive/guarded_sink.hpp>
 #include <limits>
@@ -45,9 +46,9 @@ class RisingWords {
  private:
   /// To rest with the same acceleration.
   void lead_to_rest() {
-    for (int k = 20; k > 0; --k) {
+    for (int k = 1; k <= 20; ++k) {
       base::PathPlace place;
-      place.position[0] = risen(20) + risen(19) - risen(k - 1);
+      place.position[0] = risen(20) + risen(19) - risen(std::max(19 - k, 0));
       EXPECT_TRUE(sink_.lead_on(place));
     }
   }

@@ -71,18 +71,6 @@ TEST(InputFile, TellsThatItWasWrittenTo) {
   EXPECT_EQ(read(*file).text, "G1 X1\n");  // what is appended is not part of it
 }
 
-/// What has no end is not copied for ever.
-TEST(InputFile, ThatIsNoFileIsCopiedUpToALimit) {
-  constexpr std::int64_t mebibyte = 1 << 20;
-  const auto zeros = InputFile::open("/dev/zero", "program-changed", mebibyte);
-  ASSERT_FALSE(zeros.has_value());
-  EXPECT_EQ(zeros.error().code, "io-read");
-  EXPECT_EQ(zeros.error().message, "is longer than 1 MiB");
-  const auto nothing = InputFile::open("/dev/null", "program-changed", mebibyte);
-  ASSERT_TRUE(nothing.has_value());
-  EXPECT_EQ(nothing->size(), 0);
-}
-
 TEST(InputFile, ThatIsAPipeIsWaitedForAndReadTwice) {
   const Folder folder;
   const std::string pipe = folder.path() / "pipe";

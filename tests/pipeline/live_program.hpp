@@ -53,7 +53,7 @@ class LiveProgram {
   }
 
   referee::Verdict conclude() { return referee_.conclude(); }
-  const planner::LimitRatios& plan() const { return plan_; }
+  const constraints::LimitRatios& plan() const { return plan_; }
   std::int64_t refused_windows() const { return planner_.refused_windows(); }
   std::int64_t late = 0;
   double longest_wait = 0;       ///< s of motion handed out before a change of the feed was planned
@@ -112,7 +112,7 @@ class LiveProgram {
   planner::Planner planner_;
   interpolator::Controller controller_;
   std::optional<planner::Chunk> chunk_;
-  planner::LimitRatios plan_{};
+  constraints::LimitRatios plan_{};
   bool reading_ = true;
   double waiting_ = 0;
 };

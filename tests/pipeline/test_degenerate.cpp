@@ -55,9 +55,7 @@ Outcome run(const std::string& text, const machine::Machine& machine) {
 void passes(const Outcome& outcome, const base::AxisVector& end) {
   ASSERT_TRUE(outcome.errors.empty()) << outcome.errors[0];
   ASSERT_TRUE(outcome.ended);
-  for (const auto& axis : outcome.summary.plan) {
-    EXPECT_LE(std::max({axis.velocity, axis.acceleration, axis.jerk}), 1.001);
-  }
+  EXPECT_LE(outcome.summary.plan.greatest(), 1.001);
   for (const auto& axis : outcome.verdict.axes) {
     EXPECT_LE(std::max({axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio}), 1.001)
         << base::letter(axis.axis);

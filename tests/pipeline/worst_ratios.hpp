@@ -2,15 +2,13 @@
 // The largest ratio of any limit, from the plan and from the referee.
 
 #include <algorithm>
-#include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/referee/referee.hpp>
 
 namespace leadscrew::testing_support {
 
-inline double worst_planned(const planner::LimitRatios& plan) {
-  double worst = 0;
-  for (const auto& axis : plan) worst = std::max({worst, axis.velocity, axis.acceleration, axis.jerk});
-  return worst;
+inline double worst_planned(const constraints::LimitRatios& plan) {
+  return plan.greatest();
 }
 
 inline double worst_judged(const referee::Verdict& verdict) {

@@ -74,7 +74,7 @@ RC_GTEST_PROP(Knots, LieWhereTheyAreAskedFor, ()) {
 RC_GTEST_PROP(Knots, LeaveRestByAShortRamp, ()) {
   const Placed placed = random_placement();
   const auto jet = placed.section.jets(0, planner::Side::right);
-  const planner::TangentLimits limits = planner::tangent_limits(jet, placed.machine);
+  const machine::Derivatives limits = planner::tangent_limits(jet, placed.machine);
   const double way = 6 * placed.knots.start_ramp, j = limits.jerk, a = limits.acceleration;
   const double time = std::max(std::cbrt(way / j), std::sqrt(way / a));
   const double rise = std::sqrt((placed.stretch.end - placed.stretch.begin) / a);
@@ -205,7 +205,7 @@ TEST(TangentLimits, AreThoseOfTheAxisThatLimitsFirst) {
   machine.axes[0]->acceleration = 300;
   machine.axes[1]->jerk = 1000;
   const auto jet = geometry::jets(line_piece({}, {3, 4}, 1).curve, 0);
-  const planner::TangentLimits limits = planner::tangent_limits(jet, machine);
+  const machine::Derivatives limits = planner::tangent_limits(jet, machine);
   EXPECT_DOUBLE_EQ(limits.acceleration, 300 / 0.6);
   EXPECT_DOUBLE_EQ(limits.jerk, 1000 / 0.8);
 }

@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/piece_limits.hpp>
 #include <leadscrew/planner/planner.hpp>
 #include <numbers>
@@ -12,13 +13,13 @@ namespace {
 
 using leadscrew::base::Axis;
 using leadscrew::base::index;
+using leadscrew::constraints::LimitRatios;
 using leadscrew::geometry::Arc;
 using leadscrew::geometry::Line;
 using leadscrew::geometry::Point;
 using leadscrew::machine::AxisLimits;
 using leadscrew::machine::Machine;
 using leadscrew::planner::Chunk;
-using leadscrew::planner::LimitRatios;
 using leadscrew::planner::Planner;
 using leadscrew::testing_support::any;
 using leadscrew::testing_support::logarithmic;
@@ -110,10 +111,9 @@ RC_GTEST_PROP(PieceLimits, PlanRatiosAgreeWithBruteForce, ()) {
   const Machine machine = random_machine();
   const Piece piece = random_helix();
   const Chunk chunk = planned(piece, machine);
-  LimitRatios ratios{};
+  LimitRatios ratios;
   leadscrew::planner::raise_limit_ratios(chunk, machine, ratios);
-  double worst = 0;
-  for (const auto& axis : ratios) worst = std::max({worst, axis.velocity, axis.acceleration, axis.jerk});
+  const double worst = ratios.greatest();
   double fine = 0;
   Chunk without_feed = chunk;
   without_feed.pieces[0].feed = INFINITY;

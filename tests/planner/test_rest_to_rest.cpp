@@ -6,7 +6,7 @@
 
 namespace {
 
-using leadscrew::planner::PathLimits;
+using leadscrew::machine::Derivatives;
 using leadscrew::planner::rest_to_rest;
 using leadscrew::planner::RestToRest;
 
@@ -35,7 +35,7 @@ long double distance(const RestToRest& motion) {
 
 RC_GTEST_PROP(RestToRest, CoversTheDistanceWithinTheBounds, ()) {
   const double length = positive();
-  const PathLimits limits{positive(), positive(), positive()};
+  const Derivatives limits{positive(), positive(), positive()};
   const RestToRest motion = rest_to_rest(length, limits);
   RC_ASSERT(motion.jerk_time >= 0 && motion.acceleration_time >= 0 && motion.cruise_time >= 0);
   RC_ASSERT(std::abs(static_cast<double>(distance(motion) / length) - 1) < 1e-13);
@@ -47,7 +47,7 @@ RC_GTEST_PROP(RestToRest, CoversTheDistanceWithinTheBounds, ()) {
 RC_GTEST_PROP(RestToRest, IsTheFastestOfItsKind, ()) {
   // Brute force: no symmetric profile with its speed and acceleration bounds anywhere below the limits is faster.
   const double length = positive();
-  const PathLimits limits{positive(), positive(), positive()};
+  const Derivatives limits{positive(), positive(), positive()};
   const double duration = rest_to_rest(length, limits).duration();
   for (const double v : {0.999, 0.9, 0.5, 0.1}) {
     for (const double a : {1.0, 0.99, 0.7, 0.2}) {

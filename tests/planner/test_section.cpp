@@ -75,7 +75,7 @@ RC_GTEST_PROP(Section, SeesEachSidesDerivativesAtABorder, ()) {
   const auto agree = [](const geometry::PointJet& a, const geometry::PointJet& b) {
     // Where one axis has nothing of a derivative another may have much, which turns into it.
     double second = 0, third = 0;
-    for (const numeric::Jet& q : b) second += std::abs(q.second), third += std::abs(q.third);
+    for (const numeric::Jet<>& q : b) second += std::abs(q.second), third += std::abs(q.third);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double size = 1e-9;
       RC_ASSERT(std::abs(a[i].value - b[i].value) <= size);
@@ -200,47 +200,6 @@ RC_GTEST_PROP(RunsThrough, StepsThatWordsDoNotShow, ()) {
 TEST(RunsThrough, AnAxisTheMachineLacksIfItStands) {
   // A, B, C are not there to be asked for limits.
   EXPECT_TRUE(planner::runs_through({}, {}, 100, machine::mill3()));
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-
-/// ε = ρ − √(ρ² − (VT/2)²), to its first term (VT)²/8ρ.
-RC_GTEST_PROP(GreatestSquare, KeepsTheChordError, ()) {
-  machine::Machine machine = machine::mill3();
-  machine.period = {*rc::gen::inRange(1, 11) * 1'000'000};
-  machine.chord_error = *rc::gen::element(1e-5, 1e-4, 1e-3);
-  const double radius = std::pow(10.0, *rc::gen::inRange(-1000, 3000) / 1000.0);
-  const Piece circle = arc_piece({radius}, 0, 0, 1, 1e9);
-  const auto jet = geometry::jets(circle.curve, 0);
-  for (auto& axis : machine.axes) {
-    if (axis) axis->velocity = 1e9;
-  }
-  const double square = planner::greatest_square(jet, 1e9, machine), way = std::sqrt(square) * machine.period.seconds();
-  RC_ASSERT(std::abs(way * way / (8 * radius) / machine.chord_error - 1) <= 1e-12);
-  if (machine.chord_error < 1e-3 * radius) {
-    const double chord = radius - std::sqrt(radius * radius - way * way / 4);
-    RC_ASSERT(std::abs(chord / machine.chord_error - 1) <= 2e-3);
-  }
-}
-
-RC_GTEST_PROP(GreatestSquare, KeepsFeedAndEveryAxisVelocity, ()) {
-  machine::Machine machine = machine::mill3();
-  geometry::Point end{};
-  for (const std::size_t i : {0, 1, 2}) {
-    machine.axes[i]->velocity = *rc::gen::inRange(1, 5000) / 10.0;
-    end[i] = *rc::gen::inRange(-10, 11);
-  }
-  RC_PRE(std::hypot(end[0], end[1], end[2]) > 0);
-  const Piece line = line_piece({}, end, 0);
-  const double length = geometry::length(line.curve);
-  double least = 1e300;
-  for (const std::size_t i : {0, 1, 2}) {
-    if (end[i] != 0) least = std::min(least, machine.axes[i]->velocity * length / std::abs(end[i]));
-  }
-  const auto jet = geometry::jets(line.curve, 0);
-  RC_ASSERT(std::abs(std::sqrt(planner::greatest_square(jet, INFINITY, machine)) / least - 1) <= 1e-14);
-  const double feed = least * *rc::gen::inRange(1, 3000) / 1000.0;
-  RC_ASSERT(std::abs(std::sqrt(planner::greatest_square(jet, feed, machine)) / std::min(feed, least) - 1) <= 1e-14);
 }
 
 }  // namespace

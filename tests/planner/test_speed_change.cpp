@@ -14,7 +14,7 @@ using testing_support::logarithmic;
 
 /// Integrated step by step, not by the formulas that made it.
 RC_GTEST_PROP(SpeedChange, EndsAtTheSpeedWithoutAccelerationInsideTheBounds, ()) {
-  const planner::PathLimits limits{0, logarithmic(10, 1e4), logarithmic(100, 1e6)};
+  const machine::Derivatives limits{0, logarithmic(10, 1e4), logarithmic(100, 1e6)};
   const double a = limits.acceleration * any(-1000, 1000) / 1000;
   const double speed = logarithmic(0.1, 500) + a * a / (2 * limits.jerk),
                to = any(0, 5) == 0 ? 0 : logarithmic(0.1, 500);

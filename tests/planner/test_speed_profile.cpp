@@ -193,8 +193,8 @@ RC_GTEST_PROP(SpeedProfile, OfALineIsTheClosedForm, ()) {
   profile.optimize(cold, 1e-3);
   profile.level_cruises();
   const auto jet = section.jets(0, Side::right);
-  const planner::TangentLimits limits = planner::tangent_limits(jet, machine);
-  const double speed = std::sqrt(planner::greatest_square(jet, pieces[0].feed, machine));
+  const machine::Derivatives limits = planner::tangent_limits(jet, machine);
+  const double speed = std::sqrt(constraints::Constraints(machine).greatest_square({jet, pieces[0].feed}));
   const double optimum = planner::rest_to_rest(section.length(), {speed, limits.acceleration, limits.jerk}).duration();
   RC_ASSERT(travel_time(profile) >= optimum * (1 - 1e-6));
   RC_ASSERT(travel_time(profile) <= optimum * (1 + 2e-3));

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <condition_variable>
-#include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/results/program_json.hpp>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -91,7 +91,7 @@ Status for_each_program(const Job& job, Console& console, std::string_view schem
   std::optional<ProgramThreads> threads;
   if (const std::size_t count = threads_for(arguments); count > 1) threads.emplace(job, console, work, count);
   Status worst = Status::done;
-  std::vector<Json> objects;
+  std::vector<json::Json> objects;
   for (std::size_t number = 0; number < arguments.programs.size(); ++number) {
     const std::string& program = arguments.programs[number];
     // One thread tells what it finds as it comes, and shows how far it is.
@@ -107,7 +107,7 @@ Status for_each_program(const Job& job, Console& console, std::string_view schem
       if (written != Status::done) return worse(worst, written);
     }
   }
-  return arguments.json ? worse(worst, write_output(console, json_text(schema, std::move(objects)))) : worst;
+  return arguments.json ? worse(worst, write_output(console, results::json_text(schema, std::move(objects)))) : worst;
 }
 
 }  // namespace leadscrew::cli

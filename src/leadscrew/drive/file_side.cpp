@@ -64,8 +64,8 @@ void FileSide::take_words() {
   if (words.empty()) return;
   if (written) written = writer_.finish();
   if (!written) {
-    // A row that was begun is no row.
-    if (is_regular_) static_cast<void>(::ftruncate(file_.number(), accepted_bytes_));
+    // A row that was begun is no row. If it cannot be cut off, the failure to write that led here is told all the same.
+    [[maybe_unused]] const int cut = is_regular_ ? ::ftruncate(file_.number(), accepted_bytes_) : 0;
     if (!gave_up_) took(written);
     return;
   }

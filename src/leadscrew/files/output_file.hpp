@@ -6,6 +6,7 @@
 // temporary file behind. While it is written it is locked by flock(2), so that whoever finds one without a lock may
 // remove it (remove_left_behind), whatever became of its writer.
 
+#include <initializer_list>
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/files/descriptor.hpp>
 #include <string>
@@ -61,5 +62,9 @@ class OutputFile {
   std::string target_;     ///< the file that will be replaced
   std::string temporary_;  ///< empty when written straight or published
 };
+
+/// Closes all files, then gives them their names: they appear together, or not at all but for a failure of the system
+/// between two of them. Null ones are passed over.
+base::Result<void> publish_together(std::initializer_list<OutputFile*> files);
 
 }  // namespace leadscrew::files

@@ -2,6 +2,7 @@
 // Points of the space in which curves live: one coordinate for each axis, mm or degrees.
 
 #include <array>
+#include <cmath>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/numeric/double_double.hpp>
 #include <leadscrew/numeric/jet.hpp>
@@ -9,7 +10,12 @@
 namespace leadscrew::geometry {
 
 using Point = base::AxisVector;
-using PointJet = std::array<numeric::Jet, base::axis_count>;
+using PointJet = std::array<numeric::Jet<>, base::axis_count>;
+
+/// |q″| of X, Y and Z: where the jet is by the tool tip's path length, the curvature 1/ρ of its path, 1/mm.
+inline double tip_curvature(const PointJet& jet) {
+  return std::hypot(jet[0].second, jet[1].second, jet[2].second);
+}
 
 /// A path length as the cycle has it: in double-double, its greater part split for the products to come.
 struct Way {

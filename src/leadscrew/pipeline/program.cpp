@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/planner/limit_ratios.hpp>
 #include <utility>
 
 namespace leadscrew::pipeline {
@@ -10,8 +11,9 @@ using base::MotionState;
 Program::Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                  gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
     : machine_(machine),
+      constraints_(machine),
       source_(std::move(source), machine, tools, options, std::move(diagnostics)),
-      bound_(machine),
+      bound_(constraints_),
       interpolator_(machine.period, options.start) {
   source_.on_move = [this](const gcode::Move& move) { account(move); };
   source_.on_element = [this](const toolpath::Element& element) { bound_.push(element); };
@@ -57,7 +59,7 @@ bool Program::plan_next() {
   }
   if (!chunk) return false;
   chunk_ = std::move(*chunk);
-  planner::raise_limit_ratios(chunk_, machine_, summary_.plan);
+  planner::raise_limit_ratios(chunk_, constraints_, summary_.plan);
   summary_.length_mm += chunk_.length;
   if (events_) {
     for (const base::Event& event : chunk_.events) events_(event);

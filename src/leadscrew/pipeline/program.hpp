@@ -8,6 +8,7 @@
 #include <functional>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/interpolator/interpolator.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -30,7 +31,7 @@ struct Summary {
   double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
   double tolerance_mm = 0;         ///< the largest that applied
   double ripple = 0;  ///< largest relative departure of path length per period where the plan says constant speed
-  planner::LimitRatios plan{};  ///< analytically, from the motion
+  constraints::LimitRatios plan{};  ///< analytically, from the motion
 };
 
 /// Called for each event as the chunk that follows it begins.
@@ -83,6 +84,7 @@ class Program {
   void account(const base::Word& word);
 
   const machine::Machine& machine_;
+  constraints::Constraints constraints_;
   MotionSource source_;
   planner::TimeBound bound_;
   interpolator::Interpolator interpolator_;

@@ -106,30 +106,25 @@ toolpath::Piece whole(const Section& section) {
   return piece;
 }
 
-double greatest(const LimitRatios& ratios) {
-  double greatest = 0;
-  for (const AxisRatios& axis : ratios) greatest = std::max({greatest, axis.velocity, axis.acceleration, axis.jerk});
-  return greatest;
-}
-
 DoubleDouble end_of(const Segment& segment) {
   return segment.begin + segment.duration;
 }
 
 }  // namespace
 
-std::optional<ClosedForm> ClosedForm::plan(const Section& section, const machine::Machine& machine,
+std::optional<ClosedForm> ClosedForm::plan(const Section& section, const constraints::Constraints& constraints,
                                            double feed_factor) {
   if (!has_closed_form(section)) return std::nullopt;
-  ClosedForm form(section, machine);
+  ClosedForm form(section, constraints);
   form.factor_ = feed_factor;
   toolpath::Piece piece = whole(section);
   piece.feed *= feed_factor;
-  const RestToRest motion = plan_piece(piece, machine);
+  const RestToRest motion = plan_piece(piece, constraints);
   const auto* line = std::get_if<geometry::Line>(&piece.curve);
   // On an arc those of its motion, which is proven for them; a change is looked at before it is made.
-  form.limits_ = line ? line_limits(*line, machine)
-                      : PathLimits{motion.peak_speed() / feed_factor, motion.peak_acceleration(), motion.jerk};
+  form.limits_ = line
+                     ? line_limits(*line, constraints)
+                     : machine::Derivatives{motion.peak_speed() / feed_factor, motion.peak_acceleration(), motion.jerk};
   std::vector<Segment> segments = laid_out(motion, section.length());
   if (section.size() == 1) {
     form.motion_ = {std::move(segments), {}, section.length()};
@@ -153,9 +148,9 @@ std::optional<ClosedForm::Motion> ClosedForm::along(std::vector<Segment> segment
   Chunk all;
   all.pieces.assign(section_.pieces().begin(), section_.pieces().end());
   all.segments = motion.segments;
-  LimitRatios ratios{};
-  raise_limit_ratios(all, *machine_, ratios);
-  if (greatest(ratios) > 1 + 1e-10) return std::nullopt;
+  constraints::LimitRatios ratios;
+  raise_limit_ratios(all, constraints_, ratios);
+  if (ratios.greatest() > 1 + 1e-10) return std::nullopt;
   return motion;
 }
 

@@ -9,7 +9,7 @@
 //           /   0.8      \     \       there, three phases lead to the speed that is wanted and three more to rest
 //                                      (speed_change.hpp).
 
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/rest_to_rest.hpp>
 #include <leadscrew/planner/section.hpp>
@@ -21,8 +21,9 @@ namespace leadscrew::planner {
 class ClosedForm {
  public:
   /// Along the whole section, its feed multiplied by the factor > 0; nothing where there is no closed form as good as
-  /// the optimum. The machine must outlive it.
-  static std::optional<ClosedForm> plan(const Section& section, const machine::Machine& machine, double feed_factor);
+  /// the optimum.
+  static std::optional<ClosedForm> plan(const Section& section, const constraints::Constraints& constraints,
+                                        double feed_factor);
 
   /// What takes about this long, s > 0, or the rest.
   Chunk next(double slice);
@@ -44,7 +45,8 @@ class ClosedForm {
     double end = 0;                  ///< on the section
   };
 
-  ClosedForm(const Section& section, const machine::Machine& machine) : section_(section), machine_(&machine) {}
+  ClosedForm(const Section& section, const constraints::Constraints& constraints)
+      : section_(section), constraints_(constraints) {}
   std::optional<Motion> along(std::vector<Segment> segments, double end) const;
   std::optional<Motion> stop(const PathState& from) const;
   std::optional<Motion> change(const PathState& from) const;
@@ -53,9 +55,9 @@ class ClosedForm {
   void place(Chunk& chunk) const;
 
   Section section_;
-  const machine::Machine* machine_;
-  PathLimits limits_;  ///< without feed
-  double factor_ = 1;  ///< of feed, that was asked for last
+  constraints::Constraints constraints_;
+  machine::Derivatives limits_;  ///< without feed
+  double factor_ = 1;            ///< of feed, that was asked for last
   Motion motion_;
   numeric::DoubleDouble now_;  ///< s of the motion, end of the last slice
   double s_ = 0;               ///< on the section, there

@@ -16,10 +16,10 @@ constexpr double none = -1;
 
 /// The largest ratio, looked at between these places as closely as a window is between its knots.
 double worst_between(const Segment& stop, std::span<const double> places, const Section& section,
-                     const machine::Machine& machine, double feed_factor) {
+                     const constraints::Constraints& constraints, double feed_factor) {
   double worst = 0;
   for (const Segment& part : cut_at(stop, places)) {
-    worst = std::max(worst, greatest_ratios(part, section, machine, feed_factor, close_looks).worst());
+    worst = std::max(worst, greatest_ratios(part, section, constraints, feed_factor, close_looks).worst());
     if (worst > 1) break;
   }
   return worst;
@@ -28,9 +28,9 @@ double worst_between(const Segment& stop, std::span<const double> places, const 
 /// The duration of a stop from there, s; none where none is found that is over before `longest`. places: where
 /// knots lie ahead.
 double stop_duration(const PathState& from, std::span<const double> places, double room, double longest,
-                     const Section& section, const machine::Machine& machine, double feed_factor) {
+                     const Section& section, const constraints::Constraints& constraints, double feed_factor) {
   const geometry::PointJet jet = section.jets(from.s, Side::right);
-  const TangentLimits limits = tangent_limits(jet, machine);
+  const machine::Derivatives limits = tangent_limits(jet, constraints);
   // Where feed has just been lowered, motion is still faster: it must not become more so.
   constexpr double rounding = 1 + 1e-9;
   feed_factor = std::max(feed_factor, rounding * from.speed / section.greatest_speed(from.s, Side::right, jet));
@@ -38,8 +38,8 @@ double stop_duration(const PathState& from, std::span<const double> places, doub
   for (int attempt = 0; attempt < attempts; ++attempt, t *= longer) {
     const Segment stop = stop_within(from, t);
     if (t >= longest || evaluate(stop, t).s - from.s > room || !(3 * from.speed + from.acceleration * t >= 0)) break;
-    if (greatest_ratios(stop, section, machine, feed_factor, first_looks).worst() > 1) continue;
-    if (worst_between(stop, places, section, machine, feed_factor) <= 1) return t;
+    if (greatest_ratios(stop, section, constraints, feed_factor, first_looks).worst() > 1) continue;
+    if (worst_between(stop, places, section, constraints, feed_factor) <= 1) return t;
   }
   return none;
 }
@@ -52,7 +52,7 @@ std::size_t first_known(std::span<const double> stops) {
 
 }  // namespace
 
-Tail tail_of(Window& window, std::size_t after, const Section& section, const machine::Machine& machine,
+Tail tail_of(Window& window, std::size_t after, const Section& section, const constraints::Constraints& constraints,
              double feed_factor) {
   const std::span<const Segment> segments(window.segments.begin() + static_cast<std::ptrdiff_t>(after),
                                           window.segments.end());
@@ -72,7 +72,7 @@ Tail tail_of(Window& window, std::size_t after, const Section& section, const ma
     const PathState from = evaluate(segments[k], 0);
     if (stops[k] < 0 || !(from.speed > 0)) continue;
     stops[k] = stop_duration(from, std::span(places).subspan(k + 1), window.end - from.s, duration - time_at(k),
-                             section, machine, feed_factor);
+                             section, constraints, feed_factor);
     if (stops[k] > 0) best = k;
   }
   if (best == segments.size()) return tail;

@@ -6,7 +6,7 @@
 //                \.              '--.    as it is. Each place is tried once a window, a few a slice.
 
 #include <cstddef>
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/window.hpp>
 #include <vector>
@@ -20,7 +20,7 @@ struct Tail {
 
 /// From segment `after` of the window on, to rest as early as is known: within every limit, and within `feed_factor`
 /// times the programmed feed, or as much more as there is.
-Tail tail_of(Window& window, std::size_t after, const Section& section, const machine::Machine& machine,
+Tail tail_of(Window& window, std::size_t after, const Section& section, const constraints::Constraints& constraints,
              double feed_factor);
 
 }  // namespace leadscrew::planner

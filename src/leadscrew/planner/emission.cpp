@@ -10,6 +10,8 @@ namespace leadscrew::planner {
 namespace {
 
 using base::MotionState;
+using constraints::Constraints;
+using constraints::LimitRatios;
 using numeric::DoubleDouble;
 
 constexpr double turning_back = 1.5;  // ratio that stands for a motion that goes back
@@ -61,29 +63,33 @@ class Peak {
   double last_ = 0, before_last_ = 0, greatest_ = 0;
 };
 
-/// Of every axis by itself: where one takes over from another, the greater of both has a kink, whose peak no parabola
+/// Of every limit by itself: where one takes over from another, the greater of both has a kink, whose peak no parabola
 /// finds.
 class Peaks {
  public:
-  void look(const LimitRatios& ratios) {
-    for (std::size_t i = 0; i < base::axis_count; ++i) {
-      velocity_[i].look(ratios[i].velocity);
-      acceleration_[i].look(ratios[i].acceleration);
-      jerk_[i].look(ratios[i].jerk);
-    }
+  void look(const Constraints& constraints, const constraints::Place& place, const PathState& at, double on_speed) {
+    constraints.each_row(place, [&](auto kind, std::size_t index, const auto& row) {
+      using Kind = constraints::KindAt<kind>;
+      if constexpr (Kind::is_proven) {
+        const std::size_t i = LimitRatios::offset<kind> + index;
+        const double ratio = row.ratio(rates(at));
+        if constexpr (Kind::is_smooth) {
+          peaks_[i].look(constraints::is_speed<typename Kind::Row> ? ratio * on_speed : ratio);
+        } else {
+          jumping_[i] = std::max(jumping_[i], ratio);
+        }
+      }
+    });
   }
-  AxisRatios greatest() const {
-    AxisRatios greatest;
-    for (std::size_t i = 0; i < base::axis_count; ++i) {
-      greatest.velocity = std::max(greatest.velocity, velocity_[i].greatest());
-      greatest.acceleration = std::max(greatest.acceleration, acceleration_[i].greatest());
-      greatest.jerk = std::max(greatest.jerk, jerk_[i].greatest());
-    }
+  LimitRatios greatest() const {
+    LimitRatios greatest = jumping_;
+    for (std::size_t i = 0; i < LimitRatios::size; ++i) greatest[i] = std::max(greatest[i], peaks_[i].greatest());
     return greatest;
   }
 
  private:
-  std::array<Peak, base::axis_count> velocity_, acceleration_, jerk_;
+  std::array<Peak, LimitRatios::size> peaks_;
+  LimitRatios jumping_;  ///< of what does not run smoothly
 };
 
 /// The time at which the segment passes a place inside it, by bisection and Newton.
@@ -206,7 +212,7 @@ Emission emit(const SpeedProfile& profile, double begin, double end) {
   return Emitter(profile, begin).emit(end);
 }
 
-Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
+Ratios greatest_ratios(const Segment& segment, const Section& section, const Constraints& constraints,
                        double feed_factor, int looks) {
   // Every polynomial of the curve is looked at.
   const double end = evaluate(segment, segment.duration.value()).s;
@@ -221,8 +227,11 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
   const std::size_t last = section.piece_at(end, Side::left);
   const double on_curves = borders > most_borders ? dense_steps : has_table(first) || has_table(last) ? map_steps : 1;
+  const auto place = [&](const geometry::PointJet& jet, double s, Side side) {
+    return constraints::Place{jet, feed_factor * section.greatest_speed(s, side, jet)};
+  };
   Peaks peaks;
-  double feed = 0, fastest = 0, slowest = infinity;
+  double fastest = 0, slowest = infinity;
   PathState before;
   const double duration = segment.duration.value();
   for (int k = 0; k <= looks; ++k) {
@@ -234,35 +243,23 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
     before = at;
     const Side side = k == 0 ? Side::right : Side::left;
     const geometry::PointJet jet = section.jets(at.s, side);
-    LimitRatios ratios{};
-    raise_limit_ratios(jet, at, machine, ratios);
-    if (turns(jet)) {
-      for (AxisRatios& axis : ratios) axis.velocity *= between_looks;
-    }
-    peaks.look(ratios);
-    feed = std::max(feed, at.speed / (feed_factor * section.greatest_speed(at.s, side, jet)));
+    peaks.look(constraints, place(jet, at.s, side), at, turns(jet) ? between_looks : 1);
   }
   // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
-  LimitRatios at_joints{};
+  LimitRatios ratios = peaks.greatest();
   for (std::size_t p = first + 1; p <= last; ++p) {
     const double s = section.offset(p);
     const PathState at = evaluate(segment, time_at(segment, s));
     for (const Side side : {Side::left, Side::right}) {
       const geometry::PointJet jet = section.jets(s, side);
-      raise_limit_ratios(jet, at, machine, at_joints);
-      feed = std::max(feed, at.speed / (feed_factor * section.greatest_speed(s, side, jet)));
+      constraints.raise(place(jet, s, side), rates(at), ratios);
     }
   }
-  AxisRatios greatest = peaks.greatest();
-  for (const AxisRatios& axis : at_joints) {
-    greatest.velocity = std::max(greatest.velocity, axis.velocity);
-    greatest.acceleration = std::max(greatest.acceleration, axis.acceleration);
-    greatest.jerk = std::max(greatest.jerk, axis.jerk);
-  }
+  const machine::Derivatives greatest = ratios.by_derivative();
   constexpr double rounding = 1e-9;
   const bool turns_back = slowest < -rounding * fastest;
   const double rows = std::max(greatest.acceleration, greatest.jerk * on_curves) * between_looks;
-  return {std::max(greatest.velocity, feed), turns_back ? std::max(turning_back, rows) : rows, turns_back};
+  return {greatest.velocity, turns_back ? std::max(turning_back, rows) : rows, turns_back};
 }
 
 Segment stop_within(const PathState& from, double t) {
@@ -278,14 +275,14 @@ Segment stop_within(const PathState& from, double t) {
 }
 
 /// Jerk is greatest where it begins. The peak of acceleration is least, 4v/(3t), where a = −v/t; 3v/(2t) where a = 0.
-double shortest_stop(const PathState& from, const TangentLimits& limits) {
+double shortest_stop(const PathState& from, const machine::Derivatives& limits) {
   const double v = from.speed, a = from.acceleration, jerk = 0.99 * limits.jerk;
   return std::max((a + std::sqrt(a * a + 6 * v * jerk)) / jerk, 1.33 * v / limits.acceleration);
 }
 
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
-                                    const machine::Machine& machine) {
-  const TangentLimits limits = tangent_limits(section.jets(from.s, Side::right), machine);
+                                    const Constraints& constraints) {
+  const machine::Derivatives limits = tangent_limits(section.jets(from.s, Side::right), constraints);
   const double v = from.speed, a = from.acceleration;
   if (!(v > 0)) return std::nullopt;
   double t = shortest_stop(from, limits);
@@ -293,7 +290,7 @@ std::optional<Segment> come_to_rest(const PathState& from, double room, double l
     const double way = t * (v / 2 + t * a / 12);
     if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;
     const Segment segment = stop_within(from, t);
-    if (greatest_ratios(segment, section, machine, infinity, stop_looks).worst() <= 1) return segment;
+    if (greatest_ratios(segment, section, constraints, infinity, stop_looks).worst() <= 1) return segment;
   }
   return std::nullopt;
 }

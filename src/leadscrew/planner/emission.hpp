@@ -3,7 +3,7 @@
 // way to rest.
 
 #include <cstddef>
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
@@ -37,7 +37,7 @@ inline constexpr int usual_looks = 12, close_looks = 32;
 /// The largest ratios of speed, and of acceleration and jerk, some looks a segment. Speed is beside `feed_factor` times
 /// the programmed one, too. A motion that turns back counts as one that exceeds acceleration by half, so that it is
 /// planned again deeper inside the limits.
-Ratios greatest_ratios(const Segment& segment, const Section& section, const machine::Machine& machine,
+Ratios greatest_ratios(const Segment& segment, const Section& section, const constraints::Constraints& constraints,
                        double feed_factor, int looks);
 
 /// From motion to rest in t seconds: speed falls by a cubic from the speed and the acceleration there are to 0 and 0,
@@ -45,12 +45,12 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const mac
 /// last; it goes back nowhere where 3v + at ≥ 0.
 Segment stop_within(const PathState& from, double t);
 /// The shortest t, s, that the limits along the tangent may allow; the speed there is must be > 0.
-double shortest_stop(const PathState& from, const TangentLimits& limits);
+double shortest_stop(const PathState& from, const machine::Derivatives& limits);
 
 /// From motion to rest within `room`, no longer than `longest`, s: the first such stop that keeps every limit of every
 /// axis is taken. Nothing if there is none.
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
-                                    const machine::Machine& machine);
+                                    const constraints::Constraints& constraints);
 
 /// A segment, parted at those of these places along the section that lie inside it. They ascend.
 std::vector<Segment> cut_at(const Segment& segment, std::span<const double> places);

@@ -43,8 +43,9 @@ struct Sample {
 
 class Placement {
  public:
-  Placement(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most)
-      : section_(section), machine_(machine), stretch_(stretch), most_(most) {}
+  Placement(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+            std::size_t most)
+      : section_(section), constraints_(constraints), stretch_(stretch), most_(most) {}
 
   Knots place() {
     if (!stretch_.starts_at_rest) keep();
@@ -77,15 +78,15 @@ class Placement {
   void ramps() {
     const auto ramp = [&](double s, Side side) {
       const geometry::PointJet jet = section_.jets(s, side);
-      const TangentLimits t = tangent_limits(jet, machine_);
+      const machine::Derivatives t = tangent_limits(jet, constraints_);
       const double speed =
-          std::sqrt(greatest_square(jet, stretch_.feed_factor * section_.greatest_speed(s, side, jet), machine_));
+          std::sqrt(constraints_.greatest_square({jet, stretch_.feed_factor * section_.greatest_speed(s, side, jet)}));
       // Where jerk is next to no limit, what counts is how long speed rises: far less than that is short enough.
       const double rise = std::min(speed / t.acceleration, std::sqrt(length() / t.acceleration));
       const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
                                            std::cbrt(length() / (2 * t.jerk))});
       double bend = 0;
-      for (const numeric::Jet& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
+      for (const numeric::Jet<>& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
       double ramp_length = std::min(t.jerk * time, t.acceleration) * time * time / 6;
       if (bend > 0) ramp_length = std::min(ramp_length, 5e-5 / bend);
       return std::max(std::min(ramp_length, 1e-3 * length()), shortest_ramp * s);
@@ -134,17 +135,16 @@ class Placement {
 
   Sample at(double s, Side side) const {
     const geometry::PointJet jet = section_.jets(s, side);
-    const TangentLimits t = tangent_limits(jet, machine_);
+    const machine::Derivatives t = tangent_limits(jet, constraints_);
     Sample sample;
     sample.s = s;
     sample.a = t.acceleration;
     sample.j = t.jerk;
     const double feed = stretch_.feed_factor * section_.greatest_speed(s, side, jet);
-    double cap = greatest_square(jet, feed, machine_), second = 0, third = 0;
-    for (const base::Axis axis : base::all_axes) {
-      const numeric::Jet& q = jet[base::index(axis)];
-      if (q.second != 0) cap = std::min(cap, machine_.limits(axis).acceleration / std::abs(q.second));
-      if (q.third != 0) cap = std::min(cap, std::pow(machine_.limits(axis).jerk / std::abs(q.third), 2.0 / 3));
+    const constraints::Place place{jet, feed};
+    double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
+    double second = 0, third = 0;
+    for (const numeric::Jet<>& q : jet) {
       second += q.second * q.second;
       third += q.third * q.third;
     }
@@ -159,7 +159,7 @@ class Placement {
   }
 
   static double ramp_width(const Sample& sample, double x, double per) {
-    return per_ramp / per * planner::ramp_width({sample.a, sample.j}, x);
+    return per_ramp / per * planner::ramp_width({infinity, sample.a, sample.j}, x);
   }
   double width_by_cap(const Sample& sample) const {
     const double d = from_rest(sample.s);
@@ -311,7 +311,7 @@ class Placement {
   /// changes at once.
   void keep() {
     const std::vector<double>& s = stretch_.kept;
-    const TangentLimits limits = tangent_limits(section_.jets(stretch_.begin, Side::right), machine_);
+    const machine::Derivatives limits = tangent_limits(section_.jets(stretch_.begin, Side::right), constraints_);
     const double first = first_change * planner::ramp_width(limits, stretch_.changes_from);
     double next = stretch_.changes_from > 0 ? s[0] + first : infinity;
     for (std::size_t k = 0; k < s.size(); ++k) {
@@ -421,7 +421,7 @@ class Placement {
   }
 
   const Section& section_;
-  const machine::Machine& machine_;
+  const constraints::Constraints& constraints_;
   const Stretch& stretch_;
   std::size_t most_;
   std::size_t kept_ = 0;
@@ -434,29 +434,23 @@ class Placement {
 
 }  // namespace
 
-TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machine& machine) {
-  TangentLimits limits{infinity, infinity};
-  for (const base::Axis axis : base::all_axes) {
-    const double rate = std::abs(jet[base::index(axis)].first);
-    if (rate == 0) continue;
-    limits.acceleration = std::min(limits.acceleration, machine.limits(axis).acceleration / rate);
-    limits.jerk = std::min(limits.jerk, machine.limits(axis).jerk / rate);
-  }
-  return limits;
+machine::Derivatives tangent_limits(const geometry::PointJet& jet, const constraints::Constraints& constraints) {
+  return constraints.along_tangent({jet, infinity});
 }
 
-double stop_time(double speed, const TangentLimits& limits) {
+double stop_time(double speed, const machine::Derivatives& limits) {
   const double a = limits.acceleration, j = limits.jerk;
   return speed > a * a / j ? speed / a + a / j : 2 * std::sqrt(speed / j);
 }
 
-double ramp_width(const TangentLimits& limits, double x) {
+double ramp_width(const machine::Derivatives& limits, double x) {
   const double speed = std::sqrt(x);
   return speed * stop_time(speed, limits) / per_ramp;
 }
 
-Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most) {
-  return Placement(section, machine, stretch, most).place();
+Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+                  std::size_t most) {
+  return Placement(section, constraints, stretch, most).place();
 }
 
 }  // namespace leadscrew::planner

@@ -2,7 +2,7 @@
 // Where the knots of the speed profile lie: dense where speed may change soon, sparse along cruises, graded towards
 // rest.
 
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <vector>
 
@@ -18,14 +18,12 @@ struct Knots {
   double end_ramp = 0;        ///< after the last; 0 if the window ends in motion
 };
 
-/// Path limits at one place, from the axes that its direction moves: a ≤ min a_i/|q′_i|, j ≤ min j_i/|q′_i|.
-struct TangentLimits {
-  double acceleration = 0, jerk = 0;
-};
-TangentLimits tangent_limits(const geometry::PointJet& jet, const machine::Machine& machine);
+/// Path limits at one place, from the axes that its direction moves: a ≤ min a_i/|q′_i|, j ≤ min j_i/|q′_i|. Feed is
+/// not asked.
+machine::Derivatives tangent_limits(const geometry::PointJet& jet, const constraints::Constraints& constraints);
 
 /// To come to rest from a constant speed ≥ 0, units/s: v/a + a/j, or 2√(v/j) where a is not reached; s.
-double stop_time(double speed, const TangentLimits& limits);
+double stop_time(double speed, const machine::Derivatives& limits);
 
 /// A stretch of a section that knots are wanted for.
 struct Stretch {
@@ -43,9 +41,10 @@ struct Stretch {
 };
 
 /// Way between two of the knots, where speed √x may rise or fall as fast as it can.
-double ramp_width(const TangentLimits& limits, double x);
+double ramp_width(const machine::Derivatives& limits, double x);
 
 /// Knots along the stretch, at most about `most` intervals: fewer than reach its end if they would be more.
-Knots place_knots(const Section& section, const machine::Machine& machine, const Stretch& stretch, std::size_t most);
+Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+                  std::size_t most);
 
 }  // namespace leadscrew::planner

@@ -25,6 +25,7 @@ constexpr double few_share = 0.6;           // of the intervals that a window ma
 constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 constexpr std::size_t most_pieces = 900;
 constexpr std::size_t most_patience = 16;  // segments
+constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity does not count yet
 
 }  // namespace
 
@@ -33,12 +34,10 @@ void LookAhead::append(const toolpath::Piece& piece) {
   const double length = geometry::length(piece.curve);
   for (const double s : {0.0, length / 2}) {
     const geometry::PointJet jet = geometry::jets(piece.curve, s);
-    const TangentLimits limits = tangent_limits(jet, machine_);
-    double speed = piece.greatest_speed(jet);
-    for (const base::Axis axis : base::all_axes) {
-      const double rate = std::abs(jet[base::index(axis)].first);
-      if (rate > 1e-3) speed = std::min(speed, machine_.limits(axis).velocity / rate);
-      if (rate > 1e-12) moving_.set(base::index(axis));
+    const machine::Derivatives limits = tangent_limits(jet, constraints_);
+    const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(jet)}, hardly_moves);
+    for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
+      if (std::abs(jet[axis].first) > 1e-12) moving_.set(axis);
     }
     fastest_ = std::max(fastest_, speed);
     slowest_stop_ = std::max(slowest_stop_, stop_time(speed, limits));
@@ -151,7 +150,7 @@ std::unique_ptr<Window> LookAhead::solve(Refinement refinement) {
   if (continuation_ && refinement == Refinement::where_speed_changes) {
     stretch.changes_from = continuation_->c[0];
   }
-  return settled(plan_window(section_, machine_, stretch, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
+  return settled(plan_window(section_, constraints_, stretch, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
                              most_intervals()));
 }
 
@@ -171,7 +170,7 @@ void LookAhead::solve_to_rest() {
   Stretch stretch = next_stretch();
   stretch.ends_at_rest = true;
   for (int halving = 0; halving < 40 && !window_; ++halving) {
-    window_ = settled(plan_window(section_, machine_, stretch, continuation_, Aim::fastest, most_intervals()));
+    window_ = settled(plan_window(section_, constraints_, stretch, continuation_, Aim::fastest, most_intervals()));
     stretch.end = begin_ + (stretch.end - begin_) / 2;
   }
 }
@@ -249,7 +248,7 @@ std::size_t LookAhead::split_at(Window& window, std::size_t next) const {
     now = now + segment.duration;
     const bool fast = window.profile.is_too_fast() || factor_ == 0;
     const double feed_factor = fast ? infinity : planned_factor_;
-    if (greatest_ratios(segment, section_, machine_, feed_factor, few_looks).worst() > 1) return 0;
+    if (greatest_ratios(segment, section_, constraints_, feed_factor, few_looks).worst() > 1) return 0;
   }
   const DoubleDouble later = now - (whole.begin + whole.duration);
   for (std::size_t i = next + 1; i < window.segments.size(); ++i) {
@@ -280,7 +279,7 @@ Chunk LookAhead::hand_out() {
   const double end = after < count ? segments[after].s0.value() : window.end;
   const std::size_t first_piece = section_.piece_at(begin_, Side::right);
   Tail tail{{middle, segments.end()}, window.end};
-  if (slice_ < infinity && factor_ > 0) tail = tail_of(window, after, section_, machine_, planned_factor_);
+  if (slice_ < infinity && factor_ > 0) tail = tail_of(window, after, section_, constraints_, planned_factor_);
   const double rest = tail.end;
   const std::size_t last_piece = section_.piece_at(rest, Side::left);
   Chunk chunk;

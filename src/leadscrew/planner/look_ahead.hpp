@@ -15,7 +15,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/window.hpp>
@@ -28,8 +28,7 @@ namespace leadscrew::planner {
 
 class LookAhead {
  public:
-  /// The machine must outlive this.
-  explicit LookAhead(const machine::Machine& machine) : machine_(machine) {}
+  explicit LookAhead(const machine::Machine& machine) : constraints_(machine) {}
 
   /// The section goes on with this piece.
   void append(const toolpath::Piece& piece);
@@ -84,7 +83,7 @@ class LookAhead {
   std::size_t split_at(Window& window, std::size_t next) const;
   Chunk hand_out();
 
-  const machine::Machine& machine_;
+  constraints::Constraints constraints_;
   Section section_;
   bool closed_ = false;
   bool untouched_ = true;

@@ -10,37 +10,18 @@ namespace {
 
 using base::Axis;
 
-/// Bounds along the path from the axes that go straight; `skip`: those that do not.
-PathLimits straight_limits(const geometry::Slopes& slopes, const machine::Machine& machine, base::AxisSet skip,
-                           double feed) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  PathLimits limits{feed, none, none};
-  for (const Axis axis : base::all_axes) {
-    const double rate = std::abs(slopes.rate(base::index(axis)));
-    if (rate == 0 || skip.contains(axis)) continue;
-    const machine::AxisLimits& of_axis = machine.limits(axis);
-    limits.velocity = std::min(limits.velocity, of_axis.velocity / rate);
-    limits.acceleration = std::min(limits.acceleration, of_axis.acceleration / rate);
-    limits.jerk = std::min(limits.jerk, of_axis.jerk / rate);
-  }
-  return limits;
-}
-
 /// What an arc's motion must keep: bounds of the straight axes and the feed, and of the plane, divided by the amplitude
 /// g.
 struct ArcBounds {
-  PathLimits straight;
-  PathLimits plane;
+  machine::Derivatives straight;
+  machine::Derivatives plane;
   double curvature = 0;  ///< |ω|, rad per unit of length
 };
 
-/// Value over bound, the largest on the way.
-struct Excess {
-  double velocity = 0, acceleration = 0, jerk = 0;
-
-  /// Slowing time by this factor brings every ratio to 1 or below: v, a, j fall with its first, second and third power.
-  double time_factor() const { return std::max({velocity, std::sqrt(acceleration), std::cbrt(jerk)}); }
-};
+/// Slowing time by this factor brings every ratio to 1 or below: v, a, j fall with its first, second and third power.
+double time_factor(const machine::Derivatives& ratios) {
+  return std::max({ratios.velocity, std::sqrt(ratios.acceleration), std::cbrt(ratios.jerk)});
+}
 
 /// The greatest of g-less in-plane jerk squared, (j − ω²v³)² + (3ωva)², is bounded over a stretch in which v and |a|
 /// stay between their values at its ends.
@@ -50,9 +31,10 @@ double jerk_bound(double curvature, double v0, double v1, double a0, double a1, 
   return std::hypot(radial, 3 * w * v * a);
 }
 
-/// Proven worst case of a motion on an arc. The braking half mirrors the first in time (a changes its sign, j does
-/// not), which leaves every magnitude as it is. The first three phases are cut into stretches and bounded on each.
-Excess worst_case(const ArcBounds& bounds, const RestToRest& motion) {
+/// Proven worst case of a motion on an arc, values over bounds. The braking half mirrors the first in time (a changes
+/// its sign, j does not), which leaves every magnitude as it is. The first three phases are cut into stretches and
+/// bounded on each.
+machine::Derivatives worst_case(const ArcBounds& bounds, const RestToRest& motion) {
   constexpr int stretches = 12;
   const double w = bounds.curvature, peak = motion.peak_speed();
   double acceleration = w * peak * peak, jerk = w * w * peak * peak * peak;  // cruising
@@ -71,7 +53,7 @@ Excess worst_case(const ArcBounds& bounds, const RestToRest& motion) {
       a = a_next;
     }
   }
-  const PathLimits &straight = bounds.straight, &plane = bounds.plane;
+  const machine::Derivatives &straight = bounds.straight, &plane = bounds.plane;
   return {std::max(peak / straight.velocity, peak / plane.velocity),
           std::max(motion.peak_acceleration() / straight.acceleration, acceleration / plane.acceleration),
           std::max(motion.jerk / straight.jerk, jerk / plane.jerk)};
@@ -83,27 +65,28 @@ RestToRest slowed(const RestToRest& motion, double factor) {
 }
 
 /// The candidate's motion, its time scaled so that the worst case just meets the bounds.
-RestToRest admissible(double length, const ArcBounds& bounds, const PathLimits& candidate) {
+RestToRest admissible(double length, const ArcBounds& bounds, const machine::Derivatives& candidate) {
   const RestToRest motion = rest_to_rest(length, candidate);
-  return slowed(motion, worst_case(bounds, motion).time_factor());
+  return slowed(motion, time_factor(worst_case(bounds, motion)));
 }
 
 /// Coordinate search over the logarithms of the three bounds, with steps that halve.
 RestToRest fastest(double length, const ArcBounds& bounds) {
-  const PathLimits &straight = bounds.straight, &plane = bounds.plane;
+  const machine::Derivatives &straight = bounds.straight, &plane = bounds.plane;
   const double w = bounds.curvature;
-  PathLimits best{std::min({straight.velocity, plane.velocity, 0.9 * std::sqrt(plane.acceleration / w),
-                            0.9 * std::cbrt(plane.jerk / (w * w))}),
-                  0.9 * std::min(straight.acceleration, plane.acceleration), 0.9 * std::min(straight.jerk, plane.jerk)};
+  machine::Derivatives best{std::min({straight.velocity, plane.velocity, 0.9 * std::sqrt(plane.acceleration / w),
+                                      0.9 * std::cbrt(plane.jerk / (w * w))}),
+                            0.9 * std::min(straight.acceleration, plane.acceleration),
+                            0.9 * std::min(straight.jerk, plane.jerk)};
   RestToRest motion = admissible(length, bounds, best);
-  constexpr std::array<double PathLimits::*, 3> coordinates = {&PathLimits::velocity, &PathLimits::acceleration,
-                                                               &PathLimits::jerk};
+  constexpr std::array<double machine::Derivatives::*, 3> coordinates = {
+      &machine::Derivatives::velocity, &machine::Derivatives::acceleration, &machine::Derivatives::jerk};
   double step = 1.4;
   for (int round = 0; round < 8; ++round) {
     bool better = false;
     for (const auto coordinate : coordinates) {
       for (const double factor : {step, 1 / step}) {
-        PathLimits candidate = best;
+        machine::Derivatives candidate = best;
         candidate.*coordinate *= factor;
         const RestToRest tried = admissible(length, bounds, candidate);
         if (tried.duration() >= motion.duration()) continue;
@@ -117,21 +100,16 @@ RestToRest fastest(double length, const ArcBounds& bounds) {
   return motion;
 }
 
-RestToRest plan(const geometry::Line& line, double feed, const machine::Machine& machine) {
-  base::AxisSet none;
-  return rest_to_rest(line.length(), straight_limits(line.slopes(), machine, none, feed));
-}
-
-RestToRest plan(const geometry::Arc& arc, double feed, const machine::Machine& machine) {
+RestToRest plan(const geometry::Arc& arc, double feed, const constraints::Constraints& constraints) {
   const Axis first = base::all_axes[arc.first()], second = base::all_axes[arc.second()];
-  const machine::AxisLimits &one = machine.limits(first), &other = machine.limits(second);
-  ArcBounds bounds;
   base::AxisSet plane;
   plane.insert(first);
   plane.insert(second);
-  bounds.straight = straight_limits(arc.slopes(), machine, plane, feed);
+  ArcBounds bounds;
+  bounds.straight = constraints.along_tangent({arc.jets(0), feed}, plane);
   bounds.curvature = std::abs(arc.angle_rate());
   const double amplitude = arc.radius() * bounds.curvature;
+  const machine::Derivatives one = constraints.of_axis(first), other = constraints.of_axis(second);
   bounds.plane = {std::min(one.velocity, other.velocity) / amplitude,
                   std::min(one.acceleration, other.acceleration) / amplitude,
                   std::min(one.jerk, other.jerk) / amplitude};
@@ -140,14 +118,15 @@ RestToRest plan(const geometry::Arc& arc, double feed, const machine::Machine& m
 
 }  // namespace
 
-PathLimits line_limits(const geometry::Line& line, const machine::Machine& machine) {
-  return straight_limits(line.slopes(), machine, {}, std::numeric_limits<double>::infinity());
+machine::Derivatives line_limits(const geometry::Line& line, const constraints::Constraints& constraints) {
+  return constraints.along_tangent({line.jets(0), std::numeric_limits<double>::infinity()});
 }
 
-RestToRest plan_piece(const toolpath::Piece& piece, const machine::Machine& machine) {
-  const double feed = piece.greatest_speed(geometry::jets(piece.curve, 0));  // everywhere the same
-  if (const auto* arc = std::get_if<geometry::Arc>(&piece.curve)) return plan(*arc, feed, machine);
-  return plan(*std::get_if<geometry::Line>(&piece.curve), feed, machine);
+RestToRest plan_piece(const toolpath::Piece& piece, const constraints::Constraints& constraints) {
+  const geometry::PointJet jet = geometry::jets(piece.curve, 0);
+  const double feed = piece.greatest_speed(jet);  // everywhere the same
+  if (const auto* arc = std::get_if<geometry::Arc>(&piece.curve)) return plan(*arc, feed, constraints);
+  return rest_to_rest(geometry::length(piece.curve), constraints.along_tangent({jet, feed}));
 }
 
 }  // namespace leadscrew::planner

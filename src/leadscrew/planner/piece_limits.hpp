@@ -2,7 +2,7 @@
 // From limits of axes to bounds along one piece, such that a rest-to-rest motion within the bounds keeps every axis
 // inside.
 
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/rest_to_rest.hpp>
 #include <leadscrew/toolpath/path.hpp>
 
@@ -20,9 +20,9 @@ namespace leadscrew::planner {
 ///
 /// with v_p, a_p, j_p the smaller limits of the plane's two axes: q″ = −ω²R… turns with θ, so that each axis sees the
 /// whole amplitude somewhere on a long arc.
-RestToRest plan_piece(const toolpath::Piece& piece, const machine::Machine& machine);
+RestToRest plan_piece(const toolpath::Piece& piece, const constraints::Constraints& constraints);
 
 /// Bounds along a line from its axes, not its feed.
-PathLimits line_limits(const geometry::Line& line, const machine::Machine& machine);
+machine::Derivatives line_limits(const geometry::Line& line, const constraints::Constraints& constraints);
 
 }  // namespace leadscrew::planner

@@ -157,7 +157,7 @@ bool Planner::take(const toolpath::Piece& piece) {
   if (last_) {
     const geometry::PointJet leaving = geometry::jets(last_->curve, geometry::length(last_->curve));
     const geometry::PointJet entering = geometry::jets(piece.curve, 0);
-    const double square = std::min(greatest_square(leaving, last_->greatest_speed(leaving), machine_),
+    const double square = std::min(constraints_.greatest_square({leaving, last_->greatest_speed(leaving)}),
                                    squared(piece.greatest_speed(entering)));
     if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
       look_ahead_.close();
@@ -174,7 +174,8 @@ std::optional<Chunk> Planner::plan() {
   if (look_ahead_.is_untouched() && !closed_form_) {
     const Section& section = look_ahead_.section();
     if (section.size() == 1 && !look_ahead_.is_closed()) return std::nullopt;
-    if (look_ahead_.is_closed() && feed_factor_ > 0) closed_form_ = ClosedForm::plan(section, machine_, feed_factor_);
+    if (look_ahead_.is_closed() && feed_factor_ > 0)
+      closed_form_ = ClosedForm::plan(section, constraints_, feed_factor_);
   }
   std::optional<Chunk> chunk;
   if (closed_form_) {

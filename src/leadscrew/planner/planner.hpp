@@ -27,7 +27,7 @@ class Planner {
  public:
   /// Stands at `start`, mm or degrees.
   Planner(const machine::Machine& machine, const geometry::Point& start)
-      : machine_(machine), look_ahead_(machine), position_(start) {}
+      : machine_(machine), constraints_(machine), look_ahead_(machine), position_(start) {}
 
   void push(const toolpath::Element& element) { waiting_.push_back(element); }
   /// No more elements will come.
@@ -77,6 +77,7 @@ class Planner {
   };
 
   const machine::Machine& machine_;
+  constraints::Constraints constraints_;
   std::deque<toolpath::Element> waiting_;
   bool finished_ = false;
   std::optional<Start> start_;  ///< not reached yet

@@ -4,7 +4,7 @@
 
 namespace leadscrew::planner {
 
-RestToRest rest_to_rest(double distance, const PathLimits& limits) {
+RestToRest rest_to_rest(double distance, const machine::Derivatives& limits) {
   const double V = limits.velocity, A = limits.acceleration, J = limits.jerk, L = distance;
 
   // The ramp to full speed: with constant acceleration where A is reached on the way to V.

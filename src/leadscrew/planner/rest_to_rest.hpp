@@ -6,16 +6,9 @@
 //            |  |--------|  |----      time   j a j   c   j a j
 //         -J       |--|   |--|
 
-#include <leadscrew/numeric/double_double.hpp>
+#include <leadscrew/machine/derivatives.hpp>
 
 namespace leadscrew::planner {
-
-/// Bounds along a path, in units of its length and seconds; all > 0, velocity may be infinite.
-struct PathLimits {
-  double velocity = 0;
-  double acceleration = 0;
-  double jerk = 0;
-};
 
 /// Durations in seconds; the whole motion takes 4·jerk_time + 2·acceleration_time + cruise_time.
 struct RestToRest {
@@ -29,10 +22,11 @@ struct RestToRest {
   double peak_speed() const { return peak_acceleration() * (jerk_time + acceleration_time); }
 };
 
-/// Over a distance > 0. With V, A, J the bounds, L the distance and V_p the peak speed:
+/// Over a distance > 0, within bounds along the path: units of its length and seconds, all > 0, velocity may be
+/// infinite. With V, A, J the bounds, L the distance and V_p the peak speed:
 ///   V_p = V, reached with or without a phase of constant acceleration (V ≥ or < A²/J), where the two ramps fit into L;
 ///   else L = V_p (V_p/A + A/J), a quadratic in V_p, where A is reached;
 ///   else L = 2 J t_j³.
-RestToRest rest_to_rest(double distance, const PathLimits& limits);
+RestToRest rest_to_rest(double distance, const machine::Derivatives& limits);
 
 }  // namespace leadscrew::planner

@@ -9,11 +9,6 @@ namespace {
 
 constexpr double unseen = 1e-4;  // of the limit of jerk
 
-/// |q″| of the tool tip, 1/ρ.
-double curvature(const geometry::PointJet& jet) {
-  return std::hypot(jet[0].second, jet[1].second, jet[2].second);
-}
-
 }  // namespace
 
 geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side side) {
@@ -23,7 +18,7 @@ geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side s
 }
 
 bool turns(const geometry::PointJet& jet) {
-  return std::any_of(jet.begin(), jet.end(), [](const numeric::Jet& q) { return q.second != 0; });
+  return std::any_of(jet.begin(), jet.end(), [](const numeric::Jet<>& q) { return q.second != 0; });
 }
 
 void Section::append(const toolpath::Piece& piece) {
@@ -68,17 +63,6 @@ std::size_t Section::borders(double from, double to) const {
     if (begin < end) count += geometry::borders(curve, begin, end);
   }
   return count + (last > first ? last - first : 0);
-}
-
-double greatest_square(const geometry::PointJet& jet, double speed, const machine::Machine& machine) {
-  for (const base::Axis axis : base::all_axes) {
-    const double rate = std::abs(jet[base::index(axis)].first);
-    if (rate > 0) speed = std::min(speed, machine.limits(axis).velocity / rate);
-  }
-  const double bend = curvature(jet), period = machine.period.seconds();
-  double square = speed * speed;
-  if (bend > 0) square = std::min(square, 8 * machine.chord_error / (bend * period * period));
-  return square;
 }
 
 bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& entering, double speed,

@@ -54,9 +54,6 @@ inline double squared(double v) {
   return v * v;
 }
 
-/// Greatest x = ṡ² by `speed`, axis velocities and chord error (Lin and Koren, eq. 3: ε = (VT)²/8ρ).
-double greatest_square(const geometry::PointJet& jet, double speed, const machine::Machine& machine);
-
 /// May motion run from a piece that ends with `leaving` into one that begins with `entering` without a stop? The
 /// derivatives must agree as closely as words at the machine's period can show: a kink Δq′ is a step Δq′·v of an axis'
 /// velocity, a jump Δq″ one of Δq″·v² of its acceleration; over one period they look like a jerk of Δq′·v/T² and

@@ -4,7 +4,7 @@
 
 namespace leadscrew::planner {
 
-SpeedChange change_speed(double speed, double acceleration, double to, const PathLimits& limits) {
+SpeedChange change_speed(double speed, double acceleration, double to, const machine::Derivatives& limits) {
   const double A = limits.acceleration, J = limits.jerk, a = acceleration;
   const double when_let_go = speed + a * std::abs(a) / (2 * J);
   const double sign = to < when_let_go ? -1 : 1;

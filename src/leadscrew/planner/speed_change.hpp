@@ -23,6 +23,6 @@ struct SpeedChange {
 
 /// From `speed` and `acceleration` to the speed `to` ≥ 0 and acceleration 0, by the bounds of acceleration and jerk.
 /// Speed stays between both, and what it comes to while acceleration is brought to 0.
-SpeedChange change_speed(double speed, double acceleration, double to, const PathLimits& limits);
+SpeedChange change_speed(double speed, double acceleration, double to, const machine::Derivatives& limits);
 
 }  // namespace leadscrew::planner

@@ -30,7 +30,7 @@ bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& ente
 /// How far from here a knot may be, by the turn |q″| h and what it changes by, |q‴| h².
 double finest_step(const geometry::PointJet& jet) {
   double second = 0, third = 0;
-  for (const numeric::Jet& q : jet) {
+  for (const numeric::Jet<>& q : jet) {
     second = std::max(second, std::abs(q.second));
     third = std::max(third, std::abs(q.third));
   }
@@ -67,11 +67,7 @@ void TimeBound::add_straight(const geometry::Line& line, const toolpath::Piece& 
   Interval interval;
   interval.length = line.length();
   interval.x_max = interval.x_end_max = velocity_limit(jet, piece);
-  interval.straight_b = infinity;
-  for (const base::Axis axis : base::all_axes) {
-    const double rate = std::abs(jet[base::index(axis)].first);
-    if (rate > 0) interval.straight_b = std::min(interval.straight_b, machine_.limits(axis).acceleration / rate);
-  }
+  interval.straight_b = constraints_.along_tangent({jet, piece.greatest_speed(jet)}).acceleration;
   add(interval);
 }
 
@@ -108,21 +104,15 @@ void TimeBound::add_curved(const toolpath::Piece& piece) {
 }
 
 double TimeBound::velocity_limit(const geometry::PointJet& jet, const toolpath::Piece& piece) const {
-  double speed = piece.greatest_speed(jet);
-  for (const base::Axis axis : base::all_axes) {
-    const double rate = std::abs(jet[base::index(axis)].first);
-    if (rate > 0) speed = std::min(speed, machine_.limits(axis).velocity / rate);
-  }
+  const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(jet)});
   return speed * speed;
 }
 
 /// |q″(x + hb) + q′b| ≤ a, in the middle of an interval of length h.
 void TimeBound::add_rows(const geometry::PointJet& middle, Interval& interval) const {
-  for (const base::Axis axis : base::all_axes) {
-    const numeric::Jet& q = middle[base::index(axis)];
-    if (q.first == 0 && q.second == 0) continue;
-    const double by_b = q.first + interval.length * q.second;
-    interval.rows[interval.row_count++] = {q.second, by_b, machine_.limits(axis).acceleration};
+  for (const auto& [row, jerk] : constraints_.row_pairs({middle, infinity}).pairs) {
+    if (!row.bounds()) continue;
+    interval.rows[interval.row_count++] = {row.by_x, row.by_b + interval.length * row.by_x, row.limit};
   }
 }
 
@@ -161,7 +151,7 @@ double TimeBound::greatest_start(const Interval& interval, double x_end) {
   struct Straight {
     double c = 0, m = 0;
   };
-  std::array<Straight, base::axis_count + 1> upper, lower;
+  std::array<Straight, most_rows + 1> upper, lower;
   std::size_t count = 0;
   double x = interval.x_max;
   for (std::size_t i = 0; i < interval.row_count; ++i) {

@@ -5,7 +5,7 @@
 // The unknown is x(s) = ṡ², b = x′/2 = s̈, so that for each axis q̇² = q′²x and q̈ = q″x + q′b (Bobrow et al., 1985; Pham
 // & Pham, "A new approach to time-optimal path parameterization based on reachability analysis", 2018):
 //
-//     x ≤ min(F², (v/q′)²)          |q″x + q′b| ≤ a
+//     x ≤ min(F², (v/q′)²)          |q″x + q′b| ≤ a          and whatever else is proven of speed and acceleration
 //
 //   backward  K_i = the greatest x at knot i from which knot i+1 can be reached with x ≤ K_{i+1}
 //   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x_i, at most K_{i+1}
@@ -15,17 +15,17 @@
 
 #include <array>
 #include <cstddef>
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <vector>
 
 namespace leadscrew::planner {
 
 /// Streaming, in bounded memory: where the path goes on without a stop for longer than is kept, what lies beyond is
-/// taken as passable at full speed, which keeps the result a lower bound. The machine must outlive this.
+/// taken as passable at full speed, which keeps the result a lower bound.
 class TimeBound {
  public:
-  explicit TimeBound(const machine::Machine& machine) : machine_(machine) {}
+  explicit TimeBound(const constraints::Constraints& constraints) : constraints_(constraints) {}
 
   void push(const toolpath::Element& element);
   /// No more elements will come.
@@ -39,14 +39,15 @@ class TimeBound {
   struct Row {
     double by_x = 0, by_b = 0, limit = 0;
   };
+  static constexpr std::size_t most_rows = constraints::RowPairs::size;
   /// From one knot to the next. `x` stands for x at the first of them.
   struct Interval {
-    double length = 0;                             ///< > 0
-    double x_max = 0, x_end_max = 0;               ///< by feed and velocities, at its two knots
-    std::array<Row, 2 * base::axis_count> rows{};  ///< accelerations at its beginning and its end, in x and b
-    std::size_t row_count = 0;                     ///< 0: straight
-    double straight_b = 0;                         ///< straight: the greatest |b|, which may change its sign inside
-    double reach = 0;                              ///< K
+    double length = 0;                  ///< > 0
+    double x_max = 0, x_end_max = 0;    ///< by feed and velocities, at its two knots
+    std::array<Row, most_rows> rows{};  ///< accelerations in its middle, in x and b
+    std::size_t row_count = 0;          ///< 0: straight
+    double straight_b = 0;              ///< straight: the greatest |b|, which may change its sign inside
+    double reach = 0;                   ///< K
   };
 
   void add_straight(const geometry::Line& line, const toolpath::Piece& piece);
@@ -60,7 +61,7 @@ class TimeBound {
   double velocity_limit(const geometry::PointJet& jet, const toolpath::Piece& piece) const;
   void add_rows(const geometry::PointJet& middle, Interval& interval) const;
 
-  const machine::Machine& machine_;
+  constraints::Constraints constraints_;
   std::vector<Interval> waiting_;
   geometry::PointJet leaving_{};  ///< at the end of the last piece
   double x_begin_ = 0;            ///< x where what is waiting begins

@@ -40,7 +40,8 @@ constexpr std::size_t least_ahead = 16;                 // intervals
 /// some ways to stop lead to the end, speed is not what it would be if the end were farther; nor, for the time of a
 /// stop, is the way it rises to there. Behind a corner, where it is next to nothing, that ends sooner than stops from
 /// there say.
-std::size_t commit_until(const SpeedProfile& profile, const Section& section, const machine::Machine& machine) {
+std::size_t commit_until(const SpeedProfile& profile, const Section& section,
+                         const constraints::Constraints& constraints) {
   const std::size_t n = profile.intervals();
   const double end = profile.knots().s[n];
   std::size_t k = n;
@@ -49,7 +50,7 @@ std::size_t commit_until(const SpeedProfile& profile, const Section& section, co
     --k;
     since += travel_time(profile, k);
     const double s = profile.knots().s[k], speed = std::sqrt(profile.square(k, 0));
-    const double stop = stop_time(speed, tangent_limits(section.jets(s, Side::right), machine));
+    const double stop = stop_time(speed, tangent_limits(section.jets(s, Side::right), constraints));
     if (end - s <= ways_to_stop * speed * stop / 2) {
       since = 0;
       enough = stops_before * stop;
@@ -79,10 +80,10 @@ void slow_down(Window& window, double factor) {
 
 class WindowPlanner {
  public:
-  WindowPlanner(const Section& section, const machine::Machine& machine, const Stretch& stretch,
+  WindowPlanner(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
                 const std::optional<Continuation>& continuation, Aim aim, std::size_t most_intervals)
       : section_(section),
-        machine_(machine),
+        constraints_(constraints),
         stretch_(stretch),
         continuation_(continuation),
         aim_(aim),
@@ -97,7 +98,7 @@ class WindowPlanner {
   bool emit(Window& window) const;
 
   const Section& section_;
-  const machine::Machine& machine_;
+  const constraints::Constraints& constraints_;
   const Stretch& stretch_;
   const std::optional<Continuation>& continuation_;
   Aim aim_;
@@ -113,7 +114,7 @@ bool WindowPlanner::emit(Window& window) const {
   window.turns_back = false;
   window.factors.assign(n, Ratios{});
   if (!profile.ends_at_rest()) {
-    window.last_interval = commit_until(profile, section_, machine_);
+    window.last_interval = commit_until(profile, section_, constraints_);
     window.after = profile.continuation(window.last_interval);
     if (!window.after) {
       profile.unlevel();
@@ -127,7 +128,7 @@ bool WindowPlanner::emit(Window& window) const {
   window.end = stretch_.end;
   window.to_rest = profile.ends_at_rest();
   const auto stop_from = [&](const PathState& from, double longest) {
-    return come_to_rest(from, stretch_.end - from.s, longest, section_, machine_);
+    return come_to_rest(from, stretch_.end - from.s, longest, section_, constraints_);
   };
   std::optional<Segment> stop;
   std::size_t stops = window.segments.size();
@@ -166,7 +167,7 @@ bool WindowPlanner::emit(Window& window) const {
   for (std::size_t k = 0; k < window.segments.size(); ++k) {
     const int looks =
         !profile.ends_at_rest() && window.intervals[k] + stopping_intervals > n ? close_looks : usual_looks;
-    const Ratios ratios = greatest_ratios(window.segments[k], section_, machine_, feed_factor, looks);
+    const Ratios ratios = greatest_ratios(window.segments[k], section_, constraints_, feed_factor, looks);
     window.worst = std::max(window.worst, ratios.worst());
     window.turns_back = window.turns_back || ratios.turns_back;
     if (ratios.worst() <= 1) continue;
@@ -181,16 +182,17 @@ bool WindowPlanner::emit(Window& window) const {
 }
 
 std::unique_ptr<Window> WindowPlanner::plan() const {
-  Knots knots = place_knots(section_, machine_, stretch_, most_intervals_);
+  Knots knots = place_knots(section_, constraints_, stretch_, most_intervals_);
   if (knots.intervals < 2) return nullptr;
   if (!continuation_) {
-    auto window = std::make_unique<Window>(SpeedProfile(section_, machine_, std::move(knots), stretch_.feed_factor));
+    auto window =
+        std::make_unique<Window>(SpeedProfile(section_, constraints_, std::move(knots), stretch_.feed_factor));
     return repair_from_rest(*window) ? std::move(window) : nullptr;
   }
   for (int refinement = 0; refinement <= refinements; ++refinement) {
     const std::size_t intervals = knots.intervals;
     auto window =
-        std::make_unique<Window>(SpeedProfile(section_, machine_, knots, *continuation_, stretch_.feed_factor));
+        std::make_unique<Window>(SpeedProfile(section_, constraints_, knots, *continuation_, stretch_.feed_factor));
     if (!(window->profile.greatest_ratio() < 1)) return nullptr;
     const bool may_refine = stretch_.changes_from > 0 && refinement < refinements;
     if (repair_in_motion(*window, may_refine ? &knots : nullptr)) return window;
@@ -248,11 +250,12 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     profile.retreat();
     profile.center(deep_gap);
     first_gap = deep_gap;
-    for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the room at most
+    for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the margin at most
       const Ratios& factors = window.factors[i];
       if (factors.worst() == 1) continue;
-      const Ratios room = profile.room(i);
-      profile.tighten(i, {std::min(factors.speed, (1 + room.speed) / 2), std::min(factors.rows, (1 + room.rows) / 2)});
+      const Ratios margin = profile.margin(i);
+      profile.tighten(i,
+                      {std::min(factors.speed, (1 + margin.speed) / 2), std::min(factors.rows, (1 + margin.rows) / 2)});
     }
     if (!(profile.greatest_ratio() < 1)) return false;
   }
@@ -271,7 +274,7 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
   const auto parts_if = [&](bool everywhere, double wider) {
     std::vector<double> widths(n - intervals_at_end, infinity);
     for (std::size_t k = 0; k < widths.size(); ++k) {
-      const TangentLimits limits = tangent_limits(section_.jets(knots.s[k], Side::right), machine_);
+      const machine::Derivatives limits = tangent_limits(section_.jets(knots.s[k], Side::right), constraints_);
       const double slope = std::max(std::abs(profile.square_slope(k, 0)), std::abs(profile.square_slope(k, 1)));
       const double ramp = wider * ramp_width(limits, std::min(profile.square(k, 0), profile.square(k, 1)));
       if (window.factors[k].worst() > 1)
@@ -317,10 +320,10 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
 
 }  // namespace
 
-std::unique_ptr<Window> plan_window(const Section& section, const machine::Machine& machine, const Stretch& stretch,
-                                    const std::optional<Continuation>& continuation, Aim aim,
+std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
+                                    const Stretch& stretch, const std::optional<Continuation>& continuation, Aim aim,
                                     std::size_t most_intervals) {
-  return WindowPlanner(section, machine, stretch, continuation, aim, most_intervals).plan();
+  return WindowPlanner(section, constraints, stretch, continuation, aim, most_intervals).plan();
 }
 
 }  // namespace leadscrew::planner

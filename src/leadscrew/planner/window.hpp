@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
@@ -45,8 +45,8 @@ enum class Aim : std::uint8_t { fastest, rest };
 
 /// Plans the stretch: from rest, or in motion from where `continuation` begins. At most about `most_intervals` between
 /// knots, more where speed is to change. Nothing if no motion is found that keeps every limit and can come to rest.
-std::unique_ptr<Window> plan_window(const Section& section, const machine::Machine& machine, const Stretch& stretch,
-                                    const std::optional<Continuation>& continuation, Aim aim,
+std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
+                                    const Stretch& stretch, const std::optional<Continuation>& continuation, Aim aim,
                                     std::size_t most_intervals);
 
 }  // namespace leadscrew::planner

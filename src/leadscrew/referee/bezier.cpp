@@ -9,13 +9,13 @@ namespace {
 constexpr double least_size = nanometre / 1000;  // mm; a thousandth of what is held against a trace
 constexpr int most_halvings = 60;                // of 0 ≤ t ≤ 1
 
-using Row = std::array<Weighted, gcode::highest_degree + 1>;
+using ControlPoints = std::array<Weighted, gcode::highest_degree + 1>;
 
 /// One level of de Casteljau's algorithm: `count` points become count − 1.
-void reduce(const Metric& metric, Row& row, int count, double x) {
+void reduce(const Metric& metric, ControlPoints& points, int count, double x) {
   for (int i = 0; i + 1 < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    row[at] = between(metric, row[at], row[at + 1], x);
+    points[at] = between(metric, points[at], points[at + 1], x);
   }
 }
 
@@ -60,20 +60,21 @@ struct Local {
 /// With A = wC: A and w are de Casteljau's last point, A′ and A″ come from differences of the levels before, and
 ///   C′ = p·w0·w1/w²·(P1 − P0),   C″ = (A″ − 2w′C′ − w″C)/w      (Floater eq. 7; "The NURBS Book" eq. 4.8).
 Local local_at(const Metric& metric, const Bezier& bezier, double t) {
-  Row row = bezier.control;
-  for (int count = bezier.degree + 1; count > 3; --count) reduce(metric, row, count, t);
-  const Row three = row;
-  if (bezier.degree > 1) reduce(metric, row, 3, t);
-  const Weighted last = between(metric, row[0], row[1], t);
+  ControlPoints points = bezier.control;
+  for (int count = bezier.degree + 1; count > 3; --count) reduce(metric, points, count, t);
+  const ControlPoints three = points;
+  if (bezier.degree > 1) reduce(metric, points, 3, t);
+  const Weighted last = between(metric, points[0], points[1], t);
   const double p = bezier.degree, w = last.weight;
-  const double w1 = p * (row[1].weight - row[0].weight);
+  const double w1 = p * (points[1].weight - points[0].weight);
   const auto bend = [p](double a, double b, double c) { return p * (p - 1) * (a - 2 * b + c); };
   const double w2 = bezier.degree > 1 ? bend(three[0].weight, three[1].weight, three[2].weight) : 0;
   Local local;
-  local.leg_speed = p * (row[0].weight / w) * (row[1].weight / w);
+  local.leg_speed = p * (points[0].weight / w) * (points[1].weight / w);
   for (std::size_t i = 0; i < metric.dimensions(); ++i) {
     local.position[i] = last.moment[i] / w;
-    local.first[i] = local.leg_speed * (row[1].moment[i] / row[1].weight - row[0].moment[i] / row[0].weight);
+    local.first[i] =
+        local.leg_speed * (points[1].moment[i] / points[1].weight - points[0].moment[i] / points[0].weight);
     const double a2 = bezier.degree > 1 ? bend(three[0].moment[i], three[1].moment[i], three[2].moment[i]) : 0;
     local.second[i] = (a2 - 2 * w1 * local.first[i] - w2 * local.position[i]) / w;
   }
@@ -83,9 +84,8 @@ Local local_at(const Metric& metric, const Bezier& bezier, double t) {
 /// Finds where (C − q)·C′ = 0 between two places, by Newton's steps as long as they stay inside and shrink by half, and
 /// by halving where they do not.
 ///
-/// Where very unequal weights or coincident points make the curve stand still, C′ is rounding. What lies ahead is then
-/// told by the chord, which no tangent turns from by more than π/8; at an end nothing is told, the way inside stays
-/// open.
+/// Where very unequal weights or coincident points make the curve stand still, C′ is rounding. The chord, from which no
+/// tangent turns by more than π/8, is then taken for the direction; at an end of the segment the search goes inside.
 class Descent {
  public:
   Descent(const Metric& metric, const Bezier& bezier, const Point& point)
@@ -159,13 +159,13 @@ double greatest_of_hull(const Metric& metric, const Bezier& bezier, const Chord&
   return greatest;
 }
 
-/// Halves the segment until no hull exceeds the farthest point found or `enough`.
-void bound_farthest(const Metric& metric, const Bezier& bezier, const Chord& chord, double enough, int halvings,
+/// Halves the segment until no hull exceeds the farthest point found or `negligible`.
+void bound_farthest(const Metric& metric, const Bezier& bezier, const Chord& chord, double negligible, int halvings,
                     double& farthest) {
-  if (halvings == 0 || greatest_of_hull(metric, bezier, chord) <= std::max(enough, farthest + least_size)) return;
+  if (halvings == 0 || greatest_of_hull(metric, bezier, chord) <= std::max(negligible, farthest + least_size)) return;
   farthest = std::max(farthest, distance_to_chord(metric, chord, point_at(metric, bezier, 0.5)));
-  bound_farthest(metric, part(metric, bezier, 0, 0.5), chord, enough, halvings - 1, farthest);
-  bound_farthest(metric, part(metric, bezier, 0.5, 1), chord, enough, halvings - 1, farthest);
+  bound_farthest(metric, part(metric, bezier, 0, 0.5), chord, negligible, halvings - 1, farthest);
+  bound_farthest(metric, part(metric, bezier, 0.5, 1), chord, negligible, halvings - 1, farthest);
 }
 
 constexpr double straight = 1e-4;  // chord and legs differ by no more than this share of their length
@@ -187,20 +187,20 @@ double length_halved(const Metric& metric, const Coordinates& coordinates, const
 }  // namespace
 
 Point point_at(const Metric& metric, const Bezier& bezier, double t) {
-  Row row = bezier.control;
-  for (int count = bezier.degree + 1; count > 1; --count) reduce(metric, row, count, t);
-  return projected(metric, row[0]);
+  ControlPoints points = bezier.control;
+  for (int count = bezier.degree + 1; count > 1; --count) reduce(metric, points, count, t);
+  return projected(metric, points[0]);
 }
 
 Bezier part(const Metric& metric, const Bezier& bezier, double from, double to) {
   Bezier result;
   result.degree = bezier.degree;
   for (int j = 0; j <= bezier.degree; ++j) {
-    Row row = bezier.control;
+    ControlPoints points = bezier.control;
     for (int level = 0; level < bezier.degree; ++level) {
-      reduce(metric, row, bezier.degree + 1 - level, level < bezier.degree - j ? from : to);
+      reduce(metric, points, bezier.degree + 1 - level, level < bezier.degree - j ? from : to);
     }
-    result.control[static_cast<std::size_t>(j)] = row[0];
+    result.control[static_cast<std::size_t>(j)] = points[0];
   }
   return result;
 }
@@ -247,10 +247,10 @@ double nearest_place(const Metric& metric, const Bezier& bezier, const Point& po
   return descent.squared(place) <= least ? place : sample;
 }
 
-double farthest_from_chord(const Metric& metric, const Bezier& bezier, const Chord& chord, double enough) {
+double farthest_from_chord(const Metric& metric, const Bezier& bezier, const Chord& chord, double negligible) {
   double farthest = std::max(distance_to_chord(metric, chord, point_at(metric, bezier, 0)),
                              distance_to_chord(metric, chord, point_at(metric, bezier, 1)));
-  bound_farthest(metric, bezier, chord, enough, most_halvings, farthest);
+  bound_farthest(metric, bezier, chord, negligible, most_halvings, farthest);
   return farthest;
 }
 
@@ -266,6 +266,23 @@ double distance_in(const Metric& metric, const Coordinates& coordinates, const P
 /// (Gravesen, "Adaptive subdivision and the length and energy of Bezier curves", 1997).
 double length_in(const Metric& metric, const Coordinates& coordinates, const Bezier& bezier) {
   return length_halved(metric, coordinates, bezier, most_halvings);
+}
+
+void Turning::add(const Bezier& bezier) {
+  const Polygon polygon(metric_, bezier);
+  const double rounding = polygon.rounding(metric_);
+  for (std::size_t i = 0; i < polygon.last(); ++i) {
+    const double length = distance_in(metric_, coordinates_, polygon.points[i], polygon.points[i + 1]);
+    if (!(length > rounding)) continue;  // of no direction
+    Point direction{};
+    for (std::size_t k = 0; k < metric_.dimensions(); ++k) {
+      if (coordinates_[k]) direction[k] = (polygon.points[i + 1][k] - polygon.points[i][k]) / length;
+    }
+    if (metric_.dot(direction_, direction_) > 0) {
+      sum_ += std::acos(std::clamp(metric_.dot(direction_, direction), -1.0, 1.0));
+    }
+    direction_ = direction;
+  }
 }
 
 }  // namespace leadscrew::referee

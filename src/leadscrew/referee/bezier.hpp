@@ -1,15 +1,17 @@
 #pragma once
-// A piece of a rational curve as a Bezier segment, and what the referee asks of it.
+// A part of a rational curve as a Bezier segment, and what the referee asks of it.
 //
 // In homogeneous coordinates (wP, w) a rational segment is a polynomial one, and de Casteljau's algorithm with another
 // argument on each level (the polar form; Ramshaw, "Blossoms are polar forms", 1989) gives its points and the control
 // points of any part of it. Every bound here follows from the weights being positive:
 //
-//            P1 ────── P2             each point lies in the hull of the control points,
-//           ╱  .·──·.   ╲             each tangent in the cone of the legs P0P1, P1P2, … (Floater, "Derivatives of
-//         ╱ .·        ·. ╲            rational Bezier curves", 1992: C' is a positive combination of all Pj − Pi, i <
-//         j),
-//        P0 ·············· P3         and the length between that of the chord and that of the legs.
+//            P1 ────── P2        each point lies in the hull of the control points,
+//           ╱  .·──·.   ╲        each tangent in the cone of the legs P0P1, P1P2, …,
+//          ╱ .·      ·.  ╲       and the length between that of the chord P0P3 and that of the legs.
+//        P0 ············· P3
+//
+// The cone: C' is a positive combination of all Pj − Pi, i < j (Floater, "Derivatives of rational Bezier curves",
+// 1992).
 
 #include <array>
 #include <leadscrew/gcode/move.hpp>
@@ -49,8 +51,8 @@ Point point_at(const Metric& metric, const Bezier& bezier, double t);
 /// The part 0 ≤ from ≤ t ≤ to ≤ 1 as a segment of its own.
 Bezier part(const Metric& metric, const Bezier& bezier, double from, double to);
 
-/// Whether every tangent is within π/8 of the chord, so that no two differ by more than π/4 and the distance to a point
-/// near the segment has one minimum; and so of a segment shorter than a thousandth of a nanometre, as at a cusp.
+/// Whether every tangent is within π/8 of the chord. Then no two differ by more than π/4, and the distance to a point
+/// near the segment has one minimum. True of any segment shorter than a thousandth of a nanometre, as at a cusp.
 bool turns_little(const Metric& metric, const Bezier& bezier);
 
 /// Whether the control points differ by more than rounding.
@@ -59,9 +61,9 @@ bool has_length(const Metric& metric, const Bezier& bezier);
 /// t of the nearest point of a segment that turns little.
 double nearest_place(const Metric& metric, const Bezier& bezier, const Point& point);
 
-/// The largest distance of the segment's points to the chord, to within a thousandth of a nanometre; or anything up to
-/// `enough` where it is no larger than that. mm.
-double farthest_from_chord(const Metric& metric, const Bezier& bezier, const Chord& chord, double enough);
+/// The largest distance of the segment's points to the chord, mm, to a thousandth of a nanometre. Where it is no larger
+/// than `negligible`, mm, any value up to that may be returned.
+double farthest_from_chord(const Metric& metric, const Bezier& bezier, const Chord& chord, double negligible);
 
 /// Coordinates of the metric in which a length is measured.
 using Coordinates = std::array<bool, base::axis_count>;
@@ -71,5 +73,21 @@ double distance_in(const Metric& metric, const Coordinates& coordinates, const P
 
 /// Length in these coordinates, mm; relative error below 5e-5 for certain, about 1e-8 where the curve is smooth.
 double length_in(const Metric& metric, const Coordinates& coordinates, const Bezier& bezier);
+
+/// By how much segments that follow each other turn in these coordinates, at most: the sum of the angles between the
+/// legs of their control polygons, radians.
+class Turning {
+ public:
+  Turning(const Metric& metric, const Coordinates& coordinates) : metric_(metric), coordinates_(coordinates) {}
+
+  void add(const Bezier& bezier);
+  double sum() const { return sum_; }
+
+ private:
+  const Metric& metric_;
+  const Coordinates& coordinates_;
+  double sum_ = 0;
+  Point direction_{};  // of the last leg; 0 before the first
+};
 
 }  // namespace leadscrew::referee

@@ -76,10 +76,10 @@ std::size_t Derivatives::level_of(double excess) {
 void Derivatives::suspect(Track& track, std::size_t order, double difference, base::Line line) {
   Limit& limit = track.limits[order];
   ++limit.violations[level_of(difference - limit.objectionable)];
-  if (candidates_.size() == most_violations_listed) return;
+  if (suspects_.size() == most_violations_listed) return;
   // A k-th difference tells of the middle of its k periods.
   const double periods = static_cast<double>(words_) - static_cast<double>(order + 1) / 2;
-  candidates_.push_back(
+  suspects_.push_back(
       {static_cast<std::size_t>(&track - tracks_.data()), order, std::max(0.0, periods * period_), line, difference});
 }
 
@@ -90,7 +90,7 @@ std::int64_t Derivatives::count(const Limit& limit, double rounding) {
   return sum;
 }
 
-void Derivatives::conclude(base::Line line, Verdict& verdict, Docket& docket) {
+void Derivatives::conclude(base::Line line, Verdict& verdict, ViolationLog& log) {
   for (std::size_t k = 0; k < orders; ++k, ++words_) {
     for (std::size_t i = 0; i < track_count_; ++i) difference(tracks_[i], tracks_[i].last, line);
   }
@@ -101,16 +101,16 @@ void Derivatives::conclude(base::Line line, Verdict& verdict, Docket& docket) {
     for (std::size_t order = 0; order < orders; ++order) {
       const Limit& limit = track.limits[order];
       *ratios[order] = std::max(0.0, limit.greatest - track.rounding) / limit.power / limit.value;
-      docket.add_count(count(limit, track.rounding));
+      log.add_count(count(limit, track.rounding));
     }
     verdict.axes.push_back(axis);
   }
-  for (const Candidate& candidate : candidates_) {
-    const Track& track = tracks_[candidate.track];
-    const Limit& limit = track.limits[candidate.order];
-    if (level_of(candidate.difference - limit.objectionable) < level_of(track.rounding)) continue;
-    docket.list({candidate.t, candidate.line, std::string(1, base::letter(track.axis)) + names[candidate.order],
-                 (candidate.difference - track.rounding) / limit.power, limit.value});
+  for (const Suspect& suspect : suspects_) {
+    const Track& track = tracks_[suspect.track];
+    const Limit& limit = track.limits[suspect.order];
+    if (level_of(suspect.difference - limit.objectionable) < level_of(track.rounding)) continue;
+    log.list({suspect.t, suspect.line, std::string(1, base::letter(track.axis)) + names[suspect.order],
+              (suspect.difference - track.rounding) / limit.power, limit.value});
   }
 }
 

@@ -13,7 +13,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/machine/machine.hpp>
-#include <leadscrew/referee/docket.hpp>
+#include <leadscrew/referee/violation_log.hpp>
 
 namespace leadscrew::referee {
 
@@ -25,8 +25,8 @@ class Derivatives {
   Derivatives(const machine::Machine& machine, base::Period period);
 
   void observe(const base::AxisVector& position, base::Line line);
-  /// After the last word, of this line: appends violations to the docket and fills in the ratios.
-  void conclude(base::Line line, Verdict& verdict, Docket& docket);
+  /// After the last word, of this line: appends violations to the log and fills in the ratios.
+  void conclude(base::Line line, Verdict& verdict, ViolationLog& log);
 
  private:
   static constexpr std::size_t orders = 3;
@@ -52,7 +52,7 @@ class Derivatives {
     std::array<Limit, orders> limits;
   };
 
-  struct Candidate {
+  struct Suspect {
     std::size_t track = 0, order = 0;
     double t = 0;
     base::Line line{};
@@ -69,7 +69,7 @@ class Derivatives {
   std::int64_t words_ = 0;
   std::size_t track_count_ = 0;
   std::array<Track, base::axis_count> tracks_;
-  std::vector<Candidate> candidates_;
+  std::vector<Suspect> suspects_;
 };
 
 }  // namespace leadscrew::referee

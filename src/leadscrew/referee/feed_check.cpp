@@ -19,7 +19,7 @@ double arc_over_chord(double turn) {
 
 }  // namespace
 
-double FeedCheck::way(const base::AxisVector& position, const Passage& passage) const {
+double FeedCheck::travel(const base::AxisVector& position, const Passage& passage) const {
   double in_plane = 0, across = 0;
   for (const base::Axis axis : axes_of(passage.feed.axes)) {
     const double step = position[base::index(axis)] - last_[base::index(axis)];
@@ -32,17 +32,17 @@ double FeedCheck::way(const base::AxisVector& position, const Passage& passage) 
   return std::sqrt(in_plane * longer * longer + across);
 }
 
-void FeedCheck::observe(const base::AxisVector& position, const Passage& passage, double t, Docket& docket) {
+void FeedCheck::observe(const base::AxisVector& position, const Passage& passage, double t, ViolationLog& log) {
   const double largest_before = largest_;
   for (const double coordinate : position) largest_ = std::max(largest_, std::abs(coordinate));
   if (largest_ > largest_before || first_) rounding_ = rounding_of(largest_);
   if (!first_ && passage.feed.value < std::numeric_limits<double>::infinity()) {
-    const double length = std::max(0.0, way(position, passage) - rounding_);
+    const double length = std::max(0.0, travel(position, passage) - rounding_);
     if (length > 0) {
       const double speed = length / period_;
       const double ratio = speed / passage.feed.value;
       greatest_ratio_ = std::max(greatest_ratio_, ratio);
-      if (ratio > objectionable_ratio) docket.add(t, passage.line, "feed", speed, passage.feed.value);
+      if (ratio > objectionable_ratio) log.add(t, passage.line, "feed", speed, passage.feed.value);
     }
   }
   first_ = false;

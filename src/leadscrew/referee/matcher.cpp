@@ -8,23 +8,24 @@ namespace {
 constexpr std::size_t most_pieces = 16384;         // looked ahead while the trace follows the program
 constexpr std::size_t most_pieces_departed = 256;  // and while it does not
 constexpr double search_factor = 16;               // of the least cost, while it does not
-constexpr double doubt = 1. / 16;                  // of the tolerance: deviations larger by more are judged again
+constexpr double rematch_step = 1. / 16;           // of the tolerance: deviations larger by more are rematched
 constexpr double on_arc = 1e-3;                    // of the radius: words farther off may bend otherwise
 constexpr double same_distance = 1e-9;             // mm; rounding is below
-constexpr double greatest_stretch = 4. / 3;        // of a chord; an arc's of 2½ radians
 
 }  // namespace
 
-Matcher::Matcher(PieceSource& source, const Metric& metric)
+Matcher::Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation)
     : source_(source),
       metric_(metric),
-      frontier_(metric, [&source](Piece& piece) { return source.next(piece); }),
-      appeal_(metric, frontier_) {}
+      candidates_(
+          metric, [&source](Piece& piece) { return source.next(piece); }, cancellation),
+      rematch_(metric, candidates_, cancellation),
+      curve_travel_(metric) {}
 
 Passage Matcher::begin(const Point& word) {
-  frontier_.begin(word);
-  if (!frontier_.pull()) {
-    Piece& point = frontier_.add_point();  // a program that moves nothing: the path is where it stands
+  candidates_.begin(word);
+  if (!candidates_.pull()) {
+    Piece& point = candidates_.add_point();  // a program that moves nothing: the path is where it stands
     point.from = point.to = source_.any_move() ? source_.start() : word;
     point.tolerance = source_.start_tolerance();
     point.feed.value = std::numeric_limits<double>::infinity();
@@ -36,67 +37,67 @@ Passage Matcher::begin(const Point& word) {
   candidate.alive = true;
   candidate.cost = metric_.distance(word, start_);
   candidate.margin = candidate.cost - first.tolerance;
-  frontier_.place(0, candidate);
-  appeal_.begin();
+  candidates_.place(0, candidate);
+  rematch_.start_recording();
   return follow(0);
 }
 
-Passage Matcher::observe(const Point& word, double excuse) {
-  frontier_.observe(word, excuse);
-  return departed_ ? depart() : follow(excuse);
+Passage Matcher::observe(const Point& word, double allowance) {
+  candidates_.observe(word, allowance);
+  return departed_ ? depart() : follow(allowance);
 }
 
 /// Whether the best match is beyond the tolerance, or farther than any has been for certain.
-bool Matcher::doubtful(double cost, double margin, double tolerance) const {
-  return margin > nanometre || cost > confirmed_ + std::max(nanometre, doubt * tolerance);
+bool Matcher::needs_rematch(double cost, double margin, double tolerance) const {
+  return margin > nanometre || cost > confirmed_ + std::max(nanometre, rematch_step * tolerance);
 }
 
-Passage Matcher::follow(double excuse) {
-  appeal_.record(frontier_.word(), excuse);
-  bool heard = appeal_.open() && appeal_.observe(frontier_.word(), excuse);
-  if (!heard) {
-    const Slot& best = slot(frontier_.step({nanometre, nanometre, most_pieces}));
-    if (doubtful(best.next.cost, best.next.margin, best.piece.tolerance)) {
-      heard = appeal_.hear();
-      if (!heard && best.next.margin > nanometre) {
+Passage Matcher::follow(double allowance) {
+  rematch_.record(candidates_.word(), allowance);
+  bool rematched = rematch_.running() && rematch_.observe(candidates_.word(), allowance);
+  if (!rematched) {
+    const Slot& best = slot(candidates_.step({nanometre, nanometre, most_pieces}));
+    if (needs_rematch(best.next.cost, best.next.margin, best.piece.tolerance)) {
+      rematched = rematch_.run();
+      if (!rematched && best.next.margin > nanometre) {
         least_margin_ = best.next.margin;
         return depart();
       }
-      if (!heard) confirmed_ = best.next.cost;
+      if (!rematched) confirmed_ = best.next.cost;
     }
   }
-  if (heard) {
-    confirmed_ = std::max(confirmed_, appeal_.least_cost());
-    appeal_.transfer();
+  if (rematched) {
+    confirmed_ = std::max(confirmed_, rematch_.least_cost());
+    rematch_.transfer_candidates();
   }
-  Passage result = passage(frontier_.next_last());
+  Passage result = passage(candidates_.next_last());
   adopt();
-  if (frontier_.next_alive() == 1 && !appeal_.open()) {
+  if (candidates_.next_alive() == 1 && !rematch_.running()) {
     Candidate& only = slot(0).now;
     deviation_ = std::max(deviation_, only.cost);
-    only.forget();
+    only.reset_cost();
   } else {
-    frontier_.limit(most_pieces);
+    candidates_.limit(most_pieces);
   }
   const double tolerance = source_.largest_tolerance();
-  if (appeal_.open()) appeal_.close(tolerance);
-  if (tolerance > 0) appeal_.mark(tolerance);
+  if (rematch_.running()) rematch_.stop_when_far(tolerance);
+  if (tolerance > 0) rematch_.advance_mark(tolerance);
   return result;
 }
 
 /// Makes the step's candidates the present ones.
 void Matcher::adopt() {
-  frontier_.adopt();
-  frontier_.keep_from(appeal_.recording() ? appeal_.first_needed() : std::numeric_limits<std::int64_t>::max());
+  candidates_.adopt();
+  candidates_.keep_from(rematch_.recording() ? rematch_.first_needed() : std::numeric_limits<std::int64_t>::max());
 }
 
 /// The best candidate ahead of the trace's departure, or the return to the path.
 Passage Matcher::depart() {
-  appeal_.forget();
-  std::size_t best = frontier_.step({least_margin_, search_factor * least_margin_, most_pieces_departed});
+  rematch_.stop();
+  std::size_t best = candidates_.step({least_margin_, search_factor * least_margin_, most_pieces_departed});
   double least = slot(best).next.margin;
   if (!departed_ || least > least_margin_) {
-    best = frontier_.step({search_factor * least, search_factor * least, most_pieces_departed});
+    best = candidates_.step({search_factor * least, search_factor * least, most_pieces_departed});
     least = slot(best).next.margin;
   }
   departed_ = true;
@@ -106,7 +107,7 @@ Passage Matcher::depart() {
   Passage result = passage(best);
   if (!on_path) {
     // At a corner the block that is not followed is the one that begins there.
-    const bool at_corner = best + 1 < frontier_.stepped() && slot(best + 1).next.alive &&
+    const bool at_corner = best + 1 < candidates_.stepped() && slot(best + 1).next.alive &&
                            slot(best + 1).next.distance <= chosen.next.distance + same_distance;
     const base::Line line = slot(at_corner ? best + 1 : best).piece.line;
     result.deviation = Finding{line, chosen.next.distance, chosen.piece.tolerance};
@@ -114,19 +115,19 @@ Passage Matcher::depart() {
     adopt();
     return result;
   }
-  settle(best, result);
+  rejoin(best, result);
   return result;
 }
 
 /// The trace is on the path again: its departure is judged, and candidates as good as the best start afresh.
-void Matcher::settle(std::size_t best, Passage& result) {
+void Matcher::rejoin(std::size_t best, Passage& result) {
   const Candidate winner = slot(best).next;
   deviation_ = std::max(deviation_, winner.cost);
   if (winner.skip_margin > nanometre) {
     result.skipped = Finding{winner.skip_line, winner.skip, winner.skip - winner.skip_margin};
   }
   std::size_t last = best;
-  for (std::size_t i = 0; i < frontier_.stepped(); ++i) {
+  for (std::size_t i = 0; i < candidates_.stepped(); ++i) {
     Slot& here = slot(i);
     Candidate& next = here.next;
     next.alive =
@@ -138,7 +139,7 @@ void Matcher::settle(std::size_t best, Passage& result) {
     next.skip = 0;
     next.skip_margin = Candidate::none;
   }
-  frontier_.replace_next(last);
+  candidates_.replace_next(last);
   confirmed_ = std::max(confirmed_, deviation_);
   departed_ = false;
   adopt();
@@ -165,47 +166,26 @@ Passage Matcher::passage(std::size_t last) {
   }
   const Slot& matched = slot(nearest);
   result.line = matched.piece.line;
-  const double place = matched.piece.angle_before + matched.next.place;
-  if (one_block && matched.piece.block == matched_.block) {
-    const double off = std::max(matched.next.distance, matched_.distance);
-    if (matched.piece.kind == Piece::Kind::arc && off <= nanometre + on_arc * matched.piece.radius) {
-      result.arc = &matched.piece;
-      result.turn = std::abs(place - matched_.place);
-    } else if (matched.piece.kind == Piece::Kind::curve && std::isfinite(result.feed.value)) {
-      result.stretch = stretch_to(nearest);
-    }
+  const bool stays = one_block && matched.piece.block == matched_.block;
+  const double angle = matched.piece.angle_before + matched.next.place;
+  if (stays && matched.piece.kind == Piece::Kind::arc &&
+      std::max(matched.next.distance, matched_.distance) <= nanometre + on_arc * matched.piece.radius) {
+    result.arc = &matched.piece;
+    result.turn = std::abs(angle - matched_.angle);
   }
-  matched_ = {matched.piece.block, matched.piece.number, place, matched.next.distance};
+  if (!stays) curve_travel_.forget();
+  if (matched.piece.kind == Piece::Kind::curve) result.stretch = curve_travel_.observe(candidates_, last);
+  matched_ = {matched.piece.block, angle, matched.next.distance};
   return result;
-}
-
-/// Length of a curve from the match of the word before to this word's over the length of their chord, in the axes of
-/// the feed; 1 where a word does not lie on it, or where the chord says too little.
-double Matcher::stretch_to(std::size_t nearest) {
-  const Slot& end = slot(nearest);
-  const std::int64_t behind = end.piece.number - matched_.number;
-  if (behind < 0 || behind > static_cast<std::int64_t>(nearest)) return 1;
-  if (std::max(end.next.distance, matched_.distance) > nanometre) return 1;
-  const std::size_t begin = nearest - static_cast<std::size_t>(behind);
-  if (behind == 0 && !(end.next.place > matched_.place)) return 1;
-  const Coordinates coordinates = coordinates_of(metric_, end.piece.feed.axes);
-  double length = 0;
-  for (std::size_t i = begin; i <= nearest; ++i) {
-    const double from = i == begin ? matched_.place : 0, to = i == nearest ? end.next.place : 1;
-    length += length_in(metric_, coordinates, part(metric_, slot(i).piece.segment, from, to));
-  }
-  const double chord = distance_in(metric_, coordinates, point_at(metric_, slot(begin).piece, matched_.place),
-                                   point_at(metric_, end.piece, end.next.place));
-  return length > chord && length <= greatest_stretch * chord ? length / chord : 1;
 }
 
 std::optional<Finding> Matcher::conclude() {
   const double tolerance = source_.end_tolerance();
-  Frontier::End end = frontier_.conclude(most_pieces);
+  CandidateSet::End end = candidates_.conclude(most_pieces);
   end_ = end.point;
-  if (appeal_.open() || doubtful(end.at.cost, end.at.margin, tolerance)) {
-    const std::optional<Frontier::End> heard = appeal_.conclude();
-    if (heard && heard->at.margin < end.at.margin) end = *heard;
+  if (rematch_.running() || needs_rematch(end.at.cost, end.at.margin, tolerance)) {
+    const std::optional<CandidateSet::End> rematched = rematch_.conclude();
+    if (rematched && rematched->at.margin < end.at.margin) end = *rematched;
   }
   deviation_ = std::max(deviation_, end.at.cost);
   const Candidate& last = end.before;

@@ -1,40 +1,40 @@
 #pragma once
-// Which point of the programmed path each word belongs to, in order, and how far the two are apart, both ways.
+// Which point of the programmed path each word belongs to, in order, and the distance between words and path in both
+// directions.
 //
 // Nearest points will not do: a slot milled back and forth, a circle milled three times or a path that crosses itself
-// have several, and a path that was left out has none. What is wanted is the matching that keeps the order and makes
-// the largest distance smallest (Fréchet's distance between the words and the path), under one excuse for sampling:
+// has several, and a path that was left out has none. The matching wanted keeps the order and makes the largest
+// distance smallest (Fréchet's distance between the words and the path), with one allowance for sampling:
 //
 //     words   ───●───────────●───
 //                 ╲__chord__╱        Of the path between the points matched to two consecutive words, nothing may lie
 //     path    ─────╲__╱╲___╱────     farther from the chord between the words than the tolerance and a·T²/8.
-//                       ▲ excused
+//                       ▲ allowed
 //
 // A motion whose acceleration is at most a leaves the chord of a period T by no more: f'' is bounded and f = 0 at both
-// ends. Whatever lies farther was skipped. How large a can have been is for excuse.hpp to say.
+// ends. Path that lies farther was skipped. sampling_allowance.hpp bounds a.
 //
-// Every piece of the path holds at most one candidate (frontier.hpp).
+// Every piece of the path holds at most one candidate (candidate_set.hpp). Candidates beyond 1¼ tolerances and a
+// nanometre are dropped. So there is one nearly always, two where the path turns back or the block changes, and
+// elsewhere as many as there are pieces within the tolerance. All that can still turn out to be right are kept: at a
+// tip or a crossing no choice is made, so none can be wrong.
 //
-// Candidates beyond 1¼ tolerances and a nanometre are dropped, so that there is one nearly always, two where the path
-// turns back or the block changes, and elsewhere as many as there are pieces within the tolerance. All are kept that
-// can still turn out to be right: no choice is made at a tip or a crossing, so none can be wrong, and nothing
-// accumulates.
-//
-// Each goes to the nearest place of its piece, which where words run back along a piece is not the best. So before all
-// are found beyond the tolerance, or a deviation is told that is larger than any before by a sixteenth of the
-// tolerance, the last words are judged again on finer pieces (appeal.hpp).
+// Each goes to the nearest place of its piece, which is not the best where words run back along the piece. So before
+// all are found beyond the tolerance, or a deviation is reported that exceeds all before by a sixteenth of the
+// tolerance, the last words are matched again on finer pieces (rematch.hpp).
 //
 // Where all candidates lie beyond the tolerance, the trace departs from the program. Then others are tried ahead, up to
 // 16 times the least cost away and 256 pieces far, until the best lies on its piece again.
 //
-// A deviation within the tolerance is told too large by an eighth of the tolerance at most: a sixteenth that is not
-// doubted, and a sixteenth by what the finer pieces are long. One beyond it may be told larger, by what the best match
-// lags behind where it is left late.
+// A deviation within the tolerance is reported at most an eighth of the tolerance too large: a sixteenth for which no
+// rematch is made, and a sixteenth for the length of the finer pieces. One beyond the tolerance may come out larger, by
+// what the best match lags behind where it is left late.
 
 #include <cstdint>
-#include <leadscrew/referee/appeal.hpp>
-#include <leadscrew/referee/frontier.hpp>
+#include <leadscrew/referee/candidate_set.hpp>
+#include <leadscrew/referee/curve_travel.hpp>
 #include <leadscrew/referee/piece_source.hpp>
+#include <leadscrew/referee/rematch.hpp>
 #include <optional>
 
 namespace leadscrew::referee {
@@ -52,21 +52,22 @@ struct Passage {
   ProgrammedFeed feed;  ///< greatest of the blocks the two words may lie on; infinite if they tell it in different axes
   const Piece* arc = nullptr;  ///< if both words lie on the same arc: a piece of it
   double turn = 0;             ///< and the angle between them, radians
-  double stretch = 1;          ///< if both lie on the same curve: its length between them over their chord's
+  double stretch = 1;          ///< if both lie on the same curve: its length between them over their chord's, at least
   std::optional<Finding> deviation;
   std::optional<Finding> skipped;
 };
 
 class Matcher {
  public:
-  Matcher(PieceSource& source, const Metric& metric);
+  Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation);
 
   /// Returns where the first word is matched to.
   Passage begin(const Point& word);
-  /// `excuse`: how far from the chord to this word the motion may have been unseen (SamplingExcuse), mm.
-  Passage observe(const Point& word, double excuse);
+  /// `allowance`: how far the motion may have been from the chord to this word (SamplingAllowance), mm.
+  Passage observe(const Point& word, double allowance);
 
-  /// The rest of the program, seen from the last word; what of it lies beyond its tolerance, the very end apart.
+  /// After the last word: the rest of the program counts as skipped where it lies beyond its tolerance from that word.
+  /// The distance of the program's end itself is not reported here.
   std::optional<Finding> conclude();
 
   const Point& path_start() const { return start_; }
@@ -74,35 +75,34 @@ class Matcher {
   double deviation() const { return deviation_; }  ///< mm; complete after conclude()
 
  private:
-  using Slot = Frontier::Slot;
+  using Slot = CandidateSet::Slot;
 
-  Slot& slot(std::size_t i) { return frontier_.slot(i); }
+  Slot& slot(std::size_t i) { return candidates_.slot(i); }
 
-  bool doubtful(double cost, double margin, double tolerance) const;
-  Passage follow(double excuse);
+  bool needs_rematch(double cost, double margin, double tolerance) const;
+  Passage follow(double allowance);
   Passage depart();
-  void settle(std::size_t best, Passage& passage);
+  void rejoin(std::size_t best, Passage& passage);
   void adopt();
   Passage passage(std::size_t last);
-  double stretch_to(std::size_t nearest);
 
   PieceSource& source_;
   const Metric& metric_;
-  Frontier frontier_;
-  Appeal appeal_;
+  CandidateSet candidates_;
+  Rematch rematch_;
   Point start_{}, end_{};
   double deviation_ = 0;
-  double confirmed_ = 0;  // mm; the largest cost that needs no second judgement
+  double confirmed_ = 0;  // mm; the largest cost that needs no rematch
   bool departed_ = false;
   double least_margin_ = 0;  // while departed: of the best candidate
 
   /// Where the word before lies nearest to.
   struct Match {
     std::int64_t block = -1;
-    std::int64_t number = 0;  // of the piece, if that is of a curve
-    double place = 0;         // on the piece; of an arc from the block's start, radians
-    double distance = 0;      // mm
+    double angle = 0;     // of an arc from the block's start, radians
+    double distance = 0;  // mm
   } matched_;
+  CurveTravel curve_travel_;
 };
 
 }  // namespace leadscrew::referee

@@ -184,13 +184,13 @@ double farthest_on_arc(const Metric& metric, const Piece& piece, double from, do
 }  // namespace
 
 double farthest_from_chord(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord,
-                           double at_ends, double enough) {
+                           double at_ends, double negligible) {
   if (piece.kind == Piece::Kind::curve) {
-    return farthest_from_chord(metric, part(metric, piece.segment, from, to), chord, enough);
+    return farthest_from_chord(metric, part(metric, piece.segment, from, to), chord, negligible);
   }
   // The arc's points lie within its sagitta of its own chord, and that within the distance of its ends.
   const double bound = greatest_sagitta(piece, from, to) + at_ends;
-  return bound <= enough ? bound : farthest_on_arc(metric, piece, from, to, chord);
+  return bound <= negligible ? bound : farthest_on_arc(metric, piece, from, to, chord);
 }
 
 }  // namespace leadscrew::referee

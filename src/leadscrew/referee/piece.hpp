@@ -17,7 +17,7 @@
 
 namespace leadscrew::referee {
 
-/// The axes in whose length a block's feed is told; the first that move (RS274/NGC 2.1.2.5).
+/// The axes whose travel a block's feed counts: the first group that moves (RS274/NGC 2.1.2.5).
 enum class FeedAxes : std::uint8_t { xyz, uvw, abc };
 
 constexpr std::array<base::Axis, 3> axes_of(FeedAxes axes) {
@@ -95,9 +95,10 @@ double length_of(const Metric& metric, const Piece& piece);
 /// The part between two places of a whole piece.
 Piece part(const Metric& metric, const Piece& piece, double from, double to);
 
-/// The largest distance to the chord of the points between two places of an arc or a curve, whose ends are at most
-/// `at_ends` from it; or anything up to `enough` where it is no larger than that. mm.
+/// The largest distance to the chord of the points between two places of an arc or a curve, mm; both ends of that part
+/// are at most `at_ends`, mm, from the chord. Where it is no larger than `negligible`, mm, any value up to that may be
+/// returned.
 double farthest_from_chord(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord,
-                           double at_ends, double enough);
+                           double at_ends, double negligible);
 
 }  // namespace leadscrew::referee

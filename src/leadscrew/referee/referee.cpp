@@ -1,30 +1,33 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/referee/derivatives.hpp>
-#include <leadscrew/referee/docket.hpp>
-#include <leadscrew/referee/excuse.hpp>
 #include <leadscrew/referee/feed_check.hpp>
 #include <leadscrew/referee/matcher.hpp>
 #include <leadscrew/referee/metric.hpp>
 #include <leadscrew/referee/piece_source.hpp>
 #include <leadscrew/referee/referee.hpp>
+#include <leadscrew/referee/sampling_allowance.hpp>
+#include <leadscrew/referee/violation_log.hpp>
 
 namespace leadscrew::referee {
 
 class Referee::Implementation {
  public:
-  Implementation(MoveSource moves, const machine::Machine& machine, base::Period period)
+  Implementation(MoveSource moves, const machine::Machine& machine, base::Period period,
+                 std::function<bool()> cancelled)
       : metric_(machine),
         period_(period),
         source_(std::move(moves), metric_),
-        matcher_(source_, metric_),
-        excuse_(metric_, period.seconds()),
+        cancellation_(std::move(cancelled)),
+        matcher_(source_, metric_, cancellation_),
+        allowance_(metric_, period.seconds()),
         derivatives_(machine, period),
         feed_(metric_, period) {}
 
   void observe(const base::AxisVector& position) {
+    if (cancellation_.requested()) return;
     if (!std::all_of(position.begin(), position.end(), [](double q) { return std::isfinite(q); })) {
-      docket_.add(time(), line_, "not a number", 0, 0);
+      log_.add(time(), line_, "not a number", 0, 0);
       observe_finite(position_);
       return;
     }
@@ -34,8 +37,8 @@ class Referee::Implementation {
   Verdict conclude() {
     Verdict verdict;
     if (words_ == 0) {
-      docket_.add(0, {}, "no words", 0, 0);
-      docket_.conclude(verdict);
+      log_.add(0, {}, "no words", 0, 0);
+      log_.conclude(verdict);
       return verdict;
     }
     const double end_time = seconds(words_ - 1);
@@ -50,8 +53,8 @@ class Referee::Implementation {
     verdict.tolerance_mm = source_.largest_tolerance();
     verdict.feed_programmed_max = source_.greatest_feed();
     verdict.feed_max_ratio = feed_.greatest_ratio();
-    derivatives_.conclude(line_, verdict, docket_);
-    docket_.conclude(verdict);
+    derivatives_.conclude(line_, verdict, log_);
+    log_.conclude(verdict);
     return verdict;
   }
 
@@ -60,26 +63,26 @@ class Referee::Implementation {
   double time() const { return seconds(words_); }
 
   void add_rare(double t, const char* what, const Finding& finding) {
-    docket_.add_rare(t, finding.line, what, finding.value, finding.limit);
+    log_.add_rare(t, finding.line, what, finding.value, finding.limit);
   }
 
   void observe_finite(const base::AxisVector& position) {
     const Point point = metric_.point(position);
-    const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point, excuse_.observe(point));
+    const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point, allowance_.observe(point));
     line_ = passage.line;
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
     if (const auto& departed = passage.deviation) {
-      docket_.add(time(), departed->line, "deviation", departed->value, departed->limit);
+      log_.add(time(), departed->line, "deviation", departed->value, departed->limit);
     }
     derivatives_.observe(position, line_);
-    feed_.observe(position, passage, time(), docket_);
+    feed_.observe(position, passage, time(), log_);
     position_ = position;
     ++words_;
   }
 
   Passage begin(const Point& point) {
     const Passage passage = matcher_.begin(point);
-    excuse_.begin(point);
+    allowance_.begin(point);
     start_error_ = metric_.distance(point, matcher_.path_start());
     if (start_error_ > source_.start_tolerance() + nanometre) {
       add_rare(0, "start", {passage.line, start_error_, source_.start_tolerance()});
@@ -90,19 +93,21 @@ class Referee::Implementation {
   Metric metric_;
   base::Period period_;
   PieceSource source_;
+  Cancellation cancellation_;
   Matcher matcher_;
-  SamplingExcuse excuse_;
+  SamplingAllowance allowance_;
   Derivatives derivatives_;
   FeedCheck feed_;
-  Docket docket_;
+  ViolationLog log_;
   std::int64_t words_ = 0;
   base::AxisVector position_{};
   base::Line line_{};
   double start_error_ = 0;
 };
 
-Referee::Referee(MoveSource moves, const machine::Machine& machine, base::Period period)
-    : implementation_(std::make_unique<Implementation>(std::move(moves), machine, period)) {}
+Referee::Referee(MoveSource moves, const machine::Machine& machine, base::Period period,
+                 std::function<bool()> cancelled)
+    : implementation_(std::make_unique<Implementation>(std::move(moves), machine, period, std::move(cancelled))) {}
 Referee::~Referee() = default;
 Referee::Referee(Referee&&) noexcept = default;
 Referee& Referee::operator=(Referee&&) noexcept = default;

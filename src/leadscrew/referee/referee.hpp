@@ -12,7 +12,7 @@
 //
 // Ends: the first word at the program's start, the last at its end.
 //
-// Feed: the way from word to word against the programmed feed (feed_check.hpp).
+// Feed: the travel from word to word against the programmed feed (feed_check.hpp).
 //
 //     words    ●──●──●──●         ●──●     the word at ▲ is too far from the path: "deviation"
 //                        ╲  ●  ╱
@@ -21,7 +21,7 @@
 //                        └─────┘
 //
 // A trace is a set of samples: what happened between two words and left no sign in them cannot be judged. At 1 ms and
-// 1 m/s² that is an eighth of a micrometre.
+// 1 m/s² that is an eighth of a micrometre (sampling_allowance.hpp).
 
 #include <cstdint>
 #include <functional>
@@ -75,7 +75,9 @@ using MoveSource = std::function<bool(gcode::Move&)>;
 /// Judges words as they come; memory does not grow with the program or the trace. The machine must outlive the referee.
 class Referee {
  public:
-  Referee(MoveSource moves, const machine::Machine& machine, base::Period period);
+  /// `cancelled`: asked often during long work; once it returns true, observe() and conclude() return at once and the
+  /// verdict is of no use. May be empty.
+  Referee(MoveSource moves, const machine::Machine& machine, base::Period period, std::function<bool()> cancelled = {});
   ~Referee();
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;

@@ -115,10 +115,6 @@ CycleTime cycle_time(const std::vector<planner::Chunk>& chunks, base::Period per
   return {percentile(nanoseconds, 0.5), percentile(nanoseconds, 0.999), percentile(nanoseconds, 1)};
 }
 
-planner::AxisRatios greater(const planner::AxisRatios& a, double velocity, double acceleration, double jerk) {
-  return {std::max(a.velocity, velocity), std::max(a.acceleration, acceleration), std::max(a.jerk, jerk)};
-}
-
 }  // namespace
 
 machine::Machine machine_with(const LimitSet& limits, base::Period period) {
@@ -154,16 +150,14 @@ base::Result<Judged> judge(const PartProgram& program, const machine::Machine& m
   return Judged{motion.summary(), referee.conclude()};
 }
 
-planner::AxisRatios largest(const planner::LimitRatios& ratios) {
-  planner::AxisRatios most;
-  for (const planner::AxisRatios& axis : ratios) most = greater(most, axis.velocity, axis.acceleration, axis.jerk);
-  return most;
+machine::Derivatives largest(const constraints::LimitRatios& ratios) {
+  return ratios.by_derivative();
 }
 
-planner::AxisRatios largest(const std::vector<referee::AxisVerdict>& axes) {
-  planner::AxisRatios most;
+machine::Derivatives largest(const std::vector<referee::AxisVerdict>& axes) {
+  machine::Derivatives most;
   for (const referee::AxisVerdict& axis : axes)
-    most = greater(most, axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio);
+    most = greater(most, {axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio});
   return most;
 }
 

@@ -52,7 +52,7 @@ struct Judged {
 base::Result<Judged> judge(const PartProgram& program, const machine::Machine& machine);
 
 /// The largest ratio of all axes.
-planner::AxisRatios largest(const planner::LimitRatios& ratios);
-planner::AxisRatios largest(const std::vector<referee::AxisVerdict>& axes);
+machine::Derivatives largest(const constraints::LimitRatios& ratios);
+machine::Derivatives largest(const std::vector<referee::AxisVerdict>& axes);
 
 }  // namespace leadscrew::study

@@ -2,7 +2,7 @@
 
 namespace leadscrew::study {
 
-Rows ratio_rows(const std::string& who, const planner::AxisRatios& most) {
+Rows ratio_rows(const std::string& who, const machine::Derivatives& most) {
   constexpr double allowance = 0.001;
   const auto row = [&](const char* what, double ratio) {
     return limit_row(who + ": largest " + what + " over limit", {"", 4}, 1, ratio, allowance);

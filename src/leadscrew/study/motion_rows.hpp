@@ -1,7 +1,7 @@
 #pragma once
 // What is told of every motion: how near it comes to the limits, and what it cost.
 
-#include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/machine/derivatives.hpp>
 #include <leadscrew/study/motion.hpp>
 #include <leadscrew/study/row.hpp>
 #include <string>
@@ -9,7 +9,7 @@
 namespace leadscrew::study {
 
 /// Velocity, acceleration and jerk over their limits, which may be passed by as much as the referee allows.
-Rows ratio_rows(const std::string& who, const planner::AxisRatios& most);
+Rows ratio_rows(const std::string& who, const machine::Derivatives& most);
 
 /// Processor time of planning; not run where the host has no clock.
 Rows planning_rows(const Planned& planned, const Host& host);

@@ -1,0 +1,33 @@
+#pragma once
+// The chord between two words departs from the path by ε = (VT)²/8ρ (Lin and Koren, eq. 3), V the speed, T the servo
+// period, ρ the radius of curvature: x ≤ 8ερ/T². A demand on the words, not on the machine: it is kept where speed is
+// planned, but neither proven between knots nor counted by what bounds time.
+
+#include <cstddef>
+#include <leadscrew/constraints/row.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <string_view>
+
+namespace leadscrew::constraints {
+
+class ChordError {
+ public:
+  using Row = SquareRow;
+  static constexpr std::string_view name = "chord error";
+  static constexpr bool is_of_axes = false, is_proven = false, is_smooth = true;
+
+  explicit ChordError(const machine::Machine& machine)
+      : chord_error_(machine.chord_error), period_(machine.period.seconds()) {}
+
+  template <typename Take>
+  void rows(const Place& at, const Take& take) const {
+    const double bend = geometry::tip_curvature(at.jet);
+    take(0, SquareRow{8 * chord_error_ / (bend * period_ * period_)});  // infinite where the path is straight
+  }
+
+ private:
+  double chord_error_;  // mm
+  double period_;       // s
+};
+
+}  // namespace leadscrew::constraints

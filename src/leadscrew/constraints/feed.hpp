@@ -1,0 +1,25 @@
+#pragma once
+// The programmed feed: ṡ ≤ F. It may jump from piece to piece, and infinite feed (a rapid) bounds nothing.
+
+#include <cstddef>
+#include <leadscrew/constraints/row.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <string_view>
+
+namespace leadscrew::constraints {
+
+class Feed {
+ public:
+  using Row = SpeedRow;
+  static constexpr std::string_view name = "feed";
+  static constexpr bool is_of_axes = false, is_proven = true, is_smooth = false;
+
+  explicit Feed(const machine::Machine&) {}
+
+  template <typename Take>
+  void rows(const Place& at, const Take& take) const {
+    take(0, SpeedRow{1, at.feed});
+  }
+};
+
+}  // namespace leadscrew::constraints

@@ -1,0 +1,41 @@
+#pragma once
+// The sampling allowance: how far a motion may have been from the chord between two words without the words showing it.
+//
+// With |f″| ≤ a between two samples T apart, f departs from their chord by at most a·T²/8. The acceleration limits
+// bound a, and so do the words themselves: the second difference of the last three is T² times the mean of the
+// acceleration over the two periods before, weighted towards their middle, and with |f‴| ≤ j nothing within the last
+// period differs from that mean by more than j·T. So, for each axis, a = min(limit, |Δ²q|/T² + jT).
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/referee/metric.hpp>
+
+namespace leadscrew::referee {
+
+class SamplingAllowance {
+ public:
+  SamplingAllowance(const Metric& metric, double period) : metric_(metric), period_(period) {}
+
+  /// The motion is at rest at this first word.
+  void begin(const Point& word) { before_ = last_ = word; }
+
+  /// For the chord from the word before to this one, mm.
+  double observe(const Point& word) {
+    double sum = 0;
+    for (std::size_t i = 0; i < metric_.dimensions(); ++i) {
+      const double second = std::abs(word[i] - 2 * last_[i] + before_[i]) / (period_ * period_);
+      const double acceleration = std::min(metric_.acceleration(i), second + metric_.jerk(i) * period_);
+      sum += acceleration * acceleration;
+    }
+    before_ = last_;
+    last_ = word;
+    return std::sqrt(sum) * period_ * period_ / 8;
+  }
+
+ private:
+  const Metric& metric_;
+  double period_;
+  Point before_{}, last_{};
+};
+
+}  // namespace leadscrew::referee
