@@ -2,10 +2,10 @@
 
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/stop_watch.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
+#include <leadscrew/realtime/stop_watch.hpp>
 
 namespace leadscrew::cli {
 
@@ -129,7 +129,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
   constexpr std::int64_t moves_between_checks = 4096;
-  const double begin = SystemClocks::processor_seconds();
+  const double begin = realtime::SystemClocks::processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
   gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file.name()),
@@ -147,7 +147,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   if (reader.source_failure()) log.add(*reader.source_failure());
   if (files::interrupted() && !reader.source_failure()) log.add(files::interruption());
   reading.blocks = reader.blocks();
-  reading.seconds = SystemClocks::processor_seconds() - begin;
+  reading.seconds = realtime::SystemClocks::processor_seconds() - begin;
   return reading;
 }
 

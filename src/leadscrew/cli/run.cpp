@@ -2,9 +2,9 @@
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/run.hpp>
-#include <leadscrew/cli/stop_watch.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/realtime/stop_watch.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
@@ -71,7 +71,7 @@ class ProgramRun {
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
                              files::interrupted);
-    StopWatch watch;
+    realtime::StopWatch watch;
     console_.begin_progress();
     while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
       const base::Word word = watch.cycle([&] { return program.cycle(); });

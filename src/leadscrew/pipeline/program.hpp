@@ -67,11 +67,11 @@ class Program {
   /// fails goes through its stop tail to a last word at rest on the path.
   bool prepare();
 
-  /// Will the next prepare() read or plan, or is the motion of the next word there already?
-  bool will_plan() const { return !ended_ && interpolator_.wants_chunk(); }
-
   /// The next word; prepare() must have said true.
   base::Word cycle();
+
+  /// Will the next prepare() read or plan, or is the motion of the next word there already?
+  bool will_plan() const { return !ended_ && interpolator_.wants_chunk(); }
 
   const Summary& summary() const { return summary_; }
   /// Why motion ends before the program does (MotionSource::failure).

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <leadscrew/cli/stop_watch.hpp>
+#include <leadscrew/realtime/stop_watch.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::realtime {
 namespace {
 
 /// They count who looks; each look is a second, or 100 ns, after the last.
@@ -48,4 +48,4 @@ TEST_F(Watched, HasNothingToTellBeforeThereAreWords) {
 }
 
 }  // namespace
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::realtime

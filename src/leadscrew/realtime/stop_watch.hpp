@@ -1,12 +1,12 @@
 #pragma once
-// Where the time of `run` goes. A look at a clock takes as long as a word: planning is timed chunk by chunk, and of
-// every 61 calls that make a word one is.
+// Where the time goes of words that are made as fast as they can be. A look at a clock takes as long as a word: planning is
+// timed chunk by chunk, and of every 61 calls that make a word one is.
 
 #include <cstdint>
 #include <ctime>
 #include <leadscrew/realtime/histogram.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::realtime {
 
 /// Of the system.
 struct SystemClocks {
@@ -73,4 +73,4 @@ class StopWatch {
   realtime::Histogram samples_;
 };
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::realtime
