@@ -1,6 +1,7 @@
 // Files that vanish, change or cannot be written, and runs that are broken off: the status says so and nothing is left.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "command.hpp"
 
@@ -219,7 +220,7 @@ TEST_P(Interruption, KeepsWhatEarlierProgramsHaveWritten) {
   folder.write("a.ngc", square);
   folder.write("b.ngc", long_program(long_blocks));
   folder.write("c.ngc", square);
-  Running running(folder, {"run", "a.ngc", "b.ngc", "c.ngc", "--out", "made"});
+  Running running(folder, {"run", "a.ngc", "b.ngc", "c.ngc", "--out", "made", "--threads", "1"});
   const fs::path made = folder.path() / "made";
   ASSERT_TRUE(eventually([&] { return (fs::exists(made / "a.csv") && is_moving(made)) || running.has_ended(); }));
   ASSERT_FALSE(running.has_ended());
@@ -240,6 +241,40 @@ TEST_P(Interruption, EndsWaitingForStandardInput) {
     }));
     EXPECT_EQ(running.wait().status, 130);
   }
+}
+
+/// Not again and again, but once, at any instant: nothing waits for long without a look.
+TEST_P(Interruption, EndsWaitingForAPipeAtOnce) {
+  const Folder folder;
+  folder.write("part.ngc", long_program(long_blocks));
+  for (const char* pipe : {"in", "out"}) ASSERT_EQ(::mkfifo((folder.path() / pipe).c_str(), 0600), 0);
+  const std::vector<std::vector<std::string>> commands = {
+      {"run", "-"}, {"check", "in"}, {"run", "part.ngc", "--trace", "out"}, {"check", "in", "in", "--threads", "2"}};
+  for (const auto& command : commands) {
+    for (const int milliseconds : {100, 130, 160}) {
+      Running running(folder, command, {.input = "G21\n", .input_stays_open = true});
+      ASSERT_TRUE(eventually([&] { return running.handles(GetParam()) || running.has_ended(); }));
+      std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+      ASSERT_FALSE(running.has_ended()) << command[1];
+      running.send(GetParam());
+      EXPECT_EQ(running.wait().status, 130) << command[1];
+    }
+  }
+}
+
+/// Somebody has opened it and reads nothing.
+TEST_P(Interruption, EndsWaitingForAFullPipe) {
+  const Folder folder;
+  folder.write("part.ngc", long_program(long_blocks));
+  const std::string pipe = folder.path() / "out";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  Running running(folder, {"run", "part.ngc", "--trace", "out"});
+  const int idle = ::open(pipe.c_str(), O_RDONLY);
+  int waiting = 0;
+  ASSERT_TRUE(eventually([&] { return ::ioctl(idle, FIONREAD, &waiting) == 0 && waiting > 32'768; }));
+  running.send(GetParam());
+  EXPECT_EQ(running.wait().status, 130);
+  ::close(idle);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Interruption, ::testing::Values(SIGINT, SIGTERM),

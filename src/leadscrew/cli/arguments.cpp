@@ -91,6 +91,7 @@ Parsed<void> check_names(const Arguments& arguments) {
 void describe_check(Command& command, Arguments& arguments) {
   command.words("PROGRAM", programs_help, arguments.programs);
   add_common(command, arguments);
+  add_threads(command, arguments);
   command.help(std::string(check_examples) + curves_text());
 }
 

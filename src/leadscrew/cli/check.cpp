@@ -23,9 +23,7 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
 }  // namespace
 
 Status check(const Job& job, Console& console) {
-  return for_each_program(job, console, results::check_schema, [&](const std::string& program, const Job& of_program) {
-    return check_program(program, of_program, console);
-  });
+  return for_each_program(job, console, results::check_schema, check_program);
 }
 
 }  // namespace leadscrew::cli

@@ -44,6 +44,10 @@ void Console::diagnostic(const base::Diagnostic& diagnostic) {
 }
 
 void Console::error_text(std::string_view text) {
+  if (errors_ != nullptr) {
+    errors_->append(text);
+    return;
+  }
   clear_progress();
   // There is nowhere to say that standard error cannot be written.
   static_cast<void>(files::write_all(STDERR_FILENO, text, "standard error"));

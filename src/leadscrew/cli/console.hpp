@@ -27,6 +27,10 @@ class Console {
  public:
   /// A bar is shown only where standard error is a terminal.
   Console(ColorChoice color, bool quiet);
+  /// Of one of several programs at a time: what `other` would write to standard error is added to `errors`, which must
+  /// outlive this, and there is no bar.
+  Console(const Console& other, std::string& errors)
+      : output_style_(other.output_style_), error_style_(other.error_style_), errors_(&errors) {}
   ~Console() { clear_progress(); }
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -48,6 +52,7 @@ class Console {
   using Clock = std::chrono::steady_clock;
 
   Style output_style_, error_style_;
+  std::string* errors_ = nullptr;  ///< where they are kept; null: standard error
   bool shows_progress_ = false;
   bool drawn_ = false;
   Clock::time_point begun_, drawn_at_;

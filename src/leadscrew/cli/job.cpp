@@ -2,9 +2,10 @@
 
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/config/machine_file.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
+#include <leadscrew/realtime/stop_watch.hpp>
 
 namespace leadscrew::cli {
 
@@ -128,7 +129,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
   constexpr std::int64_t moves_between_checks = 4096;
-  const double begin = processor_seconds();
+  const double begin = realtime::SystemClocks::processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
   gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file.name()),
@@ -138,12 +139,15 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   for (std::int64_t count = 1; reader.next(move); ++count) {
     if (is_motion(move)) ++reading.moves;
     if (is_pause(move)) ++reading.pauses;
-    if (count % moves_between_checks == 0) console.progress(progress);
+    if (count % moves_between_checks != 0) continue;
+    if (files::interrupted()) break;  // a block may repeat itself for ever
+    console.progress(progress);
   }
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());
+  if (files::interrupted() && !reader.source_failure()) log.add(files::interruption());
   reading.blocks = reader.blocks();
-  reading.seconds = processor_seconds() - begin;
+  reading.seconds = realtime::SystemClocks::processor_seconds() - begin;
   return reading;
 }
 

@@ -18,10 +18,12 @@ struct ProgramResult {
   std::string summary;  ///< may be empty
 };
 
-using ProgramWork = std::function<ProgramResult(const std::string& program, const Job& job)>;
+/// What it finds wrong goes to its console. Threads work on several programs at a time.
+using ProgramWork = std::function<ProgramResult(const std::string& program, const Job& job, Console& console)>;
 
-/// Works on one program after the other, each with its own job (job_of), whatever becomes of those before; only an
-/// interruption, or a standard output that cannot be written, ends the row. Returns the greatest status.
+/// Works on each program with a job of its own (job_of), on --threads of them at a time, whatever becomes of the
+/// others; what came of them is told in their order. Only an interruption, or a standard output that cannot be written,
+/// ends the row. Returns the greatest status.
 Status for_each_program(const Job& job, Console& console, std::string_view schema, const ProgramWork& work);
 
 /// Writes to standard output. Says why if it cannot, but keeps silent where a reader has closed the pipe.

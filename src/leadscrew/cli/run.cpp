@@ -1,11 +1,10 @@
-#include <chrono>
 #include <leadscrew/cli/outputs.hpp>
-#include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/realtime/stop_watch.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
@@ -14,42 +13,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::int64_t words_between_checks = 1024;
-
-double seconds(Clock::duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
-/// Times what prepares (processor time) and what makes each word.
-class StopWatch {
- public:
-  template <class Work>
-  auto prepare(Work&& work) {
-    const double begin = processor_seconds();
-    auto result = work();
-    planning_ += processor_seconds() - begin;
-    return result;
-  }
-
-  template <class Work>
-  auto cycle(Work&& work) {
-    const auto begin = Clock::now();
-    auto result = work();
-    const auto duration = Clock::now() - begin;
-    cycling_ += duration;
-    cycles_.observe(std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count());
-    return result;
-  }
-
-  results::Effort effort(double read_seconds) const { return {read_seconds, planning_, seconds(cycling_), cycles_}; }
-
- private:
-  double planning_ = 0;  // s
-  Clock::duration cycling_{};
-  realtime::Histogram cycles_;
-};
 
 class ProgramRun {
  public:
@@ -108,9 +72,9 @@ class ProgramRun {
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
                              files::interrupted);
-    StopWatch watch;
+    realtime::StopWatch watch;
     console_.begin_progress();
-    while (watch.prepare([&] { return program.prepare(); })) {
+    while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
       const base::Word word = watch.cycle([&] { return program.cycle(); });
       referee.observe(word.position);
       if (auto written = outputs.write(word); !written) return base::failure(written.error());
@@ -125,7 +89,8 @@ class ProgramRun {
     referee::Verdict verdict = referee.conclude();
     if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
-    return results::RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};
+    return results::RunFigures{
+        program.summary(), std::move(verdict), {reading.seconds, watch.preparing(), watch.cycling(), watch.samples()}};
   }
 
   std::string program_;
@@ -148,9 +113,7 @@ ProgramResult run_program(const std::string& program, const Job& job, Console& c
 }  // namespace
 
 Status run(const Job& job, Console& console) {
-  return for_each_program(job, console, results::run_schema, [&](const std::string& program, const Job& of_program) {
-    return run_program(program, of_program, console);
-  });
+  return for_each_program(job, console, results::run_schema, run_program);
 }
 
 }  // namespace leadscrew::cli

@@ -28,7 +28,7 @@ constexpr std::string_view examples =
     "greatest velocity and acceleration is refused before anything moves.\n"
     "\n"
     "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
-    "every call that makes a word, the two looks at the clock included.\n";
+    "a call that makes a word, of every 61st from the first on, the two looks at the clock included.\n";
 
 constexpr std::array<const char*, 4> step_times_help = {
     "Of --pulses: least length of a step, such as 2.5us, in place of the machine's",
@@ -100,6 +100,7 @@ void describe_run(Command& command, Arguments& arguments) {
   command.output("--trace", "FILE", "Write the words: " + trace::endings_text(), run.trace);
   add_pulses(command, run);
   add_pages(command, arguments);
+  add_threads(command, arguments);
   command.check([&arguments] { return check_pulses(arguments); });
   command.only_with("--pulses", {"--pulse-method", "--step-clock", "--step-length", "--step-space", "--direction-setup",
                                  "--direction-hold"});

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
 
@@ -18,6 +19,18 @@ void add_common(Command& command, Arguments& arguments) {
                 "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)", arguments.start,
                 parse_axis_values);
   add_output(command, arguments);
+}
+
+void add_threads(Command& command, Arguments& arguments) {
+  command.value("--threads", "N", "Work on so many programs at a time, 1 to 1024 (default: one a processor)",
+                arguments.threads, [](std::string_view text) -> Parsed<int> {
+                  constexpr double most_threads = 1024;
+                  const auto number = parse_number(text);
+                  const bool is_count =
+                      number && *number >= 1 && *number <= most_threads && *number == std::floor(*number);
+                  if (!is_count) return wrong("is no number of threads from 1 to {}", most_threads);
+                  return static_cast<int>(*number);
+                });
 }
 
 void add_period(Command& command, Arguments& arguments) {

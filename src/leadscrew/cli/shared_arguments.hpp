@@ -22,6 +22,9 @@ void add_motion(Command& command, Arguments& arguments);
 /// What is made to look at: --report, --picture, --out; then, of the files of several programs, the check.
 void add_pages(Command& command, Arguments& arguments);
 
+/// --threads, of commands that work on several programs.
+void add_threads(Command& command, Arguments& arguments);
+
 inline constexpr const char* programs_help = "Part programs; - is standard input, curve:NAME a curve of the studies";
 
 }  // namespace leadscrew::cli

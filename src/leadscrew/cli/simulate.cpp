@@ -183,10 +183,7 @@ ProgramResult simulate_program(const std::string& program, const Job& job, Conso
 Status simulate(const Job& given, Console& console) {
   Job job = given;
   job.arguments.simulate.put_into(job.machine);
-  return for_each_program(job, console, results::simulate_schema,
-                          [&](const std::string& program, const Job& of_program) {
-                            return simulate_program(program, of_program, console);
-                          });
+  return for_each_program(job, console, results::simulate_schema, simulate_program);
 }
 
 }  // namespace leadscrew::cli

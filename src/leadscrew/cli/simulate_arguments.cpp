@@ -61,6 +61,7 @@ void describe_simulate(Command& command, Arguments& arguments) {
   add_adaptive(command, arguments);
   command.output("--trace", "FILE", "Write words and slides: " + trace::endings_text(), arguments.run.trace);
   add_pages(command, arguments);
+  add_threads(command, arguments);
   command.check([&command, &simulate]() -> Parsed<void> {
     const std::string_view of_words = command.first_given({"--gains", "--feed-forward"});
     if (!simulate.pulses || of_words.empty()) return {};

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <leadscrew/cli/diagnostic_log.hpp>
-#include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/realtime/stop_watch.hpp>
 #include <leadscrew/results/studies.hpp>
 #include <leadscrew/study/studies.hpp>
 
@@ -53,7 +53,7 @@ Status study(const Arguments& arguments, Console& console) {
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study.name; });
   if (chosen == known.end()) return Status::usage;
   files::end_when_interrupted();
-  const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
+  const study::Rows rows = chosen->rows({realtime::SystemClocks::processor_seconds, wall_seconds, share_out});
   if (arguments.study.picture) {
     if (auto drawn = draw(*chosen, *arguments.study.picture); !drawn) {
       DiagnosticLog log(console);

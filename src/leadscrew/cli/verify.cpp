@@ -115,9 +115,7 @@ ProgramResult verify_program(const std::string& program, const Job& job, Console
 }  // namespace
 
 Status verify(const Job& job, Console& console) {
-  return for_each_program(job, console, results::verify_schema, [&](const std::string& program, const Job& of_program) {
-    return verify_program(program, of_program, console);
-  });
+  return for_each_program(job, console, results::verify_schema, verify_program);
 }
 
 }  // namespace leadscrew::cli

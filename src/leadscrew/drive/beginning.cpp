@@ -1,5 +1,6 @@
 #include <leadscrew/drive/beginning.hpp>
 #include <leadscrew/drive/resume.hpp>
+#include <leadscrew/files/output_file.hpp>
 
 namespace leadscrew::drive {
 
@@ -41,6 +42,9 @@ base::Diagnostic stands_elsewhere(const std::string& path) {
 base::Result<Beginning> Beginning::of(const files::InputFile& program, const Setup& setup) {
   const Options& options = setup.options;
   Beginning begin;
+  for (const auto& path : {options.trace, options.axes, options.state, options.resume}) {
+    if (path) files::remove_left_behind(*path);
+  }
   auto held = hold_states(options);
   if (!held) return base::failure(held.error());
   begin.held = std::move(*held);

@@ -127,7 +127,7 @@ class Drive {
     const bool was_stopped = figures_.end == End::stopped || figures_.end == End::abandoned;
     figures_.problem = maker.failure();
     if (figures_.problem) {
-      if (!was_stopped) figures_.end = End::failed;
+      if (!was_stopped && !link_.at_end.load(std::memory_order_relaxed)) figures_.end = End::failed;
       return;
     }
     // A file that was given up while it was to be stopped is no surprise.

@@ -12,9 +12,9 @@ namespace leadscrew::drive {
 
 namespace {
 
-constexpr std::int64_t nap = 1'000'000;           // ns between two looks for words, or for room
+constexpr std::int64_t nap = 1'000'000;           // ns between two looks for words, or for space
 constexpr std::int64_t patience = 3'000'000'000;  // ns without progress, when motion is to end or nobody sends
-constexpr std::size_t most_at_once = 4096;        // bytes, for which a pipe that is ready has room
+constexpr std::size_t most_at_once = 4096;        // bytes, for which a pipe that is ready has space
 
 }  // namespace
 
@@ -79,15 +79,16 @@ void FileSide::take_words() {
 base::Result<void> FileSide::write(std::string_view bytes) {
   while (!bytes.empty()) {
     pollfd ready = {file_.number(), POLLOUT, 0};
-    const bool has_room = ::poll(&ready, 1, 0) != 0;
-    const ssize_t written = has_room ? ::write(file_.number(), bytes.data(), std::min(bytes.size(), most_at_once)) : -1;
+    const bool has_space = ::poll(&ready, 1, 0) != 0;
+    const ssize_t written =
+        has_space ? ::write(file_.number(), bytes.data(), std::min(bytes.size(), most_at_once)) : -1;
     if (written >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(written));
       written_bytes_ += written;
       progress_ = realtime::now();
       continue;
     }
-    const int error = has_room ? errno : EAGAIN;
+    const int error = has_space ? errno : EAGAIN;
     if (error != EAGAIN && error != EINTR)
       return base::failure(
           files::system_failure(error == EPIPE ? "io-pipe" : "io-write", "cannot write", path_, error));

@@ -10,7 +10,7 @@ constexpr std::int64_t interval = 100'000'000;  // ns between two states on disk
 }  // namespace
 
 StateWriter::StateWriter(std::optional<std::string> path, const State& state) : path_(std::move(path)), state_(state) {
-  if (path_) thread_ = std::thread([this] { keep(); });
+  if (path_) thread_ = std::thread([this] { write_states(); });
 }
 
 base::Result<void> StateWriter::conclude(State::Kind kind) {
@@ -21,7 +21,7 @@ base::Result<void> StateWriter::conclude(State::Kind kind) {
   return write_state(*path_, state_);
 }
 
-void StateWriter::keep() {
+void StateWriter::write_states() {
   while (!ended_.load()) {
     // The last state says whether this can be done.
     if (take_seen()) static_cast<void>(write_state(*path_, state_));

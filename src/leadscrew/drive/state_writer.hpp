@@ -29,7 +29,7 @@ class StateWriter {
     base::PathPlace axes;
   };
 
-  void keep();
+  void write_states();
   bool take_seen();
   void end();
 

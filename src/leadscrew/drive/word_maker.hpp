@@ -1,13 +1,12 @@
 #pragma once
 // The side of a drive that makes words: a program is planned ahead and made into words on time, for the drives behind a
 // link. Nothing passes that was not checked: neither text that differs from what was read before, nor a word outside
-// travel or limits (word_guard.hpp). In both cases motion comes to rest on the path.
+// travel or limits (guarded_sink.hpp). In both cases motion comes to rest on the path.
 
 #include <atomic>
 #include <functional>
-#include <leadscrew/drive/link.hpp>
+#include <leadscrew/drive/guarded_sink.hpp>
 #include <leadscrew/drive/setup.hpp>
-#include <leadscrew/drive/word_guard.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/realtime/runner.hpp>
@@ -33,8 +32,8 @@ class WordMaker {
   std::int64_t bytes_read() const { return bytes_read_.load(std::memory_order_relaxed); }
   /// Has the runner ended because the last word of the program was made? Anybody's.
   bool has_come_to_end() const {
-    return runner_->has_ended() && !has_failed_.load(std::memory_order_acquire) &&
-           !is_refused_.load(std::memory_order_acquire) && !runner_->counters().too_long_to_rest;
+    return runner_->has_ended() && !has_failed_.load(std::memory_order_acquire) && !sink_.has_refused() &&
+           !runner_->counters().too_long_to_rest;
   }
 
   /// Ends the threads. What follows is known from then on.
@@ -51,16 +50,13 @@ class WordMaker {
  private:
   gcode::ByteSource counted(gcode::ByteSource source);
   realtime::Planning planning(MayStart may_start);
-  realtime::WordSink sink(std::size_t most_waiting);
   std::optional<planner::Chunk> next_chunk();
 
   const files::InputFile& program_;
-  const Setup& setup_;
-  Link& link_;
   std::atomic<std::int64_t> bytes_read_{0};
   pipeline::MotionSource source_;  ///< the planner's thread's, from start() to conclude()
-  std::atomic<bool> has_failed_{false}, is_refused_{false};
-  WordGuard guard_, way_guard_;  ///< of words, and of the way to rest behind the last one; the cyclic thread's
+  std::atomic<bool> has_failed_{false};
+  GuardedSink sink_;
   std::optional<realtime::Runner> runner_;
   realtime::Counters counters_;
   realtime::Histogram latencies_;

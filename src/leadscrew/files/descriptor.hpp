@@ -37,7 +37,7 @@ class Descriptor {
 /// `part.ngc: error: cannot open: No such file or directory [io-open]`; `error` is errno.
 base::Diagnostic system_failure(std::string_view code, std::string_view what, const std::string& file, int error);
 
-/// open(2); an interruption ends it.
+/// open(2). A pipe that nobody reads from yet is waited for. Errors: `io-open`, interruption.
 base::Result<Descriptor> open_descriptor(const std::string& path, int flags, std::string_view what);
 
 /// Writes all of the bytes. Errors: `io-write`, `io-pipe` (nobody reads on), interruption.

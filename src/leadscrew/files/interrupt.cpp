@@ -1,4 +1,5 @@
 #include <unistd.h>
+#include <atomic>
 #include <csignal>
 #include <leadscrew/files/interrupt.hpp>
 #include <string_view>
@@ -8,11 +9,12 @@ namespace leadscrew::files {
 namespace {
 
 constexpr int exit_status = 130;  // as a shell says it of SIGINT
-volatile std::sig_atomic_t raised = 0;
-volatile std::sig_atomic_t forgiven = 0;
+// Signals are counted by whichever thread gets them, and looked for by all.
+std::atomic<int> raised{0}, forgiven{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void raise_flag(int) {
-  if (raised < 2) raised = raised + 1;
+  if (raised.load() < 2) ++raised;
 }
 
 extern "C" void end_at_once(int) {

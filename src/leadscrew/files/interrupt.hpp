@@ -1,6 +1,7 @@
 #pragma once
-// ^C and its relatives. Signals only raise a flag; whoever works for long looks at it, cleans up and leaves. System
-// calls that wait return early (EINTR), so that the flag is seen there too.
+// ^C and its relatives. Signals only raise a flag; whoever works for long looks at it, cleans up and leaves, within a
+// second. No call of the system waits for longer than a tenth of one (descriptor.cpp), so that the flag is seen there
+// too, whichever thread got the signal.
 
 #include <leadscrew/base/diagnostic.hpp>
 

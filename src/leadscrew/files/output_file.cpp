@@ -1,3 +1,4 @@
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -27,7 +28,29 @@ bool is_standard_output(const struct stat& file) {
   return ::fstat(STDOUT_FILENO, &output) == 0 && output.st_dev == file.st_dev && output.st_ino == file.st_ino;
 }
 
+bool is_temporary_or_lock(const std::string& name) {
+  return name.starts_with(".leadscrew-") && (name.ends_with(".tmp") || name.ends_with(".lock"));
+}
+
+/// Who holds the lock of a file that still has its name is the only one that may remove it.
+void remove_if_unlocked(const std::filesystem::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat opened = {}, named = {};
+  if (!file || ::fstat(file.number(), &opened) != 0) return;
+  if (!S_ISREG(opened.st_mode) || opened.st_uid != ::geteuid()) return;
+  if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0 || ::lstat(path.c_str(), &named) != 0) return;
+  if (named.st_dev == opened.st_dev && named.st_ino == opened.st_ino) ::unlink(path.c_str());
+}
+
 }  // namespace
+
+void remove_left_behind(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::path(target_of(path)).parent_path();
+  for (const auto& entry : std::filesystem::directory_iterator(parent.empty() ? "." : parent, error)) {
+    if (is_temporary_or_lock(entry.path().filename().string())) remove_if_unlocked(entry.path());
+  }
+}
 
 std::string target_of(const std::string& path) {
   std::error_code error;
@@ -81,6 +104,7 @@ base::Result<void> OutputFile::open_temporary() {
     const int number = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (number >= 0) {
       descriptor_ = Descriptor(number);
+      if (!is_locked()) continue;
       temporary_ = name;
       return {};
     }
@@ -91,6 +115,14 @@ base::Result<void> OutputFile::open_temporary() {
       return base::failure(std::move(problem));
     }
   }
+}
+
+/// False if somebody took it for one that was left behind, and removed it, before it could be locked.
+bool OutputFile::is_locked() const {
+  // A file system that knows no locks knows no one who could hold them.
+  if (::flock(descriptor_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+  struct stat status = {};
+  return ::fstat(descriptor_.number(), &status) == 0 && status.st_nlink > 0;
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept

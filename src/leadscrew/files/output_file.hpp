@@ -2,7 +2,9 @@
 // A file that appears whole or not at all.
 //
 // Bytes go to a temporary file in the same folder, which takes the final name when it is published and is removed when
-// it is not. What is no regular file (/dev/null, a pipe) is written straight.
+// it is not. What is no regular file (/dev/null, a pipe) is written straight. A process that is killed leaves its
+// temporary file behind. While it is written it is locked by flock(2), so that whoever finds one without a lock may
+// remove it (remove_left_behind), whatever became of its writer.
 
 #include <initializer_list>
 #include <leadscrew/base/sink.hpp>
@@ -20,6 +22,9 @@ std::string target_of(const std::string& path);
 
 /// Does standard output go there?
 bool is_standard_output(const std::string& path);
+
+/// Removes temporary files and locks of this user that processes which were killed have left in the folder of `path`.
+void remove_left_behind(const std::string& path);
 
 class OutputFile {
  public:
@@ -50,6 +55,7 @@ class OutputFile {
  private:
   OutputFile() = default;
   base::Result<void> open_temporary();
+  bool is_locked() const;
 
   Descriptor descriptor_;
   std::string path_;       ///< as given, for messages

@@ -73,6 +73,9 @@ class Program {
   /// The next word; prepare() must have said true.
   base::Word cycle();
 
+  /// Will the next prepare() read or plan, or is the motion of the next word there already?
+  bool will_plan() const { return !ended_ && interpolator_.wants_chunk(); }
+
   const Summary& summary() const { return summary_; }
   /// Why motion ends before the program does (MotionSource::failure).
   const std::optional<base::Diagnostic>& failure() const { return source_.failure(); }

@@ -20,12 +20,12 @@ using Diagnostics = std::vector<base::Diagnostic>;
 /// How many of them are as severe as this.
 std::int64_t count(const Diagnostics& diagnostics, base::Severity severity);
 
-/// Where the time of the computer went, in seconds of the steady clock.
+/// Where the time of the computer went.
 struct Effort {
-  double read = 0;   ///< the program, whole, for its diagnostics
-  double plan = 0;   ///< all calls that prepare words
-  double words = 0;  ///< all calls that make words
-  realtime::Histogram cycles;
+  double read = 0;             ///< s of the processor: the program, whole, for its diagnostics
+  double plan = 0;             ///< s of the processor: all calls that plan
+  double words = 0;            ///< s: all calls that make words, from those that were timed
+  realtime::Histogram cycles;  ///< of the calls that were timed, one of 61
 };
 
 /// How far the steps of an axis were led from its words, so that its screw would be where they are.

@@ -1,0 +1,39 @@
+#pragma once
+// Words on their way to the drives, each looked at by a guard, and each way to rest behind them. A slice that holds a
+// refused word, or whose way to rest does, is not published: for the drives there is none.
+
+#include <atomic>
+#include <leadscrew/drive/link.hpp>
+#include <leadscrew/drive/word_guard.hpp>
+#include <leadscrew/realtime/runner.hpp>
+
+namespace leadscrew::drive {
+
+class GuardedSink {
+ public:
+  /// The axes stand at `position`, mm or degrees. At most so many words wait in the link. The link and the machine must
+  /// outlive this.
+  GuardedSink(Link& link, const machine::Machine& machine, const base::AxisVector& position, std::size_t most_waiting)
+      : link_(link), most_waiting_(most_waiting), guard_(machine, position), way_guard_(guard_) {}
+  GuardedSink(const GuardedSink&) = delete;
+  GuardedSink& operator=(const GuardedSink&) = delete;
+
+  /// For a runner, which must not outlive this.
+  realtime::WordSink sink();
+
+  /// Was a slice kept back? Anybody's.
+  bool has_refused() const { return has_refused_.load(std::memory_order_acquire); }
+  /// Why; when the runner has ended. Error: `word-refused`.
+  std::optional<base::Diagnostic> problem() const;
+
+ private:
+  bool take(const base::Word& word) noexcept;
+  bool publish() noexcept;
+
+  Link& link_;
+  const std::size_t most_waiting_;
+  WordGuard guard_, way_guard_;  ///< of words, and of the way to rest behind the last one; the cyclic thread's
+  std::atomic<bool> has_refused_{false};
+};
+
+}  // namespace leadscrew::drive
