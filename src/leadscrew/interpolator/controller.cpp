@@ -40,6 +40,11 @@ bool Controller::go_on() noexcept {
 }
 
 Controller::Offer Controller::offer(std::span<planner::Chunk> chunks) {
+  const auto is_checked = [](const planner::Chunk& chunk) {
+    return std::all_of(chunk.pieces.begin(), chunk.pieces.end(),
+                       [](const toolpath::Piece& piece) { return piece.travel.is_inside(); });
+  };
+  if (!std::all_of(chunks.begin(), chunks.end(), is_checked)) return Offer::unchecked;
   const auto count = static_cast<std::int64_t>(chunks.size());
   if (accepted_ + count - begun() >= static_cast<std::int64_t>(capacity_)) return Offer::full;
   Link& last = link(accepted_);

@@ -52,8 +52,9 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
 
   enum class Offer : std::uint8_t {
     accepted,
-    full,  ///< all links are in use: offer it again when the cycle has moved on
-    late,  ///< the motion it continues has been stopped: plan anew from the last accepted chunk's `rest`, at rest
+    full,       ///< all links are in use: offer it again when the cycle has moved on
+    unchecked,  ///< a piece of it has not been found inside travel (toolpath::check_travel): never offer it again
+    late,       ///< the motion it continues has been stopped: plan anew from the last accepted chunk's `rest`, at rest
   };
   /// Hands over the chunk that comes after the last accepted one; moved from only if accepted. One that begins at rest
   /// follows when the one before has come to rest, by its tail if it has one. One that begins in motion after a chunk
