@@ -7,11 +7,14 @@
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/geometry/curve.hpp>
-#include <leadscrew/machine/machine.hpp>
 #include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
+
+namespace leadscrew::machine {
+struct Machine;
+}
 
 namespace leadscrew::toolpath {
 
