@@ -43,7 +43,7 @@ class MotionSource {
   void stop_when(std::function<bool()> asked) { planner_.stop_when(std::move(asked)); }
 
   /// Why motion ends before the program does: the first error of this reading, be it the reader's (which its sink gets
-  /// as well), the source's or that of `unchanged`; or that it was interrupted.
+  /// as well), the source's or that of `unchanged`; `travel`, where the path leaves that of an axis; or that it was interrupted.
   const std::optional<base::Diagnostic>& failure() const { return failure_; }
   /// The warning `planning-simplified`, where parts of the path are slower than they need be: planning them for the
   /// machine's own limits would have taken too much work (planner::Planner::simplified_sections).
@@ -59,8 +59,12 @@ class MotionSource {
   gcode::ByteSource watched(gcode::ByteSource source);
   gcode::DiagnosticSink watched(gcode::DiagnosticSink diagnostics);
   bool read_move();
+  bool push(toolpath::Element element);
   std::optional<planner::Chunk> pop();
 
+  const machine::Machine& machine_;
+  geometry::Point start_;
+  double tolerance_ = 0;  ///< the greatest so far, mm
   std::optional<base::Diagnostic> failure_;
   gcode::Reader reader_;
   toolpath::Builder builder_;

@@ -66,6 +66,11 @@ bool Feeder::hand_over() {
       break;
     case Offer::full:
       return false;
+    case Offer::unchecked:  // the cycle rests by the tail of what it has
+      failure_ = base::problem("travel-unchecked", "a part of the path was not checked to lie inside travel",
+                               "check_travel() does, before a piece is planned");
+      last_ = accepted_;
+      return false;
   }
   held_.clear();
   held_seconds_ = 0;

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/interpolator/controller.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <optional>
@@ -45,6 +46,8 @@ class Feeder {
 
   /// Number of the last chunk, once it is known.
   std::optional<std::int64_t> last_chunk() const { return last_; }
+  /// Why motion ends although more would come: `travel-unchecked`, of a chunk that the controller refused.
+  const std::optional<base::Diagnostic>& failure() const { return failure_; }
   /// Chunks that came after the motion they continue had been stopped.
   std::int64_t late_chunks() const { return late_chunks_; }
 
@@ -69,6 +72,7 @@ class Feeder {
   bool has_ended_ = false;  ///< does nothing follow those held?
   std::int64_t accepted_ = 0, late_chunks_ = 0;
   std::optional<std::int64_t> last_;
+  std::optional<base::Diagnostic> failure_;
 };
 
 }  // namespace leadscrew::realtime

@@ -81,6 +81,8 @@ class Runner {
   const Histogram& latencies() const { return latencies_; }
   /// What the system did not permit, once there is a word.
   const std::optional<base::Diagnostic>& notice() const { return notice_; }
+  /// Why motion ended although more would have come (Feeder::failure), once it has.
+  const std::optional<base::Diagnostic>& failure() const { return feeder_.failure(); }
   bool has_begun() const { return begun_.load(std::memory_order_acquire); }
   bool has_ended() const { return ended_.load(std::memory_order_acquire); }
 
