@@ -8,6 +8,7 @@
 #include <leadscrew/planner/planner.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/toolpath/builder.hpp>
+#include <leadscrew/toolpath/travel.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,6 +78,8 @@ class LiveProgram {
           break;
         case interpolator::Controller::Offer::full:
           return true;
+        case interpolator::Controller::Offer::unchecked:
+          return false;
       }
     }
     return true;
@@ -88,7 +91,10 @@ class LiveProgram {
       gcode::Move move;
       reading_ = reader_.next(move);
       reading_ ? builder_.push(move) : builder_.finish();
-      while (const std::optional<toolpath::Element> element = builder_.pop()) planner_.push(*element);
+      while (std::optional<toolpath::Element> element = builder_.pop()) {
+        if (auto* piece = std::get_if<toolpath::Piece>(&*element)) toolpath::check_travel(*piece, machine_, {}, 1);
+        planner_.push(*element);
+      }
       if (!reading_) planner_.finish();
       chunk = planner_.pop();
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/motion.hpp>
+#include <leadscrew/toolpath/travel.hpp>
 #include <vector>
 
 namespace leadscrew::testing_support {
@@ -105,8 +106,10 @@ class Layer {
 
   /// Of all that was laid out.
   std::vector<toolpath::Piece> pieces() const {
-    return {path_.pieces.begin() + static_cast<std::ptrdiff_t>(first_),
-            path_.pieces.begin() + static_cast<std::ptrdiff_t>(piece_) + 1};
+    std::vector<toolpath::Piece> pieces(path_.pieces.begin() + static_cast<std::ptrdiff_t>(first_),
+                                        path_.pieces.begin() + static_cast<std::ptrdiff_t>(piece_) + 1);
+    for (toolpath::Piece& piece : pieces) toolpath::check_travel(piece, machine::mill3(), {}, 0);
+    return pieces;
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/planner/planner.hpp>
+#include <leadscrew/toolpath/travel.hpp>
 #include <vector>
 
 namespace leadscrew::testing_support {
@@ -27,7 +28,10 @@ inline toolpath::Piece arc_piece(const geometry::Point& start, double center_x, 
 inline std::vector<planner::Chunk> plan(const std::vector<toolpath::Element>& elements,
                                         const machine::Machine& machine) {
   planner::Planner planner(machine, {});
-  for (const auto& element : elements) planner.push(element);
+  for (toolpath::Element element : elements) {
+    if (auto* piece = std::get_if<toolpath::Piece>(&element)) toolpath::check_travel(*piece, machine, {}, 0);
+    planner.push(element);
+  }
   planner.finish();
   std::vector<planner::Chunk> chunks;
   while (auto chunk = planner.pop()) chunks.push_back(*chunk);

@@ -103,6 +103,7 @@ class ProgramRun {
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
     program.watch([&] { return file.unchanged(); });
+    program.stop_when(files::interrupted);
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
@@ -120,6 +121,7 @@ class ProgramRun {
       console_.progress(progress);
     }
     if (program.failure()) return base::failure(*program.failure());
+    if (const auto warning = program.warning()) log_.add(*warning);
     referee::Verdict verdict = referee.conclude();
     if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());

@@ -66,6 +66,7 @@ class Simulation {
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
     program.watch([&] { return file.unchanged(); });
+    program.stop_when(files::interrupted);
     gcode::Reader reader = silent_reader(file, job_);
     const drive::LoopKind kind = job_.arguments.simulate.pulses ? drive::LoopKind::pulses : drive::LoopKind::words;
     auto slides = drive::Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
@@ -86,6 +87,7 @@ class Simulation {
       console_.progress(progress);
     }
     if (program.failure()) return base::failure(*program.failure());
+    if (const auto warning = program.warning()) log_.add(*warning);
     if (auto done = come_to_rest(word, *slides, outputs); !done) return base::failure(done.error());
     record(slides->finish_contour(), *slides, outputs);
     results::SimulateFigures figures{slides->conclude()};

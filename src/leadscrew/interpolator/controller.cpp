@@ -25,10 +25,7 @@ base::Word Controller::next() noexcept {
 
 /// The chunk in motion, or its tail, has ended: goes on with its successor or its tail. False if there is neither.
 bool Controller::go_on() noexcept {
-  Follow follow = Follow::open;
-  const bool nothing_follows =
-      link(current_).follow.compare_exchange_strong(follow, Follow::closed, std::memory_order_acquire);
-  const bool is_followed = !nothing_follows && follow == Follow::followed;
+  const bool is_followed = link(current_).succession.claim();
   if (interpolator_.has_stop_tail_left() && !(is_followed && !link(current_ + 1).chunk.begins_at_rest())) {
     interpolator_.run_stop_tail();
     if (!is_followed) starvations_.store(starvations_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
@@ -39,36 +36,39 @@ bool Controller::go_on() noexcept {
   return true;
 }
 
-Controller::Offer Controller::offer(planner::Chunk& chunk) {
-  const std::int64_t next = accepted_ + 1;
-  if (next - begun() >= static_cast<std::int64_t>(capacity_)) return Offer::full;
+Controller::Offer Controller::offer(std::span<planner::Chunk> chunks) {
+  const auto is_checked = [](const planner::Chunk& chunk) {
+    return std::all_of(chunk.pieces.begin(), chunk.pieces.end(),
+                       [](const toolpath::Piece& piece) { return piece.travel.is_inside(); });
+  };
+  if (!std::all_of(chunks.begin(), chunks.end(), is_checked)) return Offer::unchecked;
+  const auto count = static_cast<std::int64_t>(chunks.size());
+  if (accepted_ + count - begun() >= static_cast<std::int64_t>(capacity_)) return Offer::full;
   Link& last = link(accepted_);
-  const bool begins_at_rest = chunk.begins_at_rest();
+  const bool begins_at_rest = chunks.front().begins_at_rest();
   // Looked at first, so that a late chunk is not moved from.
-  const bool is_late = last.chunk.stop_tail.empty() || last.follow.load(std::memory_order_relaxed) == Follow::closed;
+  const bool is_late = last.chunk.stop_tail.empty() || last.succession.is_closed();
   if (!begins_at_rest && is_late) return Offer::late;
-  Link& fresh = link(next);
-  fresh.chunk = std::move(chunk);
-  fresh.committed_seconds = last.committed_seconds + fresh.chunk.duration.value();
-  fresh.follow.store(Follow::open, std::memory_order_relaxed);
+  for (std::int64_t k = 0; k < count; ++k) {
+    Link& fresh = link(accepted_ + 1 + k);
+    fresh.chunk = std::move(chunks[static_cast<std::size_t>(k)]);
+    fresh.committed_seconds = link(accepted_ + k).committed_seconds + fresh.chunk.duration.value();
+    fresh.succession.reset(k + 1 < count);
+  }
   if (!append(last, begins_at_rest)) {
-    chunk = std::move(fresh.chunk);
+    for (std::int64_t k = 0; k < count; ++k)
+      chunks[static_cast<std::size_t>(k)] = std::move(link(accepted_ + 1 + k).chunk);
     return Offer::late;
   }
-  accepted_ = next;
+  accepted_ += count;
   return Offer::accepted;
 }
 
 /// Releases the link after `last` to the cycle; false if it begins in motion and the cycle has closed `last`.
 bool Controller::append(Link& last, bool begins_at_rest) {
-  if (begins_at_rest) {
-    // Followed whether the cycle has closed it or not: it looks again for as long as it stands.
-    last.follow.store(Follow::followed, std::memory_order_release);
-    return true;
-  }
-  Follow expected = Follow::open;
-  return last.follow.compare_exchange_strong(expected, Follow::followed, std::memory_order_release,
-                                             std::memory_order_relaxed);
+  if (!begins_at_rest) return last.succession.follow();
+  last.succession.follow_at_rest();
+  return true;
 }
 
 double Controller::seconds_ahead() const {

@@ -11,8 +11,8 @@
 // `closed` (the cycle found nothing and brought the machine to rest). When a committed part ends, the cycle claims the
 // link with one compare-and-swap, open → closed: if that fails there is a successor, and the motion goes on; if it
 // succeeds the stop tail runs. The planner appends with open → followed: if that fails, the motion that the new chunk
-// was to continue is over, and the chunk is late. Whoever is first decides, and both know it. A chunk that begins at
-// rest is never late: it follows whenever the machine stands.
+// was to continue is over, and the chunk is late. The one that succeeds first decides; the other side sees it fail
+// (succession.hpp). A chunk that begins at rest is never late: it follows whenever the machine stands.
 //
 // Memory orders. A link is written by the planner and then released by the store or compare-and-swap to `followed` in
 // the link before it; the cycle's compare-and-swap acquires it. The cycle's last look at a link is before its release
@@ -26,7 +26,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/interpolator/interpolator.hpp>
+#include <leadscrew/interpolator/succession.hpp>
 #include <memory>
+#include <span>
 
 namespace leadscrew::interpolator {
 
@@ -51,13 +53,19 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
 
   enum class Offer : std::uint8_t {
     accepted,
-    full,  ///< all links are in use: offer it again when the cycle has moved on
-    late,  ///< the motion it continues has been stopped: plan anew from the last accepted chunk's `rest`, at rest
+    full,       ///< all links are in use: offer it again when the cycle has moved on
+    unchecked,  ///< a piece of it has not been found inside travel (toolpath::check_travel): never offer it again
+    late,       ///< the motion it continues has been stopped: plan anew from the last accepted chunk's `rest`, at rest
   };
   /// Hands over the chunk that comes after the last accepted one; moved from only if accepted. One that begins at rest
   /// follows when the one before has come to rest, by its tail if it has one. One that begins in motion after a chunk
   /// that ends at rest is late. Nobody here looks at its events: begun() tells when it begins.
-  Offer offer(planner::Chunk& chunk);
+  Offer offer(planner::Chunk& chunk) { return offer(std::span(&chunk, 1)); }
+  /// Hands over several at once: the cycle sees all of them or none. Each but the first goes on with the motion of the
+  /// one before. At least one.
+  Offer offer(std::span<planner::Chunk> chunks);
+
+  std::size_t capacity() const { return capacity_; }
 
   /// Committed motion, dwells included, that was accepted and that the cycle has not begun, seconds; nothing of the
   /// chunk in motion.
@@ -72,18 +80,15 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   std::int64_t starvations() const { return starvations_.load(std::memory_order_relaxed); }
 
  private:
-  enum class Follow : std::uint8_t { open, followed, closed };
-
   // What two threads write to lies apart by a line of the cache, or each write would take it from the other.
   static constexpr std::size_t cache_line = 64;
 
   struct alignas(cache_line) Link {
     planner::Chunk chunk;
     double committed_seconds = 0;  ///< of this chunk and all before it; the planner's
-    std::atomic<Follow> follow{Follow::open};
+    Succession<> succession;
   };
-  static_assert(std::atomic<Follow>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free &&
-                std::atomic<bool>::is_always_lock_free);
+  static_assert(std::atomic<std::int64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
   Link& link(std::int64_t number) const { return links_[static_cast<std::size_t>(number) % capacity_]; }
   bool go_on() noexcept;

@@ -1,11 +1,16 @@
+#include <algorithm>
 #include <leadscrew/pipeline/motion_source.hpp>
+#include <leadscrew/toolpath/travel.hpp>
+#include <string>
 #include <utility>
 
 namespace leadscrew::pipeline {
 
 MotionSource::MotionSource(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                            gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
-    : reader_(watched(std::move(source)), machine, tools, options, watched(std::move(diagnostics))),
+    : machine_(machine),
+      start_(options.start),
+      reader_(watched(std::move(source)), machine, tools, options, watched(std::move(diagnostics))),
       planner_(machine, options.start) {}
 
 gcode::ByteSource MotionSource::watched(gcode::ByteSource source) {
@@ -31,8 +36,27 @@ std::optional<planner::Chunk> MotionSource::next() {
     if (auto same = unchanged(); !same) failure_ = same.error();
   }
   std::optional<planner::Chunk> chunk;
-  while (!failure_ && !(chunk = planner_.pop()) && reading_) reading_ = read_move();
+  while (!failure_ && !(chunk = pop()) && reading_) reading_ = read_move();
   return chunk;
+}
+
+std::optional<planner::Chunk> MotionSource::pop() {
+  std::optional<planner::Chunk> chunk = planner_.pop();
+  if (planner_.is_stopped() && !failure_) failure_ = base::problem("interrupted", "interrupted", {});
+  return chunk;
+}
+
+std::optional<base::Diagnostic> MotionSource::warning() const {
+  const std::int64_t count = planner_.simplified_sections();
+  if (count == 0) return std::nullopt;
+  return base::Diagnostic{
+      base::Severity::warning,
+      "planning-simplified",
+      "the fastest motion would take too long to plan: " + std::to_string(count) + (count == 1 ? " part" : " parts") +
+          " of the path are travelled by lower limits than the machine's",
+      "limits of acceleration and jerk that are far beyond what the speeds need are the usual cause",
+      {},
+      {}};
 }
 
 /// Reads on by one move and gives the planner what path it settles. False at the program's end, or on a failure.
@@ -43,17 +67,36 @@ bool MotionSource::read_move() {
   // A move behind an error may begin where the error would have moved to, not where motion is.
   if (failure_) return false;
   if (has_move) {
+    if (move.path_mode == gcode::PathMode::blend) tolerance_ = std::max(tolerance_, move.tolerance);
     if (on_move) on_move(move);
     builder_.push(move);
   } else {
     builder_.finish();
   }
-  while (const std::optional<toolpath::Element> element = builder_.pop()) {
-    planner_.push(*element);
-    if (on_element) on_element(*element);
+  while (std::optional<toolpath::Element> element = builder_.pop()) {
+    if (!push(std::move(*element))) return false;
   }
   if (!has_move) planner_.finish();
   return has_move;
+}
+
+/// To the planner. False where it leaves the travel of an axis: that fails.
+bool MotionSource::push(toolpath::Element element) {
+  constexpr double rounding = 2e-6;  // mm or degrees: the reader's of curves, and the path's
+  if (auto* piece = std::get_if<toolpath::Piece>(&element)) {
+    if (const auto excess = toolpath::check_travel(*piece, machine_, start_, tolerance_ + rounding)) {
+      failure_ =
+          base::problem("travel",
+                        std::string("the path would lead axis ") + base::letter(excess->axis) + " to " +
+                            std::to_string(excess->position) + ", outside its travel",
+                        "this is a defect of leadscrew: please report it, with the program and the machine file");
+      failure_->place.line = base::number(piece->line);
+      return false;
+    }
+  }
+  planner_.push(element);
+  if (on_element) on_element(element);
+  return true;
 }
 
 }  // namespace leadscrew::pipeline

@@ -12,6 +12,7 @@
 #include <leadscrew/planner/planner.hpp>
 #include <leadscrew/toolpath/builder.hpp>
 #include <optional>
+#include <utility>
 
 namespace leadscrew::pipeline {
 
@@ -37,9 +38,16 @@ class MotionSource {
   /// last, and rests on the path of the program that was checked.
   std::optional<planner::Chunk> next();
 
+  /// Asked every few milliseconds while a window of motion is planned. Once it says true motion ends as if it had
+  /// failed, with the diagnostic `interrupted`.
+  void stop_when(std::function<bool()> asked) { planner_.stop_when(std::move(asked)); }
+
   /// Why motion ends before the program does: the first error of this reading, be it the reader's (which its sink gets
-  /// as well), the source's or that of `unchanged`.
+  /// as well), the source's or that of `unchanged`; `travel`, where the path leaves that of an axis; or that it was interrupted.
   const std::optional<base::Diagnostic>& failure() const { return failure_; }
+  /// The warning `planning-simplified`, where parts of the path are slower than they need be: planning them for the
+  /// machine's own limits would have taken too much work (planner::Planner::simplified_sections).
+  std::optional<base::Diagnostic> warning() const;
 
   const gcode::Reader& reader() const { return reader_; }
   /// To change what is planned, between two chunks.
@@ -51,7 +59,12 @@ class MotionSource {
   gcode::ByteSource watched(gcode::ByteSource source);
   gcode::DiagnosticSink watched(gcode::DiagnosticSink diagnostics);
   bool read_move();
+  bool push(toolpath::Element element);
+  std::optional<planner::Chunk> pop();
 
+  const machine::Machine& machine_;
+  geometry::Point start_;
+  double tolerance_ = 0;  ///< the greatest so far, mm
   std::optional<base::Diagnostic> failure_;
   gcode::Reader reader_;
   toolpath::Builder builder_;

@@ -44,7 +44,7 @@ base::Word Program::cycle() {
 void Program::stop() {
   planner::Chunk tail = chunk_;
   tail.segments = tail.stop_tail;
-  planner::raise_limit_ratios(tail, machine_, summary_.plan);
+  planner::raise_limit_ratios(tail, constraints_, summary_.plan);
   summary_.length_mm += chunk_.tail_length;
   interpolator_.run_stop_tail();
 }

@@ -67,12 +67,17 @@ class Program {
   /// fails goes through its stop tail to a last word at rest on the path.
   bool prepare();
 
+  /// Before the first word: whether to end now, asked while planning takes long (MotionSource::stop_when).
+  void stop_when(std::function<bool()> asked) { source_.stop_when(std::move(asked)); }
+
   /// The next word; prepare() must have said true.
   base::Word cycle();
 
   const Summary& summary() const { return summary_; }
   /// Why motion ends before the program does (MotionSource::failure).
   const std::optional<base::Diagnostic>& failure() const { return source_.failure(); }
+  /// Of a motion that is slower than it need be (MotionSource::warning).
+  std::optional<base::Diagnostic> warning() const { return source_.warning(); }
 
  private:
   bool plan_next();

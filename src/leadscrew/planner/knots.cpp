@@ -44,8 +44,8 @@ struct Sample {
 class Placement {
  public:
   Placement(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
-            std::size_t most)
-      : section_(section), constraints_(constraints), stretch_(stretch), most_(most) {}
+            std::size_t most, Effort& effort)
+      : section_(section), constraints_(constraints), stretch_(stretch), most_(most), effort_(effort) {}
 
   Knots place() {
     if (!stretch_.starts_at_rest) keep();
@@ -58,6 +58,7 @@ class Placement {
     ramps();
     find_breaks();
     sample();
+    if (!effort_.goes_on()) return {};
     passes();
     widths();
     if (stretch_.starts_at_rest) {
@@ -208,7 +209,7 @@ class Placement {
       samples_.push_back(at(from, Side::right));
       Sample previous = samples_.back();
       const double longest_cut = (to - from) / least_cuts;
-      while (previous.s < to) {
+      while (previous.s < to && effort_.spend(1)) {
         if (knots > enough) {
           breaks_.resize(b);
           if (previous.s > from) breaks_.push_back(previous.s);
@@ -236,6 +237,7 @@ class Placement {
     return beyond;
   }
   void bisect(const Sample& left, const Sample& right, int depth) {
+    if (!effort_.spend(1)) return;
     const double width = right.s - left.s;
     const bool sees_all = section_.borders(left.s, right.s) <= most_unseen;
     if (depth == deepest || (sees_all && width <= 2 * std::min(width_by_cap(left), width_by_cap(right)))) return;
@@ -382,6 +384,9 @@ class Placement {
     return std::min(b.s, a.s + a.h / slope * std::expm1(amount * slope));
   }
 
+  /// More than cut() looks at.
+  std::size_t most_placed() const { return std::max(most(), kept_) + rest_knots + 1; }
+
   void stretch(double from, double to, std::size_t& i) {
     const std::size_t first = i;
     double skipped = 0;  // of the first span, what lies before `from`
@@ -398,7 +403,8 @@ class Placement {
       if (samples_[last + 1].s > samples_[last].s) total += quantity(samples_[last], samples_[last + 1]);
       ++last;
     }
-    const int count = std::max(1, static_cast<int>(std::ceil(total)));
+    constexpr double most_parts = 1e9;
+    const int count = std::max(1, static_cast<int>(std::ceil(std::min(total, most_parts))));
     double before = -skipped;
     std::size_t k = first;
     for (int n = 1; n < count; ++n) {
@@ -413,6 +419,7 @@ class Placement {
       if (s > knots_.s.back() && s < to) {
         knots_.s.push_back(s);
         knots_.breaks.push_back(false);
+        if (knots_.s.size() > most_placed()) return;  // the rest would be cut off
       }
     }
     knots_.s.push_back(to);
@@ -424,6 +431,7 @@ class Placement {
   const constraints::Constraints& constraints_;
   const Stretch& stretch_;
   std::size_t most_;
+  Effort& effort_;
   std::size_t kept_ = 0;
   bool reaches_end_ = true;           ///< or is there more than knots may reach?
   bool ends_between_breaks_ = false;  ///< does what they may reach?
@@ -449,8 +457,8 @@ double ramp_width(const machine::Derivatives& limits, double x) {
 }
 
 Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
-                  std::size_t most) {
-  return Placement(section, constraints, stretch, most).place();
+                  std::size_t most, Effort& effort) {
+  return Placement(section, constraints, stretch, most, effort).place();
 }
 
 }  // namespace leadscrew::planner

@@ -3,6 +3,7 @@
 // rest.
 
 #include <leadscrew/constraints/constraints.hpp>
+#include <leadscrew/planner/effort.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <vector>
 
@@ -44,7 +45,14 @@ struct Stretch {
 double ramp_width(const machine::Derivatives& limits, double x);
 
 /// Knots along the stretch, at most about `most` intervals: fewer than reach its end if they would be more.
+/// Good only while the effort goes on.
 Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
-                  std::size_t most);
+                  std::size_t most, Effort& effort);
+/// With all the effort of one window.
+inline Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+                         std::size_t most) {
+  Effort effort;
+  return place_knots(section, constraints, stretch, most, effort);
+}
 
 }  // namespace leadscrew::planner

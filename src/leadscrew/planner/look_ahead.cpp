@@ -27,6 +27,14 @@ constexpr std::size_t most_pieces = 900;
 constexpr std::size_t most_patience = 16;  // segments
 constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity does not count yet
 
+// Gentler limits: acceleration is reached no sooner than in this time, and the greatest speed by it no sooner either.
+// Where limits of jerk and acceleration are far greater than speeds are, knots lie so close that a window of them is
+// over within microseconds.
+constexpr double gentle_time = 0.01;       // s
+constexpr double slower = 4;               // each time that this does not help
+constexpr int greatest_gentleness = 10;    // times
+constexpr double between_lowerings = 1e6;  // units of effort
+
 }  // namespace
 
 void LookAhead::append(const toolpath::Piece& piece) {
@@ -53,6 +61,9 @@ void LookAhead::clear() {
   last_begin_ = tail_end_ = last_tail_end_ = 0;
   fastest_ = slowest_stop_ = reach_ = 0;
   moving_.reset();
+  gentle_.reset();
+  gentleness_ = 0;
+  least_balance_ = 0;
 }
 
 std::size_t LookAhead::most_intervals() const {
@@ -66,6 +77,7 @@ void LookAhead::override_feed(double factor) {
 }
 
 void LookAhead::refuse() {
+  effort_.give_back();
   stand_at(last_tail_end_);
   tail_end_ = last_tail_end_;
 }
@@ -130,6 +142,7 @@ void LookAhead::take_change() {
   if (!after) return;
   std::unique_ptr<Window> before = std::move(window_);
   go_on_from(std::move(*after));
+  effort_.begin_window();
   window_ = solve(Refinement::where_speed_changes);
   if (window_) return;
   stand_at(begin_);
@@ -150,8 +163,8 @@ std::unique_ptr<Window> LookAhead::solve(Refinement refinement) {
   if (continuation_ && refinement == Refinement::where_speed_changes) {
     stretch.changes_from = continuation_->c[0];
   }
-  return settled(plan_window(section_, constraints_, stretch, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
-                             most_intervals()));
+  return settled(plan_window(section_, limits(), stretch, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
+                             most_intervals(), effort_));
 }
 
 /// As it is kept, if there is one: planned for the factor asked for, in no more memory than it takes to read it.
@@ -169,8 +182,10 @@ void LookAhead::solve_to_rest() {
   ++refused_;
   Stretch stretch = next_stretch();
   stretch.ends_at_rest = true;
-  for (int halving = 0; halving < 40 && !window_; ++halving) {
-    window_ = settled(plan_window(section_, constraints_, stretch, continuation_, Aim::fastest, most_intervals()));
+  for (int halving = 0; halving < 40 && !window_ && !effort_.is_stopped(); ++halving) {
+    effort_.pay();
+    effort_.begin_window();
+    window_ = settled(plan_window(section_, limits(), stretch, continuation_, Aim::fastest, most_intervals(), effort_));
     stretch.end = begin_ + (stretch.end - begin_) / 2;
   }
 }
@@ -193,30 +208,76 @@ void LookAhead::forget() {
 }
 
 std::optional<Chunk> LookAhead::plan() {
-  if (section_.empty()) return std::nullopt;
+  if (section_.empty() || effort_.is_stopped()) return std::nullopt;
   take_change();
   if (!window_) {
     if (begin_ >= section_.length() || factor_ == 0 || !knows_enough()) return std::nullopt;
-    forget();
-    window_ = solve(Refinement::none);
-    if (!window_) solve_to_rest();
-    if (!window_) return std::nullopt;
+    plan_from_rest();
   } else if (!window_->to_rest && window_->intervals[window_->next] >= window_->last_interval) {
     if (!knows_enough()) return std::nullopt;
-    if (static_cast<double>(window_->profile.intervals()) < few_share * static_cast<double>(most_intervals()))
-      reach_ *= 1.5;
-    forget();
-    std::unique_ptr<Window> before = std::move(window_);
-    go_on_from(*before->after);
-    window_ = solve(Refinement::none);
-    if (!window_) window_ = solve(Refinement::where_speed_changes);
-    if (!window_) {  // on to where this one comes to rest
-      ++refused_;
-      window_ = std::move(before);
-      window_->to_rest = true;
-    }
+    plan_in_motion();
   }
+  if (!window_ || effort_.is_stopped()) return std::nullopt;
   return hand_out();
+}
+
+void LookAhead::plan_from_rest() {
+  forget();
+  if (untouched_) effort_.earn_section();
+  if (is_overdrawn()) be_gentler();
+  effort_.begin_window();
+  window_ = solve(Refinement::none);
+  while (!window_ && !effort_.goes_on() && be_gentler()) {
+    effort_.pay();
+    effort_.begin_window();
+    window_ = solve(Refinement::none);
+  }
+  if (!window_) solve_to_rest();
+  effort_.pay();
+}
+
+/// On from where the part ends that the window commits to; if that cannot be planned, to where it comes to rest.
+void LookAhead::plan_in_motion() {
+  if (static_cast<double>(window_->profile.intervals()) < few_share * static_cast<double>(most_intervals()))
+    reach_ *= 1.5;
+  forget();
+  if (is_overdrawn()) {
+    window_->to_rest = true;
+    return;
+  }
+  std::unique_ptr<Window> before = std::move(window_);
+  go_on_from(*before->after);
+  effort_.begin_window();
+  window_ = solve(Refinement::none);
+  if (!window_ && effort_.goes_on()) window_ = solve(Refinement::where_speed_changes);
+  effort_.pay();
+  if (window_) return;
+  if (effort_.goes_on()) ++refused_;
+  window_ = std::move(before);
+  window_->to_rest = true;
+}
+
+/// Has planning taken too much effort, also since limits were lowered last?
+bool LookAhead::is_overdrawn() const {
+  return effort_.balance() < least_balance_ && gentleness_ < greatest_gentleness;
+}
+
+/// From rest on, lower limits, whose motion takes fewer windows. False if they are as low as they get.
+bool LookAhead::be_gentler() {
+  if (gentleness_ == greatest_gentleness || effort_.is_stopped()) return false;
+  if (gentleness_ == 0) ++simplified_;
+  const double speed = fastest_ * std::pow(slower, -gentleness_);
+  ++gentleness_;
+  least_balance_ = std::min(effort_.balance(), 0.0) - between_lowerings;
+  machine::Machine gentle = machine_;
+  for (std::optional<machine::AxisLimits>& axis : gentle.axes) {
+    if (!axis) continue;
+    axis->velocity = std::min(axis->velocity, speed);
+    axis->acceleration = std::min(axis->acceleration, axis->velocity / gentle_time);
+    axis->jerk = std::min(axis->jerk, axis->acceleration / gentle_time);
+  }
+  gentle_.emplace(gentle);
+  return true;
 }
 
 /// What takes long, where speed is low, is cut into parts, so that a change may begin in it. However motion is sliced:
@@ -248,7 +309,7 @@ std::size_t LookAhead::split_at(Window& window, std::size_t next) const {
     now = now + segment.duration;
     const bool fast = window.profile.is_too_fast() || factor_ == 0;
     const double feed_factor = fast ? infinity : planned_factor_;
-    if (greatest_ratios(segment, section_, constraints_, feed_factor, few_looks).worst() > 1) return 0;
+    if (greatest_ratios(segment, section_, limits(), feed_factor, few_looks).worst() > 1) return 0;
   }
   const DoubleDouble later = now - (whole.begin + whole.duration);
   for (std::size_t i = next + 1; i < window.segments.size(); ++i) {
@@ -279,7 +340,7 @@ Chunk LookAhead::hand_out() {
   const double end = after < count ? segments[after].s0.value() : window.end;
   const std::size_t first_piece = section_.piece_at(begin_, Side::right);
   Tail tail{{middle, segments.end()}, window.end};
-  if (slice_ < infinity && factor_ > 0) tail = tail_of(window, after, section_, constraints_, planned_factor_);
+  if (slice_ < infinity && factor_ > 0) tail = tail_of(window, after, section_, limits(), planned_factor_);
   const double rest = tail.end;
   const std::size_t last_piece = section_.piece_at(rest, Side::left);
   Chunk chunk;
@@ -289,6 +350,7 @@ Chunk LookAhead::hand_out() {
   chunk.stop_tail = along_pieces(tail.segments, section_, rest, first_piece);
   chunk.begin = start;
   chunk.duration = chunk.segments.back().begin + chunk.segments.back().duration - start;
+  effort_.earn(chunk.duration.value());
   chunk.length = end - begin_;
   chunk.tail_length = rest - end;
   const toolpath::Piece& last = section_.piece(last_piece);

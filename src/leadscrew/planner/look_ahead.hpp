@@ -19,6 +19,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/constraints/constraints.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/planner/effort.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/window.hpp>
@@ -31,7 +33,12 @@ namespace leadscrew::planner {
 
 class LookAhead {
  public:
-  explicit LookAhead(const machine::Machine& machine) : constraints_(machine) {}
+  /// The machine must outlive this.
+  explicit LookAhead(const machine::Machine& machine) : machine_(machine), constraints_(machine) {}
+
+  /// What planning takes, and who may stop it: then no chunk comes any more.
+  Effort& effort() { return effort_; }
+  const Effort& effort() const { return effort_; }
 
   /// The section goes on with this piece.
   void append(const toolpath::Piece& piece);
@@ -65,6 +72,8 @@ class LookAhead {
   std::optional<Chunk> plan();
   /// Windows for which no motion was found: there the motion stopped once.
   std::int64_t refused() const { return refused_; }
+  /// Sections, or rests of sections, that would have taken more effort than motion earns: planned with gentler limits.
+  std::int64_t simplified() const { return simplified_; }
   /// Does a change of the feed wait for the next slice, or because no motion was found at once? It is tried again two
   /// segments later, then four, … sixteen. Shortly before motion comes to rest none can begin, and none waits.
   bool change_waits() const { return window_ && factor_ != planned_factor_ && may_change(); }
@@ -77,6 +86,11 @@ class LookAhead {
   std::unique_ptr<Window> solve(Refinement refinement);
   std::unique_ptr<Window> settled(std::unique_ptr<Window> window);
   void solve_to_rest();
+  void plan_from_rest();
+  void plan_in_motion();
+  bool is_overdrawn() const;
+  bool be_gentler();
+  const constraints::Constraints& limits() const { return gentle_ ? *gentle_ : constraints_; }
   bool may_change() const;
   void take_change();
   void go_on_from(Continuation continuation);
@@ -86,7 +100,13 @@ class LookAhead {
   std::size_t split_at(Window& window, std::size_t next) const;
   Chunk hand_out();
 
+  const machine::Machine& machine_;
   constraints::Constraints constraints_;
+  /// Kept in its place, where planning took too much effort.
+  std::optional<constraints::Constraints> gentle_;
+  int gentleness_ = 0;        ///< how many times limits have been lowered on this section
+  double least_balance_ = 0;  ///< of the effort: below it they are lowered
+  Effort effort_;
   Section section_;
   bool closed_ = false;
   bool untouched_ = true;
@@ -97,7 +117,7 @@ class LookAhead {
   std::optional<Continuation> continuation_;  ///< without a window: in motion; from rest without
   double slice_ = std::numeric_limits<double>::infinity();
   double factor_ = 1, planned_factor_ = 1;  ///< of the feed: asked for, and planned with
-  std::int64_t refused_ = 0;
+  std::int64_t refused_ = 0, simplified_ = 0;
   double reach_ = 0;                      ///< how far a window looks
   double fastest_ = 0;                    ///< greatest speed of the pieces so far
   double slowest_stop_ = 0;               ///< longest time to stop from it

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/planner/closed_form.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
@@ -17,6 +18,7 @@
 #include <leadscrew/toolpath/path.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace leadscrew::planner {
 
@@ -56,6 +58,16 @@ class Planner {
   /// before. The next chunk goes on from there.
   void refuse();
 
+  /// Asked every few milliseconds while planning takes long: once it says true no chunk comes any more, and
+  /// is_stopped().
+  void stop_when(std::function<bool()> asked) { look_ahead_.effort().should_stop = std::move(asked); }
+  bool is_stopped() const { return look_ahead_.effort().is_stopped(); }
+
+  /// Sections, or rests of sections, that are planned with lower limits than the machine's, because the optimum would
+  /// have taken far more work than a motion of their length usually does (effort.hpp).
+  std::int64_t simplified_sections() const { return look_ahead_.simplified(); }
+  /// Work of planning so far, counted in units (effort.hpp).
+  double effort() const { return look_ahead_.effort().total(); }
   /// Windows for which no motion was found: there it stopped where it need not.
   std::int64_t refused_windows() const { return look_ahead_.refused(); }
   /// Has a change of the feed not been planned yet? None waits shortly before motion comes to rest.

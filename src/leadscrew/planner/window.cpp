@@ -81,13 +81,14 @@ void slow_down(Window& window, double factor) {
 class WindowPlanner {
  public:
   WindowPlanner(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
-                const std::optional<Continuation>& continuation, Aim aim, std::size_t most_intervals)
+                const std::optional<Continuation>& continuation, Aim aim, std::size_t most_intervals, Effort& effort)
       : section_(section),
         constraints_(constraints),
         stretch_(stretch),
         continuation_(continuation),
         aim_(aim),
-        most_intervals_(most_intervals) {}
+        most_intervals_(most_intervals),
+        effort_(effort) {}
 
   std::unique_ptr<Window> plan() const;
 
@@ -96,6 +97,8 @@ class WindowPlanner {
   bool repair_in_motion(Window& window, Knots* finer) const;
   bool refine(Knots& knots, const Window& window) const;
   bool emit(Window& window) const;
+  template <class Work>
+  bool spend_on(const SpeedProfile& profile, Work work) const;
 
   const Section& section_;
   const constraints::Constraints& constraints_;
@@ -103,7 +106,16 @@ class WindowPlanner {
   const std::optional<Continuation>& continuation_;
   Aim aim_;
   std::size_t most_intervals_;
+  Effort& effort_;
 };
+
+/// Work of Newton's method. False if it was the last that there is effort for.
+template <class Work>
+bool WindowPlanner::spend_on(const SpeedProfile& profile, Work work) const {
+  const int before = profile.newton_steps();
+  work();
+  return effort_.spend(static_cast<double>(profile.newton_steps() - before) * static_cast<double>(profile.intervals()));
+}
 
 /// Time law of the window, proven or not: `worst` ratio, and `factors` by which rows must be tightened. False if it
 /// cannot come to rest at its end.
@@ -164,6 +176,8 @@ bool WindowPlanner::emit(Window& window) const {
   }
   const double feed_factor = profile.is_too_fast() || aim_ == Aim::rest ? infinity : stretch_.feed_factor;
 
+  constexpr double effort_of_proof = 3;  // of a segment
+  if (!effort_.spend(effort_of_proof * static_cast<double>(window.segments.size()))) return false;
   for (std::size_t k = 0; k < window.segments.size(); ++k) {
     const int looks =
         !profile.ends_at_rest() && window.intervals[k] + stopping_intervals > n ? close_looks : usual_looks;
@@ -182,7 +196,7 @@ bool WindowPlanner::emit(Window& window) const {
 }
 
 std::unique_ptr<Window> WindowPlanner::plan() const {
-  Knots knots = place_knots(section_, constraints_, stretch_, most_intervals_);
+  Knots knots = place_knots(section_, constraints_, stretch_, most_intervals_, effort_);
   if (knots.intervals < 2) return nullptr;
   if (!continuation_) {
     auto window =
@@ -196,7 +210,7 @@ std::unique_ptr<Window> WindowPlanner::plan() const {
     if (!(window->profile.greatest_ratio() < 1)) return nullptr;
     const bool may_refine = stretch_.changes_from > 0 && refinement < refinements;
     if (repair_in_motion(*window, may_refine ? &knots : nullptr)) return window;
-    if (knots.intervals == intervals) return nullptr;
+    if (knots.intervals == intervals || !effort_.goes_on()) return nullptr;
   }
   return nullptr;
 }
@@ -208,7 +222,7 @@ bool WindowPlanner::repair_from_rest(Window& window) const {
   if (!(profile.greatest_ratio() < 1)) return false;
   double first_gap = cold_gap;
   for (int round = 0;; ++round) {
-    profile.optimize(first_gap, gap);
+    if (!spend_on(profile, [&] { profile.optimize(first_gap, gap); })) return false;
     profile.level_cruises();
     if (!emit(window)) return false;
     if (window.worst <= 1) return true;
@@ -233,14 +247,15 @@ bool WindowPlanner::repair_from_rest(Window& window) const {
 /// Plans until the proof is kept. False if it is not kept for all repairs, or if `finer` knots are needed first.
 bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
   SpeedProfile& profile = window.profile;
-  if (aim_ == Aim::fastest && profile.is_too_fast()) profile.descend();
+  if (aim_ == Aim::fastest && profile.is_too_fast() && !spend_on(profile, [&] { profile.descend(); })) return false;
   double first_gap = warm_gap;
   const int rounds = stretch_.changes_from > 0 ? repairs_of_change : repairs;
   for (int round = 0; round <= rounds; ++round) {
     const bool last_round = round == rounds;
-    if (!last_round) {
+    const auto find_optimum = [&] {
       aim_ == Aim::rest ? profile.descend_to_creep() : profile.optimize(first_gap, gap_of_round(round, rounds));
-    }
+    };
+    if (!last_round && !spend_on(profile, find_optimum)) return false;
     if (aim_ == Aim::fastest) profile.level_cruises();
     if (!emit(window)) return false;
     if (window.worst <= 1) return true;
@@ -248,7 +263,7 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     if (finer != nullptr && coarse && refine(*finer, window)) return false;
     if (last_round) return false;
     profile.retreat();
-    profile.center(deep_gap);
+    if (!spend_on(profile, [&] { profile.center(deep_gap); })) return false;
     first_gap = deep_gap;
     for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the margin at most
       const Ratios& factors = window.factors[i];
@@ -322,8 +337,8 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
 
 std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
                                     const Stretch& stretch, const std::optional<Continuation>& continuation, Aim aim,
-                                    std::size_t most_intervals) {
-  return WindowPlanner(section, constraints, stretch, continuation, aim, most_intervals).plan();
+                                    std::size_t most_intervals, Effort& effort) {
+  return WindowPlanner(section, constraints, stretch, continuation, aim, most_intervals, effort).plan();
 }
 
 }  // namespace leadscrew::planner

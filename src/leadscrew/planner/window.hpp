@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/constraints/constraints.hpp>
+#include <leadscrew/planner/effort.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <leadscrew/planner/section.hpp>
@@ -44,9 +45,10 @@ struct Window {
 enum class Aim : std::uint8_t { fastest, rest };
 
 /// Plans the stretch: from rest, or in motion from where `continuation` begins. At most about `most_intervals` between
-/// knots, more where speed is to change. Nothing if no motion is found that keeps every limit and can come to rest.
+/// knots, more where speed is to change. Nothing if no motion is found that keeps every limit and can come to rest, or
+/// if the effort of one window does not find it.
 std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
                                     const Stretch& stretch, const std::optional<Continuation>& continuation, Aim aim,
-                                    std::size_t most_intervals);
+                                    std::size_t most_intervals, Effort& effort);
 
 }  // namespace leadscrew::planner

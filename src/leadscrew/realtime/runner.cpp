@@ -25,8 +25,9 @@ Runner::Runner(const RunnerOptions& options, Planning planning, WordSink sink)
     : options_(options),
       planning_(std::move(planning)),
       sink_(std::move(sink)),
-      controller_(options.period, options.position, chunks_within(options.look_ahead), options.path_length,
-                  options.line) {}
+      controller_(options.period, options.position, chunks_within(std::max(options.look_ahead, Feeder::farthest)),
+                  options.path_length, options.line),
+      feeder_(planning_, controller_, options.look_ahead) {}
 
 Runner::~Runner() {
   halt();
@@ -68,10 +69,10 @@ Counters Runner::counters() const {
 
 void Runner::plan() {
   while (!halted_.load(std::memory_order_acquire) && !has_ended()) {
-    take_requests();
-    if (stopping_ && !in_motion_) last_chunk_.store(accepted_, std::memory_order_release);
-    const bool knows_last = last_chunk_.load(std::memory_order_relaxed) >= 0;
-    const bool has_gone_on = !knows_last && wants_more() && offer_next();
+    feeder_.request(asked_.load(std::memory_order_relaxed), stop_asked_.load(std::memory_order_relaxed));
+    const bool has_gone_on = feeder_.step();
+    if (feeder_.last_chunk()) last_chunk_.store(*feeder_.last_chunk(), std::memory_order_release);
+    late_chunks_.store(feeder_.late_chunks(), std::memory_order_relaxed);
     seconds_ahead_.store(controller_.seconds_ahead(), std::memory_order_relaxed);
     if (has_gone_on) continue;
     if (!begun_.load(std::memory_order_relaxed)) {
@@ -80,47 +81,6 @@ void Runner::plan() {
     }
     sleep_until(now() + nap);
   }
-}
-
-void Runner::take_requests() {
-  stopping_ = stop_asked_.load(std::memory_order_relaxed);
-  const double asked = stopping_ ? 0 : asked_.load(std::memory_order_relaxed);
-  if (asked == factor_) return;
-  factor_ = asked;
-  planning_.override_feed(factor_);
-}
-
-/// Motion that is held is planned to its rest, and no further.
-bool Runner::wants_more() const {
-  return (factor_ > 0 || in_motion_) && controller_.seconds_ahead() < options_.look_ahead;
-}
-
-/// False where nothing can be done but wait.
-bool Runner::offer_next() {
-  if (!chunk_) chunk_ = planning_.next();
-  if (!chunk_) {
-    in_motion_ = false;
-    if (factor_ > 0) last_chunk_.store(accepted_, std::memory_order_release);
-    return false;
-  }
-  if (planning_.lets && chunk_->begins_at_rest() && !planning_.lets(*chunk_)) return false;
-  const bool ends_in_motion = !chunk_->stop_tail.empty();
-  switch (controller_.offer(*chunk_)) {
-    case interpolator::Controller::Offer::accepted:
-      ++accepted_;
-      in_motion_ = ends_in_motion;
-      chunk_.reset();
-      return true;
-    case interpolator::Controller::Offer::late:
-      add(late_chunks_, 1);
-      planning_.refuse();
-      in_motion_ = false;
-      chunk_.reset();
-      return true;
-    case interpolator::Controller::Offer::full:
-      return false;
-  }
-  return false;
 }
 
 // The cyclic thread.

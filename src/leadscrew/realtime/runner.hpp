@@ -13,8 +13,8 @@
 // A sink that others live by gets words in slices, each with the way to rest behind it: what the cycle would do if
 // nothing followed. Words of a slice are made together, when the first of them is due.
 //
-// A planner that is late is the interpolator's matter: the stop tail runs, and motion goes on from rest. The cycle
-// neither allocates nor locks; its clock is for pacing alone.
+// A planner that is late is the interpolator's matter: the stop tail runs, and motion goes on from rest, when enough is
+// planned not to be late again at once (feeder.hpp). The cycle neither allocates nor locks; its clock is for pacing alone.
 
 #include <atomic>
 #include <cstdint>
@@ -22,22 +22,13 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/interpolator/controller.hpp>
-#include <leadscrew/planner/motion.hpp>
+#include <leadscrew/realtime/feeder.hpp>
 #include <leadscrew/realtime/histogram.hpp>
 #include <leadscrew/realtime/ring.hpp>
 #include <optional>
 #include <thread>
 
 namespace leadscrew::realtime {
-
-/// Where motion comes from; called by the planner's thread alone.
-struct Planning {
-  std::function<std::optional<planner::Chunk>()> next;  ///< none: the motion is held, or it has ended
-  std::function<void()> refuse;                         ///< the last chunk came too late
-  std::function<void(double)> override_feed;            ///< 0 … 2
-  /// May motion go on with this chunk, which begins at rest? While not, it waits there. Absent: always.
-  std::function<bool(const planner::Chunk&)> lets = {};
-};
 
 /// Where words go; called by the cyclic thread: it must not wait. A sink that needs no way to rest has `take` alone.
 struct WordSink {
@@ -90,14 +81,13 @@ class Runner {
   const Histogram& latencies() const { return latencies_; }
   /// What the system did not permit, once there is a word.
   const std::optional<base::Diagnostic>& notice() const { return notice_; }
+  /// Why motion ended although more would have come (Feeder::failure), once it has.
+  const std::optional<base::Diagnostic>& failure() const { return feeder_.failure(); }
   bool has_begun() const { return begun_.load(std::memory_order_acquire); }
   bool has_ended() const { return ended_.load(std::memory_order_acquire); }
 
  private:
   void plan();
-  void take_requests();
-  bool offer_next();
-  bool wants_more() const;
   void cycle();
   bool make_due(std::int64_t due) noexcept;
   bool publish() noexcept;
@@ -110,12 +100,7 @@ class Runner {
   Histogram latencies_;
   std::optional<base::Diagnostic> notice_;
 
-  // The planner's.
-  std::optional<planner::Chunk> chunk_;  ///< popped, not yet accepted
-  double factor_ = 1;
-  bool stopping_ = false;
-  bool in_motion_ = false;     ///< does the last accepted chunk end in motion?
-  std::int64_t accepted_ = 0;  ///< chunks
+  Feeder feeder_;  ///< the planner's
 
   // The cycle's.
   std::optional<base::Word> waiting_;  ///< for room in the sink

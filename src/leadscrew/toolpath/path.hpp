@@ -9,8 +9,13 @@
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/toolpath/axis_path.hpp>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
+
+namespace leadscrew::machine {
+struct Machine;
+}
 
 namespace leadscrew::toolpath {
 
@@ -26,6 +31,20 @@ enum class FeedAxes : std::uint8_t { none, xyz, uvw, abc };
 /// |dq/ds| of these axes alone, units of theirs per unit of the curve's length; 1 for none.
 double rate(const geometry::PointJet& jet, FeedAxes axes);
 
+struct Piece;
+struct TravelExcess;
+
+/// Whether a piece has been found inside the travel of the machine: only check_travel() (travel.hpp) says so.
+class TravelMark {
+ public:
+  bool is_inside() const { return passed_; }
+
+ private:
+  friend std::optional<TravelExcess> check_travel(Piece& piece, const machine::Machine& machine,
+                                                  const geometry::Point& start, double slack);
+  bool passed_ = false;
+};
+
 struct Piece {
   geometry::Curve curve;
   double feed = 0;  ///< greatest speed, units of the length that it is counted by per second; infinite for a rapid
@@ -35,6 +54,7 @@ struct Piece {
   std::shared_ptr<const std::vector<LineMark>> lines{};
   /// Whose length feed is counted by; none: the curve's.
   FeedAxes feed_axes = FeedAxes::none;
+  TravelMark travel{};
 
   /// How axes travel it.
   AxisPath axes() const { return AxisPath(curve); }

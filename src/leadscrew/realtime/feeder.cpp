@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <leadscrew/realtime/feeder.hpp>
+#include <utility>
+
+namespace leadscrew::realtime {
+
+using Offer = interpolator::Controller::Offer;
+
+void Feeder::request(double factor, bool stop) {
+  stopping_ = stop;
+  const double asked = stop ? 0 : factor;
+  if (asked == factor_) return;
+  factor_ = asked;
+  planning_.override_feed(factor_);
+}
+
+bool Feeder::step() {
+  if (stopping_ && !in_motion_) last_ = accepted_;
+  if (last_ || !wants_more()) return false;
+  if (!held_.empty() && (!is_held_back() || has_ended_ || held_seconds_ >= patience_)) return hand_over();
+  return take_next();
+}
+
+/// Motion that is held is planned to its rest, and no further.
+bool Feeder::wants_more() const {
+  return (factor_ > 0 || in_motion_) && controller_.seconds_ahead() < std::max(look_ahead_, patience_);
+}
+
+/// Takes a chunk. False where there is none.
+bool Feeder::take_next() {
+  std::optional<planner::Chunk> chunk = std::exchange(after_, std::nullopt);
+  if (!chunk) chunk = planning_.next();
+  if (!chunk) {
+    if (!held_.empty()) return has_ended_ = true;
+    in_motion_ = false;
+    if (factor_ > 0) last_ = accepted_;
+    return false;
+  }
+  if (!held_.empty() && chunk->begins_at_rest()) {
+    after_ = std::move(chunk);
+    return has_ended_ = true;
+  }
+  held_seconds_ += chunk->duration.value();
+  has_ended_ = chunk->stop_tail.empty() || held_.size() + 2 >= controller_.capacity() / 2;
+  held_.push_back(std::move(*chunk));
+  return true;
+}
+
+/// False where it must wait.
+bool Feeder::hand_over() {
+  if (planning_.lets && held_.front().begins_at_rest() && !planning_.lets(held_.front())) return false;
+  const bool ends_in_motion = !held_.back().stop_tail.empty();
+  const auto count = static_cast<std::int64_t>(held_.size());
+  switch (controller_.offer(held_)) {
+    case Offer::accepted:
+      accepted_ += count;
+      in_motion_ = ends_in_motion;
+      since_late_ += held_seconds_;
+      break;
+    case Offer::late:
+      ++late_chunks_;
+      planning_.refuse();
+      in_motion_ = false;
+      since_late_ = 0;
+      patience_ = std::min(std::max(look_ahead_, 2 * patience_), farthest);
+      break;
+    case Offer::full:
+      return false;
+    case Offer::unchecked:  // the cycle rests by the tail of what it has
+      failure_ = base::problem("travel-unchecked", "a part of the path was not checked to lie inside travel",
+                               "check_travel() does, before a piece is planned");
+      last_ = accepted_;
+      return false;
+  }
+  held_.clear();
+  held_seconds_ = 0;
+  has_ended_ = false;
+  settle_patience();
+  return true;
+}
+
+/// A planner that has kept up for long is trusted again.
+void Feeder::settle_patience() {
+  constexpr double times = 8;
+  if (patience_ == 0 || since_late_ < times * patience_) return;
+  patience_ = patience_ > look_ahead_ ? patience_ / 2 : 0;
+  since_late_ = 0;
+}
+
+}  // namespace leadscrew::realtime

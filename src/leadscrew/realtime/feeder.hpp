@@ -1,0 +1,78 @@
+#pragma once
+// The planner's side of the hand-over: takes chunks from where motion comes from and offers them to the cycle, as far
+// ahead of it as it is told to be.
+//
+// A planner that is slow must not make itself slower. A chunk that comes too late is lost with the window that it is
+// part of: motion has stopped, and is planned anew from rest, which takes longest. Were the first slice from rest
+// handed over at once, the second would soon be late again. So after a late chunk motion waits at rest until more is
+// planned, twice as much each time, and all that is handed over at once:
+//
+//   late            late                          handed over together
+//    │▁▁▁▁▁┌─┐▁▁▁▁▁▁│▁▁▁▁▁▁▁▁▁▁▁▁▁▁┌──────┐▁ ···   ┌─┬─┬─┬─┬─┬─┐
+//    planning 0.3 s  planning 0.6 s of motion      held: never late, for it begins at rest
+
+#include <cstdint>
+#include <functional>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/interpolator/controller.hpp>
+#include <leadscrew/planner/motion.hpp>
+#include <optional>
+#include <vector>
+
+namespace leadscrew::realtime {
+
+/// Where motion comes from; called by the planner's thread alone.
+struct Planning {
+  std::function<std::optional<planner::Chunk>()> next;  ///< none: the motion is held, or it has ended
+  std::function<void()> refuse;                         ///< the last chunk came too late
+  std::function<void(double)> override_feed;            ///< 0 … 2
+  /// May motion go on with this chunk, which begins at rest? While not, it waits there. Absent: always.
+  std::function<bool(const planner::Chunk&)> lets = {};
+};
+
+class Feeder {
+ public:
+  /// So far it looks ahead after chunks that were late, s.
+  static constexpr double farthest = 4;
+
+  /// look_ahead: s of motion that the cycle has not begun. Both must outlive it; one thread calls everything.
+  Feeder(const Planning& planning, interpolator::Controller& controller, double look_ahead)
+      : planning_(planning), controller_(controller), look_ahead_(look_ahead) {}
+
+  /// What is asked for from now on: the feed's factor, 0 … 2, or to come to rest and end.
+  void request(double factor, bool stop);
+  /// Takes a chunk or hands some over. False where nothing can be done but wait.
+  bool step();
+
+  /// Number of the last chunk, once it is known.
+  std::optional<std::int64_t> last_chunk() const { return last_; }
+  /// Why motion ends although more would come: `travel-unchecked`, of a chunk that the controller refused.
+  const std::optional<base::Diagnostic>& failure() const { return failure_; }
+  /// Chunks that came after the motion they continue had been stopped.
+  std::int64_t late_chunks() const { return late_chunks_; }
+
+ private:
+  bool wants_more() const;
+  bool is_held_back() const { return patience_ > 0 && !in_motion_; }
+  bool take_next();
+  bool hand_over();
+  void settle_patience();
+
+  const Planning& planning_;
+  interpolator::Controller& controller_;
+  const double look_ahead_;
+  std::vector<planner::Chunk> held_;  ///< taken, not yet accepted: one, or from rest on what is handed over together
+  double held_seconds_ = 0;
+  std::optional<planner::Chunk> after_;  ///< begins at rest behind those
+  double patience_ = 0;                  ///< s of motion that are held back at rest
+  double since_late_ = 0;                ///< s of motion accepted
+  double factor_ = 1;
+  bool stopping_ = false;
+  bool in_motion_ = false;  ///< does the last accepted chunk end in motion?
+  bool has_ended_ = false;  ///< does nothing follow those held?
+  std::int64_t accepted_ = 0, late_chunks_ = 0;
+  std::optional<std::int64_t> last_;
+  std::optional<base::Diagnostic> failure_;
+};
+
+}  // namespace leadscrew::realtime
