@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/planner/knot_samples.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <limits>
 
@@ -7,6 +8,7 @@ namespace leadscrew::planner {
 
 namespace {
 
+using Sample = KnotSample;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double per_ramp = 40;          // knots while speed rises from rest or falls to it
 constexpr double cruise_knots = 8;       // of a cruise, while speed could rise from rest
@@ -20,8 +22,8 @@ constexpr double ramp_grading = 0.25;    // h over distance from rest
 constexpr double merged_breaks = 1e-5;   // of the width around them
 constexpr int deepest = 40;              // bisections
 constexpr std::size_t most_unseen = 8;   // polynomials of a curve between samples; more are about a bend between them
-constexpr double unknown_room = 0.03;    // of the way of a ramp, left before what is not known
-constexpr double shortest_ramp = 1e-13;  // of the way along the section: what rounding leaves of its knots
+constexpr double unknown_margin = 0.03;  // of the length of a ramp, left before what is not known
+constexpr double shortest_ramp = 1e-13;  // of the place on the section: what rounding leaves of its knots
 constexpr std::size_t rest_knots = 100;  // it takes about as many to come to rest: no window ends so short of it
 constexpr double first_change = 0.15;    // of the usual width, where jerk changes at once
 constexpr double change_grading = 0.15;  // of the distance from there
@@ -29,17 +31,6 @@ constexpr std::size_t more_knots = 24;   // after what is kept, if more is known
 constexpr std::size_t more_windows = 2;  // that may be in the place of one where much is kept and speed changes
 constexpr std::size_t knots_at_end = 8;  // that nothing comes between
 constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a window that ends in motion
-
-struct Sample {
-  double s = 0;
-  double greatest = 0;  // greatest x here by every limit taken alone
-  double cap = 0;       // and by the distance from rest
-  double reach = 0;     // the same, and reachable within the tangent acceleration
-  double h_curve = 0;   // bound of h by the curve
-  double a = 0, j = 0;
-  double h = 0;
-  bool is_by_feed = false;  // is it feed that says the greatest?
-};
 
 class Placement {
  public:
@@ -302,11 +293,7 @@ class Placement {
       for (; i < samples_.size() && samples_[i].s <= to; ++i) samples_[i].h = std::min(samples_[i].h, to - from);
       from = to;
     }
-    const auto grade = [](Sample& to_grade, const Sample& by) {
-      to_grade.h = std::min(to_grade.h, by.h + grading * std::abs(to_grade.s - by.s));
-    };
-    for (std::size_t k = 1; k < samples_.size(); ++k) grade(samples_[k], samples_[k - 1]);
-    for (std::size_t k = samples_.size() - 1; k-- > 0;) grade(samples_[k], samples_[k + 1]);
+    grade(samples_, grading);
   }
 
   /// What is kept, and between it knots that lie closer where the time law is another from `begin` on: there jerk
@@ -342,7 +329,7 @@ class Placement {
     for (const double to : breaks_) {
       while (i + 1 < samples_.size() && samples_[i + 1].s <= from) ++i;
       if (!(to - from > merged_breaks * samples_[std::min(i, samples_.size() - 1)].h)) continue;
-      stretch(from, to, i);
+      i = place_quantiles(samples_, from, to, i, most_placed(), knots_);
       from = to;
       if (knots_.s.size() > most() + rest_knots) return;
     }
@@ -351,19 +338,19 @@ class Placement {
       knots_.breaks.back() = false;
   }
 
-  /// Ends in motion, where there is room to stop in what is known beyond.
+  /// Ends in motion, where what is known beyond is enough to stop.
   void cut() {
     double longest = 0;
     for (const Sample& sample : samples_)
       longest = std::max(longest, per_ramp * ramp_width(sample, sample.greatest, per_ramp));
-    const double room = std::min(unknown_room * longest, 0.1 * length());
+    const double margin = std::min(unknown_margin * longest, 0.1 * length());
     if (knots_.s.size() < knots_beyond + 3) return;  // too little to go on with
     const std::size_t least = kept_ > knots_beyond + 1 ? kept_ - 1 : 1;
     std::size_t last = std::min(knots_.s.size() - 1 - knots_beyond, std::max(most(), least));
     // Nor may the last knot lie so near to where something unknown may begin that a tiny interval would follow.
     const auto too_near = [&](std::size_t k) {
       const double last_knot = knots_.s[k + knots_beyond], width = last_knot - knots_.s[k + knots_beyond - 1];
-      return stretch_.end - knots_.s[k] < room || stretch_.end - last_knot < width;
+      return stretch_.end - knots_.s[k] < margin || stretch_.end - last_knot < width;
     };
     while (last > least && too_near(last)) --last;
     knots_.intervals = last;
@@ -372,60 +359,8 @@ class Placement {
     knots_.end_ramp = 0;
   }
 
-  /// ∫ ds/h with h straight between samples is a logarithm.
-  static double quantity(const Sample& a, const Sample& b) {
-    const double width = b.s - a.s, rise = b.h - a.h;
-    if (std::abs(rise) < 1e-3 * a.h) return width / (a.h + rise / 2);
-    return width / rise * std::log(b.h / a.h);
-  }
-  static double inverse(const Sample& a, const Sample& b, double amount) {
-    const double width = b.s - a.s, slope = (b.h - a.h) / width;
-    if (std::abs(b.h - a.h) < 1e-3 * a.h) return std::min(b.s, a.s + amount * (a.h + b.h) / 2);
-    return std::min(b.s, a.s + a.h / slope * std::expm1(amount * slope));
-  }
-
   /// More than cut() looks at.
   std::size_t most_placed() const { return std::max(most(), kept_) + rest_knots + 1; }
-
-  void stretch(double from, double to, std::size_t& i) {
-    const std::size_t first = i;
-    double skipped = 0;  // of the first span, what lies before `from`
-    if (i + 1 < samples_.size() && from > samples_[i].s) {
-      const Sample &a = samples_[i], &b = samples_[i + 1];
-      Sample here = a;
-      here.s = from;
-      here.h = a.h + (b.h - a.h) * (from - a.s) / (b.s - a.s);
-      skipped = quantity(a, here);
-    }
-    double total = -skipped;
-    std::size_t last = first;
-    while (last + 1 < samples_.size() && samples_[last].s < to) {
-      if (samples_[last + 1].s > samples_[last].s) total += quantity(samples_[last], samples_[last + 1]);
-      ++last;
-    }
-    constexpr double most_parts = 1e9;
-    const int count = std::max(1, static_cast<int>(std::ceil(std::min(total, most_parts))));
-    double before = -skipped;
-    std::size_t k = first;
-    for (int n = 1; n < count; ++n) {
-      const double wanted = total * n / count;
-      while (k < last) {
-        const double here = samples_[k + 1].s > samples_[k].s ? quantity(samples_[k], samples_[k + 1]) : 0;
-        if (before + here >= wanted) break;
-        before += here;
-        ++k;
-      }
-      const double s = inverse(samples_[k], samples_[std::min(k + 1, samples_.size() - 1)], wanted - before);
-      if (s > knots_.s.back() && s < to) {
-        knots_.s.push_back(s);
-        knots_.breaks.push_back(false);
-        if (knots_.s.size() > most_placed()) return;  // the rest would be cut off
-      }
-    }
-    knots_.s.push_back(to);
-    knots_.breaks.push_back(true);
-    i = last;
-  }
 
   const Section& section_;
   const constraints::Constraints& constraints_;

@@ -33,6 +33,7 @@ namespace leadscrew::planner {
 
 class LookAhead {
  public:
+  /// The machine must outlive this.
   explicit LookAhead(const machine::Machine& machine) : machine_(machine), constraints_(machine) {}
 
   /// What planning takes, and who may stop it: then no chunk comes any more.

@@ -97,6 +97,8 @@ class WindowPlanner {
   bool repair_in_motion(Window& window, Knots* finer) const;
   bool refine(Knots& knots, const Window& window) const;
   bool emit(Window& window) const;
+  bool add_stop(Window& window) const;
+  bool prove(Window& window) const;
   template <class Work>
   bool spend_on(const SpeedProfile& profile, Work work) const;
 
@@ -139,6 +141,13 @@ bool WindowPlanner::emit(Window& window) const {
   window.places = std::move(emission.places);
   window.end = stretch_.end;
   window.to_rest = profile.ends_at_rest();
+  return add_stop(window) && prove(window);
+}
+
+/// The stop of a window that ends in motion; of one that is to rest, the soonest. False if none is found.
+bool WindowPlanner::add_stop(Window& window) const {
+  const SpeedProfile& profile = window.profile;
+  const std::size_t n = profile.intervals();
   const auto stop_from = [&](const PathState& from, double longest) {
     return come_to_rest(from, stretch_.end - from.s, longest, section_, constraints_);
   };
@@ -164,18 +173,23 @@ bool WindowPlanner::emit(Window& window) const {
     }
     window.to_rest = window.to_rest || stop.has_value();
   }
-  if (stop) {
-    window.intervals.push_back(n);
-    window.places.push_back(0);
-    window.segments.resize(stops);
-    window.intervals.resize(stops + 1);
-    window.places.resize(stops + 1);
-    if (stops > 0) stop->begin = window.segments.back().begin + window.segments.back().duration;
-    window.end = evaluate(*stop, stop->duration.value()).s;
-    window.segments.push_back(*stop);
-  }
-  const double feed_factor = profile.is_too_fast() || aim_ == Aim::rest ? infinity : stretch_.feed_factor;
+  if (!stop) return true;
+  window.intervals.push_back(n);
+  window.places.push_back(0);
+  window.segments.resize(stops);
+  window.intervals.resize(stops + 1);
+  window.places.resize(stops + 1);
+  if (stops > 0) stop->begin = window.segments.back().begin + window.segments.back().duration;
+  window.end = evaluate(*stop, stop->duration.value()).s;
+  window.segments.push_back(*stop);
+  return true;
+}
 
+/// Ratios of every segment, and by how much rows around it must be tightened. False where effort is at its end.
+bool WindowPlanner::prove(Window& window) const {
+  const SpeedProfile& profile = window.profile;
+  const std::size_t n = profile.intervals();
+  const double feed_factor = profile.is_too_fast() || aim_ == Aim::rest ? infinity : stretch_.feed_factor;
   constexpr double effort_of_proof = 3;  // of a segment
   if (!effort_.spend(effort_of_proof * static_cast<double>(window.segments.size()))) return false;
   for (std::size_t k = 0; k < window.segments.size(); ++k) {
