@@ -1,9 +1,9 @@
-# `cmake --install`, and find_package(leadscrew) for those who build on the rooms of the core, or on those and realtime.
+# `cmake --install`, and find_package(leadscrew) for those who build on the rooms of the core, or on those, realtime and config.
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY LEADSCREW_CORE_ROOMS)
-if(TARGET leadscrew_realtime)
-  list(APPEND rooms realtime)
+if(LEADSCREW_COMMAND)
+  list(APPEND rooms realtime config)
 endif()
 foreach(room ${rooms})
   list(APPEND targets leadscrew_${room})

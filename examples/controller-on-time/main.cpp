@@ -7,7 +7,7 @@
 #include <leadscrew/realtime/runner.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/realtime/waiting_sink.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/csv_writer.hpp>
 
 using namespace leadscrew;
 

@@ -47,7 +47,7 @@ TEST(Pulse, GivesTheFpgaTable) {
 TEST(Pulse, HasTheKeysOfTheContract) {
   const Folder folder;
   const Json object = leadscrew(folder, quarter({"--path", "--json"})).json();
-  ASSERT_EQ(object["methods"].size(), 6u);
+  ASSERT_EQ(object["methods"].size(), nc::all_pulse_methods.size());
   for (const Json& method : object["methods"]) {
     EXPECT_EQ(keys_of(method), (Names{"method", "pulses", "clocks", "max_error_blu", "rms_error_blu", "worst", "end",
                                       "path", "options"}));
@@ -171,8 +171,8 @@ TEST(PulsePicture, HasAPanelForEachMethod) {
   const std::string picture = folder.read("made.svg");
   EXPECT_EQ(picture.substr(0, 4), "<svg");
   EXPECT_TRUE(picture.ends_with("</svg>\n"));
-  EXPECT_EQ(count_of(picture, "class=\"steps\""), 6u + 1);  // and the legend's
-  EXPECT_EQ(count_of(picture, "class=\"worst\""), 6u + 1);
+  EXPECT_EQ(count_of(picture, "class=\"steps\""), nc::all_pulse_methods.size() + 1);  // and the legend's
+  EXPECT_EQ(count_of(picture, "class=\"worst\""), nc::all_pulse_methods.size() + 1);
   for (const PulseMethod method : nc::all_pulse_methods)
     EXPECT_TRUE(contains(picture, ">" + std::string(nc::name(method)) + "<"));
   EXPECT_TRUE(contains(picture, "greatest error 0.8769 BLU, at (4, 1)"));

@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <leadscrew/constraints/constraints.hpp>
-#include <planned.hpp>
+#include <leadscrew/geometry/curve.hpp>
 #include <random_numbers.hpp>
 
 namespace {
@@ -14,10 +14,7 @@ using constraints::Constraints;
 using constraints::LimitRatios;
 using constraints::PathRates;
 using testing_support::any;
-using testing_support::arc_piece;
-using testing_support::line_piece;
 using testing_support::logarithmic;
-using toolpath::Piece;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Rows are the axes' derivatives by time.
@@ -31,12 +28,12 @@ machine::Machine random_machine() {
   return machine;
 }
 
-numeric::Jet random_jet() {
+numeric::Jet<> random_jet() {
   return {logarithmic(0.1, 10), any(-10, 11) / 10.0, any(-10, 11) / 20.0, any(-10, 11) / 30.0};
 }
 
 /// q(s(t)) near t = 0, s(t) = vt + at²/2 + jt³/6, q by its Taylor polynomial of the third order.
-long double coordinate(const numeric::Jet& q, const PathRates& rates, long double t) {
+long double coordinate(const numeric::Jet<>& q, const PathRates& rates, long double t) {
   const long double s = t * (rates.speed + t * (rates.acceleration / 2.0L + t * rates.jerk / 6.0L));
   return q.value + s * (q.first + s * (q.second / 2.0L + s * q.third / 6.0L));
 }
@@ -80,8 +77,7 @@ TEST(Constraints, AskNothingOfAnAxisTheMachineLacks) {
 }
 
 TEST(Constraints, NameFeedAsALimitOfThePath) {
-  const Piece line = line_piece({}, {10}, 50);
-  const auto jet = geometry::jets(line.curve, 0);
+  const auto jet = geometry::Line({}, {10}, 10).jets(0);
   const LimitRatios ratios = Constraints(machine::mill3()).ratios({jet, 50}, {25, 0, 0});
   EXPECT_EQ(ratios.of_path()[0].name, "feed");
   EXPECT_DOUBLE_EQ(ratios.of_path()[0].ratio, 0.5);
@@ -108,8 +104,8 @@ RC_GTEST_PROP(GreatestSquare, KeepsTheChordError, ()) {
   machine.period = {*rc::gen::inRange(1, 11) * 1'000'000};
   machine.chord_error = *rc::gen::element(1e-5, 1e-4, 1e-3);
   const double radius = std::pow(10.0, *rc::gen::inRange(-1000, 3000) / 1000.0);
-  const Piece circle = arc_piece({radius}, 0, 0, 1, 1e9);
-  const auto jet = geometry::jets(circle.curve, 0);
+  const geometry::Arc circle({radius}, {radius}, 0, 1, 0, 0, numeric::two_pi, numeric::two_pi.value() * radius);
+  const auto jet = circle.jets(0);
   for (auto& axis : machine.axes) {
     if (axis) axis->velocity = 1e9;
   }
@@ -130,13 +126,12 @@ RC_GTEST_PROP(GreatestSquare, KeepsFeedAndEveryAxisVelocity, ()) {
     end[i] = *rc::gen::inRange(-10, 11);
   }
   RC_PRE(std::hypot(end[0], end[1], end[2]) > 0);
-  const Piece line = line_piece({}, end, 0);
-  const double length = geometry::length(line.curve);
+  const double length = std::hypot(end[0], end[1], end[2]);
   double least = 1e300;
   for (const std::size_t i : {0, 1, 2}) {
     if (end[i] != 0) least = std::min(least, machine.axes[i]->velocity * length / std::abs(end[i]));
   }
-  const auto jet = geometry::jets(line.curve, 0);
+  const auto jet = geometry::Line({}, end, length).jets(0);
   RC_ASSERT(std::abs(std::sqrt(Constraints(machine).greatest_square({jet, INFINITY})) / least - 1) <= 1e-14);
   const double feed = least * *rc::gen::inRange(1, 3000) / 1000.0;
   RC_ASSERT(std::abs(std::sqrt(Constraints(machine).greatest_square({jet, feed})) / std::min(feed, least) - 1) <=

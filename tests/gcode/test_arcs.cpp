@@ -34,6 +34,15 @@ TEST(ArcByCentre, IsExactWhereTheProgramIs) {
   EXPECT_EQ(arc.feed.value, 1);
 }
 
+TEST(ArcByCentre, MayBeOffByAThousandthOfItsRadiusAndNoMore) {
+  // About a centre 0.05 or 0.06 mm off, the radii of 100 mm differ by twice that.
+  EXPECT_EQ(arc_of("G0 X100\nG3 X-100 I-99.951 F60\nM2\n").turns, 1);
+  EXPECT_EQ(read("G0 X100\nG3 X-100 I-99.94 F60\nM2\n").problems(), "2:1 arc-radius; ");
+  // Of small arcs, by 0.028 mm: LinuxCNC's 2√2·0.01.
+  EXPECT_EQ(arc_of("G0 X1\nG3 X-1 I-0.987 F60\nM2\n").turns, 1);
+  EXPECT_EQ(read("G0 X1\nG3 X-1 I-0.98 F60\nM2\n").problems(), "2:1 arc-radius; ");
+}
+
 TEST(ArcByCentre, TurnsClockwiseWithG2) {
   EXPECT_EQ(arc_of("G0 X10\nG2 X0 Y10 I-10 F60\nM2\n").turns, -1);
 }

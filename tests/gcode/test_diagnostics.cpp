@@ -71,7 +71,7 @@ TEST(Diagnostics, StandAtTheirLineAndColumn) {
       {"G0 X1 G123", "1:7 unknown-code; "},
       {"G-1", "1:1 unknown-code; "},
       {"G1.05", "1:1 unknown-code; "},
-      {"G12", "1:1 unknown-code; "},
+      {"G14", "1:1 unknown-code; "},
       {"M77", "1:1 unknown-code; "},
       {"M3.5", "1:1 unknown-code; "},
       {"G1 X1 F60 G8", "1:11 unsupported-code; "},

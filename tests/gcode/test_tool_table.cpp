@@ -28,10 +28,15 @@ TEST(ToolTable, ReadsToolsWithTheirOffsets) {
   EXPECT_EQ(text.table.find(4), nullptr);
 }
 
-TEST(ToolTable, OfNothingIsEmpty) {
-  const ToolTableText text = read_tool_table("", "tool.tbl");
-  EXPECT_EQ(problems(text), "");
-  EXPECT_TRUE(text.table.tools().empty());
+TEST(ToolTable, WithoutAToolIsAnError) {
+  for (const char* const text : {"", "\n\n", "; only a remark\n", " \t\r\n"}) {
+    const ToolTableText table = read_tool_table(text, "tool.tbl");
+    EXPECT_EQ(problems(table), "1:1 empty-tool-table; ") << text;
+    ASSERT_EQ(table.diagnostics.size(), 1u);
+    EXPECT_EQ(table.diagnostics[0].severity, base::Severity::error);
+    EXPECT_EQ(table.diagnostics[0].place.file, "tool.tbl");
+    EXPECT_TRUE(table.table.tools().empty());
+  }
 }
 
 TEST(ToolTable, ReportsEveryProblemAtItsPlace) {

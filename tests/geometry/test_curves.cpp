@@ -78,15 +78,15 @@ RC_GTEST_PROP(Curves, JetsAreDerivativesOfOneAnother, ()) {
   const auto jet_at = [&](int k) { return leadscrew::geometry::jets(curve, s + k * h); };
   const PointJet here = jet_at(0), one = jet_at(1), two = jet_at(2), back = jet_at(-1), back_two = jet_at(-2);
   for (std::size_t i = 0; i < here.size(); ++i) {
-    const auto slope = [&](double leadscrew::numeric::Jet::* member) {
+    const auto slope = [&](double leadscrew::numeric::Jet<>::* member) {
       return (8 * (one[i].*member - back[i].*member) - (two[i].*member - back_two[i].*member)) / (12 * h);
     };
     using leadscrew::numeric::Jet;
     const double scale = 1e-7 * (1 + std::abs(here[i].first));
     const double rate = arc ? 1 + std::abs(arc->angle_rate()) : 1;
-    RC_ASSERT(std::abs(slope(&Jet::value) - here[i].first) <= scale + 1e-12 * 1000 / h);
-    RC_ASSERT(std::abs(slope(&Jet::first) - here[i].second) <= scale * rate);
-    RC_ASSERT(std::abs(slope(&Jet::second) - here[i].third) <= scale * rate * rate);
+    RC_ASSERT(std::abs(slope(&Jet<>::value) - here[i].first) <= scale + 1e-12 * 1000 / h);
+    RC_ASSERT(std::abs(slope(&Jet<>::first) - here[i].second) <= scale * rate);
+    RC_ASSERT(std::abs(slope(&Jet<>::second) - here[i].third) <= scale * rate * rate);
     RC_ASSERT(std::abs(here[i].value - leadscrew::geometry::evaluate(curve, s)[i]) <= 1e-11);
   }
 }

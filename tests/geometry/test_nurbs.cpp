@@ -194,7 +194,7 @@ RC_GTEST_PROP(RandomNurbs, HaveTheDerivativesOfWhatTheyEvaluate, ()) {
     const double s = random_place(piece);
     const PointJet here = piece.jets(s);
     double steepest = 1 / std::min(s, piece.length() - s);
-    for (const Jet& q : here) {
+    for (const Jet<>& q : here) {
       steepest = std::max({steepest, std::abs(q.second), std::sqrt(std::abs(q.third))});
     }
     const double h = 1e-3 / steepest;
@@ -206,12 +206,12 @@ RC_GTEST_PROP(RandomNurbs, HaveTheDerivativesOfWhatTheyEvaluate, ()) {
     const PointJet one = piece.jets(s + h), two = piece.jets(s + 2 * h);
     const PointJet back = piece.jets(s - h), back_two = piece.jets(s - 2 * h);
     for (std::size_t i = 0; i < here.size(); ++i) {
-      const auto slope = [&](double Jet::* member) {
+      const auto slope = [&](double Jet<>::* member) {
         return (8 * (one[i].*member - back[i].*member) - (two[i].*member - back_two[i].*member)) / (12 * h);
       };
       const double noise = 1e-14 * size_of(form) / h, fast = 1 + std::abs(here[i].first);
-      RC_ASSERT(std::abs(slope(&Jet::value) - here[i].first) <= 1e-6 * fast + noise);
-      RC_ASSERT(std::abs(slope(&Jet::first) - here[i].second) <= 1e-3 * steepest * fast + noise / h);
+      RC_ASSERT(std::abs(slope(&Jet<>::value) - here[i].first) <= 1e-6 * fast + noise);
+      RC_ASSERT(std::abs(slope(&Jet<>::first) - here[i].second) <= 1e-3 * steepest * fast + noise / h);
       RC_ASSERT(std::abs(piece.evaluate(s)[i] - here[i].value) <= 4 * ulp(size_of(form)));
     }
   }

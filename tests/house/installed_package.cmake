@@ -1,5 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Installs the package into a scratch folder, builds the controllers of the examples against it, and runs them.
+# Installs the package into a scratch folder, builds the controllers of the examples and a reader of machine files against
+# it, and runs them.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -10,8 +11,9 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-foreach(example controller controller-on-time)
-  run(${CMAKE_COMMAND} -S ${EXAMPLES}/${example} -B ${SCRATCH}/${example} -G Ninja -DCMAKE_BUILD_TYPE=Release
+foreach(folder ${EXAMPLES}/controller ${EXAMPLES}/controller-on-time ${CMAKE_CURRENT_LIST_DIR}/machine_file)
+  get_filename_component(example ${folder} NAME)
+  run(${CMAKE_COMMAND} -S ${folder} -B ${SCRATCH}/${example} -G Ninja -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
   run(${CMAKE_COMMAND} --build ${SCRATCH}/${example})
 endforeach()
@@ -33,4 +35,10 @@ if(stops EQUAL 0)
   if(NOT words EQUAL 1026)
     message(FATAL_ERROR "the square should take 1026 words, not ${words}")
   endif()
+endif()
+
+file(WRITE ${SCRATCH}/bad.toml "name = \"bad\"\n[axis.X]\ntravel_mm = 3\n")
+run(${SCRATCH}/machine_file/machine-file ${EXAMPLES}/../machines/heavy3.toml ${SCRATCH}/bad.toml)
+if(NOT output MATCHES "^heavy3: X [0-9]+ mm/s\nline 2: machine-missing\n.*line 3: machine-type\n$")
+  message(FATAL_ERROR "machine files of the installed package: it says\n${output}")
 endif()

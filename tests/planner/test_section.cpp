@@ -75,7 +75,7 @@ RC_GTEST_PROP(Section, SeesEachSidesDerivativesAtABorder, ()) {
   const auto agree = [](const geometry::PointJet& a, const geometry::PointJet& b) {
     // Where one axis has nothing of a derivative another may have much, which turns into it.
     double second = 0, third = 0;
-    for (const numeric::Jet& q : b) second += std::abs(q.second), third += std::abs(q.third);
+    for (const numeric::Jet<>& q : b) second += std::abs(q.second), third += std::abs(q.third);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double size = 1e-9;
       RC_ASSERT(std::abs(a[i].value - b[i].value) <= size);

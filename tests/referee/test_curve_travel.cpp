@@ -44,6 +44,26 @@ TEST(CurveTravel, ATipBetweenWordsIsNotCountedTwice) {
   }
 }
 
+TEST(CurveTravel, ATipBetweenWordsFarApartIsNotCountedTwice) {
+  // So far apart that the bend of the tip is not lost in a nanometre: what counts is which place the words are at.
+  const base::Period long_period{20'000'000};
+  constexpr double tip = 0.4, fast = 2;  // mm, mm/s
+  const double apart = fast * long_period.seconds();
+  Program program;
+  program.fed(fast);
+  add_curve(program, clamped(2, {at_xy(0, 0), at_xy(2 * tip, 0), at_xy(0, 0)}));
+  for (int i = 0; i <= 200; ++i) {
+    Words words(3);
+    for (double travel = std::fmod(tip + apart * i / 200, apart); travel < 2 * tip; travel += apart) {
+      words.push_back({travel <= tip ? travel : 2 * tip - travel});
+    }
+    words.push_back({});
+    const Verdict verdict = judge(program.moves, words, machine::mill3(), long_period);
+    EXPECT_FALSE(has(verdict, "feed")) << i << ": " << describe(verdict);
+    EXPECT_LE(verdict.feed_max_ratio, 1 + 1e-6) << i;
+  }
+}
+
 TEST(CurveTravel, BothSidesOfANarrowTipAreSeenApart) {
   // A tip 0.2 nm wide; words on its way there, and back on a line between both sides.
   const double width = 2e-7;

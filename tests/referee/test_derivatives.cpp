@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <leadscrew/referee/derivatives.hpp>
+
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
@@ -68,6 +70,32 @@ TEST(Derivatives, RoundingIsForgivenAtTheShortestPeriod) {
   const Verdict verdict = judge({}, words, machine, period);
   EXPECT_LT(verdict_of(verdict, Axis::X).jerk_ratio, 0.01);
   EXPECT_LT(verdict_of(verdict, Axis::X).acceleration_ratio, 0.02);
+}
+
+TEST(Derivatives, TheRoundingBoundIsEightUnitsInTheLastPlace) {
+  EXPECT_EQ(rounding_of(1), 8 * std::ldexp(1, -52));
+  EXPECT_EQ(rounding_of(1000), 8 * std::ldexp(1, -43));
+}
+
+TEST(Derivatives, MoreJerkThanRoundingExplainsIsSeenFarFromZeroAtTheShortestPeriod) {
+  // At 800 mm and 10 µs a third difference that rounding explains is 909 mm/s³; here are 10 000 beyond the limit.
+  const machine::Machine machine = five_axes();
+  const base::Period period{10'000};
+  const double T = period.seconds();
+  for (const double jerk : {19'000., 30'000.}) {
+    Words words(10, {800});
+    double q = 800, v = 0, a = 0;
+    for (int n = 0; n < 400; ++n) {
+      a += (n < 100 || n >= 300 ? jerk : -jerk) * T;
+      v += a * T;
+      q += v * T;
+      words.push_back({q});
+    }
+    words.insert(words.end(), 10, {q});
+    const Verdict verdict = judge({}, words, machine, period);
+    EXPECT_EQ(has(verdict, "X jerk"), jerk > 20'000) << describe(verdict);
+    EXPECT_NEAR(verdict_of(verdict, Axis::X).jerk_ratio, jerk / 20'000, 0.1);
+  }
 }
 
 TEST(Derivatives, StartingAtFullSpeedIsAJump) {

@@ -309,6 +309,47 @@ TEST_P(Sabotage, RecoversAfterAnExcursionAndJudgesTheRest) {
   EXPECT_NEAR(verdict.deviation_mm, 0.5, 1e-9) << describe(verdict);
 }
 
+TEST_P(Sabotage, RunsBackAlongALine) {
+  Program program, wrong;
+  program.line(10, 0);
+  wrong.line(7, 0).line(3, 0).line(10, 0);
+  const Verdict verdict = judge_motion(program, motion(wrong));
+  EXPECT_TRUE(has(verdict, "deviation", 1) && has_only(verdict, "deviation")) << describe(verdict);
+  // Fréchet's distance is 2 mm: half of what it runs back. Nobody waits for it here, so all of that is told.
+  EXPECT_GE(verdict.deviation_mm, 2) << describe(verdict);
+  EXPECT_LE(verdict.deviation_mm, 4 + 1e-9) << describe(verdict);
+}
+
+TEST_P(Sabotage, RunsBackAlongAnArc) {
+  Program program, wrong;
+  program.position = wrong.position = {10};
+  program.arc({0, 10}, gcode::Plane::XY, 0, 0, 1);
+  const auto at_degrees = [](double angle) {
+    const double radians = angle * std::numbers::pi / 180;
+    return AxisVector{10 * std::cos(radians), 10 * std::sin(radians)};
+  };
+  wrong.arc(at_degrees(60), gcode::Plane::XY, 0, 0, 1).arc(at_degrees(30), gcode::Plane::XY, 0, 0, -1);
+  wrong.arc({0, 10}, gcode::Plane::XY, 0, 0, 1);
+  const Verdict verdict = judge_motion(program, motion(wrong));
+  EXPECT_TRUE(has(verdict, "deviation", 1) && has_only(verdict, "deviation")) << describe(verdict);
+  EXPECT_GE(verdict.deviation_mm, 20 * std::sin(std::numbers::pi / 24)) << describe(verdict);
+}
+
+TEST_P(Sabotage, HalfAsMuchAgainAsTheTolerance) {
+  Program program;
+  program.blended(0.02).line(30, 0).line(30, 20);
+  for (const double off : {0.019, 0.03}) {
+    Words words = motion(program);
+    for (AxisVector& word : words) at(word, Axis::Z) += off;
+    const Verdict verdict = judge_motion(program, words);
+    for (const char* const what : {"deviation", "start", "end"}) {
+      EXPECT_EQ(has(verdict, what), off > 0.02) << what << describe(verdict);
+    }
+    EXPECT_NEAR(verdict.deviation_mm, off, 1e-9);
+    EXPECT_EQ(verdict.tolerance_mm, 0.02);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Periods, Sabotage, testing::Values(100'000, 1'000'000, 20'000'000),
                          [](const auto& one) { return std::to_string(one.param / 1000) + "us"; });
 

@@ -55,6 +55,15 @@ TEST(Stability, IsLookedAtForSecondsAtShortPeriodsToo) {
   }
 }
 
+/// As above, a little beyond P = τI: it swings less than twice as wide at the end of the observation.
+TEST(Stability, SlowGrowthIsSeen) {
+  LoopOptions loop = proportional(10, 0.2, 0.5);
+  std::get<PidOptions>(loop.controller).gains.integral = 2.52;
+  EXPECT_FALSE(check_stable(one_axis(loop), period));
+  std::get<PidOptions>(loop.controller).gains.integral = 2.4;
+  EXPECT_TRUE(check_stable(one_axis(loop), period));
+}
+
 /// A velocity loop that is read as a difference of readings has the poles of z² + (PT/2 − 1)z + PT/2.
 TEST(Stability, OfACascadeEndsAtTwoOverThePeriod) {
   LoopOptions loop{{.drive = {1, 0}}, CascadeOptions{.position_gain = 1e-3}};

@@ -113,7 +113,7 @@ struct Bend {
 
 Bend bend_at(const Curve& curve, double s) {
   const geometry::PointJet jet = geometry::jets(curve, s);
-  const Point first = derivative(jet, &Jet::first), second = derivative(jet, &Jet::second);
+  const Point first = derivative(jet, &Jet<>::first), second = derivative(jet, &Jet<>::second);
   const double rate = norm(first);
   const Point tangent = scaled(1 / rate, first);
   return {tangent, scaled(1 / (rate * rate), sum(second, -dot(second, tangent), tangent))};
@@ -140,7 +140,7 @@ Polyline places_on(const geometry::Nurbs& curve, int count) {
   for (int k = 0; k <= count; ++k) {
     const double share = static_cast<double>(k) / count;
     const double u = curve.first_parameter() + share * (curve.last_parameter() - curve.first_parameter());
-    places.push_back(derivative(curve.jets_at(u), &Jet::value));
+    places.push_back(derivative(curve.jets_at(u), &Jet<>::value));
   }
   return places;
 }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
 
 #include "byte_sinks.hpp"
 
@@ -15,10 +15,10 @@ base::AxisSet xyz() {
 }
 
 /// All rows, or what is wrong.
-base::Result<std::vector<Row>> read(const std::string& text, std::size_t piece = 7) {
+base::Result<std::vector<TraceRow>> read(const std::string& text, std::size_t piece = 7) {
   auto reader = TraceReader::open(from(text, piece), "log.csv", xyz());
   if (!reader) return base::failure(reader.error());
-  std::vector<Row> rows;
+  std::vector<TraceRow> rows;
   while (true) {
     const auto row = reader->next();
     if (!row) return base::failure(row.error());

@@ -6,7 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
+#include <leadscrew/trace/word_writer.hpp>
 
 #include "byte_sinks.hpp"
 
@@ -63,48 +64,35 @@ void expect_same(const std::vector<base::Word>& words, TraceReader& reader, base
   RC_ASSERT(end && !*end);
 }
 
-RC_GTEST_PROP(RoundTrip, CsvGivesEveryBitBack, (std::uint64_t seed, std::uint16_t axis_bits, std::uint8_t piece)) {
+/// The file of such an ending.
+std::string written(std::string_view ending, const std::vector<base::Word>& words, base::AxisSet axes,
+                    base::Period period) {
+  std::string bytes;
+  WordWriter writer(ending, into(bytes), axes, period);
+  for (const base::Word& word : words) RC_ASSERT(writer.write(word).has_value());
+  RC_ASSERT(writer.finish().has_value());
+  RC_ASSERT(writer.header().has_value() == has_header_last(ending));
+  if (const auto header = writer.header()) bytes.replace(0, header->size(), *header);
+  return bytes;
+}
+
+RC_GTEST_PROP(RoundTrip, EveryFormatGivesEveryBitBack,
+              (std::uint64_t seed, std::uint16_t axis_bits, std::uint8_t piece)) {
   const base::AxisSet axes = axes_from(axis_bits);
   const base::Period period{10'000 + static_cast<std::int64_t>(seed % 1'000'000)};
   const auto words = any_words(seed % 200, seed);
-  std::string text;
-  CsvWriter writer(into(text), axes, period);
-  for (const base::Word& word : words) RC_ASSERT(writer.write(word).has_value());
-  RC_ASSERT(writer.finish().has_value());
-  auto reader = TraceReader::open(from(text, piece + 1u), "trace.csv", axes);
-  RC_ASSERT(reader.has_value());
-  expect_same(words, *reader, axes, period);
-}
-
-std::string npy(const std::vector<base::Word>& words, base::AxisSet axes, base::Period period) {
-  std::string bytes;
-  NpyWriter writer(into(bytes), axes, period);
-  for (const base::Word& word : words) (void)writer.write(word);
-  (void)writer.finish();
-  return writer.header() + bytes.substr(writer.header().size());
-}
-
-RC_GTEST_PROP(RoundTrip, NpyGivesEveryBitBack, (std::uint64_t seed, std::uint16_t axis_bits, std::uint8_t piece)) {
-  const base::AxisSet axes = axes_from(axis_bits);
-  const auto words = any_words(seed % 200, seed);
-  auto reader = TraceReader::open(from(npy(words, axes, millisecond), piece + 1u), "trace.npy", axes);
-  RC_ASSERT(reader.has_value());
-  expect_same(words, *reader, axes, millisecond);
+  for (const std::string_view ending : endings()) {
+    auto reader = TraceReader::open(from(written(ending, words, axes, period), piece + 1u), "trace", axes);
+    RC_ASSERT(reader.has_value());
+    expect_same(words, *reader, axes, period);
+  }
 }
 
 TEST(RoundTrip, SurvivesManyBlocksOfTheSink) {
   const auto words = random_train(20000, 3);
   const base::AxisSet axes = machine::mill3().axis_set();
-  for (const bool binary : {false, true}) {
-    std::string text;
-    if (binary) {
-      text = npy(words, axes, millisecond);
-    } else {
-      CsvWriter writer(into(text), axes, millisecond);
-      for (const base::Word& word : words) ASSERT_TRUE(writer.write(word));
-      ASSERT_TRUE(writer.finish());
-    }
-    auto reader = TraceReader::open(from(text), "trace", axes);
+  for (const std::string_view ending : endings()) {
+    auto reader = TraceReader::open(from(written(ending, words, axes, millisecond)), "trace", axes);
     ASSERT_TRUE(reader);
     std::size_t count = 0;
     while (true) {
@@ -113,8 +101,17 @@ TEST(RoundTrip, SurvivesManyBlocksOfTheSink) {
       if (!*row) break;
       ASSERT_TRUE(same_bits((*row)->position[1], words[count++].position[1]));
     }
-    EXPECT_EQ(count, words.size());
+    EXPECT_EQ(count, words.size()) << ending;
   }
+}
+
+TEST(WordWriter, TakesTheFormatOfTheEndingAndElseTheFirst) {
+  const auto words = random_train(3, 1);
+  const base::AxisSet axes = machine::mill3().axis_set();
+  const std::string csv = written(".csv", words, axes, millisecond);
+  EXPECT_EQ(csv.substr(0, 20), "t,line,s,feed,X,Y,Z\n");
+  EXPECT_EQ(written(".npy", words, axes, millisecond).substr(1, 5), "NUMPY");
+  EXPECT_EQ(written("", words, axes, millisecond), csv);
 }
 
 TEST(CsvWriter, WritesTheContractsColumns) {
@@ -147,7 +144,7 @@ TEST(NpyWriter, HeaderIsThatOfTheFormat) {
 TEST(NpyWriter, NumpyReadsIt) {
   const auto file = std::filesystem::temp_directory_path() / "leadscrew_test_trace.npy";
   auto words = random_train(1000, 5);
-  std::ofstream(file, std::ios::binary) << npy(words, machine::mill3().axis_set(), millisecond);
+  std::ofstream(file, std::ios::binary) << written(".npy", words, machine::mill3().axis_set(), millisecond);
   char script[400];
   std::snprintf(
       script, sizeof script,
@@ -158,23 +155,18 @@ TEST(NpyWriter, NumpyReadsIt) {
   std::filesystem::remove(file);
 }
 
-TEST(Writers, PassOnWhatTheSinkSays) {
+TEST(WordWriter, PassesOnWhatTheSinkSays) {
   const auto words = random_train(5000, 1);
-  const base::AxisSet axes = machine::mill3().axis_set();
-  for (const std::size_t room : {0, 100, 70000, 200000}) {
-    CsvWriter csv(failing_after(room), axes, millisecond);
-    NpyWriter binary(failing_after(room), axes, millisecond);
-    for (const base::Word& word : words) {
-      (void)csv.write(word);
-      (void)binary.write(word);
+  for (const std::string_view ending : endings()) {
+    for (const std::size_t room : {0, 100, 70000, 200000}) {
+      WordWriter writer(ending, failing_after(room), machine::mill3().axis_set(), millisecond);
+      for (const base::Word& word : words) (void)writer.write(word);
+      const auto finished = writer.finish();
+      ASSERT_FALSE(finished) << ending << " in " << room;
+      EXPECT_EQ(finished.error().code, "disk-full");
+      EXPECT_FALSE(writer.write(words[0]));
+      EXPECT_FALSE(writer.finish());
     }
-    const auto a = csv.finish(), b = binary.finish();
-    ASSERT_FALSE(a);
-    ASSERT_FALSE(b);
-    EXPECT_EQ(a.error().code, "disk-full");
-    EXPECT_FALSE(csv.write(words[0]));
-    EXPECT_FALSE(binary.write(words[0]));
-    EXPECT_FALSE(csv.finish());
   }
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 // What went wrong, where, and what would be right: the one form in which every room reports a problem.
 
+#include <cstddef>
 #include <cstdint>
+#include <leadscrew/base/axes.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +25,14 @@ struct Place {
   std::int64_t column = 0;
 };
 
+/// The value that a diagnostic is about, as data: whoever knows where a value was written finds the place by it, and
+/// never by the words of the message.
+struct Subject {
+  std::optional<Axis> axis = {};
+  std::string_view field = {};            ///< its name, such as machine::field::jerk; static storage; empty: none
+  std::optional<std::size_t> entry = {};  ///< of a list, from 0
+};
+
 /// Printed as `part.ngc:12:7: error: arc radius differs by 0.31 mm at its ends [arc-radius]`, the line and a caret
 /// under it.
 struct Diagnostic {
@@ -31,11 +42,12 @@ struct Diagnostic {
   std::string hint;       ///< what would be right; may be empty
   Place place;
   std::string source;  ///< the line of text the place is in, or the part of it around the column; may be empty
+  Subject subject = {};
 };
 
 /// An error of a value, not of a text: it has no place.
-inline Diagnostic problem(std::string_view code, std::string message, std::string hint) {
-  return {Severity::error, code, std::move(message), std::move(hint), {}, {}};
+inline Diagnostic problem(std::string_view code, std::string message, std::string hint, Subject subject = {}) {
+  return {Severity::error, code, std::move(message), std::move(hint), {}, {}, subject};
 }
 
 }  // namespace leadscrew::base

@@ -1,16 +1,12 @@
-#include <fmt/format.h>
-
 #include <array>
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
+#include <memory>
 
 namespace leadscrew::cli {
 
 namespace {
-
-template <class... Values>
-auto wrong(fmt::format_string<Values...> text, Values&&... values) {
-  return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
-}
 
 struct Material {
   std::string_view name;
@@ -19,28 +15,20 @@ struct Material {
 constexpr std::array<Material, 4> materials = {
     {{"aluminium", 800}, {"cast-iron", 1200}, {"steel", 2000}, {"titanium", 1700}}};
 
-/// A number with its option, in a range.
-struct Number {
-  std::string_view option;
-  const std::optional<std::string>& text;
-  double least, most;
+/// As they are given; what of them depends on another is settled at the end.
+struct Given {
+  bool asked_for = false;
+  AdaptiveArguments adaptive;
+  double cutting_coefficient = 2000;  ///< of steel
+  double depth = 2, teeth = 4, spindle = 3000, seed = 1, noise = 5, limit = 0, width = 0;
+  std::vector<servo::DepthStep> depths;
 };
 
-Parsed<void> take(const Number& number, double& target) {
-  if (!number.text) return {};
-  const auto value = parse_number(*number.text);
-  if (!value) return wrong("{} {}: {}", number.option, *number.text, value.error());
-  if (*value < number.least || *value > number.most)
-    return wrong("{} {}: give {:g} to {:g}", number.option, *number.text, number.least, number.most);
-  target = *value;
-  return {};
-}
-
-Parsed<double> material_of(const std::optional<std::string>& text) {
+Parsed<double> material_of(std::string_view text) {
   for (const Material& material : materials) {
-    if (text.value_or("steel") == material.name) return material.cutting_coefficient;
+    if (text == material.name) return material.cutting_coefficient;
   }
-  return wrong("--material {}: is none of aluminium, cast-iron, steel, titanium", *text);
+  return wrong("is none of aluminium, cast-iron, steel, titanium");
 }
 
 Parsed<std::vector<servo::DepthStep>> steps_of(std::string_view text) {
@@ -70,70 +58,63 @@ Parsed<servo::SensorFault> fault_of(std::string_view text) {
   return wrong("is none of nan, stuck, silent");
 }
 
-/// The first of the options that are given, where --adaptive is not.
-Parsed<void> check_asked_for(const AdaptiveTexts& texts) {
-  if (texts.asked_for) return {};
-  for (const auto& [option, text] : {std::pair("--material", &texts.material),
-                                     {"--depth", &texts.depth},
-                                     {"--depth-steps", &texts.depth_steps},
-                                     {"--width", &texts.width},
-                                     {"--teeth", &texts.teeth},
-                                     {"--diameter", &texts.diameter},
-                                     {"--spindle", &texts.spindle},
-                                     {"--edge-force", &texts.edge_force},
-                                     {"--force-limit", &texts.force_limit},
-                                     {"--noise", &texts.noise},
-                                     {"--seed", &texts.seed},
-                                     {"--safe-factor", &texts.safe_factor},
-                                     {"--sensor-fault", &texts.sensor_fault}}) {
-    if (*text) return wrong("{} is of --adaptive, which is missing", option);
-  }
-  return {};
+Parsed<std::optional<AdaptiveArguments>> settled(const Given& given, const Command& command) {
+  if (!given.asked_for) return std::optional<AdaptiveArguments>();
+  AdaptiveArguments adaptive = given.adaptive;
+  servo::AdaptiveCutOptions& cut = adaptive.cut;
+  cut.milling.cutting_coefficient = given.cutting_coefficient;
+  cut.milling.teeth = static_cast<int>(given.teeth);
+  cut.milling.spindle_speed = given.spindle / 60;
+  cut.milling.seed = static_cast<std::uint64_t>(given.seed);
+  cut.width = command.given("--width") ? given.width : 0.4 * cut.milling.diameter;
+  if (cut.width > cut.milling.diameter)
+    return wrong("--width {}: give 0 to {:g}", command.text_of("--width"), cut.milling.diameter);
+  cut.depths = given.depths;
+  if (cut.depths.empty() || cut.depths.front().from > 0) cut.depths.insert(cut.depths.begin(), {0, given.depth});
+  if (given.noise == 0 && cut.fault && cut.fault->kind == servo::SensorFailure::stuck)
+    return wrong("--sensor-fault {}: shows by noise that is missing; give --noise above 0",
+                 command.text_of("--sensor-fault"));
+  if (command.given("--force-limit")) adaptive.limit = given.limit;
+  adaptive.noise = given.noise / 100;
+  return std::optional(adaptive);
 }
 
 }  // namespace
 
-Parsed<std::optional<AdaptiveArguments>> parse_adaptive(const AdaptiveTexts& texts) {
-  if (auto asked = check_asked_for(texts); !asked) return tl::unexpected(asked.error());
-  if (!texts.asked_for) return std::optional<AdaptiveArguments>();
-  AdaptiveArguments adaptive;
-  servo::AdaptiveCutOptions& cut = adaptive.cut;
-  double depth = 2, teeth = 4, spindle = 3000, seed = 1, noise = 5, limit = 0;
-  const auto material = material_of(texts.material);
-  if (!material) return tl::unexpected(material.error());
-  cut.milling.cutting_coefficient = *material;
-  for (const Parsed<void>& taken :
-       {take({"--depth", texts.depth, 0, 1000}, depth), take({"--teeth", texts.teeth, 1, 64}, teeth),
-        take({"--diameter", texts.diameter, 0.01, 1000}, cut.milling.diameter),
-        take({"--spindle", texts.spindle, 1, 300'000}, spindle),
-        take({"--edge-force", texts.edge_force, 0, 1e4}, cut.milling.edge_coefficient),
-        take({"--force-limit", texts.force_limit, 0.001, 1e6}, limit), take({"--noise", texts.noise, 0, 100}, noise),
-        take({"--seed", texts.seed, 0, 1e15}, seed), take({"--safe-factor", texts.safe_factor, 0.01, 1}, cut.safe)}) {
-    if (!taken) return tl::unexpected(taken.error());
-  }
-  cut.width = 0.4 * cut.milling.diameter;
-  if (auto taken = take({"--width", texts.width, 0, cut.milling.diameter}, cut.width); !taken)
-    return tl::unexpected(taken.error());
-  cut.milling.teeth = static_cast<int>(teeth);
-  cut.milling.spindle_speed = spindle / 60;
-  cut.milling.seed = static_cast<std::uint64_t>(seed);
-  cut.depths = {{0, depth}};
-  if (texts.depth_steps) {
-    auto steps = steps_of(*texts.depth_steps);
-    if (!steps) return wrong("--depth-steps {}: {}", *texts.depth_steps, steps.error());
-    if (steps->front().from > 0) steps->insert(steps->begin(), {0, depth});
-    cut.depths = std::move(*steps);
-  }
-  if (texts.sensor_fault) {
-    const auto fault = fault_of(*texts.sensor_fault);
-    if (!fault) return wrong("--sensor-fault {}: {}", *texts.sensor_fault, fault.error());
-    cut.fault = *fault;
-  }
-  if (noise == 0 && cut.fault && cut.fault->kind == servo::SensorFailure::stuck)
-    return wrong("--sensor-fault {}: shows by noise that is missing; give --noise above 0", *texts.sensor_fault);
-  if (texts.force_limit) adaptive.limit = limit;
-  adaptive.noise = noise / 100;
-  return std::optional(adaptive);
+void add_adaptive(Command& command, Arguments& arguments) {
+  // Lives as long as the command's options.
+  const auto given = std::make_shared<Given>();
+  servo::AdaptiveCutOptions& cut = given->adaptive.cut;
+  command.flag("--adaptive", "Hold the cutting force at a limit by the feed override; the cut is:", given->asked_for);
+  command.value("--material", "NAME", "aluminium, cast-iron, steel (default) or titanium", given->cutting_coefficient,
+                material_of);
+  command.number("--depth", "MM", "Along the cutter's axis (default: 2)", given->depth, 0, 1000);
+  command.value("--depth-steps", "S:MM,...", "Depths from places along the path on, in place of --depth", given->depths,
+                steps_of);
+  command.number("--width", "MM", "Across the cutter (default: 0.4 of its diameter)", given->width, 0, 1000);
+  command.number("--teeth", "N", "Of the cutter (default: 4)", given->teeth, 1, 64);
+  command.number("--diameter", "MM", "Of the cutter (default: 10)", cut.milling.diameter, 0.01, 1000);
+  command.number("--spindle", "RPM", "Speed of the spindle (default: 3000)", given->spindle, 1, 300'000);
+  command.number("--edge-force", "N/MM", "Of a mm of cutting edge that rubs (default: 0)", cut.milling.edge_coefficient,
+                 0, 1e4);
+  command.number("--force-limit", "N", "Of the mean force (default: of the first depth at the greatest feed)",
+                 given->limit, 0.001, 1e6);
+  command.number("--noise", "PERCENT", "Of the sensor, in % of the limit, 0 for an ideal one (default: 5)",
+                 given->noise, 0, 100);
+  command.number("--seed", "N", "Of the noise (default: 1)", given->seed, 0, 1e15);
+  command.number("--safe-factor", "SHARE", "Of the programmed feed, once the sensor has failed (default: 0.5)",
+                 cut.safe, 0.01, 1);
+  command.value("--sensor-fault", "KIND@S", "nan, stuck or silent from a time on, such as stuck@1.5", cut.fault,
+                fault_of);
+  command.only_with("--adaptive",
+                    {"--material", "--depth", "--depth-steps", "--width", "--teeth", "--diameter", "--spindle",
+                     "--edge-force", "--force-limit", "--noise", "--seed", "--safe-factor", "--sensor-fault"});
+  command.check([&command, &arguments, given]() -> Parsed<void> {
+    auto adaptive = settled(*given, command);
+    if (!adaptive) return tl::unexpected(adaptive.error());
+    arguments.simulate.adaptive = std::move(*adaptive);
+    return {};
+  });
 }
 
 }  // namespace leadscrew::cli

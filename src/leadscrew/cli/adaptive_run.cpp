@@ -11,7 +11,7 @@ constexpr double least_change = 0.005;   // of the override's mean: less is not 
 constexpr double greatest_change = 0.1;  // of the override itself, that waits for its mean
 constexpr double mean_over = 0.1;        // s
 constexpr double slice = 0.02;           // s, until which a change takes effect
-constexpr std::int64_t words_between_looks = 1024;
+constexpr std::int64_t words_between_checks = 1024;
 
 /// Of a program, mm/s; 0 where all is rapid.
 double greatest_feed(const files::InputFile& file, const Job& job) {
@@ -71,12 +71,13 @@ void AdaptiveRun::follow(const servo::Followed& followed, double measured_feed, 
   program.override_feed(told_);
 }
 
-base::Result<std::optional<AdaptiveFigures>> AdaptiveRun::conclude() const {
-  if (!cut_) return std::optional<AdaptiveFigures>();
+base::Result<std::optional<results::AdaptiveFigures>> AdaptiveRun::conclude() const {
+  if (!cut_) return std::optional<results::AdaptiveFigures>();
   const double safe = job_.arguments.simulate.adaptive->cut.safe;
   const auto time = time_at(safe);
   if (!time) return base::failure(time.error());
-  return std::optional(AdaptiveFigures{cut_->figures(), limit_, cut_->turn(), safe, cut_->control().failure(), *time});
+  return std::optional(
+      results::AdaptiveFigures{cut_->figures(), limit_, cut_->turn(), safe, cut_->control().failure(), *time});
 }
 
 base::Result<double> AdaptiveRun::time_at(double factor) const {
@@ -86,7 +87,7 @@ base::Result<double> AdaptiveRun::time_at(double factor) const {
   program.override_feed(factor);
   while (program.prepare()) {
     const base::Word word = program.cycle();
-    if (base::count(word.tick) % words_between_looks == 0 && files::interrupted())
+    if (base::count(word.tick) % words_between_checks == 0 && files::interrupted())
       return base::failure(files::interruption());
   }
   if (program.failure()) return base::failure(*program.failure());

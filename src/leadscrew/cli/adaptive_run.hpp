@@ -7,9 +7,9 @@
 // the mean of 32 forces.
 
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/simulate_figures.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/pipeline/programmed_feed.hpp>
+#include <leadscrew/results/simulate_figures.hpp>
 #include <leadscrew/servo/servo.hpp>
 #include <memory>
 
@@ -27,7 +27,7 @@ class AdaptiveRun {
   void follow(const servo::Followed& followed, double measured_feed, pipeline::Program& program);
 
   /// With the time of the program at the safe feed. Errors: reading the file, `interrupted`.
-  base::Result<std::optional<AdaptiveFigures>> conclude() const;
+  base::Result<std::optional<results::AdaptiveFigures>> conclude() const;
 
  private:
   AdaptiveRun(const files::InputFile& file, const Job& job);

@@ -5,12 +5,16 @@
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/design_arguments.hpp>
 #include <leadscrew/cli/drive_arguments.hpp>
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
 #include <leadscrew/cli/status.hpp>
+#include <leadscrew/cli/study_arguments.hpp>
+#include <leadscrew/drive/setup.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/results/sizing.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,18 +23,17 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Command { run, check, verify, pulse, study, design, simulate, drive };
+  enum class Verb { run, check, verify, pulse, study, design, simulate, drive };
 
-  Command command = Command::run;
-  std::vector<std::string> programs;  ///< one or more; of verify one
-  std::string judged_trace;           ///< of verify
-  RunArguments run;                   ///< of run; its files of simulate too
-  SimulateArguments simulate;         ///< of simulate
-  PulseArguments pulse;               ///< of pulse
-  DesignArguments design;             ///< of design
-  drive::Options drive;               ///< of drive
-  std::string study;                  ///< of study: the name of one that there is, or "list"
-  std::optional<std::string> study_picture;
+  Verb verb = Verb::run;
+  std::vector<std::string> programs;   ///< one or more; of verify one
+  std::string judged_trace;            ///< of verify
+  RunArguments run;                    ///< of run; its files of simulate too
+  SimulateArguments simulate;          ///< of simulate
+  PulseArguments pulse;                ///< of pulse
+  results::SizingQuestion design;      ///< of design
+  drive::Options drive;                ///< of drive
+  StudyArguments study;                ///< of study
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine
   std::optional<std::string> tools;    ///< file
   std::vector<AxisValue> start;        ///< machine coordinates, mm or degrees; axes not named start at zero
@@ -41,12 +44,6 @@ struct Arguments {
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;
   std::string command_line;  ///< as a shell would take it
-};
-
-/// Instead of arguments: a text for standard output (help, version), or for standard error when the status is usage.
-struct Answer {
-  Status status = Status::done;
-  std::string text;
 };
 
 std::variant<Arguments, Answer> parse_arguments(int count, const char* const* values);

@@ -1,7 +1,7 @@
 #include <leadscrew/cli/check.hpp>
-#include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/summary_text.hpp>
+#include <leadscrew/results/program_json.hpp>
+#include <leadscrew/results/program_text.hpp>
 
 namespace leadscrew::cli {
 
@@ -12,17 +12,18 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
   const auto file = open_program(program);
   if (!file) {
     log.add(file.error());
-    return {log.status(), json_of_rejected(check_schema, program, job.machine.name, log), {}};
+    return {log.status(), results::json_of_rejected(results::check_schema, program, job.machine.name, log.all()), {}};
   }
   const Reading reading = read_program(*file, job, console, log);
-  return {log.status(), json_of_check(file->name(), job, reading, log),
-          check_summary(file->name(), reading, log, console.output_style())};
+  const results::CheckFigures figures{reading.blocks, reading.moves};
+  return {log.status(), results::json_of_check(file->name(), job.machine, figures, log.all()),
+          results::check_summary(file->name(), figures, log.all(), console.output_style())};
 }
 
 }  // namespace
 
 Status check(const Job& job, Console& console) {
-  return for_each_program(job, console, check_schema, [&](const std::string& program, const Job& of_program) {
+  return for_each_program(job, console, results::check_schema, [&](const std::string& program, const Job& of_program) {
     return check_program(program, of_program, console);
   });
 }

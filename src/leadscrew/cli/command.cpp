@@ -4,15 +4,15 @@
 #include <leadscrew/cli/command.hpp>
 #include <leadscrew/cli/design.hpp>
 #include <leadscrew/cli/drive.hpp>
-#include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/cli/simulate.hpp>
-#include <leadscrew/cli/simulate_form.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/cli/verify.hpp>
 #include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/results/program_json.hpp>
+#include <leadscrew/results/simulation.hpp>
 
 namespace leadscrew::cli {
 
@@ -35,58 +35,58 @@ Status answer(const Answer& answer) {
   return answer.status;
 }
 
-std::string_view schema_of(Arguments::Command command) {
+std::string_view schema_of(Arguments::Verb command) {
   switch (command) {
-    case Arguments::Command::run:
-      return run_schema;
-    case Arguments::Command::check:
-      return check_schema;
-    case Arguments::Command::verify:
-      return verify_schema;
-    case Arguments::Command::simulate:
-      return simulate_schema;
-    case Arguments::Command::drive:
-      return drive_schema;
-    case Arguments::Command::pulse:
-    case Arguments::Command::study:
-    case Arguments::Command::design:
+    case Arguments::Verb::run:
+      return results::run_schema;
+    case Arguments::Verb::check:
+      return results::check_schema;
+    case Arguments::Verb::verify:
+      return results::verify_schema;
+    case Arguments::Verb::simulate:
+      return results::simulate_schema;
+    case Arguments::Verb::drive:
+      return results::drive_schema;
+    case Arguments::Verb::pulse:
+    case Arguments::Verb::study:
+    case Arguments::Verb::design:
       break;  // work on no program
   }
-  return run_schema;
+  return results::run_schema;
 }
 
 /// No machine, no tools: nothing is known of any program. A usage error leaves standard output empty.
 Status end_without_job(const Arguments& arguments, const DiagnosticLog& log, Console& console) {
   if (!arguments.json || log.status() == Status::usage || log.status() == Status::interrupted) return log.status();
-  std::vector<Json> objects;
+  std::vector<json::Json> objects;
   for (const std::string& program : arguments.programs) {
-    objects.push_back(json_of_rejected(schema_of(arguments.command), program, {}, log));
+    objects.push_back(results::json_of_rejected(schema_of(arguments.verb), program, {}, log.all()));
   }
-  return worse(log.status(), write_output(console, json_text(schema_of(arguments.command), std::move(objects))));
+  return worse(log.status(), write_output(console, results::json_text(schema_of(arguments.verb), std::move(objects))));
 }
 
 Status perform(const Arguments& arguments) {
   Console console(arguments.color, arguments.quiet);
-  if (arguments.command == Arguments::Command::pulse) return pulse(arguments, console);
-  if (arguments.command == Arguments::Command::study) return study(arguments, console);
-  if (arguments.command == Arguments::Command::design) return design(arguments, console);
+  if (arguments.verb == Arguments::Verb::pulse) return pulse(arguments, console);
+  if (arguments.verb == Arguments::Verb::study) return study(arguments, console);
+  if (arguments.verb == Arguments::Verb::design) return design(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
   if (!job) return end_without_job(arguments, log, console);
-  switch (arguments.command) {
-    case Arguments::Command::run:
+  switch (arguments.verb) {
+    case Arguments::Verb::run:
       return run(*job, console);
-    case Arguments::Command::check:
+    case Arguments::Verb::check:
       return check(*job, console);
-    case Arguments::Command::verify:
+    case Arguments::Verb::verify:
       return verify(*job, console);
-    case Arguments::Command::simulate:
+    case Arguments::Verb::simulate:
       return simulate(*job, console);
-    case Arguments::Command::drive:
+    case Arguments::Verb::drive:
       return drive(job_of(*job, arguments.programs.front()), console);
-    case Arguments::Command::pulse:
-    case Arguments::Command::study:
-    case Arguments::Command::design:
+    case Arguments::Verb::pulse:
+    case Arguments::Verb::study:
+    case Arguments::Verb::design:
       break;
   }
   return Status::usage;

@@ -3,31 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/progress_text.hpp>
 #include <leadscrew/files/descriptor.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
-
-std::string_view sequence(Tone tone) {
-  switch (tone) {
-    case Tone::strong:
-      return "\033[1m";
-    case Tone::error:
-      return "\033[1;31m";
-    case Tone::warning:
-      return "\033[1;35m";
-    case Tone::note:
-      return "\033[1;36m";
-    case Tone::good:
-      return "\033[32m";
-    case Tone::faint:
-      return "\033[2m";
-  }
-  return "";
-}
 
 std::string_view environment(const char* name) {
   const char* value = std::getenv(name);
@@ -47,11 +29,6 @@ int terminal_width() {
 
 }  // namespace
 
-std::string Style::operator()(Tone tone, std::string_view text) const {
-  if (!colored) return std::string(text);
-  return std::string(sequence(tone)).append(text).append("\033[0m");
-}
-
 Console::Console(ColorChoice color, bool quiet)
     : output_style_(style_of(STDOUT_FILENO, color)),
       error_style_(style_of(STDERR_FILENO, color)),
@@ -63,7 +40,7 @@ base::Result<void> Console::output(std::string_view text) {
 }
 
 void Console::diagnostic(const base::Diagnostic& diagnostic) {
-  error_text(diagnostic_text(diagnostic, error_style_));
+  error_text(results::diagnostic_text(diagnostic, error_style_));
 }
 
 void Console::error_text(std::string_view text) {

@@ -4,20 +4,16 @@
 #include <chrono>
 #include <cstdint>
 #include <leadscrew/base/result.hpp>
+#include <leadscrew/results/style.hpp>
 #include <string>
 #include <string_view>
 
 namespace leadscrew::cli {
 
+using results::Style;
+using results::Tone;
+
 enum class ColorChoice { automatic, always, never };
-
-enum class Tone { strong, error, warning, note, good, faint };
-
-/// Gives text a colour, or leaves it alone where colour is off.
-struct Style {
-  bool colored = false;
-  std::string operator()(Tone tone, std::string_view text) const;
-};
 
 /// How far a long piece of work has come.
 struct Progress {

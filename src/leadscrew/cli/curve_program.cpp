@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <leadscrew/base/nearest.hpp>
 #include <leadscrew/cli/curve_program.hpp>
-#include <leadscrew/cli/nearest.hpp>
 #include <leadscrew/study/named_curves.hpp>
 #include <vector>
 
@@ -18,7 +18,7 @@ std::string no_curve(std::string_view name) {
   std::vector<std::string_view> known;
   for (const study::NamedCurve& curve : study::named_curves()) known.push_back(curve.name);
   return fmt::format("no curve \"{}\" among {}{}; a file is given as ./{}{}", name, fmt::join(known, ", "),
-                     did_you_mean(name, known), curve_prefix, name);
+                     base::did_you_mean(name, known), curve_prefix, name);
 }
 
 }  // namespace

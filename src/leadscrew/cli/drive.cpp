@@ -1,11 +1,10 @@
 #include <leadscrew/cli/drive.hpp>
 #include <leadscrew/cli/drive_checks.hpp>
-#include <leadscrew/cli/drive_text.hpp>
 #include <leadscrew/cli/drive_view.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/drive/checks.hpp>
 #include <leadscrew/drive/drive.hpp>
-#include <nlohmann/json.hpp>
+#include <leadscrew/results/drive.hpp>
 
 namespace leadscrew::cli {
 
@@ -20,7 +19,7 @@ class ProgramDrive {
   ProgramDrive(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
       : program_(program), job_(job), setup_(setup_of(job)), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
+  /// Empty where the log says why.
   std::optional<drive::Figures> execute() {
     const auto file = open_program(program_);
     if (!file) return failed(file.error());
@@ -111,9 +110,10 @@ ProgramResult drive_program(const std::string& program, const Job& job, Console&
   DiagnosticLog log(console);
   const std::string name = program == "-" ? "<stdin>" : program;
   const auto figures = ProgramDrive(program, job, console, log).execute();
-  if (!figures) return {log.status(), json_of_rejected(drive_schema, name, job.machine.name, log), {}};
-  return {status_of(*figures, log), json_of_drive(name, job, *figures, log),
-          drive_summary(name, job, *figures, console.output_style())};
+  if (!figures)
+    return {log.status(), results::json_of_rejected(results::drive_schema, name, job.machine.name, log.all()), {}};
+  return {status_of(*figures, log), results::json_of_drive(name, job.machine, *figures, log.all()),
+          results::drive_summary(name, job.machine, *figures, console.output_style())};
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ Status drive(const Job& job, Console& console) {
   const ProgramResult result = drive_program(job.arguments.programs.front(), job, console);
   Status written = Status::done;
   if (job.arguments.json) {
-    written = write_output(console, json_text(drive_schema, {result.json}));
+    written = write_output(console, results::json_text(results::drive_schema, {result.json}));
   } else if (!job.arguments.quiet && !result.summary.empty()) {
     written = write_output(console, result.summary);
   }

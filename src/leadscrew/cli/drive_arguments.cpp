@@ -1,10 +1,25 @@
-#include <fmt/format.h>
-
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/drive_arguments.hpp>
+#include <leadscrew/cli/shared_arguments.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
+
+constexpr std::string_view examples =
+    "Examples:\n"
+    "  leadscrew drive part.ngc --state part.state\n"
+    "  leadscrew drive part.ngc --resume part.state     from where it was stopped or killed\n"
+    "  leadscrew drive part.ngc --trace words.csv --axes axes.csv --json\n"
+    "  leadscrew drive part.ngc --sink words.csv        words on time to a file or a pipe, and no drives\n"
+    "\n"
+    "Keys, on a terminal: space holds and resumes, + and - change the feed by 10 %, q stops. ^C brings motion to rest\n"
+    "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"
+    "words cease, they come to rest by themselves, on the path and within the limits of every axis. Without a "
+    "terminal,\n"
+    "and with --quiet, M0 and M1 do not pause. What was in the file of --sink is gone. A pipe that is full holds\n"
+    "motion back, word by word; behind it, whoever moves must come to rest by itself when words cease.\n";
 
 /// 100ms, 0.3s or 0.3.
 Parsed<double> parse_seconds(std::string_view text, double least, double greatest) {
@@ -18,34 +33,36 @@ Parsed<double> parse_seconds(std::string_view text, double least, double greates
   }
   const auto value = parse_number(number);
   if (value && *value * unit >= least && *value * unit <= greatest) return *value * unit;
-  return tl::unexpected<std::string>(fmt::format("is no time from {:g} s to {:g} s, such as 250ms", least, greatest));
+  return wrong("is no time from {:g} s to {:g} s, such as 250ms", least, greatest);
+}
+
+/// What several options come to together.
+Parsed<void> settle(const Command& command, drive::Options& drive) {
+  if (!drive.state) drive.state = drive.resume;
+  const std::string_view of_drives = command.first_given({"--trace", "--axes"});
+  if (!drive.sink || of_drives.empty()) return {};
+  return wrong("{} is of simulated drives; with --sink the words are in its file", of_drives);
 }
 
 }  // namespace
 
-Parsed<drive::Options> parse_drive(const DriveTexts& texts) {
-  constexpr double least_look_ahead = 0.01, longest_look_ahead = 60, longest_lead = 2;
-  drive::Options drive;
-  drive.trace = texts.trace;
-  drive.axes = texts.axes;
-  drive.state = texts.state ? texts.state : texts.resume;
-  drive.resume = texts.resume;
-  drive.sink = texts.sink;
-  if (texts.sink && (texts.trace || texts.axes)) {
-    return tl::unexpected(fmt::format("{} is of simulated drives; with --sink the words are in its file",
-                                      texts.trace ? "--trace" : "--axes"));
-  }
-  if (texts.look_ahead) {
-    const auto value = parse_seconds(*texts.look_ahead, least_look_ahead, longest_look_ahead);
-    if (!value) return tl::unexpected(fmt::format("--look-ahead {}: {}", *texts.look_ahead, value.error()));
-    drive.look_ahead = *value;
-  }
-  if (texts.lead) {
-    const auto value = parse_seconds(*texts.lead, 0, longest_lead);
-    if (!value) return tl::unexpected(fmt::format("--lead {}: {}", *texts.lead, value.error()));
-    drive.lead = *value;
-  }
-  return drive;
+void describe_drive(Command& command, Arguments& arguments) {
+  drive::Options& drive = arguments.drive;
+  command.word("PROGRAM", "Part program; - is standard input, curve:NAME a curve of the studies", arguments.programs);
+  add_common(command, arguments);
+  add_period(command, arguments);
+  add_motion(command, arguments);
+  command.text("--trace", "FILE", "Write the words that the drives took: .csv or .npy", drive.trace);
+  command.text("--axes", "FILE", "Write where the axes went, period by period: .csv or .npy", drive.axes);
+  command.text("--sink", "FILE", "Words go on time to this file or pipe, as CSV, and to no drives", drive.sink);
+  command.text("--state", "FILE", "Keep on disk how far it has come, for --resume", drive.state);
+  command.text("--resume", "FILE", "Go on from where a drive was stopped or killed; FILE is kept up", drive.resume);
+  command.value("--look-ahead", "TIME", "Planned ahead of the words (default 300ms)", drive.look_ahead,
+                [](std::string_view text) { return parse_seconds(text, 0.01, 60); });
+  command.value("--lead", "TIME", "Words made ahead of their time, so that late ones harm nothing (default 100ms)",
+                drive.lead, [](std::string_view text) { return parse_seconds(text, 0, 2); });
+  command.check([&command, &drive] { return settle(command, drive); });
+  command.help(std::string(examples) + curves_text());
 }
 
 }  // namespace leadscrew::cli

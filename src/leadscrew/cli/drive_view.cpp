@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/cli/diagnostic_text.hpp>
 #include <leadscrew/cli/drive_view.hpp>
 #include <leadscrew/realtime/schedule.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
 
 namespace leadscrew::cli {
 
@@ -31,7 +31,7 @@ std::string cut(std::string screen) {
 DriveView::DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style)
     : terminal_(settings),
       job_(job),
-      program_(printable(file.name())),
+      program_(results::printable(file.name())),
       style_(style),
       map_(file, job, std::min(drive::Terminal::columns() - 1, widest_map),
            std::min(drive::Terminal::rows() - status_lines, highest_map)) {}

@@ -2,8 +2,8 @@
 
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/machine_file.hpp>
 #include <leadscrew/cli/processor_time.hpp>
+#include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 
 namespace leadscrew::cli {
@@ -11,10 +11,11 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::string_view built_in = "mill3";
+constexpr std::int64_t largest_tool_table = 16 << 20;
 
 /// Adds its text to what was read.
 machine::Machine read_machine_file(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = files::read_whole(path);
+  const auto text = files::read_whole(path, config::largest_machine_file);
   if (!text) {
     base::Diagnostic problem = text.error();
     if (problem.code == "io-open" && problem.hint.empty()) problem.hint = "give a machine file; built in is mill3";
@@ -22,13 +23,14 @@ machine::Machine read_machine_file(const std::string& path, std::string& read, D
     return {};
   }
   read += *text;
-  MachineFile file = read_machine(*text, path);
-  for (const base::Diagnostic& problem : file.diagnostics) log.add(problem);
-  return file.machine;
+  auto machine = config::read_machine(*text, path);
+  if (machine) return std::move(*machine);
+  for (const base::Diagnostic& problem : machine.error()) log.add(problem);
+  return {};
 }
 
 machine::ToolTable read_tools(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = files::read_whole(path);
+  const auto text = files::read_whole(path, largest_tool_table);
   if (!text) {
     log.add(text.error());
     return {};
@@ -125,7 +127,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 }
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
-  constexpr std::int64_t moves_between_looks = 4096;
+  constexpr std::int64_t moves_between_checks = 4096;
   const double begin = processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
@@ -136,7 +138,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   for (std::int64_t count = 1; reader.next(move); ++count) {
     if (is_motion(move)) ++reading.moves;
     if (is_pause(move)) ++reading.pauses;
-    if (count % moves_between_looks == 0) console.progress(progress);
+    if (count % moves_between_checks == 0) console.progress(progress);
   }
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());

@@ -22,7 +22,7 @@ struct Job {
   gcode::ReaderOptions reader_options(const std::string& file) const;
 };
 
-/// Opens the machine file and the tool table. Nothing if the log now has errors.
+/// Opens the machine file and the tool table. Empty if the log now has errors.
 std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log);
 
 /// The job for one of its programs: a curve begins where it begins.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
@@ -82,13 +84,14 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
   return {};
 }
 
-base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
-                                std::string_view other) {
+base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path,
+                                const std::vector<std::string_view>& endings) {
   if (!path || is_special(*path)) return {};
-  const std::string ending = files::extension(*path);
-  if (ending == one || (!other.empty() && ending == other)) return {};
+  if (std::find(endings.begin(), endings.end(), files::extension(*path)) != endings.end()) return {};
+  const std::vector<std::string_view> all_but_last(endings.begin(), endings.end() - 1);
   const std::string what =
-      other.empty() ? fmt::format("does not end in {}", one) : fmt::format("ends in neither {} nor {}", one, other);
+      all_but_last.empty() ? fmt::format("does not end in {}", endings.back())
+                           : fmt::format("ends in neither {} nor {}", fmt::join(all_but_last, ", "), endings.back());
   return usage(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");
 }
 
@@ -98,17 +101,20 @@ base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile&
     if (path) written.push_back(*path);
   }
   if (auto sound = check_written(written, program, arguments); !sound) return sound;
-  if (auto trace = check_ending("--trace", paths.trace, ".csv", ".npy"); !trace) return trace;
-  return check_ending("--pulses", paths.pulses, ".vcd", ".csv");
+  if (auto trace = check_ending("--trace", paths.trace, trace::endings()); !trace) return trace;
+  return check_ending("--pulses", paths.pulses, {".vcd", ".csv"});
 }
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   Outputs outputs(job);
+  const bool follows = job.arguments.verb == Arguments::Verb::simulate;
   if (job.arguments.run.out) {
     if (auto made = make_folder(*job.arguments.run.out); !made) return base::failure(made.error());
   }
   if (paths.trace) {
-    if (auto opened = outputs.open_trace(*paths.trace); !opened) return base::failure(opened.error());
+    const trace::TraceKind kind = follows ? trace::TraceKind::followed : trace::TraceKind::words;
+    if (auto opened = outputs.trace_.open(*paths.trace, job.machine, kind); !opened)
+      return base::failure(opened.error());
   }
   if (paths.pulses) {
     auto opened = StepOutput::open(*paths.pulses, job);
@@ -122,25 +128,8 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     *output = std::move(*file);
     if (!outputs.recording_) outputs.recording_.emplace(job.machine, job.machine.period);
   }
-  const bool follows = job.arguments.command == Arguments::Command::simulate;
   if (follows && outputs.report_) outputs.followed_.emplace(job.machine.axis_set());
   return outputs;
-}
-
-base::Result<void> Outputs::open_trace(const std::string& path) {
-  const bool is_npy = files::extension(path) == ".npy";
-  auto file = create(path, is_npy ? files::OutputFile::Access::rewritable : files::OutputFile::Access::sequential);
-  if (!file) return base::failure(file.error());
-  trace_ = std::move(*file);
-  const base::AxisSet axes = job_->machine.axis_set();
-  const bool follows = job_->arguments.command == Arguments::Command::simulate;
-  const trace::TraceKind kind = follows ? trace::TraceKind::followed : trace::TraceKind::words;
-  if (is_npy) {
-    writer_.emplace<trace::NpyWriter>(trace_->sink(), axes, job_->machine.period, kind);
-  } else {
-    writer_.emplace<trace::CsvWriter>(trace_->sink(), axes, job_->machine.period, kind);
-  }
-  return {};
 }
 
 base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector& actual, double measured_feed) {
@@ -149,9 +138,7 @@ base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector
   if (steps_) {
     if (auto written = steps_->write(word); !written) return written;
   }
-  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->write(word, actual);
-  if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) return npy->write(word, actual);
-  return {};
+  return trace_.write(word, actual);
 }
 
 base::Result<void> Outputs::write_pages(const report::Report& report) {
@@ -164,34 +151,19 @@ base::Result<void> Outputs::write_pages(const report::Report& report) {
   return {};
 }
 
-base::Result<void> Outputs::finish_trace() {
-  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->finish();
-  auto* npy = std::get_if<trace::NpyWriter>(&writer_);
-  if (npy == nullptr) return {};
-  if (auto finished = npy->finish(); !finished) return finished;
-  return trace_->rewrite_start(npy->header());
-}
-
-std::array<files::OutputFile*, 4> Outputs::files() const {
-  return {trace_.get(), report_.get(), picture_.get(), steps_ ? &steps_->file() : nullptr};
-}
-
-std::optional<StepFigures> Outputs::step_figures() const {
+std::optional<results::StepFigures> Outputs::step_figures() const {
   if (!steps_) return std::nullopt;
   return steps_->figures();
 }
 
 base::Result<std::vector<std::string>> Outputs::publish() {
-  if (auto finished = finish_trace(); !finished) return base::failure(finished.error());
+  if (auto finished = trace_.finish(); !finished) return base::failure(finished.error());
+  files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
+  const auto written = {trace_.file(), report_.get(), picture_.get(), steps};
+  if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
-  for (files::OutputFile* file : files()) {
-    if (file == nullptr) continue;
-    if (auto closed = file->close(); !closed) return base::failure(closed.error());
-  }
-  for (files::OutputFile* file : files()) {
-    if (file == nullptr) continue;
-    if (auto published = file->publish(); !published) return base::failure(published.error());
-    paths.push_back(file->path());
+  for (const files::OutputFile* file : written) {
+    if (file != nullptr) paths.push_back(file->path());
   }
   return paths;
 }

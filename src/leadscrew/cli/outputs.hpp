@@ -6,14 +6,12 @@
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/step_output.hpp>
 #include <leadscrew/files/input_file.hpp>
-#include <leadscrew/files/output_file.hpp>
+#include <leadscrew/files/word_file.hpp>
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
-#include <leadscrew/trace/words.hpp>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace leadscrew::cli {
@@ -36,9 +34,9 @@ bool is_same_output(const std::string& path, const std::string& other);
 /// the same.
 base::Result<void> check_written(const std::vector<std::string>& paths, const files::InputFile& program,
                                  const Arguments& arguments);
-/// Of an option that may be absent: does its ending say one of two formats, or the only one? Error: `usage`.
-base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path, std::string_view one,
-                                std::string_view other = {});
+/// Of an option that may be absent: does its ending say one of the formats? Error: `usage`.
+base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path,
+                                const std::vector<std::string_view>& endings);
 /// Both, of these paths.
 base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments);
 
@@ -51,7 +49,7 @@ class Outputs {
   /// And where the slides were, with the feed that was measured, mm/s.
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
 
-  /// What a report and a picture are made of; nothing where none was asked for.
+  /// What a report and a picture are made of; null where neither was asked for.
   const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
   report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
@@ -62,21 +60,16 @@ class Outputs {
     return steps_ ? steps_->finish(program) : base::Result<void>();
   }
   /// What steps were written, if they were asked for.
-  std::optional<StepFigures> step_figures() const;
+  std::optional<results::StepFigures> step_figures() const;
   /// Ends the trace and gives all files their names; returns these.
   base::Result<std::vector<std::string>> publish();
 
  private:
-  using Writer = std::variant<std::monostate, trace::CsvWriter, trace::NpyWriter>;
-
   explicit Outputs(const Job& job) : job_(&job) {}
-  base::Result<void> open_trace(const std::string& path);
-  base::Result<void> finish_trace();
-  std::array<files::OutputFile*, 4> files() const;
 
   const Job* job_;
-  std::unique_ptr<files::OutputFile> trace_, report_, picture_;  ///< their sinks refer to them
-  Writer writer_;
+  files::WordFile trace_;
+  std::unique_ptr<files::OutputFile> report_, picture_;  ///< their sinks refer to them
   std::unique_ptr<StepOutput> steps_;
   std::optional<report::Recording> recording_;
   std::optional<report::FollowedRecording> followed_;

@@ -1,5 +1,5 @@
-#include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/results/program_json.hpp>
 
 namespace leadscrew::cli {
 
@@ -13,7 +13,7 @@ Status write_output(Console& console, std::string_view text) {
 Status for_each_program(const Job& job, Console& console, std::string_view schema, const ProgramWork& work) {
   const Arguments& arguments = job.arguments;
   Status worst = Status::done;
-  std::vector<Json> objects;
+  std::vector<json::Json> objects;
   for (const std::string& program : arguments.programs) {
     ProgramResult result = work(program, job_of(job, program));
     worst = worse(worst, result.status);
@@ -25,7 +25,7 @@ Status for_each_program(const Job& job, Console& console, std::string_view schem
       if (written != Status::done) return worse(worst, written);
     }
   }
-  return arguments.json ? worse(worst, write_output(console, json_text(schema, std::move(objects)))) : worst;
+  return arguments.json ? worse(worst, write_output(console, results::json_text(schema, std::move(objects)))) : worst;
 }
 
 }  // namespace leadscrew::cli

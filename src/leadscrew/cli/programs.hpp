@@ -5,8 +5,8 @@
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/status.hpp>
+#include <leadscrew/json/json.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -14,7 +14,7 @@ namespace leadscrew::cli {
 
 struct ProgramResult {
   Status status = Status::done;
-  nlohmann::ordered_json json;
+  json::Json json;
   std::string summary;  ///< may be empty
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/cli/progress_text.hpp>
+#include <leadscrew/results/program_text.hpp>
 
 namespace leadscrew::cli {
 
@@ -18,13 +19,6 @@ std::string count_text(std::int64_t count) {
 
 }  // namespace
 
-std::string clock_text(double seconds) {
-  const auto whole = static_cast<std::int64_t>(std::llround(seconds));
-  const auto hours = whole / 3600, minutes = whole / 60 % 60;
-  if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
-  return fmt::format("{}:{:02}", minutes, whole % 60);
-}
-
 std::string progress_text(const Progress& progress, double elapsed_seconds, int width) {
   const double done =
       progress.total > 0 ? static_cast<double>(progress.bytes) / static_cast<double>(progress.total) : 1;
@@ -35,7 +29,8 @@ std::string progress_text(const Progress& progress, double elapsed_seconds, int 
     text += fmt::format("  {} words  {:.0f}x real time", count_text(progress.words),
                         progress.motion_seconds / elapsed_seconds);
   }
-  if (done > 0.01 && done < 1) text += fmt::format("  {} left", clock_text(elapsed_seconds * (1 - done) / done));
+  if (done > 0.01 && done < 1)
+    text += fmt::format("  {} left", results::clock_text(elapsed_seconds * (1 - done) / done));
   return text.substr(0, static_cast<std::size_t>(std::max(width, 0)));
 }
 

@@ -1,32 +1,31 @@
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
-#include <leadscrew/cli/pulse_text.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/results/pulses.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
 
 constexpr std::int64_t most_clocks_shown = 64;  // unasked
-constexpr std::int64_t clocks_between_looks = 1 << 16;
+constexpr std::int64_t clocks_between_checks = 1 << 16;
 constexpr std::int64_t most_places = 10'000'000;  // that --path and --table give: half a gigabyte of text
 
 base::Diagnostic problem(std::string_view code, std::string message, std::string hint) {
   return {base::Severity::error, code, std::move(message), std::move(hint), {}, {}};
 }
 
-base::Result<AllPulses> measured(const PulseArguments& arguments) {
-  AllPulses all;
+base::Result<results::AllPulses> measured(const PulseArguments& arguments) {
+  results::AllPulses all;
   for (const nc::PulseMethod method : arguments.methods) {
     const nc::PulseRun run(method, arguments.curve, arguments.options);
     nc::PulseMeasurement measurement(run, arguments.curve);
     while (!measurement.done()) {
       measurement.step();
-      if (measurement.run().clock() % clocks_between_looks == 0 && files::interrupted())
+      if (measurement.run().clock() % clocks_between_checks == 0 && files::interrupted())
         return base::failure(files::interruption());
     }
     all.push_back({run, measurement.figures()});
@@ -35,7 +34,7 @@ base::Result<AllPulses> measured(const PulseArguments& arguments) {
 }
 
 /// Every clock as text is for curves of some size.
-base::Result<void> check_length(const PulseArguments& arguments, const AllPulses& pulses) {
+base::Result<void> check_length(const PulseArguments& arguments, const results::AllPulses& pulses) {
   if (!arguments.path && !arguments.table) return {};
   std::int64_t clocks = 0;
   for (const waves::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
@@ -47,67 +46,55 @@ base::Result<void> check_length(const PulseArguments& arguments, const AllPulses
                                "--vcd writes any number of them"));
 }
 
-/// The files that were asked for. They appear together, or not at all.
-class PulseFiles {
- public:
-  base::Result<void> write(const PulseArguments& arguments, const AllPulses& pulses) {
-    if (arguments.vcd && arguments.svg && is_same_output(*arguments.vcd, *arguments.svg))
-      return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
-                                   "give each output a name of its own"));
-    return write_one(arguments.vcd,
-                     [&](const auto& sink) { return waves::write_pulse_dump(arguments.curve, pulses, sink); })
-        .and_then([&] {
-          return write_one(arguments.svg,
-                           [&](const auto& sink) { return waves::write_pulse_picture(arguments.curve, pulses, sink); });
-        })
-        .and_then([&] { return publish(); });
-  }
+/// A file that takes bytes until the user interrupts.
+template <class Write>
+base::Result<std::unique_ptr<files::OutputFile>> written(const std::optional<std::string>& path, const Write& write) {
+  if (!path) return nullptr;
+  auto created = files::OutputFile::create(*path, files::OutputFile::Access::sequential);
+  if (!created) return base::failure(created.error());
+  auto file = std::make_unique<files::OutputFile>(std::move(*created));
+  const base::Result<void> result = write([&](std::string_view bytes) -> base::Result<void> {
+    if (files::interrupted()) return base::failure(files::interruption());
+    return file->write(bytes);
+  });
+  if (!result) return base::failure(result.error());
+  return file;
+}
 
- private:
-  template <class Write>
-  base::Result<void> write_one(const std::optional<std::string>& path, const Write& write) {
-    if (!path) return {};
-    auto file = files::OutputFile::create(*path, files::OutputFile::Access::sequential);
-    if (!file) return base::failure(file.error());
-    files_.push_back(std::make_unique<files::OutputFile>(std::move(*file)));
-    return write([sink = files_.back()->sink()](std::string_view bytes) -> base::Result<void> {
-      if (files::interrupted()) return base::failure(files::interruption());
-      return sink(bytes);
-    });
-  }
+/// The files that were asked for.
+base::Result<void> write_files(const PulseArguments& arguments, const results::AllPulses& pulses) {
+  if (arguments.vcd && arguments.svg && is_same_output(*arguments.vcd, *arguments.svg))
+    return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
+                                 "give each output a name of its own"));
+  const auto dump =
+      written(arguments.vcd, [&](const auto& sink) { return waves::write_pulse_dump(arguments.curve, pulses, sink); });
+  if (!dump) return base::failure(dump.error());
+  const auto picture = written(
+      arguments.svg, [&](const auto& sink) { return waves::write_pulse_picture(arguments.curve, pulses, sink); });
+  if (!picture) return base::failure(picture.error());
+  return files::publish_together({dump->get(), picture->get()});
+}
 
-  base::Result<void> publish() {
-    for (const auto& file : files_) {
-      if (auto closed = file->close(); !closed) return closed;
-    }
-    for (const auto& file : files_) {
-      if (auto published = file->publish(); !published) return published;
-    }
-    return {};
-  }
-
-  std::vector<std::unique_ptr<files::OutputFile>> files_;
-};
-
-std::string text_of(const PulseArguments& arguments, const AllPulses& pulses, const Style& style) {
-  std::string text = pulse_summary(arguments.curve, pulses, style);
+std::string text_of(const PulseArguments& arguments, const results::AllPulses& pulses, const Style& style) {
+  std::string text = results::pulse_summary(arguments.curve, pulses, style);
   const bool is_short = pulses.size() == 1 && pulses.front().figures.clocks <= most_clocks_shown;
   if (!arguments.table && !is_short) return text;
-  for (const waves::MeasuredPulses& each : pulses) text += "\n" + pulse_table(arguments.curve, each, style);
+  for (const waves::MeasuredPulses& each : pulses) text += "\n" + results::pulse_table(arguments.curve, each, style);
   return text;
 }
 
-base::Result<AllPulses> made(const PulseArguments& arguments) {
+base::Result<results::AllPulses> made(const PulseArguments& arguments) {
   auto pulses = measured(arguments);
   if (!pulses) return pulses;
   if (auto sound = check_length(arguments, *pulses); !sound) return base::failure(sound.error());
-  if (auto written = PulseFiles().write(arguments, *pulses); !written) return base::failure(written.error());
+  if (auto written = write_files(arguments, *pulses); !written) return base::failure(written.error());
   return pulses;
 }
 
 Status rejected(const Arguments& arguments, const DiagnosticLog& log, Console& console) {
   if (!arguments.json || log.status() == Status::usage || log.status() == Status::interrupted) return log.status();
-  const std::string text = json_text(pulse_schema, {json_of_rejected_pulses(arguments.pulse.curve, log)});
+  const std::string text =
+      results::json_text(results::pulse_schema, {results::json_of_rejected_pulses(arguments.pulse.curve, log.all())});
   return worse(log.status(), write_output(console, text));
 }
 
@@ -130,7 +117,8 @@ Status pulse(const Arguments& arguments, Console& console) {
     return rejected(arguments, log, console);
   }
   if (arguments.json)
-    return write_output(console, json_text(pulse_schema, {json_of_pulses(asked.curve, *pulses, asked.path)}));
+    return write_output(console, results::json_text(results::pulse_schema,
+                                                    {results::json_of_pulses(asked.curve, *pulses, asked.path)}));
   if (arguments.quiet && !asked.table) return Status::done;
   return write_output(console, text_of(asked, *pulses, console.output_style()));
 }

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <charconv>
-#include <leadscrew/cli/nearest.hpp>
-#include <leadscrew/cli/output_name.hpp>
+#include <leadscrew/base/nearest.hpp>
+#include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
+#include <leadscrew/cli/shared_arguments.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <limits>
+#include <memory>
+#include <span>
 
 namespace leadscrew::cli {
 
@@ -15,10 +18,28 @@ namespace {
 
 using nc::PulseMethod;
 
-template <class... Values>
-auto wrong(fmt::format_string<Values...> text, Values&&... values) {
-  return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
-}
+constexpr const char* examples =
+    "Examples:\n"
+    "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
+    "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
+    "  leadscrew pulse --line --end 11,-7 --method dda,bresenham --bits 4 --table\n"
+    "  leadscrew pulse --line --end 300,40 --method koren --preload zero --path --json\n"
+    "\n"
+    "Integers are BLU. A full circle ends where it starts. Each method's conventions are by default those with which "
+    "it\n"
+    "gives its published figures; --json names all that were in force.\n"
+    "\n"
+    "Columns of --table: x y from the centre or a line's start, F the deviation; n1 n2 n3 what F would be after a "
+    "step\n"
+    "of both axes, of y, of x; d = 4(d1 - d2) of improved-min-error; Jx Jy integrands, rx ry remainders, nx ny steps\n"
+    "left, q the capacity. --vcd has them under the papers' names too, and says which is which: rst Val_z Val_f "
+    "Val_n1\n"
+    "Sum_Z and, for koren, y1 r1 dz1.\n";
+
+/// As they are given; the curve is made of them at the end.
+struct Given {
+  bool arc = false, line = false, clockwise = false, counterclockwise = false;
+};
 
 /// Of more than 64 bits: the nearest in them.
 Parsed<std::int64_t> parse_coordinate(std::string_view text) {
@@ -32,15 +53,14 @@ Parsed<std::int64_t> parse_coordinate(std::string_view text) {
 }
 
 /// x,y in BLU; `of`: what the point is.
-Parsed<pulse::Point> parse_point(std::string_view option, std::string_view of, std::string_view text,
-                                 std::vector<base::Diagnostic>& overflows) {
+Parsed<pulse::Point> parse_point(std::string_view of, std::string_view text, std::vector<base::Diagnostic>& overflows) {
   const std::size_t comma = text.find(',');
-  if (comma == std::string_view::npos) return wrong("{} {}: needs two numbers, such as 5,0", option, text);
+  if (comma == std::string_view::npos) return wrong("needs two numbers, such as 5,0");
   pulse::Point point;
   for (const auto& [name, digits, coordinate] :
        {std::tuple("x", text.substr(0, comma), &point.x), {"y", text.substr(comma + 1), &point.y}}) {
     const auto parsed = parse_coordinate(digits);
-    if (!parsed) return wrong("{} {}: {}", option, text, parsed.error());
+    if (!parsed) return tl::unexpected(parsed.error());
     *coordinate = *parsed;
     if (*parsed < -pulse::greatest_coordinate || *parsed > pulse::greatest_coordinate)
       overflows.push_back(nc::overflow_beyond(name, fmt::format("{} of the {}", name, of), digits));
@@ -48,14 +68,12 @@ Parsed<pulse::Point> parse_point(std::string_view option, std::string_view of, s
   return point;
 }
 
-/// One of the named values.
+/// Values by their names.
 template <class T, std::size_t count>
-Parsed<T> parse_name(std::string_view option, std::string_view text, const std::array<T, count>& known) {
-  std::array<std::string_view, count> names;
-  std::transform(known.begin(), known.end(), names.begin(), [](T value) { return nc::name(value); });
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found != names.end()) return known[static_cast<std::size_t>(found - names.begin())];
-  return wrong("{} {}: is none of {}{}", option, text, fmt::join(names, ", "), did_you_mean(text, names));
+std::vector<std::pair<std::string_view, T>> named(const std::array<T, count>& values) {
+  std::vector<std::pair<std::string_view, T>> pairs;
+  for (const T value : values) pairs.emplace_back(nc::name(value), value);
+  return pairs;
 }
 
 /// Without spaces around it.
@@ -69,90 +87,99 @@ Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
   std::vector<PulseMethod> methods;
   while (true) {
     const std::size_t comma = text.find(',');
-    const auto method = parse_name("--method", trimmed(text.substr(0, comma)), nc::all_pulse_methods);
-    if (!method) return tl::unexpected(method.error());
-    if (std::find(methods.begin(), methods.end(), *method) != methods.end())
-      return wrong("--method: {} is named twice", nc::name(*method));
+    const std::string_view name = trimmed(text.substr(0, comma));
+    const auto method = parse_pulse_method(name);
+    if (!method) return wrong("{} {}", name, method.error());
+    if (std::find(methods.begin(), methods.end(), *method) != methods.end()) return wrong("{} is named twice", name);
     methods.push_back(*method);
     if (comma == std::string_view::npos) return methods;
     text.remove_prefix(comma + 1);
   }
 }
 
-Parsed<nc::PulseCurve> parse_curve(const PulseTexts& texts, std::vector<base::Diagnostic>& overflows) {
-  using Shape = nc::PulseCurve::Shape;
-  if (texts.arc == texts.line) return wrong("needs either --arc or --line");
-  if (texts.clockwise && texts.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
-  if (!texts.end) return wrong("--end is missing: where the {} ends, such as 0,5", texts.arc ? "arc" : "line");
-  if (texts.arc && !texts.start) return wrong("--start is missing: where the arc starts, such as 5,0");
-  if (texts.line && (texts.center || texts.clockwise || texts.counterclockwise))
-    return wrong("{} is for arcs", texts.center ? "--center" : texts.clockwise ? "--cw" : "--ccw");
-  nc::PulseCurve curve;
-  curve.shape = texts.arc ? Shape::arc : Shape::line;
-  curve.direction = texts.clockwise ? pulse::Direction::clockwise : pulse::Direction::counterclockwise;
-  for (const auto& [option, of, text, point] : {std::tuple("--start", "start", &texts.start, &curve.start),
-                                                {"--end", "end", &texts.end, &curve.end},
-                                                {"--center", "centre", &texts.center, &curve.center}}) {
-    if (!*text) continue;
-    const auto parsed = parse_point(option, of, **text, overflows);
-    if (!parsed) return tl::unexpected(parsed.error());
-    *point = *parsed;
-  }
-  return curve;
+Parsed<int> parse_bits(std::string_view text) {
+  int bits = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bits);
+  if (error != std::errc() || end != text.data() + text.size() || bits < 1 || bits > nc::most_pulse_bits)
+    return wrong("is not a whole number from 1 to {}", nc::most_pulse_bits);
+  return bits;
 }
 
-template <class T, std::size_t count>
-Parsed<void> take_name(std::string_view option, const std::optional<std::string>& text,
-                       const std::array<T, count>& known, std::optional<T>& value) {
-  if (!text) return {};
-  const auto parsed = parse_name(option, *text, known);
-  if (!parsed) return tl::unexpected(parsed.error());
-  value = *parsed;
+Parsed<void> check_curve(const Command& command, const Given& given) {
+  if (given.arc == given.line) return wrong("needs either --arc or --line");
+  if (given.clockwise && given.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
+  if (!command.given("--end"))
+    return wrong("--end is missing: where the {} ends, such as 0,5", given.arc ? "arc" : "line");
+  if (given.arc && !command.given("--start")) return wrong("--start is missing: where the arc starts, such as 5,0");
+  const std::string_view of_arcs = command.first_given({"--center", "--cw", "--ccw"});
+  if (given.line && !of_arcs.empty()) return wrong("{} is for arcs", of_arcs);
   return {};
 }
 
-Parsed<nc::MethodOptions> parse_options(const PulseTexts& texts) {
-  nc::MethodOptions options;
-  if (texts.bits) {
-    int bits = 0;
-    const char* const last = texts.bits->data() + texts.bits->size();
-    const auto [end, error] = std::from_chars(texts.bits->data(), last, bits);
-    if (error != std::errc() || end != last || bits < 1 || bits > nc::most_pulse_bits)
-      return wrong("--bits {}: is not a whole number from 1 to {}", *texts.bits, nc::most_pulse_bits);
-    options.bits = bits;
+/// "dda and koren": the methods that have something.
+template <class Has>
+std::string names_of(const Has& has) {
+  std::vector<std::string_view> names;
+  for (const PulseMethod method : nc::all_pulse_methods) {
+    if (has(method)) names.push_back(nc::name(method));
   }
-  const auto taken = take_name("--preload", texts.preload, nc::all_preloads, options.preload)
-                         .and_then([&] { return take_name("--tie", texts.tie, nc::all_ties, options.tie); })
-                         .and_then([&] { return take_name("--order", texts.order, nc::all_orders, options.order); });
-  if (!taken) return tl::unexpected(taken.error());
-  return options;
+  const std::span all_but_last(names.begin(), names.end() - 1);
+  return fmt::format("{}{}{}", fmt::join(all_but_last, ", "), all_but_last.empty() ? "" : " and ", names.back());
 }
 
 /// An option that none of the methods has would be ignored.
 Parsed<void> check_use(const PulseArguments& arguments) {
   const bool is_arc = arguments.curve.is_arc();
-  const auto is_any = [&](std::initializer_list<PulseMethod> methods) {
-    return std::find_first_of(arguments.methods.begin(), arguments.methods.end(), methods.begin(), methods.end()) !=
-           arguments.methods.end();
+  const auto check = [&](std::string_view option, bool is_given, bool nc::MethodUses::* use) -> Parsed<void> {
+    const auto has = [&](PulseMethod method) { return nc::uses_of(method).*use; };
+    const bool is_of_arcs = use != &nc::MethodUses::preload;
+    const bool is_used =
+        std::any_of(arguments.methods.begin(), arguments.methods.end(), has) && (is_arc || !is_of_arcs);
+    if (!is_given || is_used) return {};
+    return wrong("{} is for {}{}", option, is_of_arcs ? "arcs by " : "", names_of(has));
   };
-  const bool integrates = is_any({PulseMethod::dda, PulseMethod::koren});
-  if (arguments.options.preload && !integrates) return wrong("--preload is for dda and koren");
-  if (arguments.options.order && !(integrates && is_arc)) return wrong("--order is for arcs by dda and koren");
-  if (arguments.options.tie && !(is_arc && is_any({PulseMethod::point_comparison})))
-    return wrong("--tie is for arcs by point-comparison");
+  const nc::MethodOptions& options = arguments.options;
+  return check("--preload", options.preload.has_value(), &nc::MethodUses::preload)
+      .and_then([&] { return check("--order", options.order.has_value(), &nc::MethodUses::order); })
+      .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); });
+}
+
+/// Of what is written: each ending belongs to one option.
+Parsed<void> check_outputs(const PulseArguments& pulse, bool json) {
+  if (pulse.path && !json) return wrong("--path is for --json; --table is the same as text");
+  if (pulse.table && json) return wrong("--table is text; with --json, --path gives every place");
+  if (pulse.vcd && files::extension(*pulse.vcd) == ".svg")
+    return wrong("--vcd {}: would write registers; --svg writes the picture", *pulse.vcd);
+  if (pulse.svg && files::extension(*pulse.svg) == ".vcd")
+    return wrong("--svg {}: would write the picture; --vcd writes registers", *pulse.svg);
   return {};
 }
 
-/// Each ending belongs to one option.
-Parsed<void> check_files(const PulseTexts& texts) {
-  for (const auto& [option, text] : {std::pair("--vcd", &texts.vcd), {"--svg", &texts.svg}}) {
-    if (auto sound = check_output_name(option, *text); !sound) return sound;
-  }
-  if (texts.vcd && files::extension(*texts.vcd) == ".svg")
-    return wrong("--vcd {}: would write registers; --svg writes the picture", *texts.vcd);
-  if (texts.svg && files::extension(*texts.svg) == ".vcd")
-    return wrong("--svg {}: would write the picture; --vcd writes registers", *texts.svg);
-  return {};
+void add_curve(Command& command, PulseArguments& pulse, Given& given) {
+  command.flag("--arc", "An arc", given.arc);
+  command.flag("--line", "A straight line", given.line);
+  const auto add_point = [&](const char* option, const char* what, const char* of, pulse::Point& point) {
+    command.value(option, "X,Y", what, point,
+                  [of, &pulse](std::string_view text) { return parse_point(of, text, pulse.overflows); });
+  };
+  add_point("--start", "Where it starts (of a line, default: 0,0)", "start", pulse.curve.start);
+  add_point("--end", "Where it ends", "end", pulse.curve.end);
+  add_point("--center", "Of an arc (default: 0,0)", "centre", pulse.curve.center);
+  command.flag("--cw", "Clockwise", given.clockwise);
+  command.flag("--ccw", "Counterclockwise (default)", given.counterclockwise);
+}
+
+void add_methods(Command& command, PulseArguments& pulse) {
+  nc::MethodOptions& options = pulse.options;
+  command.value("--method", "LIST", "Some of " + names_of_pulse_methods() + " (default: all)", pulse.methods,
+                parse_methods);
+  command.value("--bits", "N", "Width of the registers; the capacity of dda is then 2^N", options.bits, parse_bits);
+  command.choice("--preload", "LOAD", "Of the remainders: zero, half, half-lagging or full", options.preload,
+                 named(nc::all_preloads));
+  command.choice("--tie", "WAY", "Where point comparison goes on the circle: outward or inward", options.tie,
+                 named(nc::all_ties));
+  command.choice("--order", "ORDER", "Of the integrators of arcs: parallel, x-first, shrinking-first or growing-first",
+                 options.order, named(nc::all_orders));
 }
 
 }  // namespace
@@ -163,7 +190,7 @@ Parsed<PulseMethod> parse_pulse_method(std::string_view text) {
   }
   std::vector<std::string_view> names;
   for (const PulseMethod method : nc::all_pulse_methods) names.push_back(nc::name(method));
-  return wrong("is none of {}{}", names_of_pulse_methods(), did_you_mean(text, names));
+  return wrong("is none of {}{}", names_of_pulse_methods(), base::did_you_mean(text, names));
 }
 
 std::string names_of_pulse_methods() {
@@ -173,25 +200,28 @@ std::string names_of_pulse_methods() {
   return names;
 }
 
-Parsed<PulseArguments> parse_pulse(const PulseTexts& texts, bool json) {
-  PulseArguments arguments{.path = texts.path, .table = texts.table, .vcd = texts.vcd, .svg = texts.svg};
-  const auto curve = parse_curve(texts, arguments.overflows);
-  if (!curve) return tl::unexpected(curve.error());
-  const auto options = parse_options(texts);
-  if (!options) return tl::unexpected(options.error());
-  arguments.curve = *curve;
-  arguments.options = *options;
-  arguments.methods = {nc::all_pulse_methods.begin(), nc::all_pulse_methods.end()};
-  if (texts.methods) {
-    auto methods = parse_methods(*texts.methods);
-    if (!methods) return tl::unexpected(methods.error());
-    arguments.methods = std::move(*methods);
-  }
-  if (texts.path && !json) return wrong("--path is for --json; --table is the same as text");
-  if (texts.table && json) return wrong("--table is text; with --json, --path gives every place");
-  if (const auto sound = check_files(texts); !sound) return tl::unexpected(sound.error());
-  if (const auto used = check_use(arguments); !used) return tl::unexpected(used.error());
-  return arguments;
+void describe_pulse(Command& command, Arguments& arguments) {
+  PulseArguments& pulse = arguments.pulse;
+  pulse.methods = {nc::all_pulse_methods.begin(), nc::all_pulse_methods.end()};
+  // Lives as long as the check.
+  const auto given = std::make_shared<Given>();
+  add_curve(command, pulse, *given);
+  add_methods(command, pulse);
+  command.flag("--table", "Every register at every clock, as text", pulse.table);
+  command.flag("--path", "Every place, in JSON", pulse.path);
+  command.output("--vcd", "FILE.vcd", "Write every register at every clock", pulse.vcd);
+  command.output("--svg", "FILE.svg", "Write the steps over the true curve", pulse.svg);
+  add_output(command, arguments);
+  command.check([&command, &arguments, given]() -> Parsed<void> {
+    using Shape = nc::PulseCurve::Shape;
+    nc::PulseCurve& curve = arguments.pulse.curve;
+    curve.shape = given->arc ? Shape::arc : Shape::line;
+    curve.direction = given->clockwise ? pulse::Direction::clockwise : pulse::Direction::counterclockwise;
+    return check_curve(command, *given)
+        .and_then([&] { return check_outputs(arguments.pulse, arguments.json); })
+        .and_then([&] { return check_use(arguments.pulse); });
+  });
+  command.help(examples);
 }
 
 }  // namespace leadscrew::cli

@@ -75,6 +75,18 @@ Parsed<double> parse_number(std::string_view text) {
   return value;
 }
 
+Parsed<std::vector<double>> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const auto number = parse_number(text.substr(0, comma));
+    if (!number) return wrong(number.error());
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 Parsed<base::Period> parse_period(std::string_view text) {
   const auto nanoseconds = parse_nanoseconds(text, "such as 1ms or 250us", {10e3, 20e6}, "10us to 20ms");
   if (!nanoseconds) return wrong(nanoseconds.error());
@@ -120,12 +132,6 @@ Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text) {
     if (comma == std::string_view::npos) return values;
     text.remove_prefix(comma + 1);
   }
-}
-
-std::string period_text(base::Period period) {
-  const auto nanoseconds = static_cast<double>(period.nanoseconds);
-  return period.nanoseconds >= 1'000'000 ? fmt::format("{} ms", nanoseconds / 1e6)
-                                         : fmt::format("{} us", nanoseconds / 1e3);
 }
 
 }  // namespace leadscrew::cli

@@ -18,6 +18,9 @@ using Parsed = tl::expected<T, std::string>;
 /// A finite number and nothing else.
 Parsed<double> parse_number(std::string_view text);
 
+/// Numbers with commas between them, one or more.
+Parsed<std::vector<double>> parse_numbers(std::string_view text);
+
 /// 1ms, 250us, 62.5us: a whole number of nanoseconds from 10 us to 20 ms.
 Parsed<base::Period> parse_period(std::string_view text);
 
@@ -34,8 +37,5 @@ using AxisValue = std::pair<base::Axis, double>;
 
 /// X0,Y-1.5,A90: letters of axes with numbers.
 Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text);
-
-/// "1 ms", "62.5 us".
-std::string period_text(base::Period period);
 
 }  // namespace leadscrew::cli

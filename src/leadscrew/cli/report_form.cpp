@@ -61,7 +61,7 @@ base::Result<SourceLines> source_lines(const files::InputFile& file, const std::
   return std::move(gatherer).lines();
 }
 
-std::vector<report::LimitRatios> limits_of(const RunFigures& figures) {
+std::vector<report::LimitRatios> limits_of(const results::RunFigures& figures) {
   std::vector<report::LimitRatios> list;
   for (const referee::AxisVerdict& axis : figures.verdict.axes) {
     const machine::Derivatives plan = figures.summary.plan.of_axis(axis.axis);
@@ -78,7 +78,7 @@ std::vector<report::LimitRatios> limits_of(const RunFigures& figures) {
 
 }  // namespace
 
-base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const RunFigures& figures,
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const results::RunFigures& figures,
                                        const DiagnosticLog& log, const report::Recording& recording) {
   const pipeline::Summary& summary = figures.summary;
   auto source = source_lines(file, lines_named(recording));
@@ -104,9 +104,10 @@ base::Result<report::Report> report_of(const files::InputFile& file, const Job& 
   return report;
 }
 
-base::Result<report::Report> report_of(const files::InputFile& file, const Job& job, const SimulateFigures& figures,
-                                       const DiagnosticLog& log, const report::Recording& recording) {
-  RunFigures of_words{figures.summary, figures.verdict, {}};
+base::Result<report::Report> report_of(const files::InputFile& file, const Job& job,
+                                       const results::SimulateFigures& figures, const DiagnosticLog& log,
+                                       const report::Recording& recording) {
+  results::RunFigures of_words{figures.summary, figures.verdict, {}};
   of_words.verdict.axes.clear();
   for (const auto& [axis, tracking] : figures.axes) {
     const machine::Derivatives plan = figures.summary.plan.of_axis(axis);

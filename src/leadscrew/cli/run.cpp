@@ -1,14 +1,14 @@
 #include <chrono>
-#include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/run.hpp>
-#include <leadscrew/cli/summary_text.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
+#include <leadscrew/results/program_json.hpp>
+#include <leadscrew/results/program_text.hpp>
 
 namespace leadscrew::cli {
 
@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t words_between_looks = 1024;
+constexpr std::int64_t words_between_checks = 1024;
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -43,7 +43,7 @@ class StopWatch {
     return result;
   }
 
-  Effort effort(double read_seconds) const { return {read_seconds, planning_, seconds(cycling_), cycles_}; }
+  results::Effort effort(double read_seconds) const { return {read_seconds, planning_, seconds(cycling_), cycles_}; }
 
  private:
   double planning_ = 0;  // s
@@ -56,8 +56,8 @@ class ProgramRun {
   ProgramRun(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
       : program_(program), job_(job), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
-  std::optional<RunFigures> execute() {
+  /// Empty where the log says why.
+  std::optional<results::RunFigures> execute() {
     const auto file = open_program(program_);
     if (!file) return failed(file.error());
     const OutputPaths paths = output_paths(job_.arguments, program_);
@@ -77,7 +77,8 @@ class ProgramRun {
     return std::nullopt;
   }
 
-  base::Result<RunFigures> move(const files::InputFile& file, const OutputPaths& paths, const Reading& reading) {
+  base::Result<results::RunFigures> move(const files::InputFile& file, const OutputPaths& paths,
+                                         const Reading& reading) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
     auto figures = make_words(file, *outputs, reading);
@@ -97,7 +98,7 @@ class ProgramRun {
     return figures;
   }
 
-  base::Result<RunFigures> make_words(const files::InputFile& file, Outputs& outputs, const Reading& reading) {
+  base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs, const Reading& reading) {
     Progress progress{.work = "moving", .total = file.size()};
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
@@ -105,14 +106,15 @@ class ProgramRun {
     program.stop_when(files::interrupted);
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
-    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period);
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
+                             files::interrupted);
     StopWatch watch;
     console_.begin_progress();
     while (watch.prepare([&] { return program.prepare(); })) {
       const base::Word word = watch.cycle([&] { return program.cycle(); });
       referee.observe(word.position);
       if (auto written = outputs.write(word); !written) return base::failure(written.error());
-      if (base::count(word.tick) % words_between_looks != 0) continue;
+      if (base::count(word.tick) % words_between_checks != 0) continue;
       if (files::interrupted()) return base::failure(files::interruption());
       progress.words = base::count(word.tick);
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
@@ -121,8 +123,9 @@ class ProgramRun {
     if (program.failure()) return base::failure(*program.failure());
     if (const auto warning = program.warning()) log_.add(*warning);
     referee::Verdict verdict = referee.conclude();
+    if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
-    return RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};
+    return results::RunFigures{program.summary(), std::move(verdict), watch.effort(reading.seconds)};
   }
 
   std::string program_;
@@ -135,15 +138,17 @@ ProgramResult run_program(const std::string& program, const Job& job, Console& c
   DiagnosticLog log(console);
   const std::string name = program == "-" ? "<stdin>" : program;
   const auto figures = ProgramRun(program, job, console, log).execute();
-  if (!figures) return {log.status(), json_of_rejected(run_schema, name, job.machine.name, log), {}};
-  return {figures->kept() ? Status::done : Status::not_kept, json_of_run(name, job, *figures, log),
-          run_summary(name, job, *figures, console.output_style())};
+  if (!figures)
+    return {log.status(), results::json_of_rejected(results::run_schema, name, job.machine.name, log.all()), {}};
+  return {figures->kept() ? Status::done : Status::not_kept,
+          results::json_of_run(name, job.machine, *figures, log.all()),
+          results::run_summary(name, job.machine, *figures, console.output_style())};
 }
 
 }  // namespace
 
 Status run(const Job& job, Console& console) {
-  return for_each_program(job, console, run_schema, [&](const std::string& program, const Job& of_program) {
+  return for_each_program(job, console, results::run_schema, [&](const std::string& program, const Job& of_program) {
     return run_program(program, of_program, console);
   });
 }

@@ -1,91 +1,81 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
-#include <leadscrew/cli/output_name.hpp>
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
+#include <leadscrew/cli/shared_arguments.hpp>
 #include <leadscrew/machine/step_times.hpp>
-#include <utility>
 
 namespace leadscrew::cli {
 
 namespace {
 
-template <class... Values>
-auto wrong(fmt::format_string<Values...> text, Values&&... values) {
-  return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
+constexpr std::string_view examples =
+    "Examples:\n"
+    "  leadscrew run part.ngc\n"
+    "  leadscrew run part.ngc --machine machines/heavy3.toml --trace part.csv --report part.html\n"
+    "  leadscrew run part.ngc --pulses part.vcd   steps and directions that follow the motion\n"
+    "  leadscrew run part.ngc --pulses part.csv --machine machines/mill3-worn.toml   its screws' errors made good\n"
+    "  leadscrew run *.ngc --out results          results/NAME.csv, .html and .svg of each\n"
+    "  leadscrew run *.ngc --out results --pulses vcd   and its steps, results/NAME.steps.vcd\n"
+    "  generator | leadscrew run - --json         a program from standard input, figures as JSON\n"
+    "\n"
+    "Times of step signals may be given for each axis in the machine file, [axis.X], in microseconds, 1 by default:\n"
+    "step_length_us, step_space_us, direction_setup_us, direction_hold_us. What clock and times cannot give at an "
+    "axis'\n"
+    "greatest velocity and acceleration is refused before anything moves.\n"
+    "\n"
+    "Files appear whole or not at all. A program with an error is not moved. cycle_ns of --json is the time of\n"
+    "every call that makes a word, the two looks at the clock included.\n";
+
+constexpr std::array<const char*, 4> step_times_help = {
+    "Of --pulses: least length of a step, such as 2.5us, in place of the machine's",
+    "Of --pulses: least time between two steps of an axis, likewise",
+    "Of --pulses: least time from a change of direction to the next step, likewise",
+    "Of --pulses: least time from the end of a step to a change of direction, likewise"};
+
+std::vector<std::pair<std::string_view, interpolator::StepRule>> step_rules() {
+  std::vector<std::pair<std::string_view, interpolator::StepRule>> rules;
+  for (const interpolator::StepRule rule : interpolator::all_step_rules)
+    rules.emplace_back(interpolator::name(rule), rule);
+  return rules;
 }
 
-Parsed<interpolator::StepRule> parse_step_rule(std::string_view text) {
-  std::string known;
-  for (const interpolator::StepRule rule : interpolator::all_step_rules) {
-    if (text == interpolator::name(rule)) return rule;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", interpolator::name(rule));
-  }
-  return wrong("is none of {}", known);
-}
-
-/// An option's value, where it is given.
-template <class Target, class Value>
-Parsed<void> take(std::string_view option, const std::optional<std::string>& text,
-                  Parsed<Value> (*parse)(std::string_view), Target& target) {
-  if (!text) return {};
-  auto value = parse(*text);
-  if (!value) return wrong("{} {}: {}", option, *text, value.error());
-  target = std::move(*value);
-  return {};
-}
-
-Parsed<void> check_names(const RunTexts& texts) {
-  for (const auto& [option, path] : {std::pair("--trace", &texts.trace),
-                                     {"--pulses", &texts.pulses},
-                                     {"--report", &texts.report},
-                                     {"--picture", &texts.picture},
-                                     {"--out", &texts.out}}) {
-    if (auto sound = check_output_name(option, *path); !sound) return sound;
-  }
-  return {};
-}
-
-Parsed<void> check_files(const RunTexts& texts, std::size_t programs) {
-  if (programs < 2) return {};
-  for (const auto& [option, path] :
-       {std::pair("--trace", &texts.trace), {"--report", &texts.report}, {"--picture", &texts.picture}}) {
-    if (*path) return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
-  }
-  if (texts.pulses && !(texts.out && step_format(*texts.pulses)))
-    return wrong(
-        "--pulses {}: is for one program; with several, --out DIR --pulses vcd, or csv, writes the steps of each",
-        *texts.pulses);
-  return {};
-}
-
-/// They would be ignored.
-Parsed<void> check_steps(const RunTexts& texts) {
-  if (texts.pulses) return {};
-  if (texts.step_clock) return wrong("--step-clock is of --pulses FILE, which is missing");
+void add_step_times(Command& command, RunArguments& run) {
   for (std::size_t k = 0; k < step_time_options.size(); ++k) {
-    if (texts.step_times[k]) return wrong("{} is of --pulses FILE, which is missing", step_time_options[k]);
+    const std::int64_t least = machine::all_step_times[k].least;
+    command.value(step_time_options[k], "TIME", step_times_help[k], run.step_times[k], [least](std::string_view text) {
+      auto time = parse_step_time(text);
+      return time && *time < least ? Parsed<std::int64_t>(wrong("must be above 0")) : time;
+    });
   }
-  return {};
 }
 
-Parsed<void> take_step_times(const RunTexts& texts, RunArguments& run) {
-  for (std::size_t k = 0; k < step_time_options.size(); ++k) {
-    auto taken = take(step_time_options[k], texts.step_times[k], parse_step_time, run.step_times[k]);
-    if (!taken) return taken;
-    if (run.step_times[k] && *run.step_times[k] < machine::all_step_times[k].least)
-      return wrong("{} {}: must be above 0", step_time_options[k], *texts.step_times[k]);
-  }
-  return {};
+void add_pulses(Command& command, RunArguments& run) {
+  command.output("--pulses", "FILE",
+                 "Write steps and directions: .vcd or .csv; beside --out vcd or csv, for DIR/NAME.steps.vcd",
+                 run.pulses);
+  command.value("--pulse-method", "NAME",
+                "Of --pulses: by an interpolator of the papers, not steps that follow the words: " +
+                    names_of_pulse_methods() + "; here dda too has capacity R or L and begins half full",
+                run.pulse_method, parse_pulse_method);
+  command.flag("--accelerate",
+               "Of --pulse-method: feed rises and falls as the axes can; else one that an axis cannot make is refused",
+               run.accelerate);
+  command.value("--step-clock", "HZ", "Of --pulses: 10kHz to 10MHz (default 1MHz)", run.step_clock, parse_frequency);
+  add_step_times(command, run);
 }
 
-Parsed<void> check_pulses(const RunTexts& texts) {
-  if (texts.accelerate && !texts.pulse_method)
+/// Options that would be ignored, and steps of several programs in one file.
+Parsed<void> check_pulses(const Arguments& arguments) {
+  const RunArguments& run = arguments.run;
+  if (run.accelerate && !run.pulse_method)
     return wrong("--accelerate is of --pulse-method; steps that follow the words have the words' acceleration");
-  if (texts.pulse_method && !texts.pulses) return wrong("--pulse-method is of --pulses FILE, which is missing");
-  return {};
+  if (arguments.programs.size() < 2 || !run.pulses || (run.out && step_format(*run.pulses))) return {};
+  return wrong(
+      "--pulses {}: is for one program; with several, --out DIR --pulses vcd, or csv, writes the steps of each",
+      *run.pulses);
 }
 
 }  // namespace
@@ -97,22 +87,22 @@ std::optional<std::string> step_format(std::string_view text) {
   return std::nullopt;
 }
 
-Parsed<RunArguments> parse_run(const RunTexts& texts, std::size_t programs) {
-  RunArguments run;
-  run.trace = texts.trace;
-  run.report = texts.report;
-  run.picture = texts.picture;
-  run.pulses = texts.pulses;
-  run.out = texts.out;
-  run.accelerate = texts.accelerate;
-  for (const Parsed<void>& taken :
-       {take("--interpolator", texts.interpolator, parse_step_rule, run.interpolator),
-        take("--pulse-method", texts.pulse_method, parse_pulse_method, run.pulse_method),
-        take("--step-clock", texts.step_clock, parse_frequency, run.step_clock), take_step_times(texts, run),
-        check_names(texts), check_files(texts, programs), check_pulses(texts), check_steps(texts)}) {
-    if (!taken) return tl::unexpected(taken.error());
-  }
-  return run;
+void describe_run(Command& command, Arguments& arguments) {
+  RunArguments& run = arguments.run;
+  command.words("PROGRAM", programs_help, arguments.programs);
+  add_common(command, arguments);
+  add_period(command, arguments);
+  add_motion(command, arguments);
+  command.choice("--interpolator", "RULE",
+                 "Parameter steps along curves: arc-length (default), taylor1, taylor2, newton or uniform",
+                 run.interpolator, step_rules());
+  command.output("--trace", "FILE", "Write the words: .csv or .npy", run.trace);
+  add_pulses(command, run);
+  add_pages(command, arguments);
+  command.check([&arguments] { return check_pulses(arguments); });
+  command.only_with("--pulses", {"--pulse-method", "--step-clock", "--step-length", "--step-space", "--direction-setup",
+                                 "--direction-hold"});
+  command.help(std::string(examples) + curves_text());
 }
 
 }  // namespace leadscrew::cli

@@ -6,24 +6,24 @@
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/simulate.hpp>
-#include <leadscrew/cli/simulate_form.hpp>
 #include <leadscrew/drive/slides.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/pipeline/programmed_feed.hpp>
+#include <leadscrew/results/simulation.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t words_between_looks = 1024;
+constexpr std::int64_t words_between_checks = 1024;
 
 class Simulation {
  public:
   Simulation(const Job& job, Console& console, DiagnosticLog& log) : job_(job), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
-  std::optional<SimulateFigures> execute(const std::string& program) {
+  /// Empty where the log says why.
+  std::optional<results::SimulateFigures> execute(const std::string& program) {
     const auto file = open_program(program);
     if (!file) return failed(file.error());
     const OutputPaths paths = output_paths(job_.arguments, program);
@@ -42,7 +42,7 @@ class Simulation {
     return std::nullopt;
   }
 
-  base::Result<SimulateFigures> move(const files::InputFile& file, const OutputPaths& paths) {
+  base::Result<results::SimulateFigures> move(const files::InputFile& file, const OutputPaths& paths) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
     auto figures = follow_words(file, *outputs);
@@ -61,7 +61,7 @@ class Simulation {
     return figures;
   }
 
-  base::Result<SimulateFigures> follow_words(const files::InputFile& file, Outputs& outputs) {
+  base::Result<results::SimulateFigures> follow_words(const files::InputFile& file, Outputs& outputs) {
     Progress progress{.work = "moving", .total = file.size()};
     pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
                               nullptr);
@@ -80,7 +80,7 @@ class Simulation {
       const auto followed = follow(word, *slides, outputs);
       if (!followed) return base::failure(followed.error());
       if (*followed) (*adaptive)->follow(**followed, slides->measured_feed(), program);
-      if (base::count(word.tick) % words_between_looks != 0) continue;
+      if (base::count(word.tick) % words_between_checks != 0) continue;
       if (files::interrupted()) return base::failure(files::interruption());
       progress.words = base::count(word.tick);
       progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
@@ -90,7 +90,7 @@ class Simulation {
     if (const auto warning = program.warning()) log_.add(*warning);
     if (auto done = come_to_rest(word, *slides, outputs); !done) return base::failure(done.error());
     record(slides->finish_contour(), *slides, outputs);
-    SimulateFigures figures{slides->conclude()};
+    results::SimulateFigures figures{slides->conclude()};
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     figures.summary = program.summary();
     figures.tolerance = std::max(figures.summary.tolerance_mm, job_.machine.tolerance);
@@ -122,7 +122,7 @@ class Simulation {
   }
 
   /// Of a sensor that is no longer believed.
-  void warn_of_sensor(const AdaptiveFigures& adaptive) {
+  void warn_of_sensor(const results::AdaptiveFigures& adaptive) {
     if (!adaptive.cut.failed_at) return;
     log_.add(
         {base::Severity::warning,
@@ -136,7 +136,7 @@ class Simulation {
   }
 
   /// Of a limit that no override there is keeps.
-  void warn_of_force(const AdaptiveFigures& adaptive) {
+  void warn_of_force(const results::AdaptiveFigures& adaptive) {
     if (adaptive.cut.unreachable <= 2 * adaptive.turn) return;
     log_.add(
         {base::Severity::warning,
@@ -156,7 +156,7 @@ class Simulation {
     while (!slides.has_ended()) {
       word.tick = base::next(word.tick);
       if (auto done = follow(word, slides, outputs); !done) return base::failure(done.error());
-      if (base::count(word.tick) % words_between_looks == 0 && files::interrupted())
+      if (base::count(word.tick) % words_between_checks == 0 && files::interrupted())
         return base::failure(files::interruption());
     }
     return {};
@@ -171,9 +171,11 @@ ProgramResult simulate_program(const std::string& program, const Job& job, Conso
   DiagnosticLog log(console);
   const std::string name = program == "-" ? "<stdin>" : program;
   const auto figures = Simulation(job, console, log).execute(program);
-  if (!figures) return {log.status(), json_of_rejected(simulate_schema, name, job.machine.name, log), {}};
-  return {figures->kept() ? Status::done : Status::not_kept, json_of_simulation(name, job, *figures, log),
-          simulate_summary(name, job, *figures, console.output_style())};
+  if (!figures)
+    return {log.status(), results::json_of_rejected(results::simulate_schema, name, job.machine.name, log.all()), {}};
+  return {figures->kept() ? Status::done : Status::not_kept,
+          results::json_of_simulation(name, job.machine, *figures, log.all()),
+          results::simulate_summary(name, job.machine, *figures, console.output_style())};
 }
 
 }  // namespace
@@ -181,9 +183,10 @@ ProgramResult simulate_program(const std::string& program, const Job& job, Conso
 Status simulate(const Job& given, Console& console) {
   Job job = given;
   job.arguments.simulate.put_into(job.machine);
-  return for_each_program(job, console, simulate_schema, [&](const std::string& program, const Job& of_program) {
-    return simulate_program(program, of_program, console);
-  });
+  return for_each_program(job, console, results::simulate_schema,
+                          [&](const std::string& program, const Job& of_program) {
+                            return simulate_program(program, of_program, console);
+                          });
 }
 
 }  // namespace leadscrew::cli

@@ -1,8 +1,9 @@
-#include <fmt/format.h>
-
-#include <leadscrew/cli/drive_keys.hpp>
+#include <algorithm>
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/curve_program.hpp>
+#include <leadscrew/cli/shared_arguments.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
-#include <vector>
+#include <leadscrew/config/drive_help.hpp>
 
 namespace leadscrew::cli {
 
@@ -30,43 +31,41 @@ constexpr std::string_view examples =
     "limits for longer than two turns and 150 ms; 3: a loop is not stable.\n";
 
 Parsed<servo::PidGains> parse_gains(std::string_view text) {
-  std::vector<double> values;
-  for (std::string_view rest = text;;) {
-    const std::size_t comma = rest.find(',');
-    const auto value = parse_number(rest.substr(0, comma));
-    if (!value) return tl::unexpected(value.error());
-    if (*value < 0) return tl::unexpected<std::string>("gains are 0 or more");
-    values.push_back(*value);
-    if (comma == std::string_view::npos) break;
-    rest.remove_prefix(comma + 1);
-  }
-  if (values.size() != 3) return tl::unexpected<std::string>("give three gains: P,I,D");
-  return servo::PidGains{values[0], values[1], values[2]};
+  const auto values = parse_numbers(text);
+  if (!values) return tl::unexpected(values.error());
+  if (std::ranges::any_of(*values, [](double value) { return value < 0; })) return wrong("gains are 0 or more");
+  if (values->size() != 3) return wrong("give three gains: P,I,D");
+  return servo::PidGains{(*values)[0], (*values)[1], (*values)[2]};
+}
+
+Parsed<bool> parse_switch(std::string_view text) {
+  if (text == "on" || text == "off") return text == "on";
+  return wrong("is neither on nor off");
 }
 
 }  // namespace
 
-Parsed<SimulateArguments> parse_simulate(const SimulateTexts& texts) {
-  SimulateArguments simulate;
-  if (texts.gains) {
-    const auto gains = parse_gains(*texts.gains);
-    if (!gains) return tl::unexpected(fmt::format("--gains {}: {}", *texts.gains, gains.error()));
-    simulate.gains = *gains;
-  }
-  if (texts.feed_forward) {
-    if (*texts.feed_forward != "on" && *texts.feed_forward != "off")
-      return tl::unexpected(fmt::format("--feed-forward {}: is neither on nor off", *texts.feed_forward));
-    simulate.feed_forward = *texts.feed_forward == "on";
-  }
-  simulate.pulses = texts.pulses;
-  if (texts.pulses && (texts.gains || texts.feed_forward)) {
-    return tl::unexpected(fmt::format("{} is of loops that follow words; with --pulses the gain is position_gain_per_s",
-                                      texts.gains ? "--gains" : "--feed-forward"));
-  }
-  auto adaptive = parse_adaptive(texts.adaptive);
-  if (!adaptive) return tl::unexpected(adaptive.error());
-  simulate.adaptive = std::move(*adaptive);
-  return simulate;
+void describe_simulate(Command& command, Arguments& arguments) {
+  SimulateArguments& simulate = arguments.simulate;
+  command.words("PROGRAM", programs_help, arguments.programs);
+  add_common(command, arguments);
+  add_period(command, arguments);
+  add_motion(command, arguments);
+  command.value("--gains", "P,I,D",
+                "PID in every axis: u = P e + I T sum(e) + D (e - last e), in place of the machine's controllers",
+                simulate.gains, parse_gains);
+  command.value("--feed-forward", "WHETHER", "on or off, of velocity and acceleration", simulate.feed_forward,
+                parse_switch);
+  command.flag("--pulses", "Steps through pulse-driven loops, in place of words", simulate.pulses);
+  add_adaptive(command, arguments);
+  command.output("--trace", "FILE", "Write words and slides: .csv or .npy", arguments.run.trace);
+  add_pages(command, arguments);
+  command.check([&command, &simulate]() -> Parsed<void> {
+    const std::string_view of_words = command.first_given({"--gains", "--feed-forward"});
+    if (!simulate.pulses || of_words.empty()) return {};
+    return wrong("{} is of loops that follow words; with --pulses the gain is position_gain_per_s", of_words);
+  });
+  command.help(std::string(examples) + "\n" + std::string(config::drive_help) + curves_text());
 }
 
 void SimulateArguments::put_into(machine::Machine& machine) const {
@@ -80,10 +79,6 @@ void SimulateArguments::put_into(machine::Machine& machine) const {
     if (feed_forward || gains)
       drive.velocity_forward = drive.acceleration_forward = feed_forward.value_or(false) ? 1 : 0;
   }
-}
-
-std::string simulate_help() {
-  return std::string(examples) + "\n" + std::string(drive_help);
 }
 
 }  // namespace leadscrew::cli

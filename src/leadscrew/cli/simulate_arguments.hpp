@@ -1,7 +1,6 @@
 #pragma once
 // What the command line asks `leadscrew simulate` for, beside what other commands are asked for too.
 
-#include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/servo/adaptive_cut.hpp>
 #include <leadscrew/servo/pid.hpp>
@@ -29,26 +28,13 @@ struct SimulateArguments {
   void put_into(machine::Machine& machine) const;
 };
 
-inline constexpr const char* materials_there_are = "aluminium, cast-iron, steel (default) or titanium";
+struct Arguments;
+class Command;
 
-struct AdaptiveTexts {
-  bool asked_for = false;
-  std::optional<std::string> material, depth, depth_steps, width, teeth, diameter, spindle, edge_force, force_limit,
-      noise, seed, safe_factor, sensor_fault;
-};
+/// The options of simulate, which put their values into the arguments.
+void describe_simulate(Command& command, Arguments& arguments);
 
-/// Options as text, before their values are looked at.
-struct SimulateTexts {
-  std::optional<std::string> gains, feed_forward;
-  AdaptiveTexts adaptive;
-  bool pulses = false;
-};
-
-/// Says in whole sentences what is wrong.
-Parsed<std::optional<AdaptiveArguments>> parse_adaptive(const AdaptiveTexts& texts);
-Parsed<SimulateArguments> parse_simulate(const SimulateTexts& texts);
-
-/// With the keys of drives.
-std::string simulate_help();
+/// Those of --adaptive.
+void add_adaptive(Command& command, Arguments& arguments);
 
 }  // namespace leadscrew::cli

@@ -19,13 +19,14 @@ constexpr Status worse(Status a, Status b) {
   return static_cast<int>(a) > static_cast<int>(b) ? a : b;
 }
 
-/// The status of a command that ended with this diagnostic: codes that begin with "io-" are those of files, and so are
-/// those that are others when they are read again.
+/// The status of a command that ended with this diagnostic. Of files are codes that begin with "io-", those of files
+/// that are others when they are read again, and of files that are too large.
 inline Status status_of(const base::Diagnostic& diagnostic) {
   if (diagnostic.severity != base::Severity::error) return Status::done;
   if (diagnostic.code == "interrupted") return Status::interrupted;
   if (diagnostic.code == "usage") return Status::usage;
-  const bool is_of_files = diagnostic.code.starts_with("io-") || diagnostic.code.ends_with("-changed");
+  const bool is_of_files = diagnostic.code.starts_with("io-") || diagnostic.code.ends_with("-changed") ||
+                           diagnostic.code == "input-too-large";
   return is_of_files ? Status::input_output : Status::rejected;
 }
 

@@ -2,8 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <leadscrew/base/number_text.hpp>
-#include <leadscrew/cli/machine_keys.hpp>
 #include <leadscrew/cli/step_hints.hpp>
+#include <leadscrew/config/machine_keys.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <leadscrew/steps/step_timing.hpp>
 #include <string>
@@ -16,7 +16,8 @@ namespace {
 /// "--direction-setup (40 us)", or its key where the machine file, or its default, says so.
 std::string time_text(std::size_t k, base::Axis axis, const Job& job) {
   const bool is_option = job.arguments.run.step_times[k].has_value();
-  const std::string_view name = is_option ? step_time_options[k] : keys_of(axis).step_times[k];
+  const std::string_view name =
+      is_option ? step_time_options[k] : config::axis_key_of(axis, machine::all_step_times[k].name);
   const std::int64_t nanoseconds = job.machine.limits(axis).step_times.*machine::all_step_times[k].value;
   return fmt::format("{} ({} us)", name, base::text(static_cast<double>(nanoseconds) / 1e3));
 }

@@ -13,18 +13,18 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::size_t steps_between_looks = 4096;
-constexpr std::int64_t words_between_looks = 4096;
+constexpr std::size_t steps_between_checks = 4096;
+constexpr std::int64_t words_between_checks = 4096;
 
-constexpr std::string_view enough_problems = "too-many-problems";
+constexpr std::string_view too_many_problems = "too-many-problems";
 
 bool is_of_pulses(const base::Diagnostic& problem) {
-  return problem.code.substr(0, 6) == "pulse-";
+  return problem.subject.field == nc::pulses_field;
 }
 
-bool has_enough(const DiagnosticLog& log) {
+bool has_too_many(const DiagnosticLog& log) {
   return std::any_of(log.all().begin(), log.all().end(),
-                     [](const base::Diagnostic& problem) { return problem.code == enough_problems; });
+                     [](const base::Diagnostic& problem) { return problem.code == too_many_problems; });
 }
 
 std::vector<base::Axis> axes_with_errors(const machine::Machine& machine) {
@@ -46,13 +46,6 @@ void check_screws(const Job& job, DiagnosticLog& log) {
                                 nc::name(*job.arguments.run.pulse_method), job.machine.name, fmt::join(letters, ", ")),
                     "leave --pulse-method out, for steps that follow the words; or give a machine without pitch "
                     "errors and backlash"));
-}
-
-/// Along whole programs both kinds of DDA have capacities for an even feed, whatever `pulse` takes for hardware.
-std::string_view dda_conventions(nc::PulseMethod method) {
-  if (method == nc::PulseMethod::dda) return "capacity R or L, registers clocked together, half full";
-  if (method == nc::PulseMethod::koren) return "capacity R or L, x before y, half full";
-  return {};
 }
 
 /// As it is asked to move, so that its screws' errors are made good.
@@ -88,12 +81,12 @@ void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& lo
   if (!job.arguments.run.pulses) return;
   if (!job.arguments.run.pulse_method) return check_signals(job, log);
   check_screws(job, log);
-  if (has_enough(log)) return;
+  if (has_too_many(log)) return;
   // What else the reader has to say has been said.
   nc::check_pulses(
       file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
       [&](const base::Diagnostic& problem) {
-        if (is_of_pulses(problem) || problem.code == enough_problems) log.add(in_options(problem, job));
+        if (is_of_pulses(problem) || problem.code == too_many_problems) log.add(in_options(problem, job));
       },
       [] { return !files::interrupted(); });
   if (files::interrupted()) log.add(files::interruption());
@@ -146,7 +139,7 @@ void StepOutput::follow(const base::Word& word) {
 base::Result<void> StepOutput::follow_to_the_end() {
   for (std::int64_t count = 1; state_ && last_word_ && !compensation_->settled(); ++count) {
     follow(*last_word_);
-    if (count % words_between_looks == 0 && files::interrupted()) return base::failure(files::interruption());
+    if (count % words_between_checks == 0 && files::interrupted()) return base::failure(files::interruption());
   }
   generator_->finish([this](auto events) { put(events); });
   if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
@@ -170,7 +163,7 @@ base::Result<void> StepOutput::write_program(const files::InputFile& program) {
                           pulse_options(*job_), [&](const base::Diagnostic& found) {
                             if (is_of_pulses(found) && !problem) problem = found;
                           });
-  std::array<steps::StepEvent, steps_between_looks> room;
+  std::array<steps::StepEvent, steps_between_checks> room;
   for (auto steps = pulses.next(room); state_ && !steps.empty(); steps = pulses.next(room)) {
     put(steps);
     if (files::interrupted()) return base::failure(files::interruption());
@@ -180,11 +173,11 @@ base::Result<void> StepOutput::write_program(const files::InputFile& program) {
   return state_;
 }
 
-StepFigures StepOutput::figures() const {
+results::StepFigures StepOutput::figures() const {
   const Arguments& arguments = job_->arguments;
-  StepFigures figures;
+  results::StepFigures figures;
   figures.method = arguments.run.pulse_method ? std::string(nc::name(*arguments.run.pulse_method)) : "words";
-  if (arguments.run.pulse_method) figures.conventions = dda_conventions(*arguments.run.pulse_method);
+  if (arguments.run.pulse_method) figures.conventions = nc::conventions_in_programs(*arguments.run.pulse_method);
   figures.clock_hz = arguments.run.step_clock;
   figures.steps = steps_;
   figures.time_s = static_cast<double>(last_tick_) / static_cast<double>(arguments.run.step_clock);

@@ -9,6 +9,7 @@
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/nc/pulse_options.hpp>
+#include <leadscrew/results/figures.hpp>
 #include <leadscrew/steps/compensation.hpp>
 #include <leadscrew/steps/step_generator.hpp>
 #include <leadscrew/waves/step_dump.hpp>
@@ -19,24 +20,6 @@
 #include <vector>
 
 namespace leadscrew::cli {
-
-/// How far the steps of an axis were led from its words, so that its screw would be where they are.
-struct Correction {
-  base::Axis axis = base::Axis::X;
-  double greatest = 0;  ///< mm or degrees
-};
-
-/// What was written.
-struct StepFigures {
-  std::string method;       ///< "words", or the interpolator's name
-  std::string conventions;  ///< of interpolators by DDAs, for people
-  std::int64_t clock_hz = 0;
-  std::int64_t steps = 0;
-  double time_s = 0;                    ///< of the last step
-  std::optional<double> error_blu;      ///< greatest distance from the words, compensated; none of other methods
-  bool accelerates = false;             ///< a method of its own, kept to the axes' acceleration
-  std::vector<Correction> corrections;  ///< of axes whose screws have errors
-};
 
 /// Of the interpolator that the command line names.
 nc::PulseOptions pulse_options(const Job& job);
@@ -50,7 +33,7 @@ void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& lo
 
 class StepOutput {
  public:
-  /// .vcd or .csv; the job, which check_steps() has nothing against, must outlive it. Errors: those of the file.
+  /// .vcd or .csv; the job, which check_steps() finds sound, must outlive it. Errors: those of the file.
   static base::Result<std::unique_ptr<StepOutput>> open(const std::string& path, const Job& job);
 
   /// Words of successive periods, from where the program begins.
@@ -59,7 +42,7 @@ class StepOutput {
   base::Result<void> finish(const files::InputFile& program);
 
   files::OutputFile& file() { return file_; }
-  StepFigures figures() const;
+  results::StepFigures figures() const;
 
  private:
   using Writer = std::variant<std::monostate, waves::StepCsvWriter, waves::StepVcdWriter>;

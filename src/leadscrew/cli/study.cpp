@@ -1,24 +1,21 @@
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <leadscrew/cli/diagnostic_log.hpp>
-#include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/processor_time.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/results/studies.hpp>
 #include <leadscrew/study/studies.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
-
-constexpr std::string_view schema = "leadscrew.study/1";
 
 double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -30,169 +27,12 @@ std::optional<int> terminal_width() {
   return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-/// Characters of a UTF-8 text, each one column wide.
-std::size_t columns(std::string_view text) {
-  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
-}
-
-std::string blanks(std::size_t wanted, std::size_t taken) {
-  return std::string(wanted > taken ? wanted - taken : 0, ' ');
-}
-std::string left(std::string_view text, std::size_t width) {
-  return std::string(text) + blanks(width, columns(text));
-}
-std::string right(std::string_view text, std::size_t width) {
-  return blanks(width, columns(text)) + std::string(text);
-}
-
-/// Breaks at blanks so that no line is longer than the width, if its words allow.
-std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
-  std::vector<std::string> lines(1);
-  while (!text.empty()) {
-    const std::size_t blank = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, blank);
-    text.remove_prefix(std::min(blank + 1, text.size()));
-    const bool fits = columns(lines.back()) + 1 + columns(word) <= width;
-    if (lines.back().empty()) {
-      lines.back() = word;
-    } else if (fits) {
-      lines.back().append(" ").append(word);
-    } else {
-      lines.emplace_back(word);
-    }
-  }
-  return lines;
-}
-
-Tone tone_of(study::Verdict verdict) {
-  switch (verdict) {
-    case study::Verdict::exact:
-    case study::Verdict::reproduced:
-    case study::Verdict::no_worse:
-    case study::Verdict::kept:
-      return Tone::good;
-    case study::Verdict::differs:
-    case study::Verdict::worse:
-    case study::Verdict::not_run:
-      return Tone::warning;
-    case study::Verdict::exceeded:
-      return Tone::error;
-    case study::Verdict::measured:
-    case study::Verdict::not_reproducible:
-      return Tone::faint;
-  }
-  return Tone::faint;
-}
-
-std::string figure(const std::optional<double>& value, const study::Scale& scale) {
-  return value ? study::decimal(*value, scale.decimals) : std::string("-");
-}
-
-/// The texts of a row's columns; what and why are the outer ones.
-struct Cells {
-  std::string what, published, ours;
-  std::string_view unit, verdict;
-};
-
-Cells cells_of(const study::Row& row) {
-  return {row.what, figure(row.published, row.scale), figure(row.ours, row.scale), row.scale.unit,
-          study::name(row.verdict)};
-}
-
-struct Widths {
-  std::size_t what = 4, published = 9, ours = 4, unit = 0, verdict = 7;
-
-  void fit(const Cells& cells) {
-    what = std::max(what, columns(cells.what));
-    published = std::max(published, columns(cells.published));
-    ours = std::max(ours, columns(cells.ours));
-    unit = std::max(unit, columns(cells.unit));
-    verdict = std::max(verdict, columns(cells.verdict));
-  }
-  /// Column in which `why` begins.
-  std::size_t before_why() const { return 2 + what + 2 + published + 2 + ours + 1 + unit + 2 + verdict + 2; }
-};
-
-std::string without_end_blanks(std::string line) {
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
-}
-
-std::string heading(const Widths& widths, const Style& style) {
-  const std::string line = "  " + left("what", widths.what) + "  " + right("published", widths.published) + "  " +
-                           right("ours", widths.ours) + blanks(widths.unit + 1, 0) + "  " +
-                           left("verdict", widths.verdict) + "  why";
-  return style(Tone::faint, line) + "\n";
-}
-
-/// `why` beside the other columns where a terminal leaves room for it, else below.
-std::string why_lines(std::string_view why, const Widths& widths, std::optional<int> width, const Style& style) {
-  constexpr std::size_t narrowest = 24, below = 6;
-  const std::size_t all = width ? static_cast<std::size_t>(*width) : widths.before_why() + columns(why) + narrowest;
-  const bool beside = all >= widths.before_why() + narrowest;
-  const std::size_t indent = beside ? widths.before_why() : below;
-  std::string text;
-  for (const std::string& line : wrapped(why, all > indent ? all - indent : narrowest)) {
-    const bool first = text.empty() && beside;
-    text += (first ? std::string() : "\n" + std::string(indent, ' ')) + style(Tone::faint, line);
-  }
-  return text;
-}
-
-std::string line_of(const study::Row& row, const Widths& widths, std::optional<int> width, const Style& style) {
-  const Cells cells = cells_of(row);
-  const std::string figures = "  " + left(cells.what, widths.what) + "  " + right(cells.published, widths.published) +
-                              "  " + right(cells.ours, widths.ours) + " " + left(cells.unit, widths.unit) + "  ";
-  const std::string verdict = style(tone_of(row.verdict), cells.verdict);
-  if (row.why.empty()) return figures + verdict + "\n";
-  return without_end_blanks(figures + verdict + blanks(widths.verdict + 2, columns(cells.verdict)) +
-                            why_lines(row.why, widths, width, style)) +
-         "\n";
-}
-
-Json json_of(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json json_of(const study::Row& row) {
-  return {{"what", row.group.empty() ? row.what : row.group + ": " + row.what},
-          {"published", json_of(row.published)},
-          {"ours", json_of(row.ours)},
-          {"unit", row.scale.unit},
-          {"verdict", study::name(row.verdict)},
-          {"why", row.why}};
-}
-
-std::string json_text_of(std::string_view name, const study::Rows& rows) {
-  Json list = Json::array();
-  for (const study::Row& row : rows) list.push_back(json_of(row));
-  return json_text(schema, {{{"schema", schema}, {"name", name}, {"rows", std::move(list)}}});
-}
-
-std::string list_text(const Style& style) {
-  std::size_t width = 0;
-  for (const study::Study& each : study::studies()) width = std::max(width, each.name.size());
-  std::string text;
-  for (const study::Study& each : study::studies())
-    text +=
-        "  " + style(Tone::strong, each.name) + blanks(width + 2, each.name.size()) + std::string(each.title) + "\n";
-  return text;
-}
-
-std::string list_json() {
-  Json list = Json::array();
-  for (const study::Study& each : study::studies()) list.push_back({{"name", each.name}, {"title", each.title}});
-  return json_text(schema, {{{"schema", schema}, {"name", "list"}, {"studies", std::move(list)}}});
-}
-
 base::Result<void> draw(const study::Study& study, const std::string& path) {
   auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   const std::string title = "leadscrew study " + std::string(study.name) + ": feed at the tachometers";
   if (auto written = report::write_charts(title, "mm/s", study.charts(), file->sink()); !written) return written;
-  if (auto closed = file->close(); !closed) return closed;
-  return file->publish();
+  return files::publish_together({&*file});
 }
 
 Status status_of(const study::Rows& rows) {
@@ -204,37 +44,25 @@ Status status_of(const study::Rows& rows) {
 
 }  // namespace
 
-std::string study_table(const study::Rows& rows, std::optional<int> width, const Style& style) {
-  Widths widths;
-  for (const study::Row& row : rows) widths.fit(cells_of(row));
-  std::string text = heading(widths, style);
-  std::string_view group;
-  for (const study::Row& row : rows) {
-    if (row.group != group) text += style(Tone::strong, row.group) + "\n";
-    group = row.group;
-    text += line_of(row, widths, width, style);
-  }
-  return text;
-}
-
 Status study(const Arguments& arguments, Console& console) {
   const Style& style = console.output_style();
-  if (arguments.study == "list") return write_output(console, arguments.json ? list_json() : list_text(style));
+  if (arguments.study.name == "list")
+    return write_output(console, arguments.json ? results::study_list_json() : results::study_list(style));
   const auto known = study::studies();
   const auto chosen =
-      std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study; });
+      std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study.name; });
   if (chosen == known.end()) return Status::usage;
   files::end_when_interrupted();
   const study::Rows rows = chosen->rows({processor_seconds, wall_seconds, share_out});
-  if (arguments.study_picture) {
-    if (auto drawn = draw(*chosen, *arguments.study_picture); !drawn) {
+  if (arguments.study.picture) {
+    if (auto drawn = draw(*chosen, *arguments.study.picture); !drawn) {
       DiagnosticLog log(console);
       log.add(drawn.error());
       return log.status();
     }
   }
   const std::string text =
-      arguments.json ? json_text_of(chosen->name, rows) : study_table(rows, terminal_width(), style);
+      arguments.json ? results::study_json(chosen->name, rows) : results::study_table(rows, terminal_width(), style);
   return worse(status_of(rows), write_output(console, text));
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <leadscrew/cli/trace_period.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
 
 namespace leadscrew::cli {
 

@@ -1,26 +1,27 @@
 #include <fmt/format.h>
 
-#include <leadscrew/cli/json_form.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/summary_text.hpp>
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/results/program_json.hpp>
+#include <leadscrew/results/program_text.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
 
 namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t rows_between_looks = 1024;
+constexpr std::int64_t rows_between_checks = 1024;
 
 class Verification {
  public:
   Verification(const Job& job, Console& console, DiagnosticLog& log)
       : job_(job), machine_(job.machine), console_(console), log_(log) {}
 
-  /// Nothing where the log says why.
-  std::optional<VerifyFigures> execute(const std::string& trace, const std::string& program) {
+  /// Empty where the log says why.
+  std::optional<results::VerifyFigures> execute(const std::string& trace, const std::string& program) {
     const auto trace_file = files::InputFile::open(trace, "trace-changed");
     if (!trace_file) log_.add(trace_file.error());
     const auto program_file = open_program(program);
@@ -36,7 +37,7 @@ class Verification {
   }
 
  private:
-  base::Result<VerifyFigures> judge(const files::InputFile& trace, const files::InputFile& program) {
+  base::Result<results::VerifyFigures> judge(const files::InputFile& trace, const files::InputFile& program) {
     const auto period = job_.arguments.period ? base::Result<base::Period>(*job_.arguments.period)
                                               : trace_period(trace, machine_.axis_set(), machine_.period);
     if (!period) return base::failure(period.error());
@@ -46,7 +47,7 @@ class Verification {
     for (const files::InputFile* file : {&trace, &program}) {
       if (auto same = file->unchanged(); !same) return base::failure(same.error());
     }
-    return VerifyFigures{trace.name(), *period, std::move(*verdict)};
+    return results::VerifyFigures{trace.name(), *period, std::move(*verdict)};
   }
 
   base::Result<referee::Verdict> verdict_on(const files::InputFile& trace, const files::InputFile& program) {
@@ -55,18 +56,21 @@ class Verification {
     if (!rows) return base::failure(rows.error());
     note_absent_axes(rows->axes(), trace.name());
     gcode::Reader reader = silent_reader(program, job_);
-    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine_, machine_.period);
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine_, machine_.period,
+                             files::interrupted);
     console_.begin_progress();
     while (true) {
       const auto row = rows->next();
       if (!row) return base::failure(row.error());
       if (!*row) break;
       referee.observe(completed((*row)->position, rows->axes()));
-      if (++progress.words % rows_between_looks != 0) continue;
+      if (++progress.words % rows_between_checks != 0) continue;
+      if (files::interrupted()) return base::failure(files::interruption());
       progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
       console_.progress(progress);
     }
     referee::Verdict verdict = referee.conclude();
+    if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
     return verdict;
   }
@@ -101,15 +105,17 @@ ProgramResult verify_program(const std::string& program, const Job& job, Console
   DiagnosticLog log(console);
   const std::string name = program == "-" ? "<stdin>" : program;
   const auto figures = Verification(job, console, log).execute(job.arguments.judged_trace, program);
-  if (!figures) return {log.status(), json_of_rejected(verify_schema, name, job.machine.name, log), {}};
-  return {figures->verdict.objects() ? Status::not_kept : Status::done, json_of_verify(name, job, *figures, log),
-          verify_summary(name, job, *figures, console.output_style())};
+  if (!figures)
+    return {log.status(), results::json_of_rejected(results::verify_schema, name, job.machine.name, log.all()), {}};
+  return {figures->verdict.objects() ? Status::not_kept : Status::done,
+          results::json_of_verify(name, job.machine, *figures, log.all()),
+          results::verify_summary(name, job.machine, *figures, console.output_style())};
 }
 
 }  // namespace
 
 Status verify(const Job& job, Console& console) {
-  return for_each_program(job, console, verify_schema, [&](const std::string& program, const Job& of_program) {
+  return for_each_program(job, console, results::verify_schema, [&](const std::string& program, const Job& of_program) {
     return verify_program(program, of_program, console);
   });
 }

@@ -67,7 +67,7 @@ class AxisAcceleration {
   template <typename Take>
   void rows(const Place& at, const Take& take) const {
     for (const auto& [axis, limit] : bounds_.all()) {
-      const numeric::Jet& q = at.jet[axis];
+      const numeric::Jet<>& q = at.jet[axis];
       take(axis, AccelerationRow{q.second, q.first, limit});
     }
   }
@@ -88,7 +88,7 @@ class AxisJerk {
   template <typename Take>
   void rows(const Place& at, const Take& take) const {
     for (const auto& [axis, limit] : bounds_.all()) {
-      const numeric::Jet& q = at.jet[axis];
+      const numeric::Jet<>& q = at.jet[axis];
       take(axis, JerkRow{q.third, 3 * q.second, q.first, limit});
     }
   }

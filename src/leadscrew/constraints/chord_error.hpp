@@ -22,7 +22,7 @@ class ChordError {
   template <typename Take>
   void rows(const Place& at, const Take& take) const {
     const double bend = geometry::tip_curvature(at.jet);
-    if (bend > 0) take(0, SquareRow{8 * chord_error_ / (bend * period_ * period_)});
+    take(0, SquareRow{8 * chord_error_ / (bend * period_ * period_)});  // infinite where the path is straight
   }
 
  private:

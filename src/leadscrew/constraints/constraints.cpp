@@ -44,12 +44,28 @@ machine::Derivatives LimitRatios::of_axis(base::Axis axis) const {
   return result;
 }
 
+machine::Derivatives LimitRatios::by_derivative() const {
+  machine::Derivatives result;
+  for_each_kind([&](auto kind) {
+    using Kind = KindAt<kind>;
+    if constexpr (Kind::is_proven) {
+      double& of_derivative = result.*derivative_of<typename Kind::Row>;
+      for (std::size_t i = 0; i < row_count<kind>; ++i)
+        of_derivative = std::max(of_derivative, values_[offset<kind> + i]);
+    }
+  });
+  return result;
+}
+
 std::array<LimitRatios::Named, LimitRatios::path_limits> LimitRatios::of_path() const {
   std::array<Named, path_limits> result{};
   std::size_t next = 0;
   for_each_kind([&](auto kind) {
     using Kind = KindAt<kind>;
-    if constexpr (Kind::is_proven && !Kind::is_of_axes) result[next++] = {Kind::name, values_[offset<kind>]};
+    if constexpr (Kind::is_proven && !Kind::is_of_axes) {
+      const double ratio = values_[offset<kind>];  // a row of x says that of speeds
+      result[next++] = {Kind::name, std::is_same_v<typename Kind::Row, SquareRow> ? ratio * ratio : ratio};
+    }
   });
   return result;
 }

@@ -13,7 +13,9 @@
 //     is_proven     does a motion that passes it between knots have to be planned again? Then it counts in what bounds
 //                   time, too
 //     is_smooth     does its ratio run smoothly along a piece, so that a parabola through samples finds a peak?
-//     rows(place, take)   calls take(index, row); rows of one index are the same limit all along a path
+//     rows(place, take)   calls take(index, row); rows of one index are the same limit all along a path, and are given
+//     at
+//                         every place, be it that they bound nothing there
 //     limit(axis)   if it is of axes: that axis', infinite without one
 //     name          if it is not: as reports name it
 //
@@ -68,6 +70,8 @@ class LimitRatios {
  public:
   /// Of an axis, by derivative.
   machine::Derivatives of_axis(base::Axis axis) const;
+  /// The largest of all that bounds speed, acceleration and jerk.
+  machine::Derivatives by_derivative() const;
   /// Of the limits that are not an axis', as they are named in reports; 0: nothing came near it.
   struct Named {
     std::string_view name;

@@ -3,7 +3,7 @@
 // its whole row is in the file, under its own name: whatever is killed, all words that the state knows are there.
 
 #include <leadscrew/drive/word_side.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/csv_writer.hpp>
 
 namespace leadscrew::drive {
 
@@ -12,7 +12,7 @@ class FileSide : public WordSide {
   /// `begin`: what is known before the first word.
   FileSide(Link& link, const Setup& setup, const State& begin);
 
-  /// The file of DriveArguments::sink, as CSV; what was in it is gone, but for standard output. Waits for the reader of
+  /// The file of Options::sink, as CSV; what was in it is gone, but for standard output. Waits for the reader of
   /// a pipe. Error: `io-open`.
   base::Result<void> open(const Setup& setup);
   /// Until words end, nobody sends any, or none can be written. Errors: `io-write`, `io-pipe`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/drive/slides.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/metric.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
 #include <leadscrew/servo/stability.hpp>
@@ -53,7 +54,7 @@ Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, Follo
       follower_(std::move(follower)),
       tracking_(axes_),
       matcher_(scale_of(machine), window_of(lag, machine.period)),
-      referee_(std::move(moves), machine, machine.period),
+      referee_(std::move(moves), machine, machine.period, files::interrupted),
       quiet_(periods_in(std::max(quiet_time, 2 * std::min(lag, 1.0)), machine.period)),
       most_after_(std::min<std::int64_t>(periods_in(longest_time, machine.period), 200'000)) {}
 

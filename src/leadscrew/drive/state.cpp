@@ -6,15 +6,17 @@
 #include <leadscrew/base/hash.hpp>
 #include <leadscrew/drive/state.hpp>
 #include <leadscrew/files/output_file.hpp>
-#include <nlohmann/json.hpp>
+#include <leadscrew/json/json.hpp>
+#include <stdexcept>
 
 namespace leadscrew::drive {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 constexpr std::string_view state_schema = "leadscrew.state/3";
+constexpr std::int64_t largest_state = 1 << 20;
 constexpr std::array<std::string_view, 3> kinds = {"moving", "stopped", "ended"};
 
 std::string text_of(const base::Hash& hash) {
@@ -37,28 +39,48 @@ std::string machine_text(const Setup& setup) {
 }
 
 Json json_of(const base::AxisVector& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(value);
-  return list;
+  return std::vector<double>(values.begin(), values.end());
 }
 
-base::AxisVector axes_of(const Json& list) {
-  base::AxisVector values{};
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = list.at(i).get<double>();
-  return values;
-}
+/// The members of a state file; each throws where there is none of its kind.
+class Members {
+ public:
+  explicit Members(const Json& json) : json_(json) {}
 
-std::int64_t count_of(const Json& value) {
-  const auto count = value.get<std::int64_t>();
-  if (count < 0) throw std::runtime_error(fmt::format("{} counts nothing", count));
-  return count;
-}
+  std::string text(std::string_view key) const {
+    const std::string* text = member(key).text();
+    return text != nullptr ? *text : throw wrong(key, "is no text");
+  }
+  std::int64_t count(std::string_view key) const {
+    const auto count = member(key).integer();
+    return count && *count >= 0 ? *count : throw wrong(key, "counts nothing");
+  }
+  double length(std::string_view key) const {
+    const auto length = member(key).number();
+    return length && *length >= 0 ? *length : throw wrong(key, "is no length");
+  }
+  base::AxisVector axes(std::string_view key) const {
+    const auto* list = member(key).values();
+    base::AxisVector values{};
+    if (list == nullptr || list->size() != values.size()) throw wrong(key, "is no list of nine axes");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto number = (*list)[i].number();
+      values[i] = number ? *number : throw wrong(key, "is no list of numbers");
+    }
+    return values;
+  }
 
-double length_of(const Json& value) {
-  const auto length = value.get<double>();
-  if (!(length >= 0)) throw std::runtime_error(fmt::format("{} mm is no length", length));
-  return length;
-}
+ private:
+  const Json& member(std::string_view key) const {
+    const Json* found = json_.find(key);
+    return found != nullptr ? *found : throw wrong(key, "is missing");
+  }
+  static std::runtime_error wrong(std::string_view key, std::string_view what) {
+    return std::runtime_error(fmt::format("{} {}", key, what));
+  }
+
+  const Json& json_;
+};
 
 tl::unexpected<base::Diagnostic> refusal(std::string_view code, std::string message, std::string hint,
                                          const std::string& path) {
@@ -83,43 +105,44 @@ base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const 
 }
 
 base::Result<void> write_state(const std::string& path, const State& state) {
-  const Json json = {{"schema", state_schema},
-                     {"program", state.program},
-                     {"program_hash", state.fingerprint.program},
-                     {"machine", state.machine},
-                     {"machine_hash", state.fingerprint.machine},
-                     {"state", kinds[static_cast<std::size_t>(state.kind)]},
-                     {"word", base::count(state.word.tick)},
-                     {"line", base::number(state.word.line)},
-                     {"path_length", state.word.path_length},
-                     {"position", json_of(state.word.position)},
-                     {"axes", json_of(state.axes.position)},
-                     {"axes_path_length", state.axes.path_length}};
+  const Json json = Json::object({{"schema", state_schema},
+                                  {"program", state.program},
+                                  {"program_hash", state.fingerprint.program},
+                                  {"machine", state.machine},
+                                  {"machine_hash", state.fingerprint.machine},
+                                  {"state", kinds[static_cast<std::size_t>(state.kind)]},
+                                  {"word", base::count(state.word.tick)},
+                                  {"line", base::number(state.word.line)},
+                                  {"path_length", state.word.path_length},
+                                  {"position", json_of(state.word.position)},
+                                  {"axes", json_of(state.axes.position)},
+                                  {"axes_path_length", state.axes.path_length}});
   auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
-  if (auto written = file->write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); !written)
-    return written;
+  if (auto written = file->write(json.written() + "\n"); !written) return written;
   return file->publish_durably();
 }
 
 base::Result<State> read_state(const std::string& path) {
-  const auto text = files::read_whole(path);
+  const auto text = files::read_whole(path, largest_state);
   if (!text) return base::failure(text.error());
   try {
-    const Json json = Json::parse(*text);
-    if (json.at("schema").get<std::string>() != state_schema) throw std::runtime_error("another schema");
+    const auto json = Json::parse(*text);
+    if (!json) throw std::runtime_error("no JSON");
+    const Members members(*json);
+    if (members.text("schema") != state_schema) throw std::runtime_error("another schema");
     State state;
-    state.program = json.at("program").get<std::string>();
-    state.machine = json.at("machine").get<std::string>();
-    state.fingerprint = {json.at("program_hash").get<std::string>(), json.at("machine_hash").get<std::string>()};
-    const auto kind = std::find(kinds.begin(), kinds.end(), json.at("state").get<std::string>());
+    state.program = members.text("program");
+    state.machine = members.text("machine");
+    state.fingerprint = {members.text("program_hash"), members.text("machine_hash")};
+    const auto kind = std::find(kinds.begin(), kinds.end(), members.text("state"));
     if (kind == kinds.end()) throw std::runtime_error("another state");
     state.kind = static_cast<State::Kind>(kind - kinds.begin());
-    state.word.tick = base::Tick{count_of(json.at("word"))};
-    state.word.line = base::Line{count_of(json.at("line"))};
-    state.word.path_length = length_of(json.at("path_length"));
-    state.word.position = axes_of(json.at("position"));
-    state.axes = {axes_of(json.at("axes")), length_of(json.at("axes_path_length"))};
+    state.word.tick = base::Tick{members.count("word")};
+    state.word.line = base::Line{members.count("line")};
+    state.word.path_length = members.length("path_length");
+    state.word.position = members.axes("position");
+    state.axes = {members.axes("axes"), members.length("axes_path_length")};
     constexpr double rounded = 1e-6;
     if (state.axes.path_length < state.word.path_length - rounded)
       throw std::runtime_error("axes stand before the last word");

@@ -9,8 +9,6 @@ namespace leadscrew::files {
 
 namespace {
 
-constexpr std::size_t largest_small_file = 16 << 20;
-
 base::Diagnostic problem(std::string_view code, std::string message, const std::string& file, std::string hint = {}) {
   return {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = file}, {}};
 }
@@ -28,14 +26,30 @@ base::Result<Descriptor> anonymous_file() {
   return named;
 }
 
-base::Result<Descriptor> copied(const Descriptor& from, const std::string& name) {
+/// 1 GiB, 16 MiB, 64 KiB or 100 bytes.
+std::string size_text(std::int64_t bytes) {
+  for (const auto& [unit, shift] : {std::pair(" GiB", 30), {" MiB", 20}, {" KiB", 10}}) {
+    if (bytes > 0 && bytes % (std::int64_t{1} << shift) == 0) return std::to_string(bytes >> shift) + unit;
+  }
+  return std::to_string(bytes) + " bytes";
+}
+
+base::Diagnostic too_large(const std::string& name, std::int64_t largest, std::string hint) {
+  return problem("input-too-large", "is larger than " + size_text(largest), name, std::move(hint));
+}
+
+base::Result<Descriptor> copied(const Descriptor& from, const std::string& name, std::int64_t largest) {
   auto copy = anonymous_file();
   if (!copy) return copy;
   std::array<char, 1 << 16> buffer;
-  while (true) {
+  for (std::int64_t length = 0;;) {
     const auto got = read_some(from.number(), buffer, name);
     if (!got) return base::failure(got.error());
     if (*got == 0) return copy;
+    length += static_cast<std::int64_t>(*got);
+    if (length > largest) {
+      return base::failure(too_large(name, largest, "what can be read only once is copied first; give it as a file"));
+    }
     auto written = write_all(copy->number(), {buffer.data(), *got}, "temporary copy of " + name);
     if (!written) return base::failure(written.error());
   }
@@ -70,11 +84,11 @@ InputFile::InputFile(std::string name, std::string_view changed)
       changed_(problem(changed, "was changed while it was read", name_, "do not change a file while it is read")),
       text_(changed_) {}
 
-base::Result<InputFile> InputFile::open(const std::string& path, std::string_view changed) {
+base::Result<InputFile> InputFile::open(const std::string& path, std::string_view changed, std::int64_t largest) {
   InputFile file(path == "-" ? "<stdin>" : path, changed);
   auto descriptor = opened(path);
   if (!descriptor) return base::failure(descriptor.error());
-  if (auto taken = file.take(std::move(*descriptor)); !taken) return base::failure(taken.error());
+  if (auto taken = file.take(std::move(*descriptor), largest); !taken) return base::failure(taken.error());
   return file;
 }
 
@@ -82,18 +96,18 @@ base::Result<InputFile> InputFile::of_text(std::string_view text, const std::str
   InputFile file(name, "program-changed");
   auto descriptor = with_text(text, name);
   if (!descriptor) return base::failure(descriptor.error());
-  if (auto taken = file.take(std::move(*descriptor)); !taken) return base::failure(taken.error());
+  if (auto taken = file.take(std::move(*descriptor), largest_copy); !taken) return base::failure(taken.error());
   return file;
 }
 
-base::Result<void> InputFile::take(Descriptor descriptor) {
+base::Result<void> InputFile::take(Descriptor descriptor, std::int64_t largest) {
   descriptor_ = std::move(descriptor);
   if (::fstat(descriptor_.number(), &opened_) != 0)
     return base::failure(system_failure("io-open", "cannot open", name_, errno));
   if (S_ISDIR(opened_.st_mode))
     return base::failure(problem("io-open", "is a directory", name_, "give the files in it"));
   if (!can_be_read_twice(descriptor_, opened_)) {
-    auto copy = copied(descriptor_, name_);
+    auto copy = copied(descriptor_, name_, largest);
     if (!copy) return base::failure(copy.error());
     descriptor_ = std::move(*copy);
     ::fstat(descriptor_.number(), &opened_);
@@ -143,12 +157,14 @@ bool InputFile::is_same(const std::string& path) const {
   return ::stat(path.c_str(), &other) == 0 && other.st_dev == opened_.st_dev && other.st_ino == opened_.st_ino;
 }
 
-base::Result<std::string> read_whole(const std::string& path) {
-  auto file = InputFile::open(path);
-  if (!file) return base::failure(file.error());
-  if (static_cast<std::size_t>(file->size()) > largest_small_file) {
-    return base::failure(problem("io-read", "is larger than 16 MiB", path, "is this the right file?"));
+base::Result<std::string> read_whole(const std::string& path, std::int64_t largest) {
+  constexpr const char* hint = "is this the right file?";
+  auto file = InputFile::open(path, "file-changed", largest);
+  if (!file) {
+    if (file.error().code == "input-too-large") file.error().hint = hint;
+    return base::failure(file.error());
   }
+  if (file->size() > largest) return base::failure(too_large(path, largest, hint));
   std::string text(static_cast<std::size_t>(file->size()), '\0');
   auto source = file->source();
   for (std::size_t filled = 0; filled < text.size();) {

@@ -4,7 +4,7 @@
 // It is opened once and held open; every source reads it from the beginning at an offset of its own. So a file that is
 // renamed or removed meanwhile is still read to its end. What is read again is what was read first: a piece of it that
 // was changed meanwhile is an error before a byte of it is handed on (base/checked_text.hpp). What cannot be read twice
-// (a pipe, a terminal) is first copied to a temporary file without a name.
+// (a pipe, a terminal, a device) is first copied to a temporary file without a name, up to 1 GiB.
 
 #include <sys/stat.h>
 
@@ -16,11 +16,16 @@
 
 namespace leadscrew::files {
 
+/// Bytes of what is copied.
+inline constexpr std::int64_t largest_copy = std::int64_t{1} << 30;
+
 class InputFile {
  public:
-  /// "-" is standard input. Errors: `io-open`, `io-read`, `io-write` (of the copy), interruption.
-  /// changed: the code of the error when it is another file when it is read again.
-  static base::Result<InputFile> open(const std::string& path, std::string_view changed = "program-changed");
+  /// "-" is standard input. Errors: `io-open`, `io-read`, `io-write` (of the copy), `input-too-large` where there is
+  /// more to copy than `largest` bytes, interruption. changed: the code of the error when it is another file when it is
+  /// read again.
+  static base::Result<InputFile> open(const std::string& path, std::string_view changed = "program-changed",
+                                      std::int64_t largest = largest_copy);
 
   /// A file that nobody else knows, which holds this. Errors: `io-open`, `io-write`, interruption.
   static base::Result<InputFile> of_text(std::string_view text, const std::string& name);
@@ -41,7 +46,7 @@ class InputFile {
 
  private:
   InputFile(std::string name, std::string_view changed);
-  base::Result<void> take(Descriptor descriptor);
+  base::Result<void> take(Descriptor descriptor, std::int64_t largest);
   base::Result<std::size_t> read_at(std::int64_t offset, std::span<char> buffer) const;
 
   Descriptor descriptor_;
@@ -52,7 +57,7 @@ class InputFile {
   mutable base::CheckedText text_;  ///< what any source has read so far
 };
 
-/// The whole of a small file, such as a machine file. Errors as above, and `io-read` beyond 16 MiB.
-base::Result<std::string> read_whole(const std::string& path);
+/// The whole of a small file, such as a machine file. Errors as above; `input-too-large` of a file of any kind.
+base::Result<std::string> read_whole(const std::string& path, std::int64_t largest);
 
 }  // namespace leadscrew::files

@@ -146,4 +146,16 @@ base::Result<void> OutputFile::publish_durably() {
   return synchronise(*folder);
 }
 
+base::Result<void> publish_together(std::initializer_list<OutputFile*> files) {
+  for (OutputFile* file : files) {
+    if (file == nullptr) continue;
+    if (auto closed = file->close(); !closed) return closed;
+  }
+  for (OutputFile* file : files) {
+    if (file == nullptr) continue;
+    if (auto published = file->publish(); !published) return published;
+  }
+  return {};
+}
+
 }  // namespace leadscrew::files

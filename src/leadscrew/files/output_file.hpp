@@ -4,6 +4,7 @@
 // Bytes go to a temporary file in the same folder, which takes the final name when it is published and is removed when
 // it is not. What is no regular file (/dev/null, a pipe) is written straight.
 
+#include <initializer_list>
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/files/descriptor.hpp>
 #include <string>
@@ -55,5 +56,9 @@ class OutputFile {
   std::string target_;     ///< the file that will be replaced
   std::string temporary_;  ///< empty when written straight or published
 };
+
+/// Closes all files, then gives them their names: they appear together, or not at all but for a failure of the system
+/// between two of them. Null ones are passed over.
+base::Result<void> publish_together(std::initializer_list<OutputFile*> files);
 
 }  // namespace leadscrew::files

@@ -2,37 +2,30 @@
 
 namespace leadscrew::files {
 
-base::Result<void> WordFile::open(const std::string& path, const machine::Machine& machine) {
-  const bool is_npy = extension(path) == ".npy";
-  auto file = OutputFile::create(path, is_npy ? OutputFile::Access::rewritable : OutputFile::Access::sequential);
+base::Result<void> WordFile::open(const std::string& path, const machine::Machine& machine, trace::TraceKind kind) {
+  const std::string ending = extension(path);
+  const auto access = trace::has_header_last(ending) ? OutputFile::Access::rewritable : OutputFile::Access::sequential;
+  auto file = OutputFile::create(path, access);
   if (!file) return base::failure(file.error());
-  file_.emplace(std::move(*file));
-  const base::AxisSet axes = machine.axis_set();
-  if (is_npy) {
-    writer_.emplace<trace::NpyWriter>(file_->sink(), axes, machine.period);
-  } else {
-    writer_.emplace<trace::CsvWriter>(file_->sink(), axes, machine.period);
-  }
+  file_ = std::make_unique<OutputFile>(std::move(*file));
+  writer_.emplace(ending, file_->sink(), machine.axis_set(), machine.period, kind);
   return {};
 }
 
-base::Result<void> WordFile::write(const base::Word& word) {
-  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) return csv->write(word);
-  if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) return npy->write(word);
-  return {};
+base::Result<void> WordFile::write(const base::Word& word, const base::AxisVector& actual) {
+  return writer_ ? writer_->write(word, actual) : base::Result<void>();
+}
+
+base::Result<void> WordFile::finish() {
+  if (!writer_) return {};
+  if (auto finished = writer_->finish(); !finished) return finished;
+  const auto header = writer_->header();
+  return header ? file_->rewrite_start(*header) : base::Result<void>();
 }
 
 base::Result<void> WordFile::publish() {
-  if (!file_) return {};
-  if (auto* csv = std::get_if<trace::CsvWriter>(&writer_)) {
-    if (auto finished = csv->finish(); !finished) return finished;
-  }
-  if (auto* npy = std::get_if<trace::NpyWriter>(&writer_)) {
-    if (auto finished = npy->finish(); !finished) return finished;
-    if (auto written = file_->rewrite_start(npy->header()); !written) return written;
-  }
-  if (auto closed = file_->close(); !closed) return closed;
-  return file_->publish();
+  if (auto finished = finish(); !finished) return finished;
+  return publish_together({file_.get()});
 }
 
 }  // namespace leadscrew::files

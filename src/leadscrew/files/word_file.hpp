@@ -1,26 +1,33 @@
 #pragma once
-// A trace that is written while words come: .csv or .npy, whole or not there at all.
+// A trace that is written while words come, in the format that its name ends in: whole, or not there at all.
 
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/machine/machine.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/word_writer.hpp>
+#include <memory>
+#include <optional>
 #include <string>
-#include <variant>
 
 namespace leadscrew::files {
 
 class WordFile {
  public:
-  /// Must stay where it is once it is open. Errors as those of OutputFile.
-  base::Result<void> open(const std::string& path, const machine::Machine& machine);
-  base::Result<void> write(const base::Word& word);
-  /// Gives the file its name.
+  /// Errors as those of OutputFile.
+  base::Result<void> open(const std::string& path, const machine::Machine& machine,
+                          trace::TraceKind kind = trace::TraceKind::words);
+  /// `actual`: of TraceKind::followed, mm or degrees. Words without a file are passed over.
+  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
+  /// Words have ended: all of them are in the file, which has no name yet.
+  base::Result<void> finish();
+  /// The same, and gives the file its name.
   base::Result<void> publish();
 
+  OutputFile* file() { return file_.get(); }  ///< null where none is open
+
  private:
-  std::optional<OutputFile> file_;
-  std::variant<std::monostate, trace::CsvWriter, trace::NpyWriter> writer_;
+  std::unique_ptr<OutputFile> file_;  ///< the writer's sink refers to it
+  std::optional<trace::WordWriter> writer_;
 };
 
 }  // namespace leadscrew::files

@@ -98,8 +98,8 @@ ArcCircle circle_by_radius(PlanePoint start, PlanePoint end, double radius, int 
     circle.difference = half - size;
     return circle;
   }
-  // The centre lies to the left of the way from start to end for a short counterclockwise arc, and for a long clockwise
-  // one.
+  // The centre lies to the left of the chord from start to end for a short counterclockwise arc, and for a long
+  // clockwise one.
   const double height = size > half ? std::sqrt((size - half) * (size + half)) : 0;
   const double left = (radius > 0) == (direction > 0) ? height : -height;
   const PlanePoint mid = middle(start, end);

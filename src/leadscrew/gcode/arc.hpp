@@ -1,16 +1,18 @@
 #pragma once
 // The circle of an arc from what a block says of it: a centre that may be slightly off, or a radius.
 //
-//            end                   Rounded coordinates put the centre c off the perpendicular bisector of start and
-//            end:
-//             ·  ` .               the two radii differ. The nearest point c' of the bisector is the centre of a circle
-//             through
-//            /       ·             both, and that circle is the arc. An arc of more than half a turn whose ends nearly
-//            meet
-//    ---c'--/---------             would be carried away by this (c' − c = (r₁² − r₂²)/2d); it keeps its centre and
-//    ends
-//       c         ·                where its circle comes closest to the programmed end, and a line leads on to that.
-//          start
+//            end ·  .
+//             │      `.
+//     ─ ─ c' ─┼─ ─ ─ ─ ·     perpendicular bisector of start and end
+//          c  │      .´
+//          start ·  ´
+//
+// Rounded coordinates put the programmed centre c off the bisector, and its distances r₁ and r₂ to start and end
+// differ. The nearest point c' of the bisector is the centre of a circle through both: that circle is the arc. With d
+// from start to end, |c' − c| = |r₁² − r₂²|/2d.
+//
+// Where an arc of more than half a turn nearly closes, d is small and c' would lie far from c. Such an arc keeps its
+// centre and ends where its circle comes closest to the programmed end; a line leads on to that end.
 
 #include <leadscrew/gcode/move.hpp>
 
@@ -21,6 +23,11 @@ struct PlanePoint {
   double first = 0;
   double second = 0;
 };
+
+/// A position seen in the plane.
+inline PlanePoint in_plane(const base::AxisVector& position, Plane plane) {
+  return {position[base::index(first_axis(plane))], position[base::index(second_axis(plane))]};
+}
 
 /// How far the radii at both ends may differ: `absolute`, or beyond it `relative` of the greater radius, but never
 /// `most`. LinuxCNC: 2√2·0.01 mm (2√2·0.001 inch under G20), 0.1 %, and 100 times the first. An R word may be short of

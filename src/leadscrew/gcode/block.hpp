@@ -12,6 +12,16 @@ constexpr std::uint32_t letter_bit(char letter) {
   return std::uint32_t{1} << (letter - 'A');
 }
 
+/// A set of letters, written as text: "IJK".
+struct Letters {
+  std::uint32_t bits = 0;
+
+  constexpr Letters(const char* text) {
+    for (; *text != 0; ++text) bits |= letter_bit(*text);
+  }
+  constexpr bool has(char letter) const { return bits & letter_bit(letter); }
+};
+
 namespace detail {
 constexpr std::array<base::Axis, 26> make_axis_letters() {
   std::array<base::Axis, 26> axes{};

@@ -12,53 +12,18 @@ constexpr std::uint32_t dependent_words = letter_bit('D') | letter_bit('E') | le
                                           letter_bit('J') | letter_bit('K') | letter_bit('L') | letter_bit('P') |
                                           letter_bit('Q') | letter_bit('R');
 
-const char* users_of(char letter) {
-  switch (letter) {
-    case 'H':
-      return "H belongs to G43";
-    case 'I':
-      return "I belongs to G2 and G3 in G17 and G18, G5 and G5.1";
-    case 'J':
-      return "J belongs to G2 and G3 in G17 and G19, G5 and G5.1";
-    case 'K':
-      return "K belongs to G2 and G3 in G18 and G19, and G6.2";
-    case 'L':
-      return "L belongs to G5.2, G10 and the canned cycles";
-    case 'P':
-      return "P belongs to G2 to G5, G5.2, G6.2, G10, G64 and G82";
-    case 'Q':
-      return "Q belongs to G5, G64 and G83";
-    case 'R':
-      return "R belongs to G2, G3, G6.2, G10 L2 and the canned cycles";
-    default:
-      return "no supported code takes it";
-  }
-}
+constexpr std::uint32_t offset_letters = letter_bit('I') | letter_bit('J') | letter_bit('K');
 
-// G codes other than motions that take the axis words of their block.
-bool takes_axes(const Block& block) {
-  const GCode code = block.code(Group::nonmodal);
-  return code == 100 || code == 280 || code == 300 || code == 920 || block.code(Group::tool_length) == 431;
-}
-
-constexpr std::uint32_t offset_letters(Plane plane) {
+constexpr std::uint32_t offset_letters_of(Plane plane) {
   return (plane == Plane::YZ ? 0 : letter_bit('I')) | (plane == Plane::ZX ? 0 : letter_bit('J')) |
          (plane == Plane::XY ? 0 : letter_bit('K'));
 }
 
-// The letters of curves that are not axes. P of G6.2 stands where the curve begins.
-constexpr std::uint32_t curve_letters(GCode motion, bool begins) {
-  switch (motion) {
-    case cubic_spline:
-      return letter_bit('I') | letter_bit('J') | letter_bit('P') | letter_bit('Q');
-    case quadratic_spline:
-      return letter_bit('I') | letter_bit('J');
-    case nurbs_begin:
-      return letter_bit('P') | letter_bit('L');
-    case nurbs_with_knots:
-      return letter_bit('K') | letter_bit('R') | (begins ? letter_bit('P') : 0);
-    default:
-      return 0;
+// Calls f(code) for each G code of the block but its motion.
+template <class F>
+void for_each_code(const Block& block, F&& f) {
+  for (std::uint32_t rest = block.g_groups & ~bit(Group::motion); rest != 0; rest &= rest - 1) {
+    f(block.g[static_cast<std::size_t>(std::countr_zero(rest))]);
   }
 }
 
@@ -94,42 +59,42 @@ void Interpreter::check(const Block& block) {
 // motion in force (NIST IR 6556, 3.3.4 and 3.5).
 GCode Interpreter::motion_of(const Block& block) {
   const std::uint32_t axes = block.words & axis_letter_bits;
-  const bool axes_taken = takes_axes(block);
+  GCode taker = -1;
+  for_each_code(block, [&](GCode code) {
+    if (taker < 0 && row_of(code).takes_axes) taker = code;
+  });
+  const auto first_axis_column = [&] { return block.column[static_cast<unsigned>(std::countr_zero(axes))]; };
   if (block.has(Group::motion)) {
     const GCode motion = block.code(Group::motion);
     if (motion == 800) {
-      if (axes && !axes_taken) {
-        const auto letter = static_cast<unsigned>(std::countr_zero(axes));
-        error("axis-without-motion", block.column[letter], "G80 moves no axis", "give G0 or G1 instead");
+      if (axes && taker < 0) {
+        error("axis-without-motion", first_axis_column(), "G80 moves no axis", "give G0 or G1 instead");
       }
       return -1;
     }
-    if (axes_taken) {
-      const Group other = takes_axes(block) && block.has(Group::nonmodal) ? Group::nonmodal : Group::tool_length;
+    if (taker >= 0) {
       error("modal-conflict", block.column_of(Group::motion),
-            g_name(motion) + " and " + g_name(block.code(other)) + " both take the axis words",
-            "put them into two blocks");
+            g_name(motion) + " and " + g_name(taker) + " both take the axis words", "put them into two blocks");
       return -1;
     }
     return motion;
   }
-  if (axes_taken) return -1;
-  if (axes) {
-    if (motion_ == 800) {
-      const auto letter = static_cast<unsigned>(std::countr_zero(axes));
-      error("axis-without-motion", block.column[letter], "no motion is in force for the axis words",
-            "give G0, G1, G2 or G3 before or in this block");
-      motion_ = 0;
-    }
-    return motion_;
+  if (taker >= 0) return -1;
+  if (!axes) return repeats_motion(block) ? motion_ : GCode{-1};
+  if (motion_ == 800) {
+    error("axis-without-motion", first_axis_column(), "no motion is in force for the axis words",
+          "give G0, G1, G2 or G3 before or in this block");
+    motion_ = 0;
   }
-  return moves_without_axes(block) && block.code(Group::nonmodal) != 100 ? motion_ : GCode{-1};
+  return motion_;
 }
 
-bool Interpreter::moves_without_axes(const Block& block) const {
-  if (is_arc(motion_)) return block.words & (offset_letters(plane_after(block)) | letter_bit('R'));
-  if (motion_ == cubic_spline || motion_ == quadratic_spline) return block.has('I') || block.has('J');
-  return motion_ == nurbs_with_knots && (block.has('K') || block.has('R'));
+/// Whether the block repeats the motion in force by other words than axes, which no other code of the block takes.
+bool Interpreter::repeats_motion(const Block& block) const {
+  std::uint32_t words = block.words & row_of(motion_).repeated_by.bits;
+  if (is_arc(motion_)) words &= ~offset_letters | offset_letters_of(plane_after(block));
+  for_each_code(block, [&](GCode code) { words &= ~row_of(code).words.bits; });
+  return words != 0;
 }
 
 // Between the first block of a curve and the last there is nothing but its points, their feed, and remarks.
@@ -145,38 +110,37 @@ void Interpreter::check_curve(const Block& block) {
   if (motion || block.has_m(4)) abandon_curve();
 }
 
-std::uint32_t Interpreter::words_used(const Block& block) const {
-  std::uint32_t used = 0;
-  const GCode code = block.code(Group::nonmodal);
-  if (code == 40) used |= letter_bit('P');
-  if (code == 100) used |= letter_bit('P') | letter_bit('L') | letter_bit('R');
-  if (block.code(Group::tool_length) == 430) used |= letter_bit('H');
-  if (block.code(Group::path) == 640) used |= letter_bit('P') | letter_bit('Q');
-  if (is_arc(to_do_)) used |= letter_bit('P') | letter_bit('R') | offset_letters(plane_after(block));
-  if (is_drill_cycle(to_do_)) used |= letter_bit('R') | letter_bit('L');
-  if (is_curve(to_do_)) used |= curve_letters(to_do_, block.has(Group::motion));
-  if (to_do_ == 820) used |= letter_bit('P');
-  if (to_do_ == 830) used |= letter_bit('Q');
-  return used;
+/// The letters that the block's motion takes.
+std::uint32_t Interpreter::motion_words(const Block& block) const {
+  if (to_do_ < 0) return 0;
+  const std::uint32_t words = row_of(to_do_).words.bits;
+  if (is_arc(to_do_)) return words & (~offset_letters | offset_letters_of(plane_after(block)));
+  // P of G6.2 stands where the curve begins.
+  if (to_do_ == nurbs_with_knots && !block.has(Group::motion)) return words & ~letter_bit('P');
+  return words;
 }
 
 void Interpreter::check_words(const Block& block) {
   const std::uint32_t dependent = block.words & dependent_words;
   if (dependent == 0) return;
-  for (std::uint32_t rest = dependent & ~words_used(block); rest != 0; rest &= rest - 1) {
+  std::uint32_t used = motion_words(block), used_twice = 0;
+  for_each_code(block, [&](GCode code) {
+    const std::uint32_t words = row_of(code).words.bits;
+    used_twice |= used & words;
+    used |= words;
+  });
+  for (std::uint32_t rest = dependent & ~used; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
     const char name = static_cast<char>('A' + letter);
     std::string message = "nothing in this block takes ";
     message += name;
     error("unused-word", block.column[letter], std::move(message), users_of(name));
   }
-  if (!block.has('P')) return;
-  const int takers = (block.code(Group::nonmodal) == 40) + (block.code(Group::nonmodal) == 100) +
-                     (block.code(Group::path) == 640) + is_arc(to_do_) + (to_do_ == 820) +
-                     ((curve_letters(to_do_, block.has(Group::motion)) & letter_bit('P')) != 0);
-  if (takers > 1) {
-    error("ambiguous-word", block.column_of('P'), "more than one code of this block takes P",
-          "put them into two blocks");
+  for (std::uint32_t rest = dependent & used_twice; rest != 0; rest &= rest - 1) {
+    const auto letter = static_cast<unsigned>(std::countr_zero(rest));
+    std::string message = "more than one code of this block takes ";
+    message += static_cast<char>('A' + letter);
+    error("ambiguous-word", block.column[letter], std::move(message), "put them into two blocks");
   }
 }
 

@@ -4,7 +4,7 @@
 //     G5.1  P0 = start, P1 = start + (I, J), P2 = end
 //
 // are Bézier curves in X and Y. All other axes go in proportion to the parameter, for which their points stand at
-// thirds or in the middle of their way.
+// thirds or in the middle between start and end.
 
 #include <algorithm>
 #include <cmath>
@@ -45,22 +45,9 @@ bool Interpreter::curve_error(std::string_view code, std::uint32_t column, std::
   return error(code, column, std::move(message), std::move(hint));
 }
 
-void Interpreter::curve(const Block& block) {
-  switch (to_do_) {
-    case nurbs_begin:
-      if (draft_.code < 0) begin_curve(block);
-      add_to_nurbs(block);
-      break;
-    case nurbs_end:
-      end_nurbs(block);
-      break;
-    case nurbs_with_knots:
-      add_to_nurbs_with_knots(block);
-      break;
-    default:
-      spline(block);
-      break;
-  }
+void Interpreter::nurbs(const Block& block) {
+  if (draft_.code < 0) begin_curve(block);
+  add_to_nurbs(block);
 }
 
 // A vector of the program along X and Y, as one of the machine.

@@ -80,7 +80,7 @@ class Parameters {
 
   Parameters();
 
-  std::optional<double> get(int number) const;  ///< nothing where no value was ever given; 1 ≤ number ≤ last
+  std::optional<double> get(int number) const;  ///< std::nullopt where no value was ever given; 1 ≤ number ≤ last
   void set(int number, double value);
   std::optional<double> get(const std::string& name) const;
   /// False where there are too many names.

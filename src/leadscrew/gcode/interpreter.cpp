@@ -53,8 +53,8 @@ void Interpreter::execute(const Block& block, base::Line line) {
   set_coolant(block);
   dwell(block);
   set_modes(block);
-  nonmodal(block);
-  move(block);
+  execute_nonmodal(block);
+  execute_motion(block);
   stop(block);
 
   draft_.errors = reporter_.errors();

@@ -27,11 +27,11 @@ class Interpreter {
   Interpreter(const machine::Machine& machine, const machine::ToolTable& tools, const ReaderOptions& options,
               Parameters& parameters, Frame& frame, Reporter& reporter);
 
-  /// What became of a block on the short way.
+  /// What became of a block that execute_plain() was given.
   enum class Plain { no, no_move, move };
 
-  /// The short way for nearly all blocks there are: axis words and F, with G0 or G1 or neither. The caller passes a
-  /// block without problems.
+  /// Executes, more quickly than execute() does, what nearly all blocks are: axis words and F, with G0 or G1 or
+  /// neither. `no`: the block is something else and has not been executed. The caller passes a block without problems.
   Plain execute_plain(const Block& block, base::Line line, Move& move);
 
   /// Executes any block. If it or its reading had a problem it makes no move, but what is known of it takes effect, so
@@ -45,6 +45,17 @@ class Interpreter {
   void end(base::Line line);
   bool ended() const { return ended_; }
 
+  /// A G code that is read.
+  struct Code {
+    GCode code = 0;
+    Group group = Group::unknown;
+    Letters words = "";        ///< letters it takes, but for axes and F
+    Letters repeated_by = "";  ///< a motion: while it is in force these letters repeat it, without axis words
+    bool takes_axes = false;   ///< other than a motion: the axis words of its block are its own
+    void (Interpreter::*execute)(const Block&) = nullptr;
+  };
+  struct CodeTable;  // codes.cpp
+
   /// The circle of an arc, its radius in mm, and its turns as in Move.
   struct ArcPlan {
     ArcCircle circle;
@@ -57,12 +68,18 @@ class Interpreter {
   enum class FeedMode : std::uint8_t { per_minute, inverse_time };
   enum class Retract : std::uint8_t { initial_level, r_level };  // G98, G99
 
+  // codes.cpp
+  /// The row of a code that is read.
+  static const Code& row_of(GCode code);
+  /// "P belongs to G2, G3 and G4"
+  static std::string users_of(char letter);
+
   // check.cpp: what can be said of a block before any of it is executed.
   void check(const Block& block);
   GCode motion_of(const Block& block);
-  bool moves_without_axes(const Block& block) const;
+  bool repeats_motion(const Block& block) const;
   void check_curve(const Block& block);
-  std::uint32_t words_used(const Block& block) const;
+  std::uint32_t motion_words(const Block& block) const;
   void check_words(const Block& block);
   void check_axes(const Block& block);
   void check_presence(const Block& block);
@@ -87,30 +104,38 @@ class Interpreter {
   void select_system(int number);
   void set_system(const Block& block);
   void set_shift(const Block& block);
-  void go_home(const Block& block, int first_parameter);
-  void set_home(int first_parameter);
-  void nonmodal(const Block& block);
+  void go_home(const Block& block);
+  void set_home(const Block& block);
 
   // motion.cpp
+  void execute_nonmodal(const Block& block);
+  void execute_motion(const Block& block);
+  void straight(const Block& block);
   /// Where the axis words lead, seen from a place: the coordinates of that place where there is none.
   base::AxisVector target_of(const Block& block, const base::AxisVector& from) const;
   base::AxisVector target_of(const Block& block) const { return target_of(block, frame_.position); }
   bool is_linear(const base::AxisVector& target) const;
-  void move(const Block& block);
   void line_to(const Block& block, const base::AxisVector& target, const Feed& feed);
+  /// The feed of a move of linear axes, or of rotary ones only; `given`: its F word has been read.
+  bool feed_of(const Block& block, bool linear, bool given, Feed& feed);
+  std::uint32_t motion_column(const Block& block) const;
+
+  // arc_motion.cpp
   void arc(const Block& block);
   bool arc_center(const Block& block, PlanePoint start, PlanePoint& center);
   bool report_circle(const Block& block, const ArcCircle& circle);
   bool plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan);
   void arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan);
+
+  // cycles.cpp
   void drill(const Block& block);
   bool can_drill(const Block& block);
   void plan_repeats(const Block& block, DrillCycle::Plan& plan);
   void plan_dwell(const Block& block, DrillCycle::Plan& plan);
   void plan_pecks(const Block& block, DrillCycle::Plan& plan);
   bool plan_levels(const Block& block, DrillCycle::Plan& plan);
-  /// The feed of a move of linear axes, or of rotary ones only; `given`: its F word has been read.
-  bool feed_of(const Block& block, bool linear, bool given, Feed& feed);
+
+  // travel.cpp
   bool inside_travel(const Block& block, const base::AxisVector& target);
   /// Finds the axes that are outside, where the position was changed without a check.
   void note_outside();
@@ -119,15 +144,14 @@ class Interpreter {
   bool axis_inside(base::Axis axis, double value, std::uint32_t column);
   bool bulge_inside(const Block& block, base::Axis axis, double low, double high);
   void report_travel(base::Axis axis, double value, std::uint32_t column);
-  std::uint32_t motion_column(const Block& block) const;
 
   // curves.cpp
-  void curve(const Block& block);
   void spline(const Block& block);
   bool spline_offset(const Block& block, char first, char second, PlanePoint& offset);
   bool first_offset(const Block& block, PlanePoint& offset);
   void begin_curve(const Block& block);
   void add_to_nurbs(const Block& block);
+  void nurbs(const Block& block);
   void end_nurbs(const Block& block);
   void begin_nurbs_with_knots(const Block& block);
   void add_to_nurbs_with_knots(const Block& block);
@@ -200,7 +224,7 @@ class Interpreter {
   double effective_tolerance_ = 0;
   double effective_naive_cam_tolerance_ = 0;
 
-  // Travel, with room for the rounding of inches; an axis the machine lacks has all there is.
+  // Travel, with a margin for the rounding of inches; unlimited for an axis that the machine lacks.
   base::AxisVector travel_low_{};
   base::AxisVector travel_high_{};
   base::AxisSet outside_;           // axes whose position is outside

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t chunk = 64 * 1024;
 }
 
-// Room for the longest line, one chunk behind it, and a line feed behind the last byte of the text.
+// Space for the longest line, one chunk behind it, and a line feed behind the last byte of the text.
 LineSource::LineSource(ByteSource source) : source_(std::move(source)), buffer_(longest_line + chunk + 2) {}
 
 bool LineSource::refill() {

@@ -28,7 +28,7 @@ inline constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1
 /// range of doubles. The text must end in a character that is neither digit nor point.
 ///
 /// Up to 2⁵³ with up to 22 decimals, numerator and denominator are doubles and their quotient is correctly rounded
-/// (Clinger 1990); longer numbers take the long way.
+/// (Clinger 1990); longer numbers go to fast_float.
 inline const char* scan_decimal(const char* first, double& value) {
   const char* p = first;
   std::uint64_t digits = 0;
@@ -51,7 +51,8 @@ inline const char* scan_decimal(const char* first, double& value) {
   return p;
 }
 
-/// The integer within 0.0001 of the value, as LinuxCNC reads integers; nothing if there is none below 10⁹ in magnitude.
+/// The integer within 0.0001 of the value, as LinuxCNC reads integers; std::nullopt if there is none below 10⁹ in
+/// magnitude.
 inline std::optional<int> as_integer(double value) {
   if (!(std::fabs(value) < 1e9)) return std::nullopt;
   const double nearest = std::round(value);

@@ -14,6 +14,11 @@ void for_each_axis_word(const Block& block, const Frame& frame, F&& f) {
   }
 }
 
+// The first parameter of the place that G28, G28.1, G30 or G30.1 is about.
+int home_of(const Block& block) {
+  return block.code(Group::nonmodal) <= 281 ? Parameters::g28_home : Parameters::g30_home;
+}
+
 }  // namespace
 
 void Interpreter::set_tool_length(const Block& block) {
@@ -114,8 +119,8 @@ void Interpreter::set_shift(const Block& block) {
 }
 
 // By the point of the axis words, if there are any, to the stored place; with axis words, those axes only (LinuxCNC).
-void Interpreter::go_home(const Block& block, int first_parameter) {
-  const base::AxisVector home = parameters_.axes(first_parameter);
+void Interpreter::go_home(const Block& block) {
+  const base::AxisVector home = parameters_.axes(home_of(block));
   const bool all = !(block.words & axis_letter_bits);
   tangent_.reset();
   if (!all) line_to(block, target_of(block), Feed{});
@@ -127,36 +132,8 @@ void Interpreter::go_home(const Block& block, int first_parameter) {
   line_to(block, target, Feed{});
 }
 
-void Interpreter::set_home(int first_parameter) {
-  parameters_.set_axes(first_parameter, frame_.position);
-}
-
-void Interpreter::nonmodal(const Block& block) {
-  switch (block.code(Group::nonmodal)) {
-    case 100:
-      set_system(block);
-      break;
-    case 280:
-      go_home(block, Parameters::g28_home);
-      break;
-    case 281:
-      set_home(Parameters::g28_home);
-      break;
-    case 300:
-      go_home(block, Parameters::g30_home);
-      break;
-    case 301:
-      set_home(Parameters::g30_home);
-      break;
-    case 920:
-    case 921:
-    case 922:
-    case 923:
-      set_shift(block);
-      break;
-    default:
-      break;
-  }
+void Interpreter::set_home(const Block& block) {
+  parameters_.set_axes(home_of(block), frame_.position);
 }
 
 }  // namespace leadscrew::gcode

@@ -32,7 +32,7 @@ class Reader::Implementation {
       pending_ = false;
       if (done_) return false;
       TextLine line;
-      if (reporter_.enough()) {
+      if (reporter_.full()) {
         done_ = true;
       } else if (!lines_.next(line)) {
         end_of_text();
@@ -57,7 +57,7 @@ class Reader::Implementation {
  private:
   enum class Delimiter : std::uint8_t { unknown, none, percent };  // whether the program stands between two %
 
-  // Reads and executes a line; true if it made a move on the short way. What else it made is pending.
+  // Reads and executes a line; true if execute_plain() made a move of it. What else it made is pending.
   bool read(TextLine& line, Move& move) {
     reporter_.begin(line);
     if (line.too_long) {

@@ -4,9 +4,8 @@
 //     bytes ─LineSource─▶ lines ─BlockReader─▶ blocks ─Interpreter─▶ moves
 //                                 └ ExpressionReader, Parameters     └ Frame, arcs, curves, DrillCycle
 //
-// Read are: all words, comments, block delete, %, numbered and named parameters, expressions (expression.hpp); G0-G4,
-// G5(.1), G5.2 with G5.3, G6.2, G10 L2 L20, G17-G21, G28(.1), G30(.1), G40, G43(.1), G49, G53-G59.3, G61(.1), G64,
-// G80-G83, G85, G90-G92.3, G93, G94, G97-G99; M0-M9, M30; F, S, T. Everything else is a diagnostic: unsupported-code,
+// Read are all words, comments, block delete, %, numbered and named parameters, expressions (expression.hpp); the G
+// codes in the table of codes.cpp; M0-M9 and M30; F, S and T. Everything else is a diagnostic: unsupported-code,
 // unsupported-o-word, unknown-code. A program begins in mm, XY, absolute, with centres of arcs relative, G64, G94, G98,
 // G54 and no motion in force.
 //
@@ -20,16 +19,15 @@
 //
 //     G5 X_ Y_ I_ J_ P_ Q_     cubic: control points at I J from the start and at P Q from the end, in G17. Directly
 //                              behind another G5, I and J may be missing: it goes on in the direction of that.
-//     G5.1 X_ Y_ I_ J_         quadratic: control point at I J from the start, in G17
-//     G5.2 X_ Y_ P_ L_         NURBS of order L (3 … 6; 3 if not given) with uniform knots, a control point with weight
-//     X_ Y_ P_                 P (1 if not given) a block; the first is where the tool stands, and has its weight by P
-//     G5.3                     without axis words. In G91 all are seen from the start of the curve. No motion is in
-//                              force behind it.
-//     G6.2 P_ K_ X_ Y_ R_ F_   NURBS of order P (2 … 6): knot, control point and weight R (1 if not given) a block,
-//     K_ X_ Y_ R_              then as many knots as the order. Axes that are not given keep their value; in G91 each
-//     K_                       point is seen from the one before. The curve, of which the first point need not be
-//     given,
-//                              must begin where the tool stands, as exactly as the radii of an arc must agree.
+//     G5.1 X_ Y_ I_ J_         quadratic: control point at I J from the start, in G17.
+//     G5.2 X_ Y_ P_ L_         NURBS of order L (3 … 6; 3 if not given) with uniform knots: a control point with its
+//     X_ Y_ P_                 weight P (1 if not given) a block. The first point is where the tool stands; P of the
+//     G5.3                     G5.2 block is its weight. G5.3 has no axis words, and no motion is in force behind it.
+//                              In G91 all points are seen from the start of the curve.
+//     G6.2 P_ K_ X_ Y_ R_ F_   NURBS of order P (2 … 6): a knot, a control point and its weight R (1 if not given) a
+//     K_ X_ Y_ R_              block, then as many knots as the order. Axes not given keep their value; in G91 each
+//     K_                       point is seen from the one before. The curve must begin where the tool stands, as
+//                              exactly as the radii of an arc must agree; its first point need not be given.
 //
 // G5 … G5.3 are LinuxCNC's, with all nine axes: in G5 and G5.1 the other ones go in proportion to the parameter, in
 // G5.2 they are coordinates of the control points. G6.2 is Fanuc's G06.2. Before its end a curve of many blocks takes

@@ -102,11 +102,11 @@ bool Reporter::error_where_kept(std::string_view code, std::string message, std:
 
 bool Reporter::error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
                         std::string hint) {
-  if (muted_ || enough_) return false;
+  if (muted_ || full_) return false;
   ++errors_;
   send(base::Severity::error, code, place, std::move(message), std::move(hint), source_of(text, place.column));
   if (errors_ < most_errors) return false;
-  enough_ = true;
+  full_ = true;
   ++errors_;
   send(base::Severity::error, "too-many-problems", place,
        "reading stops after " + std::to_string(most_errors) + " errors", "is this a part program?",
@@ -115,7 +115,7 @@ bool Reporter::error_at(const base::Place& place, std::string_view text, std::st
 }
 
 void Reporter::warning(std::string_view code, std::int64_t column, std::string message, std::string hint) {
-  if (muted_ || enough_ || ++warnings_ > most_warnings) return;
+  if (muted_ || full_ || ++warnings_ > most_warnings) return;
   send(base::Severity::warning, code, {file_, line_.number, column}, std::move(message), std::move(hint),
        source_of(text(), column));
 }

@@ -42,7 +42,7 @@ class Reporter {
 
   bool muted() const { return muted_; }
   bool failed() const { return failed_; }  ///< the line has an error
-  bool enough() const { return enough_; }  ///< so many errors that nobody reads on
+  bool full() const { return full_; }      ///< most_errors were reported: reading stops
   std::int64_t errors() const { return errors_; }
   const std::string& file() const { return file_; }
   base::Line line() const { return base::Line{line_.number}; }  ///< being read
@@ -64,7 +64,7 @@ class Reporter {
   std::int64_t warnings_ = 0;
   bool failed_ = false;
   bool muted_ = false;
-  bool enough_ = false;
+  bool full_ = false;
 };
 
 /// A character as messages show it: 'X', or its code where it has no shape.

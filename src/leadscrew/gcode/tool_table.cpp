@@ -17,7 +17,7 @@ class ToolLine {
  public:
   explicit ToolLine(Reporter& reporter) : reporter_(reporter) {}
 
-  // Reads one line; nothing if there is no tool in it, or a problem.
+  // Reads one line; std::nullopt if it holds no tool, or a problem.
   std::optional<machine::Tool> read(const TextLine& line) {
     tool_ = {};
     seen_ = 0;
@@ -114,7 +114,7 @@ ToolTableText read_tool_table(std::string_view text, std::string_view file) {
   ToolLine reader(reporter);
   std::vector<machine::Tool> tools;
   std::unordered_set<int> numbers;
-  for (TextLine line; !reporter.enough() && lines.next(line);) {
+  for (TextLine line; !reporter.full() && lines.next(line);) {
     reporter.begin(line);
     if (line.too_long) {
       reporter.error("line-too-long", static_cast<std::int64_t>(longest_line) + 1,
@@ -130,6 +130,10 @@ ToolTableText read_tool_table(std::string_view text, std::string_view file) {
       continue;
     }
     tools.push_back(std::move(*tool));
+  }
+  if (tools.empty() && reporter.errors() == 0) {
+    reporter.report(base::Severity::error, "empty-tool-table", {reporter.file(), 1, 1},
+                    "there is no tool in this table", "T1 P1 D3.175 Z0.511 ;remark, a line for each tool");
   }
   result.table = machine::ToolTable(std::move(tools));
   return result;

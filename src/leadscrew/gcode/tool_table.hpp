@@ -14,7 +14,8 @@ struct ToolTableText {
 };
 
 /// Reads a tool table. T is required, > 0 and unique; P, D, and an offset for each of the nine axes are optional, mm or
-/// degrees; what follows ';' is a remark. Unknown letters are errors.
+/// degrees; what follows ';' is a remark. Unknown letters are errors, and so is a table without a tool
+/// (empty-tool-table), which a file that was not written to its end may be.
 ToolTableText read_tool_table(std::string_view text, std::string_view file);
 
 }  // namespace leadscrew::gcode

@@ -57,12 +57,12 @@ class Mapper {
   Node node(double x) const {
     Node node;
     double c11 = 0, c12 = 0, c22 = 0, c13 = 0;
-    const Jet weight = curve_.weight_jet(x);
-    const Jet scale = curve_.rational ? numeric::reciprocal(weight) : Jet(1);
+    const Jet<> weight = curve_.weight_jet(x);
+    const Jet<> scale = curve_.rational ? numeric::reciprocal(weight) : Jet<>(1);
     for (std::size_t k = 0; k < metric_.count; ++k) {
-      Jet q = curve_.numerator_jet(metric_.slot[k], x);
+      Jet<> q = curve_.numerator_jet(metric_.slot[k], x);
       if (curve_.rational) q = q * scale;
-      if (metric_.weight[k] != 1) q = q * Jet(metric_.weight[k]);
+      if (metric_.weight[k] != 1) q = q * Jet<>(metric_.weight[k]);
       c11 += q.first * q.first;
       c12 += q.first * q.second;
       c22 += q.second * q.second;

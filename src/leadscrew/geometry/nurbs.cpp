@@ -44,15 +44,15 @@ void evaluate_record(const NurbsTable& table, const double* record, double sigma
 /// Position and derivatives by x.
 PointJet record_jets(const NurbsTable& table, const double* record, double x, const Point& rest) {
   PointJet jets;
-  for (std::size_t i = 0; i < rest.size(); ++i) jets[i] = Jet(rest[i]);
+  for (std::size_t i = 0; i < rest.size(); ++i) jets[i] = Jet<>(rest[i]);
   const double* numbers = record + NurbsTable::polynomials;
-  Jet scale = 1;
+  Jet<> scale = 1;
   if (table.rational) {
-    scale = numeric::reciprocal(Jet(1) + polynomial_jet(numbers, table.degree - 1, x) * Jet::parameter(x));
+    scale = numeric::reciprocal(Jet<>(1) + polynomial_jet(numbers, table.degree - 1, x) * Jet<>::parameter(x));
     numbers += table.degree;
   }
   for (std::size_t k = 0; k < table.moving_count; ++k, numbers += table.degree + 2) {
-    jets[table.moving[k]] = Jet(numbers[0]) + polynomial_jet(numbers + 1, table.degree, x) * scale;
+    jets[table.moving[k]] = Jet<>(numbers[0]) + polynomial_jet(numbers + 1, table.degree, x) * scale;
   }
   return jets;
 }
@@ -111,7 +111,7 @@ Point length_weights(base::AxisSet moving, const std::optional<Point>& weights) 
 /// A place on a piece: its record, and the parameter x in it with derivatives by s.
 struct Nurbs::Located {
   const double* record = nullptr;
-  Jet x;
+  Jet<> x;
 };
 
 std::size_t Nurbs::record_at(double s) const {
@@ -163,14 +163,14 @@ Nurbs::Located Nurbs::locate(double s) const {
   const std::size_t index = record_at(std::clamp(s, 0.0, length_));
   const double* const record = table_->record(index);
   const double sigma = s - table_->nodes[index] - record[NurbsTable::s_low];
-  return {record, polynomial_jet(record + NurbsTable::map, 4, sigma) * Jet::parameter(sigma)};
+  return {record, polynomial_jet(record + NurbsTable::map, 4, sigma) * Jet<>::parameter(sigma)};
 }
 
 PointJet Nurbs::jets(double s) const {
   const Located at = locate(s);
   PointJet jets = record_jets(*table_, at.record, at.x.value, start_);
   for (std::size_t k = 0; k < table_->moving_count; ++k) {
-    Jet& jet = jets[table_->moving[k]];
+    Jet<>& jet = jets[table_->moving[k]];
     jet = numeric::compose(jet, at.x);
   }
   return jets;
@@ -195,10 +195,10 @@ PointJet Nurbs::jets_at(double u) const {
   }
   const double* const record = table_->record(low);
   const double width = record[NurbsTable::width];
-  const Jet x((u - record[NurbsTable::parameter]) / width, 1 / width, 0, 0);
+  const Jet<> x((u - record[NurbsTable::parameter]) / width, 1 / width, 0, 0);
   PointJet jets = record_jets(*table_, record, x.value, start_);
   for (std::size_t k = 0; k < table_->moving_count; ++k) {
-    Jet& jet = jets[table_->moving[k]];
+    Jet<>& jet = jets[table_->moving[k]];
     jet = numeric::compose(jet, x);
   }
   return jets;
@@ -262,7 +262,7 @@ void Nurbs::add_part(std::size_t record, double from, double to, NurbsTable& tab
   Coefficients map{};
   std::copy_n(numbers + NurbsTable::map, 5, map.begin() + 1);
   const auto map_end = [&](double at, bool is_exact) -> MapEnd {
-    const Jet x = polynomial_jet(map.data(), 5, at);
+    const Jet<> x = polynomial_jet(map.data(), 5, at);
     return is_exact ? exact_end(*table_, numbers, x.value, length_weights(moving_, table_->weights), start_)
                     : MapEnd{x.first, x.second};
   };

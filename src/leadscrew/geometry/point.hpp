@@ -10,7 +10,7 @@
 namespace leadscrew::geometry {
 
 using Point = base::AxisVector;
-using PointJet = std::array<numeric::Jet, base::axis_count>;
+using PointJet = std::array<numeric::Jet<>, base::axis_count>;
 
 /// |q″| of X, Y and Z: where the jet is by the tool tip's path length, the curvature 1/ρ of its path, 1/mm.
 inline double tip_curvature(const PointJet& jet) {

@@ -98,12 +98,12 @@ double RationalTaylor::speed(const Metric& metric, double x) const {
   return std::sqrt(sum) / (w.value * w.value);
 }
 
-Jet RationalTaylor::numerator_jet(std::size_t slot, double x) const {
+Jet<> RationalTaylor::numerator_jet(std::size_t slot, double x) const {
   return polynomial_jet(numerator[slot].data(), degree, x);
 }
 
-Jet RationalTaylor::weight_jet(double x) const {
-  return rational ? polynomial_jet(weight.data(), degree, x) : Jet(1);
+Jet<> RationalTaylor::weight_jet(double x) const {
+  return rational ? polynomial_jet(weight.data(), degree, x) : Jet<>(1);
 }
 
 RationalBezier bezier_of_span(const NurbsForm& form, const Moving& moving, bool rational, std::size_t span) {

@@ -13,7 +13,7 @@
 namespace leadscrew::geometry {
 
 /// Value and three derivatives by x of c[0] + c[1] x + … + c[degree] x^degree, by Horner's rule.
-inline numeric::Jet polynomial_jet(const double* c, std::size_t degree, double x) {
+inline numeric::Jet<> polynomial_jet(const double* c, std::size_t degree, double x) {
   double value = 0, first = 0, half = 0, sixth = 0;
   for (std::size_t k = degree + 1; k-- > 0;) {
     sixth = sixth * x + half;
@@ -78,10 +78,10 @@ struct RationalTaylor {
   /// |dC/dx| by the metric.
   double speed(const Metric& metric, double x) const;
   /// N and W at x, and derivatives by x.
-  numeric::Jet numerator_jet(std::size_t slot, double x) const;
-  numeric::Jet weight_jet(double x) const;
+  numeric::Jet<> numerator_jet(std::size_t slot, double x) const;
+  numeric::Jet<> weight_jet(double x) const;
   /// C − origin at x, and derivatives by x.
-  numeric::Jet jet(std::size_t slot, double x) const { return numerator_jet(slot, x) / weight_jet(x); }
+  numeric::Jet<> jet(std::size_t slot, double x) const { return numerator_jet(slot, x) / weight_jet(x); }
 };
 
 /// The curve between knots[span] < knots[span + 1], by blossoms (Ramshaw; Farin, "Curves and Surfaces for CAGD", 8.4).

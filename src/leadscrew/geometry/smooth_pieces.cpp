@@ -96,11 +96,11 @@ struct EndDerivatives {
 };
 
 EndDerivatives derivatives_at(const RationalTaylor& curve, const Metric& metric) {
-  std::array<Jet, base::axis_count> jets;
+  std::array<Jet<>, base::axis_count> jets;
   for (std::size_t k = 0; k < curve.count; ++k) jets[k] = curve.jet(k, 0);
   double c11 = 0, c12 = 0;
   for (std::size_t k = 0; k < metric.count; ++k) {
-    const Jet& q = jets[metric.slot[k]];
+    const Jet<>& q = jets[metric.slot[k]];
     const double square = metric.weight[k] * metric.weight[k];
     c11 += square * q.first * q.first;
     c12 += square * q.first * q.second;

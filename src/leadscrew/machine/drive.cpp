@@ -40,7 +40,7 @@ void check_drive(base::Axis axis, const AxisDrive& drive, std::vector<base::Diag
     problems.push_back(base::problem("machine-drive",
                                      std::string("axis ") + base::letter(axis) +
                                          ": drive: " + std::string(number.name) + " is " + base::text(*value),
-                                     hint_of(number.range)));
+                                     hint_of(number.range), {.axis = axis, .field = number.name}));
   }
 }
 

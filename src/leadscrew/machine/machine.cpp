@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/base/number_text.hpp>
+#include <leadscrew/machine/fields.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <string_view>
 
@@ -10,11 +11,30 @@ namespace {
 using base::problem;
 using base::text;
 
-void check_limit(std::vector<base::Diagnostic>& problems, char axis, std::string_view what, double value) {
+void check_limit(std::vector<base::Diagnostic>& problems, const base::Subject& limit, std::string_view what,
+                 double value) {
   if (value > 0 && std::isfinite(value)) return;
-  problems.push_back(problem("machine-limit",
-                             std::string("axis ") + axis + ": " + std::string(what) + " is " + text(value),
-                             "give a number above 0"));
+  problems.push_back(
+      problem("machine-limit",
+              std::string("axis ") + base::letter(*limit.axis) + ": " + std::string(what) + " is " + text(value),
+              "give a number above 0", limit));
+}
+
+void check_axis(std::vector<base::Diagnostic>& problems, base::Axis axis, const Machine& machine) {
+  const AxisLimits& limits = machine.limits(axis);
+  if (!(limits.travel_min < limits.travel_max) || !std::isfinite(limits.travel_min) ||
+      !std::isfinite(limits.travel_max)) {
+    problems.push_back(problem("machine-travel",
+                               std::string("axis ") + base::letter(axis) + ": travel from " + text(limits.travel_min) +
+                                   " to " + text(limits.travel_max),
+                               "the first must be the smaller", {.axis = axis, .field = field::travel}));
+  }
+  check_limit(problems, {.axis = axis, .field = field::velocity}, "the greatest velocity", limits.velocity);
+  check_limit(problems, {.axis = axis, .field = field::acceleration}, "the greatest acceleration", limits.acceleration);
+  check_limit(problems, {.axis = axis, .field = field::jerk}, "the greatest jerk", limits.jerk);
+  check_limit(problems, {.axis = axis, .field = field::blu}, "the basic length unit", limits.blu);
+  check_step_times(axis, limits.step_times, problems);
+  check_drive(axis, machine.drive(axis), problems);
 }
 
 void check_screws(std::vector<base::Diagnostic>& problems, const Machine& machine) {
@@ -23,7 +43,7 @@ void check_screws(std::vector<base::Diagnostic>& problems, const Machine& machin
     if (machine.has(axis) || machine.screw(axis).none()) continue;
     problems.push_back(
         problem("pitch-axis", std::string("axis ") + base::letter(axis) + ": its screw has errors, but it is not there",
-                "give errors for axes of the machine"));
+                "give errors for axes of the machine", {.axis = axis}));
   }
 }
 
@@ -41,43 +61,32 @@ Machine mill3() {
 std::vector<base::Diagnostic> validate(const Machine& machine) {
   std::vector<base::Diagnostic> problems;
   if (machine.kinematics != "cartesian") {
-    problems.push_back(
-        problem("machine-kinematics", "kinematics \"" + machine.kinematics + "\" is not known", "known: cartesian"));
+    problems.push_back(problem("machine-kinematics", "kinematics \"" + machine.kinematics + "\" is not known",
+                               "known: cartesian", {.field = field::kinematics}));
   }
   if (!base::is_valid(machine.period)) {
     problems.push_back(problem(
         "machine-period", "a servo period of " + text(static_cast<double>(machine.period.nanoseconds) / 1e3) + " us",
-        "between 10 and 20000 us"));
+        "between 10 and 20000 us", {.field = field::period}));
   }
   if (!(machine.tolerance >= 0 && std::isfinite(machine.tolerance))) {
-    problems.push_back(problem("machine-tolerance", "tolerance is " + text(machine.tolerance), "0 or more"));
+    problems.push_back(problem("machine-tolerance", "tolerance is " + text(machine.tolerance), "0 or more",
+                               {.field = field::tolerance}));
   }
   if (!(machine.chord_error > 0 && std::isfinite(machine.chord_error))) {
-    problems.push_back(problem("machine-chord-error", "chord error is " + text(machine.chord_error), "above 0"));
+    problems.push_back(problem("machine-chord-error", "chord error is " + text(machine.chord_error), "above 0",
+                               {.field = field::chord_error}));
   }
   bool any = false;
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     any = true;
-    const AxisLimits& limits = machine.limits(axis);
-    const char name = base::letter(axis);
-    if (!(limits.travel_min < limits.travel_max) || !std::isfinite(limits.travel_min) ||
-        !std::isfinite(limits.travel_max)) {
-      problems.push_back(problem(
-          "machine-travel",
-          std::string("axis ") + name + ": travel from " + text(limits.travel_min) + " to " + text(limits.travel_max),
-          "the first must be the smaller"));
-    }
-    check_limit(problems, name, "the greatest velocity", limits.velocity);
-    check_limit(problems, name, "the greatest acceleration", limits.acceleration);
-    check_limit(problems, name, "the greatest jerk", limits.jerk);
-    check_limit(problems, name, "the basic length unit", limits.blu);
-    check_step_times(axis, limits.step_times, problems);
-    check_drive(axis, machine.drive(axis), problems);
+    check_axis(problems, axis, machine);
   }
   check_screws(problems, machine);
   if (!any)
-    problems.push_back(problem("machine-axes", "the machine has no axis", "give at least one, such as [axis.X]"));
+    problems.push_back(problem("machine-axes", "the machine has no axis", "give at least one, such as [axis.X]",
+                               {.field = field::axes}));
   return problems;
 }
 

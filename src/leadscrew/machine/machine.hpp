@@ -1,6 +1,6 @@
 #pragma once
 // The machine as data: which axes it has, how far, how fast and how abruptly each may move, its basic length unit, the
-// errors of its screws, its servo period and its tolerances. Nothing here reads a file; the command turns machine files
+// errors of its screws, its servo period and its tolerances. Nothing here reads a file; config/ turns machine files
 // into this.
 
 #include <array>

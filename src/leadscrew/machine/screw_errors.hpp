@@ -22,8 +22,8 @@ struct PitchError {
 
 /// Of one axis. Beyond its ends a table goes on with its first and last errors; an empty one has none.
 struct ScrewErrors {
-  std::vector<PitchError> table;  ///< positions rising; where the axis runs towards +, or both ways
-  /// Where it runs towards −; empty: the same. What was measured on the way back holds the backlash already; what is
+  std::vector<PitchError> table;  ///< positions rising; where the axis runs towards +, or in both directions
+  /// Where it runs towards −; empty: the same. What was measured in that direction holds the backlash already; what is
   /// given as backlash comes on top.
   std::vector<PitchError> backward_table;
   double backlash = 0;         ///< mm or degrees; ≥ 0
@@ -32,7 +32,7 @@ struct ScrewErrors {
   bool none() const { return table.empty() && backward_table.empty() && backlash == 0; }
 };
 
-/// Errors may change by so much of the way from entry to entry: more is no screw, but a misprint.
+/// Errors may change by this share of the distance from entry to entry; more is taken for a misprint.
 inline constexpr double greatest_pitch_slope = 0.1;
 
 /// Adds every way in which they contradict the ranges above. Codes: `pitch-value`, `pitch-order`, `pitch-slope`, each

@@ -12,7 +12,8 @@ void check_step_times(base::Axis axis, const StepTimes& times, std::vector<base:
     problems.push_back(base::problem("step-time",
                                      std::string("axis ") + base::letter(axis) + ": " + std::string(each.name) +
                                          " is " + microseconds(value) + " us",
-                                     each.least > 0 ? "above 0, and up to 1000000 us" : "from 0 to 1000000 us"));
+                                     each.least > 0 ? "above 0, and up to 1000000 us" : "from 0 to 1000000 us",
+                                     {.axis = axis, .field = each.name}));
   }
 }
 

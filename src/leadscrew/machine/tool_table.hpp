@@ -23,7 +23,7 @@ class ToolTable {
   ToolTable() = default;
   explicit ToolTable(std::vector<Tool> tools) : tools_(std::move(tools)) {}
 
-  /// The tool of this number, or nothing.
+  /// The tool of this number, or nullptr.
   const Tool* find(int number) const {
     const auto tool = std::find_if(tools_.begin(), tools_.end(), [&](const Tool& t) { return t.number == number; });
     return tool == tools_.end() ? nullptr : &*tool;

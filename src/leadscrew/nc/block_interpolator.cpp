@@ -42,26 +42,27 @@ std::int64_t dda_commands(std::int64_t longest, std::int64_t capacity, std::int6
 std::int64_t preload_of(const Block& block, PulseMethod method, const InterpolationOptions& options) {
   // With the longest way as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the shorter
   // axes where they are more than half a step behind.
-  if (block.kind == Block::Kind::line && !is_dda(method)) return (block.capacity - 1) / 2;
+  if (block.kind == Block::Kind::line && rate_of(method) != CommandRate::path_length) return (block.capacity - 1) / 2;
   return pulse::preloaded(options.preload, block.capacity, /*is_lagging=*/true);
 }
 
 void count_line(Block& block, PulseMethod method, const InterpolationOptions& options) {
-  if (method == PulseMethod::point_comparison) {
+  const CommandRate rate = rate_of(method);
+  if (rate == CommandRate::every_step) {
     block.commands = sum_of(block.way);
     return;
   }
   const std::int64_t longest = longest_of(block.way);
-  block.capacity = is_dda(method) ? length_rounded_up(block.way, 0) : longest;
+  block.capacity = rate == CommandRate::path_length ? length_rounded_up(block.way, 0) : longest;
   block.commands = dda_commands(longest, block.capacity, preload_of(block, method, options));
 }
 
 /// Commands from 0 to an angle ≥ 0 on a circle of radius 1: ∫ dθ of a DDA, ∫ |sin θ| + |cos θ| dθ where axes step one
 /// by one, ∫ max(|sin θ|, |cos θ|) dθ where the faster one always steps.
-double commands_to(double angle, PulseMethod method) {
-  if (is_dda(method)) return angle;
+double commands_to(double angle, CommandRate rate) {
+  if (rate == CommandRate::path_length) return angle;
   const double quarters = std::floor(angle / quarter_turn), rest = angle - quarters * quarter_turn;
-  if (method == PulseMethod::point_comparison) return quarters * 2 + std::sin(rest) + 1 - std::cos(rest);
+  if (rate == CommandRate::every_step) return quarters * 2 + std::sin(rest) + 1 - std::cos(rest);
   const double eighth = quarter_turn / 2;
   const double within = rest <= eighth ? std::sin(rest) : 2 * std::sin(eighth) - std::cos(rest);
   return quarters * 2 * std::sin(eighth) + within;
@@ -78,33 +79,19 @@ double angle_of(pulse::Point at, pulse::Direction direction) {
 constexpr std::int64_t uncertain_commands = 10;
 
 /// Of an arc that is long beside those.
-std::int64_t integrated_commands(const pulse::Arc& arc, PulseMethod method) {
+std::int64_t integrated_commands(const pulse::Arc& arc, CommandRate rate) {
   const double from = angle_of(arc.start, arc.direction);
   double to = angle_of(arc.end, arc.direction);
   if (to <= from) to += 4 * quarter_turn;
   const double radius = std::sqrt(static_cast<double>(arc.squared_radius()));
-  return std::max<std::int64_t>(1, std::llround(radius * (commands_to(to, method) - commands_to(from, method))));
+  return std::max<std::int64_t>(1, std::llround(radius * (commands_to(to, rate) - commands_to(from, rate))));
 }
 
 /// What the visitor says of the circle's interpolator at its start.
 template <typename Visitor>
 auto with_circle(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options,
                  const Visitor& visitor) {
-  using pulse::CircularSearch, pulse::Order, pulse::Search;
-  switch (method) {
-    case PulseMethod::dda:
-      return visitor(ProgramCircle(arc, {Order::parallel, options.preload, options.places}));
-    case PulseMethod::point_comparison:
-      return visitor(CircularSearch<Search::point_comparison>(arc));
-    case PulseMethod::min_error:
-    case PulseMethod::bresenham:
-      return visitor(CircularSearch<Search::least_error>(arc));
-    case PulseMethod::improved_min_error:
-      return visitor(CircularSearch<Search::improved_least_error>(arc));
-    case PulseMethod::koren:
-      break;
-  }
-  return visitor(ProgramCircle(arc, {Order::x_first, options.preload, options.places}));
+  return with_row(method, [&](auto row) { return visitor(row.circle(arc, options)); });
 }
 
 std::int64_t recorded_commands(const pulse::Arc& arc, PulseMethod method, const InterpolationOptions& options,
@@ -114,7 +101,7 @@ std::int64_t recorded_commands(const pulse::Arc& arc, PulseMethod method, const 
 }
 
 void count_arc(Block& block, PulseMethod method, const InterpolationOptions& options, ArcTape& tape) {
-  block.circle_commands = integrated_commands(block.arc, method);
+  block.circle_commands = integrated_commands(block.arc, rate_of(method));
   block.uncertain = 0;
   if (block.circle_commands > ArcTape::most_commands) {
     block.uncertain = uncertain_commands;
@@ -190,11 +177,8 @@ void BlockInterpolator::load_line(const Block& block, const LatticeVector& way, 
                                   const InterpolationOptions& options) {
   std::array<std::int64_t, axes> ways;
   std::copy_n(way.begin(), axes, ways.begin());
-  if (method == PulseMethod::point_comparison) {
-    state_ = pulse::LinearPointComparison<axes>(ways);
-    return;
-  }
-  state_ = pulse::LinearDda<axes>(ways, block.capacity, preload_of(block, method, options));
+  const std::int64_t preload = preload_of(block, method, options);
+  with_row(method, [&](auto row) { state_ = row.template line<axes>(ways, block.capacity, preload); });
 }
 
 template <typename Circle>

@@ -17,21 +17,12 @@
 #include <leadscrew/nc/arc_tape.hpp>
 #include <leadscrew/nc/block.hpp>
 #include <leadscrew/nc/helix.hpp>
+#include <leadscrew/nc/method_traits.hpp>
 #include <leadscrew/nc/point_to_point.hpp>
-#include <leadscrew/nc/program_circle.hpp>
-#include <leadscrew/nc/pulse_method.hpp>
 #include <leadscrew/nc/step_writer.hpp>
-#include <leadscrew/pulse/circular_search.hpp>
-#include <leadscrew/pulse/linear.hpp>
 #include <leadscrew/pulse/stretch.hpp>
-#include <variant>
 
 namespace leadscrew::nc {
-
-struct InterpolationOptions {
-  pulse::Preload preload = pulse::Preload::half;  ///< of DDAs; Koren's registers begin empty
-  int places = 0;  ///< 0 … 16, of the radius in circular DDAs: more where feed on circles is to be exact
-};
 
 /// Fills in how many commands a block takes by a method, and the capacity of its DDA: exactly so many, but of arcs of
 /// more than ArcTape::most_commands within block.uncertain. Shorter ones are recorded on the tape, if that does not
@@ -66,25 +57,21 @@ class BlockInterpolator {
   std::int64_t left(std::size_t axis) const;
 
  private:
-  template <pulse::Search method>
-  using Search = pulse::CircularSearch<method>;
-  using LeastError = Search<pulse::Search::least_error>;
-  using ImprovedLeastError = Search<pulse::Search::improved_least_error>;
-  using PointComparison = Search<pulse::Search::point_comparison>;
-  template <std::size_t axes>
-  using Dda = pulse::LinearDda<axes>;
-  template <std::size_t axes>
-  using Comparison = pulse::LinearPointComparison<axes>;
   static constexpr std::size_t all = base::axis_count, all_beside = all - 2;
   // Of few axes and of all, for those that stand still take their time too.
-  using State = std::variant<PointToPoint<all>,                                                               //
-                             Dda<2>, Dda<3>, Dda<5>, Dda<all>,                                                //
-                             Comparison<2>, Comparison<3>, Comparison<5>, Comparison<all>,                    //
-                             ArcTape::Player, Helix<ArcTape::Player, 1>, Helix<ArcTape::Player, all_beside>,  //
-                             ProgramCircle, Helix<ProgramCircle, 1>, Helix<ProgramCircle, all_beside>,        //
-                             PointComparison, Helix<PointComparison, 1>, Helix<PointComparison, all_beside>,  //
-                             LeastError, Helix<LeastError, 1>, Helix<LeastError, all_beside>,                 //
-                             ImprovedLeastError, Helix<ImprovedLeastError, 1>, Helix<ImprovedLeastError, all_beside>>;
+  template <class Circle>
+  using OfCircle = TypeList<Circle, Helix<Circle, 1>, Helix<Circle, all_beside>>;
+  template <class Row>
+  using OfLines = TypeList<typename Row::template Line<2>, typename Row::template Line<3>,
+                           typename Row::template Line<5>, typename Row::template Line<all>>;
+  template <class>
+  struct OfRows;
+  template <class... Rows>
+  struct OfRows<TypeList<Rows...>> {
+    using Interpolators = Joined<TypeList<PointToPoint<all>>, OfLines<Rows>..., OfCircle<ArcTape::Player>,
+                                 OfCircle<typename Rows::Circle>...>;
+  };
+  using State = OfRows<MethodRows>::Interpolators::Variant;
 
   void load_line(const Block& block, PulseMethod method, const InterpolationOptions& options);
   template <std::size_t axes>

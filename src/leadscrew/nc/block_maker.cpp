@@ -18,7 +18,9 @@ using Planned = std::optional<base::Result<PlannedBlock>>;
 constexpr double whole_turn = 2 * std::numbers::pi;
 
 base::Diagnostic problem(const gcode::Move& move, std::string_view code, std::string message, std::string hint) {
-  return {base::Severity::error, code, std::move(message), std::move(hint), {"", base::number(move.line), 0}, ""};
+  base::Diagnostic problem = base::problem(code, std::move(message), std::move(hint), {.field = pulses_field});
+  problem.place.line = base::number(move.line);
+  return problem;
 }
 
 base::AxisVector between(const base::AxisVector& from, const base::AxisVector& to, double fraction) {
@@ -30,7 +32,7 @@ base::AxisVector between(const base::AxisVector& from, const base::AxisVector& t
 /// By length, 1/mm or 1/degree: at what the chord's error is an eighth of its square by this.
 double curvature(const geometry::Nurbs& piece, double s) {
   double square = 0;
-  for (const numeric::Jet& jet : piece.jets(s)) square += jet.second * jet.second;
+  for (const numeric::Jet<>& jet : piece.jets(s)) square += jet.second * jet.second;
   return std::sqrt(square);
 }
 

@@ -21,8 +21,12 @@ constexpr double along_chords = 0.6 * along_path, across_chords = 0.4 * along_pa
 
 constexpr double longest_braking = 0x1p21;  // commands: the feed register counts them times its capacity
 
-base::Diagnostic refused(const Block& block, std::string_view code, std::string message, std::string hint) {
-  return {base::Severity::error, code, std::move(message), std::move(hint), {"", base::number(block.line), 0}, ""};
+base::Diagnostic refused(const Block& block, std::string_view code, std::string message, std::string hint,
+                         std::optional<base::Axis> axis = {}) {
+  base::Diagnostic problem =
+      base::problem(code, std::move(message), std::move(hint), {.axis = axis, .field = pulses_field});
+  problem.place.line = base::number(block.line);
+  return problem;
 }
 
 double real(std::int64_t value) {
@@ -33,8 +37,7 @@ double real(std::int64_t value) {
 /// speed; where one axis steps at every command the other one's rate is the tangent, whose second derivative is 2√2 at
 /// an eighth of a turn.
 double curving(PulseMethod method) {
-  const bool is_search = !is_dda(method) && method != PulseMethod::point_comparison;
-  return is_search ? 2 * std::numbers::sqrt2 : 1;
+  return rate_of(method) == CommandRate::longest_axis ? 2 * std::numbers::sqrt2 : 1;
 }
 
 /// Steps of the arc's axes a command, where it passes `at`.
@@ -42,11 +45,9 @@ void set_tangent(const Block& block, pulse::Point at, PulseMethod method, std::a
   const double radius = std::hypot(real(at.x), real(at.y)), sense = static_cast<double>(block.arc.direction);
   const double x = -sense * real(at.y) / radius, y = sense * real(at.x) / radius;
   double scale = real(block.circle_commands) / real(block.commands);
-  if (method == PulseMethod::point_comparison) {
-    scale /= std::abs(x) + std::abs(y);
-  } else if (curving(method) > 1) {
-    scale /= std::max(std::abs(x), std::abs(y));
-  }
+  const CommandRate rate = rate_of(method);
+  if (rate == CommandRate::every_step) scale /= std::abs(x) + std::abs(y);
+  if (rate == CommandRate::longest_axis) scale /= std::max(std::abs(x), std::abs(y));
   steps[block.first_axis] = x * scale;
   steps[block.second_axis] = y * scale;
 }
@@ -127,13 +128,13 @@ std::optional<base::Diagnostic> rate_problem(const Block& block, const Programme
                    "pulses: " + asked + ", axis " + base::letter(options.slowest_steps) + " allows " +
                        per_second(by_step) + ": " + std::to_string(options.step_clocks) +
                        " clocks from a step to its next",
-                   "program a lower feed or shorten the times of its steps");
+                   "program a lower feed or shorten the times of its steps", options.slowest_steps);
   }
   if (is_shaped || programmed.of_velocity * (1 - numeric::quotient_rounding) <= 1) return std::nullopt;
   return refused(block, "pulse-velocity",
                  "pulses: " + asked + ", axis " + base::letter(programmed.fastest) + " allows " +
                      per_second(programmed.rate / programmed.of_velocity),
-                 "program a lower feed, or have the feed shaped to what the axes can do");
+                 "program a lower feed, or have the feed shaped to what the axes can do", programmed.fastest);
 }
 
 }  // namespace

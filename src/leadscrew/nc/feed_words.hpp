@@ -9,8 +9,12 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/nc/programmed_rate.hpp>
 #include <leadscrew/nc/pulse_options.hpp>
+#include <string_view>
 
 namespace leadscrew::nc {
+
+/// The field of base::Subject of what a program's pulses cannot be, as against what is wrong with its text.
+inline constexpr std::string_view pulses_field = "pulses";
 
 /// A block and what planning its rate needs.
 struct PlannedBlock {

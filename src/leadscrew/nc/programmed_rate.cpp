@@ -50,13 +50,14 @@ double feed_length(const Block& block, const machine::Machine& machine) {
 
 /// Of a line, were the lattice as fine as can be.
 double commands_of(const StepVector& way, PulseMethod method) {
-  if (is_dda(method)) return norm(way);
+  const CommandRate rate = rate_of(method);
+  if (rate == CommandRate::path_length) return norm(way);
   double sum = 0, longest = 0;
   for (const double of_axis : way) {
     sum += std::abs(of_axis);
     longest = std::max(longest, std::abs(of_axis));
   }
-  return method == PulseMethod::point_comparison ? sum : longest;
+  return rate == CommandRate::every_step ? sum : longest;
 }
 
 /// Steps/s of each axis at most, of what is programmed: of a line, and of an arc that is interpolated by length.
@@ -156,7 +157,7 @@ ProgrammedRate programmed_rate(const Block& block, const gcode::Move& move, cons
   const AxisRate by_velocity = greatest_by_velocity(block, machine);
   asked.of_velocity = asked.least / by_velocity.rate;
   asked.fastest = by_velocity.axis;
-  if (!is_arc || !is_dda(method)) return asked;
+  if (!is_arc || rate_of(method) != CommandRate::path_length) return asked;
   StepVector velocity = velocity_on_arc(block, move, part, machine, seconds);
   ask_velocity(asked, velocity, machine);
   velocity[block.second_axis] = 0;  // the circle's, once

@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <bit>
-#include <leadscrew/nc/pulse_method.hpp>
-#include <leadscrew/pulse/linear.hpp>
+#include <leadscrew/nc/method_traits.hpp>
 
 namespace leadscrew::nc {
-
-namespace {
 
 using pulse::OnCircle;
 using pulse::Order;
 using pulse::Preload;
+
+namespace {
 
 /// The fewest bits that hold the longer way of a line.
 int bits_for(pulse::Point way) {
@@ -21,10 +20,29 @@ std::int64_t radius_of(const pulse::Arc& arc) {
   return std::max<std::int64_t>(1, pulse::root(arc.squared_radius(), 0));
 }
 
+PulseConventions of_options(const MethodOptions& options) {
+  return {.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
+}
+
+PulseConventions by_integrators(const PulseCurve& curve, const MethodOptions& options) {
+  PulseConventions in_force = of_options(options);
+  in_force.end = curve.is_arc() ? "counters-by-quadrant-drained" : "counters";
+  return in_force;
+}
+
+}  // namespace
+
+PulseConventions by_search(const PulseCurve& curve, const MethodOptions& options, std::string_view tie) {
+  PulseConventions in_force = of_options(options);
+  in_force.tie = tie;
+  in_force.end = curve.is_arc() ? "faster-axis-in-last-quadrant" : "counters";
+  return in_force;
+}
+
 /// "FPGA-based implementation of circular interpolation" has 8 clocks and .385 BLU of a capacity R, old coordinates and
 /// half a load in the lagging axis; the lecture and the teaching interpolator draw lines with 2ⁿ and cleared registers.
 PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& options) {
-  PulseConventions in_force{.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
+  PulseConventions in_force = by_integrators(curve, options);
   if (curve.is_arc()) {
     in_force.capacity = options.bits ? std::int64_t{1} << *options.bits : radius_of(curve.arc());
     in_force.preload = options.preload.value_or(Preload::half_lagging);
@@ -41,7 +59,7 @@ PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& optio
 /// remainders, which give his 10 001 BLU of a circle that runs freely; counters end each quadrant here, and half full
 /// remainders bring the error of circles from 1.47 to .97 BLU and that of lines from 1 to .71.
 PulseConventions of_software(const PulseCurve& curve, const MethodOptions& options) {
-  PulseConventions in_force{.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
+  PulseConventions in_force = by_integrators(curve, options);
   in_force.preload = options.preload.value_or(Preload::half);
   if (curve.is_arc()) {
     in_force.capacity = radius_of(curve.arc());
@@ -53,29 +71,20 @@ PulseConventions of_software(const PulseCurve& curve, const MethodOptions& optio
   return in_force;
 }
 
-/// Outward from the circle by default: the paper's text says inward, its .877 BLU come of outward.
-std::string_view tie_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options) {
-  switch (method) {
-    case PulseMethod::point_comparison:
-      return curve.is_arc() ? name(options.tie.value_or(OnCircle::outward)) : "x";
-    case PulseMethod::dda:
-    case PulseMethod::koren:
-      return {};
-    case PulseMethod::min_error:
-    case PulseMethod::bresenham:
-      return curve.is_arc() ? "none" : "longer-axis";
-    case PulseMethod::improved_min_error:
-      break;
-  }
-  return curve.is_arc() ? "growing-axis" : "longer-axis";
+std::string_view name(PulseMethod method) {
+  return with_row(method, [](auto row) { return row.name; });
 }
 
-}  // namespace
+CommandRate rate_of(PulseMethod method) {
+  return with_row(method, [](auto row) { return row.rate; });
+}
 
-std::string_view name(PulseMethod method) {
-  constexpr std::array<std::string_view, 6> names = {"point-comparison",   "dda",       "min-error",
-                                                     "improved-min-error", "bresenham", "koren"};
-  return names[static_cast<std::size_t>(method)];
+MethodUses uses_of(PulseMethod method) {
+  return with_row(method, [](auto row) { return MethodUses{row.takes_preload, row.takes_order, row.takes_tie}; });
+}
+
+std::string_view conventions_in_programs(PulseMethod method) {
+  return with_row(method, [](auto row) { return row.in_programs; });
 }
 
 std::string_view name(Preload preload) {
@@ -93,20 +102,13 @@ std::string_view name(Order order) {
 }
 
 PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options) {
-  PulseConventions in_force{.bits = options.bits, .capacity = {}, .preload = {}, .order = {}, .tie = {}, .end = {}};
-  const bool integrates = method == PulseMethod::dda || method == PulseMethod::koren;
-  if (method == PulseMethod::dda) in_force = of_hardware(curve, options);
-  if (method == PulseMethod::koren) in_force = of_software(curve, options);
-  in_force.tie = tie_of(method, curve, options);
-  in_force.end = !curve.is_arc() ? "counters"
-                 : integrates    ? "counters-by-quadrant-drained"
-                                 : "faster-axis-in-last-quadrant";
-  return in_force;
+  return with_row(method, [&](auto row) { return row.conventions(curve, options); });
 }
 
 std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
                                                  const MethodOptions& options) {
-  if (method != PulseMethod::koren || !options.bits) return std::nullopt;
+  const bool bits_hold_capacity = with_row(method, [](auto row) { return row.bits_hold_capacity; });
+  if (!bits_hold_capacity || !options.bits) return std::nullopt;
   const std::int64_t capacity = *conventions_of(method, curve, options).capacity;
   return overflow_of({"q", capacity, curve.is_arc() ? "the radius, rounded," : "the length, rounded up,"},
                      options.bits);

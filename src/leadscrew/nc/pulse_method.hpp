@@ -1,5 +1,6 @@
 #pragma once
 // The interpolators of pulse/ by name, each for lines and for arcs, and the conventions that the papers leave open.
+// What each of them is made of stands in method_traits.hpp.
 //
 //   method              arcs                                    lines
 //   point-comparison    F and the quadrant say which axis       F = |a|y − |b|x says which axis
@@ -24,11 +25,6 @@ namespace leadscrew::nc {
 
 enum class PulseMethod : std::uint8_t { point_comparison, dda, min_error, improved_min_error, bresenham, koren };
 
-/// By integrators: at the rate of the path, whatever its course.
-constexpr bool is_dda(PulseMethod method) {
-  return method == PulseMethod::koren || method == PulseMethod::dda;
-}
-
 inline constexpr std::array all_pulse_methods = {PulseMethod::point_comparison, PulseMethod::dda,
                                                  PulseMethod::min_error,        PulseMethod::improved_min_error,
                                                  PulseMethod::bresenham,        PulseMethod::koren};
@@ -38,11 +34,36 @@ inline constexpr std::array all_ties = {pulse::OnCircle::outward, pulse::OnCircl
 inline constexpr std::array all_orders = {pulse::Order::parallel, pulse::Order::x_first, pulse::Order::shrinking_first,
                                           pulse::Order::growing_first};
 
+/// What a method takes a command of feed for.
+enum class CommandRate : std::uint8_t {
+  path_length,   ///< a BLU of the path, whatever its course: integrators
+  every_step,    ///< a step of one axis
+  longest_axis,  ///< a step of the axis that is fastest there
+};
+CommandRate rate_of(PulseMethod method);
+
 // As the command line and JSON have them.
 std::string_view name(PulseMethod method);
 std::string_view name(pulse::Preload preload);
 std::string_view name(pulse::OnCircle tie);
 std::string_view name(pulse::Order order);
+
+/// Which of the options below a method has.
+struct MethodUses {
+  bool preload = false;
+  bool order = false;  ///< on arcs
+  bool tie = false;    ///< on arcs
+};
+MethodUses uses_of(PulseMethod method);
+
+/// The conventions along whole programs, where integrators have some that differ from those of one curve; for people.
+std::string_view conventions_in_programs(PulseMethod method);
+
+/// Of integrators along whole programs.
+struct InterpolationOptions {
+  pulse::Preload preload = pulse::Preload::half;  ///< Koren's registers begin empty
+  int places = 0;  ///< 0 … 16, of the radius in circular DDAs: more where feed on circles is to be exact
+};
 
 /// Conventions that were asked for; each method has a default of its own for what was not.
 struct MethodOptions {
@@ -63,6 +84,11 @@ struct PulseConventions {
   std::string_view tie;  ///< what happens where two steps are as good as one another
   std::string_view end;  ///< how the end is found
 };
+
+// Of a search, whose tie is this; of the DDA in hardware; of Koren's program.
+PulseConventions by_search(const PulseCurve& curve, const MethodOptions& options, std::string_view tie);
+PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& options);
+PulseConventions of_software(const PulseCurve& curve, const MethodOptions& options);
 
 PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options);
 

@@ -1,41 +1,8 @@
 #include <leadscrew/nc/pulse_signals.hpp>
-#include <utility>
 
 namespace leadscrew::nc {
 
 namespace {
-
-/// One of a register, ours and that of the paper; there may be several.
-using Names = std::pair<std::string_view, std::string_view>;
-
-constexpr std::array<Names, 10> of_fpga = {{{"x", "Val_x"},
-                                            {"y", "Val_y"},
-                                            {"y", "Val_z"},
-                                            {"F", "Val_f"},
-                                            {"n1", "Val_n1"},
-                                            {"n2", "Val_n2"},
-                                            {"n3", "Val_n3"},
-                                            {"rx", "Sum_X"},
-                                            {"ry", "Sum_Y"},
-                                            {"ry", "Sum_Z"}}};
-constexpr std::array<Names, 6> of_koren_lines = {
-    {{"Jx", "y1"}, {"Jy", "y2"}, {"rx", "r1"}, {"ry", "r2"}, {"dx", "dz1"}, {"dy", "dz2"}}};
-constexpr std::array<Names, 6> of_koren_arcs = {
-    {{"x", "y1"}, {"y", "y2"}, {"ry", "r1"}, {"rx", "r2"}, {"dy", "dz1"}, {"dx", "dz2"}}};
-
-std::vector<std::string_view> found(std::string_view symbol, std::span<const Names> names) {
-  std::vector<std::string_view> papers;
-  for (const auto& [ours, paper] : names) {
-    if (ours == symbol) papers.push_back(paper);
-  }
-  return papers;
-}
-
-/// On a circle Bresenham's is the method of least error.
-bool compares_candidates(PulseMethod method) {
-  return method == PulseMethod::min_error || method == PulseMethod::improved_min_error ||
-         method == PulseMethod::bresenham;
-}
 
 std::int64_t value_of(const Registers& registers, std::string_view name) {
   for (const Register& each : registers.all()) {
@@ -53,7 +20,8 @@ std::int64_t added(std::int64_t coordinate, std::int8_t step) {
 
 Registers signals_of(const PulseRun& run, const PulseCurve& curve) {
   Registers signals = run.registers();
-  if (!curve.is_arc() || !compares_candidates(run.method())) return signals;
+  const Candidates candidates = with_row(run.method(), [](auto row) { return row.candidates; });
+  if (!curve.is_arc() || candidates == Candidates::none) return signals;
   const pulse::Point at{run.at().x - curve.center.x, run.at().y - curve.center.y};
   const int quadrant = pulse::quadrant(at, curve.direction);
   const auto [step_x, step_y] = pulse::tangent(quadrant, curve.direction).step;
@@ -62,7 +30,7 @@ Registers signals_of(const PulseRun& run, const PulseCurve& curve) {
   signals.add("n1", n1);
   signals.add("n2", n2);
   signals.add("n3", n3);
-  if (run.method() != PulseMethod::improved_min_error) return signals;
+  if (candidates != Candidates::middle) return signals;
   // The longer axis is that of the smaller coordinate; where they are equal, the growing one. In either case, with p
   // the place on the circle beside its next step, 4p² − (2v ∓ 1)² = 1 − 2(n1 + n), n after the longer axis alone.
   const bool x_grows = step_x * at.x > 0 || at.x == 0;
@@ -73,8 +41,11 @@ Registers signals_of(const PulseRun& run, const PulseCurve& curve) {
 }
 
 std::vector<std::string_view> names_in_paper(std::string_view symbol, PulseMethod method, PulseCurve::Shape shape) {
-  if (method != PulseMethod::koren) return found(symbol, of_fpga);
-  return shape == PulseCurve::Shape::arc ? found(symbol, of_koren_arcs) : found(symbol, of_koren_lines);
+  std::vector<std::string_view> papers;
+  for (const PaperName& each : with_row(method, [&](auto row) { return row.paper_names(shape); })) {
+    if (each.ours == symbol) papers.push_back(each.paper);
+  }
+  return papers;
 }
 
 }  // namespace leadscrew::nc

@@ -10,6 +10,7 @@ namespace leadscrew::planner {
 namespace {
 
 using base::MotionState;
+using constraints::Constraints;
 using constraints::LimitRatios;
 using numeric::DoubleDouble;
 
@@ -66,17 +67,16 @@ class Peak {
 /// finds.
 class Peaks {
  public:
-  void look(const LimitRatios& ratios, double on_speed) {
-    constraints::for_each_kind([&](auto kind) {
+  void look(const Constraints& constraints, const constraints::Place& place, const PathState& at, double on_speed) {
+    constraints.each_row(place, [&](auto kind, std::size_t index, const auto& row) {
       using Kind = constraints::KindAt<kind>;
       if constexpr (Kind::is_proven) {
-        for (std::size_t i = LimitRatios::offset<kind>; i < LimitRatios::offset<kind> + constraints::row_count<kind>;
-             ++i) {
-          if constexpr (!Kind::is_smooth) {
-            jumping_[i] = std::max(jumping_[i], ratios[i]);
-          } else {
-            peaks_[i].look(constraints::is_speed<typename Kind::Row> ? ratios[i] * on_speed : ratios[i]);
-          }
+        const std::size_t i = LimitRatios::offset<kind> + index;
+        const double ratio = row.ratio(rates(at));
+        if constexpr (Kind::is_smooth) {
+          peaks_[i].look(constraints::is_speed<typename Kind::Row> ? ratio * on_speed : ratio);
+        } else {
+          jumping_[i] = std::max(jumping_[i], ratio);
         }
       }
     });
@@ -91,20 +91,6 @@ class Peaks {
   std::array<Peak, LimitRatios::size> peaks_;
   LimitRatios jumping_;  ///< of what does not run smoothly
 };
-
-/// The largest of speed, of acceleration and of jerk.
-machine::Derivatives by_derivative(const LimitRatios& ratios) {
-  machine::Derivatives greatest;
-  constraints::for_each_kind([&](auto kind) {
-    using Kind = constraints::KindAt<kind>;
-    if constexpr (Kind::is_proven) {
-      double& most = greatest.*constraints::derivative_of<typename Kind::Row>;
-      for (std::size_t i = 0; i < constraints::row_count<kind>; ++i)
-        most = std::max(most, ratios[LimitRatios::offset<kind> + i]);
-    }
-  });
-  return greatest;
-}
 
 /// The time at which the segment passes a place inside it, by bisection and Newton.
 double time_at(const Segment& segment, double s) {
@@ -226,7 +212,7 @@ Emission emit(const SpeedProfile& profile, double begin, double end) {
   return Emitter(profile, begin).emit(end);
 }
 
-Ratios greatest_ratios(const Segment& segment, const Section& section, const constraints::Constraints& constraints,
+Ratios greatest_ratios(const Segment& segment, const Section& section, const Constraints& constraints,
                        double feed_factor, int looks) {
   // Every polynomial of the curve is looked at.
   const double end = evaluate(segment, segment.duration.value()).s;
@@ -257,7 +243,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const con
     before = at;
     const Side side = k == 0 ? Side::right : Side::left;
     const geometry::PointJet jet = section.jets(at.s, side);
-    peaks.look(constraints.ratios(place(jet, at.s, side), rates(at)), turns(jet) ? between_looks : 1);
+    peaks.look(constraints, place(jet, at.s, side), at, turns(jet) ? between_looks : 1);
   }
   // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
   LimitRatios ratios = peaks.greatest();
@@ -269,7 +255,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const con
       constraints.raise(place(jet, s, side), rates(at), ratios);
     }
   }
-  const machine::Derivatives greatest = by_derivative(ratios);
+  const machine::Derivatives greatest = ratios.by_derivative();
   constexpr double rounding = 1e-9;
   const bool turns_back = slowest < -rounding * fastest;
   const double rows = std::max(greatest.acceleration, greatest.jerk * on_curves) * between_looks;
@@ -295,7 +281,7 @@ double shortest_stop(const PathState& from, const machine::Derivatives& limits) 
 }
 
 std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
-                                    const constraints::Constraints& constraints) {
+                                    const Constraints& constraints) {
   const machine::Derivatives limits = tangent_limits(section.jets(from.s, Side::right), constraints);
   const double v = from.speed, a = from.acceleration;
   if (!(v > 0)) return std::nullopt;

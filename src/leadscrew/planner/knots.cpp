@@ -87,7 +87,7 @@ class Placement {
       const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
                                            std::cbrt(length() / (2 * t.jerk))});
       double bend = 0;
-      for (const numeric::Jet& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
+      for (const numeric::Jet<>& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
       double ramp_length = std::min(t.jerk * time, t.acceleration) * time * time / 6;
       if (bend > 0) ramp_length = std::min(ramp_length, 5e-5 / bend);
       return std::max(std::min(ramp_length, 1e-3 * length()), shortest_ramp * s);
@@ -145,7 +145,7 @@ class Placement {
     const constraints::Place place{jet, feed};
     double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
     double second = 0, third = 0;
-    for (const numeric::Jet& q : jet) {
+    for (const numeric::Jet<>& q : jet) {
       second += q.second * q.second;
       third += q.third * q.third;
     }

@@ -18,7 +18,7 @@ geometry::PointJet one_sided_jets(const geometry::Curve& curve, double s, Side s
 }
 
 bool turns(const geometry::PointJet& jet) {
-  return std::any_of(jet.begin(), jet.end(), [](const numeric::Jet& q) { return q.second != 0; });
+  return std::any_of(jet.begin(), jet.end(), [](const numeric::Jet<>& q) { return q.second != 0; });
 }
 
 void Section::append(const toolpath::Piece& piece) {

@@ -30,7 +30,7 @@ bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& ente
 /// How far from here a knot may be, by the turn |q″| h and what it changes by, |q‴| h².
 double finest_step(const geometry::PointJet& jet) {
   double second = 0, third = 0;
-  for (const numeric::Jet& q : jet) {
+  for (const numeric::Jet<>& q : jet) {
     second = std::max(second, std::abs(q.second));
     third = std::max(third, std::abs(q.third));
   }

@@ -265,11 +265,12 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     profile.retreat();
     if (!spend_on(profile, [&] { profile.center(deep_gap); })) return false;
     first_gap = deep_gap;
-    for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the room at most
+    for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the margin at most
       const Ratios& factors = window.factors[i];
       if (factors.worst() == 1) continue;
-      const Ratios room = profile.room(i);
-      profile.tighten(i, {std::min(factors.speed, (1 + room.speed) / 2), std::min(factors.rows, (1 + room.rows) / 2)});
+      const Ratios margin = profile.margin(i);
+      profile.tighten(i,
+                      {std::min(factors.speed, (1 + margin.speed) / 2), std::min(factors.rows, (1 + margin.rows) / 2)});
     }
     if (!(profile.greatest_ratio() < 1)) return false;
   }

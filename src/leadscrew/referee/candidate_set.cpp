@@ -10,8 +10,8 @@ constexpr double slack = 0.25;  // of the tolerance: candidates that much beyond
 
 }  // namespace
 
-CandidateSet::CandidateSet(const Metric& metric, Supply supply)
-    : metric_(metric), supply_(std::move(supply)), slots_(first_ring_size) {}
+CandidateSet::CandidateSet(const Metric& metric, Supply supply, Cancellation& cancellation)
+    : metric_(metric), supply_(std::move(supply)), cancellation_(cancellation), slots_(first_ring_size) {}
 
 bool CandidateSet::pull() {
   if (program_ended_) return false;
@@ -181,7 +181,7 @@ std::size_t CandidateSet::step(const Reach& reach) {
   next_last_ = 0;
   stepped_ = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (i > last_alive_ && !carried.alive) break;
+    if ((i > last_alive_ && !carried.alive) || cancellation_.asked()) break;
     Slot& here = slot(i);
     stepped_ = i + 1;
     here.next.alive = false;
@@ -237,7 +237,7 @@ CandidateSet::End CandidateSet::conclude(std::size_t most_kept) {
   chord_ = chord_between(metric_, word_, word_);
   allowance_ = 0;
   End end;
-  while (count_ > 0) {
+  while (count_ > 0 && !cancellation_.asked()) {
     if (count_ == 1) pull();
     const Slot& here = slot(0);
     end.point = here.piece.to;

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/line.hpp>
+#include <leadscrew/referee/cancellation.hpp>
 #include <leadscrew/referee/piece.hpp>
 #include <limits>
 #include <vector>
@@ -60,14 +61,14 @@ class CandidateSet {
     std::size_t pieces = 0;    ///< ahead
   };
 
-  CandidateSet(const Metric& metric, Supply supply);
+  CandidateSet(const Metric& metric, Supply supply, Cancellation& cancellation);
 
   /// Drops all pieces and candidates and takes this as the latest word.
   void begin(const Point& word);
   /// The next word; `allowance`: how far the motion may have been from the chord to it, mm.
   void observe(const Point& word, double allowance);
 
-  /// Computes every `next` after the chord; returns the slot of the best.
+  /// Computes every `next` after the chord; returns the slot of the best. Of no use once cancelled, as conclude() is.
   std::size_t step(const Reach& reach);
   /// Makes every `next` the present candidate and drops the pieces before the first candidate.
   void adopt();
@@ -117,6 +118,7 @@ class CandidateSet {
 
   const Metric& metric_;
   Supply supply_;
+  Cancellation& cancellation_;
   double allowance_ = 0;
   Chord chord_;
   Point word_{};

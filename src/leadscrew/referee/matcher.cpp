@@ -14,11 +14,12 @@ constexpr double same_distance = 1e-9;             // mm; rounding is below
 
 }  // namespace
 
-Matcher::Matcher(PieceSource& source, const Metric& metric)
+Matcher::Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation)
     : source_(source),
       metric_(metric),
-      candidates_(metric, [&source](Piece& piece) { return source.next(piece); }),
-      rematch_(metric, candidates_),
+      candidates_(
+          metric, [&source](Piece& piece) { return source.next(piece); }, cancellation),
+      rematch_(metric, candidates_, cancellation),
       curve_travel_(metric) {}
 
 Passage Matcher::begin(const Point& word) {

@@ -59,7 +59,7 @@ struct Passage {
 
 class Matcher {
  public:
-  Matcher(PieceSource& source, const Metric& metric);
+  Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation);
 
   /// Returns where the first word is matched to.
   Passage begin(const Point& word);

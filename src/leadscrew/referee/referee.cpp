@@ -13,16 +13,19 @@ namespace leadscrew::referee {
 
 class Referee::Implementation {
  public:
-  Implementation(MoveSource moves, const machine::Machine& machine, base::Period period)
+  Implementation(MoveSource moves, const machine::Machine& machine, base::Period period,
+                 std::function<bool()> cancelled)
       : metric_(machine),
         period_(period),
         source_(std::move(moves), metric_),
-        matcher_(source_, metric_),
+        cancellation_(std::move(cancelled)),
+        matcher_(source_, metric_, cancellation_),
         allowance_(metric_, period.seconds()),
         derivatives_(machine, period),
         feed_(metric_, period) {}
 
   void observe(const base::AxisVector& position) {
+    if (cancellation_.requested()) return;
     if (!std::all_of(position.begin(), position.end(), [](double q) { return std::isfinite(q); })) {
       log_.add(time(), line_, "not a number", 0, 0);
       observe_finite(position_);
@@ -90,6 +93,7 @@ class Referee::Implementation {
   Metric metric_;
   base::Period period_;
   PieceSource source_;
+  Cancellation cancellation_;
   Matcher matcher_;
   SamplingAllowance allowance_;
   Derivatives derivatives_;
@@ -101,8 +105,9 @@ class Referee::Implementation {
   double start_error_ = 0;
 };
 
-Referee::Referee(MoveSource moves, const machine::Machine& machine, base::Period period)
-    : implementation_(std::make_unique<Implementation>(std::move(moves), machine, period)) {}
+Referee::Referee(MoveSource moves, const machine::Machine& machine, base::Period period,
+                 std::function<bool()> cancelled)
+    : implementation_(std::make_unique<Implementation>(std::move(moves), machine, period, std::move(cancelled))) {}
 Referee::~Referee() = default;
 Referee::Referee(Referee&&) noexcept = default;
 Referee& Referee::operator=(Referee&&) noexcept = default;

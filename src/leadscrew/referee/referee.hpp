@@ -75,7 +75,9 @@ using MoveSource = std::function<bool(gcode::Move&)>;
 /// Judges words as they come; memory does not grow with the program or the trace. The machine must outlive the referee.
 class Referee {
  public:
-  Referee(MoveSource moves, const machine::Machine& machine, base::Period period);
+  /// `cancelled`: asked often during long work; once it returns true, observe() and conclude() return at once and the
+  /// verdict is of no use. May be empty.
+  Referee(MoveSource moves, const machine::Machine& machine, base::Period period, std::function<bool()> cancelled = {});
   ~Referee();
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;

@@ -31,8 +31,11 @@ double Rematch::Cuts::operator[](int i) const {
   return i <= count / 2 ? fine * i : 1 - fine * (count - i);
 }
 
-Rematch::Rematch(const Metric& metric, CandidateSet& whole)
-    : metric_(metric), whole_(whole), parts_(metric, [this](Piece& part) { return next_part(part); }) {}
+Rematch::Rematch(const Metric& metric, CandidateSet& whole, Cancellation& cancellation)
+    : metric_(metric),
+      cancellation_(cancellation),
+      whole_(whole),
+      parts_(metric, [this](Piece& part) { return next_part(part); }, cancellation) {}
 
 void Rematch::set(Mark& mark) {
   mark.word = whole_.word();
@@ -121,7 +124,7 @@ bool Rematch::observe(const Point& word, double allowance) {
 bool Rematch::judge(const Point& word, double allowance) {
   parts_.observe(word, allowance);
   best_ = parts_.step({nanometre, nanometre, most_parts});
-  return parts_.slot(best_).next.margin <= nanometre;
+  return !cancellation_.requested() && parts_.slot(best_).next.margin <= nanometre;
 }
 
 void Rematch::transfer_candidates() {

@@ -27,7 +27,7 @@ namespace leadscrew::referee {
 class Rematch {
  public:
   /// `whole`: where the pieces come from, and what they look like uncut.
-  Rematch(const Metric& metric, CandidateSet& whole);
+  Rematch(const Metric& metric, CandidateSet& whole, Cancellation& cancellation);
   Rematch(const Rematch&) = delete;
   Rematch& operator=(const Rematch&) = delete;
 
@@ -45,6 +45,7 @@ class Rematch {
   std::int64_t first_needed() const { return older_.candidates.front().serial; }
 
   /// Matches all recorded words again. Returns whether they are within the tolerance; then the rematch is running.
+  /// False once cancelled.
   bool run();
   bool running() const { return running_; }
   /// One more word while it is running. Returns whether it is within the tolerance; if not, the rematch ends.
@@ -93,6 +94,7 @@ class Rematch {
   bool near(const Point& place, double tolerance) const;
 
   const Metric& metric_;
+  Cancellation& cancellation_;
   CandidateSet& whole_;
   CandidateSet parts_;
   Mark older_, newer_;

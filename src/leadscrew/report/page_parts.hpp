@@ -35,8 +35,9 @@ void put_block_section(std::string& page, const PageContent& content);  ///< slo
 void put_diagnostics(std::string& page, const PageContent& content);
 void put_origin(std::string& page, const PageContent& content);  ///< how to make the page again
 
-/// Text of the page's style and script; both without markup of their own.
-std::string page_style();
-std::string_view page_script();
+/// The files page.css and page.js, embedded. The page is complete without the script, which adds the shared cursor and
+/// zoom to the charts over time: with every zoom the bands and the time ticks are drawn anew from the bins, which are
+/// finer than what the page shows at first.
+extern const std::string_view page_css, page_js;
 
 }  // namespace leadscrew::report

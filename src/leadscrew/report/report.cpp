@@ -2,11 +2,35 @@
 
 #include <leadscrew/markup/markup.hpp>
 #include <leadscrew/report/page_parts.hpp>
+#include <leadscrew/report/path_view.hpp>
 
 namespace leadscrew::report {
 
 using markup::escaped;
 using markup::put;
+
+namespace {
+
+std::string speed_rules(Background background) {
+  std::string out = stroke_rules(background);
+  for (std::size_t i = 0; i < speed_levels; ++i) {
+    put(out, "i.v", std::to_string(i), "{background:", speed_color(i, background), "}");
+  }
+  return out;
+}
+
+/// The style with the colours of speeds in the places that its comments mark.
+std::string page_style() {
+  std::string style(page_css);
+  for (const auto& [mark, background] :
+       {std::pair<std::string_view, Background>{"\n/*speeds:light*/\n", Background::light},
+        {"\n/*speeds:dark*/\n", Background::dark}}) {
+    style.replace(style.find(mark), mark.size(), speed_rules(background));
+  }
+  return style;
+}
+
+}  // namespace
 
 base::Result<void> write_report(const Report& report, const Recording& recording, const machine::Machine& machine,
                                 base::Period period, const base::ByteSink& sink, FollowedRecording* followed) {
@@ -25,7 +49,7 @@ base::Result<void> write_report(const Report& report, const Recording& recording
   put_block_section(page, content);
   put_diagnostics(page, content);
   put_origin(page, content);
-  put(page, "</main>\n<script>", page_script(), "</script>\n</body>\n</html>\n");
+  put(page, "</main>\n<script>", page_js, "</script>\n</body>\n</html>\n");
   return sink(page);
 }
 

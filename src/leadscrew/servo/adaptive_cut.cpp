@@ -82,9 +82,9 @@ AdaptiveCut::AdaptiveCut(const AdaptiveCutOptions& options, MillingForce mill, A
       periods_a_sample_(at_least_one(sample_time / period)),
       turn_(static_cast<std::size_t>(at_least_one(turn() / period)), 0.0) {}
 
-double AdaptiveCut::follow(double feed, double programmed, double way) {
+double AdaptiveCut::follow(double feed, double programmed, double travel) {
   const bool cuts = programmed > 0 && feed <= fastest_cut * programmed;
-  const double force = cut(cuts ? feed : 0, way);
+  const double force = cut(cuts ? feed : 0, travel);
   judge(force);
   ++periods_;
   if (!cuts) return feed_override();
@@ -99,8 +99,8 @@ double AdaptiveCut::follow(double feed, double programmed, double way) {
 }
 
 /// Mean force of the period, N.
-double AdaptiveCut::cut(double feed, double way) {
-  while (depth_ + 1 < options_.depths.size() && options_.depths[depth_ + 1].from <= way) ++depth_;
+double AdaptiveCut::cut(double feed, double travel) {
+  while (depth_ + 1 < options_.depths.size() && options_.depths[depth_ + 1].from <= travel) ++depth_;
   Engagement engagement{0, options_.width};
   if (!options_.depths.empty() && feed > 0) engagement.depth = options_.depths[depth_].depth;
   double sum = 0;
@@ -112,7 +112,7 @@ void AdaptiveCut::judge(double force) {
   constexpr double allowed = 1.25;
   const std::size_t place = static_cast<std::size_t>(periods_) % turn_.size();
   turn_sum_ += force - std::exchange(turn_[place], force);
-  if (place == 0) turn_sum_ = std::accumulate(turn_.begin(), turn_.end(), 0.0);  // lest roundings gather
+  if (place == 0) turn_sum_ = std::accumulate(turn_.begin(), turn_.end(), 0.0);  // so that rounding does not accumulate
   mean_ = turn_sum_ / static_cast<double>(turn_.size());
   figures_.greatest_mean = std::max(figures_.greatest_mean, mean_);
   excess_ = mean_ > allowed * options_.limit ? excess_ + period_ : 0;

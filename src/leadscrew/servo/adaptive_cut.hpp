@@ -3,7 +3,7 @@
 //
 //   tachogenerators ──feed──▶ MillingForce ──N──▶ sensor ──▶ AdaptiveFeed ──override──▶ planner or NC program
 //                                 ▲                 ▲            once a millisecond, or a period if that is longer
-//                          depth, along the way   fails, if told
+//                          depth, by the travel   fails, if told
 //
 // The mean that is controlled is over whole passings of teeth, as nearly as a number of samples can be that. Rapid
 // motion does not cut. Force is reckoned 32 times a tooth.
@@ -17,13 +17,13 @@
 
 namespace leadscrew::servo {
 
-/// From this place of the path on the cut is so deep.
+/// The depth of the cut from a position on the path on.
 struct DepthStep {
   double from = 0;   ///< mm along the path, ≥ 0
   double depth = 0;  ///< mm, ≥ 0
 };
 
-/// From this time on the sensor says nothing, no number, or what it said last.
+/// A sensor that fails: from a time on it is silent, gives NaN, or repeats its last value.
 struct SensorFault {
   SensorFailure kind = SensorFailure::silent;  ///< silent, not_a_number or stuck
   double at = 0;                               ///< seconds
@@ -55,9 +55,9 @@ class AdaptiveCut {
   /// period: of motion, seconds. Codes: `servo-cut`, `servo-milling`, `servo-adaptive-feed`.
   static base::Result<AdaptiveCut> create(const AdaptiveCutOptions& options, double period);
 
-  /// One period of motion: with this feed, where so much was programmed, mm/s (0: rapid), so far along the path, mm.
-  /// The override from now on.
-  double follow(double feed, double programmed, double way);
+  /// One period of motion. feed: mm/s; programmed: mm/s, 0 for rapid; travel: along the path since its beginning, mm.
+  /// Returns the override from now on.
+  double follow(double feed, double programmed, double travel);
 
   double mean_force() const { return mean_; }  ///< over the last turn, N
   double feed_override() const { return control_.feed_override(); }
@@ -67,7 +67,7 @@ class AdaptiveCut {
 
  private:
   AdaptiveCut(const AdaptiveCutOptions& options, MillingForce mill, AdaptiveFeed control, double period);
-  double cut(double feed, double way);
+  double cut(double feed, double travel);
   void judge(double force);
   std::optional<double> sensed(double force);
   void account();

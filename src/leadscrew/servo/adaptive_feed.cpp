@@ -7,8 +7,8 @@ namespace leadscrew::servo {
 
 namespace {
 
-constexpr double least_feed = 0.01;   // share of the programmed one; below it force over feed says nothing
-constexpr double least_force = 0.05;  // share of the limit; below it, force does not say when teeth cut
+constexpr double least_feed = 0.01;   // share of the programmed one; below it force over feed is not used
+constexpr double least_force = 0.05;  // share of the limit; below it, force is not taken for cutting
 
 }  // namespace
 

@@ -21,11 +21,11 @@ base::Result<Axis> Axis::create(const AxisOptions& options) {
 void Axis::advance(double command, double seconds) {
   const double held = std::clamp(command, -options_.command_limit, options_.command_limit);
   const double pull = options_.drive.acceleration * held;
-  // Once for the way to a stop, and once for what follows it.
+  // Once up to a stop, and once for what follows it.
   for (int part = 0; part < 2 && seconds > 0; ++part) seconds -= travel(pull, seconds);
 }
 
-/// Until the screw stops, or for as long as is left; how long that was.
+/// Moves until the screw stops, at most for so many seconds; returns how long that took.
 double Axis::travel(double pull, double at_most) {
   const bool stands = screw_.velocity == 0;
   if (stands && std::fabs(pull) <= std::max(options_.friction, options_.breakaway)) return at_most;
@@ -35,7 +35,7 @@ double Axis::travel(double pull, double at_most) {
   const bool stops = rest <= at_most;
   screw_ = after(screw_, net, stops ? rest : at_most);
   if (stops) screw_.velocity = 0;
-  // It went one way, so that where it is now is as far as it came.
+  // It moved in one direction, so its position now is the farthest it came.
   const double play = options_.backlash / 2;
   slide_ = std::clamp(slide_, screw_.position - play, screw_.position + play);
   return stops ? rest : at_most;

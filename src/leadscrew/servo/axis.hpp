@@ -6,9 +6,9 @@
 //                        friction    └──── encoder ─────┘   reading, of one or the other
 //
 // The command is held between two calls (zero-order hold) and motion is exact: no step of integration, but closed forms
-// from one stop of the screw to the next. While it moves one way, Coulomb friction is a constant pull against the way;
-// where it stops it stays, unless the drive pulls harder than the friction at rest. Under a constant command it stops
-// once at the most.
+// from one stop of the screw to the next. While it moves in one direction, Coulomb friction is a constant pull against
+// the motion; where it stops it stays, unless the drive pulls harder than the friction at rest. Under a constant
+// command it stops once at the most.
 //
 // Within the play (backlash) the slide stands, for it moves only where a flank pushes it. Its mass is taken to belong
 // to the drive all the time.

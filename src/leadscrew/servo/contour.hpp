@@ -23,7 +23,7 @@ struct PositionLoop {
   friend bool operator==(const PositionLoop&, const PositionLoop&) = default;
 };
 
-/// Distance of the path from the line, mm; positive to the left of the way. speed: V, mm/s; angle: α, radians.
+/// Distance of the path from the line, mm; positive to the left of the motion. speed: V, mm/s; angle: α, radians.
 inline double line_contour_error(double speed, double angle, const PositionLoop& x, const PositionLoop& y) {
   return speed / 2 * std::sin(2 * angle) * (1 / x.gain - 1 / y.gain);
 }

@@ -72,7 +72,7 @@ double ContourMatcher::squared_distance(const Point& point, std::int64_t line, s
   return sum;
 }
 
-Contour ContourMatcher::contour(const Row& row, std::size_t column) const {
+Contour ContourMatcher::contour(const MatchRow& row, std::size_t column) const {
   const std::int64_t line = row.first + static_cast<std::int64_t>(column);
   const double share = share_of(row.actual, line, row.last_vertex);
   const Point& from = vertex(line);
@@ -89,7 +89,7 @@ void ContourMatcher::match(const Waiting& period) {
   const std::int64_t first = std::max<std::int64_t>(0, period.due - behind_);
   const std::int64_t last = std::min(period.due + ahead_, std::max<std::int64_t>(vertices_ - 2, period.due));
   const auto columns = static_cast<std::size_t>(last - first + 1);
-  Row& row = rows_[in_doubt_++];
+  MatchRow& row = rows_[in_doubt_++];
   row.first = first;
   row.came_from.assign(columns, 0);
   row.actual = period.actual;
@@ -117,7 +117,7 @@ void ContourMatcher::match(const Waiting& period) {
   if (in_doubt_ == rows_.size()) settle(rows_.size() / 2);
 }
 
-/// The oldest so many, by the way that the best of the newest came.
+/// Settles the oldest `count` rows, traced back from the best column of the newest.
 void ContourMatcher::settle(std::size_t count) {
   if (in_doubt_ == 0) return;
   auto column = static_cast<std::size_t>(std::min_element(sums_.begin(), sums_.end()) - sums_.begin());

@@ -6,15 +6,16 @@
 //             ╲    ╲   ╲     ╲
 //   actual     ○────○───○─────○           each in the order of time: no match goes back along the path
 //
-// Nearest points will not do: where the path crosses itself, or a pass lies beside another, the nearest belongs to
-// somewhere else. What is wanted is the matching in order whose squares of distances have the least sum,
+// Nearest points will not do: where the path crosses itself, or a pass lies beside another, the nearest point may
+// belong to another pass. What is wanted is the matching in order whose squares of distances have the least sum,
 //
 //   D(k, j) = |actual k, line j|² + min over i ≤ j of D(k − 1, i),
 //
 // which Viterbi's algorithm finds: D is kept for the lines of a window about the word that is due, and which line each
-// came from, until as many periods later as the window is long there is no doubt left. Within one line order is not
+// came from, until as many periods later as the window is long the match is certain. Within one line order is not
 // asked for. Words that stand add no line. Where the window would have more than 512 lines, only every so many periods
-// are looked at: stride().
+// are matched: stride().
+
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -58,7 +59,7 @@ class ContourMatcher {
     std::int64_t due = 0;  // vertex of the word
   };
   /// Of one period, for the lines first, first + 1, ….
-  struct Row {
+  struct MatchRow {
     std::int64_t first = 0;
     std::vector<std::uint16_t> came_from;  // columns of the row before
     Point actual{};
@@ -69,7 +70,7 @@ class ContourMatcher {
   const Point& vertex(std::int64_t number) const { return path_[static_cast<std::size_t>(number) % path_.size()]; }
   double share_of(const Point& point, std::int64_t line, std::int64_t last) const;
   double squared_distance(const Point& point, std::int64_t line, std::int64_t last) const;
-  Contour contour(const Row& row, std::size_t column) const;
+  Contour contour(const MatchRow& row, std::size_t column) const;
   void match(const Waiting& period);
   void settle(std::size_t count);
 
@@ -80,7 +81,7 @@ class ContourMatcher {
   std::vector<Point> path_;      // ring of vertices
   std::int64_t vertices_ = 0;    // so far; line j runs from vertex j to j + 1
   std::deque<Waiting> waiting_;  // until the path ahead is known
-  std::vector<Row> rows_;        // in doubt
+  std::vector<MatchRow> rows_;   // in doubt
   std::size_t in_doubt_ = 0;     // so many of them
   std::vector<double> sums_, sums_before_;
   std::int64_t first_ = 0;  // line of the first of sums_

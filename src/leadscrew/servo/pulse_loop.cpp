@@ -7,7 +7,7 @@ namespace leadscrew::servo {
 
 namespace {
 
-/// When a motion that goes one way passes `edge`, which it does before `last`: Newton's method, kept between the ends
+/// When a motion in one direction passes `edge`, which it does before `last`: Newton's method, kept between the ends
 /// of a bracket.
 double passing_time(const Motion& from, const Pull& pull, double edge, double last, double way_at_last) {
   double low = 0, high = last;
@@ -64,16 +64,16 @@ void PulseLoop::count(int step) {
 
 PulseLoop::Passed PulseLoop::run(double at_most) {
   const double turn = time_to_rest(motion_.velocity, {gain_ * damping_ * static_cast<double>(difference_), damping_});
-  if (!(turn < at_most)) return run_one_way(at_most);
-  const Passed before = run_one_way(turn);
+  if (!(turn < at_most)) return run_one_direction(at_most);
+  const Passed before = run_one_direction(turn);
   if (before.encoder_pulse != 0) return before;
   motion_.velocity = 0;
-  const Passed behind = run_one_way(at_most - turn);
+  const Passed behind = run_one_direction(at_most - turn);
   return {turn + behind.seconds, behind.encoder_pulse};
 }
 
-/// The same where the screw does not turn back.
-PulseLoop::Passed PulseLoop::run_one_way(double at_most) {
+/// As run(), where the screw does not turn back.
+PulseLoop::Passed PulseLoop::run_one_direction(double at_most) {
   const Pull pull{gain_ * damping_ * static_cast<double>(difference_), damping_};
   const Motion end = after(motion_, pull, at_most);
   const bool forward = motion_.velocity != 0 ? motion_.velocity > 0 : pull.acceleration > 0;
@@ -83,12 +83,12 @@ PulseLoop::Passed PulseLoop::run_one_way(double at_most) {
     return {at_most, 0};
   }
   const double seconds = passing_time(motion_, pull, edge, at_most, end.position - motion_.position);
-  const int way = forward ? 1 : -1;
+  const int direction = forward ? 1 : -1;
   // On the edge, seen from the pulse that begins there.
   motion_ = {1 - edge, after(motion_, pull, seconds).velocity};
-  count_ += way;
-  count(-way);
-  return {seconds, way};
+  count_ += direction;
+  count(-direction);
+  return {seconds, direction};
 }
 
 bool PulseLoop::comes_to_rest() const {

@@ -8,7 +8,7 @@
 //
 // The position down-counter PDC holds how many pulses are still to come; the gate lets them pass while it is not 0.
 // Each that passes counts the up-down counter UDC up (or down, where the axis is to run back), and each pulse of the
-// encoder counts it the other way: UDC is the following error in whole pulses, and it drives the motor,
+// encoder counts it in the other direction: UDC is the following error in whole pulses, and it drives the motor,
 //
 //   ω′ = (Km·Ka·Kdac·UDC − ω)/τ,   in encoder pulses:   v′ = (Kv·UDC − v)/τ,   Kv = Kdac·Ka·Km·holes.
 //
@@ -68,8 +68,8 @@ class PulseLoop {
   std::int64_t commanded() const { return commanded_; }         ///< passed the gate, + less −
   std::int64_t encoder_count() const { return count_; }
 
-  /// Pulses that UDC had no room for, since the beginning: 0, or something is wrong with gain, bits or rate. UDC stays
-  /// at its end meanwhile, and from then on position and command differ for good.
+  /// Pulses that would have taken UDC out of its range, since the beginning; above 0, gain, bits or rate do not fit.
+  /// UDC stays at its end meanwhile, and from then on position and command differ for good.
   std::int64_t overflows() const { return overflows_; }
   /// commanded() − encoder_count() − following_error(): what overflows have cost so far.
   std::int64_t lost() const { return commanded_ - count_ - difference_; }
@@ -84,7 +84,7 @@ class PulseLoop {
  private:
   explicit PulseLoop(const PulseLoopOptions& options);
   void count(int step);
-  Passed run_one_way(double at_most);
+  Passed run_one_direction(double at_most);
 
   double gain_, damping_;      // Kv and 1/τ
   std::int64_t least_, most_;  // of UDC

@@ -1,12 +1,12 @@
 #pragma once
-// The axes of a machine under pulse-driven loops: steps that follow words count each axis' up-down counter one way, and
-// the pulses of its encoder, one a BLU, the other way.
+// The axes of a machine under pulse-driven loops: steps that follow words count each axis' up-down counter up, and the
+// pulses of its encoder, one a BLU, down.
 //
 //   words ──▶ StepGenerator ──steps, one by one──▶ PulseLoop of each axis ──▶ where the slides were at the word
 //
 // Of a machine's drives, the position gain is Kv [40/s] and the time constant that of motor and tachogenerator
 // [1/(4·Kv), with which the loop is critically damped]. Slides stand half a BLU past an encoder's edge at first, so
-// that a step has the same room either way. Play and friction are left out.
+// that a step has the same margin in both directions. Play and friction are left out.
 
 #include <array>
 #include <cstdint>

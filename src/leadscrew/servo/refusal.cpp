@@ -34,7 +34,7 @@ void Refusal::unless_within(std::string_view what, double value, double low, dou
 void Refusal::refuse(std::string_view what, double value, std::string hint) {
   if (found_) return;
   std::string message = std::string(what) + " is " + text(value);
-  found_ = base::Diagnostic{base::Severity::error, code_, std::move(message), std::move(hint), {}, {}};
+  found_ = base::Diagnostic{base::Severity::error, code_, std::move(message), std::move(hint), {}, {}, {.field = what}};
 }
 
 }  // namespace leadscrew::servo

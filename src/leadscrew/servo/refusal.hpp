@@ -10,7 +10,7 @@ namespace leadscrew::servo {
 
 class Refusal {
  public:
-  /// code: of the diagnostic, in static storage.
+  /// `code` of the diagnostic, and `what` below, which becomes the field of its subject: in static storage.
   explicit Refusal(std::string_view code) : code_(code) {}
 
   /// Finite and above 0.

@@ -32,6 +32,7 @@ base::Result<Servo> Servo::create(const ServoOptions& options, base::Period peri
     auto loop = loop_of(*of_axis, made.period_);
     if (!loop) {
       loop.error().message.insert(0, std::string("axis ") + base::letter(axis) + ": ");
+      loop.error().subject.axis = axis;
       return base::failure(std::move(loop.error()));
     }
     made.loops_[base::index(axis)] = std::move(*loop);

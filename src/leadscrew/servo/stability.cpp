@@ -8,7 +8,7 @@ namespace leadscrew::servo {
 
 namespace {
 
-constexpr double look = 10;                                // s
+constexpr double observed = 10;                            // s of each loop
 constexpr std::int64_t fewest = 40'000, most = 1'000'000;  // periods
 
 LoopOptions linear(LoopOptions loop) {
@@ -18,7 +18,7 @@ LoopOptions linear(LoopOptions loop) {
   return loop;
 }
 
-/// The greatest error over so many periods; infinite where it is no number any more.
+/// The greatest error over so many periods; infinite where it overflows.
 double greatest_error(AxisLoop& loop, double reference, std::int64_t count) {
   double greatest = 0;
   for (std::int64_t n = 0; n < count; ++n) {
@@ -33,8 +33,8 @@ double greatest_error(AxisLoop& loop, double reference, std::int64_t count) {
 }  // namespace
 
 base::Result<void> check_stable(const ServoOptions& options, base::Period period) {
-  const std::int64_t periods = std::clamp<std::int64_t>(std::llround(look / period.seconds()), fewest, most);
-  constexpr double step = 1;  // mm or degrees; of a linear loop any will do
+  const std::int64_t periods = std::clamp<std::int64_t>(std::llround(observed / period.seconds()), fewest, most);
+  constexpr double step = 1;  // mm or degrees; the loop is linear, so its size does not matter
   ServoOptions linear_loops;
   for (std::size_t i = 0; i < options.size(); ++i) {
     if (options[i]) linear_loops[i] = linear(*options[i]);

@@ -30,9 +30,9 @@ void Tracking::observe(const Followed& followed) {
     of_axis.squares += error * error;
     const double step = before_ ? commanded - (*before_)[k] : 0;
     if (step != 0) {
-      of_axis.way = step > 0 ? 1 : -1;
+      of_axis.direction = step > 0 ? 1 : -1;
     } else {
-      of_axis.overshoot = std::max(of_axis.overshoot, -error * of_axis.way);
+      of_axis.overshoot = std::max(of_axis.overshoot, -error * of_axis.direction);
     }
     if (feed_axes_.contains(axis)) squares += followed.velocity[k] * followed.velocity[k];
   }

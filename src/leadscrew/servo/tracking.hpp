@@ -1,10 +1,10 @@
 #pragma once
-// What following words came to, axis by axis.
+// Following error and overshoot of each axis, and the measured feed.
 //
-// Following error: where an axis was to be at a word's tick, less where its slide was. Overshoot: how far a slide went
-// past a place at which its axis was to stop, in the direction it came from; an axis that is to stand stops, be it
-// alone at a corner or with all others at the end. Measured feed: of what tachogenerators tell of the linear axes, the
-// length; of rotary axes where a machine has no others.
+// Following error: position commanded at a word's tick, less the slide's. Overshoot: how far a slide went past a
+// commanded stop, in the direction it came from; a stop is where words of this axis stand, be it alone at a corner or
+// with all others at the end. Measured feed: the norm of the linear axes' velocities, as tachogenerators show them; of
+// the rotary axes' where a machine has no others.
 
 #include <array>
 #include <cstdint>
@@ -43,7 +43,7 @@ class Tracking {
  private:
   struct OfAxis {
     double greatest = 0, squares = 0, overshoot = 0;
-    double way = 0;  // last direction of its words: +1 or −1; 0 before the first
+    double direction = 0;  // of its last words that moved: +1 or −1; 0 before the first
   };
 
   base::AxisSet axes_, feed_axes_;

@@ -133,7 +133,8 @@ std::optional<base::Diagnostic> StepGenerator::complaint() const {
                               std::to_string(made.postponed) + " steps came later than they were due",
                           "words that keep the machine's greatest velocities",
                           {},
-                          {}};
+                          {},
+                          {.axis = made.worst}};
 }
 
 }  // namespace leadscrew::steps

@@ -28,7 +28,8 @@ std::string milliseconds(double seconds) {
 class AxisCheck {
  public:
   AxisCheck(base::Axis axis, const machine::AxisLimits& limits, std::int64_t clock_hz)
-      : name_(std::string("axis ") + base::letter(axis)),
+      : axis_(axis),
+        name_(std::string("axis ") + base::letter(axis)),
         limits_(limits),
         clock_hz_(clock_hz),
         ticks_(in_ticks(limits.step_times, clock_hz)) {}
@@ -37,7 +38,7 @@ class AxisCheck {
     const double reach = std::max(std::fabs(limits_.travel_min), std::fabs(limits_.travel_max)) / limits_.blu;
     if (!(reach <= farthest)) {
       problems.push_back(problem("step-range", name_ + " travels to " + text(reach) + " BLU from its zero",
-                                 "at most 4e9; a larger BLU or less travel"));
+                                 "at most 4e9; a larger BLU or less travel", {.axis = axis_}));
     }
     check_rate(problems);
     check_turn(problems);
@@ -52,7 +53,7 @@ class AxisCheck {
                                name_ + " makes " + text(rate) + " steps/s at its greatest velocity; a clock of " +
                                    std::to_string(clock_hz_) + " Hz gives " + text(given) + ", a step every " +
                                    std::to_string(ticks_.pitch()) + " ticks",
-                               "a faster clock, shorter steps, a larger BLU or a lower velocity"));
+                               "a faster clock, shorter steps, a larger BLU or a lower velocity", {.axis = axis_}));
   }
 
   /// An axis that turns as it makes a step is half a BLU from where its steps lead, and by the time T at which it may
@@ -64,9 +65,11 @@ class AxisCheck {
                                name_ + " may step back " + milliseconds(turn) +
                                    " after a step; at its greatest acceleration it is a BLU from its steps by then",
                                "at most " + milliseconds(std::sqrt(limits_.blu / limits_.acceleration)) +
-                                   " for step length, direction hold and setup and a tick of the clock"));
+                                   " for step length, direction hold and setup and a tick of the clock",
+                               {.axis = axis_}));
   }
 
+  base::Axis axis_;
   std::string name_;
   const machine::AxisLimits& limits_;
   std::int64_t clock_hz_;

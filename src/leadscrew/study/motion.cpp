@@ -151,9 +151,7 @@ base::Result<Judged> judge(const PartProgram& program, const machine::Machine& m
 }
 
 machine::Derivatives largest(const constraints::LimitRatios& ratios) {
-  machine::Derivatives most;
-  for (const base::Axis axis : base::all_axes) most = greater(most, ratios.of_axis(axis));
-  return most;
+  return ratios.by_derivative();
 }
 
 machine::Derivatives largest(const std::vector<referee::AxisVerdict>& axes) {

@@ -170,8 +170,8 @@ bool is_inside(const Corner& corner, const ControlPoints& blend, double before, 
 
 std::optional<Blend> blend(const Corner& corner, double room) {
   const double length_before = geometry::length(corner.before);
-  const Point leaving = derivative(geometry::jets(corner.before, length_before), &numeric::Jet::first);
-  const Point entering = derivative(geometry::jets(corner.behind, 0), &numeric::Jet::first);
+  const Point leaving = derivative(geometry::jets(corner.before, length_before), &numeric::Jet<>::first);
+  const Point entering = derivative(geometry::jets(corner.behind, 0), &numeric::Jet<>::first);
   const double rate_before = norm(leaving), rate_behind = norm(entering), apart = turn_between(leaving, entering);
 
   const bool lines =

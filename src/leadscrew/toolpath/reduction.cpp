@@ -24,7 +24,7 @@ double least_time(const geometry::Curve& curve, double feed, FeedAxes axes) {
 
 double millimetres_per_length(const geometry::Curve& curve) {
   if (std::holds_alternative<geometry::Nurbs>(curve)) return 1;
-  return norm(derivative(geometry::jets(curve, 0), &numeric::Jet::first));
+  return norm(derivative(geometry::jets(curve, 0), &numeric::Jet<>::first));
 }
 
 /// Is the open leg and this one a single line?

@@ -30,9 +30,9 @@ State state_at(const Curve& curve, double s, bool backwards) {
   State state;
   state.count = 4;
   state.derivative[0] = position(curve, s);
-  state.derivative[1] = derivative(jet, &numeric::Jet::first);
-  state.derivative[2] = derivative(jet, &numeric::Jet::second);
-  state.derivative[3] = derivative(jet, &numeric::Jet::third);
+  state.derivative[1] = derivative(jet, &numeric::Jet<>::first);
+  state.derivative[2] = derivative(jet, &numeric::Jet<>::second);
+  state.derivative[3] = derivative(jet, &numeric::Jet<>::third);
   double scale = 1;
   for (std::size_t r = 1; r < state.count; ++r) {
     scale *= per_mm;
@@ -50,7 +50,7 @@ double chord_end(const Curve& curve, double s, double to, double sagitta) {
   constexpr int most_halvings = 20;
   constexpr double fewest_chords = 4, nearly_all = 0.75;
   const auto longest_at = [&](double place) {
-    const double bend = norm(derivative(geometry::jets(curve, place), &numeric::Jet::second));
+    const double bend = norm(derivative(geometry::jets(curve, place), &numeric::Jet<>::second));
     return std::sqrt(8 * sagitta / std::max(bend, 1e-12));
   };
   double step = std::min(longest_at(s), geometry::length(curve) / fewest_chords);

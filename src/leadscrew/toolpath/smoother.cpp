@@ -33,7 +33,7 @@ Point position(const Curve& curve, double s) {
 /// Does the second go on where the first ends with the same direction and curvature?
 bool goes_on(const Curve& first, const Curve& second) {
   const geometry::PointJet a = geometry::jets(first, geometry::length(first)), b = geometry::jets(second, 0);
-  const double ra = norm(derivative(a, &numeric::Jet::first)), rb = norm(derivative(b, &numeric::Jet::first));
+  const double ra = norm(derivative(a, &numeric::Jet<>::first)), rb = norm(derivative(b, &numeric::Jet<>::first));
   for (std::size_t i = 0; i < a.size(); ++i) {
     // Where a curve ends in a cusp they are no numbers.
     if (!(std::abs(a[i].first / ra - b[i].first / rb) <= same_direction)) return false;

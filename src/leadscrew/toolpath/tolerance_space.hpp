@@ -67,7 +67,7 @@ inline double turn_between(const geometry::Point& in, const geometry::Point& out
 }
 
 /// One of the jet's derivatives, in millimetres.
-inline geometry::Point derivative(const geometry::PointJet& jet, double numeric::Jet::* which) {
+inline geometry::Point derivative(const geometry::PointJet& jet, double numeric::Jet<>::* which) {
   geometry::Point d;
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = jet[i].*which;
   return to_millimetres(d);

@@ -81,7 +81,7 @@ base::Result<std::optional<std::string_view>> CsvRows::content(Input& input) {
   }
 }
 
-base::Result<CsvRows> CsvRows::open(Input& input, std::string file) {
+base::Result<CsvRows> CsvRows::open(Input& input, std::string file, base::AxisSet) {
   const auto mark = input.peek(3);
   if (!mark) return base::failure(mark.error());
   if (*mark == "\xEF\xBB\xBF") input.skip(3);
@@ -137,13 +137,13 @@ base::Result<double> CsvRows::number(std::string_view text, std::size_t offset, 
          "decimal numbers such as 12.5 or -3e-4", offset, text));
 }
 
-base::Result<std::optional<Row>> CsvRows::next(Input& input) {
+base::Result<std::optional<TraceRow>> CsvRows::next(Input& input) {
   const auto content_line = content(input);
   if (!content_line) return base::failure(content_line.error());
   if (!*content_line) return std::nullopt;
   const std::string_view text = **content_line;
 
-  Row row;
+  TraceRow row;
   std::size_t count = 0;
   Fields fields(text);
   for (; fields.next(); ++count) {

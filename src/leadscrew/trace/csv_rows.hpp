@@ -2,17 +2,18 @@
 // Rows of a comma-separated trace.
 
 #include <leadscrew/trace/columns.hpp>
-#include <leadscrew/trace/input.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/rows.hpp>
 
 namespace leadscrew::trace {
 
 class CsvRows {
  public:
-  /// Reads up to and with the header line.
-  static base::Result<CsvRows> open(Input& input, std::string file);
+  /// Nothing that begins a text says that it is CSV.
+  static bool recognises(std::string_view) { return false; }
+  /// Reads up to and with the header line, which names the columns.
+  static base::Result<CsvRows> open(Input& input, std::string file, base::AxisSet machine_axes = {});
 
-  base::Result<std::optional<Row>> next(Input& input);
+  base::Result<std::optional<TraceRow>> next(Input& input);
   base::AxisSet axes() const { return axes_; }
 
  private:
@@ -30,5 +31,6 @@ class CsvRows {
   std::vector<std::string> names_;
   base::AxisSet axes_;
 };
+static_assert(Rows<CsvRows>);
 
 }  // namespace leadscrew::trace

@@ -257,7 +257,7 @@ base::Result<double> NpyRows::value(const Field& field, const char* bytes) const
                              is_line ? "a whole number" : "a finite number"));
 }
 
-base::Result<std::optional<Row>> NpyRows::next(Input& input) {
+base::Result<std::optional<TraceRow>> NpyRows::next(Input& input) {
   const std::size_t bytes_of_row = 8 * fields_.size();
   const auto bytes = input.peek(row_ < rows_ ? bytes_of_row : 1);
   if (!bytes) return base::failure(bytes.error());
@@ -272,7 +272,7 @@ base::Result<std::optional<Row>> NpyRows::next(Input& input) {
         wrong("trace-format", "the array file ends in row " + std::to_string(row_ + 1) + " of " + std::to_string(rows_),
               "a file that its writer has finished"));
   }
-  Row row;
+  TraceRow row;
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const Field& field = fields_[i];
     if (field.column.kind == Column::Kind::other) continue;

@@ -2,19 +2,17 @@
 // Rows of a NumPy array file: what NpyWriter writes, and one-dimensional structured arrays of other programs.
 
 #include <leadscrew/trace/columns.hpp>
-#include <leadscrew/trace/input.hpp>
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/rows.hpp>
 
 namespace leadscrew::trace {
 
 class NpyRows {
  public:
-  static constexpr std::string_view magic{"\x93NUMPY", 6};
-
+  static bool recognises(std::string_view start) { return start.starts_with("\x93NUMPY"); }
   /// Reads the header. `axes`: of the machine, for arrays whose columns have no names.
   static base::Result<NpyRows> open(Input& input, std::string file, base::AxisSet axes);
 
-  base::Result<std::optional<Row>> next(Input& input);
+  base::Result<std::optional<TraceRow>> next(Input& input);
   base::AxisSet axes() const { return axes_; }
 
  private:
@@ -39,5 +37,6 @@ class NpyRows {
   std::int64_t row_ = 0;  ///< the next one, counted from 0
   base::AxisSet axes_;
 };
+static_assert(Rows<NpyRows>);
 
 }  // namespace leadscrew::trace

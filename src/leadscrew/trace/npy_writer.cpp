@@ -1,7 +1,7 @@
-// Words as a NumPy array file: magic, version 1.0, length of the header, the header as a Python literal, then the
+// Magic, version 1.0, length of the header, the header as a Python literal, then the
 // numbers. Format: NumPy Enhancement Proposal 1, and numpy/lib/format.py.
 
-#include <leadscrew/trace/words.hpp>
+#include <leadscrew/trace/npy_writer.hpp>
 
 #include <bit>
 #include <cstring>
@@ -9,7 +9,6 @@
 namespace leadscrew::trace {
 namespace {
 
-constexpr std::size_t block_bytes = 64 * 1024;
 constexpr std::size_t header_bytes = 128;  // a multiple of 64 that has room for any number of rows
 
 void append_little_endian(std::string& bytes, double value) {
@@ -33,9 +32,8 @@ int columns(base::AxisSet axes, TraceKind kind) {
 }  // namespace
 
 NpyWriter::NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
-    : sink_(std::move(sink)), axes_(axes), period_(period), kind_(kind) {
-  rows_.reserve(block_bytes + 8 * (4 + 2 * base::axis_count));
-  rows_ = header();
+    : rows_(std::move(sink), 8 * (4 + 2 * base::axis_count)), axes_(axes), period_(period), kind_(kind) {
+  rows_.text() = header();
 }
 
 std::string NpyWriter::header() const {
@@ -50,28 +48,21 @@ std::string NpyWriter::header() const {
 }
 
 base::Result<void> NpyWriter::write(const base::Word& word, const base::AxisVector& actual) {
-  if (!state_) return state_;
-  append_little_endian(rows_, base::seconds(word.tick, period_));
-  append_little_endian(rows_, static_cast<double>(base::number(word.line)));
-  append_little_endian(rows_, word.path_length);
-  append_little_endian(rows_, word.feed);
+  if (!rows_.state()) return rows_.state();
+  std::string& rows = rows_.text();
+  append_little_endian(rows, base::seconds(word.tick, period_));
+  append_little_endian(rows, static_cast<double>(base::number(word.line)));
+  append_little_endian(rows, word.path_length);
+  append_little_endian(rows, word.feed);
   for (const base::Axis axis : base::all_axes) {
-    if (axes_.contains(axis)) append_little_endian(rows_, word.position[base::index(axis)]);
+    if (axes_.contains(axis)) append_little_endian(rows, word.position[base::index(axis)]);
   }
   for (const base::Axis axis : base::all_axes) {
     if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
-    append_little_endian(rows_, actual[base::index(axis)]);
+    append_little_endian(rows, actual[base::index(axis)]);
   }
   ++rows_written_;
-  return rows_.size() < block_bytes ? state_ : finish();
-}
-
-base::Result<void> NpyWriter::finish() {
-  if (state_ && !rows_.empty()) {
-    state_ = sink_(rows_);
-    rows_.clear();
-  }
-  return state_;
+  return rows_.flush_if_full();
 }
 
 }  // namespace leadscrew::trace

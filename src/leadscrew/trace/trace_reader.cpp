@@ -1,45 +1,59 @@
-#include <leadscrew/trace/csv_rows.hpp>
-#include <leadscrew/trace/npy_rows.hpp>
-#include <leadscrew/trace/words.hpp>
-
+#include <leadscrew/trace/formats.hpp>
+#include <leadscrew/trace/trace_reader.hpp>
 #include <variant>
 
 namespace leadscrew::trace {
 
+namespace {
+
+template <class>
+struct RowsOf;
+template <class... Formats>
+struct RowsOf<std::tuple<Formats...>> {
+  using Any = std::variant<typename Formats::Rows...>;
+};
+using AnyRows = RowsOf<std::remove_const_t<decltype(formats)>>::Any;
+
+template <class R>
+base::Result<AnyRows> opened(Input& input, std::string_view file, base::AxisSet axes) {
+  return R::open(input, std::string(file), axes).transform([](R&& rows) { return AnyRows(std::move(rows)); });
+}
+
+}  // namespace
+
 class TraceReader::Implementation {
  public:
-  Implementation(Input input, std::variant<CsvRows, NpyRows> rows) : input_(std::move(input)), rows_(std::move(rows)) {}
+  Implementation(Input input, AnyRows rows) : input_(std::move(input)), rows_(std::move(rows)) {}
 
-  base::Result<std::optional<Row>> next() {
-    if (CsvRows* rows = std::get_if<CsvRows>(&rows_)) return rows->next(input_);
-    return std::get_if<NpyRows>(&rows_)->next(input_);
+  base::Result<std::optional<TraceRow>> next() {
+    return std::visit([&](auto& rows) { return rows.next(input_); }, rows_);
   }
-
   base::AxisSet axes() const {
-    if (const CsvRows* rows = std::get_if<CsvRows>(&rows_)) return rows->axes();
-    return std::get_if<NpyRows>(&rows_)->axes();
+    return std::visit([](const auto& rows) { return rows.axes(); }, rows_);
   }
 
  private:
   Input input_;
-  std::variant<CsvRows, NpyRows> rows_;
+  AnyRows rows_;
 };
 
 base::Result<TraceReader> TraceReader::open(base::ByteSource source, std::string_view file, base::AxisSet axes) {
   Input input(std::move(source));
-  const auto start = input.peek(NpyRows::magic.size());
+  const auto start = input.peek(start_bytes);
   if (!start) return base::failure(start.error());
-  if (*start == NpyRows::magic) {
-    auto rows = NpyRows::open(input, std::string(file), axes);
-    if (!rows) return base::failure(rows.error());
-    return TraceReader(std::make_unique<Implementation>(std::move(input), std::move(*rows)));
-  }
-  auto rows = CsvRows::open(input, std::string(file));
-  if (!rows) return base::failure(rows.error());
-  return TraceReader(std::make_unique<Implementation>(std::move(input), std::move(*rows)));
+  std::optional<base::Result<AnyRows>> rows;
+  std::apply(
+      [&]<class... F>(const F&...) {
+        static_cast<void>((
+            (F::Rows::recognises(*start) && (rows.emplace(opened<typename F::Rows>(input, file, axes)), true)) || ...));
+      },
+      formats);
+  if (!rows) rows.emplace(opened<std::variant_alternative_t<0, AnyRows>>(input, file, axes));
+  if (!*rows) return base::failure(rows->error());
+  return TraceReader(std::make_unique<Implementation>(std::move(input), std::move(**rows)));
 }
 
-base::Result<std::optional<Row>> TraceReader::next() {
+base::Result<std::optional<TraceRow>> TraceReader::next() {
   return implementation_->next();
 }
 base::AxisSet TraceReader::axes() const {

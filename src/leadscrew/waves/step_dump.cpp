@@ -7,7 +7,6 @@
 namespace leadscrew::waves {
 namespace {
 
-constexpr std::size_t block_bytes = 64 * 1024;
 constexpr std::size_t longest_row = 2 * base::digits_room + 8;
 
 char identifier(std::uint8_t signal) {
@@ -24,9 +23,8 @@ std::uint8_t direction_signal(base::Axis axis) {
 }  // namespace
 
 StepCsvWriter::StepCsvWriter(base::ByteSink sink, std::int64_t clock_hz)
-    : sink_(std::move(sink)), clock_hz_(static_cast<double>(clock_hz)) {
-  rows_.reserve(block_bytes + longest_row);
-  rows_ = "tick,t,axis,direction\n";
+    : rows_(std::move(sink), longest_row), clock_hz_(static_cast<double>(clock_hz)) {
+  rows_.text() = "tick,t,axis,direction\n";
 }
 
 base::Result<void> StepCsvWriter::write(std::span<const steps::StepEvent> events) {
@@ -40,23 +38,17 @@ base::Result<void> StepCsvWriter::write(std::span<const steps::StepEvent> events
     *at++ = ',';
     at = base::write_integer(at, event.direction());
     *at++ = '\n';
-    rows_.append(row, static_cast<std::size_t>(at - row));
-    if (rows_.size() < block_bytes) continue;
-    if (auto written = finish(); !written) return written;
+    rows_.text().append(row, static_cast<std::size_t>(at - row));
+    if (auto written = rows_.flush_if_full(); !written) return written;
   }
-  return state_;
-}
-
-base::Result<void> StepCsvWriter::finish() {
-  if (state_ && !rows_.empty()) state_ = sink_(rows_);
-  rows_.clear();
-  return state_;
+  return rows_.state();
 }
 
 StepVcdWriter::StepVcdWriter(base::ByteSink sink, const machine::Machine& machine, std::int64_t clock_hz)
-    : sink_(std::move(sink)), clock_hz_(clock_hz) {
-  text_ = "$comment step and direction, a clock of " + std::to_string(clock_hz_) +
-          " Hz $end\n$version leadscrew $end\n$timescale 1 ns $end\n$scope module steps $end\n";
+    : text_(std::move(sink)), clock_hz_(clock_hz) {
+  std::string& header = text_.text();
+  header = "$comment step and direction, a clock of " + std::to_string(clock_hz_) +
+           " Hz $end\n$version leadscrew $end\n$timescale 1 ns $end\n$scope module steps $end\n";
   std::string values;
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
@@ -65,10 +57,10 @@ StepVcdWriter::StepVcdWriter(base::ByteSink sink, const machine::Machine& machin
     longest_setup_ = std::max(longest_setup_, ticks.setup);
     const std::string name(1, base::letter(axis));
     const std::string step(1, identifier(step_signal(axis))), direction(1, identifier(direction_signal(axis)));
-    text_ += "$var wire 1 " + step + " " + name + "_step $end\n$var wire 1 " + direction + " " + name + "_dir $end\n";
+    header += "$var wire 1 " + step + " " + name + "_step $end\n$var wire 1 " + direction + " " + name + "_dir $end\n";
     values += "0" + step + "\nx" + direction + "\n";
   }
-  text_ += "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n" + values + "$end\n";
+  header += "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n" + values + "$end\n";
 }
 
 base::Result<void> StepVcdWriter::write(std::span<const steps::StepEvent> events) {
@@ -83,15 +75,14 @@ base::Result<void> StepVcdWriter::write(std::span<const steps::StepEvent> events
     add(event.tick(), step_signal(event.axis()), '1');
     add(event.tick() + ticks.length, step_signal(event.axis()), '0');
     put_before(event.tick() - longest_setup_);  // no event to come changes anything earlier
-    if (text_.size() < block_bytes) continue;
-    if (auto written = flush(); !written) return written;
+    if (auto written = text_.flush_if_full(); !written) return written;
   }
-  return state_;
+  return text_.state();
 }
 
 base::Result<void> StepVcdWriter::finish() {
   put_before(std::numeric_limits<std::int64_t>::max());
-  return flush();
+  return text_.flush();
 }
 
 void StepVcdWriter::add(std::int64_t tick, std::uint8_t signal, char value) {
@@ -105,9 +96,9 @@ void StepVcdWriter::put_before(std::int64_t tick) {
     std::ranges::pop_heap(to_come_, is_later);
     to_come_.pop_back();
     if (change.tick != now_) put_time(change.tick);
-    text_ += change.value;
-    text_ += identifier(change.signal);
-    text_ += '\n';
+    text_.text() += change.value;
+    text_.text() += identifier(change.signal);
+    text_.text() += '\n';
   }
 }
 
@@ -117,16 +108,10 @@ void StepVcdWriter::put_time(std::int64_t tick) {
   const std::int64_t rest = tick % clock_hz_;
   char digits[base::digits_room];
   char* const end = base::write_integer(digits, tick / clock_hz_ * nano + (rest * nano + clock_hz_ / 2) / clock_hz_);
-  text_ += '#';
-  text_.append(digits, static_cast<std::size_t>(end - digits));
-  text_ += '\n';
+  text_.text() += '#';
+  text_.text().append(digits, static_cast<std::size_t>(end - digits));
+  text_.text() += '\n';
   now_ = tick;
-}
-
-base::Result<void> StepVcdWriter::flush() {
-  if (state_ && !text_.empty()) state_ = sink_(text_);
-  text_.clear();
-  return state_;
 }
 
 }  // namespace leadscrew::waves

@@ -2,13 +2,13 @@
 // Steps as files: CSV, a row for each step, and a value-change dump (VCD, IEEE 1364-2005, clause 18) of the signals
 // that drives see.
 //
-// Both take events as steps::StepGenerator gives them, in order of their ticks. Text is gathered into blocks of
-// 64 KiB before it reaches the sink. Once the sink has failed, every later call fails with the same diagnostic.
+// Both take events as steps::StepGenerator gives them, in order of their ticks. Text is gathered in blocks. Once the
+// sink has failed, every later call fails with the same diagnostic.
 
 #include <array>
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
-#include <leadscrew/base/sink.hpp>
+#include <leadscrew/base/block_sink.hpp>
 #include <leadscrew/steps/step_event.hpp>
 #include <leadscrew/steps/step_timing.hpp>
 #include <span>
@@ -23,13 +23,11 @@ class StepCsvWriter {
   StepCsvWriter(base::ByteSink sink, std::int64_t clock_hz);
   base::Result<void> write(std::span<const steps::StepEvent> events);
   /// Writes what is still gathered.
-  base::Result<void> finish();
+  base::Result<void> finish() { return rows_.flush(); }
 
  private:
-  base::ByteSink sink_;
+  base::BlockSink rows_;
   double clock_hz_;
-  std::string rows_;
-  base::Result<void> state_;
 };
 
 /// Signals `X_step` and `X_dir` of each axis, in nanoseconds. Directions change as late as their setup allows; 1 is
@@ -56,17 +54,14 @@ class StepVcdWriter {
   void add(std::int64_t tick, std::uint8_t signal, char value);
   void put_before(std::int64_t tick);
   void put_time(std::int64_t tick);
-  base::Result<void> flush();
 
-  base::ByteSink sink_;
+  base::BlockSink text_;
   std::int64_t clock_hz_;
   std::array<steps::StepTicks, base::axis_count> ticks_{};
   std::int64_t longest_setup_ = 0;
   std::vector<Change> to_come_;  ///< a heap, the first on top; as many as fit into the longest setup and a step
   std::array<int, base::axis_count> directions_{};  ///< 0: not known
   std::int64_t now_ = 0;                            ///< the last tick that was written
-  std::string text_;
-  base::Result<void> state_;
 };
 
 }  // namespace leadscrew::waves

@@ -7,8 +7,6 @@ namespace {
 
 using markup::put;
 
-constexpr std::size_t block_bytes = 64 * 1024;
-
 /// Short names of printable characters, ! … ~.
 std::string identifier_of(std::size_t number) {
   constexpr std::size_t letters = 94;
@@ -30,61 +28,56 @@ void put_digits(std::string& out, std::int64_t value, int width) {
 
 VcdWriter::VcdWriter(base::ByteSink sink, const std::string& timescale, const std::vector<std::string>& comments,
                      const std::vector<VcdScope>& scopes)
-    : sink_(std::move(sink)) {
-  for (const std::string& comment : comments) put(text_, "$comment ", comment, " $end\n");
-  put(text_, "$version leadscrew $end\n$timescale ", timescale, " $end\n");
+    : text_(std::move(sink)) {
+  std::string& header = text_.text();
+  for (const std::string& comment : comments) put(header, "$comment ", comment, " $end\n");
+  put(header, "$version leadscrew $end\n$timescale ", timescale, " $end\n");
   for (const VcdScope& scope : scopes) {
-    put(text_, "$scope module ", scope.name, " $end\n");
+    put(header, "$scope module ", scope.name, " $end\n");
     for (const VcdSignal& signal : scope.signals) {
       const std::string identifier = identifier_of(signals_.size());
       const std::string range = signal.width > 1 ? " [" + std::to_string(signal.width - 1) + ":0]" : "";
       const auto declare = [&](const std::string& name) {
-        put(text_, "$var wire ", std::to_string(signal.width), " ", identifier, " ", name, range, " $end\n");
+        put(header, "$var wire ", std::to_string(signal.width), " ", identifier, " ", name, range, " $end\n");
       };
       declare(signal.name);
       for (const std::string& name : signal.also) declare(name);
       signals_.push_back({identifier, signal.width, 0});
     }
-    text_ += "$upscope $end\n";
+    header += "$upscope $end\n";
   }
-  text_ += "$enddefinitions $end\n";
+  header += "$enddefinitions $end\n";
 }
 
 void VcdWriter::put_value(const Known& signal) {
-  if (signal.width > 1) text_ += 'b';
-  put_digits(text_, signal.value, signal.width);
-  if (signal.width > 1) text_ += ' ';
-  put(text_, signal.identifier, "\n");
+  std::string& text = text_.text();
+  if (signal.width > 1) text += 'b';
+  put_digits(text, signal.value, signal.width);
+  if (signal.width > 1) text += ' ';
+  put(text, signal.identifier, "\n");
 }
 
 base::Result<void> VcdWriter::write(std::int64_t time, std::span<const std::int64_t> values) {
-  if (!state_) return state_;
+  if (!text_.state()) return text_.state();
+  std::string& text = text_.text();
   const bool is_first = !has_begun_;
   bool is_stamped = is_first;
-  if (is_first) put(text_, "#", std::to_string(time), "\n$dumpvars\n");
+  if (is_first) put(text, "#", std::to_string(time), "\n$dumpvars\n");
   for (std::size_t i = 0; i < signals_.size(); ++i) {
     if (!is_first && signals_[i].value == values[i]) continue;
-    if (!is_stamped) put(text_, "#", std::to_string(time), "\n");
+    if (!is_stamped) put(text, "#", std::to_string(time), "\n");
     is_stamped = true;
     signals_[i].value = values[i];
     put_value(signals_[i]);
   }
-  if (is_first) text_ += "$end\n";
+  if (is_first) text += "$end\n";
   has_begun_ = true;
-  return text_.size() < block_bytes ? state_ : flush();
+  return text_.flush_if_full();
 }
 
 base::Result<void> VcdWriter::finish(std::int64_t time) {
-  if (state_) put(text_, "#", std::to_string(time), "\n");
-  return flush();
-}
-
-base::Result<void> VcdWriter::flush() {
-  if (state_ && !text_.empty()) {
-    state_ = sink_(text_);
-    text_.clear();
-  }
-  return state_;
+  put(text_.text(), "#", std::to_string(time), "\n");
+  return text_.flush();
 }
 
 }  // namespace leadscrew::waves

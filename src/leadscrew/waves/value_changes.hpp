@@ -2,7 +2,7 @@
 // Signals over time as a value-change dump (VCD, IEEE 1364-2005, clause 18), as GTKWave and its like show them.
 
 #include <cstdint>
-#include <leadscrew/base/sink.hpp>
+#include <leadscrew/base/block_sink.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,13 +43,10 @@ class VcdWriter {
   };
 
   void put_value(const Known& signal);
-  base::Result<void> flush();
 
-  base::ByteSink sink_;
-  std::string text_;
+  base::BlockSink text_;
   std::vector<Known> signals_;
   bool has_begun_ = false;
-  base::Result<void> state_;
 };
 
 }  // namespace leadscrew::waves

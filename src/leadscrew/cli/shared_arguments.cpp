@@ -1,0 +1,48 @@
+#include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/shared_arguments.hpp>
+
+namespace leadscrew::cli {
+
+void add_output(Command& command, Arguments& arguments) {
+  command.flag("--json", "One JSON object on standard output, nothing else there", arguments.json);
+  command.flag("--quiet", "No summary and no progress bar", arguments.quiet);
+  command.choice<ColorChoice>(
+      "--color", "WHEN", "auto, always or never; NO_COLOR is heeded", arguments.color,
+      {{"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}});
+}
+
+void add_common(Command& command, Arguments& arguments) {
+  command.text("--machine", "FILE", "Machine file (TOML), or the built-in mill3 (default)", arguments.machine);
+  command.text("--tools", "FILE", "Tool table, in LinuxCNC's format", arguments.tools);
+  command.value("--start", "X0,Y0,...",
+                "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)", arguments.start,
+                parse_axis_values);
+  add_output(command, arguments);
+}
+
+void add_period(Command& command, Arguments& arguments) {
+  command.value("--period", "TIME", "Servo period, such as 1ms or 250us, in place of the machine's", arguments.period,
+                parse_period);
+}
+
+void add_motion(Command& command, Arguments& arguments) {
+  command.choice<gcode::PathMode>("--mode", "MODE", "exact-stop or blend, in place of G61, G61.1 and G64",
+                                  arguments.mode,
+                                  {{"exact-stop", gcode::PathMode::exact_stop}, {"blend", gcode::PathMode::blend}});
+  command.value("--tolerance", "MM", "In place of P of G64 and the machine's, mm", arguments.tolerance,
+                parse_tolerance);
+}
+
+void add_pages(Command& command, Arguments& arguments) {
+  RunArguments& run = arguments.run;
+  command.output("--report", "FILE.html", "Write one self-contained page", run.report);
+  command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed", run.picture);
+  command.output("--out", "DIR", "Write DIR/NAME.csv, .html and .svg of each program", run.out);
+  command.check([&command, &arguments]() -> Parsed<void> {
+    const std::string_view option = command.first_given({"--trace", "--report", "--picture"});
+    if (arguments.programs.size() < 2 || option.empty()) return {};
+    return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
+  });
+}
+
+}  // namespace leadscrew::cli

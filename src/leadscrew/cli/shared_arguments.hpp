@@ -1,0 +1,27 @@
+#pragma once
+// Options that several commands have.
+
+#include <leadscrew/cli/options.hpp>
+
+namespace leadscrew::cli {
+
+struct Arguments;
+
+/// --json, --quiet, --color.
+void add_output(Command& command, Arguments& arguments);
+
+/// Of commands that read programs: --machine, --tools, --start and those above.
+void add_common(Command& command, Arguments& arguments);
+
+/// --period, of the machine's servo.
+void add_period(Command& command, Arguments& arguments);
+
+/// --mode, --tolerance.
+void add_motion(Command& command, Arguments& arguments);
+
+/// What is made to look at: --report, --picture, --out; then, of the files of several programs, the check.
+void add_pages(Command& command, Arguments& arguments);
+
+inline constexpr const char* programs_help = "Part programs; - is standard input, curve:NAME a curve of the studies";
+
+}  // namespace leadscrew::cli

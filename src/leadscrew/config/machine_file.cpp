@@ -1,0 +1,385 @@
+// The one file that includes toml++.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <leadscrew/base/nearest.hpp>
+#include <leadscrew/config/file_text.hpp>
+#include <leadscrew/config/machine_file.hpp>
+#include <leadscrew/config/machine_keys.hpp>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <tuple>
+
+namespace leadscrew::config {
+
+namespace {
+
+using machine::Machine;
+using Position = toml::source_position;
+namespace field = machine::field;
+
+constexpr const char* pitch_hint = "entries [position, error], such as [[-100, 0], [100, 0.012]]";
+constexpr const char* exact_hint = "integers are exact up to 9007199254740992; write others with a decimal point";
+
+std::string_view type_text(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::none:
+      return "nothing";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+/// Is it an integer that no double holds exactly?
+bool is_inexact(const toml::node& node) {
+  return node.is_integer() && !node.value<double>();
+}
+
+/// Two numbers; empty where it is anything else.
+std::optional<std::array<double, 2>> pair_of(const toml::node& node) {
+  const toml::array* pair = node.as_array();
+  if (pair == nullptr || pair->size() != 2) return std::nullopt;
+  // Of an integer that no double holds there is no value.
+  const auto first = (*pair)[0].value<double>(), second = (*pair)[1].value<double>();
+  if (!(*pair)[0].is_number() || !(*pair)[1].is_number() || !first || !second) return std::nullopt;
+  return std::array{*first, *second};
+}
+
+/// What is wrong where pair_of() is empty, and what would be right.
+std::pair<std::string, std::string> not_a_pair(std::string_view what, const toml::node& node, const char* hint) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return {fmt::format("{} is {}, not a list of two numbers", what, type_text(node)), hint};
+  const auto inexact = std::find_if(list->begin(), list->end(), is_inexact);
+  if (list->size() == 2 && inexact != list->end()) {
+    return {fmt::format("{} holds {}, which no double-precision number is", what, *inexact->value<std::int64_t>()),
+            exact_hint};
+  }
+  return {fmt::format("{} is a list, but not of two numbers", what), hint};
+}
+
+/// The nearest whole number of them; empty for NaN.
+std::optional<std::int64_t> nanoseconds(double microseconds) {
+  if (std::isnan(microseconds)) return std::nullopt;
+  return std::llround(std::clamp(microseconds, -1e9, 1e9) * 1e3);
+}
+
+bool is_before(const base::Diagnostic& a, const base::Diagnostic& b) {
+  return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+}
+
+/// One pass over a parsed file.
+class MachineReader {
+ public:
+  MachineReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  MachineOrProblems read() {
+    machine_.name = std::filesystem::path(file_).stem();
+    if (const auto root = parse()) {
+      read_machine_keys(*root);
+      read_axes(*root);
+      judge();
+    }
+    if (problems_.empty()) return std::move(machine_);
+    std::stable_sort(problems_.begin(), problems_.end(), is_before);
+    if (untold_ > 0) {
+      problems_.push_back(base::problem("too-many-problems", fmt::format("{} more problems are not told", untold_),
+                                        "is this a machine file?"));
+      problems_.back().place.file = file_;
+    }
+    return tl::unexpected(std::move(problems_));
+  }
+
+ private:
+  /// A field of base::Subject, in order.
+  using Slot = std::tuple<std::optional<base::Axis>, std::string_view, std::optional<std::size_t>>;
+
+  static Slot slot_of(const base::Subject& subject) { return {subject.axis, subject.field, subject.entry}; }
+
+  bool is_full() const { return problems_.size() >= most_machine_problems; }
+
+  void report(std::string_view code, Position at, std::string message, std::string hint) {
+    add(at, base::problem(code, std::move(message), std::move(hint)));
+  }
+
+  void add(Position at, base::Diagnostic problem) {
+    if (is_full()) {
+      ++untold_;
+      return;
+    }
+    problem.place = {file_, static_cast<std::int64_t>(at.line), static_cast<std::int64_t>(at.column)};
+    if (at.line > 0) problem.source = line_of(text_, problem.place.line);
+    problems_.push_back(std::move(problem));
+  }
+
+  /// Text that nests too deep is parsed up to there, for errors of syntax on the lines before.
+  std::optional<toml::table> parse() {
+    const std::optional<std::size_t> deep = find_deep_nesting(text_);
+    const TextPosition at = deep ? position_of(text_, *deep) : TextPosition{};
+    try {
+      toml::table root = toml::parse(deep ? text_.substr(0, *deep + 1) : text_, file_);
+      if (!deep) return root;
+    } catch (const toml::parse_error& error) {
+      if (!deep || error.source().begin.line < at.line) {
+        report("machine-syntax", error.source().begin, std::string(error.description()), "machine files are TOML 1.0");
+        return std::nullopt;
+      }
+    }
+    report("machine-nesting", {at.line, at.column}, fmt::format("keys or lists nest deeper than {}", deepest_nesting),
+           "no machine file needs more than [axis.X.drive] and its keys");
+    return std::nullopt;
+  }
+
+  void read_machine_keys(const toml::table& root) {
+    check_keys(root, machine_keys, false);
+    if (const auto name = string(root, "name", {})) machine_.name = *name;
+    if (const auto kinematics = string(root, "kinematics", field::kinematics)) machine_.kinematics = *kinematics;
+    if (const auto period = number(root, "period_us", {.field = field::period}))
+      machine_.period = base::Period{nanoseconds(*period).value_or(0)};
+    if (const auto tolerance = number(root, "tolerance_mm", {.field = field::tolerance}))
+      machine_.tolerance = *tolerance;
+    if (const auto chord_error = number(root, "chord_error_mm", {.field = field::chord_error}))
+      machine_.chord_error = *chord_error;
+  }
+
+  void read_axes(const toml::table& root) {
+    const toml::node* node = root.get("axis");
+    if (node == nullptr) return;
+    const toml::table* axes = table_of(*node, "axis", "[axis.X]", "axis");
+    if (axes == nullptr) {
+      has_axis_ = true;
+      return;
+    }
+    check_keys(*axes, axis_names, true);
+    for (const base::Axis axis : base::all_axes) {
+      const toml::node* entry = axes->get(axis_names[base::index(axis)]);
+      if (entry == nullptr) continue;
+      const std::string section = section_of(axis);
+      const toml::table* table = table_of(*entry, section, "[" + section + "]", "axis");
+      has_axis_ = has_axis_ || table == nullptr;
+      if (table != nullptr) read_axis(*table, axis);
+    }
+  }
+
+  void read_axis(const toml::table& table, base::Axis axis) {
+    const std::set<std::string_view> misspelt = check_keys(table, all_axis_keys(axis), false);
+    report_missing(table, axis, misspelt);
+    // What is missing or wrong has been reported; a sound value in its place keeps machine::validate() from doing so
+    // again.
+    machine::AxisLimits limits{
+        .travel_min = -1, .travel_max = 1, .velocity = 1, .acceleration = 1, .jerk = 1, .blu = 1};
+    take(table, axis, field::velocity, limits.velocity);
+    take(table, axis, field::acceleration, limits.acceleration);
+    take(table, axis, field::jerk, limits.jerk);
+    take(table, axis, field::blu, limits.blu);
+    read_travel(table, axis, limits);
+    read_step_times(table, axis, limits.step_times);
+    machine_.axes[base::index(axis)] = limits;
+    read_screw(table, axis);
+    read_drive(table, axis);
+  }
+
+  /// An axis' value, where it is given.
+  void take(const toml::table& table, base::Axis axis, std::string_view field, double& value) {
+    const auto given = number(table, axis_key_of(axis, field), {.axis = axis, .field = field});
+    if (given) value = *given;
+  }
+
+  void report_missing(const toml::table& table, base::Axis axis, const std::set<std::string_view>& misspelt) {
+    const auto needed = needed_keys(axis);
+    for (const std::string_view key : needed) {
+      if (table.contains(key) || misspelt.contains(key)) continue;
+      report("machine-missing", table.source().begin, fmt::format("[{}] lacks {}", section_of(axis), key),
+             fmt::format("an axis gives {}", fmt::join(needed, ", ")));
+    }
+  }
+
+  void read_travel(const toml::table& table, base::Axis axis, machine::AxisLimits& limits) {
+    const std::string_view key = axis_key_of(axis, field::travel);
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return;
+    const auto pair = pair_of(*node);
+    if (!pair) {
+      auto [message, hint] = not_a_pair(key, *node, "such as [-500, 500]");
+      return report("machine-type", node->source().begin, std::move(message), std::move(hint));
+    }
+    positions_[slot_of({.axis = axis, .field = field::travel})] = node->source().begin;
+    limits.travel_min = pair->front();
+    limits.travel_max = pair->back();
+  }
+
+  void read_step_times(const toml::table& table, base::Axis axis, machine::StepTimes& times) {
+    for (const machine::StepTime& time : machine::all_step_times) {
+      const auto microseconds = number(table, axis_key_of(axis, time.name), {.axis = axis, .field = time.name});
+      if (microseconds) times.*time.value = nanoseconds(*microseconds).value_or(-1);
+    }
+  }
+
+  void read_screw(const toml::table& table, base::Axis axis) {
+    machine::ScrewErrors& screw = machine_.screws[base::index(axis)];
+    screw.table = pitch_errors(table, axis, field::pitch_errors);
+    screw.backward_table = pitch_errors(table, axis, field::backward_pitch_errors);
+    take(table, axis, field::backlash, screw.backlash);
+    take(table, axis, field::takeup_velocity, screw.takeup_velocity);
+  }
+
+  void read_drive(const toml::table& axis_table, base::Axis axis) {
+    const toml::node* node = axis_table.get(drive_key);
+    if (node == nullptr) return;
+    const std::string section = drive_section_of(axis);
+    const toml::table* table = table_of(*node, section, "[" + section + "]", "drive");
+    if (table == nullptr) return;
+    check_keys(*table, all_drive_keys(axis), false);
+    machine::AxisDrive& drive = machine_.drives[base::index(axis)];
+    for (std::size_t k = 0; k < drive_keys.size(); ++k) {
+      drive.*machine::drive_numbers[k].value =
+          number(*table, text_of(drive_keys[k], axis), {.axis = axis, .field = drive_keys[k].field});
+    }
+    if (is_second(*table, controller_key, {"cascade", "pid"})) drive.controller = machine::AxisDrive::Controller::pid;
+    if (is_second(*table, encoder_key, {"screw", "slide"})) drive.encoder = machine::AxisDrive::Encoder::slide;
+  }
+
+  /// Of two words the second; the first where none is told.
+  bool is_second(const toml::table& table, std::string_view key, std::array<std::string_view, 2> words) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return false;
+    const auto word = node->value_exact<std::string>();
+    if (word && (*word == words[0] || *word == words[1])) return *word == words[1];
+    const std::string found = word ? fmt::format("\"{}\"", shown(*word)) : std::string(type_text(*node));
+    report("machine-drive", node->source().begin, fmt::format("{} is {}", key, found),
+           fmt::format("\"{}\" or \"{}\"", words[0], words[1]));
+    return false;
+  }
+
+  /// What is no entry keeps its place in the list, as NaN.
+  std::vector<machine::PitchError> pitch_errors(const toml::table& table, base::Axis axis, std::string_view field) {
+    std::vector<machine::PitchError> errors;
+    const std::string_view key = axis_key_of(axis, field);
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return errors;
+    if (!node->is_array()) {
+      report("machine-type", node->source().begin, fmt::format("{} is {}, not a list", key, type_text(*node)),
+             pitch_hint);
+      return errors;
+    }
+    for (const toml::node& entry : *node->as_array()) {
+      const std::size_t index = errors.size();
+      const auto pair = pair_of(entry);
+      if (pair) {
+        positions_[slot_of({.axis = axis, .field = field, .entry = index})] = entry.source().begin;
+      } else {
+        auto [message, hint] = not_a_pair(fmt::format("entry {} of {}", index + 1, key), entry, pitch_hint);
+        report("machine-type", entry.source().begin, std::move(message), std::move(hint));
+      }
+      errors.push_back(pair ? machine::PitchError{pair->front(), pair->back()} : machine::PitchError{NAN, NAN});
+    }
+    return errors;
+  }
+
+  /// Reports keys that are not known; returns the known ones that were probably meant.
+  std::set<std::string_view> check_keys(const toml::table& table, std::span<const std::string_view> known,
+                                        bool is_of_axes) {
+    std::set<std::string_view> meant;
+    for (const auto& [key, node] : table) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      has_axis_ = has_axis_ || is_of_axes;
+      const auto suggestion = is_full() ? std::nullopt : base::nearest(key.str(), known);
+      report("machine-key", key.source().begin,
+             fmt::format("{} \"{}\" is not known", is_of_axes ? "axis" : "key", shown(key.str())),
+             suggestion && !is_of_axes ? fmt::format("did you mean {}?", *suggestion)
+                                       : fmt::format("known here: {}", fmt::join(known, ", ")));
+      if (suggestion && !table.contains(*suggestion)) meant.insert(*suggestion);
+    }
+    return meant;
+  }
+
+  /// Null, and reported, where it is no table: `header` with the keys of a `thing` is what would be right.
+  const toml::table* table_of(const toml::node& node, std::string_view name, std::string_view header,
+                              std::string_view thing) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      report("machine-type", node.source().begin, fmt::format("{} is {}", name, type_text(node)),
+             fmt::format("write {} and below it the {}'s keys", header, thing));
+    }
+    return table;
+  }
+
+  std::optional<std::string> string(const toml::table& table, std::string_view key, std::string_view field) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return std::nullopt;
+    positions_[slot_of({.field = field})] = node->source().begin;
+    const auto value = node->value_exact<std::string>();
+    if (!value) {
+      report("machine-type", node->source().begin, fmt::format("{} is {}, not a string", key, type_text(*node)),
+             fmt::format("write {} = \"…\"", key));
+    }
+    return value;
+  }
+
+  std::optional<double> number(const toml::table& table, std::string_view key, const base::Subject& subject) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return std::nullopt;
+    positions_[slot_of(subject)] = node->source().begin;
+    if (!node->is_number()) {
+      report("machine-type", node->source().begin, fmt::format("{} is {}, not a number", key, type_text(*node)), "");
+      return std::nullopt;
+    }
+    if (is_inexact(*node)) {
+      report("machine-type", node->source().begin,
+             fmt::format("{} is {}, which no double-precision number is", key, *node->value<std::int64_t>()),
+             exact_hint);
+      return std::nullopt;
+    }
+    return node->value<double>();
+  }
+
+  /// Whether the values make sense is for the room of machines to say; where they stand is known here.
+  void judge() {
+    for (base::Diagnostic& problem : machine::validate(machine_)) {
+      // An axis was meant, and what is wrong with it has been said.
+      if (problem.code == "machine-axes" && has_axis_) continue;
+      const auto found = positions_.find(slot_of(problem.subject));
+      // Of an entry that is none it has been said too.
+      if (problem.code == "pitch-value" && found == positions_.end()) continue;
+      if (problem.code == "machine-kinematics") explain_kinematics(problem, machine_.kinematics);
+      const Position position = found == positions_.end() ? Position{} : found->second;
+      add(position, std::move(problem));
+    }
+  }
+
+  std::string_view text_;
+  std::string file_;
+  Machine machine_;
+  std::vector<base::Diagnostic> problems_;
+  std::size_t untold_ = 0;
+  std::map<Slot, Position> positions_;  ///< of values
+  bool has_axis_ = false;               ///< some axis was named that could not be taken
+};
+
+}  // namespace
+
+MachineOrProblems read_machine(std::string_view text, const std::string& file) {
+  if (text.size() > largest_machine_file) return tl::unexpected(std::vector{too_large(file)});
+  return MachineReader(text, file).read();
+}
+
+}  // namespace leadscrew::config

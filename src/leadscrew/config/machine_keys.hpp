@@ -1,0 +1,89 @@
+#pragma once
+// The keys of machine files, and the values of machine::Machine that they give.
+
+#include <array>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/machine/drive.hpp>
+#include <leadscrew/machine/fields.hpp>
+#include <leadscrew/machine/step_times.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace leadscrew::config {
+
+inline constexpr std::array<std::string_view, 6> machine_keys = {"name",         "kinematics",     "period_us",
+                                                                 "tolerance_mm", "chord_error_mm", "axis"};
+
+inline constexpr std::array<std::string_view, base::axis_count> axis_names = {"X", "Y", "Z", "A", "B",
+                                                                              "C", "U", "V", "W"};
+
+/// A key by the field of base::Subject that it gives: of a linear axis, in mm, and of a rotary one, in degrees.
+struct Key {
+  std::string_view field, linear, rotary;
+};
+
+/// Of [axis.X]. Without the first five there is no axis.
+inline constexpr std::array<Key, 13> axis_keys = {
+    {{machine::field::travel, "travel_mm", "travel_deg"},
+     {machine::field::velocity, "max_velocity_mm_s", "max_velocity_deg_s"},
+     {machine::field::acceleration, "max_acceleration_mm_s2", "max_acceleration_deg_s2"},
+     {machine::field::jerk, "max_jerk_mm_s3", "max_jerk_deg_s3"},
+     {machine::field::blu, "blu_mm", "blu_deg"},
+     {machine::field::pitch_errors, "pitch_errors_mm", "pitch_errors_deg"},
+     {machine::field::backward_pitch_errors, "pitch_errors_backward_mm", "pitch_errors_backward_deg"},
+     {machine::field::backlash, "backlash_mm", "backlash_deg"},
+     {machine::field::takeup_velocity, "backlash_takeup_mm_s", "backlash_takeup_deg_s"},
+     {machine::all_step_times[0].name, "step_length_us", "step_length_us"},
+     {machine::all_step_times[1].name, "step_space_us", "step_space_us"},
+     {machine::all_step_times[2].name, "direction_setup_us", "direction_setup_us"},
+     {machine::all_step_times[3].name, "direction_hold_us", "direction_hold_us"}}};
+inline constexpr std::size_t needed_axis_key_count = 5;
+
+/// A table in [axis.X].
+inline constexpr std::string_view drive_key = "drive";
+
+/// Of [axis.X.drive], beside two that are words. In the order of machine::drive_numbers, whose names are the fields.
+inline constexpr std::array<Key, machine::drive_numbers.size()> drive_keys = {
+    {{machine::drive_numbers[0].name, "position_gain_per_s", "position_gain_per_s"},
+     {machine::drive_numbers[1].name, "velocity_gain_per_s", "velocity_gain_per_s"},
+     {machine::drive_numbers[2].name, "velocity_integral_per_s2", "velocity_integral_per_s2"},
+     {machine::drive_numbers[3].name, "max_acceleration_mm_s2", "max_acceleration_deg_s2"},
+     {machine::drive_numbers[4].name, "damping_per_s", "damping_per_s"},
+     {machine::drive_numbers[5].name, "gain_mm_s", "gain_deg_s"},
+     {machine::drive_numbers[6].name, "time_constant_ms", "time_constant_ms"},
+     {machine::drive_numbers[7].name, "proportional_per_mm", "proportional_per_deg"},
+     {machine::drive_numbers[8].name, "integral_per_mm_s", "integral_per_deg_s"},
+     {machine::drive_numbers[9].name, "derivative_per_mm", "derivative_per_deg"},
+     {machine::drive_numbers[10].name, "command_limit", "command_limit"},
+     {machine::drive_numbers[11].name, "velocity_forward", "velocity_forward"},
+     {machine::drive_numbers[12].name, "acceleration_forward", "acceleration_forward"},
+     {machine::drive_numbers[13].name, "friction_mm_s2", "friction_deg_s2"},
+     {machine::drive_numbers[14].name, "breakaway_mm_s2", "breakaway_deg_s2"},
+     {machine::drive_numbers[15].name, "encoder_counts_per_mm", "encoder_counts_per_deg"}}};
+inline constexpr std::string_view controller_key = "controller", encoder_key = "encoder";
+
+/// Of the axis' kind.
+constexpr std::string_view text_of(const Key& key, base::Axis axis) {
+  return base::is_rotary(axis) ? key.rotary : key.linear;
+}
+
+/// The key of [axis.X] that gives this field; empty where none does.
+std::string_view axis_key_of(base::Axis axis, std::string_view field);
+
+/// Every key of [axis.X], of [axis.X.drive], and those without which there is no axis.
+std::vector<std::string_view> all_axis_keys(base::Axis axis);
+std::vector<std::string_view> all_drive_keys(base::Axis axis);
+std::vector<std::string_view> needed_keys(base::Axis axis);
+
+/// "axis.X"
+std::string section_of(base::Axis axis);
+
+/// "axis.X.drive"
+std::string drive_section_of(base::Axis axis);
+
+/// Of a kinematics that is not known: says whether it is one of the contract, or probably a misspelt one.
+void explain_kinematics(base::Diagnostic& problem, std::string_view kinematics);
+
+}  // namespace leadscrew::config

@@ -1,0 +1,156 @@
+// G2 and G3: arcs, helices and full circles.
+
+#include <cmath>
+#include <cstdlib>
+#include <leadscrew/gcode/interpreter.hpp>
+#include <leadscrew/gcode/number.hpp>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+constexpr double most_turns = 100'000;
+
+// Along the helix, in X, Y and Z.
+double arc_length(PlanePoint start, const Interpreter::ArcPlan& plan, const Move& arc) {
+  const int direction = plan.turns > 0 ? 1 : -1;
+  const PlanePoint center = plan.circle.center;
+  const double angle = sweep(start, plan.circle.end, center, direction) +
+                       (std::abs(plan.turns) - 1) * sweep(start, start, center, direction);
+  const std::size_t normal = base::index(normal_axis(arc.plane));
+  return std::hypot(plan.radius * angle, arc.end[normal] - arc.start[normal]);
+}
+
+// I, J and K go with X, Y and Z.
+constexpr char offset_letter(base::Axis axis) {
+  return static_cast<char>('I' + base::index(axis));
+}
+
+}  // namespace
+
+bool Interpreter::arc_center(const Block& block, PlanePoint start, PlanePoint& center) {
+  const base::Axis first = first_axis(plane_);
+  const base::Axis second = second_axis(plane_);
+  const char first_letter = offset_letter(first);
+  const char second_letter = offset_letter(second);
+  if (!block.has(first_letter) && !block.has(second_letter)) {
+    return error("missing-word", motion_column(block), "the arc has neither a centre nor a radius",
+                 std::string("give ") + first_letter + " and " + second_letter + ", or R");
+  }
+  double a = block.value_or(first_letter, 0) * frame_.length_unit;
+  double b = block.value_or(second_letter, 0) * frame_.length_unit;
+  if (arc_distance_ == Distance::incremental) {
+    // Rotation is about Z and only arcs of the XY plane get here with one: first is X, second is Y.
+    if (frame_.is_rotated()) frame_.rotate(a, b);
+    center = {start.first + a, start.second + b};
+    return true;
+  }
+  if (!block.has(first_letter) || !block.has(second_letter)) {
+    return error("missing-word", motion_column(block), "the arc has half a centre",
+                 std::string("G90.1 needs both ") + first_letter + " and " + second_letter);
+  }
+  base::AxisVector program{};
+  program[base::index(first)] = a;
+  program[base::index(second)] = b;
+  center = in_plane(frame_.to_machine(program), plane_);
+  return true;
+}
+
+bool Interpreter::report_circle(const Block& block, const ArcCircle& circle) {
+  const std::uint32_t column = motion_column(block);
+  switch (circle.problem) {
+    case ArcCircle::Problem::none:
+      return true;
+    case ArcCircle::Problem::zero_radius:
+      return error("arc-radius", column, "arc radius is 0", "the centre must be away from both ends");
+    case ArcCircle::Problem::radii_differ:
+      return error("arc-radius", column, "arc radius differs by " + text(circle.difference) + " mm at its ends",
+                   "the centre must be as far from the start as from the end");
+    case ArcCircle::Problem::radius_too_small:
+      return error("arc-radius", column,
+                   "arc radius is too small by " + text(circle.difference) + " mm to reach its end",
+                   "R must be at least half the distance from start to end");
+    case ArcCircle::Problem::ends_coincide:
+      return error("arc-radius", column, "an arc by radius ends where it begins",
+                   "give the centre of a full circle by I, J or K");
+  }
+  return false;
+}
+
+// How often the arc turns, and about where; false where that cannot be known.
+bool Interpreter::plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan) {
+  const ArcTolerance tolerance = arc_tolerance(frame_.length_unit != 1);
+  const int direction = to_do_ == 30 ? 1 : -1;
+  const std::optional<int> turns = block.has('P') ? as_integer(block['P']) : 1;
+  if (!turns || *turns < 1 || *turns > most_turns) {
+    return error("bad-value", block.column_of('P'), "an arc has P" + text(block['P']), "an integer from 1 to 100000");
+  }
+  plan.turns = direction * *turns;
+  if (frame_.is_rotated() && plane_ != Plane::XY) {
+    return error("unsupported-rotation", motion_column(block), "an arc of G18 or G19 in a rotated coordinate system",
+                 "rotated systems take arcs of G17 only");
+  }
+  const bool centred = block.has(offset_letter(first_axis(plane_))) || block.has(offset_letter(second_axis(plane_)));
+  if (block.has('R') && centred) {
+    return error("ambiguous-word", block.column_of('R'), "the arc has a radius and a centre", "give one of them");
+  }
+  if (block.has('R')) {
+    plan.circle = circle_by_radius(start, end, block['R'] * frame_.length_unit, direction, tolerance);
+  } else {
+    PlanePoint center;
+    if (!arc_center(block, start, center)) return false;
+    plan.circle = circle_by_center(start, end, center, direction, *turns, tolerance);
+  }
+  plan.radius = std::hypot(start.first - plan.circle.center.first, start.second - plan.circle.center.second);
+  return report_circle(block, plan.circle);
+}
+
+// Only a circle that reaches beyond a limit is worth finding out how far along it the arc goes.
+void Interpreter::arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan) {
+  const base::Axis first = first_axis(plane_);
+  const base::Axis second = second_axis(plane_);
+  const auto reaches = [&](base::Axis axis, double center) {
+    return center - plan.radius < travel_low_[base::index(axis)] ||
+           center + plan.radius > travel_high_[base::index(axis)];
+  };
+  const ArcCircle& circle = plan.circle;
+  if (!reaches(first, circle.center.first) && !reaches(second, circle.center.second)) return;
+  const PlaneBox box = arc_extent(start, circle.end, circle.center, plan.turns);
+  bulge_inside(block, first, box.low.first, box.high.first) &&
+      bulge_inside(block, second, box.low.second, box.high.second);
+}
+
+void Interpreter::arc(const Block& block) {
+  const base::AxisVector target = target_of(block);
+  const PlanePoint start = in_plane(frame_.position, plane_);
+  ArcPlan plan;
+  const bool known = plan_arc(block, start, in_plane(target, plane_), plan);
+  Feed feed;
+  feed_of(block, is_linear(target), block.has('F'), feed);
+  // Only a line comes back from outside at once.
+  const bool from_outside = fails_outside(block);
+  inside_travel(block, target);
+  if (!known) {
+    frame_.position = target;
+    return;
+  }
+  if (!from_outside) arc_inside(block, start, plan);
+
+  Move& arc = emit(Move::Kind::arc);
+  arc.end = target;
+  arc.end[base::index(first_axis(plane_))] = plan.circle.end.first;
+  arc.end[base::index(second_axis(plane_))] = plan.circle.end.second;
+  arc.center_first = plan.circle.center.first;
+  arc.center_second = plan.circle.center.second;
+  arc.turns = plan.turns;
+  arc.feed = feed;
+  frame_.position = arc.end;
+  if (frame_.position == target) return;
+  // The line that leads on from an arc that nearly closes goes at the speed of the arc.
+  if (feed.mode == Feed::Mode::per_second) {
+    feed = {Feed::Mode::units_per_second, arc_length(start, plan, arc) * feed.value};
+  }
+  line_to(block, target, feed);
+}
+
+}  // namespace leadscrew::gcode

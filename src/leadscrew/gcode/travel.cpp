@@ -1,0 +1,84 @@
+// What leaves the machine's travel: lines by their ends, arcs and curves by how far they bulge.
+
+#include <leadscrew/gcode/interpreter.hpp>
+#include <leadscrew/gcode/number.hpp>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+const char* unit_of(base::Axis axis) {
+  return base::is_rotary(axis) ? " degrees" : " mm";
+}
+
+}  // namespace
+
+void Interpreter::report_travel(base::Axis axis, double value, std::uint32_t column) {
+  const machine::AxisLimits& limits = machine_.limits(axis);
+  const char* const unit = unit_of(axis);
+  error("travel", column,
+        std::string("axis ") + base::letter(axis) + " would be at " + text(value) + unit + ", outside its travel",
+        "from " + text(limits.travel_min) + " to " + text(limits.travel_max) + unit + " in machine coordinates");
+}
+
+void Interpreter::note_outside() {
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    if (travel_low_[i] <= frame_.position[i] && frame_.position[i] <= travel_high_[i]) {
+      outside_.erase(axis);
+    } else {
+      outside_.insert(axis);
+    }
+  }
+}
+
+bool Interpreter::fails_outside(const Block& block) {
+  if (outside_.empty()) return false;
+  reporter_.fail();
+  for (const base::Axis axis : base::all_axes) {
+    if (!outside_.contains(axis) || reported_outside_.contains(axis) || reporter_.muted()) continue;
+    reported_outside_.insert(axis);
+    report_travel(axis, frame_.position[base::index(axis)], motion_column(block));
+  }
+  return true;
+}
+
+// An axis is reported when it leaves its travel, not for every block that it spends outside.
+bool Interpreter::axis_inside(base::Axis axis, double value, std::uint32_t column) {
+  const std::size_t i = base::index(axis);
+  if (travel_low_[i] <= value && value <= travel_high_[i]) {
+    outside_.erase(axis);
+    reported_outside_.erase(axis);
+    return true;
+  }
+  reporter_.fail();
+  outside_.insert(axis);
+  if (reported_outside_.contains(axis)) return false;
+  if (!reporter_.muted()) reported_outside_.insert(axis);
+  report_travel(axis, value, column);
+  return false;
+}
+
+bool Interpreter::inside_travel(const Block& block, const base::AxisVector& target) {
+  bool inside = true;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    const char letter = base::letter(axis);
+    if (target[i] == frame_.position[i] && !block.has(letter)) continue;
+    inside &= axis_inside(axis, target[i], block.has(letter) ? block.column_of(letter) : motion_column(block));
+  }
+  // An axis that stays outside keeps the others from moving.
+  if (inside) fails_outside(block);
+  return inside;
+}
+
+bool Interpreter::bulge_inside(const Block& block, base::Axis axis, double low, double high) {
+  const std::size_t i = base::index(axis);
+  const bool below = low < travel_low_[i];
+  if (!below && high <= travel_high_[i]) return true;
+  reporter_.fail();
+  if (!outside_.contains(axis)) report_travel(axis, below ? low : high, motion_column(block));
+  return false;
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,97 @@
+#pragma once
+// The least time by a logarithmic barrier and Newton's method (Boyd and Vandenberghe, "Convex Optimization", ch. 11)
+// with a banded factorisation: linear in the number of knots.
+//
+//     minimise  t·(T + E) − Σ log(1 − ratio)        T = ∫ x^(−1/2) ds, ratios of caps c/C, of rows A² and g²x
+//
+// for t that grows eightfold until the distance from the optimum, at most the number of inequalities over t, is small
+// enough. E is 0 but where a speed is wanted that lies below the present one: what is above it costs more than time.
+
+#include <array>
+#include <cstddef>
+#include <leadscrew/numeric/banded.hpp>
+#include <leadscrew/planner/speed_bounds.hpp>
+#include <leadscrew/planner/speed_problem.hpp>
+#include <span>
+#include <vector>
+
+namespace leadscrew::planner {
+
+/// The speed that is wanted; time alone counts where nothing is said.
+struct SpeedGoal {
+  std::vector<double> wanted;  ///< x at the problem's Gauss places; none: as great as can be
+  std::vector<double> floors;  ///< of the coefficients, which stay strictly above; none: 0
+};
+
+/// Coefficients of x, and the variables that they come from.
+class SpeedIterate {
+ public:
+  /// Coefficients that are given stay as they are here.
+  void set(const SpeedProblem& problem, std::vector<double> coefficients);
+
+  const std::vector<double>& coefficients() const { return c_; }
+  const std::vector<double>& variables() const { return variables_; }
+  /// Less `length` times the direction, a number for each variable.
+  void step_back(const SpeedProblem& problem, std::span<const double> direction, double length, SpeedIterate& to) const;
+
+ private:
+  std::vector<double> c_, variables_;
+};
+
+/// One use: from a start strictly inside the bounds. What it is given must outlive it; the bounds may be relaxed less
+/// between stages.
+class BarrierSolver {
+ public:
+  BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal, SpeedIterate& iterate);
+
+  /// From `first_gap` of the objective, relative, to within `gap` of the optimum. far_inside() is called after every
+  /// stage that is at least a tenth of the objective from it.
+  template <typename FarInside>
+  void optimize(double first_gap, double gap, const FarInside& far_inside) {
+    double t = weight_of(first_gap);
+    for (int stage = 0; stage < 30; ++stage) {
+      const double left = inequalities_ / t / follow(t);
+      if (left > 0.1) far_inside();
+      if (left < gap) break;
+      t *= 8;
+    }
+  }
+  /// As deep inside the bounds as the optimum within `gap` is.
+  void center(double gap) { follow(weight_of(gap)); }
+
+  int newton_steps() const { return newton_steps_; }
+
+ private:
+  struct Step {
+    double value = 0;      ///< t·objective plus barrier; infinite outside
+    double objective = 0;  ///< T + E
+  };
+  class Product;
+
+  double weight_of(double gap) const { return inequalities_ / (gap * measure(iterate_.coefficients(), 1).objective); }
+  double follow(double t);
+  bool newton(double t, Step& at, double& decrement);
+  Step measure(const std::vector<double>& c, double t) const;
+  bool measure_caps(const std::vector<double>& c, Product& barrier) const;
+  bool measure_objective(const std::vector<double>& c, double& objective) const;
+  bool measure_rows(const std::vector<double>& c, Product& barrier) const;
+  bool measure_places(const std::vector<double>& c, Product& barrier) const;
+  void assemble(double t);
+  void assemble_coefficients(double t);
+  void add_single(std::size_t coefficient, double slope, double curvature);
+  void keep_below(std::size_t coefficient, double greatest);
+  void spend_on_ramp(std::size_t coefficient, double ramp, double t);
+
+  const SpeedProblem& problem_;
+  const SpeedBounds& bounds_;
+  const SpeedGoal& goal_;
+  SpeedIterate& iterate_;
+  SpeedIterate trial_;
+  std::vector<double> floors_;
+  double inequalities_;
+  numeric::BandedMatrix<3> hessian_;
+  std::vector<double> gradient_, direction_;
+  int newton_steps_ = 0;
+};
+
+}  // namespace leadscrew::planner

@@ -1,0 +1,329 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/planner/speed_problem.hpp>
+#include <limits>
+#include <utility>
+
+namespace leadscrew::planner {
+
+namespace {
+
+using constraints::RowPairs;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double least_peak = 0.01;      // of a limit, by the curve alone at the greatest speed
+constexpr std::size_t most_borders = 7;  // between polynomials, that an interval has sites for
+// Of the limits, for what lies between the places looked at and for the step from spline to quintics:
+constexpr double limit_margin = 0.9995;      // of acceleration and jerk
+constexpr double feed_margin = 1 - 1e-7;     // of the programmed speed, squared
+constexpr double turning_margin = 1 - 3e-4;  // of the speed, squared, where it is an axis' that trades with others
+constexpr std::size_t creep_tail = 3;        // of the intervals at an end in motion: all their coefficients creep
+
+std::array<double, 6> around(const std::vector<double>& s, std::size_t k) {
+  std::array<double, 6> t;
+  const auto last = static_cast<std::ptrdiff_t>(s.size()) - 1;
+  for (std::ptrdiff_t i = 0; i < 6; ++i) {
+    t[static_cast<std::size_t>(i)] =
+        s[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(k) + i - 2, 0, last))];
+  }
+  return t;
+}
+
+/// c₀, c₁, c₂ of a clamped spline that goes on from x ∝ s^(4/3) at s₁, for x(s₁) = 1: x′ = 4/(3s₁), x″ = 4/(9s₁²).
+std::array<double, 3> rest_tie(double s1, double h0, double h1) {
+  const double slope = 4 / (3 * s1), bend = 4 / (9 * s1 * s1);
+  const double g1 = 1 + slope * h0 / 3;
+  return {1, g1, g1 + (h0 + h1) / 3 * (bend * h0 / 2 + slope)};
+}
+
+/// Do derivatives of the curve lie above those at both ends of an interval, by as much as counts at this speed?
+bool is_above(const RowPairs& here, const RowPairs& left, const RowPairs& right, double fastest) {
+  const auto above = [](double m, double x, double y, double counts) {
+    return std::abs(m) > std::max(1.001 * std::max(std::abs(x), std::abs(y)), counts);
+  };
+  for (std::size_t i = 0; i < RowPairs::size; ++i) {
+    const auto& [a, j] = here.pairs[i];
+    const auto& [left_a, left_j] = left.pairs[i];
+    const auto& [right_a, right_j] = right.pairs[i];
+    if (above(a.by_x, left_a.by_x, right_a.by_x, least_peak * a.limit / squared(fastest)) ||
+        above(j.by_x, left_j.by_x, right_j.by_x, least_peak * j.limit / (squared(fastest) * fastest))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+/// Goes along the knots once.
+class SpeedProblem::Builder {
+ public:
+  Builder(SpeedProblem& problem, const Section& section, const constraints::Constraints& constraints,
+          double feed_factor)
+      : problem_(problem), section_(section), constraints_(constraints), feed_factor_(feed_factor) {}
+
+  void build() {
+    place_basis();
+    reserve();
+    const std::vector<double>& s = problem_.knots_.s;
+    const std::size_t n = problem_.intervals();
+    problem_.caps_.knots.assign(n + 1, infinity);
+    problem_.caps_.middles.assign(n, infinity);
+    left_ = look(s[0], Side::right);
+    problem_.caps_.knots[0] = left_.cap;
+    add_site(0, 0, left_.rows);
+    for (std::size_t k = 0; k < n; ++k) add_interval(k);
+    cap_coefficients();
+  }
+
+ private:
+  /// What is asked at one place.
+  struct Look {
+    RowPairs rows;
+    double cap = 0;  ///< greatest x
+  };
+  RowPairs rows_at(double s, Side side) const { return constraints_.row_pairs({section_.jets(s, side), infinity}); }
+  Look look(double s, Side side) const {
+    const geometry::PointJet jet = section_.jets(s, side);
+    const double feed = feed_factor_ * section_.greatest_speed(s, side, jet);
+    const double square = constraints_.greatest_square({jet, feed});
+    const bool by_feed = square == squared(feed);
+    return {constraints_.row_pairs({jet, infinity}), (turns(jet) && !by_feed ? turning_margin : feed_margin) * square};
+  }
+
+  void place_basis() {
+    const std::vector<double>& s = problem_.knots_.s;
+    const std::size_t n = problem_.intervals();
+    problem_.basis_.reserve(n);
+    problem_.gauss_.reserve(3 * n);
+    for (std::size_t k = 0; k < n; ++k) {
+      problem_.basis_.emplace_back(around(s, k));
+      for (const double u : gauss_places) problem_.gauss_.push_back(problem_.basis_[k].value(u));
+    }
+    if (problem_.starts_at_rest()) problem_.start_tie_ = rest_tie(problem_.knots_.start_ramp, s[1] - s[0], s[2] - s[1]);
+    if (problem_.ends_at_rest())
+      problem_.end_tie_ = rest_tie(problem_.knots_.end_ramp, s[n] - s[n - 1], s[n - 1] - s[n - 2]);
+  }
+
+  /// Two sites an interval and one more at a break; some more where the curve's derivatives have peaks.
+  void reserve() {
+    const Knots& knots = problem_.knots_;
+    const std::size_t n = problem_.intervals();
+    std::size_t sites = 2 * n + static_cast<std::size_t>(std::count(knots.breaks.begin(), knots.breaks.end(), true));
+    sites += sites / 4;
+    problem_.sites_.reserve(sites);
+    const RowPairs first = rows_at(knots.s[0], Side::right), half_way = rows_at(knots.s[n / 2], Side::right),
+                   last = rows_at(knots.s[n], Side::left);
+    std::size_t moving = 0;
+    for (std::size_t i = 0; i < RowPairs::size; ++i)
+      moving += first.pairs[i].bounds() || half_way.pairs[i].bounds() || last.pairs[i].bounds();
+    problem_.rows_.reserve(sites * moving);
+  }
+
+  void add_interval(std::size_t k) {
+    const Knots& knots = problem_.knots_;
+    SquareCaps& caps = problem_.caps_;
+    const double begin = knots.s[k], end = knots.s[k + 1], half = (begin + end) / 2;
+    const Look middle = look(half, Side::left), right = look(end, Side::left);
+    caps.middles[k] = middle.cap;
+    caps.knots[k + 1] = right.cap;
+    if (k > 0 && knots.breaks[k]) add_site(k, 0, left_.rows);
+    add_hull(k, {&left_.rows, &middle.rows, &right.rows});
+    const double fastest = std::sqrt(std::max({caps.middles[k], caps.knots[k], caps.knots[k + 1]}));
+    // Where the curve is made of several polynomials, peaks may lie anywhere.
+    const bool peak = is_above(middle.rows, left_.rows, right.rows, fastest);
+    const std::size_t borders = std::min(section_.borders(begin, end), most_borders);
+    const std::size_t inside = borders > 0 || peak ? std::max<std::size_t>(3, 2 * borders + 1) : 0;
+    for (std::size_t i = 1; i <= inside; ++i) {
+      const double u = static_cast<double>(i) / static_cast<double>(inside + 1);
+      const RowPairs here = 2 * i == inside + 1 ? middle.rows : rows_at(begin + u * (end - begin), Side::left);
+      if ((peak && inside == 3) || is_above(here, left_.rows, right.rows, fastest)) add_site(k, u, here);
+    }
+    add_site(k, 1, right.rows);
+    left_ = right;
+    if (knots.breaks[k + 1]) {
+      left_ = look(end, Side::right);
+      caps.knots[k + 1] = std::min(caps.knots[k + 1], left_.cap);
+    }
+  }
+
+  Site& begin_site(std::size_t interval, const Four& x) {
+    const auto row = static_cast<std::uint32_t>(problem_.rows_.size());
+    return problem_.sites_.emplace_back(Site{static_cast<std::uint32_t>(interval), row, row, false, x});
+  }
+
+  void add_site(std::size_t interval, double u, const RowPairs& at) {
+    const CubicBasis& basis = problem_.basis_[interval];
+    const Four x = basis.value(u), slope = basis.slope(u), bend = basis.bend(u);
+    Site& site = begin_site(interval, x);
+    for (const RowPairs::Pair& pair : at.pairs) {
+      if (!pair.bounds()) continue;
+      const auto& [acceleration, jerk] = pair;
+      const double a = 1 / (limit_margin * acceleration.limit), j = 1 / (limit_margin * jerk.limit);
+      Row& row = problem_.rows_.emplace_back();
+      for (std::size_t k = 0; k < 4; ++k) {
+        row.acceleration[k] = a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
+        row.jerk[k] = j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
+      }
+    }
+    site.end_row = static_cast<std::uint32_t>(problem_.rows_.size());
+  }
+
+  /// Where widths of neighbours differ, the parabola is told less well: jerk is taken a little greater.
+  double jerk_factor(std::size_t interval) const {
+    const std::vector<double>& s = problem_.knots_.s;
+    const double h = problem_.basis_[interval].h;
+    double uneven = 0;
+    if (interval > 0) uneven = std::max(uneven, std::abs(problem_.basis_[interval - 1].h / h - 1));
+    if (interval + 2 < s.size()) uneven = std::max(uneven, std::abs((s[interval + 2] - s[interval + 1]) / h - 1));
+    uneven = std::min(uneven, 0.4);
+    return uneven > 0.04 ? 1 + 0.04 * uneven * uneven : 1;
+  }
+
+  void add_hull(std::size_t interval, const std::array<const RowPairs*, 3>& at) {
+    const CubicBasis& basis = problem_.basis_[interval];
+    const double of_jerk = jerk_factor(interval);
+    const std::array<double, 3> places = {0, 0.5, 1}, parts = {-0.5, 2, -0.5};
+    Site& site = begin_site(interval, basis.value(0.5));
+    site.hull = true;
+    for (std::size_t i = 0; i < RowPairs::size; ++i) {
+      const auto bounds = [&](const RowPairs* rows) { return rows->pairs[i].bounds(); };
+      if (std::none_of(at.begin(), at.end(), bounds)) continue;
+      Row& row = problem_.rows_.emplace_back();
+      for (std::size_t p = 0; p < 3; ++p) {
+        const auto& [acceleration, jerk] = at[p]->pairs[i];
+        const double a = 1 / (limit_margin * acceleration.limit), j = of_jerk / (limit_margin * jerk.limit);
+        const Four x = basis.value(places[p]), slope = basis.slope(places[p]), bend = basis.bend(places[p]);
+        for (std::size_t k = 0; k < 4; ++k) {
+          row.acceleration[k] += parts[p] * a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
+          row.jerk[k] += parts[p] * j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
+        }
+      }
+    }
+    site.end_row = static_cast<std::uint32_t>(problem_.rows_.size());
+  }
+
+  /// A coefficient is no greater than the greatest x over the two intervals in the middle of its reach; the spline lies
+  /// in the hull of its coefficients. Where the programmed speed falls at a knot, the smaller holds on both sides.
+  void cap_coefficients() {
+    const std::size_t n = problem_.intervals();
+    const std::vector<bool>& breaks = problem_.knots_.breaks;
+    SquareCaps& caps = problem_.caps_;
+    caps.coefficients.assign(n + 3, infinity);
+    for (std::size_t i = 0; i < n + 3; ++i) {
+      const std::size_t from = i >= 2 ? std::min(i - 2, n - 1) : 0, to = i >= 1 ? std::min(i - 1, n - 1) : 0;
+      double greatest = 0;
+      bool step = false;
+      for (std::size_t k = from; k <= to; ++k) {
+        greatest = std::max({greatest, caps.middles[k], caps.knots[k], caps.knots[k + 1]});
+        step = step || breaks[k] || breaks[k + 1];
+      }
+      if (step) {
+        for (std::size_t k = from; k <= to; ++k)
+          greatest = std::min({greatest, caps.middles[k], caps.knots[k], caps.knots[k + 1]});
+      }
+      caps.coefficients[i] = greatest;
+    }
+  }
+
+  SpeedProblem& problem_;
+  const Section& section_;
+  const constraints::Constraints& constraints_;
+  double feed_factor_;
+  Look left_;  ///< at the knot that has been reached, looking on
+};
+
+SpeedProblem::SpeedProblem(const Section& section, const constraints::Constraints& constraints, Knots knots,
+                           double feed_factor)
+    : knots_(std::move(knots)) {
+  Builder(*this, section, constraints, feed_factor).build();
+  find_creep();
+  tie_variables();
+}
+
+/// Largest |A| and |g| over coefficients between 0 and a bound are no greater than the rows' sums of magnitudes times
+/// it: the bound for which each row alone is kept with a margin.
+double SpeedProblem::bound_of_rows(const Site& site) const {
+  double bound = infinity;
+  for (const Row& row : rows(site)) {
+    double by_a = 0, by_j = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      by_a += std::abs(row.acceleration[j]);
+      by_j += std::abs(row.jerk[j]);
+    }
+    if (by_a > 0) bound = std::min(bound, 0.3 / by_a);
+    if (by_j > 0) bound = std::min(bound, std::pow(0.3 / by_j, 2.0 / 3));
+  }
+  return bound;
+}
+
+/// At most half of the caps, inside every row, and from coefficient to coefficient no steeper than 1.5.
+void SpeedProblem::find_creep() {
+  const std::size_t n = intervals();
+  std::vector<double>& y = creep_;
+  y.assign(n + 3, infinity);
+  for (std::size_t i = 0; i < n + 3; ++i) y[i] = 0.5 * caps_.coefficients[i];
+  for (const Site& site : sites_) {
+    if (site.hull) continue;
+    const double bound = bound_of_rows(site);
+    for (std::size_t j = 0; j < 4; ++j) y[site.interval + j] = std::min(y[site.interval + j], bound);
+  }
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 1; i < n + 3; ++i) y[i] = std::min(y[i], 1.5 * y[i - 1]);
+    for (std::size_t i = n + 2; i-- > 0;) y[i] = std::min(y[i], 1.5 * y[i + 1]);
+    tie_creep();
+  }
+}
+
+void SpeedProblem::tie_creep() {
+  const std::size_t n = intervals();
+  double start = infinity, end = infinity;
+  for (std::size_t j = 0; j < 3; ++j) {
+    start = std::min(start, creep_[j] / start_tie_[j]);
+    end = std::min(end, creep_[n + 2 - j] / end_tie_[j]);
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (starts_at_rest()) creep_[j] = start * start_tie_[j];
+    if (ends_at_rest()) creep_[n + 2 - j] = end * end_tie_[j];
+  }
+}
+
+void SpeedProblem::tie_variables() {
+  const std::size_t n = intervals();
+  variable_.assign(n + 3, -1);
+  weight_.assign(n + 3, 1.0);
+  const std::size_t first = starts_at_rest() ? 2 : 3;  // the first free coefficient, or the last that is tied to it
+  const std::size_t last = ends_at_rest() ? n : n - creep_tail;
+  for (std::size_t i = starts_at_rest() ? 0 : 3; i < n + 3; ++i) {
+    variable_[i] = static_cast<std::int32_t>(std::clamp(i, first, last) - first);
+    if (i <= 2) weight_[i] = start_tie_[i];
+    if (ends_at_rest() && i >= n) weight_[i] = end_tie_[n + 2 - i];
+    if (!ends_at_rest() && i >= last) weight_[i] = creep_[i] / creep_[last];
+  }
+  variable_count_ = last - first + 1;
+}
+
+double SpeedProblem::greatest_ratio(const Site& site, std::span<const double> c) const {
+  const double* at = &c[site.interval];
+  const double x = dot(site.x, at);
+  if (!(x > 0)) return infinity;
+  double greatest = 0;
+  for (const Row& row : rows(site)) {
+    greatest = std::max({greatest, std::abs(dot(row.acceleration, at)), std::abs(dot(row.jerk, at)) * std::sqrt(x)});
+  }
+  return greatest;
+}
+
+void SpeedProblem::shift(double by) {
+  for (double& s : knots_.s) s -= by;
+}
+
+void SpeedProblem::settle() {
+  gauss_ = {};
+  weight_ = {};
+  caps_ = {};
+  sites_.shrink_to_fit();
+  rows_.shrink_to_fit();
+}
+
+}  // namespace leadscrew::planner

@@ -1,0 +1,107 @@
+#pragma once
+// The problem that a speed profile solves, fixed once it is made: where x(s) = ṡ² is looked at, the rows that bound it
+// there and the greatest x.
+//
+// With the coefficients c of the cubic spline x, b = x′/2 = s̈ and c = x″/2, a row of constraints/row.hpp is linear in
+// the four coefficients that bear upon its interval: A by its limit and g by its limit, so that
+//
+//     |A| ≤ 1          g²x ≤ 1
+//
+// Rows stand at every knot and, as the middle ordinate of the parabola through an interval's ends and middle (the
+// "hull"), between knots; at some places more where the curve's derivatives have a peak inside an interval.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <leadscrew/constraints/constraints.hpp>
+#include <leadscrew/planner/cubic_basis.hpp>
+#include <leadscrew/planner/knots.hpp>
+#include <leadscrew/planner/section.hpp>
+#include <span>
+#include <vector>
+
+namespace leadscrew::planner {
+
+/// Places of an interval for three-point Gauss quadrature, and their weights.
+inline constexpr std::array<double, 3> gauss_places = {0.1127016653792583, 0.5, 0.8872983346207417};
+inline constexpr std::array<double, 3> gauss_weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+/// Greatest x: of the coefficients, which holds between knots as well; at the knots; in the middle of the intervals.
+struct SquareCaps {
+  std::vector<double> coefficients, knots, middles;
+};
+
+class SpeedProblem {
+ public:
+  /// Two limits as functions of the four coefficients of the interval, by their limits.
+  struct Row {
+    Four acceleration{}, jerk{};
+  };
+  /// A place of an interval where rows are kept; `x` is what g² is multiplied by.
+  struct Site {
+    std::uint32_t interval = 0, first_row = 0, end_row = 0;
+    bool hull = false;
+    Four x{};
+  };
+
+  /// Programmed feed is multiplied by `feed_factor`.
+  SpeedProblem(const Section& section, const constraints::Constraints& constraints, Knots knots, double feed_factor);
+
+  const Knots& knots() const { return knots_; }
+  std::size_t intervals() const { return knots_.intervals; }
+  bool starts_at_rest() const { return knots_.start_ramp > 0; }
+  bool ends_at_rest() const { return knots_.end_ramp > 0; }
+  std::span<const CubicBasis> basis() const { return basis_; }
+  /// Values of the basis at the Gauss places, three an interval.
+  std::span<const Four> gauss() const { return gauss_; }
+  std::span<const Site> sites() const { return sites_; }
+  std::span<const Row> rows(const Site& site) const {
+    return {rows_.data() + site.first_row, rows_.data() + site.end_row};
+  }
+  /// As asked by feed and every other limit of speed.
+  const SquareCaps& caps() const { return caps_; }
+  /// Coefficients of the creep profile; any between 0 and these are inside every row, those tied kept in proportion.
+  std::span<const double> creep() const { return creep_; }
+
+  /// How many inequalities the barrier keeps.
+  std::size_t inequalities() const { return 2 * (rows_.size() + caps_.coefficients.size() + intervals()) + 1; }
+
+  // Coefficients that are one variable: three at a rest, in the ratio of x ∝ s^(4/3); all in the creep before an end in
+  // motion. Three are given where the window begins in motion.
+
+  std::size_t variables() const { return variable_count_; }
+  bool is_free(std::size_t coefficient) const { return variable_[coefficient] >= 0; }
+  /// Of a free coefficient.
+  std::size_t variable(std::size_t coefficient) const { return static_cast<std::size_t>(variable_[coefficient]); }
+  /// Coefficient over variable.
+  double weight(std::size_t coefficient) const { return weight_[coefficient]; }
+
+  /// x at a place of the site, and the largest ratio of its rows for these coefficients; infinite where x ≤ 0.
+  double greatest_ratio(const Site& site, std::span<const double> c) const;
+
+  /// Every place on the section is less by `by`.
+  void shift(double by);
+  /// Gives back the memory that only solving takes.
+  void settle();
+
+ private:
+  class Builder;
+  void find_creep();
+  void tie_creep();
+  void tie_variables();
+  double bound_of_rows(const Site& site) const;
+
+  Knots knots_;
+  std::vector<CubicBasis> basis_;
+  std::vector<Four> gauss_;
+  std::vector<Site> sites_;
+  std::vector<Row> rows_;
+  SquareCaps caps_;
+  std::array<double, 3> start_tie_{}, end_tie_{};
+  std::vector<double> creep_;
+  std::vector<std::int32_t> variable_;  ///< of each coefficient; −1 if it is given
+  std::vector<double> weight_;
+  std::size_t variable_count_ = 0;
+};
+
+}  // namespace leadscrew::planner

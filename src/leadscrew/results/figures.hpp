@@ -1,0 +1,72 @@
+#pragma once
+// What one program's run, check or verification found: what the summary and JSON show.
+
+#include <cstdint>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/time.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/realtime/histogram.hpp>
+#include <leadscrew/referee/referee.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace leadscrew::results {
+
+using Diagnostics = std::vector<base::Diagnostic>;
+
+/// How many of them are as severe as this.
+std::int64_t count(const Diagnostics& diagnostics, base::Severity severity);
+
+/// Where the time of the computer went, in seconds of the steady clock.
+struct Effort {
+  double read = 0;   ///< the program, whole, for its diagnostics
+  double plan = 0;   ///< all calls that prepare words
+  double words = 0;  ///< all calls that make words
+  realtime::Histogram cycles;
+};
+
+/// How far the steps of an axis were led from its words, so that its screw would be where they are.
+struct Correction {
+  base::Axis axis = base::Axis::X;
+  double greatest = 0;  ///< mm or degrees
+};
+
+/// What was written.
+struct StepFigures {
+  std::string method;       ///< "words", or the interpolator's name
+  std::string conventions;  ///< of interpolators by DDAs, for people
+  std::int64_t clock_hz = 0;
+  std::int64_t steps = 0;
+  double time_s = 0;                    ///< of the last step
+  std::optional<double> error_blu;      ///< greatest distance from the words, compensated; none of other methods
+  bool accelerates = false;             ///< a method of its own, kept to the axes' acceleration
+  std::vector<Correction> corrections;  ///< of axes whose screws have errors
+};
+
+/// Of a program that was only read.
+struct CheckFigures {
+  std::int64_t blocks = 0;
+  std::int64_t moves = 0;  ///< lines and arcs
+};
+
+struct RunFigures {
+  pipeline::Summary summary;
+  referee::Verdict verdict;
+  Effort effort;
+  std::vector<std::string> files{};    ///< written
+  std::optional<StepFigures> steps{};  ///< where they were asked for
+
+  /// Did the motion keep what it must, by plan and by referee?
+  bool kept() const;
+};
+
+struct VerifyFigures {
+  std::string trace;
+  base::Period period;
+  referee::Verdict verdict;
+};
+
+}  // namespace leadscrew::results

@@ -1,0 +1,169 @@
+#include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/program_json.hpp>
+
+namespace leadscrew::results {
+
+namespace {
+
+Json object_of(const base::Diagnostic& diagnostic) {
+  return Json::object({{"file", diagnostic.place.file},
+                       {"line", diagnostic.place.line},
+                       {"column", diagnostic.place.column},
+                       {"code", diagnostic.code},
+                       {"severity", base::name(diagnostic.severity)},
+                       {"message", diagnostic.message},
+                       {"hint", diagnostic.hint}});
+}
+
+Json list_of(const std::vector<base::Diagnostic>& diagnostics) {
+  Json list = Json::list();
+  for (const base::Diagnostic& diagnostic : diagnostics) list.push_back(object_of(diagnostic));
+  return list;
+}
+
+Json axis_object(base::Axis axis, double velocity, double acceleration, double jerk) {
+  return Json::object({{"name", std::string(1, base::letter(axis))},
+                       {"velocity_ratio", velocity},
+                       {"acceleration_ratio", acceleration},
+                       {"jerk_ratio", jerk}});
+}
+
+Json axes_of(const referee::Verdict& verdict) {
+  Json list = Json::list();
+  for (const referee::AxisVerdict& axis : verdict.axes) {
+    list.push_back(axis_object(axis.axis, axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio));
+  }
+  return list;
+}
+
+Json plan_of(const constraints::LimitRatios& plan, const machine::Machine& machine) {
+  Json list = Json::list();
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    const machine::Derivatives ratios = plan.of_axis(axis);
+    list.push_back(axis_object(axis, ratios.velocity, ratios.acceleration, ratios.jerk));
+  }
+  for (const auto& [name, ratio] : plan.of_path()) {
+    if (ratio > 0) list.push_back(Json::object({{"name", name}, {"ratio", ratio}}));
+  }
+  return list;
+}
+
+Json cpu_of(const Effort& effort) {
+  return Json::object({{"read_s", effort.read},
+                       {"plan_s", effort.plan},
+                       {"words_s", effort.words},
+                       {"cycle_ns", Json::object({{"p50", effort.cycles.percentile(0.5)},
+                                                  {"p99", effort.cycles.percentile(0.99)},
+                                                  {"max", effort.cycles.longest()}})}});
+}
+
+Json violations_of(const referee::Verdict& verdict) {
+  Json list = Json::list();
+  for (const referee::Violation& violation : verdict.violations) {
+    list.push_back(Json::object({{"t", violation.t},
+                                 {"line", base::number(violation.line)},
+                                 {"what", violation.what},
+                                 {"value", violation.value},
+                                 {"limit", violation.limit}}));
+  }
+  return list;
+}
+
+Json json_of_steps(const StepFigures& steps) {
+  Json json = Json::object(
+      {{"method", steps.method}, {"clock_hz", steps.clock_hz}, {"steps", steps.steps}, {"time_s", steps.time_s}});
+  json["error_blu"] = steps.error_blu;
+  json["compensation"] = Json::list();
+  for (const Correction& correction : steps.corrections) {
+    const char* key = base::is_rotary(correction.axis) ? "greatest_correction_deg" : "greatest_correction_mm";
+    json["compensation"].push_back(
+        Json::object({{"name", std::string(1, base::letter(correction.axis))}, {key, correction.greatest}}));
+  }
+  return json;
+}
+
+}  // namespace
+
+Json json_of_rejected(std::string_view schema, const std::string& program, const std::string& machine,
+                      const Diagnostics& diagnostics) {
+  return Json::object({{"schema", schema},
+                       {"program", program},
+                       {"machine", machine.empty() ? Json(nullptr) : Json(machine)},
+                       {"diagnostics", list_of(diagnostics)}});
+}
+
+Json json_of_diagnostics(const Diagnostics& diagnostics) {
+  return list_of(diagnostics);
+}
+
+Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
+                 const Diagnostics& diagnostics) {
+  const pipeline::Summary& summary = figures.summary;
+  const referee::Verdict& verdict = figures.verdict;
+  Json json = Json::object({{"schema", run_schema},
+                            {"program", program},
+                            {"machine", machine.name},
+                            {"period_s", machine.period.seconds()},
+                            {"words", summary.words},
+                            {"blocks", summary.blocks},
+                            {"moves", summary.moves},
+                            {"length_mm", summary.length_mm},
+                            {"time_s", summary.time_s},
+                            {"dwell_s", summary.dwell_s},
+                            {"bound_s", summary.bound_s},
+                            {"deviation_mm", verdict.deviation_mm},
+                            {"tolerance_mm", summary.tolerance_mm},
+                            {"feed", Json::object({{"programmed_max_mm_s", summary.feed_programmed_max},
+                                                   {"max_ratio", verdict.feed_max_ratio},
+                                                   {"ripple", summary.ripple}})},
+                            {"axes", axes_of(verdict)},
+                            {"plan", plan_of(summary.plan, machine)},
+                            {"violation_count", verdict.violation_count},
+                            {"cpu", cpu_of(figures.effort)},
+                            {"diagnostics", list_of(diagnostics)}});
+  if (figures.steps) json["pulses"] = json_of_steps(*figures.steps);
+  return json;
+}
+
+Json json_of_check(const std::string& program, const machine::Machine& machine, const CheckFigures& reading,
+                   const Diagnostics& diagnostics) {
+  return Json::object({{"schema", check_schema},
+                       {"program", program},
+                       {"machine", machine.name},
+                       {"blocks", reading.blocks},
+                       {"moves", reading.moves},
+                       {"errors", count(diagnostics, base::Severity::error)},
+                       {"warnings", count(diagnostics, base::Severity::warning)},
+                       {"diagnostics", list_of(diagnostics)}});
+}
+
+Json json_of_verify(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,
+                    const Diagnostics& diagnostics) {
+  const referee::Verdict& verdict = figures.verdict;
+  return Json::object({{"schema", verify_schema},
+                       {"trace", figures.trace},
+                       {"program", program},
+                       {"machine", machine.name},
+                       {"period_s", figures.period.seconds()},
+                       {"time_s", verdict.time_s},
+                       {"deviation_mm", verdict.deviation_mm},
+                       {"tolerance_mm", verdict.tolerance_mm},
+                       {"start_error_mm", verdict.start_error_mm},
+                       {"end_error_mm", verdict.end_error_mm},
+                       {"axes", axes_of(verdict)},
+                       {"feed", Json::object({{"programmed_max_mm_s", verdict.feed_programmed_max},
+                                              {"max_ratio", verdict.feed_max_ratio},
+                                              {"ripple", nullptr}})},
+                       {"violations", violations_of(verdict)},
+                       {"violation_count", verdict.violation_count},
+                       {"diagnostics", list_of(diagnostics)}});
+}
+
+std::string json_text(std::string_view schema, std::vector<Json> objects) {
+  Json object = objects.size() == 1 ? std::move(objects.front())
+                                    : Json::object({{"schema", schema}, {"programs", std::move(objects)}});
+  return object.written() + "\n";
+}
+
+}  // namespace leadscrew::results

@@ -1,0 +1,38 @@
+#pragma once
+// Results as JSON, by the schemas of the command-line contract.
+
+#include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/json/json.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/results/figures.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace leadscrew::results {
+
+using json::Json;
+
+inline constexpr std::string_view run_schema = "leadscrew.run/1";
+inline constexpr std::string_view check_schema = "leadscrew.check/1";
+inline constexpr std::string_view verify_schema = "leadscrew.verify/1";
+inline constexpr std::string_view drive_schema = "leadscrew.drive/1";
+
+/// For what got no further than its diagnostics: {schema, program, machine, diagnostics}. `machine` may be empty.
+Json json_of_rejected(std::string_view schema, const std::string& program, const std::string& machine,
+                      const Diagnostics& diagnostics);
+
+/// The list of them, as it stands under "diagnostics".
+Json json_of_diagnostics(const Diagnostics& diagnostics);
+
+Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
+                 const Diagnostics& diagnostics);
+Json json_of_check(const std::string& program, const machine::Machine& machine, const CheckFigures& reading,
+                   const Diagnostics& diagnostics);
+Json json_of_verify(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,
+                    const Diagnostics& diagnostics);
+
+/// The one object that goes to standard output: that of the program, or of several {schema, programs: […]}.
+std::string json_text(std::string_view schema, std::vector<Json> objects);
+
+}  // namespace leadscrew::results

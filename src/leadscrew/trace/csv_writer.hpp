@@ -1,0 +1,24 @@
+#pragma once
+// Words as comma-separated rows, for people and spreadsheets: a header line, and 17 significant digits, so that reading
+// them back gives the same bits.
+
+#include <leadscrew/base/block_sink.hpp>
+#include <leadscrew/trace/writer.hpp>
+
+namespace leadscrew::trace {
+
+class CsvWriter {
+ public:
+  CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
+  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
+  base::Result<void> finish() { return rows_.flush(); }
+
+ private:
+  base::BlockSink rows_;
+  base::AxisSet axes_;
+  base::Period period_;
+  TraceKind kind_;
+};
+static_assert(Writer<CsvWriter>);
+
+}  // namespace leadscrew::trace

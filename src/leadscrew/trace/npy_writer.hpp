@@ -1,0 +1,27 @@
+#pragma once
+// Words as a NumPy array file (format 1.0), for numerical programs: a two-dimensional little-endian float64 array, one
+// row a word. The number of rows stands in the header and is known only at the end.
+
+#include <leadscrew/base/block_sink.hpp>
+#include <leadscrew/trace/writer.hpp>
+
+namespace leadscrew::trace {
+
+class NpyWriter {
+ public:
+  NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
+  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
+  base::Result<void> finish() { return rows_.flush(); }
+  /// For the rows written so far; always of the same size.
+  std::string header() const;
+
+ private:
+  base::BlockSink rows_;
+  base::AxisSet axes_;
+  base::Period period_;
+  TraceKind kind_;
+  std::int64_t rows_written_ = 0;
+};
+static_assert(HeaderLast<NpyWriter>);
+
+}  // namespace leadscrew::trace

@@ -1,0 +1,80 @@
+// Values of machine files: numbers are exact or refused, and what is wrong with a value is said where it stands.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <leadscrew/config/machine_keys.hpp>
+#include <set>
+
+#include "files.hpp"
+
+namespace leadscrew::config::testing {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+TEST(Integers, AreExactOrRefused) {
+  const auto largest = read_machine(replaced(one_axis, "[-500, 500]", "[-9007199254740992, 9007199254740992]"), "m");
+  ASSERT_TRUE(largest);
+  EXPECT_EQ(largest->limits(base::Axis::X).travel_max, 9007199254740992.0);
+  EXPECT_EQ(largest->limits(base::Axis::X).travel_min, -9007199254740992.0);
+  EXPECT_EQ(problems_of(replaced(one_axis, "[-500, 500]", "[-500, 9223372036854775807]")), Texts{"2:13 machine-type"});
+  EXPECT_EQ(problems_of(replaced(one_axis, "[-500, 500]", "[-9223372036854775807, 5]")), Texts{"2:13 machine-type"});
+  EXPECT_EQ(problems_of(replaced(one_axis, "= 200\n", "= 9007199254740993\n")), Texts{"3:21 machine-type"});
+  EXPECT_EQ(problems_of("period_us = 9007199254740993\n" + one_axis), Texts{"1:13 machine-type"});
+  EXPECT_EQ(problems_of(one_axis + "pitch_errors_mm = [[0, 0], [9007199254740993, 0]]\n"), Texts{"7:28 machine-type"});
+}
+
+TEST(Integers, ThatAreRefusedAreNamed) {
+  const auto read = read_machine(replaced(one_axis, "[-500, 500]", "[-500, 9223372036854775807]"), "m");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error()[0].message.find("9223372036854775807"), std::string::npos) << read.error()[0].message;
+  EXPECT_NE(read.error()[0].hint.find("decimal point"), std::string::npos) << read.error()[0].hint;
+}
+
+/// What machine::validate() can object to has a key, and so a place.
+TEST(Subjects, OfEveryValueOfAnAxisHaveAKey) {
+  std::set<std::string_view> fields;
+  for (const Key& key : axis_keys) fields.insert(key.field);
+  for (const Key& key : drive_keys) fields.insert(key.field);
+  EXPECT_EQ(fields.size(), axis_keys.size() + drive_keys.size());
+  for (const machine::StepTime& time : machine::all_step_times) EXPECT_TRUE(fields.contains(time.name)) << time.name;
+  for (const machine::DriveNumber& number : machine::drive_numbers)
+    EXPECT_TRUE(fields.contains(number.name)) << number.name;
+}
+
+/// A value that validate() refuses, in place of each key's own, is told at its line.
+TEST(Subjects, LeadToTheLineOfTheValue) {
+  for (const base::Axis axis : {base::Axis::X, base::Axis::B}) {
+    std::string text = "[" + section_of(axis) + "]\n";
+    std::size_t line = 1;
+    Texts expected;
+    const auto add = [&](std::string_view key, const std::string& value) {
+      text += std::string(key) + " = " + value + "\n";
+      expected.push_back(std::to_string(++line));
+    };
+    for (const Key& key : axis_keys) {
+      const bool is_table =
+          key.field == machine::field::pitch_errors || key.field == machine::field::backward_pitch_errors;
+      add(text_of(key, axis), is_table ? "[[0, nan]]" : key.field == machine::field::travel ? "[1, 1]" : "-1");
+    }
+    text += "[" + drive_section_of(axis) + "]\n";
+    ++line;
+    for (const Key& key : drive_keys) add(text_of(key, axis), "-1");
+    Texts found;
+    for (const std::string& problem : problems_of(text)) found.push_back(problem.substr(0, problem.find(':')));
+    EXPECT_EQ(found, expected) << text;
+  }
+}
+
+TEST(Subjects, OfProblemsStayWithThem) {
+  const auto read = read_machine(one_axis + "pitch_errors_mm = [[0, 0], [0, 0]]\n", "m.toml");
+  ASSERT_FALSE(read);
+  const base::Subject& subject = read.error()[0].subject;
+  EXPECT_EQ(subject.axis, base::Axis::X);
+  EXPECT_EQ(subject.field, machine::field::pitch_errors);
+  EXPECT_EQ(subject.entry, 1u);
+}
+
+}  // namespace
+}  // namespace leadscrew::config::testing
