@@ -38,7 +38,7 @@ struct Planned {
 
 /// What motion has earned, what is there from the beginning, and one window that goes beyond it.
 double most_effort(double seconds) {
-  return Effort::units_per_second * seconds + 1.5 * Effort::greatest_balance + Effort::most_of_a_window;
+  return Effort::units_per_second * seconds + 1.2 * Effort::greatest_balance + Effort::most_of_a_window;
 }
 
 /// Without words: chunk by chunk, as long as motion does not go on for longer than this, s.
@@ -85,14 +85,11 @@ void expect_bounded(double least_jerk, double greatest_jerk, int machines) {
 TEST(Effort, IsBoundedWithLimitsOverFourDecades) {
   expect_bounded(1e2, 1e6, 10);
 }
-TEST(Effort, IsBoundedWithoutAnyPracticalLimitOfJerk) {
-  expect_bounded(1e14, 1.01e14, 3);
-}
 TEST(LongEffort, IsBoundedWithLimitsOverFourDecades) {
   expect_bounded(1e2, 1e6, 100);
 }
 TEST(LongEffort, IsBoundedWithoutAnyPracticalLimitOfJerk) {
-  expect_bounded(1e14, 1.01e14, 50);
+  expect_bounded(1e14, 1.01e14, 10);
 }
 
 /// Speeds of a few mm/s, accelerations of tens of m/s²: a window of close knots is over within microseconds. It took
@@ -119,7 +116,7 @@ TEST(Effort, IsFarFromItsBoundOnOrdinaryMotion) {
   for (const char* const text : curves) {
     const Planned planned = plan(text, machine::mill3());
     EXPECT_EQ(planned.simplified, 0) << text;
-    EXPECT_LT(planned.effort, Effort::units_per_second * planned.seconds / 5 + Effort::greatest_balance / 20) << text;
+    EXPECT_LT(planned.effort, Effort::units_per_second * planned.seconds / 5 + Effort::greatest_balance / 80) << text;
   }
 }
 

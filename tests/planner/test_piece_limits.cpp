@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/piece_limits.hpp>
@@ -121,6 +122,34 @@ RC_GTEST_PROP(PieceLimits, PlanRatiosAgreeWithBruteForce, ()) {
   // Between its looks the brute force misses up to some (angle/2)²/2 of a peak that the other happens to look at.
   RC_ASSERT(worst <= fine * (1 + 1e-6) + 1e-12);
   RC_ASSERT(worst >= fine * (1 - 2e-3));
+}
+
+/// What plan_piece() promises of an arc of any angle, not of the short ones alone that are planned by it: in its plane
+/// the whole amplitude of acceleration and jerk, radial and tangential, 3ωva with it.
+RC_GTEST_PROP(PieceLimits, NoMotionAlongAnArcExceedsTheAmplitudeOfItsPlane, ()) {
+  const Machine machine = random_machine();
+  const Piece piece = random_helix();
+  const Arc& arc = *std::get_if<Arc>(&piece.curve);
+  const leadscrew::planner::RestToRest motion = leadscrew::planner::plan_piece(piece, machine);
+  const AxisLimits& one = machine.limits(leadscrew::base::all_axes[arc.first()]);
+  const AxisLimits& other = machine.limits(leadscrew::base::all_axes[arc.second()]);
+  const double w = std::abs(arc.angle_rate()), amplitude = arc.radius() * w;
+  double v = 0, a = 0, worst = 0;
+  const std::array<std::array<double, 2>, 3> phases = {
+      {{motion.jerk, motion.jerk_time}, {0, motion.acceleration_time}, {-motion.jerk, motion.jerk_time}}};
+  for (const auto& [jerk, duration] : phases) {
+    constexpr int samples = 1000;
+    for (int k = 0; k <= samples; ++k) {
+      const double t = duration * k / samples, at = a + jerk * t, vt = v + t * (a + jerk * t / 2);
+      const double acceleration = amplitude * std::hypot(w * vt * vt, at);
+      const double third = amplitude * std::hypot(jerk - w * w * vt * vt * vt, 3 * w * vt * at);
+      worst = std::max({worst, acceleration / std::min(one.acceleration, other.acceleration),
+                        third / std::min(one.jerk, other.jerk)});
+    }
+    v += duration * (a + jerk * duration / 2);
+    a += jerk * duration;
+  }
+  RC_ASSERT(worst <= 1 + 1e-9);
 }
 
 TEST(PieceLimits, FullCircleIsNotFarFromTheOptimum) {

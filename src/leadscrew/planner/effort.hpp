@@ -19,7 +19,7 @@ class Effort {
  public:
   /// What windows may take, units: ten times what a second of ordinary motion takes, something for each section, and
   /// this much (some seconds of a processor) before that has come together.
-  static constexpr double units_per_second = 5e5, units_per_section = 5e4, greatest_balance = 1e7;
+  static constexpr double units_per_second = 5e5, units_per_section = 5e4, greatest_balance = 4e7;
   /// No single window takes more: several times that of 600 intervals that is repaired as often as can be.
   static constexpr double most_of_a_window = 2e6;
 
