@@ -15,6 +15,10 @@ function(leadscrew_compile_options TARGET)
     # GCC bug 105651: false alarms in std::string
     target_compile_options(${TARGET} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # std::stable_sort of GCC's library calls what C++17 deprecates.
+    target_compile_options(${TARGET} PRIVATE -Wno-deprecated-declarations)
+  endif()
   if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
     target_compile_options(${TARGET} PRIVATE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
     target_link_options(${TARGET} PRIVATE -Wl,-z,relro,-z,now)

@@ -81,12 +81,11 @@ TEST(ManyPrograms, EndWithTheFirstThatIsInterrupted) {
   EXPECT_EQ(folder.names(), (Names{"a.ngc", "b.ngc", "c.ngc", "d.ngc", "made"}));
 }
 
-TEST(ManyPrograms, ShareStandardInputOneAfterTheOther) {
+TEST(ManyPrograms, ReadStandardInputOnceAtMost) {
   const Folder folder;
-  const auto outcome = leadscrew(folder, {"check", "-", "-", "--json"}, {.input = "G21\nG1 X1 F100\nM2\n"});
-  EXPECT_EQ(outcome.status, 3);
-  EXPECT_EQ(outcome.json()["programs"][0]["blocks"], 3);
-  EXPECT_EQ(outcome.json()["programs"][1]["diagnostics"][0]["code"], "empty-program");
+  const auto outcome = leadscrew(folder, {"check", "-", "-"}, {.input = "G21\nG1 X1 F100\nM2\n"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(contains(outcome.errors, "standard input (-) can be read only once")) << outcome.errors;
 }
 
 TEST(ManyPrograms, AskForThreadsThatThereCanBe) {
