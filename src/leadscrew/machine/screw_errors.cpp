@@ -22,9 +22,9 @@ void check_step(const std::string& name, const base::Subject& entry, const Pitch
         "pitch-order", name + " is at " + text(now.position) + ", the one before at " + text(before.position),
         "positions that rise from entry to entry", entry));
   } else if (std::fabs(change) > greatest_pitch_slope * distance) {
-    problems.push_back(base::problem("pitch-slope",
-                                     name + ": the error changes by " + text(change) + " along " + text(distance),
-                                     "at most a tenth of the distance; are errors in the same unit as positions?", entry));
+    problems.push_back(
+        base::problem("pitch-slope", name + ": the error changes by " + text(change) + " along " + text(distance),
+                      "at most a tenth of the distance; are errors in the same unit as positions?", entry));
   }
 }
 
