@@ -134,6 +134,49 @@ RC_GTEST_PROP(CurvePieces, TheFarthestFromAChordIsTheLargestThereIs, (std::uint6
   }
 }
 
+/// Chords in the arc's plane, beside it and across it; of arcs and of helices.
+RC_GTEST_PROP(ArcPieces, TheFarthestFromAChordIsTheLargestThereIs, (std::uint64_t seed)) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const machine::Machine machine = five_axes();
+  const Metric metric(machine);
+  const double radius = std::exp(uniform(-6, 4));
+  Program program;
+  at(program.position, Axis::X) = radius;
+  AxisVector end_of_arc = program.position;
+  at(end_of_arc, Axis::Z) = *rc::gen::element(0.0, 0.0, 0.5) * radius;
+  program.arc(end_of_arc, gcode::Plane::XY, 0, 0, *rc::gen::element(-2, -1, 1, 3));
+  const double aside = *rc::gen::element(0.0, 0.1, 2.0) * radius, across = *rc::gen::element(0.0, 0.0, 0.2) * radius;
+  const std::size_t z = metric.coordinate(Axis::Z);
+  PieceSource source(source_of(program.moves), metric);
+  Piece piece;
+  while (source.next(piece)) {
+    const double from = uniform(-0.5, 0.5) * piece.span, to = uniform(0.5, 1.5) * piece.span;
+    const double begin_of_part = std::max(from, 0.0), end_of_part = std::min(to, piece.span);
+    Point begin = piece.from;
+    for (std::size_t i = 0; i < 2; ++i) begin[i] = uniform(-2, 2) * radius;
+    Point end = begin;
+    for (std::size_t i = 0; i < 2; ++i) end[i] += *rc::gen::element(0.0, 1e-3, 1.0) * uniform(-1, 1) * radius;
+    begin[z] += aside;
+    end[z] += aside + across;
+    const Chord chord = chord_between(metric, begin, end);
+    double inside = 0;
+    for (int i = 1; i < 2000; ++i) {
+      const Point point = point_at(metric, piece, begin_of_part + (end_of_part - begin_of_part) * i / 2000);
+      inside = std::max(inside, distance_to_chord(metric, chord, point));
+    }
+    double at_ends = 0;
+    for (const double place : {begin_of_part, end_of_part})
+      at_ends = std::max(at_ends, distance_to_chord(metric, chord, point_at(metric, piece, place)));
+    const double farthest =
+        std::max(at_ends, farthest_from_chord(metric, piece, begin_of_part, end_of_part, chord, at_ends, 0));
+    RC_ASSERT(farthest >= std::max(at_ends, inside) - 1e-6 * radius);
+    RC_ASSERT(farthest <= std::max(at_ends, inside) + 1e-6 * radius);
+  }
+}
+
 RC_GTEST_PROP(CurvePieces, LengthsAreThoseOfFinePolylines, (std::uint64_t seed)) {
   std::mt19937_64 random(seed);
   const machine::Machine machine = five_axes();

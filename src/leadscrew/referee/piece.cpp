@@ -156,6 +156,43 @@ double greatest_sagitta(const Piece& piece, double from, double to) {
   return piece.radius * (to - from) * (to - from) / 8;
 }
 
+/// Does the chord lie in a plane beside the arc's, or in it? Then both distances add up to the square.
+bool is_parallel(const Metric& metric, const Piece& piece, const Chord& chord) {
+  constexpr double rounding = 1e-3 * nanometre;
+  for (std::size_t i = 0; i < metric.dimensions(); ++i) {
+    if (i != piece.first && i != piece.second && std::abs(chord.along[i]) > rounding) return false;
+  }
+  return true;
+}
+
+/// The same in closed form, of an arc in a plane: the distance to a line between two points has its extremes along a
+/// circle where the circle is parallel to the line, and opposite the two points.
+double farthest_on_circle(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord) {
+  const std::size_t x = piece.first, y = piece.second;
+  const Point begin = from > 0 ? point_at(metric, piece, from) : piece.from;
+  const Point end = to < piece.span ? point_at(metric, piece, to) : piece.to;
+  const double begin_x = begin[x] - piece.center_first, begin_y = begin[y] - piece.center_second;
+  const double end_x = end[x] - piece.center_first, end_y = end[y] - piece.center_second;
+  double greatest = 0;
+  const auto look = [&](double along_x, double along_y) {
+    // Between both ends, which are at most a quarter turn apart?
+    if (piece.side * (begin_x * along_y - begin_y * along_x) <= 0) return;
+    if (piece.side * (along_x * end_y - along_y * end_x) <= 0) return;
+    const double scale = piece.radius / std::hypot(along_x, along_y);
+    Point point = piece.from;
+    point[x] = piece.center_first + scale * along_x;
+    point[y] = piece.center_second + scale * along_y;
+    greatest = std::max(greatest, distance_to_chord(metric, chord, point));
+  };
+  look(chord.along[y], -chord.along[x]);
+  look(-chord.along[y], chord.along[x]);
+  const double from_x = piece.center_first - chord.from[x], from_y = piece.center_second - chord.from[y];
+  look(from_x, from_y);
+  look(from_x - chord.along[x], from_y - chord.along[y]);
+  return greatest;
+}
+
+/// The largest distance to the chord of the points between two places, without the places themselves, by search.
 double farthest_on_arc(const Metric& metric, const Piece& piece, double from, double to, const Chord& chord) {
   constexpr int samples = 8;
   const double step = (to - from) / samples;
@@ -190,7 +227,9 @@ double farthest_from_chord(const Metric& metric, const Piece& piece, double from
   }
   // The arc's points lie within its sagitta of its own chord, and that within the distance of its ends.
   const double bound = greatest_sagitta(piece, from, to) + at_ends;
-  return bound <= negligible ? bound : farthest_on_arc(metric, piece, from, to, chord);
+  if (bound <= negligible) return bound;
+  if (!piece.helix && is_parallel(metric, piece, chord)) return farthest_on_circle(metric, piece, from, to, chord);
+  return farthest_on_arc(metric, piece, from, to, chord);
 }
 
 }  // namespace leadscrew::referee
