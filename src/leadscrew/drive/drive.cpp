@@ -106,7 +106,9 @@ class Drive {
     figures_.latencies = maker.latencies();
     figures_.blocks = maker.blocks();
     figures_.real_time = figures_.counters.words > 0 && !maker.notice();
-    if (maker.notice() && onlooker_.tell) onlooker_.tell(*maker.notice());
+    for (const auto& remark : {maker.notice(), maker.warning()}) {
+      if (remark && onlooker_.tell) onlooker_.tell(*remark);
+    }
     figures_.taken = link_.taken.load(std::memory_order_acquire);
     figures_.drives_late = link_.late_periods.load(std::memory_order_relaxed);
     figures_.braked = link_.braked.load(std::memory_order_relaxed);

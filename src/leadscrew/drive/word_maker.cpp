@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/drive/word_maker.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <utility>
 
 namespace leadscrew::drive {
@@ -29,6 +30,7 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
       source_(counted(program.source()), setup.machine, setup.tools, setup.reader_options(program.name()), nullptr),
       sink_(link, setup.machine, first.position, most_waiting(setup)) {
   source_.unchanged = [this] { return program_.unchanged(); };
+  source_.stop_when(files::interrupted);
   source_.planner().slice(slice_duration);
   source_.planner().start_at(first.path_length, first.line);
   const Options& options = setup.options;
@@ -49,11 +51,13 @@ void WordMaker::conclude() {
   counters_ = runner_->counters();
   latencies_ = runner_->latencies();
   if (counters_.words > 0) notice_ = runner_->notice();
+  refused_chunk_ = runner_->failure();
   runner_.reset();
 }
 
 std::optional<base::Diagnostic> WordMaker::failure() const {
   if (source_.failure()) return source_.failure();
+  if (refused_chunk_) return refused_chunk_;
   if (auto refused = sink_.problem()) return refused;
   // Read to its end before it was changed: motion is that of the program, but no file tells any more of which.
   if (auto same = program_.unchanged(); !same) return same.error();

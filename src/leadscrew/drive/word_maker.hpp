@@ -33,7 +33,7 @@ class WordMaker {
   /// Has the runner ended because the last word of the program was made? Anybody's.
   bool has_come_to_end() const {
     return runner_->has_ended() && !has_failed_.load(std::memory_order_acquire) && !sink_.has_refused() &&
-           !runner_->counters().too_long_to_rest;
+           !runner_->failure() && !runner_->counters().too_long_to_rest;
   }
 
   /// Ends the threads. What follows is known from then on.
@@ -42,9 +42,11 @@ class WordMaker {
   const realtime::Histogram& latencies() const { return latencies_; }
   /// What the system did not permit; none without words.
   const std::optional<base::Diagnostic>& notice() const { return notice_; }
+  /// Of a motion that is slower than it need be (pipeline::MotionSource::warning).
+  std::optional<base::Diagnostic> warning() const { return source_.warning(); }
   std::int64_t blocks() const { return source_.reader().blocks(); }
   /// Why motion ended before the program: `program-changed`, an error that was not there when the program was checked,
-  /// `word-refused`.
+  /// `word-refused`, `travel-unchecked`, `planning-failed`.
   std::optional<base::Diagnostic> failure() const;
 
  private:
@@ -60,7 +62,7 @@ class WordMaker {
   std::optional<realtime::Runner> runner_;
   realtime::Counters counters_;
   realtime::Histogram latencies_;
-  std::optional<base::Diagnostic> notice_;
+  std::optional<base::Diagnostic> notice_, refused_chunk_;
 };
 
 }  // namespace leadscrew::drive

@@ -43,6 +43,9 @@ std::optional<planner::Chunk> MotionSource::next() {
 std::optional<planner::Chunk> MotionSource::pop() {
   std::optional<planner::Chunk> chunk = planner_.pop();
   if (planner_.is_stopped() && !failure_) failure_ = base::problem("interrupted", "interrupted", {});
+  if (planner_.has_failed() && !failure_)
+    failure_ = base::problem("planning-failed", "no motion within the machine's limits was found along the path",
+                             "this is a defect of leadscrew: please report it, with the program and the machine file");
   return chunk;
 }
 

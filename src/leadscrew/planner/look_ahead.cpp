@@ -188,6 +188,7 @@ void LookAhead::solve_to_rest() {
     window_ = settled(plan_window(section_, limits(), stretch, continuation_, Aim::fastest, most_intervals(), effort_));
     stretch.end = begin_ + (stretch.end - begin_) / 2;
   }
+  failed_ = !window_ && !effort_.is_stopped();
 }
 
 /// Pieces that nothing comes back to. All places on the section are counted anew.
@@ -208,7 +209,7 @@ void LookAhead::forget() {
 }
 
 std::optional<Chunk> LookAhead::plan() {
-  if (section_.empty() || effort_.is_stopped()) return std::nullopt;
+  if (section_.empty() || failed_ || effort_.is_stopped()) return std::nullopt;
   take_change();
   if (!window_) {
     if (begin_ >= section_.length() || factor_ == 0 || !knows_enough()) return std::nullopt;

@@ -64,6 +64,8 @@ class LookAhead {
   bool is_untouched() const { return untouched_; }
   /// Has all been planned that there is and will be?
   bool is_done() const { return closed_ && begin_ >= section_.length(); }
+  /// Was no motion found, not even over the shortest distance from rest to rest? No chunk comes any more.
+  bool has_failed() const { return failed_; }
 
   /// The next chunk, once enough of the section is known; never again after the one that ends where the section ends.
   /// Velocity, acceleration and jerk of every axis stay inside their limits, evaluated twelve times a segment on what
@@ -110,6 +112,7 @@ class LookAhead {
   Section section_;
   bool closed_ = false;
   bool untouched_ = true;
+  bool failed_ = false;
   double begin_ = 0;                          ///< where the next chunk begins
   double last_begin_ = 0;                     ///< where the window of the last chunk began
   double tail_end_ = 0, last_tail_end_ = 0;   ///< of the last chunk and of the one before

@@ -14,12 +14,12 @@ constexpr double nothing = 1e-9;  // of the path
 }  // namespace
 
 std::optional<Chunk> Planner::pop() {
-  if (is_stopped()) return std::nullopt;
+  if (is_stopped() || has_failed()) return std::nullopt;
   if (closed_form_ && closed_form_->is_done()) go_on_from(closed_form_->rest());
   for (;;) {
     if (last_) {
       if (std::optional<Chunk> chunk = plan()) return chunk;
-      if (is_stopped()) return std::nullopt;
+      if (is_stopped() || has_failed()) return std::nullopt;
       if (look_ahead_.is_done()) {
         look_ahead_.clear();
         last_.reset();

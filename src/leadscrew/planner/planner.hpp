@@ -62,6 +62,8 @@ class Planner {
   /// is_stopped().
   void stop_when(std::function<bool()> asked) { look_ahead_.effort().should_stop = std::move(asked); }
   bool is_stopped() const { return look_ahead_.effort().is_stopped(); }
+  /// Was no motion found along what follows, however short? No chunk comes any more: a defect of the planner.
+  bool has_failed() const { return look_ahead_.has_failed(); }
 
   /// Sections, or rests of sections, that are planned with lower limits than the machine's, because the optimum would
   /// have taken far more work than a motion of their length usually does (effort.hpp).
