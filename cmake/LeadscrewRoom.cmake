@@ -55,6 +55,7 @@ function(leadscrew_precompile TARGET KIND)
       target_link_libraries(${first} PRIVATE fmt::fmt)
     elseif(KIND STREQUAL "test")
       target_link_libraries(${first} PRIVATE GTest::gtest rapidcheck)
+      target_compile_options(${first} PRIVATE $<$<CONFIG:Release>:-O1>)
     endif()
     target_precompile_headers(${first} PRIVATE ${LEADSCREW_PRECOMPILED_${KIND}})
     if(NOT TARGET leadscrew_precompiled)
@@ -76,8 +77,8 @@ endfunction()
 # leadscrew_room(NAME [EDGE] [TEXT] [HOT] [TOGETHER [APART source…]] [DEPENDS room…] [HEADERS header-only-library…]): a room of the house. EDGE rooms lie outside
 # the core: they may throw, start threads and use the host's libraries. TEXT rooms, of these, write text with fmt. HOT rooms spend the
 # time of planning and of words: they are compiled with -O3 (a third fewer instructions in Newton's method than with -O2).
-# TOGETHER rooms have their sources compiled six at once in release builds, for what their headers cost, but for those APART,
-# whose local names others have too.
+# TOGETHER rooms have their sources compiled six at once but in debug builds, for what their headers cost, except for those
+# APART, whose local names others have too.
 function(leadscrew_room NAME)
   cmake_parse_arguments(PARSE_ARGV 1 room "EDGE;TEXT;HOT;TOGETHER" "" "APART;DEPENDS;HEADERS")
   set(target leadscrew_${NAME})
@@ -115,9 +116,13 @@ function(leadscrew_room NAME)
   foreach(header expected ${room_HEADERS})
     target_link_libraries(${target} PUBLIC leadscrew_header_${header})
   endforeach()
-  if(room_TOGETHER AND CMAKE_BUILD_TYPE STREQUAL "Release")
+  if(room_TOGETHER AND (CMAKE_CROSSCOMPILING OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug"))
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
     set_source_files_properties(${room_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # A class of a source that is included with others looks as if it stood in a header.
+      target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endif()
   endif()
   if(room_HOT)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3>)
