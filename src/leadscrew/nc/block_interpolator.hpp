@@ -75,7 +75,8 @@ class BlockInterpolator {
 
   void load_line(const Block& block, PulseMethod method, const InterpolationOptions& options);
   template <std::size_t axes>
-  void load_line(const Block& block, const LatticeVector& way, PulseMethod method, const InterpolationOptions& options);
+  void load_line(const Block& block, const LatticeVector& delta, PulseMethod method,
+                 const InterpolationOptions& options);
   template <typename Circle>
   void load_arc(const Block& block, const Circle& circle, PulseMethod method, const InterpolationOptions& options);
 

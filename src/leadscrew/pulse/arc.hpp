@@ -1,5 +1,5 @@
 #pragma once
-// Arcs about the origin, by quadrants: in each of them both axes go one way.
+// Arcs about the origin, by quadrants: in each of them neither axis turns back.
 //
 //   ccw          y          A start on an axis belongs to the quadrant that the arc enters there, an end on one to the
 //            1   |   0      quadrant that it closes. An arc whose end is where it starts is a full circle.

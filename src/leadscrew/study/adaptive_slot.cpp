@@ -91,7 +91,7 @@ class SteppedSlot {
   static std::int64_t steps_of(double length) { return std::lround(length / blu); }
   static nc::Block slot(std::int64_t steps) {
     nc::Block block;
-    block.way[0] = block.commands = block.capacity = steps;
+    block.delta[0] = block.commands = block.capacity = steps;
     block.feed_word = word;
     block.greatest_word = 2 * word;
     return block;
