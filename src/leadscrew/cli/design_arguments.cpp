@@ -72,11 +72,11 @@ Parsed<void> refuse(const Command& command, std::string_view question, Names oth
 Parsed<DdaQuestion::Line> line_of(const Command& command, const Given& given) {
   if (!command.given("--to")) return wrong("--to is missing: where the line ends, such as 120,60");
   if (const auto needed = need(command, {"--feed"}); !needed) return tl::unexpected(needed.error());
-  DdaQuestion::Line line{.way_mm = given.to, .feed_mm_min = given.feed};
+  DdaQuestion::Line line{.delta_mm = given.to, .feed_mm_min = given.feed};
   if (!command.given("--from")) return line;
   if (given.from.size() != given.to.size())
     return wrong("--from {} and --to {}: one has more axes", command.text_of("--from"), command.text_of("--to"));
-  for (std::size_t axis = 0; axis < given.from.size(); ++axis) line.way_mm[axis] -= given.from[axis];
+  for (std::size_t axis = 0; axis < given.from.size(); ++axis) line.delta_mm[axis] -= given.from[axis];
   return line;
 }
 
