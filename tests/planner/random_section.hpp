@@ -83,7 +83,7 @@ inline std::vector<toolpath::Piece> parts_of_a_helix(int most_pieces) {
   for (std::size_t k = 1; k < shares.size(); ++k) {
     const double share = shares[k] - shares[k - 1];
     pieces.push_back({geometry::Arc(at(shares[k - 1]), at(shares[k]), first, second, 0, 0, share * angle,
-                                    geometry::Arc::way(radius, share * angle, share * rise)),
+                                    geometry::Arc::helix_length(radius, share * angle, share * rise)),
                       feed.next(), base::Line{static_cast<std::int64_t>(k)}});
   }
   return pieces;

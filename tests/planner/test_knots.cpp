@@ -10,8 +10,8 @@ namespace {
 
 using namespace leadscrew;
 using planner::Knots;
+using planner::PlannedRange;
 using planner::Section;
-using planner::Stretch;
 using testing_support::any;
 using testing_support::line_piece;
 using testing_support::section_of;
@@ -22,7 +22,7 @@ struct Placed {
   machine::Machine machine;
   std::vector<toolpath::Piece> pieces;
   Section section;
-  Stretch stretch;
+  PlannedRange stretch;
   Knots knots;
 };
 
@@ -174,7 +174,7 @@ RC_GTEST_PROP(Knots, OfAWindowGoOnWhereTheOneBeforeLeftThem, ()) {
   RC_PRE(first.intervals > 3);
   RC_ASSERT(first.end_ramp == 0 && first.s.size() == first.intervals + 4 && first.s.back() <= placed.stretch.end);
   const auto from = any<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(first.intervals));
-  Stretch next;
+  PlannedRange next;
   next.kept.assign(first.s.begin() + from, first.s.end());
   next.kept_breaks.assign(first.breaks.begin() + from, first.breaks.end());
   next.begin = next.kept.front();
@@ -193,7 +193,7 @@ TEST(Knots, AreFewInACruise) {
   // A hundred times the way of a ramp: 40 intervals up, 40 down and not 4000 between them.
   machine::Machine machine = machine::mill3();
   const Section section = section_of({line_piece({}, {2000}, 100)});
-  Stretch stretch;
+  PlannedRange stretch;
   stretch.end = 2000;
   const Knots knots = place_knots(section, machine, stretch, plenty);
   EXPECT_LT(knots.intervals, 2200u);

@@ -48,7 +48,7 @@ Piece random_helix() {
   end[normal] = rise;
   end[index(Axis::A)] = any(-90, 91);
   const double feed = any(0, 5) == 0 ? INFINITY : logarithmic(0.5, 500);
-  return {Arc(start, end, first, second, 0, 0, angle, Arc::way(radius, angle, rise)), feed, {}};
+  return {Arc(start, end, first, second, 0, 0, angle, Arc::helix_length(radius, angle, rise)), feed, {}};
 }
 
 /// The largest value over limit of any axis, looked for much more finely than the planner looks, with formulas written
@@ -158,7 +158,7 @@ TEST(PieceLimits, FullCircleIsNotFarFromTheOptimum) {
   Point start{};
   start[0] = 10;
   const auto sweep = leadscrew::geometry::sweep_angle(10, 0, 10, 0, 1);
-  const Arc circle(start, start, 0, 1, 0, 0, sweep, Arc::way(10, sweep, 0));
+  const Arc circle(start, start, 0, 1, 0, 0, sweep, Arc::helix_length(10, sweep, 0));
   const double fast = leadscrew::planner::plan_piece({circle, 100, {}}, machine).duration();
   const double slow = leadscrew::planner::plan_piece({circle, 10, {}}, machine).duration();
   EXPECT_GE(fast, 0.783 * 0.998);

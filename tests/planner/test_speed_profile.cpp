@@ -13,10 +13,10 @@ namespace {
 
 using namespace leadscrew;
 using planner::Knots;
+using planner::PlannedRange;
 using planner::Section;
 using planner::Side;
 using planner::SpeedProfile;
-using planner::Stretch;
 using testing_support::any;
 using testing_support::line_piece;
 using testing_support::section_of;
@@ -38,7 +38,7 @@ struct Random {
     knots = placed(section, machine, section.length());
   }
   static Knots placed(const Section& section, const machine::Machine& machine, double end, bool at_rest = true) {
-    Stretch stretch;
+    PlannedRange stretch;
     stretch.end = end;
     stretch.ends_at_rest = at_rest;
     return place_knots(section, machine, stretch, plenty);
@@ -231,7 +231,7 @@ InTwo in_two(const Random& random, double share_known, double share_split, bool 
   if (!first.continuation(k)) first.unlevel();
   const double first_time = travel_time(first, 0, k);
   two.ahead = travel_time(first, k, n) / stop_time(first, random.section, random.machine, k);
-  Stretch stretch;
+  PlannedRange stretch;
   stretch.begin = first.knots().s[k];
   stretch.end = random.section.length();
   stretch.starts_at_rest = false;

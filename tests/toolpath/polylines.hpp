@@ -42,11 +42,11 @@ inline Point turned(const Point& direction, double angle, const std::vector<std:
   }
 }
 
-/// Numbered by the length from the first, all with this room.
-inline std::vector<Vertex> vertices_of(const Polyline& polyline, double room) {
-  std::vector<Vertex> vertices{{polyline.front(), 0, room}};
+/// Numbered by the length from the first, all with this margin.
+inline std::vector<Vertex> vertices_of(const Polyline& polyline, double margin) {
+  std::vector<Vertex> vertices{{polyline.front(), 0, margin}};
   for (std::size_t i = 1; i < polyline.size(); ++i)
-    vertices.push_back({polyline[i], vertices.back().u + distance(polyline[i - 1], polyline[i]), room});
+    vertices.push_back({polyline[i], vertices.back().u + distance(polyline[i - 1], polyline[i]), margin});
   return vertices;
 }
 

@@ -163,8 +163,8 @@ base::Result<void> StepOutput::write_program(const files::InputFile& program) {
                           pulse_options(*job_), [&](const base::Diagnostic& found) {
                             if (is_of_pulses(found) && !problem) problem = found;
                           });
-  std::array<steps::StepEvent, steps_between_checks> room;
-  for (auto steps = pulses.next(room); state_ && !steps.empty(); steps = pulses.next(room)) {
+  std::array<steps::StepEvent, steps_between_checks> buffer;
+  for (auto steps = pulses.next(buffer); state_ && !steps.empty(); steps = pulses.next(buffer)) {
     put(steps);
     if (files::interrupted()) return base::failure(files::interruption());
   }

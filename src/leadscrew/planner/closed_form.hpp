@@ -1,5 +1,5 @@
 #pragma once
-// Sections that have a closed form: lines that run straight on, and arcs so short that the axes hardly trade places.
+// Sections that have a closed form: lines that run straight on, and arcs so short that the axes' shares of speed hardly change.
 //
 //      speed    ╭───────┼─╮
 //              ╱        │  ╲              ┼ a slice ends here, feed is changed to 0.8

@@ -19,7 +19,7 @@ struct KnotSample {
   bool is_by_feed = false;  ///< is it feed that says the greatest?
 };
 
-/// Lowers h until it grows along the section, either way, by no more than `grading` of the distance.
+/// Lowers h until it grows along the section, forwards and backwards, by no more than `grading` of the distance.
 void grade(std::span<KnotSample> samples, double grading);
 
 /// Appends knots behind `from` up to `to`, a break: equal quantiles of ∫ ds/h. `first` is the sample at or before `from`;

@@ -81,7 +81,7 @@ class LookAhead {
  private:
   bool knows_enough() const;
   std::size_t most_intervals() const;
-  Stretch next_stretch() const;
+  PlannedRange next_range() const;
   enum class Refinement : std::uint8_t { none, where_speed_changes };
   std::unique_ptr<Window> solve(Refinement refinement);
   std::unique_ptr<Window> settled(std::unique_ptr<Window> window);

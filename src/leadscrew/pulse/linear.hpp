@@ -156,7 +156,7 @@ class LinearPointComparison<2> {
 
   constexpr Pulse<2> step() {
     if (done()) return {};
-    // A mask, for a branch would go the wrong way.
+    // A mask, for a branch would be mispredicted.
     const std::int64_t y_steps = -static_cast<std::int64_t>(f_ < 0 || distance_[0] == 0);
     left_[0] += ~y_steps;
     left_[1] += y_steps;
