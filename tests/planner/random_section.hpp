@@ -127,7 +127,7 @@ inline std::vector<toolpath::Piece> random_path(int most_pieces) {
   }
 }
 
-/// Lowers jerk until the way of a ramp to full speed, 2v√(v/J), is at least the path's length divided by `ramps`, so
+/// Lowers jerk until the length of a ramp to full speed, 2v√(v/J), is at least the path's length divided by `ramps`, so
 /// that no path takes too many knots to test with.
 inline void soften(machine::Machine& machine, const std::vector<toolpath::Piece>& pieces, double ramps) {
   double length = 0, slowest = 1e300;

@@ -59,8 +59,8 @@ double brute_force_ratio(const Chunk& chunk, const Machine& machine) {
   double worst = 0;
   for (const auto& segment : chunk.segments) {
     const double duration = segment.duration.value();
-    const double way = leadscrew::planner::evaluate(segment, duration).s - segment.s0.value();
-    const double angle = arc != nullptr ? std::abs(arc->angle_rate() * way) : 0;
+    const double distance = leadscrew::planner::evaluate(segment, duration).s - segment.s0.value();
+    const double angle = arc != nullptr ? std::abs(arc->angle_rate() * distance) : 0;
     const int looks = std::max(chunk.segments.size() <= 7 ? 2000 : 100, static_cast<int>(angle / angle_between_looks));
     for (int k = 0; k <= looks; ++k) {
       const double t = duration * k / looks;

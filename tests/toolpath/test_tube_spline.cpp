@@ -268,10 +268,10 @@ RC_GTEST_PROP(TubeSpline, IsStraightAlongAStraightLine, ()) {
   const Point direction = random_direction({0, 1, 2, 3, 8});
   Polyline line{scaled(uniform(0, 100), random_direction({0, 1, 2}))};
   const Point from = line.front();
-  double way = 0;
+  double length = 0;
   for (int count = any(1, 100); count > 0; --count) {
-    way += logarithmic(1e-2, 10);
-    line.push_back(sum(from, way, direction));
+    length += logarithmic(1e-2, 10);
+    line.push_back(sum(from, length, direction));
   }
   const Task task = task_along(vertices_of(line, logarithmic(1e-3, 1)), logarithmic(0.2, 6), 0);
   const Fit made = fit(task);

@@ -135,7 +135,7 @@ void StepOutput::follow(const base::Word& word) {
   generator_->follow(compensation_->apply(word), [this](auto events) { put(events); });
 }
 
-/// An axis that has turned shortly before the end still goes over to its way.
+/// An axis that has turned shortly before the end still goes over to the command of its direction.
 base::Result<void> StepOutput::follow_to_the_end() {
   for (std::int64_t count = 1; state_ && last_word_ && !compensation_->settled(); ++count) {
     follow(*last_word_);

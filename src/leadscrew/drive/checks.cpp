@@ -25,12 +25,12 @@ base::Result<void> check_stops(const Setup& setup) {
     release = std::max(release, limits->acceleration / limits->jerk);
   }
   const double periods = (on_curves * (brake + release) + 2 * slice_duration) / setup.machine.period.seconds();
-  if (periods <= Link::longest_way) return {};
+  if (periods <= Link::longest_stop_path) return {};
   return base::failure(base::problem(
       "stop-too-long",
-      fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, Link::longest_way),
-      fmt::format("a --period of {:.0f}us or more",
-                  std::ceil(setup.machine.period.seconds() * 1e6 * periods / static_cast<double>(Link::longest_way)))));
+      fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, Link::longest_stop_path),
+      fmt::format("a --period of {:.0f}us or more", std::ceil(setup.machine.period.seconds() * 1e6 * periods /
+                                                              static_cast<double>(Link::longest_stop_path)))));
 }
 
 base::Result<void> check_period(const Setup& setup) {

@@ -77,10 +77,10 @@ struct Link {
     failed,    ///< `problem` says why; the axes stand, and where is written down
   };
 
-  static constexpr std::size_t most_words = 1 << 16, longest_way = 1 << 18;
+  static constexpr std::size_t most_words = 1 << 16, longest_stop_path = 1 << 18;
 
   const pid_t maker = ::getpid();  ///< of the words: this is made by the command
-  realtime::WordStream<most_words, longest_way> words;
+  realtime::WordStream<most_words, longest_stop_path> words;
   realtime::Ring<Feedback, 1 << 14> feedback;  ///< what nobody takes is dropped
   std::atomic<Order> order{Order::follow};
   std::atomic<Phase> phase{Phase::starting};

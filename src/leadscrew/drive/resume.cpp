@@ -77,10 +77,10 @@ base::Result<std::vector<base::PathPlace>> find_way_back(const State& state, con
   if (!stretch.is_whole()) return refused(state.axes.path_length, "it is shorter");
   if (!are_same(stretch.at(stretch.to()).position, state.axes.position))
     return refused(state.axes.path_length, "it is elsewhere there");
-  auto way = pipeline::way_back(stretch, setup.machine);
-  if (!way) return refused(state.axes.path_length, "no way leads back");
-  way->back().position = state.word.position;
-  return std::move(*way);
+  auto return_path = pipeline::way_back(stretch, setup.machine);
+  if (!return_path) return refused(state.axes.path_length, "no way leads back");
+  return_path->back().position = state.word.position;
+  return std::move(*return_path);
 }
 
 }  // namespace leadscrew::drive

@@ -33,7 +33,7 @@ namespace leadscrew::realtime {
 /// Where words go; called by the cyclic thread: it must not wait. A sink that needs no way to rest has `take` alone.
 struct WordSink {
   std::function<bool(const base::Word&)> take;          ///< false if it has no room: it is given the word again
-  std::function<bool(const base::PathPlace&)> lead_on;  ///< to here goes the way to rest; false if it is too long
+  std::function<bool(const base::PathPlace&)> lead_on;  ///< appends a place to the way to rest; false if it is too long
   std::function<bool()> publish;                        ///< a slice; false if nobody wants words any more
 };
 
