@@ -75,8 +75,8 @@ TEST(WordStream, WhatWasPublishedIsTakenAfterLeaving) {
   EXPECT_EQ(place.position[0], 1.5);
 }
 
-/// Word n is at n; the stop path behind it goes n + 0.25, n + 0.5, …: whenever the drives leave, they follow the one that belongs
-/// to the last word they took, and the maker knows how far it came.
+/// Word n is at n; the stop path behind it goes n + 0.25, n + 0.5, …: whenever the drives leave, they follow the one
+/// that belongs to the last word they took, and the maker knows how far it came.
 TEST(WordStream, TwoThreadsAgreeOnWhereTheDrivesLeft) {
   std::minstd_rand random(7);
   int left_in_the_middle = 0;

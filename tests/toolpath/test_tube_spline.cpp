@@ -61,8 +61,8 @@ Task task_along(std::vector<Vertex> vertices, double longest, double shortest) {
   return task;
 }
 
-/// Chords over two decades of three decades of margins, turning by up to `most_turn`; sometimes with other margins here and
-/// there.
+/// Chords over two decades of three decades of margins, turning by up to `most_turn`; sometimes with other margins here
+/// and there.
 Task random_task(double most_turn) {
   std::vector<std::size_t> coordinates{0, 1};
   for (std::size_t i = 2; i < base::axis_count; ++i) {

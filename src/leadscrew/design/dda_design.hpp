@@ -40,8 +40,8 @@ struct DdaLine {
   double seconds = 0;                ///< that the line takes
 };
 
-/// A line of these displacements, mm, each a whole number of steps but for rounding; not all 0. `word_rounded`: with S as a
-/// register holds it, or as it ought to be.
+/// A line of these displacements, mm, each a whole number of steps but for rounding; not all 0. `word_rounded`: with S
+/// as a register holds it, or as it ought to be.
 DdaLine along_line(const DdaDesign& design, const DdaRange& range, const std::vector<double>& delta_mm,
                    double feed_mm_min, bool word_rounded);
 

@@ -81,8 +81,9 @@ Arc::Turned Arc::turned(const SplitLength& s) const {
   // θ = angle.hi + angle.lo. Sine and cosine of the greater part come from the library; what the smaller adds, and all
   // that is below a unit in the last place of the products, is gathered in `small` and enters with the last rounding.
   //
-  // Through small angles a rounding error of cos θ would count R times over, however short the arc: there the displacement from
-  // the start is x(cos θ − 1) − y sin θ, with cos θ − 1 = −2 sin²(θ/2), whose errors are of the chord's size.
+  // Through small angles a rounding error of cos θ would count R times over, however short the arc: there the
+  // displacement from the start is x(cos θ − 1) − y sin θ, with cos θ − 1 = −2 sin²(θ/2), whose errors are of the
+  // chord's size.
   const DoubleDouble angle = rate_.times(s);
   const bool is_small = std::abs(angle.hi) < 0.5;
   const double half = is_small ? std::sin(angle.hi / 2) : 0;

@@ -125,8 +125,8 @@ double difference(const std::array<double, base::axis_count>& a, const std::arra
   return value;
 }
 
-/// Whether the curve passes from one stretch to another without a step of tangent or curvature; `between` is the length of
-/// what lies between them, too short to be examined, along which either may change as it does next to it.
+/// Whether the curve passes from one stretch to another without a step of tangent or curvature; `between` is the length
+/// of what lies between them, too short to be examined, along which either may change as it does next to it.
 bool is_smooth(const Stretch& before, const Stretch& after, double between) {
   if (before.singular.end || after.singular.begin || before.metric != after.metric) return false;
   const EndDerivatives left = derivatives_at(from_end(before.curve), before.metric);

@@ -62,8 +62,8 @@ double chord_length(const Measured& a, const Measured& b) {
   return std::sqrt(dot(chord, chord));
 }
 
-/// The step, halved while it would jump: while C(u + Δu) or, on a curve that comes back, C(u + Δu/2) is farther away than
-/// ten times the distance. Near a cusp, where |C′| is next to 0, a Taylor step could else end anywhere.
+/// The step, halved while it would jump: while C(u + Δu) or, on a curve that comes back, C(u + Δu/2) is farther away
+/// than ten times the distance. Near a cusp, where |C′| is next to 0, a Taylor step could else end anywhere.
 double without_jump(const geometry::Nurbs& curve, const Measured& at, std::size_t group, double u, double distance,
                     double step) {
   constexpr int most_halvings = 60;

@@ -40,8 +40,8 @@ std::int64_t dda_commands(std::int64_t longest, std::int64_t capacity, std::int6
 
 /// What the DDA of a block's line, or that of the axes beside its circle, begins with.
 std::int64_t preload_of(const Block& block, PulseMethod method, const InterpolationOptions& options) {
-  // With the longest component as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the shorter
-  // axes where they are more than half a step behind.
+  // With the longest component as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the
+  // shorter axes where they are more than half a step behind.
   if (block.kind == Block::Kind::line && rate_of(method) != CommandRate::path_length) return (block.capacity - 1) / 2;
   return pulse::preloaded(options.preload, block.capacity, /*is_lagging=*/true);
 }

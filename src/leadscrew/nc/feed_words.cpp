@@ -71,7 +71,8 @@ void set_directions(PlannedBlock& planned, PulseMethod method) {
   planned.exit_course = course_of(planned.exit);
 }
 
-/// A line of a step or two runs in another direction on the lattice than programmed; a path of many such lines runs as programmed.
+/// A line of a step or two runs in another direction on the lattice than programmed; a path of many such lines runs as
+/// programmed.
 void set_programmed_course(PlannedBlock& planned, const gcode::Move& move, const machine::Machine& machine) {
   if (move.kind != gcode::Move::Kind::line) return;
   const auto delta = programmed_delta(move, machine);

@@ -20,7 +20,8 @@ inline constexpr std::string_view pulses_field = "pulses";
 struct PlannedBlock {
   Block block;
   std::array<double, base::axis_count> entry{}, exit{};  ///< steps of each axis a command, where it begins and ends
-  /// Unit vectors along the path in steps, there: of a programmed line its own, whatever direction the lattice gives it.
+  /// Unit vectors along the path in steps, there: of a programmed line its own, whatever direction the lattice gives
+  /// it.
   std::array<double, base::axis_count> entry_course{}, exit_course{};
   double acceleration = 0;   ///< of the command rate, commands/s²
   double greatest_rate = 0;  ///< commands/s: that no axis exceeds its velocity, nor its acceleration in the curve

@@ -1,6 +1,6 @@
 #pragma once
-// How fast a block's feed asks for its commands, and for its axes: by the programmed displacement, not by what rounding to the
-// lattice makes of it.
+// How fast a block's feed asks for its commands, and for its axes: by the programmed displacement, not by what rounding
+// to the lattice makes of it.
 
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>

@@ -1,5 +1,6 @@
 #pragma once
-// Sections that have a closed form: lines that run straight on, and arcs so short that the axes' shares of speed hardly change.
+// Sections that have a closed form: lines that run straight on, and arcs so short that the axes' shares of speed hardly
+// change.
 //
 //      speed    ╭───────┼─╮
 //              ╱        │  ╲              ┼ a slice ends here, feed is changed to 0.8

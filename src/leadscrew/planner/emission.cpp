@@ -44,8 +44,8 @@ Segment quintic(const PathState& from, const PathState& to, double duration) {
   return segment;
 }
 
-/// The greatest of values at even steps, raised to the vertex of the parabola through every three of them. NaN counts as
-/// infinity: it exceeds every limit.
+/// The greatest of values at even steps, raised to the vertex of the parabola through every three of them. NaN counts
+/// as infinity: it exceeds every limit.
 class Peak {
  public:
   void look(double value) {

@@ -6,10 +6,10 @@
 //              ╱ │  committed │ ╲  tail
 //             ╱  │            │  ╰──╌╌
 //
-// Each window is planned from where the last one's committed part ends, as far ahead as the path is looked at, down to a
-// creep from which the motion can stop. Only the first part is committed: what lies ahead of it by some times the distance
-// to stop is no different from the optimum of the whole section. The rest, with a stop at its end, is the chunk's stop
-// tail.
+// Each window is planned from where the last one's committed part ends, as far ahead as the path is looked at, down to
+// a creep from which the motion can stop. Only the first part is committed: what lies ahead of it by some times the
+// distance to stop is no different from the optimum of the whole section. The rest, with a stop at its end, is the
+// chunk's stop tail.
 //
 // A committed part may be handed out in slices, each with a tail that stops as early as can be. A change of speed asked
 // for (feed override, feed hold) takes effect where the last slice ends: from there the window is planned anew, first

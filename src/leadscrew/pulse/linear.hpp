@@ -11,9 +11,9 @@ class LinearDda {
  public:
   static constexpr std::size_t axes = axis_count;
 
-  /// Displacement of each axis, signed, |delta| ≤ greatest_coordinate. capacity q ≥ the largest of them: 2ⁿ for n-bit registers,
-  /// where a line takes 2ⁿ clocks; or its length rounded up, where feed is the rate of the clock. The line ends at its
-  /// end whatever the preload.
+  /// Displacement of each axis, signed, |delta| ≤ greatest_coordinate. capacity q ≥ the largest of them: 2ⁿ for n-bit
+  /// registers, where a line takes 2ⁿ clocks; or its length rounded up, where feed is the rate of the clock. The line
+  /// ends at its end whatever the preload.
   constexpr LinearDda(const std::array<std::int64_t, axes>& delta, std::int64_t capacity, Preload preload)
       : LinearDda(delta, capacity, 0) {
     std::int64_t longest = 0;
@@ -65,8 +65,8 @@ constexpr std::int64_t capacity_for(std::int64_t squared_length) {
 /// One axis a clock, the one that is furthest behind; of those that are equally far the first. Ends after Σ |delta|
 /// clocks.
 ///
-/// Each axis keeps what share of its distance it has made, ⌊2⁶² k/a⌋ after k of a steps, by additions. For a ≤ 2³⁰ two such
-/// shares are equal or at least 2⁻⁶⁰ apart, so that these order them.
+/// Each axis keeps what share of its distance it has made, ⌊2⁶² k/a⌋ after k of a steps, by additions. For a ≤ 2³⁰ two
+/// such shares are equal or at least 2⁻⁶⁰ apart, so that these order them.
 template <std::size_t axis_count>
 class LinearPointComparison {
  public:
@@ -142,8 +142,8 @@ class LinearPointComparison {
   std::int64_t all_left_ = 0;
 };
 
-/// In a plane, for the displacement (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above the line
-/// F > 0, where x steps; below it y does.
+/// In a plane, for the displacement (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above
+/// the line F > 0, where x steps; below it y does.
 template <>
 class LinearPointComparison<2> {
  public:

@@ -14,7 +14,8 @@
 // nothing followed. Words of a slice are made together, when the first of them is due.
 //
 // A planner that is late is the interpolator's matter: the stop tail runs, and motion goes on from rest, when enough is
-// planned not to be late again at once (feeder.hpp). The cycle neither allocates nor locks; its clock is for pacing alone.
+// planned not to be late again at once (feeder.hpp). The cycle neither allocates nor locks; its clock is for pacing
+// alone.
 
 #include <atomic>
 #include <cstdint>

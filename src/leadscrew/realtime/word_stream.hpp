@@ -7,11 +7,11 @@
 //   stop paths                  ├───┬──┬─┬● to rest, by the stop tail of the plan: one belongs to the head,
 //                                           the other is written for the next one
 //
-// One number says where the head is, which of the two stop paths belongs to it, and whether the drives have left. The maker
-// publishes by changing it from one head to the next; drives that find no word left change the same number to "left",
-// and follow the stop path of the head that they saw. Whoever is first decides, and the other sees it: no word is
-// published after drives have left, and no stop path is overwritten that they may be following. Without a lock and without
-// pointers: this may lie in memory that two processes share.
+// One number says where the head is, which of the two stop paths belongs to it, and whether the drives have left. The
+// maker publishes by changing it from one head to the next; drives that find no word left change the same number to
+// "left", and follow the stop path of the head that they saw. Whoever is first decides, and the other sees it: no word
+// is published after drives have left, and no stop path is overwritten that they may be following. Without a lock and
+// without pointers: this may lie in memory that two processes share.
 
 #include <array>
 #include <atomic>

@@ -7,8 +7,8 @@ namespace leadscrew::servo {
 
 namespace {
 
-/// When a motion in one direction passes `edge`, which it does before the time `last`, at which it has gone by `travel`:
-/// Newton's method, kept between the ends of a bracket.
+/// When a motion in one direction passes `edge`, which it does before the time `last`, at which it has gone by
+/// `travel`: Newton's method, kept between the ends of a bracket.
 double passing_time(const Motion& from, const Pull& pull, double edge, double last, double travel) {
   double low = 0, high = last;
   double time = last * ((edge - from.position) / travel);

@@ -57,7 +57,8 @@ void Compensation::AxisState::turn(double position) {
   if (ahead > 0 || ahead < -band) farthest = position;
 }
 
-/// One period of going over from one command to the other. `lost`: how far the backward command lies below the forward one.
+/// One period of going over from one command to the other. `lost`: how far the backward command lies below the forward
+/// one.
 void Compensation::AxisState::go_over(double forward_command, double lost, double period) {
   const double gap = std::fabs(lost), left = target() - over;
   const double wanted = std::min(takeup_velocity, std::sqrt(2 * acceleration * std::fabs(left) * gap));

@@ -6,7 +6,8 @@
 // by the backlash.
 //
 // Both depend on the direction in which the axis runs. Where it turns, its command goes over from that of one direction
-// to that of the other, no faster than the axis may go, on top of what words ask, and with no more than its acceleration.
+// to that of the other, no faster than the axis may go, on top of what words ask, and with no more than its
+// acceleration.
 //
 // Words are compensated, not what lies between them: where the error of a table changes its slope by d, steps that
 // follow the words round the bend off by at most d·v·T/4, at velocity v and period T.
@@ -27,7 +28,8 @@ class Compensation {
   /// below.
   base::Word apply(const base::Word& word);
 
-  /// Has every axis gone over to the command of its direction? After the last word, apply it again and again until it is so.
+  /// Has every axis gone over to the command of its direction? After the last word, apply it again and again until it
+  /// is so.
   bool settled() const;
 
   /// How far commands have been from their positions, at most; mm or degrees.

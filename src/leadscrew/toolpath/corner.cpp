@@ -46,7 +46,8 @@ void follow(const geometry::Curve& curve, double rate, double from, const Point&
   follow(curve, rate, middle, place, to, b, allowed, depth - 1, points);
 }
 
-/// What was programmed where the curve is to be replaced, between `from` and `to` of its length, within `allowed` mm of it.
+/// What was programmed where the curve is to be replaced, between `from` and `to` of its length, within `allowed` mm of
+/// it.
 std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vertex> polyline, double from, double to,
                               double allowed) {
   std::vector<Point> points;

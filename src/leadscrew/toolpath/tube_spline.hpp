@@ -10,8 +10,8 @@
 //                                                 where the curve would leave the tube.
 //
 // Distance is taken at equal parameters, which bounds Fréchet's distance: of each curve from the other, and in order.
-// Between two samples of one chord, e = q − p bends as q does, so |e| ≤ max(|e_i|, |e_i+1|) + Δu²/8 · max |q″|, and |q″| is no more than its
-// largest control point. The proof is therefore complete, span interiors included.
+// Between two samples of one chord, e = q − p bends as q does, so |e| ≤ max(|e_i|, |e_i+1|) + Δu²/8 · max |q″|, and
+// |q″| is no more than its largest control point. The proof is therefore complete, span interiors included.
 //
 // Streaming: a window of some 24 spans is solved, and the first third of it is settled; the next begins with its
 // position and four derivatives.
