@@ -14,7 +14,7 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::size_t steps_between_checks = 4096;
-constexpr std::int64_t words_between_checks = 4096;
+constexpr std::int64_t settling_words_between_checks = 4096;
 
 constexpr std::string_view too_many_problems = "too-many-problems";
 
@@ -139,7 +139,7 @@ void StepOutput::follow(const base::Word& word) {
 base::Result<void> StepOutput::follow_to_the_end() {
   for (std::int64_t count = 1; state_ && last_word_ && !compensation_->settled(); ++count) {
     follow(*last_word_);
-    if (count % words_between_checks == 0 && files::interrupted()) return base::failure(files::interruption());
+    if (count % settling_words_between_checks == 0 && files::interrupted()) return base::failure(files::interruption());
   }
   generator_->finish([this](auto events) { put(events); });
   if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
