@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t least_period = 50'000;  // ns: below, two processes cannot wake each other up in time
 
-/// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, ways to rest go on to the end
+/// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, stop paths go on to the end
 /// of a window of the planner's, some such stops long: what is longer still ends motion when it comes
 /// (`stop-too-long`).
 base::Result<void> check_stops(const Setup& setup) {

@@ -192,7 +192,7 @@ void run_drives(Link& link, const Setup& setup, Beginning& begin) {
     FileSide side(link, setup, begin.state);
     run(side, link, setup);
   } else {
-    DriveSide side(link, setup, begin.state);  // with the thread that writes states, which is no hurry of anybody's
+    DriveSide side(link, setup, begin.state);  // with the thread that writes states, which has no deadline
     // What is not permitted, the command says of itself.
     static_cast<void>(realtime::become_real_time());
     run(side, link, setup, begin.way_back);

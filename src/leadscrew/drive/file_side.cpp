@@ -64,7 +64,7 @@ void FileSide::take_words() {
   if (words.empty()) return;
   if (written) written = writer_.finish();
   if (!written) {
-    // A row that was begun is no row. If it cannot be cut off, the failure to write that led here is told all the same.
+    // An incomplete row is cut off. If that fails, the failure to write that led here is reported all the same.
     [[maybe_unused]] const int cut = is_regular_ ? ::ftruncate(file_.number(), accepted_bytes_) : 0;
     if (!gave_up_) took(written);
     return;

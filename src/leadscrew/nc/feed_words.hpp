@@ -13,7 +13,7 @@
 
 namespace leadscrew::nc {
 
-/// The field of base::Subject of what a program's pulses cannot be, as against what is wrong with its text.
+/// base::Subject::field of problems with a program's pulses, which tells them from errors in its text.
 inline constexpr std::string_view pulses_field = "pulses";
 
 /// A block and what planning its rate needs.

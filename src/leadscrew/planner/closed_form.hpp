@@ -28,7 +28,7 @@ class ClosedForm {
   static std::optional<ClosedForm> plan(const Section& section, const constraints::Constraints& constraints,
                                         double feed_factor);
 
-  /// What takes about this long, s > 0, or the rest.
+  /// The next part of the motion, about this long, s > 0, or all that is left of it.
   Chunk next(double slice);
   /// Does the last slice end at rest?
   bool is_done() const { return !(now_ < motion_.duration); }

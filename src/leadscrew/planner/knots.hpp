@@ -45,7 +45,7 @@ struct PlannedRange {
 double ramp_width(const machine::Derivatives& limits, double x);
 
 /// Knots along the range, at most about `most` intervals: fewer than reach its end if they would be more.
-/// Good only while the effort goes on.
+/// Complete only if the effort still goes on afterwards.
 Knots place_knots(const Section& section, const constraints::Constraints& constraints, const PlannedRange& range,
                   std::size_t most, Effort& effort);
 /// With all the effort of one window.

@@ -32,7 +32,7 @@ constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity d
 // over within microseconds.
 constexpr double gentle_time = 0.01;       // s
 constexpr double slower = 4;               // each time that this does not help
-constexpr int greatest_gentleness = 10;    // times
+constexpr int most_lowerings = 10;         // times
 constexpr double between_lowerings = 1e6;  // units of effort
 
 }  // namespace
@@ -62,7 +62,7 @@ void LookAhead::clear() {
   fastest_ = slowest_stop_ = reach_ = 0;
   moving_.reset();
   gentle_.reset();
-  gentleness_ = 0;
+  lowerings_ = 0;
   least_balance_ = 0;
 }
 
@@ -224,10 +224,10 @@ std::optional<Chunk> LookAhead::plan() {
 void LookAhead::plan_from_rest() {
   forget();
   if (untouched_) effort_.earn_section();
-  if (is_overdrawn()) be_gentler();
+  if (is_overdrawn()) lower_limits();
   effort_.begin_window();
   window_ = solve(Refinement::none);
-  while (!window_ && !effort_.goes_on() && be_gentler()) {
+  while (!window_ && !effort_.goes_on() && lower_limits()) {
     effort_.pay();
     effort_.begin_window();
     window_ = solve(Refinement::none);
@@ -259,15 +259,15 @@ void LookAhead::plan_in_motion() {
 
 /// Has planning taken too much effort, also since limits were lowered last?
 bool LookAhead::is_overdrawn() const {
-  return effort_.balance() < least_balance_ && gentleness_ < greatest_gentleness;
+  return effort_.balance() < least_balance_ && lowerings_ < most_lowerings;
 }
 
 /// From rest on, lower limits, whose motion takes fewer windows. False if they are as low as they get.
-bool LookAhead::be_gentler() {
-  if (gentleness_ == greatest_gentleness || effort_.is_stopped()) return false;
-  if (gentleness_ == 0) ++simplified_;
-  const double speed = fastest_ * std::pow(slower, -gentleness_);
-  ++gentleness_;
+bool LookAhead::lower_limits() {
+  if (lowerings_ == most_lowerings || effort_.is_stopped()) return false;
+  if (lowerings_ == 0) ++simplified_;
+  const double speed = fastest_ * std::pow(slower, -lowerings_);
+  ++lowerings_;
   least_balance_ = std::min(effort_.balance(), 0.0) - between_lowerings;
   machine::Machine gentle = machine_;
   for (std::optional<machine::AxisLimits>& axis : gentle.axes) {

@@ -6,7 +6,7 @@
 //              ╱ │  committed │ ╲  tail
 //             ╱  │            │  ╰──╌╌
 //
-// Each window is planned from where the last one's committed part ends, as far ahead as the path is looked at, down to
+// Each window is planned from where the last one's committed part ends, as far ahead as a window reaches, down to
 // a creep from which the motion can stop. Only the first part is committed: what lies ahead of it by some times the
 // distance to stop is no different from the optimum of the whole section. The rest, with a stop at its end, is the
 // chunk's stop tail.
@@ -72,7 +72,8 @@ class LookAhead {
   std::optional<Chunk> plan();
   /// Windows for which no motion was found: there the motion stopped once.
   std::int64_t refused() const { return refused_; }
-  /// Sections, or rests of sections, that would have taken more effort than motion earns: planned with gentler limits.
+  /// Sections, or rests of sections, that would have taken more effort than their motion allows: planned with lower
+  /// limits.
   std::int64_t simplified() const { return simplified_; }
   /// Does a change of the feed wait for the next slice, or because no motion was found at once? It is tried again two
   /// segments later, then four, … sixteen. Shortly before motion comes to rest none can begin, and none waits.
@@ -89,7 +90,7 @@ class LookAhead {
   void plan_from_rest();
   void plan_in_motion();
   bool is_overdrawn() const;
-  bool be_gentler();
+  bool lower_limits();
   const constraints::Constraints& limits() const { return gentle_ ? *gentle_ : constraints_; }
   bool may_change() const;
   void take_change();
@@ -104,7 +105,7 @@ class LookAhead {
   constraints::Constraints constraints_;
   /// Kept in its place, where planning took too much effort.
   std::optional<constraints::Constraints> gentle_;
-  int gentleness_ = 0;        ///< how many times limits have been lowered on this section
+  int lowerings_ = 0;         ///< how many times limits have been lowered on this section
   double least_balance_ = 0;  ///< of the effort: below it they are lowered
   Effort effort_;
   Section section_;

@@ -15,7 +15,7 @@ constexpr double finest_bend = 0.005;       // change of curvature times step
 constexpr int fewest_intervals = 32;        // of a curve
 constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
 constexpr int most_halvings = 20;
-constexpr double grading = 0.1;           // of the distance from the nearer end
+constexpr double grading = 0.1;           // h over the distance from the nearer end
 constexpr double negligible_kink = 1e-6;  // of a unit tangent: less is taken as smooth, which can only lower the bound
 
 bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& entering) {

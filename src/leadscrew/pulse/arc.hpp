@@ -22,7 +22,7 @@ struct Arc {
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
-/// In which a motion from this place goes on: 0 … 3.
+/// The quadrant in which a motion from this place goes on: 0 … 3.
 constexpr int quadrant(Point at, Direction direction) {
   const auto [x, y] = at;
   if (direction == Direction::counterclockwise) {

@@ -47,7 +47,7 @@ struct QuadrantRegisters {
     return x_is_first ? Pulse<2>{{one, other}} : Pulse<2>{{other, one}};
   }
 
-  /// The integrator of a side whose counter holds something, alone: does it overflow?
+  /// One clock of the integrator of one axis alone, whose counter is not 0: does it overflow?
   constexpr bool step(AxisIntegrator& alone) const {
     const bool overflows = alone.beyond >= 0;
     alone.beyond += alone.integrand - (overflows ? capacity : 0);

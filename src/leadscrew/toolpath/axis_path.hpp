@@ -1,5 +1,5 @@
 #pragma once
-// The door between a path and the axes that travel it: positions of all axes as a function of path length. Whoever
+// The interface between a path and the axes that travel it: positions of all axes as a function of path length. Whoever
 // plans, interpolates or goes back asks a piece for it (Piece::axes()) and never takes coordinates of a curve for
 // positions of axes.
 //
