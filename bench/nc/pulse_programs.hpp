@@ -32,7 +32,7 @@ inline std::string lines_of(double length, int axes, int count) {
   return text + "M2\n";
 }
 
-/// Quarters and three quarters of circles of this radius, mm; with a way of Z beside them helices.
+/// Quarters and three quarters of circles of this radius, mm; with a travel of Z beside them helices.
 inline std::string arcs_of(double radius, double height, int count) {
   char block[128];
   std::snprintf(block, sizeof block, "G61 F6000\nG0 X%.4f Y0\nG90.1\n", radius);

@@ -29,11 +29,11 @@ enum class Feeds : std::uint8_t { one, differing };
 
 /// 400 mm of a wave in lines of this length, mm, at 6000 mm/min, or each at a feed of its own down to half of that.
 std::string wave(double length, Feeds feeds = Feeds::one) {
-  constexpr double way = 400;
+  constexpr double distance = 400;
   std::string text = "G21 G90 G17 G94 F6000 G64 P0.01\n";
   double x = 0, y = 0;
   std::uint64_t state = 1;
-  for (double s = 0; s < way; s += length) {
+  for (double s = 0; s < distance; s += length) {
     const double slope = 0.8 * std::sin(s / 7);
     x += length * std::cos(slope), y += length * std::sin(slope);
     // A linear congruence, for feeds that do not repeat.

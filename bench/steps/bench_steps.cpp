@@ -17,11 +17,11 @@ std::vector<base::Word> words_of(std::size_t axes, double feed) {
   for (int k = 0; k <= 1000; ++k) {
     base::Word word;
     word.tick = base::Tick{k};
-    const double way = feed * k / 1000;
-    const double angle = way / 40;
-    if (axes == 1) word.position[0] = way;
+    const double travel = feed * k / 1000;
+    const double angle = travel / 40;
+    if (axes == 1) word.position[0] = travel;
     if (axes > 1) word.position = {40 * std::cos(angle), 40 * std::sin(angle)};
-    if (axes > 2) word.position[2] = 0.3 * way;
+    if (axes > 2) word.position[2] = 0.3 * travel;
     words.push_back(word);
   }
   return words;

@@ -195,17 +195,17 @@ std::pair<double, double> extent_of_curve(const std::string& picture) {
 /// The worst place of a full circle may be beside its start: there is curve to both sides of it.
 TEST(PulsePicture, ShowsACircleBeforeItsStartToo) {
   const Folder folder;
-  for (const char* way : {"--cw", "--ccw"}) {
-    ASSERT_EQ(leadscrew(folder, {"pulse", "--arc", "--start", "300,0", "--end", "300,0", way, "--method",
+  for (const char* sense : {"--cw", "--ccw"}) {
+    ASSERT_EQ(leadscrew(folder, {"pulse", "--arc", "--start", "300,0", "--end", "300,0", sense, "--method",
                                  "point-comparison", "--quiet", "--svg", "made.svg"})
                   .status,
               0);
     const std::string picture = folder.read("made.svg");
-    EXPECT_TRUE(contains(picture, *(way + 3) == 'w' ? "at (299, -1)" : "at (299, 1)")) << picture;
+    EXPECT_TRUE(contains(picture, *(sense + 3) == 'w' ? "at (299, -1)" : "at (299, 1)")) << picture;
     // Panels lie between 50 and 390; the circle runs upwards through all of this one.
     const auto [top, bottom] = extent_of_curve(picture);
-    EXPECT_LT(top, 50) << way;
-    EXPECT_GT(bottom, 390) << way;
+    EXPECT_LT(top, 50) << sense;
+    EXPECT_GT(bottom, 390) << sense;
   }
 }
 

@@ -44,7 +44,7 @@ double command_for(const Table& table, double position) {
 /// A row of a trace, or a step.
 struct At {
   double t;
-  double x;  ///< mm; of a step its way
+  double x;  ///< mm; of a step its displacement
 };
 
 std::vector<std::string> cells_of(const std::string& row) {
@@ -90,10 +90,10 @@ struct Travelled {
   std::vector<At> words, steps;
 
   /// Of all steps together, BLU.
-  std::int64_t way() const {
-    double way = 0;
-    for (const At step : steps) way += step.x / 0.001;
-    return std::llround(way);
+  std::int64_t displacement() const {
+    double displacement = 0;
+    for (const At step : steps) displacement += step.x / 0.001;
+    return std::llround(displacement);
   }
 };
 
@@ -137,7 +137,7 @@ TEST(StepsOnBentScrews, LeadWhereWordsAre) {
   EXPECT_NEAR(compensation[0]["greatest_correction_mm"].get<double>(), greatest, 1e-9);
 }
 
-/// Both ways have their own table: where axes end depends on from where they came.
+/// Both directions have their own table: where axes end depends on from where they came.
 TEST(StepsOnBentScrews, KnowTheWayTheAxisRuns) {
   Table back = bent;
   for (auto& [position, error] : back) error += 0.07;
@@ -145,17 +145,17 @@ TEST(StepsOnBentScrews, KnowTheWayTheAxisRuns) {
   const Folder folder;
   const double start = std::round(command_for(bent, 0) / 0.001);
   const auto forward = travel(folder, "G21 G90 F3000\nG1 X7.3\nM2\n", screw);
-  EXPECT_EQ(start + static_cast<double>(forward.way()), std::round(command_for(bent, 7.3) / 0.001));
+  EXPECT_EQ(start + static_cast<double>(forward.displacement()), std::round(command_for(bent, 7.3) / 0.001));
   const auto backward = travel(folder, "G21 G90 F3000\nG1 X11\nX7.3\nM2\n", screw);
-  EXPECT_EQ(start + static_cast<double>(backward.way()), std::round(command_for(back, 7.3) / 0.001));
+  EXPECT_EQ(start + static_cast<double>(backward.displacement()), std::round(command_for(back, 7.3) / 0.001));
 }
 
 /// The nut of a screw with play, moved step by step.
 class Nut {
  public:
   explicit Nut(double play) : play_(play) {}
-  void move(double way) {
-    screw_ += way;
+  void move(double displacement) {
+    screw_ += displacement;
     at_ = std::clamp(at_, screw_, screw_ + play_);
   }
   double at() const { return at_; }

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Stepped,
                          ::testing::Values("", "koren", "dda", "point-comparison", "min-error", "improved-min-error",
                                            "bresenham"));
 
-/// Steps of a signal pair: rising edges, each the way that the direction then shows.
+/// Steps of a signal pair: rising edges, each in the direction that the other signal then shows.
 std::int64_t end_of_signals(Dump& dump, const std::string& axis) {
   Dump::Signal &steps = dump.signals.at("steps." + axis + "_step"),
                &direction = dump.signals.at("steps." + axis + "_dir");

@@ -110,10 +110,10 @@ RC_GTEST_PROP(GreatestSquare, KeepsTheChordError, ()) {
     if (axis) axis->velocity = 1e9;
   }
   const double square = Constraints(machine).greatest_square({jet, 1e9}),
-               way = std::sqrt(square) * machine.period.seconds();
-  RC_ASSERT(std::abs(way * way / (8 * radius) / machine.chord_error - 1) <= 1e-12);
+               step_length = std::sqrt(square) * machine.period.seconds();
+  RC_ASSERT(std::abs(step_length * step_length / (8 * radius) / machine.chord_error - 1) <= 1e-12);
   if (machine.chord_error < 1e-3 * radius) {
-    const double chord = radius - std::sqrt(radius * radius - way * way / 4);
+    const double chord = radius - std::sqrt(radius * radius - step_length * step_length / 4);
     RC_ASSERT(std::abs(chord / machine.chord_error - 1) <= 2e-3);
   }
 }

@@ -99,11 +99,11 @@ inline std::string state_of(const Folder& folder) {
 }
 
 /// Waits until the state on disk says that the drives have come so far along the path, mm.
-inline bool comes_to(const Folder& folder, double way) {
+inline bool comes_to(const Folder& folder, double length) {
   return eventually([&] {
     if (!std::filesystem::exists(folder.path() / "state")) return false;
     const Json state = Json::parse(folder.read("state"), nullptr, false);
-    return state.is_object() && state["path_length"].get<double>() >= way;
+    return state.is_object() && state["path_length"].get<double>() >= length;
   });
 }
 

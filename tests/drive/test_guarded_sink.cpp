@@ -70,7 +70,7 @@ TEST(GuardedSink, PassesMotionAtTheLimits) {
   }
 }
 
-/// Drives find the words before it and the way to rest behind those.
+/// Drives find the words before it and the stop path behind those.
 TEST(GuardedSink, KeepsAWordBackThatNoAxisCanFollow) {
   for (const double x : {9998.998, risen(20) + 0.3, risen(20) + 0.0175, risen(20) + 0.022, risen(19), -9999.0,
                          std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -85,7 +85,7 @@ TEST(GuardedSink, KeepsAWordBackThatNoAxisCanFollow) {
     EXPECT_TRUE(words.link().words.leave_if_empty());
     base::PathPlace place;
     int periods = 0;
-    while (words.link().words.follow_way(place)) ++periods;
+    while (words.link().words.follow_stop_path(place)) ++periods;
     EXPECT_EQ(periods, 20);
     EXPECT_NEAR(place.position[0], risen(20) + risen(19), 1e-12);
   }

@@ -42,7 +42,7 @@ Curve random_arc() {
   end[first] = center_first + x * std::cos(angle) - y * std::sin(angle);
   end[second] = center_second + x * std::sin(angle) + y * std::cos(angle);
   return Arc(start, end, first, second, center_first, center_second, angle,
-             Arc::way(std::hypot(x, y), angle, end[(first + 2) % 3] - start[(first + 2) % 3]));
+             Arc::helix_length(std::hypot(x, y), angle, end[(first + 2) % 3] - start[(first + 2) % 3]));
 }
 
 Curve random_curve() {
@@ -147,7 +147,7 @@ TEST(Arcs, MatchExtendedPrecision) {
   Point start{};
   start[0] = radius;
   const DoubleDouble sweep = leadscrew::geometry::sweep_angle(radius, 0, radius, 0, 1);
-  const Arc arc(start, start, 0, 1, 0, 0, sweep, Arc::way(radius, sweep, 0));
+  const Arc arc(start, start, 0, 1, 0, 0, sweep, Arc::helix_length(radius, sweep, 0));
   for (int k = 1; k < 20000; ++k) {
     const double s = arc.length() * k / 20000;
     const long double angle =

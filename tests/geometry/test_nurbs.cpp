@@ -62,7 +62,7 @@ RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
     const double from = piece.length() * *rc::gen::inRange(0, 900) / 1000.0;
     const double to = from + (piece.length() - from) * *rc::gen::inRange(1, 1001) / 1000.0;
     const Nurbs part = piece.part(from, to);
-    const double granted = 1e-7 * part.length();  // of speed, all along
+    const double tolerated = 1e-7 * part.length();  // of speed, all along
     RC_ASSERT(part.length() == to - from);
     RC_ASSERT(part.start() == piece.evaluate(from));
     RC_ASSERT(part.end() == piece.evaluate(to));
@@ -74,10 +74,10 @@ RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
     for (int k = 0; k <= 10; ++k) {
       const double s = part.length() * k / 10;
       // Where a cusp lies between, its remainder of 1e-15 mm is as far as rounding of s can lead. Where it was cut, the
-      // table is another, within what is granted to it.
+      // table is another, within its tolerance.
       const Point here = part.evaluate(s), there = piece.evaluate(DoubleDouble(from) + DoubleDouble(s));
       for (std::size_t i = 0; i < here.size(); ++i) {
-        RC_ASSERT(std::abs(here[i] - there[i]) <= 16 * ulp(size_of(form)) + 400 * ulp(piece.length()) + granted);
+        RC_ASSERT(std::abs(here[i] - there[i]) <= 16 * ulp(size_of(form)) + 400 * ulp(piece.length()) + tolerated);
       }
     }
     // A part of a part.

@@ -22,7 +22,7 @@ using namespace testing_support;
 
 void* volatile allocated = nullptr;
 
-/// Chunks one after the other; each time one is refused the rest of the way is cut anew, from where its tail ended.
+/// Chunks one after the other; each time one is refused the rest of the path is cut anew, from where its tail ended.
 class Cuts {
  public:
   std::optional<planner::Chunk> next() {

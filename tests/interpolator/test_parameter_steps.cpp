@@ -57,39 +57,40 @@ rc::Gen<double> parameters() {
 
 RC_GTEST_PROP(ParameterSteps, FirstOrderIsTheWayOverTheParametricSpeed, ()) {
   const Nurbs curve = cubic();
-  const double u = *parameters(), way = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
-  RC_ASSERT(std::abs(next_parameter(curve, StepRule::taylor1, u, 0, way) - (u + way / speed(u))) < 1e-12);
+  const double u = *parameters(), distance = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
+  RC_ASSERT(std::abs(next_parameter(curve, StepRule::taylor1, u, 0, distance) - (u + distance / speed(u))) < 1e-12);
 }
 
 RC_GTEST_PROP(ParameterSteps, SecondOrderIsTaylorsPolynomial, ()) {
   const Nurbs curve = cubic();
-  const double u = *parameters(), way = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
+  const double u = *parameters(), distance = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
   // u″ at constant speed, from a difference quotient of u′ = V/|C′(u)| along the curve, not from the rule's formula.
   const double h = 1e-5, rate = 1 / speed(u);
   const double bend = (1 / speed(u + h) - 1 / speed(u - h)) / (2 * h) * rate;
-  const double expected = u + rate * way + bend * way * way / 2;
-  RC_ASSERT(std::abs(next_parameter(curve, StepRule::taylor2, u, 0, way) - expected) < 1e-9);
+  const double expected = u + rate * distance + bend * distance * distance / 2;
+  RC_ASSERT(std::abs(next_parameter(curve, StepRule::taylor2, u, 0, distance) - expected) < 1e-9);
 }
 
 RC_GTEST_PROP(ParameterSteps, NewtonMakesTheChordAsLongAsTheWay, ()) {
   const Nurbs curve = cubic();
-  const double u = *parameters(), way = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
-  const double next = next_parameter(curve, StepRule::newton, u, 0, way);
-  RC_ASSERT(std::abs(std::hypot(20 * (next - u), y(next) - y(u)) / way - 1) < 1e-7);
+  const double u = *parameters(), distance = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
+  const double next = next_parameter(curve, StepRule::newton, u, 0, distance);
+  RC_ASSERT(std::abs(std::hypot(20 * (next - u), y(next) - y(u)) / distance - 1) < 1e-7);
 }
 
 RC_GTEST_PROP(ParameterSteps, ArcLengthGoesWhereTheLawSays, ()) {
   const Nurbs curve = cubic();
-  const double s = *rc::gen::inRange(0, 29000) / 1e3, way = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
+  const double s = *rc::gen::inRange(0, 29000) / 1e3, distance = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
   const double anywhere = *parameters();
-  const double next = next_parameter(curve, StepRule::arc_length, anywhere, s, way);
-  RC_ASSERT(std::abs(length_between(0, next) - (s + way)) < 1e-6);
+  const double next = next_parameter(curve, StepRule::arc_length, anywhere, s, distance);
+  RC_ASSERT(std::abs(length_between(0, next) - (s + distance)) < 1e-6);
 }
 
 RC_GTEST_PROP(ParameterSteps, UniformDividesTheParameterAsTheWayDividesTheLength, ()) {
   const Nurbs curve = cubic();
-  const double u = *parameters(), way = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
-  RC_ASSERT(std::abs(next_parameter(curve, StepRule::uniform, u, 0, way) - (u + way / length_between(0, 1))) < 1e-9);
+  const double u = *parameters(), distance = *rc::gen::element(0.001, 0.02, 0.1, 0.5);
+  RC_ASSERT(std::abs(next_parameter(curve, StepRule::uniform, u, 0, distance) - (u + distance / length_between(0, 1))) <
+            1e-9);
 }
 
 TEST(ParameterSteps, StopAtTheEnd) {
@@ -117,8 +118,8 @@ TEST(ParameterSteps, AreCountedInTheCoordinatesThatTellTheLength) {
   }
 }
 
-// C = (u², 0) begins with C′ = 0, where the way over it is infinite; and a curve that ends where it begins, so that the
-// end is no way off.
+// C = (u², 0) begins with C′ = 0, where distance/|C′| is infinite; and a curve that ends where it begins, so that the
+// end is at distance 0.
 TEST(ParameterSteps, DoNotJumpFromACusp) {
   const NurbsForm straight{2, {0, 0, 0, 1, 1, 1}, {at(0, 0, 0), at(0, 0, 0), at(0, 1, 0)}, {1, 1, 1}};
   const NurbsForm loop{3, {0, 0, 0, 0, 1, 1, 1, 1}, {at(0, 0, 0), at(0, 0, 0), at(0, 4, 3), at(0, 0, 0)}, {1, 1, 1, 1}};
@@ -135,14 +136,14 @@ TEST(ParameterSteps, DoNotJumpFromACusp) {
   }
 }
 
-// Along u² the second order asks for Δu = h − h²/(2u)…, with h = way/(2u): back, where the way is long.
+// Along u² the second order asks for Δu = h − h²/(2u)…, with h = distance/(2u): back, where the distance is long.
 TEST(ParameterSteps, NeverGoBack) {
   const NurbsForm form{2, {0, 0, 0, 1, 1, 1}, {at(0, 0, 0), at(0, 0, 0), at(0, 1, 0)}, {1, 1, 1}};
   const Nurbs curve = geometry::smooth_pieces(form).back();
   for (double u = curve.first_parameter(); u < 0.9; u += 0.01) {
-    for (const double way : {1e-6, 1e-3, 0.01, 0.1}) {
+    for (const double distance : {1e-6, 1e-3, 0.01, 0.1}) {
       for (const StepRule rule : {StepRule::uniform, StepRule::taylor1, StepRule::taylor2, StepRule::newton})
-        EXPECT_GT(next_parameter(curve, rule, u, 0, way), u) << name(rule) << " at " << u << " by " << way;
+        EXPECT_GT(next_parameter(curve, rule, u, 0, distance), u) << name(rule) << " at " << u << " by " << distance;
     }
   }
 }

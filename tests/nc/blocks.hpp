@@ -22,18 +22,18 @@ inline Block with_word(Block block, std::int64_t word, PulseMethod method = Puls
   return block;
 }
 
-inline Block line(const LatticeVector& way, std::int64_t word, PulseMethod method = PulseMethod::koren) {
+inline Block line(const LatticeVector& delta, std::int64_t word, PulseMethod method = PulseMethod::koren) {
   Block block;
-  block.way = way;
+  block.delta = delta;
   return with_word(block, word, method);
 }
 
 inline Block arc(const pulse::Arc& arc, std::int64_t word, PulseMethod method = PulseMethod::koren,
-                 const LatticeVector& way = {}) {
+                 const LatticeVector& delta = {}) {
   Block block;
   block.kind = Block::Kind::arc;
   block.arc = arc;
-  block.way = way;
+  block.delta = delta;
   return with_word(block, word, method);
 }
 

@@ -16,13 +16,13 @@ constexpr std::array methods = {PulseMethod::koren,     PulseMethod::dda,
 constexpr std::array preloads = {pulse::Preload::none, pulse::Preload::half, pulse::Preload::half_lagging,
                                  pulse::Preload::full};
 
-/// Of some of the nine axes, ways of few steps or of many.
-LatticeVector random_way(std::size_t first_axis) {
-  LatticeVector way{};
+/// Displacements of some of the nine axes, of few steps or of many.
+LatticeVector random_delta(std::size_t first_axis) {
+  LatticeVector delta{};
   const auto longest = *rc::gen::element<std::int64_t>(1, 2, 3, 10, 3000);
   const auto axes = *rc::gen::inRange<std::size_t>(first_axis, base::axis_count + 1);
-  for (std::size_t i = first_axis; i < axes; ++i) way[i] = *rc::gen::inRange(-longest, longest + 1);
-  return way;
+  for (std::size_t i = first_axis; i < axes; ++i) delta[i] = *rc::gen::inRange(-longest, longest + 1);
+  return delta;
 }
 
 void expect_as_counted(Block block) {
@@ -41,14 +41,14 @@ void expect_as_counted(Block block) {
       RC_LOG() << static_cast<int>(method) << " " << static_cast<int>(preload) << ": " << commands << " of "
                << block.commands;
       RC_ASSERT(commands == block.commands);
-      RC_ASSERT(made == whole_way(block));
+      RC_ASSERT(made == whole_delta(block));
     }
   }
 }
 
 RC_GTEST_PROP(BlockInterpolator, TakesTheCommandsOfALine, ()) {
   Block block;
-  block.way = random_way(0);
+  block.delta = random_delta(0);
   expect_as_counted(block);
 }
 
@@ -57,7 +57,7 @@ RC_GTEST_PROP(BlockInterpolator, TakesTheCommandsOfAHelix, ()) {
   block.kind = Block::Kind::arc;
   const auto radius = *rc::gen::element<std::int64_t>(1, 2, 5, 300);
   block.arc = {{radius, 0}, {0, -radius}, pulse::Direction{*rc::gen::element<std::int8_t>(-1, 1)}};
-  block.way = random_way(2);
+  block.delta = random_delta(2);
   expect_as_counted(block);
 }
 

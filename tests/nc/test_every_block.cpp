@@ -58,7 +58,7 @@ class EveryBlock : public ::testing::TestWithParam<Bound> {
       for (std::int64_t b = -reach; b <= reach; ++b) {
         if (a == 0 && b == 0) continue;
         Block block;
-        block.way = {a, b};
+        block.delta = {a, b};
         const double length = std::hypot(static_cast<double>(a), static_cast<double>(b));
         const Made made = make(block, GetParam().method, {},
                                [&](Point at) { return std::abs(static_cast<double>(at.x * b - at.y * a)) / length; });

@@ -34,10 +34,10 @@ struct ClockByClock {
   std::int64_t capacity, word, aim, exit, by, remainder = 0, braking = 0;
 
   std::int64_t skip(std::int64_t commands_left) {
-    const std::int64_t way = commands_left * capacity;
-    const bool is_steady = word == aim && (word <= exit || way > braking + capacity);
+    const std::int64_t distance = commands_left * capacity;
+    const bool is_steady = word == aim && (word <= exit || distance > braking + capacity);
     for (std::int64_t clocks = 1;; ++clocks) {
-      if (!is_steady) change(way - remainder);
+      if (!is_steady) change(distance - remainder);
       remainder += word;
       if (remainder >= capacity) {
         remainder -= capacity;
@@ -46,14 +46,14 @@ struct ClockByClock {
     }
   }
 
-  void change(std::int64_t way) {
-    if (word > exit && way <= braking + word) {
+  void change(std::int64_t distance) {
+    if (word > exit && distance <= braking + word) {
       word = std::max(word - by, exit);
       braking = std::max<std::int64_t>(0, braking - word);
     } else if (word > aim) {
       word = std::max(word - by, aim);
       braking = std::max<std::int64_t>(0, braking - word);
-    } else if (word < aim && way > braking + 2 * word + by) {
+    } else if (word < aim && distance > braking + 2 * word + by) {
       if (word >= exit) braking += word;
       word = std::min(word + by, aim);
     }

@@ -38,11 +38,11 @@ TEST(KorenNcProgram, GivesOneCommandAnInterruptAt30InchesAMinute) {
 
 TEST(KorenNcProgram, GivesTwelvePoint34InchesAMinuteByTheWord1234) {
   EXPECT_EQ(NcProgram::feed_word(12.34), 1234);
-  constexpr std::int64_t way = 1'234'000;  // BLU: ten minutes
-  NcProgram program({}, source({line({way}, 1234)}));
+  constexpr std::int64_t distance = 1'234'000;  // BLU: ten minutes
+  NcProgram program({}, source({line({distance}, 1234)}));
   const std::int64_t interrupts = travel(program);
-  EXPECT_EQ(program.position()[0], way);
-  const double pps = 5000.0 * static_cast<double>(way) / static_cast<double>(interrupts);
+  EXPECT_EQ(program.position()[0], distance);
+  const double pps = 5000.0 * static_cast<double>(distance) / static_cast<double>(interrupts);
   EXPECT_NEAR(pps, 2056.67, 0.005);
   EXPECT_NEAR(pps * blu_in * 60, 12.34, 1e-4);
 }
@@ -134,7 +134,7 @@ TEST(NcProgram, ClampsAnOverrideAtTheBlocksGreatestWord) {
 TEST(NcProgram, MovesAxesPointToPointEachForItself) {
   Block block;
   block.kind = Block::Kind::point_to_point;
-  block.way = {30, -100, 7};
+  block.delta = {30, -100, 7};
   NcProgram program({}, source({testing::with_word(block, 3000)}));
   for (int i = 0; i < 30; ++i) program.interrupt();
   EXPECT_EQ(program.position(), (LatticeVector{30, -30, 7}));

@@ -177,12 +177,12 @@ TEST(PulseAcceleration, CarriesSpeedAlongLinesOfAStep) {
     for (const double degrees : {0.0, 30.0, 45.0, 77.0}) {
       for (const double step : {0.001, 0.0015, 0.003}) {
         std::string text = "G61 F540\n";
-        for (double way = step; way < 10; way += step) {
-          text += "G1 X" + std::to_string(way * std::cos(degrees / 57.29578)) + " Y" +
-                  std::to_string(way * std::sin(degrees / 57.29578)) + "\n";
+        for (double distance = step; distance < 10; distance += step) {
+          text += "G1 X" + std::to_string(distance * std::cos(degrees / 57.29578)) + " Y" +
+                  std::to_string(distance * std::sin(degrees / 57.29578)) + "\n";
         }
         const Pulsed pulsed = pulse(text, conditions);
-        // The lattice's way may be longer by up to the square root of two.
+        // The path on the lattice may be longer by up to the square root of two.
         const double seconds = static_cast<double>(pulsed.last) / 1e6;
         EXPECT_LT(seconds, 1.45 * 10 / 9 + 0.03) << degrees << " degrees, " << step << " mm";
         EXPECT_GT(seconds, 10.0 / 9 + 0.005);

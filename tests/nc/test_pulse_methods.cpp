@@ -89,7 +89,7 @@ TEST(PulseMethods, HaveNamesOfTheirOwn) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Loads half in the axis with the shorter way alone.
+/// Loads half in the axis with the shorter distance alone.
 TEST(HalfLagging, LoadsTheShorterAxisOfALine) {
   const PulseRun run(PulseMethod::dda, {line, {}, {9, -4}, {}, {}},
                      {.bits = 4, .preload = pulse::Preload::half_lagging, .tie = {}, .order = {}});
@@ -172,14 +172,14 @@ RC_GTEST_PROP(PulseMethods, LinesEndAtTheirEnds, ()) {
   const PulseMethod method = any_method();
   const PulseFigures figures = figures_of(method, curve);
   RC_ASSERT(figures.end == curve.end);
-  const auto [a, b] = curve.way();
+  const auto [a, b] = curve.delta();
   const std::int64_t longer = std::max(std::abs(a), std::abs(b));
   const bool is_nearest = method == PulseMethod::koren || rate_of(method) == CommandRate::longest_axis;
   const double bound = is_nearest ? 0.7072 : 1;
   RC_ASSERT(figures.max_error < bound);
   RC_ASSERT(figures.pulses >= longer && figures.pulses <= std::abs(a) + std::abs(b));
   if (method == PulseMethod::dda) RC_ASSERT(figures.clocks == *conventions_of(method, curve, {}).capacity);
-  // Across the line, by the area between the way and the place.
+  // Across the line: the area of the parallelogram of line and place, by the line's length.
   const double expected =
       std::abs(static_cast<double>(a * (figures.worst.y - curve.start.y) - b * (figures.worst.x - curve.start.x))) /
       std::hypot(static_cast<double>(a), static_cast<double>(b));
@@ -254,12 +254,12 @@ TEST(PulseProblems, EveryRegisterIsNamed) {
 /// Every coordinate below 8, but not the capacity: of the arc the radius 8.6, of the line the length. DDAs of hardware
 /// have 2ⁿ.
 TEST(PulseProblems, TheCapacityIsNamedWhereBitsDoNotHoldIt) {
-  const PulseCurve way{line, {}, {7, 7}, {}, {}}, piece{arc, {7, 5}, {5, 7}, {}, Direction::counterclockwise};
+  const PulseCurve segment{line, {}, {7, 7}, {}, {}}, piece{arc, {7, 5}, {5, 7}, {}, Direction::counterclockwise};
   MethodOptions options;
-  EXPECT_FALSE(capacity_problem(PulseMethod::koren, way, options));
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, segment, options));
   options.bits = 3;
   for (const auto& [curve, said] :
-       {std::pair{way, "the length, rounded up, is 10: register q of 3 bits holds no more than 7"},
+       {std::pair{segment, "the length, rounded up, is 10: register q of 3 bits holds no more than 7"},
         {piece, "the radius, rounded, is 9: register q of 3 bits"}}) {
     EXPECT_TRUE(problems_of(curve, options.bits).empty());
     const auto problem = capacity_problem(PulseMethod::koren, curve, options);
@@ -271,7 +271,7 @@ TEST(PulseProblems, TheCapacityIsNamedWhereBitsDoNotHoldIt) {
   }
   EXPECT_FALSE(capacity_problem(PulseMethod::koren, {arc, {5, 5}, {4, 6}, {}, Direction::counterclockwise}, options));
   options.bits = 4;
-  EXPECT_FALSE(capacity_problem(PulseMethod::koren, way, options));
+  EXPECT_FALSE(capacity_problem(PulseMethod::koren, segment, options));
 }
 
 /// (3, 4) is 5 from the centre; (4, 4) .66 more, (5, 1) .1 more.

@@ -183,7 +183,7 @@ TEST(PulseProgram, GoesAlongHelicesEvenly) {
       worst = std::max(worst, std::abs(z + 7000 * turned / (3.25 * 2 * std::numbers::pi)));
     });
     EXPECT_EQ(pulsed.sum, (LatticeVector{-5000, 5000, -7000}));
-    // Where an axis steps at every command the angle goes up to a seventh of an octant's way ahead of the commands.
+    // Where an axis steps at every command the angle goes up to a seventh of an octant ahead of the commands.
     EXPECT_LT(worst, method == PulseMethod::koren || method == PulseMethod::dda ? 2 : 15);
     const double length = std::hypot(3.25 * 2 * std::numbers::pi * 5, 7);
     EXPECT_NEAR(seconds(pulsed, conditions), length / (1000.0 / 60), 0.001 * length / (1000.0 / 60));
@@ -323,26 +323,26 @@ TEST(PulseProgram, KeepsTheLengthOfSteps) {
 /// A half-loaded DDA comes to the end of some sooner than after its capacity's commands.
 TEST(PulseProgram, TravelsShortLinesAtTheirFeed) {
   for (const PulseMethod method : methods) {
-    for (const LatticeVector& way : {LatticeVector{1, 1}, {1, 1, 1}, {2, 2}, {2, 2, 2}, {1, 2}, {5, 4}, {1}}) {
+    for (const LatticeVector& delta : {LatticeVector{1, 1}, {1, 1, 1}, {2, 2}, {2, 2, 2}, {1, 2}, {5, 4}, {1}}) {
       Conditions conditions;
       conditions.options.method = method;
       std::string text = "G61 G91 F600\n";
       double length = 0;
-      for (const std::int64_t of_axis : way) length += static_cast<double>(of_axis * of_axis);
+      for (const std::int64_t of_axis : delta) length += static_cast<double>(of_axis * of_axis);
       for (int lines = 0; lines < 500; ++lines) {
         text += "G1";
-        for (std::size_t i = 0; i < 3; ++i) text += word("XYZ"[i], static_cast<double>(way[i]) * mm_per_step);
+        for (std::size_t i = 0; i < 3; ++i) text += word("XYZ"[i], static_cast<double>(delta[i]) * mm_per_step);
         text += "\n";
       }
       const Pulsed pulsed = pulse(text, conditions);
       EXPECT_EQ(pulsed.problems, "");
       const double expected = 500 * std::sqrt(length) * mm_per_step / 10;
-      EXPECT_NEAR(seconds(pulsed, conditions), expected, 0.002 * expected) << static_cast<int>(method) << way[1];
+      EXPECT_NEAR(seconds(pulsed, conditions), expected, 0.002 * expected) << static_cast<int>(method) << delta[1];
     }
   }
 }
 
-/// None for a circle below a step; its axes beside it go their way all the same.
+/// None for a circle below a step; its axes beside it travel all the same.
 TEST(PulseProgram, EndsHelicesOfManySmallTurnsWhereTheyEnd) {
   for (const PulseMethod method : methods) {
     for (const double radius : {0.0004, 0.0009, 0.0012, 0.0019, 0.0026, 0.1}) {

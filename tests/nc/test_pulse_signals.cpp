@@ -26,11 +26,11 @@ std::vector<PulseCurve> arcs_of_radius(std::int64_t radius) {
   std::vector<PulseCurve> arcs;
   const Point center{2, -3};
   for (const Direction direction : {Direction::counterclockwise, Direction::clockwise}) {
-    for (const Point way : {Point{radius, 0}, Point{0, radius}, Point{-radius, 0}, Point{0, -radius}}) {
+    for (const Point offset : {Point{radius, 0}, Point{0, radius}, Point{-radius, 0}, Point{0, -radius}}) {
       const auto sense = static_cast<std::int64_t>(direction);
-      const Point start{center.x + way.x, center.y + way.y};
+      const Point start{center.x + offset.x, center.y + offset.y};
       arcs.push_back({PulseCurve::Shape::arc, start, start, center, direction});
-      const Point quarter{center.x - sense * way.y, center.y + sense * way.x};
+      const Point quarter{center.x - sense * offset.y, center.y + sense * offset.x};
       arcs.push_back({PulseCurve::Shape::arc, start, quarter, center, direction});
     }
   }

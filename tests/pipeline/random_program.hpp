@@ -259,12 +259,12 @@ class RandomProgram {
   /// Lines that do not turn, some with a feed of their own, some with A.
   void straight_on() {
     const double turn = turns(4) ? rounded(small_size()) : 0;
-    const std::array<double, 3> way = {rounded(small_size()), rounded(small_size() / 2), 0.008};
+    const std::array<double, 3> step = {rounded(small_size()), rounded(small_size() / 2), 0.008};
     for (int k = any(2, 6); k > 0; --k) {
       const int times = any(1, 4);
       text_ += "G1";
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        at_[axis] = rounded(at_[axis] + times * way[axis]);
+        at_[axis] = rounded(at_[axis] + times * step[axis]);
         word("XYZ"[axis], at_[axis]);
       }
       if (turn > 0) {

@@ -53,7 +53,7 @@ std::string random_polyline() {
   return text + "M2\n";
 }
 
-/// By up to twice the usual way, each of these axes.
+/// By up to twice the usual distance, each of these axes.
 void move(std::string& text, std::array<double, 5>& at, std::string_view axes, double usual) {
   constexpr std::string_view letters = "XYABU";
   for (const char letter : axes) {
@@ -237,7 +237,7 @@ TEST(BlendedPrograms, AreFollowedFromAWideToleranceIntoANarrowOne) {
   EXPECT_TRUE(keeps_promises(outcome)) << outcome.verdict.deviation_mm;
 }
 
-/// Where a blend leaves an arc, it bends less: a chord there is not as much shorter than its way.
+/// Where a blend leaves an arc, it bends less: a chord there is not as much shorter than its arc.
 TEST(BlendedPrograms, KeepTheFeedWhereABlendLeavesASmallArc) {
   const std::string text = "G21 G90 G17 G94 F161 G64 P0.051694\nG2 Z-0.002 I0.091 J0.041\nG18\nG2 K-4.736 I-6.974\n";
   for (const std::int64_t nanoseconds : {9'000'000, 9'227'532, 9'500'000, 12'000'000, 20'000'000}) {

@@ -20,7 +20,7 @@ struct Outcome {
   std::vector<std::string> errors;  ///< codes
   std::int64_t words = 0;
   base::AxisVector last{};
-  bool ended = false;  ///< within the words granted
+  bool ended = false;  ///< within the words allowed
 };
 
 /// What takes days is cut off after so many.

@@ -28,7 +28,8 @@ Piece half_turn(double radius) {
   start[1] = -radius;
   end[1] = radius;
   const double turn = std::numbers::pi;
-  return {geometry::Arc(start, end, 0, 1, 480, 0, turn, geometry::Arc::way(radius, turn, 0)), 100, base::Line{1}};
+  return {geometry::Arc(start, end, 0, 1, 480, 0, turn, geometry::Arc::helix_length(radius, turn, 0)), 100,
+          base::Line{1}};
 }
 
 std::optional<toolpath::TravelExcess> check(Piece& piece, double slack = 0) {
@@ -61,7 +62,8 @@ TEST(Travel, IsAskedOfWholeTurnsToo) {
   start[0] = end[0] = 470;
   end[2] = 5;
   const double turns = 40 * 2 * std::numbers::pi, radius = 16;  // about X = 486: to 502
-  Piece helix{geometry::Arc(start, end, 0, 1, 486, 0, turns, geometry::Arc::way(radius, turns, 5)), 100, base::Line{1}};
+  Piece helix{geometry::Arc(start, end, 0, 1, 486, 0, turns, geometry::Arc::helix_length(radius, turns, 5)), 100,
+              base::Line{1}};
   const auto excess = check(helix);
   ASSERT_TRUE(excess);
   EXPECT_NEAR(excess->position, 502, 1e-6);

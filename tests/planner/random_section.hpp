@@ -83,7 +83,7 @@ inline std::vector<toolpath::Piece> parts_of_a_helix(int most_pieces) {
   for (std::size_t k = 1; k < shares.size(); ++k) {
     const double share = shares[k] - shares[k - 1];
     pieces.push_back({geometry::Arc(at(shares[k - 1]), at(shares[k]), first, second, 0, 0, share * angle,
-                                    geometry::Arc::way(radius, share * angle, share * rise)),
+                                    geometry::Arc::helix_length(radius, share * angle, share * rise)),
                       feed.next(), base::Line{static_cast<std::int64_t>(k)}});
   }
   return pieces;
@@ -127,7 +127,7 @@ inline std::vector<toolpath::Piece> random_path(int most_pieces) {
   }
 }
 
-/// Lowers jerk until the way of a ramp to full speed, 2v√(v/J), is at least the path's length divided by `ramps`, so
+/// Lowers jerk until the length of a ramp to full speed, 2v√(v/J), is at least the path's length divided by `ramps`, so
 /// that no path takes too many knots to test with.
 inline void soften(machine::Machine& machine, const std::vector<toolpath::Piece>& pieces, double ramps) {
   double length = 0, slowest = 1e300;

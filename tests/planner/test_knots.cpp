@@ -10,8 +10,8 @@ namespace {
 
 using namespace leadscrew;
 using planner::Knots;
+using planner::PlannedRange;
 using planner::Section;
-using planner::Stretch;
 using testing_support::any;
 using testing_support::line_piece;
 using testing_support::section_of;
@@ -22,7 +22,7 @@ struct Placed {
   machine::Machine machine;
   std::vector<toolpath::Piece> pieces;
   Section section;
-  Stretch stretch;
+  PlannedRange range;
   Knots knots;
 };
 
@@ -32,8 +32,8 @@ Placed random_placement(std::size_t most = plenty) {
   placed.pieces = testing_support::random_path(8);
   testing_support::soften(placed.machine, placed.pieces, 60);
   placed.section = section_of(placed.pieces);
-  placed.stretch.end = placed.section.length();
-  placed.knots = place_knots(placed.section, placed.machine, placed.stretch, most);
+  placed.range.end = placed.section.length();
+  placed.knots = place_knots(placed.section, placed.machine, placed.range, most);
   return placed;
 }
 
@@ -53,8 +53,8 @@ RC_GTEST_PROP(Knots, IncreaseFromRampToRamp, ()) {
   increase(knots);
   RC_ASSERT(knots.intervals + 1 == knots.s.size());
   RC_ASSERT(knots.start_ramp > 0 && knots.end_ramp > 0);
-  RC_ASSERT(knots.s.front() == placed.stretch.begin + knots.start_ramp);
-  RC_ASSERT(knots.s.back() == placed.stretch.end - knots.end_ramp);
+  RC_ASSERT(knots.s.front() == placed.range.begin + knots.start_ramp);
+  RC_ASSERT(knots.s.back() == placed.range.end - knots.end_ramp);
   RC_ASSERT(!knots.breaks.front() && !knots.breaks.back());
 }
 
@@ -62,12 +62,12 @@ RC_GTEST_PROP(Knots, IncreaseFromRampToRamp, ()) {
 RC_GTEST_PROP(Knots, LieWhereTheyAreAskedFor, ()) {
   Placed placed = random_placement();
   const double length = placed.section.length();
-  placed.stretch.begin = length * any(0, 400) / 1000.0;
-  placed.stretch.end = length * any(600, 1001) / 1000.0;
-  const Knots knots = place_knots(placed.section, placed.machine, placed.stretch, plenty);
+  placed.range.begin = length * any(0, 400) / 1000.0;
+  placed.range.end = length * any(600, 1001) / 1000.0;
+  const Knots knots = place_knots(placed.section, placed.machine, placed.range, plenty);
   increase(knots);
-  RC_ASSERT(knots.s.front() == placed.stretch.begin + knots.start_ramp);
-  RC_ASSERT(knots.s.back() == placed.stretch.end - knots.end_ramp);
+  RC_ASSERT(knots.s.front() == placed.range.begin + knots.start_ramp);
+  RC_ASSERT(knots.s.back() == placed.range.end - knots.end_ramp);
 }
 
 /// What t₁ is short for: the ramp of constant path jerk ends long before any acceleration is reached.
@@ -75,9 +75,9 @@ RC_GTEST_PROP(Knots, LeaveRestByAShortRamp, ()) {
   const Placed placed = random_placement();
   const auto jet = placed.section.jets(0, planner::Side::right);
   const machine::Derivatives limits = planner::tangent_limits(jet, placed.machine);
-  const double way = 6 * placed.knots.start_ramp, j = limits.jerk, a = limits.acceleration;
-  const double time = std::max(std::cbrt(way / j), std::sqrt(way / a));
-  const double rise = std::sqrt((placed.stretch.end - placed.stretch.begin) / a);
+  const double distance = 6 * placed.knots.start_ramp, j = limits.jerk, a = limits.acceleration;
+  const double time = std::max(std::cbrt(distance / j), std::sqrt(distance / a));
+  const double rise = std::sqrt((placed.range.end - placed.range.begin) / a);
   RC_ASSERT(time <= 0.0101 * std::max(a / j, 0.02 * rise));
   double bend = 0;
   for (const auto& q : jet) bend += q.second * q.second;
@@ -122,8 +122,8 @@ RC_GTEST_PROP(Knots, AreGradedTowardsRest, ()) {
   const Placed placed = random_placement();
   const Knots& knots = placed.knots;
   for (std::size_t k = 0; k < knots.intervals; ++k) {
-    RC_ASSERT(width(knots, k) <= 0.3 * (knots.s[k] - placed.stretch.begin));
-    RC_ASSERT(width(knots, k) <= 0.3 * (placed.stretch.end - knots.s[k + 1]));
+    RC_ASSERT(width(knots, k) <= 0.3 * (knots.s[k] - placed.range.begin));
+    RC_ASSERT(width(knots, k) <= 0.3 * (placed.range.end - knots.s[k + 1]));
   }
 }
 
@@ -133,8 +133,8 @@ RC_GTEST_PROP(Knots, AreNarrowWherePathTurns, ()) {
   placed.pieces = testing_support::parts_of_a_helix(8);
   testing_support::soften(placed.machine, placed.pieces, 60);
   placed.section = section_of(placed.pieces);
-  placed.stretch.end = placed.section.length();
-  const Knots knots = place_knots(placed.section, placed.machine, placed.stretch, plenty);
+  placed.range.end = placed.section.length();
+  const Knots knots = place_knots(placed.section, placed.machine, placed.range, plenty);
   double bend = 0;
   for (const auto& q : placed.section.jets(0, planner::Side::right)) bend += q.second * q.second;
   for (std::size_t k = 0; k < knots.intervals; ++k) RC_ASSERT(width(knots, k) * std::sqrt(bend) <= 0.0801);
@@ -143,9 +143,9 @@ RC_GTEST_PROP(Knots, AreNarrowWherePathTurns, ()) {
 RC_GTEST_PROP(Knots, AreNoMoreThanAskedFor, ()) {
   const Placed placed = random_placement();
   const auto most = static_cast<std::size_t>(any(20, 300));
-  const Knots knots = place_knots(placed.section, placed.machine, placed.stretch, most);
+  const Knots knots = place_knots(placed.section, placed.machine, placed.range, most);
   increase(knots);
-  // As many more as it takes to come to rest are granted where that is the end.
+  // As many more as it takes to come to rest are allowed where that is the end.
   constexpr std::size_t to_rest = 100;
   const bool all = placed.knots.intervals < most + to_rest;
   RC_ASSERT((knots.end_ramp > 0) == all);
@@ -154,9 +154,9 @@ RC_GTEST_PROP(Knots, AreNoMoreThanAskedFor, ()) {
     RC_ASSERT(knots.s == placed.knots.s);
     return;
   }
-  // It ends in motion, with three knots to go on with, and before the end by some of the way to stop.
+  // It ends in motion, with three knots to go on with, and before the end by some of the stopping distance.
   RC_ASSERT(knots.s.size() == knots.intervals + 4);
-  RC_ASSERT(knots.s.back() < placed.stretch.end);
+  RC_ASSERT(knots.s.back() < placed.range.end);
   // As those of the whole stretch; what is not known shifts them by less than their distance.
   for (std::size_t k = 1; k < knots.s.size(); ++k) {
     RC_ASSERT(knots.s[k] > placed.knots.s[k - 1]);
@@ -166,15 +166,15 @@ RC_GTEST_PROP(Knots, AreNoMoreThanAskedFor, ()) {
 
 RC_GTEST_PROP(Knots, OfAWindowGoOnWhereTheOneBeforeLeftThem, ()) {
   Placed placed = random_placement();
-  placed.stretch.ends_at_rest = false;
-  const double whole = placed.stretch.end;
-  placed.stretch.end = whole * any(300, 1000) / 1000.0;
-  const Knots first = place_knots(placed.section, placed.machine, placed.stretch, 320);
+  placed.range.ends_at_rest = false;
+  const double whole = placed.range.end;
+  placed.range.end = whole * any(300, 1000) / 1000.0;
+  const Knots first = place_knots(placed.section, placed.machine, placed.range, 320);
   increase(first);
   RC_PRE(first.intervals > 3);
-  RC_ASSERT(first.end_ramp == 0 && first.s.size() == first.intervals + 4 && first.s.back() <= placed.stretch.end);
+  RC_ASSERT(first.end_ramp == 0 && first.s.size() == first.intervals + 4 && first.s.back() <= placed.range.end);
   const auto from = any<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(first.intervals));
-  Stretch next;
+  PlannedRange next;
   next.kept.assign(first.s.begin() + from, first.s.end());
   next.kept_breaks.assign(first.breaks.begin() + from, first.breaks.end());
   next.begin = next.kept.front();
@@ -190,12 +190,12 @@ RC_GTEST_PROP(Knots, OfAWindowGoOnWhereTheOneBeforeLeftThem, ()) {
 }
 
 TEST(Knots, AreFewInACruise) {
-  // A hundred times the way of a ramp: 40 intervals up, 40 down and not 4000 between them.
+  // A hundred times the length of a ramp: 40 intervals up, 40 down and not 4000 between them.
   machine::Machine machine = machine::mill3();
   const Section section = section_of({line_piece({}, {2000}, 100)});
-  Stretch stretch;
-  stretch.end = 2000;
-  const Knots knots = place_knots(section, machine, stretch, plenty);
+  PlannedRange range;
+  range.end = 2000;
+  const Knots knots = place_knots(section, machine, range, plenty);
   EXPECT_LT(knots.intervals, 2200u);
   EXPECT_GT(knots.intervals, 200u);
 }

@@ -86,7 +86,7 @@ void is_contiguous(const Chunk& chunk, const std::vector<Segment>& part, double 
                           &curve = chunk.pieces[part[k].piece].curve;
     RC_ASSERT(part[k].piece == part[k - 1].piece || part[k].piece == part[k - 1].piece + 1);
     RC_ASSERT(distance(geometry::evaluate(old_curve, before.s), geometry::evaluate(curve, now.s)) <= 1e-9);
-    // Rounding is that of the way since the section began, however short the piece.
+    // Rounding is that of the path length since the section began, however short the piece.
     RC_ASSERT(before.s <= geometry::length(old_curve) * (1 + 1e-12) + 1e-12 && now.s >= -1e-12);
   }
 }
@@ -141,7 +141,7 @@ Planned planned(const std::vector<toolpath::Piece>& pieces, const machine::Machi
   return result;
 }
 
-/// Many pieces, and a machine for which they are many windows: up to `ramps` ways of a ramp.
+/// Many pieces, and a machine for which they are many windows: up to `ramps` lengths of a ramp.
 struct Random {
   machine::Machine machine = testing_support::random_machine();
   std::vector<toolpath::Piece> pieces;

@@ -108,7 +108,7 @@ TEST(PlannerMemory, OfOneLongPieceIsBelowTwoMegabytesAtAHundredthOfTheFeed) {
   const geometry::Point start{10};
   geometry::Point end = start;
   end[2] = 100;
-  const double angle = 200 * std::numbers::pi, length = geometry::Arc::way(10, angle, 100);
+  const double angle = 200 * std::numbers::pi, length = geometry::Arc::helix_length(10, angle, 100);
   const toolpath::Piece helix{geometry::Arc(start, end, 0, 1, 0, 0, angle, length), 100, {}};
   const std::int64_t most = most_memory(machine, start, 1, [&] { return helix; }, Slow());
   EXPECT_LT(most, two_megabytes);

@@ -48,7 +48,7 @@ Piece random_helix() {
   end[normal] = rise;
   end[index(Axis::A)] = any(-90, 91);
   const double feed = any(0, 5) == 0 ? INFINITY : logarithmic(0.5, 500);
-  return {Arc(start, end, first, second, 0, 0, angle, Arc::way(radius, angle, rise)), feed, {}};
+  return {Arc(start, end, first, second, 0, 0, angle, Arc::helix_length(radius, angle, rise)), feed, {}};
 }
 
 /// The largest value over limit of any axis, looked for much more finely than the planner looks, with formulas written
@@ -59,8 +59,8 @@ double brute_force_ratio(const Chunk& chunk, const Machine& machine) {
   double worst = 0;
   for (const auto& segment : chunk.segments) {
     const double duration = segment.duration.value();
-    const double way = leadscrew::planner::evaluate(segment, duration).s - segment.s0.value();
-    const double angle = arc != nullptr ? std::abs(arc->angle_rate() * way) : 0;
+    const double distance = leadscrew::planner::evaluate(segment, duration).s - segment.s0.value();
+    const double angle = arc != nullptr ? std::abs(arc->angle_rate() * distance) : 0;
     const int looks = std::max(chunk.segments.size() <= 7 ? 2000 : 100, static_cast<int>(angle / angle_between_looks));
     for (int k = 0; k <= looks; ++k) {
       const double t = duration * k / looks;
@@ -158,7 +158,7 @@ TEST(PieceLimits, FullCircleIsNotFarFromTheOptimum) {
   Point start{};
   start[0] = 10;
   const auto sweep = leadscrew::geometry::sweep_angle(10, 0, 10, 0, 1);
-  const Arc circle(start, start, 0, 1, 0, 0, sweep, Arc::way(10, sweep, 0));
+  const Arc circle(start, start, 0, 1, 0, 0, sweep, Arc::helix_length(10, sweep, 0));
   const double fast = leadscrew::planner::plan_piece({circle, 100, {}}, machine).duration();
   const double slow = leadscrew::planner::plan_piece({circle, 10, {}}, machine).duration();
   EXPECT_GE(fast, 0.783 * 0.998);

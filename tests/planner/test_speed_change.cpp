@@ -44,7 +44,7 @@ RC_GTEST_PROP(SpeedChange, EndsAtTheSpeedWithoutAccelerationInsideTheBounds, ())
 }
 
 TEST(SpeedChange, TakesTheTextbooksTime) {
-  // 100 mm/s with 1000 mm/s² and 20000 mm/s³: v/a + a/j, and half the way at the mean speed.
+  // 100 mm/s with 1000 mm/s² and 20000 mm/s³: v/a + a/j, and half the distance at the mean speed.
   const planner::SpeedChange stop = planner::change_speed(100, 0, 0, {0, 1000, 20000});
   EXPECT_NEAR(stop.phases[0].duration + stop.phases[1].duration + stop.phases[2].duration, 0.15, 1e-12);
   EXPECT_NEAR(stop.distance, 100 * 0.15 / 2, 1e-9);

@@ -13,10 +13,10 @@ namespace {
 
 using namespace leadscrew;
 using planner::Knots;
+using planner::PlannedRange;
 using planner::Section;
 using planner::Side;
 using planner::SpeedProfile;
-using planner::Stretch;
 using testing_support::any;
 using testing_support::line_piece;
 using testing_support::section_of;
@@ -38,10 +38,10 @@ struct Random {
     knots = placed(section, machine, section.length());
   }
   static Knots placed(const Section& section, const machine::Machine& machine, double end, bool at_rest = true) {
-    Stretch stretch;
-    stretch.end = end;
-    stretch.ends_at_rest = at_rest;
-    return place_knots(section, machine, stretch, plenty);
+    PlannedRange range;
+    range.end = end;
+    range.ends_at_rest = at_rest;
+    return place_knots(section, machine, range, plenty);
   }
   SpeedProfile profile() const { return {section, machine, knots}; }
 };
@@ -231,15 +231,15 @@ InTwo in_two(const Random& random, double share_known, double share_split, bool 
   if (!first.continuation(k)) first.unlevel();
   const double first_time = travel_time(first, 0, k);
   two.ahead = travel_time(first, k, n) / stop_time(first, random.section, random.machine, k);
-  Stretch stretch;
-  stretch.begin = first.knots().s[k];
-  stretch.end = random.section.length();
-  stretch.starts_at_rest = false;
-  stretch.kept.assign(first.knots().s.begin() + static_cast<std::ptrdiff_t>(k), first.knots().s.end());
-  stretch.kept_breaks.assign(first.knots().breaks.begin() + static_cast<std::ptrdiff_t>(k), first.knots().breaks.end());
+  PlannedRange range;
+  range.begin = first.knots().s[k];
+  range.end = random.section.length();
+  range.starts_at_rest = false;
+  range.kept.assign(first.knots().s.begin() + static_cast<std::ptrdiff_t>(k), first.knots().s.end());
+  range.kept_breaks.assign(first.knots().breaks.begin() + static_cast<std::ptrdiff_t>(k), first.knots().breaks.end());
   const std::optional<planner::Continuation> after = first.continuation(k);
   if (!after) return two;  // not made
-  SpeedProfile second(random.section, random.machine, place_knots(random.section, random.machine, stretch, plenty),
+  SpeedProfile second(random.section, random.machine, place_knots(random.section, random.machine, range, plenty),
                       *after);
   two.second_ratio = second.greatest_ratio();
   const double x = first.square(k, 0), h = std::min(first.width(k), second.width(0));

@@ -46,7 +46,7 @@ TEST_P(FullCircle, TakesThePublishedLeastTime) {
   start[0] = 10;
   const auto sweep = geometry::sweep_angle(10, 0, 10, 0, 1);
   const toolpath::Piece circle{
-      geometry::Arc(start, start, 0, 1, 0, 0, sweep, geometry::Arc::way(10, sweep, 0)), feed, {}};
+      geometry::Arc(start, start, 0, 1, 0, 0, sweep, geometry::Arc::helix_length(10, sweep, 0)), feed, {}};
   EXPECT_NEAR(bound({circle}, mill(acceleration)), time, 0.00051);
 }
 

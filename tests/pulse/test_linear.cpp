@@ -31,19 +31,19 @@ void expect_on_every_line(const Make& make, double bound) {
   EXPECT_LE(worst, bound);
 }
 
-LinearDda<2> along(Point way, std::int64_t capacity, Preload preload) {
-  return {{way.x, way.y}, capacity, preload};
+LinearDda<2> along(Point delta, std::int64_t capacity, Preload preload) {
+  return {{delta.x, delta.y}, capacity, preload};
 }
 
 TEST(LinearDda, KeepsWithinABluWhereItsCapacityIsTheLength) {
-  const auto capacity = [](Point way) { return capacity_for(way.x * way.x + way.y * way.y); };
-  expect_on_every_line([&](Point way) { return along(way, capacity(way), Preload::none); }, 0.9999);
-  expect_on_every_line([&](Point way) { return along(way, capacity(way), Preload::half); }, 0.7072);
+  const auto capacity = [](Point delta) { return capacity_for(delta.x * delta.x + delta.y * delta.y); };
+  expect_on_every_line([&](Point delta) { return along(delta, capacity(delta), Preload::none); }, 0.9999);
+  expect_on_every_line([&](Point delta) { return along(delta, capacity(delta), Preload::half); }, 0.7072);
 }
 
 TEST(LinearDda, KeepsWithinABluInABinaryRegister) {
-  expect_on_every_line([](Point way) { return along(way, 512, Preload::none); }, 0.9999);
-  expect_on_every_line([](Point way) { return along(way, 512, Preload::half); }, 0.7072);
+  expect_on_every_line([](Point delta) { return along(delta, 512, Preload::none); }, 0.9999);
+  expect_on_every_line([](Point delta) { return along(delta, 512, Preload::half); }, 0.7072);
 }
 
 /// m = 2ⁿ.
@@ -85,23 +85,23 @@ TEST(DigitalIntegrals, ReachEveryEndAfter2ToTheNCycles) {
 }
 
 TEST(LinearDda, CarriesNineAxesToTheirEnd) {
-  const std::array<std::int64_t, 9> way = {7, -1000, 0, 999, 1, -3, 500, 333, -64};
-  LinearDda<9> line(way, 1000, Preload::half);
+  const std::array<std::int64_t, 9> delta = {7, -1000, 0, 999, 1, -3, 500, 333, -64};
+  LinearDda<9> line(delta, 1000, Preload::half);
   std::array<std::int64_t, 9> at{};
   for (int clock = 0; clock <= 1000; ++clock) {
     const Pulse<9> pulse = line.step();
     for (std::size_t i = 0; i < at.size(); ++i) {
       at[i] += pulse.step[i];
-      EXPECT_LE(std::abs(static_cast<double>(at[i]) - static_cast<double>(way[i]) * std::min(clock + 1, 1000) / 1000),
+      EXPECT_LE(std::abs(static_cast<double>(at[i]) - static_cast<double>(delta[i]) * std::min(clock + 1, 1000) / 1000),
                 1);
     }
   }
-  EXPECT_EQ(at, way);
+  EXPECT_EQ(at, delta);
   EXPECT_TRUE(line.done());
 }
 
 TEST(LinearPointComparison, KeepsWithinABlu) {
-  expect_on_every_line([](Point way) { return LinearPointComparison<2>({way.x, way.y}); }, 1);
+  expect_on_every_line([](Point delta) { return LinearPointComparison<2>({delta.x, delta.y}); }, 1);
 }
 
 TEST(LinearPointComparison, StepsOneAxisAClock) {
@@ -110,34 +110,36 @@ TEST(LinearPointComparison, StepsOneAxisAClock) {
   EXPECT_EQ(found.pulses, 7);
 }
 
-/// The first of those that have the greatest share of their way left: of nine axes, two of which stand still.
+/// The first of those that have the greatest share of their distance left: of nine axes, two of which stand still.
 TEST(LinearPointComparison, StepsTheAxisThatIsFurthestBehind) {
-  const std::array<std::int64_t, 9> way = {0, -100, 7, 0, 64, -3, 50, 33, -64};
-  LinearPointComparison<9> line(way);
+  const std::array<std::int64_t, 9> delta = {0, -100, 7, 0, 64, -3, 50, 33, -64};
+  LinearPointComparison<9> line(delta);
   std::array<std::int64_t, 9> at{};
   for (int clock = 0; clock < 100 + 7 + 64 + 3 + 50 + 33 + 64; ++clock) {
-    const auto share_left = [&](std::size_t i) { return 1 - static_cast<double>(at[i]) / static_cast<double>(way[i]); };
+    const auto share_left = [&](std::size_t i) {
+      return 1 - static_cast<double>(at[i]) / static_cast<double>(delta[i]);
+    };
     const Pulse<9> pulse = line.step();
     const auto stepped = static_cast<std::size_t>(
         std::ranges::find_if(pulse.step, [](std::int8_t step) { return step != 0; }) - pulse.step.begin());
     ASSERT_LT(stepped, 9u);
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      if (way[i] == 0 || i == stepped) continue;
+    for (std::size_t i = 0; i < delta.size(); ++i) {
+      if (delta[i] == 0 || i == stepped) continue;
       const double ahead = share_left(stepped) - share_left(i);  // two shares are equal or 1/6400 apart
       ASSERT_TRUE(ahead > 1e-6 || (ahead > -1e-6 && stepped < i)) << clock << ' ' << i;
     }
     for (std::size_t i = 0; i < at.size(); ++i) at[i] += pulse.step[i];
-    ASSERT_EQ(line.left(stepped), std::abs(way[stepped] - at[stepped]));
+    ASSERT_EQ(line.left(stepped), std::abs(delta[stepped] - at[stepped]));
   }
-  EXPECT_EQ(at, way);
+  EXPECT_EQ(at, delta);
   EXPECT_TRUE(line.done());
 }
 
-/// Shares of ways as long as can be are told apart: by products.
-TEST(LinearPointComparison, TellsSharesOfTheLongestWaysApart) {
+/// Shares of the longest distances are told apart: by products.
+TEST(LinearPointComparison, TellsSharesOfTheLongestDistancesApart) {
   constexpr std::int64_t most = greatest_coordinate;
-  const std::array<std::int64_t, 5> way = {most - 1, -most, most - 2, most, most / 2 - 1};
-  LinearPointComparison<5> line(way);
+  const std::array<std::int64_t, 5> delta = {most - 1, -most, most - 2, most, most / 2 - 1};
+  LinearPointComparison<5> line(delta);
   std::array<std::int64_t, 5> left = {most - 1, most, most - 2, most, most / 2 - 1};
   const auto whole = left;
   for (int clock = 0; clock < 200'000; ++clock) {
@@ -146,13 +148,13 @@ TEST(LinearPointComparison, TellsSharesOfTheLongestWaysApart) {
       if (left[last] * whole[i] < left[i] * whole[last]) last = i;
     }
     const Pulse<5> pulse = line.step();
-    for (std::size_t i = 0; i < left.size(); ++i) ASSERT_EQ(pulse.step[i], i == last ? sign(way[i]) : 0) << clock;
+    for (std::size_t i = 0; i < left.size(); ++i) ASSERT_EQ(pulse.step[i], i == last ? sign(delta[i]) : 0) << clock;
     --left[last];
   }
 }
 
 TEST(LinearBresenham, KeepsWithinHalfABlu) {
-  expect_on_every_line([](Point way) { return LinearBresenham(way); }, 0.5);
+  expect_on_every_line([](Point delta) { return LinearBresenham(delta); }, 0.5);
 }
 
 TEST(LinearBresenham, TakesAsManyClocksAsTheLongerAxisHasSteps) {

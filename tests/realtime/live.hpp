@@ -87,15 +87,15 @@ class Live {
   realtime::Runner runner_;
 };
 
-/// Drives in a thread: a word a period by a clock of their own; without one, the way to rest.
+/// Drives in a thread: a word a period by a clock of their own; without one, the stop path.
 class Drives {
  public:
-  std::vector<base::Word> words;      ///< taken
-  std::vector<base::AxisVector> way;  ///< to rest, because words ceased
+  std::vector<base::Word> words;            ///< taken
+  std::vector<base::AxisVector> stop_path;  ///< to rest, because words ceased
 
   explicit Drives(base::Period period) : period_(period) {
     words.reserve(1'000'000);
-    way.reserve(longest_way);
+    stop_path.reserve(longest_stop_path);
   }
   ~Drives() { end(); }
 
@@ -115,7 +115,7 @@ class Drives {
   }
 
  private:
-  static constexpr std::size_t longest_way = 4096;
+  static constexpr std::size_t longest_stop_path = 4096;
 
   void run() {
     for (std::int64_t wake = realtime::now();; wake += period_.nanoseconds) {
@@ -130,12 +130,12 @@ class Drives {
       const bool stands = words.empty() || words.back().state == base::MotionState::rest;
       if (!stands && stream_->leave_if_empty()) break;
     }
-    for (base::PathPlace place; stream_->follow_way(place);) way.push_back(place.position);
+    for (base::PathPlace place; stream_->follow_stop_path(place);) stop_path.push_back(place.position);
   }
 
   const base::Period period_;
-  std::unique_ptr<realtime::WordStream<4096, longest_way>> stream_ =
-      std::make_unique<realtime::WordStream<4096, longest_way>>();
+  std::unique_ptr<realtime::WordStream<4096, longest_stop_path>> stream_ =
+      std::make_unique<realtime::WordStream<4096, longest_stop_path>>();
   std::atomic<bool> ended_{false};
   std::thread thread_;
 };

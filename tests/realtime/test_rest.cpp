@@ -54,7 +54,7 @@ std::vector<planner::Chunk> chunks_of(const std::string& text, const machine::Ma
 class Abandoned {
  public:
   std::vector<base::AxisVector> q;
-  std::size_t words = 0, way = 0;  ///< of these
+  std::size_t words = 0, stop_path = 0;  ///< of these
 
   Abandoned(const machine::Machine& machine, const std::vector<planner::Chunk>& chunks, std::int64_t last_word) {
     // Far ahead: no word waits for its time.
@@ -81,8 +81,8 @@ class Abandoned {
     while (stream_->pop(word)) q.push_back(word.position);
     words = q.size();
     EXPECT_TRUE(stream_->leave_if_empty());
-    for (base::PathPlace place; stream_->follow_way(place);) q.push_back(place.position);
-    way = q.size() - words;
+    for (base::PathPlace place; stream_->follow_stop_path(place);) q.push_back(place.position);
+    stop_path = q.size() - words;
   }
 
   std::unique_ptr<Stream> stream_ = std::make_unique<Stream>();
@@ -96,8 +96,8 @@ TEST(Rest, IsOnThePathWithinTravelAndLimitsWheneverWordsCease) {
   std::size_t longest = 0, in_motion = 0;
   for (std::size_t last = 1; last < words.size(); last += 7) {
     Abandoned drives(machine, chunks, static_cast<std::int64_t>(last));
-    longest = std::max(longest, drives.way);
-    in_motion += drives.way > 20;
+    longest = std::max(longest, drives.stop_path);
+    in_motion += drives.stop_path > 20;
     // A slice at most is not seen any more.
     ASSERT_LE(drives.words, last);
     ASSERT_GE(drives.words + 20, std::min(last, words.size()));

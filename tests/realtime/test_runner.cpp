@@ -93,7 +93,7 @@ void expect_stops_and_goes_on(std::int64_t longest_sleep, unsigned one_of, unsig
     ASSERT_EQ(base::count(drives.words[k].tick), static_cast<std::int64_t>(k));
   }
   // No planner keeps words from being on time: made where there are none, and taken.
-  EXPECT_TRUE(drives.way.empty());
+  EXPECT_TRUE(drives.stop_path.empty());
   EXPECT_EQ(counters.words, static_cast<std::int64_t>(drives.words.size()));
   expect_kept(judge(part, machine, drives.words));
 }

@@ -52,11 +52,11 @@ TEST(WordStream, LeadsToRestBehindTheLastPublishedWord) {
   EXPECT_FALSE(stream.publish());
   EXPECT_FALSE(stream.pop(word));
   for (const double at : {1.5, 1.6}) {
-    EXPECT_TRUE(stream.follow_way(place));
+    EXPECT_TRUE(stream.follow_stop_path(place));
     EXPECT_EQ(place.position[0], at);
     EXPECT_EQ(place.path_length, at);
   }
-  EXPECT_FALSE(stream.follow_way(place));
+  EXPECT_FALSE(stream.follow_stop_path(place));
 }
 
 TEST(WordStream, WhatWasPublishedIsTakenAfterLeaving) {
@@ -71,12 +71,12 @@ TEST(WordStream, WhatWasPublishedIsTakenAfterLeaving) {
   EXPECT_FALSE(stream.publish());
   EXPECT_TRUE(stream.pop(word));
   EXPECT_FALSE(stream.pop(word));
-  EXPECT_TRUE(stream.follow_way(place));
+  EXPECT_TRUE(stream.follow_stop_path(place));
   EXPECT_EQ(place.position[0], 1.5);
 }
 
-/// Word n is at n; the way behind it goes n + 0.25, n + 0.5, …: whenever the drives leave, they go the way that belongs
-/// to the last word they took, and the maker knows how far it came.
+/// Word n is at n; the stop path behind it goes n + 0.25, n + 0.5, …: whenever the drives leave, they follow the one
+/// that belongs to the last word they took, and the maker knows how far it came.
 TEST(WordStream, TwoThreadsAgreeOnWhereTheDrivesLeft) {
   std::minstd_rand random(7);
   int left_in_the_middle = 0;
@@ -118,10 +118,10 @@ TEST(WordStream, TwoThreadsAgreeOnWhereTheDrivesLeft) {
     EXPECT_EQ(last, published);
     base::PathPlace place;
     for (int part = 1; part <= 3 && last > 0; ++part) {
-      ASSERT_TRUE(stream->follow_way(place));
+      ASSERT_TRUE(stream->follow_stop_path(place));
       ASSERT_EQ(place.position[0], last + part / 4.0);
     }
-    EXPECT_FALSE(stream->follow_way(place));
+    EXPECT_FALSE(stream->follow_stop_path(place));
     left_in_the_middle += last > 0 && last < most - 1;
   }
   EXPECT_GT(left_in_the_middle, 0);

@@ -75,7 +75,7 @@ inline Program program_of(const NurbsCurve& curve) {
 
 /// From rest to rest along a share of a move.
 struct Leg {
-  std::function<AxisVector(double)> at;  // after a share 0 … 1 of the way by the time law
+  std::function<AxisVector(double)> at;  // after a share 0 … 1 of the length by the time law
   double duration = 0;
 };
 
@@ -85,15 +85,15 @@ inline double duration_of(const std::function<AxisVector(double)>& at, const gco
                           const machine::Machine& machine, double ratio) {
   constexpr int samples = 1000;
   constexpr double share = 0.75;
-  std::vector<AxisVector> way;
-  for (int i = 0; i <= samples; ++i) way.push_back(at(law(static_cast<double>(i) / samples)));
+  std::vector<AxisVector> places;
+  for (int i = 0; i <= samples; ++i) places.push_back(at(law(static_cast<double>(i) / samples)));
   const double step = 1.0 / samples;
   double least = 0, fastest = 0;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     double speed = 0;
     for (std::size_t k = 0; k < base::axis_count; ++k) {
       if (!machine.axes[k]) continue;
-      const auto q = [&](std::size_t n) { return way[std::min(n, way.size() - 1)][k]; };
+      const auto q = [&](std::size_t n) { return places[std::min(n, places.size() - 1)][k]; };
       const double v = std::abs(q(i + 1) - q(i)) / step;
       const double a = std::abs(q(i + 2) - 2 * q(i + 1) + q(i)) / (step * step);
       const double j = std::abs(q(i + 3) - 3 * q(i + 2) + 3 * q(i + 1) - q(i)) / (step * step * step);

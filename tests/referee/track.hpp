@@ -138,7 +138,7 @@ inline double radius_of(const Move& move) {
                     at(move.start, gcode::second_axis(move.plane)) - move.center_second);
 }
 
-/// Where a move is after a share 0…1 of its way.
+/// Where a move is after a share 0…1 of its length.
 inline AxisVector position_on(const Move& move, double share) {
   AxisVector result{};
   for (std::size_t i = 0; i < base::axis_count; ++i) {
@@ -167,7 +167,7 @@ inline double length_of(const Move& move) {
   return std::sqrt(sum);
 }
 
-// The time law: share of the way after a share τ of the time, at rest with no acceleration and no jerk at both ends.
+// The time law: share of the length after a share τ of the time, at rest with no acceleration and no jerk at both ends.
 inline double law(double tau) {
   return tau <= 0 ? 0 : tau >= 1 ? 1 : tau * tau * tau * tau * (35 + tau * (-84 + tau * (70 - 20 * tau)));
 }

@@ -80,16 +80,16 @@ TEST(Cascade, LagsByWhatIsNotFedForward) {
   EXPECT_NEAR(on_a_ramp(1, 0).error, 2 * 20.0 / 500 / 0.4 / 20, 1e-9);
 }
 
-/// Greatest way past the end of a long step that is travelled at the command's limit.
-double overshoot(double way, double limit) {
+/// Greatest distance past the end of a long step that is travelled at the command's limit.
+double overshoot(double travel, double limit) {
   AxisLoop loop = cascade_loop({.drive = velocity_drive(10, 0.02), .command_limit = limit},
                                {.position_gain = 10, .velocity_gain = 0.5, .integral_gain = 10, .limit = limit}, 1e-3);
   double past = 0;
   for (int k = 0; k < 40000; ++k) {
-    loop.follow({way});
-    past = std::max(past, loop.axis().slide() - way);
+    loop.follow({travel});
+    past = std::max(past, loop.axis().slide() - travel);
   }
-  EXPECT_NEAR(loop.axis().slide(), way, 1e-6);
+  EXPECT_NEAR(loop.axis().slide(), travel, 1e-6);
   return past;
 }
 

@@ -108,14 +108,14 @@ TEST(Pid, VelocityFedForwardTakesAwayTheFollowingError) {
 
 /// Rest to rest along a cubic: what is fed forward is K·u = v + τ·a, of the middle of the period that begins.
 TEST(Pid, AccelerationFedForwardTakesAwayMostOfTheRest) {
-  const double period = 1e-3, gain = 10, lag = 0.02, way = 50, duration = 1;
+  const double period = 1e-3, gain = 10, lag = 0.02, travel = 50, duration = 1;
   const auto error_with = [&](double velocity, double acceleration) {
     AxisLoop loop =
         pid_loop({.drive = velocity_drive(gain, lag)},
                  {.gains = {3, 0, 0}, .velocity_forward = velocity, .acceleration_forward = acceleration}, period);
     const auto at = [&](int k) {
       const double t = std::min(k * period / duration, 1.0);
-      return way * t * t * t * (10 - 15 * t + 6 * t * t);
+      return travel * t * t * t * (10 - 15 * t + 6 * t * t);
     };
     double worst = 0;
     for (int k = 0; k < 1200; ++k) {
@@ -135,7 +135,7 @@ struct Answer {
   double last_error = 0;  ///< mm
 };
 
-Answer answer_to_a_step(AntiWindup anti_windup, double way, double limit) {
+Answer answer_to_a_step(AntiWindup anti_windup, double travel, double limit) {
   const double period = 1e-3;
   const PidOptions options{
       .gains = {4, 20, 0.1}, .form = PidForm::standard, .limit = limit, .anti_windup = anti_windup};
@@ -143,9 +143,9 @@ Answer answer_to_a_step(AntiWindup anti_windup, double way, double limit) {
   AxisLoop loop(Axis::create({.drive = velocity_drive(10, 0.02), .command_limit = limit}).value(), pid, period);
   Answer answer;
   for (int k = 0; k < 60000; ++k) {
-    loop.follow({way});
-    answer.overshoot = std::max(answer.overshoot, loop.axis().screw().position - way);
-    answer.last_error = way - loop.axis().screw().position;
+    loop.follow({travel});
+    answer.overshoot = std::max(answer.overshoot, loop.axis().screw().position - travel);
+    answer.last_error = travel - loop.axis().screw().position;
   }
   return answer;
 }

@@ -25,8 +25,9 @@ std::vector<Point> cubic_words() {
   std::vector<Point> words = {{0, 0}};
   for (double u = 0; u < 1;) {
     const double dx = 20, dy = -150 * u * u + 160 * u - 10, ddy = -300 * u + 160;
-    const double way = feed * period, square = dx * dx + dy * dy;
-    u = std::min(1.0, u + way / std::sqrt(square) - dy * ddy * way * way / (2 * square * square));
+    const double step_length = feed * period, square = dx * dx + dy * dy;
+    u = std::min(1.0,
+                 u + step_length / std::sqrt(square) - dy * ddy * step_length * step_length / (2 * square * square));
     words.push_back({20 * u, ((-50 * u + 80) * u - 10) * u});
   }
   return words;

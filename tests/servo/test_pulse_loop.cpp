@@ -151,10 +151,10 @@ RC_GTEST_PROP(PulseLoop, StaysWithinHalfAPulseTimesTheGreatestGainOfTheLoopWitho
 
 struct EncoderPulse {
   double time;
-  int way;
+  int direction;
 };
 
-/// Pulses one way, as many back, with pauses that let some of the motion run out.
+/// Pulses in one direction, as many back, with pauses that let some of the motion run out.
 TEST(PulseLoop, AgreesWithSmallStepsPulseByPulse) {
   constexpr int ticks = 1200000;  // of 1 µs
   constexpr double tick = 1e-6;
@@ -177,12 +177,12 @@ TEST(PulseLoop, AgreesWithSmallStepsPulseByPulse) {
         loop.pulse(direction);
         reference.pulse(direction);
       }
-      reference.step(tick, [&](int way) { theirs.push_back({(k + 1) * tick, way}); });
+      reference.step(tick, [&](int direction) { theirs.push_back({(k + 1) * tick, direction}); });
     }
     ASSERT_GT(ours.size(), 200u);
     ASSERT_GE(theirs.size(), ours.size());
     for (std::size_t k = 0; k < ours.size(); ++k) {
-      ASSERT_EQ(ours[k].way, theirs[k].way) << k << " lag " << lag;
+      ASSERT_EQ(ours[k].direction, theirs[k].direction) << k << " lag " << lag;
       ASSERT_NEAR(ours[k].time, theirs[k].time, 2e-5) << k << " lag " << lag;
     }
   }

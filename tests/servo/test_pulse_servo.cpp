@@ -11,10 +11,10 @@ namespace {
 /// From rest to `speed` in a tenth of a second and on; X and half of it in Y.
 base::Word moving(const machine::Machine& machine, int k, double speed) {
   const double t = k * machine.period.seconds(), ramp = 0.1;
-  const double way = t < ramp ? speed * t * t / (2 * ramp) : speed * (t - ramp / 2);
+  const double travel = t < ramp ? speed * t * t / (2 * ramp) : speed * (t - ramp / 2);
   base::Word word;
   word.tick = base::Tick{k};
-  word.position = {2 + way, -1 - way / 2, 3};
+  word.position = {2 + travel, -1 - travel / 2, 3};
   return word;
 }
 

@@ -77,16 +77,16 @@ class BruteForce {
           const long double down = count - 0.5L - (direction > 0 ? hysteresis : 0);
           const long double there = k + 1 == looks ? q_[n + 1] : at(to);
           if (there < up && there > down) break;
-          const int way = there >= up ? 1 : -1;
-          const long double wanted = way > 0 ? up : down;
+          const int step = there >= up ? 1 : -1;
+          const long double wanted = step > 0 ? up : down;
           long double low = from, high = to;
           for (int halving = 0; halving < 70; ++halving) {
             const long double middle = (low + high) / 2;
-            (way * (at(middle) - wanted) < 0 ? low : high) = middle;
+            (step * (at(middle) - wanted) < 0 ? low : high) = middle;
           }
-          found.push_back({(static_cast<long double>(n) + high) * ticks_, way});
-          count += way;
-          direction = way;
+          found.push_back({(static_cast<long double>(n) + high) * ticks_, step});
+          count += step;
+          direction = step;
           from = high;
         }
       }

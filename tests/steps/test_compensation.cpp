@@ -33,9 +33,10 @@ class SimulatedScrew {
     if (nut_ <= table.front().position) return nut_ + table.front().error;
     for (std::size_t k = 1; k < table.size(); ++k) {
       if (nut_ > table[k].position) continue;
-      const double way = table[k].position - table[k - 1].position;
+      const double pitch = table[k].position - table[k - 1].position;
       return nut_ +
-             (table[k - 1].error * (table[k].position - nut_) + table[k].error * (nut_ - table[k - 1].position)) / way;
+             (table[k - 1].error * (table[k].position - nut_) + table[k].error * (nut_ - table[k - 1].position)) /
+                 pitch;
     }
     return nut_ + table.back().error;
   }
@@ -50,13 +51,13 @@ std::vector<PitchError> any_table() {
   std::vector<PitchError> table = {{-60.0 + any(0, 20), any(-100, 101) / 1e4}};
   const int entries = any(0, 12);
   for (int k = 0; k < entries; ++k) {
-    const double way = logarithmic(1, 30);
-    table.push_back({table.back().position + way, table.back().error + way * 1e-3 * any(-95, 96)});
+    const double pitch = logarithmic(1, 30);
+    table.push_back({table.back().position + pitch, table.back().error + pitch * 1e-3 * any(-95, 96)});
   }
   return table;
 }
 
-/// Of the way back, on which an axis lags behind its command more than forward, as lost motion does.
+/// Of running backward, where an axis lags behind its command more than forward, as lost motion does.
 std::vector<PitchError> lagging(std::vector<PitchError> table) {
   for (PitchError& entry : table) entry.error += 0.05 + 1e-4 * (entry.position + 60) + any(0, 100) * 1e-5;
   return table;
@@ -66,10 +67,10 @@ std::vector<PitchError> lagging(std::vector<PitchError> table) {
 std::vector<double> to_and_fro(int turns, double velocity, double period) {
   std::vector<double> positions = {any(-500, 500) / 10.0};
   for (int k = 0; k < turns; ++k) {
-    const double start = positions.back(), way = any(-500, 501) / 10.0 - start;
-    const auto count = static_cast<int>(std::ceil(std::fabs(way) * 1.6 / velocity / period)) + 1;
+    const double start = positions.back(), travel = any(-500, 501) / 10.0 - start;
+    const auto count = static_cast<int>(std::ceil(std::fabs(travel) * 1.6 / velocity / period)) + 1;
     for (int i = 1; i <= count; ++i) {
-      positions.push_back(start + way * (1 - std::cos(3.14159265358979 * i / count)) / 2);
+      positions.push_back(start + travel * (1 - std::cos(3.14159265358979 * i / count)) / 2);
     }
   }
   return positions;

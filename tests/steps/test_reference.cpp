@@ -21,7 +21,7 @@ TEST(Reference, StraysByATwentiethOfJerkTimesPeriodCubed) {
     const Span span{words[1], words[2] - words[1], speed_between(words[1] - words[0], words[2] - words[1], 0),
                     speed_between(words[2] - words[1], words[3] - words[2], 0)};
     for (double x = 0; x <= 1; x += 0.01) {
-      worst = std::max(worst, std::fabs(span.begin + span.way_at(x) - position(x, turn)));
+      worst = std::max(worst, std::fabs(span.begin + span.displacement_at(x) - position(x, turn)));
     }
   }
   EXPECT_LT(worst, 1.0 / 20);

@@ -49,7 +49,7 @@ struct Swing {
 Swing swing(const MilledSlot& slot, double from, double to) {
   double sum = 0, squares = 0, count = 0;
   for (const SlotPeriod& at : slot.periods) {
-    if (at.way < from || at.way > to) continue;
+    if (at.position < from || at.position > to) continue;
     sum += at.factor;
     squares += at.factor * at.factor;
     ++count;
@@ -107,10 +107,10 @@ TEST(AdaptiveSlot, UsesTheWholeRangeAndHoldsTheForceAfterIt) {
     double greatest_feed = 0;
     for (const SlotPeriod& at : slot.periods) {
       EXPECT_LE(at.factor, 2);
-      if (at.way > 30 && at.way < 40) {
+      if (at.position > 30 && at.position < 40) {
         EXPECT_EQ(at.factor, 2);
       }
-      if (at.way > 50 && at.way < 59) {
+      if (at.position > 50 && at.position < 59) {
         EXPECT_NEAR(at.mean_force, options.limit, 0.1 * options.limit);
       }
       greatest_feed = std::max(greatest_feed, at.feed);
@@ -151,7 +151,7 @@ void expect_safe(servo::SensorFailure kind) {
           if (time >= at + 0.02) {
             EXPECT_EQ(period.factor, safe) << name(overridden) << ' ' << time;
           }
-          if (time > at + 0.25 && period.way < 19) {
+          if (time > at + 0.25 && period.position < 19) {
             EXPECT_NEAR(period.mean_force, safe * depth / 2 * options.limit, 0.05 * options.limit);
           }
         }

@@ -95,8 +95,8 @@ TEST(FeedFluctuation, OfArcLengthIsOnlyThatOfChordsBesideArcs) {
   // A chord is shorter than its arc by (VT)²κ²/24: 1.5 nm of 0.1 mm here.
   const char* group = "plane cubic, V 10 mm/s, T 10 ms, arc-length";
   EXPECT_LT(ours(rows(), group, greatest), 1e-4);
-  const double kappa = 0.35522, way = 0.1;
-  EXPECT_NEAR(ours(rows(), group, least), -100 * way * way * kappa * kappa / 24, 1e-4);
+  const double kappa = 0.35522, step_length = 0.1;
+  EXPECT_NEAR(ours(rows(), group, least), -100 * step_length * step_length * kappa * kappa / 24, 1e-4);
 }
 
 TEST(FeedFluctuation, ChordErrorsFollowEquation3WhereStepsAreShort) {

@@ -246,7 +246,7 @@ TEST(KorenFeedStudy, CountsTheInstructionsOfAnInterrupt) {
   const double mean = ours(rows, group, "instructions of the mean interrupt");
   EXPECT_GT(mean, 20);
   EXPECT_LT(mean, 39);
-  // Two ways, counters, signs and remainders, and the coordinates of the start; a root digit by digit.
+  // Two displacements, counters, signs and remainders, and the coordinates of the start; a root digit by digit.
   EXPECT_EQ(ours(rows, group, "instructions with the initiator's"), 39 + 8 + 2 + 12 + 31 + 31 + 1 + 1);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-// Chunks made by hand: a law of constant jerks along a path, cut into chunks wherever one likes, each with a tail that
-// brakes with the same jerk. Nothing here asks a planner.
+// Chunks made by hand: a time law of constant jerks along a path, cut into chunks wherever one likes, each with a tail
+// that brakes with the same jerk. Nothing here asks a planner.
 //
-//   rest to rest    jerk +j, −j, 0, −j, +j; way = 2vt + v·(time at v), t = √(v/j)
+//   rest to rest    jerk +j, −j, 0, −j, +j; distance = 2vt + v·(time at v), t = √(v/j)
 //   to rest from v, a    jerk −j until the deceleration is d, then +j until it is 0:  d² = jv + a²/2
 
 #include <algorithm>

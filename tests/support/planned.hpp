@@ -21,7 +21,7 @@ inline toolpath::Piece arc_piece(const geometry::Point& start, double center_x, 
   const double x = start[0] - center_x, y = start[1] - center_y;
   end[0] = center_x + x * std::cos(sweep) - y * std::sin(sweep);
   end[1] = center_y + x * std::sin(sweep) + y * std::cos(sweep);
-  const double length = geometry::Arc::way(std::hypot(x, y), sweep, 0);
+  const double length = geometry::Arc::helix_length(std::hypot(x, y), sweep, 0);
   return {geometry::Arc(start, end, 0, 1, center_x, center_y, sweep, length), feed, base::Line{line}};
 }
 

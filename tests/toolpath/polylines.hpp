@@ -42,11 +42,11 @@ inline Point turned(const Point& direction, double angle, const std::vector<std:
   }
 }
 
-/// Numbered by the length from the first, all with this room.
-inline std::vector<Vertex> vertices_of(const Polyline& polyline, double room) {
-  std::vector<Vertex> vertices{{polyline.front(), 0, room}};
+/// Numbered by the length from the first, all with this margin.
+inline std::vector<Vertex> vertices_of(const Polyline& polyline, double margin) {
+  std::vector<Vertex> vertices{{polyline.front(), 0, margin}};
   for (std::size_t i = 1; i < polyline.size(); ++i)
-    vertices.push_back({polyline[i], vertices.back().u + distance(polyline[i - 1], polyline[i]), room});
+    vertices.push_back({polyline[i], vertices.back().u + distance(polyline[i - 1], polyline[i]), margin});
   return vertices;
 }
 
@@ -67,11 +67,11 @@ inline double discrete_frechet(const Polyline& a, const Polyline& b) {
   std::vector<double> before(b.size()), row(b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
-      double way = i + j > 0 ? INFINITY : 0;
-      if (i > 0) way = std::min(way, before[j]);
-      if (j > 0) way = std::min(way, row[j - 1]);
-      if (i > 0 && j > 0) way = std::min(way, before[j - 1]);
-      row[j] = std::max(way, distance(a[i], b[j]));
+      double reached = i + j > 0 ? INFINITY : 0;
+      if (i > 0) reached = std::min(reached, before[j]);
+      if (j > 0) reached = std::min(reached, row[j - 1]);
+      if (i > 0 && j > 0) reached = std::min(reached, before[j - 1]);
+      row[j] = std::max(reached, distance(a[i], b[j]));
     }
     before.swap(row);
   }

@@ -37,7 +37,7 @@ Curve random_arc(const Point& corner, Side side) {
   other[second] = y - radius * std::sin(angle + turn);
   other[normal] += side == Side::before ? -rise : rise;
   const auto [start, end] = side == Side::before ? std::pair{other, corner} : std::pair{corner, other};
-  return geometry::Arc(start, end, first, second, x, y, sweep, geometry::Arc::way(radius, sweep, rise));
+  return geometry::Arc(start, end, first, second, x, y, sweep, geometry::Arc::helix_length(radius, sweep, rise));
 }
 
 /// A cubic that turns gently.
@@ -53,11 +53,11 @@ Curve random_nurbs(const Point& corner, Side side) {
   return geometry::smooth_pieces(form).at(0);
 }
 
-/// One that may turn back round a tip, as long as a blend of that room reaches.
-Curve sharp_nurbs(const Point& corner, double room, Side side) {
+/// One that may turn back round a tip, as long as a blend of that margin reaches.
+Curve sharp_nurbs(const Point& corner, double margin, Side side) {
   geometry::NurbsForm form{3, {0, 0, 0, 0, 1, 1, 1, 1}, {corner}, {1, 1, 1, 1}};
   for (int k = 0; k < 3; ++k)
-    form.points.push_back(sum(form.points.back(), room * uniform(0.5, 5), random_direction({0, 1})));
+    form.points.push_back(sum(form.points.back(), margin * uniform(0.5, 5), random_direction({0, 1})));
   if (side == Side::before) std::reverse(form.points.begin(), form.points.end());
   const std::vector<geometry::Nurbs> pieces = geometry::smooth_pieces(form);
   return side == Side::before ? pieces.back() : pieces.front();
@@ -146,7 +146,7 @@ Polyline places_on(const geometry::Nurbs& curve, int count) {
 }
 
 /// Is it a blend of that corner that goes no farther than it may?
-void check_blend(const Corner& corner, const Blend& blend, double room) {
+void check_blend(const Corner& corner, const Blend& blend, double margin) {
   const double length = geometry::length(corner.before);
   RC_ASSERT(blend.before > 0);
   RC_ASSERT(blend.before <= corner.most_before);
@@ -160,15 +160,15 @@ void check_blend(const Corner& corner, const Blend& blend, double room) {
   const Polyline behind = places_on(corner.behind, 0, blend.behind, 200);
   legs.insert(legs.end(), behind.begin() + 1, behind.end());
   const Polyline places = places_on(blend.curve, 200);
-  RC_ASSERT(is_frechet_within(legs, places, 1.001 * room));
+  RC_ASSERT(is_frechet_within(legs, places, 1.001 * margin));
 }
 
 RC_GTEST_PROP(Blend, OfLinesStaysInTheRoom, ()) {
   const Corner corner = corner_of_lines(uniform(0.01, 2.9));
-  const double room = logarithmic(1e-3, 1);
-  const std::optional<Blend> found = blend(corner, room);
+  const double margin = logarithmic(1e-3, 1);
+  const std::optional<Blend> found = blend(corner, margin);
   RC_ASSERT(found);
-  check_blend(corner, *found, room);
+  check_blend(corner, *found, margin);
 }
 
 RC_GTEST_PROP(Blend, OfLinesAndArcsStaysInTheRoom, ()) {
@@ -178,10 +178,10 @@ RC_GTEST_PROP(Blend, OfLinesAndArcsStaysInTheRoom, ()) {
   const int kind = any(0, 3);
   const Corner corner = corner_of(kind == 0 ? line(place, direction, logarithmic(0.1, 50), Side::before) : arc_before,
                                   kind == 1 ? line(place, direction, logarithmic(0.1, 50), Side::behind) : arc_behind);
-  const double room = logarithmic(1e-3, 0.1);
-  const std::optional<Blend> found = blend(corner, room);
+  const double margin = logarithmic(1e-3, 0.1);
+  const std::optional<Blend> found = blend(corner, margin);
   RC_CLASSIFY(!found);
-  if (found) check_blend(corner, *found, room);
+  if (found) check_blend(corner, *found, margin);
 }
 
 RC_GTEST_PROP(Blend, OfLinesAndArcsThatTurnALittleStaysInTheRoom, ()) {
@@ -189,10 +189,10 @@ RC_GTEST_PROP(Blend, OfLinesAndArcsThatTurnALittleStaysInTheRoom, ()) {
   const Curve arc = random_arc(place, Side::behind);
   const Point direction = turned(bend_at(arc, 0).tangent, logarithmic(1e-3, 1), {0, 1, 2});
   const Corner corner = corner_of(line(place, direction, logarithmic(0.1, 50), Side::before), arc);
-  const double room = logarithmic(1e-3, 0.1);
-  const std::optional<Blend> found = blend(corner, room);
+  const double margin = logarithmic(1e-3, 0.1);
+  const std::optional<Blend> found = blend(corner, margin);
   RC_CLASSIFY(!found);
-  if (found) check_blend(corner, *found, room);
+  if (found) check_blend(corner, *found, margin);
 }
 
 RC_GTEST_PROP(Blend, OfNurbsStaysInTheRoom, ()) {
@@ -204,20 +204,20 @@ RC_GTEST_PROP(Blend, OfNurbsStaysInTheRoom, ()) {
   };
   const Corner corner = corner_of(kind < 2 ? random_nurbs(place, Side::before) : other(Side::before),
                                   kind > 0 ? random_nurbs(place, Side::behind) : other(Side::behind));
-  const double room = logarithmic(1e-3, 0.1);
-  const std::optional<Blend> found = blend(corner, room);
+  const double margin = logarithmic(1e-3, 0.1);
+  const std::optional<Blend> found = blend(corner, margin);
   RC_CLASSIFY(!found);
-  if (found) check_blend(corner, *found, room);
+  if (found) check_blend(corner, *found, margin);
 }
 
 /// Even looks need not see a tip.
 RC_GTEST_PROP(Blend, OfSharpNurbsStaysInTheRoom, ()) {
   const Point place = random_place();
-  const double room = logarithmic(1e-3, 0.1);
-  const Curve other = line(place, random_direction({0, 1}), 10 * room, Side::behind);
-  const Corner corner = corner_of(sharp_nurbs(place, room, Side::before),
-                                  any(0, 2) == 0 ? other : sharp_nurbs(place, room, Side::behind));
-  const std::optional<Blend> found = blend(corner, room);
+  const double margin = logarithmic(1e-3, 0.1);
+  const Curve other = line(place, random_direction({0, 1}), 10 * margin, Side::behind);
+  const Corner corner = corner_of(sharp_nurbs(place, margin, Side::before),
+                                  any(0, 2) == 0 ? other : sharp_nurbs(place, margin, Side::behind));
+  const std::optional<Blend> found = blend(corner, margin);
   RC_CLASSIFY(!found);
   if (!found) return;
   const double length = geometry::length(corner.before);
@@ -226,20 +226,20 @@ RC_GTEST_PROP(Blend, OfSharpNurbsStaysInTheRoom, ()) {
   legs.insert(legs.end(), behind.begin() + 1, behind.end());
   // Between places they are no farther than half a step from a curve.
   const double step = (found->before + found->behind) / 600 + found->curve.length() / 300;
-  RC_ASSERT(is_frechet_within(legs, places_on(found->curve, 300), room + step / 2));
+  RC_ASSERT(is_frechet_within(legs, places_on(found->curve, 300), margin + step / 2));
 }
 
 RC_GTEST_PROP(Blend, CutsTheCornerOfLongLinesByTheRoom, ()) {
   Corner corner = corner_of_lines(uniform(0.3, 2.9));
   corner.most_before = geometry::length(corner.before);
   corner.most_behind = geometry::length(corner.behind);
-  const double room = 1e-3;
-  const std::optional<Blend> found = blend(corner, room);
+  const double margin = 1e-3;
+  const std::optional<Blend> found = blend(corner, margin);
   RC_ASSERT(found);
   const Point place = to_millimetres(geometry::start(corner.behind));
   double nearest = INFINITY;
   for (const Point& point : places_on(found->curve, 200)) nearest = std::min(nearest, distance(point, place));
-  RC_ASSERT(std::abs(nearest - room) <= 1e-6 * room);
+  RC_ASSERT(std::abs(nearest - margin) <= 1e-6 * margin);
 }
 
 RC_GTEST_PROP(Blend, IsNoneWhereLinesTurnBack, ()) {

@@ -61,14 +61,14 @@ Task task_along(std::vector<Vertex> vertices, double longest, double shortest) {
   return task;
 }
 
-/// Chords over two decades of three decades of rooms, turning by up to `most_turn`; sometimes with other rooms here and
-/// there.
+/// Chords over two decades of three decades of margins, turning by up to `most_turn`; sometimes with other margins here
+/// and there.
 Task random_task(double most_turn) {
   std::vector<std::size_t> coordinates{0, 1};
   for (std::size_t i = 2; i < base::axis_count; ++i) {
     if (any(0, 4) == 0) coordinates.push_back(i);
   }
-  const double room = logarithmic(1e-3, 1), chord = room * logarithmic(1, 100);
+  const double margin = logarithmic(1e-3, 1), chord = margin * logarithmic(1, 100);
   const bool is_even = any(0, 2) == 0;
   Polyline polyline{scaled(uniform(0, 100), random_direction(coordinates))};
   Point direction = random_direction(coordinates);
@@ -76,11 +76,11 @@ Task random_task(double most_turn) {
     polyline.push_back(sum(polyline.back(), chord * logarithmic(0.1, 10), direction));
     direction = turned(direction, uniform(0, most_turn), coordinates);
   }
-  std::vector<Vertex> vertices = vertices_of(polyline, room);
+  std::vector<Vertex> vertices = vertices_of(polyline, margin);
   if (!is_even) {
-    for (Vertex& vertex : vertices) vertex.room *= logarithmic(0.2, 1);
+    for (Vertex& vertex : vertices) vertex.margin *= logarithmic(0.2, 1);
   }
-  return task_along(vertices, 2 * std::max(logarithmic(0.1, 1), std::min(10 * room, 3.0)), room / 2);
+  return task_along(vertices, 2 * std::max(logarithmic(0.1, 1), std::min(10 * margin, 3.0)), margin / 2);
 }
 
 double size_of(const Task& task) {
@@ -91,8 +91,8 @@ double size_of(const Task& task) {
   return size;
 }
 
-/// The largest distance at equal parameter of a great many places, over the room there.
-double share_of_room(const Task& task, const std::vector<QuinticSpline>& stretches) {
+/// The largest distance at equal parameter of a great many places, over the margin there.
+double share_of_margin(const Task& task, const std::vector<QuinticSpline>& stretches) {
   const std::vector<Vertex>& vertices = task.vertices;
   double share = 0;
   std::size_t chord = 1;
@@ -111,7 +111,7 @@ double share_of_room(const Task& task, const std::vector<QuinticSpline>& stretch
       while (chord + 1 < vertices.size() && vertices[chord].u < u) ++chord;
       const Vertex &a = vertices[chord - 1], &b = vertices[chord];
       const Point there = sum(a.position, (u - a.u) / (b.u - a.u), difference(b.position, a.position));
-      share = std::max(share, distance(stretch.value(span, u), there) / b.room);
+      share = std::max(share, distance(stretch.value(span, u), there) / b.margin);
     }
   }
   return share;
@@ -142,11 +142,11 @@ RC_GTEST_PROP(TubeSpline, StaysInTheTube, ()) {
   RC_CLASSIFY(made.outcome == Outcome::failed);
   const double rounding = 1e-14 * size_of(task) / task.shortest;
   RC_ASSERT(made.greatest_share <= 1);
-  RC_ASSERT(share_of_room(task, made.stretches) <= made.greatest_share + rounding);
+  RC_ASSERT(share_of_margin(task, made.stretches) <= made.greatest_share + rounding);
 }
 
 RC_GTEST_PROP(TubeSpline, ProvesWhatLiesBetweenItsSamples, ()) {
-  // Where rooms differ, it comes nearest to leaving the tube somewhere on a chord rather than at a vertex.
+  // Where margins differ, it comes nearest to leaving the tube somewhere on a chord rather than at a vertex.
   for (int k = 0; k < 20; ++k) {
     Polyline polyline{{0, 0}};
     Point direction{1, 0};
@@ -155,28 +155,28 @@ RC_GTEST_PROP(TubeSpline, ProvesWhatLiesBetweenItsSamples, ()) {
       direction = turned(direction, uniform(0, 0.5), {0, 1});
     }
     std::vector<Vertex> vertices = vertices_of(polyline, 1);
-    for (Vertex& vertex : vertices) vertex.room = logarithmic(0.01, 1);
+    for (Vertex& vertex : vertices) vertex.margin = logarithmic(0.01, 1);
     const Task task = task_along(vertices, logarithmic(0.5, 6), 0.005);
     const Fit made = fit(task);
-    RC_ASSERT(share_of_room(task, made.stretches) <= made.greatest_share + 1e-12);
+    RC_ASSERT(share_of_margin(task, made.stretches) <= made.greatest_share + 1e-12);
   }
 }
 
 /// Chords of a circle of radius 10.
-Task circle(double pitch, double length, double room, double longest) {
+Task circle(double pitch, double length, double margin, double longest) {
   Polyline points;
   for (double angle = 0; angle < length / 10; angle += pitch / 10)
     points.push_back({10 * std::cos(angle), 10 * std::sin(angle)});
-  return task_along(vertices_of(points, room), longest, room / 2);
+  return task_along(vertices_of(points, margin), longest, margin / 2);
 }
 
 TEST(TubeSpline, ProvesNotMuchMoreThanIsTrueOnSmoothRuns) {
   for (const double pitch : {0.003, 0.03, 0.3, 1.0, 3.0}) {
-    for (const double room : {0.01, 0.03}) {
-      const Task task = circle(pitch, 15, room, 1);  // fine chords: one window
+    for (const double margin : {0.01, 0.03}) {
+      const Task task = circle(pitch, 15, margin, 1);  // fine chords: one window
       const Fit made = fit(task);
       ASSERT_EQ(made.outcome, Outcome::ended);
-      EXPECT_LE(made.greatest_share, 1.1 * share_of_room(task, made.stretches)) << pitch << ' ' << room;
+      EXPECT_LE(made.greatest_share, 1.1 * share_of_margin(task, made.stretches)) << pitch << ' ' << margin;
     }
   }
 }
@@ -185,7 +185,7 @@ TEST(TubeSpline, ProvesNotMuchMoreThanIsTrueOfWhatIsSettled) {
   // The windows' far ends are free, and farther from the polyline than what becomes of them.
   const Task task = circle(0.03, 30, 0.01, 1);
   const Fit made = fit(task);
-  EXPECT_LE(made.greatest_share, 1.3 * share_of_room(task, made.stretches));
+  EXPECT_LE(made.greatest_share, 1.3 * share_of_margin(task, made.stretches));
 }
 
 TEST(TubeSpline, BendsAsEvenlyInTheMiddleOfALongRunAsOfAShortOne) {
@@ -268,10 +268,10 @@ RC_GTEST_PROP(TubeSpline, IsStraightAlongAStraightLine, ()) {
   const Point direction = random_direction({0, 1, 2, 3, 8});
   Polyline line{scaled(uniform(0, 100), random_direction({0, 1, 2}))};
   const Point from = line.front();
-  double way = 0;
+  double length = 0;
   for (int count = any(1, 100); count > 0; --count) {
-    way += logarithmic(1e-2, 10);
-    line.push_back(sum(from, way, direction));
+    length += logarithmic(1e-2, 10);
+    line.push_back(sum(from, length, direction));
   }
   const Task task = task_along(vertices_of(line, logarithmic(1e-3, 1)), logarithmic(0.2, 6), 0);
   const Fit made = fit(task);
@@ -298,10 +298,10 @@ Polyline rounded_words(double pitch) {
 
 TEST(TubeSpline, IsFoundInTubesOfRoundedWords) {
   for (const double pitch : {0.003, 0.01, 0.03, 0.1, 0.3}) {
-    for (const double room : {0.002, 0.005, 0.01}) {
+    for (const double margin : {0.002, 0.005, 0.01}) {
       for (const double longest : {0.2, 1.0, 2.0}) {
-        const Fit made = fit(task_along(vertices_of(rounded_words(pitch), room), longest, room / 2));
-        EXPECT_EQ(made.outcome, Outcome::ended) << pitch << ' ' << room << ' ' << longest;
+        const Fit made = fit(task_along(vertices_of(rounded_words(pitch), margin), longest, margin / 2));
+        EXPECT_EQ(made.outcome, Outcome::ended) << pitch << ' ' << margin << ' ' << longest;
       }
     }
   }

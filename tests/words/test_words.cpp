@@ -17,9 +17,9 @@
 #include <string>
 #include <string_view>
 
-// Words of the examples, of the studies' curves and of 200 random programs, of these the first eight seconds, bit for bit
-// as recorded in recorded.txt: a line for each program, its name, a hash of its text and machine, the number of its words and a hash of
-// these. A change that means to alter motion records anew: script/record-words.
+// Words of the examples, of the studies' curves and of 200 random programs, of these the first eight seconds, bit for
+// bit as recorded in recorded.txt: a line for each program, its name, a hash of its text and machine, the number of its
+// words and a hash of these. A change that means to alter motion records anew: script/record-words.
 
 namespace {
 

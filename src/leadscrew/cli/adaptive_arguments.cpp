@@ -16,7 +16,7 @@ constexpr std::array<Material, 4> materials = {
     {{"aluminium", 800}, {"cast-iron", 1200}, {"steel", 2000}, {"titanium", 1700}}};
 
 /// As they are given; what of them depends on another is settled at the end.
-struct Given {
+struct GivenCut {
   bool asked_for = false;
   AdaptiveArguments adaptive;
   double cutting_coefficient = 2000;  ///< of steel
@@ -58,7 +58,7 @@ Parsed<servo::SensorFault> fault_of(std::string_view text) {
   return wrong("is none of nan, stuck, silent");
 }
 
-Parsed<std::optional<AdaptiveArguments>> settled(const Given& given, const Command& command) {
+Parsed<std::optional<AdaptiveArguments>> settled(const GivenCut& given, const Command& command) {
   if (!given.asked_for) return std::optional<AdaptiveArguments>();
   AdaptiveArguments adaptive = given.adaptive;
   servo::AdaptiveCutOptions& cut = adaptive.cut;
@@ -83,7 +83,7 @@ Parsed<std::optional<AdaptiveArguments>> settled(const Given& given, const Comma
 
 void add_adaptive(Command& command, Arguments& arguments) {
   // Lives as long as the command's options.
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<GivenCut>();
   servo::AdaptiveCutOptions& cut = given->adaptive.cut;
   command.flag("--adaptive", "Hold the cutting force at a limit by the feed override; the cut is:", given->asked_for);
   command.value("--material", "NAME", "aluminium, cast-iron, steel (default) or titanium", given->cutting_coefficient,

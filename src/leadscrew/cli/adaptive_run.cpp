@@ -11,7 +11,6 @@ constexpr double least_change = 0.005;   // of the override's mean: less is not 
 constexpr double greatest_change = 0.1;  // of the override itself, that waits for its mean
 constexpr double mean_over = 0.1;        // s
 constexpr double slice = 0.02;           // s, until which a change takes effect
-constexpr std::int64_t words_between_checks = 1024;
 
 /// Of a program, mm/s; 0 where all is rapid.
 double greatest_feed(const files::InputFile& file, const Job& job) {

@@ -1,10 +1,10 @@
 #pragma once
 // Adaptive control beside a simulated program: the cut is fed what the slides travel, and moves the program's override.
 //
-// Each override that the program is told is planned anew, which is dear, and most changes are the sensor's noise. So it
-// is told the override's mean over 100 ms, when that has moved by 0.5 %; and the override itself when the sensor has
-// failed, or as soon as it is off by more than 10 % or the sensor's noise, nearly six times what is left of noise in
-// the mean of 32 forces.
+// Each override that the program is given makes it plan anew, which is costly, and most changes are the sensor's noise.
+// So it is given the override's mean over 100 ms, when that has moved by 0.5 %; and the override itself when the sensor
+// has failed, or as soon as it is off by more than 10 % or the sensor's noise, nearly six times what is left of noise
+// in the mean of 32 forces.
 
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/pipeline/program.hpp>

@@ -22,7 +22,7 @@ Style style_of(int descriptor, ColorChoice color) {
   return {wanted && ::isatty(descriptor) == 1};
 }
 
-int terminal_width() {
+int progress_width() {
   winsize size = {};
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
@@ -63,7 +63,7 @@ void Console::progress(const Progress& progress) {
   if (now - drawn_at_ < std::chrono::milliseconds(100)) return;
   drawn_at_ = now;
   const double elapsed = std::chrono::duration<double>(now - begun_).count();
-  const std::string text = "\r" + progress_text(progress, elapsed, terminal_width() - 1) + "\033[K";
+  const std::string text = "\r" + progress_text(progress, elapsed, progress_width() - 1) + "\033[K";
   drawn_ = true;
   static_cast<void>(files::write_all(STDERR_FILENO, text, "standard error"));
 }

@@ -10,7 +10,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-auto wrong(std::string message) {
+auto wrong_curve(std::string message) {
   return tl::unexpected<std::string>(std::move(message));
 }
 
@@ -29,12 +29,12 @@ Parsed<study::PartProgram> curve_program(std::string_view program) {
   const std::string_view name = asked.substr(0, at);
   const auto curves = study::named_curves();
   const auto curve = std::find_if(curves.begin(), curves.end(), [&](const auto& each) { return each.name == name; });
-  if (curve == curves.end()) return wrong(no_curve(name));
+  if (curve == curves.end()) return wrong_curve(no_curve(name));
   if (at == std::string_view::npos) return curve->program(curve->feed);
   const auto feed = parse_number(asked.substr(at + 1));
   if (!feed || !(*feed > 0))
-    return wrong(fmt::format("{}: behind @ stands a feed in mm/s, above 0, such as {}{}@{}", program, curve_prefix,
-                             curve->name, curve->feed));
+    return wrong_curve(fmt::format("{}: behind @ stands a feed in mm/s, above 0, such as {}{}@{}", program,
+                                   curve_prefix, curve->name, curve->feed));
   return curve->program(*feed);
 }
 

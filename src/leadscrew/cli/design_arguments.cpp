@@ -16,7 +16,7 @@ using results::SizingQuestion;
 using results::TimerQuestion;
 using Names = std::initializer_list<std::string_view>;
 
-constexpr const char* examples =
+constexpr const char* design_examples =
     "Examples:\n"
     "  leadscrew design --travel 600 --blu 0.01 --max-feed 12000 --min-distance 50 \\\n"
     "      --from 20,10 --to 120,60 --feed 3000\n"
@@ -27,7 +27,7 @@ constexpr const char* examples =
     "inch.\n";
 
 /// As they are given: each question has its own.
-struct Given {
+struct GivenDesign {
   bool timer = false, inverse_time = false;
   double travel = 0, blu = 0, max_feed = 0, min_distance = 0, feed = 0, clock = 0;
   double distance = 0, radius = 0, resolution = 0.01;  // Koren's, in/min
@@ -69,18 +69,18 @@ Parsed<void> refuse(const Command& command, std::string_view question, Names oth
   return {};
 }
 
-Parsed<DdaQuestion::Line> line_of(const Command& command, const Given& given) {
+Parsed<DdaQuestion::Line> line_of(const Command& command, const GivenDesign& given) {
   if (!command.given("--to")) return wrong("--to is missing: where the line ends, such as 120,60");
   if (const auto needed = need(command, {"--feed"}); !needed) return tl::unexpected(needed.error());
-  DdaQuestion::Line line{.way_mm = given.to, .feed_mm_min = given.feed};
+  DdaQuestion::Line line{.delta_mm = given.to, .feed_mm_min = given.feed};
   if (!command.given("--from")) return line;
   if (given.from.size() != given.to.size())
     return wrong("--from {} and --to {}: one has more axes", command.text_of("--from"), command.text_of("--to"));
-  for (std::size_t axis = 0; axis < given.from.size(); ++axis) line.way_mm[axis] -= given.from[axis];
+  for (std::size_t axis = 0; axis < given.from.size(); ++axis) line.delta_mm[axis] -= given.from[axis];
   return line;
 }
 
-Parsed<SizingQuestion> dda_of(const Command& command, const Given& given) {
+Parsed<SizingQuestion> dda_of(const Command& command, const GivenDesign& given) {
   const auto sound =
       refuse(command, "a linear interpolator",
              {"--clock", "--delays", "--distance", "--radius", "--resolution", "--digits"})
@@ -98,7 +98,7 @@ Parsed<SizingQuestion> dda_of(const Command& command, const Given& given) {
   return question;
 }
 
-Parsed<SizingQuestion> timer_of(const Command& command, const Given& given) {
+Parsed<SizingQuestion> timer_of(const Command& command, const GivenDesign& given) {
   const auto sound = refuse(command, "--timer",
                             {"--travel", "--blu", "--max-feed", "--min-distance", "--from", "--to", "--feed",
                              "--distance", "--radius", "--resolution", "--digits"})
@@ -108,7 +108,7 @@ Parsed<SizingQuestion> timer_of(const Command& command, const Given& given) {
   return TimerQuestion{.clock_pps = given.clock, .delays = given.delays};
 }
 
-Parsed<SizingQuestion> inverse_time_of(const Command& command, const Given& given) {
+Parsed<SizingQuestion> inverse_time_of(const Command& command, const GivenDesign& given) {
   const auto sound =
       refuse(command, "--inverse-time", {"--min-distance", "--from", "--to", "--clock", "--delays"}).and_then([&] {
         return need(command, {"--travel", "--blu", "--max-feed"});
@@ -133,7 +133,7 @@ Parsed<SizingQuestion> inverse_time_of(const Command& command, const Given& give
 
 void describe_design(Command& command, Arguments& arguments) {
   // Lives as long as the check.
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<GivenDesign>();
   const auto add = [&](const char* name, const char* unit, const char* what, double& target) {
     command.value(name, unit, what, target, parse_quantity);
   };
@@ -162,7 +162,7 @@ void describe_design(Command& command, Arguments& arguments) {
     arguments.design = std::move(*question);
     return {};
   });
-  command.help(examples);
+  command.help(design_examples);
 }
 
 }  // namespace leadscrew::cli

@@ -8,7 +8,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::string_view examples =
+constexpr std::string_view drive_examples =
     "Examples:\n"
     "  leadscrew drive part.ngc --state part.state\n"
     "  leadscrew drive part.ngc --resume part.state     from where it was stopped or killed\n"
@@ -63,7 +63,7 @@ void describe_drive(Command& command, Arguments& arguments) {
   command.value("--lead", "TIME", "Words made ahead of their time, so that late ones harm nothing (default 100ms)",
                 drive.lead, [](std::string_view text) { return parse_seconds(text, 0, 2); });
   command.check([&command, &drive] { return settle(command, drive); });
-  command.help(std::string(examples) + curves_text());
+  command.help(std::string(drive_examples) + curves_text());
 }
 
 }  // namespace leadscrew::cli

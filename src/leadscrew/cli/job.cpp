@@ -42,7 +42,7 @@ machine::ToolTable read_tools(const std::string& path, std::string& read, Diagno
   return tools.table;
 }
 
-void usage(DiagnosticLog& log, std::string message, std::string hint) {
+void log_usage(DiagnosticLog& log, std::string message, std::string hint) {
   log.add({base::Severity::error, "usage", std::move(message), std::move(hint), {}, {}});
 }
 
@@ -58,13 +58,14 @@ void take_start(const AxisValue& given, Job& job, DiagnosticLog& log) {
   const auto [axis, value] = given;
   const char letter = base::letter(axis);
   if (!job.machine.has(axis)) {
-    return usage(log, fmt::format("--start {}{}: machine {} has no axis {}", letter, value, job.machine.name, letter),
-                 fmt::format("it has {}", axis_letters(job.machine)));
+    return log_usage(log,
+                     fmt::format("--start {}{}: machine {} has no axis {}", letter, value, job.machine.name, letter),
+                     fmt::format("it has {}", axis_letters(job.machine)));
   }
   const machine::AxisLimits& limits = job.machine.limits(axis);
   if (value < limits.travel_min || value > limits.travel_max) {
-    return usage(log, fmt::format("--start {}{}: outside the travel of axis {}", letter, value, letter),
-                 fmt::format("from {} to {}", limits.travel_min, limits.travel_max));
+    return log_usage(log, fmt::format("--start {}{}: outside the travel of axis {}", letter, value, letter),
+                     fmt::format("from {} to {}", limits.travel_min, limits.travel_max));
   }
   job.start[base::index(axis)] = value;
 }

@@ -12,6 +12,9 @@
 
 namespace leadscrew::cli {
 
+/// So many words are made between two looks for an interruption.
+inline constexpr std::int64_t words_between_checks = 1024;
+
 struct Job {
   Arguments arguments;
   machine::Machine machine;  ///< with the period of the command line

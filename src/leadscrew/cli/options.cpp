@@ -34,7 +34,7 @@ CLI::App* add_command(CLI::App& app, Command& command) {
   return added;
 }
 
-Answer usage(const std::string& where, const std::string& message) {
+Answer usage_answer(const std::string& where, const std::string& message) {
   return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
 }
 
@@ -68,18 +68,20 @@ std::string mismatch(const std::string& said) {
 /// The first word must be a command; CLI11 would say less.
 std::optional<Answer> check_command(const std::deque<Command>& commands, const ProgramHelp& program, int count,
                                     const char* const* values) {
-  if (count < 2) return usage(program.name, fmt::format("no command{}", program.commands));
+  if (count < 2) return usage_answer(program.name, fmt::format("no command{}", program.commands));
   const std::string word = values[1];
   if (word.empty() || word[0] != '-') {
     std::vector<std::string_view> known;
     for (const Command& command : commands) known.push_back(command.name());
     if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
     const std::string meant = base::did_you_mean(word, known);
-    return usage(program.name, fmt::format("no command \"{}\"{}", word, meant.empty() ? program.commands : meant));
+    return usage_answer(program.name,
+                        fmt::format("no command \"{}\"{}", word, meant.empty() ? program.commands : meant));
   }
   const std::array<std::string_view, 2> known = {"--help", "--version"};
   if (word == "-h" || std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
-  return usage(program.name, fmt::format("no option {} before the command{}", word, base::did_you_mean(word, known)));
+  return usage_answer(program.name,
+                      fmt::format("no option {} before the command{}", word, base::did_you_mean(word, known)));
 }
 
 }  // namespace
@@ -205,14 +207,14 @@ std::variant<std::size_t, Answer> parse_command_line(std::deque<Command>& comman
   } catch (const CLI::CallForVersion&) {
     return Answer{Status::done, app.version() + "\n"};
   } catch (const CLI::ExtrasError&) {
-    return usage(name(), unexpected(asked()));
+    return usage_answer(name(), unexpected(asked()));
   } catch (const CLI::ArgumentMismatch& error) {
-    return usage(name(), mismatch(error.what()));
+    return usage_answer(name(), mismatch(error.what()));
   } catch (const CLI::ParseError& error) {
-    return usage(name(), error.what());
+    return usage_answer(name(), error.what());
   }
   const auto taken = commands[place()].take();
-  if (!taken) return usage(name(), taken.error());
+  if (!taken) return usage_answer(name(), taken.error());
   return place();
 }
 

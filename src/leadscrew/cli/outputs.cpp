@@ -17,7 +17,7 @@ bool is_special(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
-tl::unexpected<base::Diagnostic> usage(std::string message, std::string hint) {
+tl::unexpected<base::Diagnostic> usage_problem(std::string message, std::string hint) {
   return base::failure({base::Severity::error, "usage", std::move(message), std::move(hint), {}, {}});
 }
 
@@ -71,14 +71,15 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const std::string& path = paths[i];
     const auto is_read = [&](std::string_view what) {
-      return usage(fmt::format("{} is {}", path, what), "choose another name for what is written");
+      return usage_problem(fmt::format("{} is {}", path, what), "choose another name for what is written");
     };
     if (program.is_same(path)) return is_read("the program itself");
     if (arguments.machine && is_same_output(path, *arguments.machine)) return is_read("the machine file");
     if (arguments.tools && is_same_output(path, *arguments.tools)) return is_read("the tool table");
     for (std::size_t k = 0; k < i; ++k) {
       if (!is_same_output(path, paths[k])) continue;
-      return usage(fmt::format("{} and {} name the same file", paths[k], path), "give each output a name of its own");
+      return usage_problem(fmt::format("{} and {} name the same file", paths[k], path),
+                           "give each output a name of its own");
     }
   }
   return {};
@@ -92,7 +93,7 @@ base::Result<void> check_ending(std::string_view option, const std::optional<std
   const std::string what =
       all_but_last.empty() ? fmt::format("does not end in {}", endings.back())
                            : fmt::format("ends in neither {} nor {}", fmt::join(all_but_last, ", "), endings.back());
-  return usage(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");
+  return usage_problem(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");
 }
 
 base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments) {

@@ -14,10 +14,6 @@ constexpr std::int64_t most_clocks_shown = 64;  // unasked
 constexpr std::int64_t clocks_between_checks = 1 << 16;
 constexpr std::int64_t most_places = 10'000'000;  // that --path and --table give: half a gigabyte of text
 
-base::Diagnostic problem(std::string_view code, std::string message, std::string hint) {
-  return {base::Severity::error, code, std::move(message), std::move(hint), {}, {}};
-}
-
 base::Result<results::AllPulses> measured(const PulseArguments& arguments) {
   results::AllPulses all;
   for (const nc::PulseMethod method : arguments.methods) {
@@ -39,11 +35,11 @@ base::Result<void> check_length(const PulseArguments& arguments, const results::
   std::int64_t clocks = 0;
   for (const waves::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
   if (clocks <= most_places) return {};
-  return base::failure(problem("too-many-clocks",
-                               std::to_string(clocks) + " clocks are too many for " +
-                                   (arguments.path ? "--path" : "--table") + ", which gives up to " +
-                                   std::to_string(most_places),
-                               "--vcd writes any number of them"));
+  return base::failure(base::problem("too-many-clocks",
+                                     std::to_string(clocks) + " clocks are too many for " +
+                                         (arguments.path ? "--path" : "--table") + ", which gives up to " +
+                                         std::to_string(most_places),
+                                     "--vcd writes any number of them"));
 }
 
 /// A file that takes bytes until the user interrupts.
@@ -64,8 +60,8 @@ base::Result<std::unique_ptr<files::OutputFile>> written(const std::optional<std
 /// The files that were asked for.
 base::Result<void> write_files(const PulseArguments& arguments, const results::AllPulses& pulses) {
   if (arguments.vcd && arguments.svg && is_same_output(*arguments.vcd, *arguments.svg))
-    return base::failure(problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
-                                 "give each output a name of its own"));
+    return base::failure(base::problem("usage", *arguments.vcd + " and " + *arguments.svg + " name the same file",
+                                       "give each output a name of its own"));
   const auto dump =
       written(arguments.vcd, [&](const auto& sink) { return waves::write_pulse_dump(arguments.curve, pulses, sink); });
   if (!dump) return base::failure(dump.error());

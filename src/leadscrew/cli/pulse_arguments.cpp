@@ -18,7 +18,7 @@ namespace {
 
 using nc::PulseMethod;
 
-constexpr const char* examples =
+constexpr const char* pulse_examples =
     "Examples:\n"
     "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
     "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
@@ -37,7 +37,7 @@ constexpr const char* examples =
     "Sum_Z and, for koren, y1 r1 dz1.\n";
 
 /// As they are given; the curve is made of them at the end.
-struct Given {
+struct GivenCurve {
   bool arc = false, line = false, clockwise = false, counterclockwise = false;
 };
 
@@ -106,7 +106,7 @@ Parsed<int> parse_bits(std::string_view text) {
   return bits;
 }
 
-Parsed<void> check_curve(const Command& command, const Given& given) {
+Parsed<void> check_curve(const Command& command, const GivenCurve& given) {
   if (given.arc == given.line) return wrong("needs either --arc or --line");
   if (given.clockwise && given.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
   if (!command.given("--end"))
@@ -156,7 +156,7 @@ Parsed<void> check_outputs(const PulseArguments& pulse, bool json) {
   return {};
 }
 
-void add_curve(Command& command, PulseArguments& pulse, Given& given) {
+void add_curve(Command& command, PulseArguments& pulse, GivenCurve& given) {
   command.flag("--arc", "An arc", given.arc);
   command.flag("--line", "A straight line", given.line);
   const auto add_point = [&](const char* option, const char* what, const char* of, pulse::Point& point) {
@@ -205,7 +205,7 @@ void describe_pulse(Command& command, Arguments& arguments) {
   PulseArguments& pulse = arguments.pulse;
   pulse.methods = {nc::all_pulse_methods.begin(), nc::all_pulse_methods.end()};
   // Lives as long as the check.
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<GivenCurve>();
   add_curve(command, pulse, *given);
   add_methods(command, pulse);
   command.flag("--table", "Every register at every clock, as text", pulse.table);
@@ -222,7 +222,7 @@ void describe_pulse(Command& command, Arguments& arguments) {
         .and_then([&] { return check_outputs(arguments.pulse, arguments.json); })
         .and_then([&] { return check_use(arguments.pulse); });
   });
-  command.help(examples);
+  command.help(pulse_examples);
 }
 
 }  // namespace leadscrew::cli

@@ -13,8 +13,6 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t words_between_checks = 1024;
-
 class ProgramRun {
  public:
   ProgramRun(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)

@@ -12,7 +12,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::string_view examples =
+constexpr std::string_view run_examples =
     "Examples:\n"
     "  leadscrew run part.ngc\n"
     "  leadscrew run part.ngc --machine machines/heavy3.toml --trace part.csv --report part.html\n"
@@ -104,7 +104,7 @@ void describe_run(Command& command, Arguments& arguments) {
   command.check([&arguments] { return check_pulses(arguments); });
   command.only_with("--pulses", {"--pulse-method", "--step-clock", "--step-length", "--step-space", "--direction-setup",
                                  "--direction-hold"});
-  command.help(std::string(examples) + curves_text());
+  command.help(std::string(run_examples) + curves_text());
 }
 
 }  // namespace leadscrew::cli

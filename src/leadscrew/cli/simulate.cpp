@@ -16,8 +16,6 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t words_between_checks = 1024;
-
 class Simulation {
  public:
   Simulation(const Job& job, Console& console, DiagnosticLog& log) : job_(job), console_(console), log_(log) {}

@@ -10,7 +10,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::string_view examples =
+constexpr std::string_view simulate_examples =
     "Examples:\n"
     "  leadscrew simulate part.ngc\n"
     "  leadscrew simulate curve:plane-cubic --gains 2,2,15 --period 10ms   a published curve under published gains\n"
@@ -67,7 +67,7 @@ void describe_simulate(Command& command, Arguments& arguments) {
     if (!simulate.pulses || of_words.empty()) return {};
     return wrong("{} is of loops that follow words; with --pulses the gain is position_gain_per_s", of_words);
   });
-  command.help(std::string(examples) + "\n" + std::string(config::drive_help) + curves_text());
+  command.help(std::string(simulate_examples) + "\n" + std::string(config::drive_help) + curves_text());
 }
 
 void SimulateArguments::put_into(machine::Machine& machine) const {

@@ -14,7 +14,7 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::size_t steps_between_checks = 4096;
-constexpr std::int64_t words_between_checks = 4096;
+constexpr std::int64_t settling_words_between_checks = 4096;
 
 constexpr std::string_view too_many_problems = "too-many-problems";
 
@@ -135,11 +135,11 @@ void StepOutput::follow(const base::Word& word) {
   generator_->follow(compensation_->apply(word), [this](auto events) { put(events); });
 }
 
-/// An axis that has turned shortly before the end still goes over to its way.
+/// An axis that has turned shortly before the end still goes over to the command of its direction.
 base::Result<void> StepOutput::follow_to_the_end() {
   for (std::int64_t count = 1; state_ && last_word_ && !compensation_->settled(); ++count) {
     follow(*last_word_);
-    if (count % words_between_checks == 0 && files::interrupted()) return base::failure(files::interruption());
+    if (count % settling_words_between_checks == 0 && files::interrupted()) return base::failure(files::interruption());
   }
   generator_->finish([this](auto events) { put(events); });
   if (const auto complaint = generator_->complaint()) return base::failure(*complaint);
@@ -163,8 +163,8 @@ base::Result<void> StepOutput::write_program(const files::InputFile& program) {
                           pulse_options(*job_), [&](const base::Diagnostic& found) {
                             if (is_of_pulses(found) && !problem) problem = found;
                           });
-  std::array<steps::StepEvent, steps_between_checks> room;
-  for (auto steps = pulses.next(room); state_ && !steps.empty(); steps = pulses.next(room)) {
+  std::array<steps::StepEvent, steps_between_checks> buffer;
+  for (auto steps = pulses.next(buffer); state_ && !steps.empty(); steps = pulses.next(buffer)) {
     put(steps);
     if (files::interrupted()) return base::failure(files::interruption());
   }

@@ -21,7 +21,7 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::optional<int> terminal_width() {
+std::optional<int> table_width() {
   winsize size = {};
   if (::isatty(STDOUT_FILENO) != 1) return std::nullopt;
   return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
@@ -62,7 +62,7 @@ Status study(const Arguments& arguments, Console& console) {
     }
   }
   const std::string text =
-      arguments.json ? results::study_json(chosen->name, rows) : results::study_table(rows, terminal_width(), style);
+      arguments.json ? results::study_json(chosen->name, rows) : results::study_table(rows, table_width(), style);
   return worse(status_of(rows), write_output(console, text));
 }
 

@@ -12,7 +12,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::string_view examples =
+constexpr std::string_view study_examples =
     "Examples:\n"
     "  leadscrew study list                       what there is\n"
     "  leadscrew study butterfly\n"
@@ -47,7 +47,7 @@ void describe_study(Command& command, Arguments& arguments) {
   command.text("--picture", "FILE", "Its quantities over time, where it has any, as an SVG", study.picture);
   add_output(command, arguments);
   command.check([&study] { return check_name(study.name).and_then([&] { return check_picture(study); }); });
-  command.help(std::string(examples));
+  command.help(std::string(study_examples));
 }
 
 }  // namespace leadscrew::cli

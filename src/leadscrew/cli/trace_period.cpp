@@ -11,8 +11,8 @@ namespace {
 constexpr double evenness = 0.02;
 constexpr double shortest = 1e-6, longest = 1.0;  // seconds; a log of another controller may be slower than a servo
 
-tl::unexpected<base::Diagnostic> problem(std::string_view code, const files::InputFile& file, std::string message,
-                                         std::string hint) {
+tl::unexpected<base::Diagnostic> trace_problem(std::string_view code, const files::InputFile& file, std::string message,
+                                               std::string hint) {
   return base::failure({base::Severity::error, code, std::move(message), std::move(hint), {.file = file.name()}, {}});
 }
 
@@ -34,19 +34,19 @@ base::Result<base::Period> trace_period(const files::InputFile& file, base::Axis
     const double slack = evenness * spacing + 4e-16 * std::abs(t);
     const bool is_even = rows == 1 || (spacing > 0 && std::abs(t - before - spacing) <= slack);
     if (!is_even) {
-      return problem("trace-period", file,
-                     fmt::format("row {} is at t = {}, the row before at {}, and the first two are {} apart", rows, t,
-                                 before, spacing),
-                     "give --period to take rows as evenly spaced");
+      return trace_problem("trace-period", file,
+                           fmt::format("row {} is at t = {}, the row before at {}, and the first two are {} apart",
+                                       rows, t, before, spacing),
+                           "give --period to take rows as evenly spaced");
     }
     before = t;
   }
-  if (rows == 0) return problem("trace-empty", file, "the trace has no row", "one row for each servo period");
+  if (rows == 0) return trace_problem("trace-empty", file, "the trace has no row", "one row for each servo period");
   if (rows == 1) return otherwise;
   const double mean = (before - first) / static_cast<double>(rows - 1);
   if (mean >= shortest && mean <= longest) return base::Period{std::llround(mean * 1e9)};
-  return problem("trace-period", file, fmt::format("rows are {} s apart", mean),
-                 "between 1 us and 1 s; t is in seconds");
+  return trace_problem("trace-period", file, fmt::format("rows are {} s apart", mean),
+                       "between 1 us and 1 s; t is in seconds");
 }
 
 }  // namespace leadscrew::cli

@@ -268,7 +268,7 @@ class MachineReader {
     if (is_second(*table, encoder_key, {"screw", "slide"})) drive.encoder = machine::AxisDrive::Encoder::slide;
   }
 
-  /// Of two words the second; the first where none is told.
+  /// Is the value the second of two words? Not where the key is missing.
   bool is_second(const toml::table& table, std::string_view key, std::array<std::string_view, 2> words) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return false;

@@ -25,12 +25,12 @@ DdaDesign design_dda(const DdaRange& range) {
   return design;
 }
 
-DdaLine along_line(const DdaDesign& design, const DdaRange& range, const std::vector<double>& way_mm,
+DdaLine along_line(const DdaDesign& design, const DdaRange& range, const std::vector<double>& delta_mm,
                    double feed_mm_min, bool word_rounded) {
   DdaLine line;
   double square = 0;
-  for (const double way : way_mm) {
-    line.pulses.push_back(std::llround(way / range.blu_mm));
+  for (const double delta : delta_mm) {
+    line.pulses.push_back(std::llround(delta / range.blu_mm));
     square += static_cast<double>(line.pulses.back()) * static_cast<double>(line.pulses.back());
   }
   const double length = std::sqrt(square);
@@ -38,8 +38,8 @@ DdaLine along_line(const DdaDesign& design, const DdaRange& range, const std::ve
   if (word_rounded) line.feed_word = std::max(1.0, std::round(line.feed_word));
   line.feed_pps = design.clock_pps * line.feed_word / std::ldexp(1.0, design.feed_bits);
   for (const std::int64_t pulses : line.pulses) {
-    const double way = std::abs(static_cast<double>(pulses));
-    line.axis_pps.push_back(line.feed_pps * way / std::ldexp(1.0, design.axis_bits));
+    const double distance = std::abs(static_cast<double>(pulses));
+    line.axis_pps.push_back(line.feed_pps * distance / std::ldexp(1.0, design.axis_bits));
   }
   line.feed_mm_min = line.feed_word * length * range.blu_mm / 10;
   line.seconds = std::ldexp(1.0, design.axis_bits) / line.feed_pps;

@@ -1,6 +1,6 @@
 #pragma once
 // Designing a linear interpolator of DDAs: an m-bit feed DDA with the word S, whose overflows clock an n-bit DDA for
-// each axis with the axis' way Δ as its word.
+// each axis with the axis' displacement Δ as its word.
 //
 //   clock f ─▶ feed DDA, m bits, S ──fS/2ᵐ──▶ axis DDA, n bits, Δx ──▶ steps of x
 //                                        └──▶ axis DDA, n bits, Δy ──▶ steps of y
@@ -15,7 +15,7 @@ namespace leadscrew::design {
 
 /// What the interpolator is to be designed for. All > 0.
 struct DdaRange {
-  double travel_mm = 0;        ///< greatest way of an axis
+  double travel_mm = 0;        ///< greatest travel of an axis
   double blu_mm = 0;           ///< of a step
   double max_feed_mm_min = 0;  ///< that a line of `min_distance_mm` is travelled at
   double min_distance_mm = 0;
@@ -40,9 +40,9 @@ struct DdaLine {
   double seconds = 0;                ///< that the line takes
 };
 
-/// A line of these ways, mm, each a whole number of steps but for rounding; not all 0. `word_rounded`: with S as a
-/// register holds it, or as it ought to be.
-DdaLine along_line(const DdaDesign& design, const DdaRange& range, const std::vector<double>& way_mm,
+/// A line of these displacements, mm, each a whole number of steps but for rounding; not all 0. `word_rounded`: with S
+/// as a register holds it, or as it ought to be.
+DdaLine along_line(const DdaDesign& design, const DdaRange& range, const std::vector<double>& delta_mm,
                    double feed_mm_min, bool word_rounded);
 
 /// A DDA as a timer: with the load w it overflows for the first time after 2ⁿ/w clocks.

@@ -81,13 +81,13 @@ Problems problems_of(const DdaRange& range) {
   return problems;
 }
 
-Problems problems_of(const DdaRange& range, const std::vector<double>& way_mm, double feed_mm_min) {
+Problems problems_of(const DdaRange& range, const std::vector<double>& delta_mm, double feed_mm_min) {
   Problems problems;
   check_positive(problems, {{"the feed", feed_mm_min}});
   const DdaDesign design = design_dda(range);
   double square = 0;
-  for (std::size_t axis = 0; axis < way_mm.size(); ++axis) {
-    const double pulses = std::round(std::abs(way_mm[axis]) / range.blu_mm);
+  for (std::size_t axis = 0; axis < delta_mm.size(); ++axis) {
+    const double pulses = std::round(std::abs(delta_mm[axis]) / range.blu_mm);
     check_register(problems, "the register of axis " + std::to_string(axis + 1) + bits_text(design.axis_bits), pulses,
                    greatest_of(design.axis_bits), "design for a greater travel");
     square += pulses * pulses;

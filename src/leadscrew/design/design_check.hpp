@@ -11,7 +11,8 @@ namespace leadscrew::design {
 
 std::vector<base::Diagnostic> problems_of(const DdaRange& range);
 /// Along a line, of a range that is sound.
-std::vector<base::Diagnostic> problems_of(const DdaRange& range, const std::vector<double>& way_mm, double feed_mm_min);
+std::vector<base::Diagnostic> problems_of(const DdaRange& range, const std::vector<double>& delta_mm,
+                                          double feed_mm_min);
 /// Of design_timer.
 std::vector<base::Diagnostic> problems_of(double clock_pps, const std::vector<double>& delays);
 std::vector<base::Diagnostic> problems_of(const InverseTimeRange& range);

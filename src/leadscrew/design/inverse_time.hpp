@@ -20,7 +20,7 @@ namespace leadscrew::design {
 
 /// All > 0.
 struct InverseTimeRange {
-  double max_distance = 0;  ///< greatest way of a line, greatest radius of an arc
+  double max_distance = 0;  ///< greatest length of a line, greatest radius of an arc
   double blu = 0;           ///< of a step
   double max_feed = 0;
   double resolution = 0;  ///< of the feed, in software

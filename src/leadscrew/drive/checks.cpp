@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t least_period = 50'000;  // ns: below, two processes cannot wake each other up in time
 
-/// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, ways to rest go on to the end
+/// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, stop paths go on to the end
 /// of a window of the planner's, some such stops long: what is longer still ends motion when it comes
 /// (`stop-too-long`).
 base::Result<void> check_stops(const Setup& setup) {
@@ -25,12 +25,12 @@ base::Result<void> check_stops(const Setup& setup) {
     release = std::max(release, limits->acceleration / limits->jerk);
   }
   const double periods = (on_curves * (brake + release) + 2 * slice_duration) / setup.machine.period.seconds();
-  if (periods <= Link::longest_way) return {};
+  if (periods <= Link::longest_stop_path) return {};
   return base::failure(base::problem(
       "stop-too-long",
-      fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, Link::longest_way),
-      fmt::format("a --period of {:.0f}us or more",
-                  std::ceil(setup.machine.period.seconds() * 1e6 * periods / static_cast<double>(Link::longest_way)))));
+      fmt::format("the machine may need {:.0f} periods to stop, drives hold {}", periods, Link::longest_stop_path),
+      fmt::format("a --period of {:.0f}us or more", std::ceil(setup.machine.period.seconds() * 1e6 * periods /
+                                                              static_cast<double>(Link::longest_stop_path)))));
 }
 
 base::Result<void> check_period(const Setup& setup) {

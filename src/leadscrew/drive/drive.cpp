@@ -142,9 +142,10 @@ class Drive {
 
   base::Diagnostic why_tripped() const {
     if (figures_.counters.too_long_to_rest) {
-      return base::problem("stop-too-long",
-                           fmt::format("a stop takes more than {} periods: motion has ended before", Link::longest_way),
-                           "a longer --period needs fewer; --resume goes on from there");
+      return base::problem(
+          "stop-too-long",
+          fmt::format("a stop takes more than {} periods: motion has ended before", Link::longest_stop_path),
+          "a longer --period needs fewer; --resume goes on from there");
     }
     return base::problem("words-late", "the drives got no word in time and came to rest by themselves",
                          "--resume goes on from there; a greater --lead lets words be later");

@@ -6,7 +6,8 @@
 //            signals, keys
 //
 // A signal, or who looks on, brings motion to rest on the path. After a second signal no more words are made: the
-// drives come to rest by the way that came with the last ones, on the path too. So they do when this process is killed.
+// drives come to rest along the stop path that came with the last ones, on the path too. So they do when this process
+// is killed.
 //
 // Modules, in the order of the data:
 //   setup, checks     what is asked for, and whether the machine can be driven so

@@ -67,7 +67,7 @@ class DriveSide : public WordSide {
   }
 
  private:
-  /// To where the first word will be; called off, to where the way rests next.
+  /// To where the first word will be; called off, to where the way back rests next.
   void go(const std::vector<base::PathPlace>& way_back) {
     took(observe());
     for (const base::PathPlace& place : way_back) {
@@ -121,7 +121,7 @@ class DriveSide : public WordSide {
   /// Words have ceased; false where the way to rest has ended.
   bool come_to_rest() {
     base::PathPlace next = axes_.place();
-    if (!link_.words.follow_way(next) && axes_.at_rest()) return false;
+    if (!link_.words.follow_stop_path(next) && axes_.at_rest()) return false;
     follow(next);
     link_.braked.fetch_add(1, std::memory_order_relaxed);
     took(observe());
@@ -192,7 +192,7 @@ void run_drives(Link& link, const Setup& setup, Beginning& begin) {
     FileSide side(link, setup, begin.state);
     run(side, link, setup);
   } else {
-    DriveSide side(link, setup, begin.state);  // with the thread that writes states, which is no hurry of anybody's
+    DriveSide side(link, setup, begin.state);  // with the thread that writes states, which has no deadline
     // What is not permitted, the command says of itself.
     static_cast<void>(realtime::become_real_time());
     run(side, link, setup, begin.way_back);

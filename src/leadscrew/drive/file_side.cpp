@@ -12,9 +12,9 @@ namespace leadscrew::drive {
 
 namespace {
 
-constexpr std::int64_t nap = 1'000'000;           // ns between two looks for words, or for space
-constexpr std::int64_t patience = 3'000'000'000;  // ns without progress, when motion is to end or nobody sends
-constexpr std::size_t most_at_once = 4096;        // bytes, for which a pipe that is ready has space
+constexpr std::int64_t nap = 1'000'000;                // ns between two looks for words, or for space
+constexpr std::int64_t sink_patience = 3'000'000'000;  // ns without progress, when motion is to end or nobody sends
+constexpr std::size_t most_at_once = 4096;             // bytes, for which a pipe that is ready has space
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void FileSide::take_words() {
   if (words.empty()) return;
   if (written) written = writer_.finish();
   if (!written) {
-    // A row that was begun is no row. If it cannot be cut off, the failure to write that led here is told all the same.
+    // An incomplete row is cut off. If that fails, the failure to write that led here is reported all the same.
     [[maybe_unused]] const int cut = is_regular_ ? ::ftruncate(file_.number(), accepted_bytes_) : 0;
     if (!gave_up_) took(written);
     return;
@@ -102,7 +102,7 @@ bool FileSide::waits() {
   realtime::sleep_until(realtime::now() + nap);
   link_.beats.fetch_add(1, std::memory_order_relaxed);
   const bool is_to_end = is_orphan() || link_.stopping.load(std::memory_order_relaxed);
-  gave_up_ = (is_to_end && realtime::now() - progress_ > patience) || order() == Link::Order::abandon;
+  gave_up_ = (is_to_end && realtime::now() - progress_ > sink_patience) || order() == Link::Order::abandon;
   return !gave_up_;
 }
 

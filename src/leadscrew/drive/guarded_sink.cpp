@@ -10,7 +10,7 @@ realtime::WordSink GuardedSink::sink() {
   return {.take = [this](const base::Word& word) { return take(word); },
           .lead_on =
               [this](const base::PathPlace& place) {
-                way_guard_.observe(place.position);
+                stop_path_guard_.observe(place.position);
                 return link_.words.lead_on(place);
               },
           .publish = [this] { return publish(); }};
@@ -19,19 +19,19 @@ realtime::WordSink GuardedSink::sink() {
 bool GuardedSink::take(const base::Word& word) noexcept {
   if (link_.words.waiting() >= most_waiting_ || !link_.words.push(word)) return false;
   guard_.observe(word.position);
-  way_guard_ = guard_;
+  stop_path_guard_ = guard_;
   return true;
 }
 
 bool GuardedSink::publish() noexcept {
-  if (!way_guard_.refused()) return link_.words.publish();
+  if (!stop_path_guard_.refused()) return link_.words.publish();
   has_refused_.store(true, std::memory_order_release);
   return false;
 }
 
 std::optional<base::Diagnostic> GuardedSink::problem() const {
   constexpr std::array<std::string_view, 3> limits = {"travel", "velocity", "acceleration"};
-  const std::optional<RefusedWord>& refused = way_guard_.refused();
+  const std::optional<RefusedWord>& refused = stop_path_guard_.refused();
   if (!refused) return std::nullopt;
   return base::problem(
       "word-refused",

@@ -1,6 +1,6 @@
 #pragma once
-// Words on their way to the drives, each looked at by a guard, and each way to rest behind them. A slice that holds a
-// refused word, or whose way to rest does, is not published: for the drives there is none.
+// Words on their way to the drives, each checked by a guard, and the stop paths behind them. A slice is not published
+// if it, or its stop path, holds a word that the guard refuses: the drives never see it.
 
 #include <atomic>
 #include <leadscrew/drive/link.hpp>
@@ -14,7 +14,7 @@ class GuardedSink {
   /// The axes stand at `position`, mm or degrees. At most so many words wait in the link. The link and the machine must
   /// outlive this.
   GuardedSink(Link& link, const machine::Machine& machine, const base::AxisVector& position, std::size_t most_waiting)
-      : link_(link), most_waiting_(most_waiting), guard_(machine, position), way_guard_(guard_) {}
+      : link_(link), most_waiting_(most_waiting), guard_(machine, position), stop_path_guard_(guard_) {}
   GuardedSink(const GuardedSink&) = delete;
   GuardedSink& operator=(const GuardedSink&) = delete;
 
@@ -32,7 +32,7 @@ class GuardedSink {
 
   Link& link_;
   const std::size_t most_waiting_;
-  WordGuard guard_, way_guard_;  ///< of words, and of the way to rest behind the last one; the cyclic thread's
+  WordGuard guard_, stop_path_guard_;  ///< of words, and of the stop path behind the last one; the cyclic thread's
   std::atomic<bool> has_refused_{false};
 };
 

@@ -5,7 +5,7 @@
 //                              ── order ──▶
 //                              ◀─ phase, feedback ──
 //
-// The drives outlive whoever kills the command: they take the words that have reached them, go the way to rest that
+// The drives outlive whoever kills the command: they take the words that have reached them, follow the stop path that
 // came with them, and write down where.
 
 #include <termios.h>
@@ -73,14 +73,14 @@ struct Link {
     starting,  ///< on the way to where the first word will be
     ready,     ///< there
     ended,     ///< all words are taken, all files written
-    tripped,   ///< words ceased: the drives have gone the way to rest, all files are written
+    tripped,   ///< words ceased: the drives have come to rest by the stop path, all files are written
     failed,    ///< `problem` says why; the axes stand, and where is written down
   };
 
-  static constexpr std::size_t most_words = 1 << 16, longest_way = 1 << 18;
+  static constexpr std::size_t most_words = 1 << 16, longest_stop_path = 1 << 18;
 
   const pid_t maker = ::getpid();  ///< of the words: this is made by the command
-  realtime::WordStream<most_words, longest_way> words;
+  realtime::WordStream<most_words, longest_stop_path> words;
   realtime::Ring<Feedback, 1 << 14> feedback;  ///< what nobody takes is dropped
   std::atomic<Order> order{Order::follow};
   std::atomic<Phase> phase{Phase::starting};
@@ -88,7 +88,7 @@ struct Link {
   std::atomic<bool> at_end{false};            ///< with `end`: the program has come to its end
   std::atomic<std::int64_t> taken{0};         ///< words
   std::atomic<std::int64_t> late_periods{0};  ///< that the drives' own process was late by
-  std::atomic<std::int64_t> braked{0};        ///< periods on the way to rest, without a word
+  std::atomic<std::int64_t> braked{0};        ///< periods on the stop path, without a word
   std::atomic<std::int64_t> beats{0};         ///< periods that the drives' process has lived
   std::atomic<bool> concluding{false};        ///< it writes its files, which may take long
   SharedProblem problem;

@@ -13,7 +13,7 @@ namespace leadscrew::drive {
 
 namespace {
 
-constexpr std::int64_t patience = 10'000'000'000, longest_nap = 1'000'000'000;  // ns
+constexpr std::int64_t heartbeat_patience = 10'000'000'000, longest_nap = 1'000'000'000;  // ns
 
 }  // namespace
 
@@ -48,7 +48,7 @@ bool Process::is_silent() {
   if (beats != beats_ || slept || link_->concluding.load(std::memory_order_acquire)) beat_ = now;
   beats_ = beats;
   looked_ = now;
-  return now - beat_ > patience;
+  return now - beat_ > heartbeat_patience;
 }
 
 bool Process::is_running() {

@@ -12,37 +12,33 @@ namespace {
 
 constexpr double at_rest = 1e-3;  // mm or degrees; axes may stand by rounding or their counts beyond their travel
 
-tl::unexpected<base::Diagnostic> refusal(std::string_view code, std::string message, std::string hint,
-                                         const std::string& path) {
-  return base::failure(
-      {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = path}, {}});
-}
-
 }  // namespace
 
 base::Result<void> check_resumable(const State& state, const Fingerprint& now, const machine::Machine& machine,
                                    const std::string& path) {
   if (state.fingerprint.program != now.program) {
-    return refusal("resume-program", fmt::format("was written by a drive of another program, {}", state.program),
-                   "give the program as it was, byte for byte, or drive the new one from its start", path);
+    return state_refusal("resume-program", fmt::format("was written by a drive of another program, {}", state.program),
+                         "give the program as it was, byte for byte, or drive the new one from its start", path);
   }
   if (state.fingerprint.machine != now.machine) {
-    return refusal("resume-machine",
-                   fmt::format("was written by a drive of another machine, {}, with other tools, or another --period, "
-                               "--start, --mode or --tolerance",
-                               state.machine),
-                   "a place on the path is the same only where all of these are", path);
+    return state_refusal(
+        "resume-machine",
+        fmt::format("was written by a drive of another machine, {}, with other tools, or another --period, "
+                    "--start, --mode or --tolerance",
+                    state.machine),
+        "a place on the path is the same only where all of these are", path);
   }
   if (state.kind == State::Kind::ended)
-    return refusal("resume-ended", "was written by a drive that has come to the program's end", "", path);
+    return state_refusal("resume-ended", "was written by a drive that has come to the program's end", "", path);
   for (const base::Axis axis : base::all_axes) {
     for (const double at : {state.axes.position[base::index(axis)], state.word.position[base::index(axis)]}) {
       const bool is_within = machine.has(axis) ? at >= machine.limits(axis).travel_min - at_rest &&
                                                      at <= machine.limits(axis).travel_max + at_rest
                                                : at == 0;
       if (is_within) continue;
-      return refusal("resume-state", fmt::format("says that {} stands at {}, where it cannot", base::letter(axis), at),
-                     "give the file that --state wrote, as it was", path);
+      return state_refusal("resume-state",
+                           fmt::format("says that {} stands at {}, where it cannot", base::letter(axis), at),
+                           "give the file that --state wrote, as it was", path);
     }
   }
   return {};
@@ -52,8 +48,9 @@ base::Result<std::vector<base::PathPlace>> find_way_back(const State& state, con
                                                          const Setup& setup, const std::string& path) {
   constexpr double same = 1e-6;  // mm or degrees
   const auto refused = [&](double length, std::string_view but) {
-    return refusal("resume-state", fmt::format("says that the path was left after {:.6g} mm, but {}", length, but),
-                   "give the file as --state wrote it, to the same version of leadscrew", path);
+    return state_refusal("resume-state",
+                         fmt::format("says that the path was left after {:.6g} mm, but {}", length, but),
+                         "give the file as --state wrote it, to the same version of leadscrew", path);
   };
   const auto are_same = [](const base::AxisVector& a, const base::AxisVector& b) {
     return std::equal(a.begin(), a.end(), b.begin(), [](double p, double q) { return std::abs(p - q) <= same; });
@@ -77,10 +74,10 @@ base::Result<std::vector<base::PathPlace>> find_way_back(const State& state, con
   if (!stretch.is_whole()) return refused(state.axes.path_length, "it is shorter");
   if (!are_same(stretch.at(stretch.to()).position, state.axes.position))
     return refused(state.axes.path_length, "it is elsewhere there");
-  auto way = pipeline::way_back(stretch, setup.machine);
-  if (!way) return refused(state.axes.path_length, "no way leads back");
-  way->back().position = state.word.position;
-  return std::move(*way);
+  auto return_path = pipeline::way_back(stretch, setup.machine);
+  if (!return_path) return refused(state.axes.path_length, "no way leads back");
+  return_path->back().position = state.word.position;
+  return std::move(*return_path);
 }
 
 }  // namespace leadscrew::drive

@@ -21,8 +21,8 @@ struct ContourFigures {
 /// Of a pulse-driven loop, at the end.
 struct PulseCounts {
   std::int64_t commanded = 0;  ///< steps up less steps down
-  std::int64_t encoder = 0;    ///< pulses one way less those the other
-  std::int64_t lost = 0;       ///< for which the up-down counter had no room
+  std::int64_t encoder = 0;    ///< pulses forward less pulses backward
+  std::int64_t lost = 0;       ///< that the up-down counter could not hold
 };
 
 using TrackedAxes = std::vector<std::pair<base::Axis, servo::AxisTracking>>;

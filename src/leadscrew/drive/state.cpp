@@ -82,13 +82,13 @@ class Members {
   const Json& json_;
 };
 
-tl::unexpected<base::Diagnostic> refusal(std::string_view code, std::string message, std::string hint,
-                                         const std::string& path) {
+}  // namespace
+
+tl::unexpected<base::Diagnostic> state_refusal(std::string_view code, std::string message, std::string hint,
+                                               const std::string& path) {
   return base::failure(
       {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = path}, {}});
 }
-
-}  // namespace
 
 base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup) {
   base::Hash text, machine;
@@ -149,8 +149,8 @@ base::Result<State> read_state(const std::string& path) {
     state.axes.path_length = std::max(state.axes.path_length, state.word.path_length);
     return state;
   } catch (const std::exception& error) {
-    return refusal("resume-state", fmt::format("is no state of a drive: {}", error.what()),
-                   "give the file that --state of an earlier drive wrote", path);
+    return state_refusal("resume-state", fmt::format("is no state of a drive: {}", error.what()),
+                         "give the file that --state of an earlier drive wrote", path);
   }
 }
 
@@ -158,8 +158,8 @@ base::Result<void> check_replaceable(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) == 0) return {};
   if (read_state(path)) return {};
-  return refusal("state-other", "holds something else than the state of a drive",
-                 "name another file, or remove this one", path);
+  return state_refusal("state-other", "holds something else than the state of a drive",
+                       "name another file, or remove this one", path);
 }
 
 }  // namespace leadscrew::drive

@@ -6,6 +6,7 @@
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <string>
+#include <string_view>
 
 namespace leadscrew::drive {
 
@@ -33,4 +34,9 @@ base::Result<void> write_state(const std::string& path, const State& state);
 base::Result<State> read_state(const std::string& path);
 /// Is there no file yet, an empty one, one that is not regular, or an earlier state? Errors: `state-other`.
 base::Result<void> check_replaceable(const std::string& path);
+
+/// An error about the state file at the path.
+tl::unexpected<base::Diagnostic> state_refusal(std::string_view code, std::string message, std::string hint,
+                                               const std::string& path);
+
 }  // namespace leadscrew::drive

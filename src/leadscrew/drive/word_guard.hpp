@@ -1,7 +1,7 @@
 #pragma once
 // The last look at words before drives get them. Whatever made them, a word outside the travel of an axis, or further
 // from the last ones than its limits allow, is not published, nor are those made with it: drives that find no word come
-// to rest by the way that came with the last slice, on the path.
+// to rest along the stop path that came with the last slice, on the path.
 
 #include <cmath>
 #include <leadscrew/base/word.hpp>

@@ -13,7 +13,7 @@ namespace leadscrew::drive {
 
 class WordSide {
  public:
-  /// Nothing moves: a file that was asked for cannot be opened, and that is what is told.
+  /// Nothing moves, because a file that was asked for cannot be opened: that problem is reported.
   void give_up() { static_cast<void>(state_writer_.conclude(State::Kind::stopped)); }
 
  protected:
@@ -30,7 +30,8 @@ class WordSide {
   void took(const base::Result<void>& result) {
     if (!result && !failed_) failed_ = result.error();
   }
-  /// Files first: who sees the last state finds them. One that could not be written takes no other with it.
+  /// Files before the last state: who sees that finds them. One that cannot be written does not keep the others from
+  /// being written.
   base::Result<void> conclude(std::span<files::WordFile* const> files);
 
   Link& link_;

@@ -18,7 +18,7 @@ base::Diagnostic system_failure(std::string_view code, std::string_view what, co
 namespace {
 
 constexpr int longest_wait = 100;          // ms between two looks for an interruption
-constexpr std::size_t least_room = 4096;   // bytes that a pipe takes at once when it says that it is ready: PIPE_BUF
+constexpr std::size_t least_free = 4096;   // bytes that a pipe takes at once when it says that it is ready: PIPE_BUF
 constexpr timespec nap = {0, 10'000'000};  // between two looks for a reader of a pipe
 
 bool is_regular(int descriptor) {
@@ -65,7 +65,7 @@ base::Result<void> write_all(int descriptor, std::string_view bytes, const std::
     if (waits) {
       if (auto ready = await(descriptor, POLLOUT); !ready) return ready;
     }
-    const std::size_t size = waits ? std::min(bytes.size(), least_room) : bytes.size();
+    const std::size_t size = waits ? std::min(bytes.size(), least_free) : bytes.size();
     const ssize_t written = ::write(descriptor, bytes.data(), size);
     if (written >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(written));

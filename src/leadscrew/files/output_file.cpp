@@ -119,7 +119,7 @@ base::Result<void> OutputFile::open_temporary() {
 
 /// False if somebody took it for one that was left behind, and removed it, before it could be locked.
 bool OutputFile::is_locked() const {
-  // A file system that knows no locks knows no one who could hold them.
+  // On a file system without locks no one can hold one.
   if (::flock(descriptor_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   struct stat status = {};
   return ::fstat(descriptor_.number(), &status) == 0 && status.st_nlink > 0;

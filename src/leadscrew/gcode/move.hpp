@@ -1,5 +1,5 @@
 #pragma once
-// What one block of a part program asks for, as plain data: the door between the reader and the tool path.
+// What one block of a part program asks for, as plain data: the interface between the reader and the tool path.
 
 #include <cstddef>
 #include <cstdint>

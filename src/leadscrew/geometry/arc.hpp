@@ -36,14 +36,14 @@ class Arc {
   double angle_rate() const { return rate_.hi.value; }  ///< ω = dθ/ds, rad per unit of length, signed
   const Slopes& slopes() const { return slopes_; }      ///< of the straight coordinates
 
-  /// Length of a circular arc's or helix' way: radius·|sweep| in the plane and `rise` across it.
-  static double way(double radius, numeric::DoubleDouble sweep, double rise);
+  /// Length of a circular arc or a helix: √ of squares of radius·|sweep| in the plane and `rise` across it.
+  static double helix_length(double radius, numeric::DoubleDouble sweep, double rise);
 
  private:
   struct Turned {
     double first = 0, second = 0;
   };
-  Turned turned(const Way& s) const;
+  Turned turned(const SplitLength& s) const;
 
   Point start_;
   Point end_;

@@ -14,7 +14,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double length_agreement = 1e-13;    // of the length
 constexpr double straight_deviation = 1e-15;  // mm or degrees
 constexpr double straight_share = 1e-9;       // of the curve, at most
-constexpr double nothing = 1e-13;             // mm or degrees: shorter is not looked into
+constexpr double negligible_length = 1e-13;   // mm or degrees: what is shorter is not subdivided
 constexpr double standing = 1e-9;             // of the speed elsewhere: an end with less is singular
 constexpr int deepest = 60;                   // halvings
 constexpr std::size_t most_pieces =
@@ -113,8 +113,8 @@ class Mapper {
   }
 
   static MapPiece quintic(const Interval& interval, double h, const Node& begin, const Node& end) {
-    const double way = interval.end - interval.begin;
-    return {interval.begin, interval.end, h, quintic_map(way, h, {begin.x1, begin.x2}, {end.x1, end.x2}), false};
+    const double span = interval.end - interval.begin;
+    return {interval.begin, interval.end, h, quintic_map(span, h, {begin.x1, begin.x2}, {end.x1, end.x2}), false};
   }
 
   bool is_good(const MapPiece& piece, const Node& begin, const Node& end) const {
@@ -157,7 +157,7 @@ class Mapper {
 
   /// Whether an interval at a singular end is straight to rounding; or one that is too short for its rounding errors.
   bool is_straight(const Interval& interval, double length) const {
-    if (length <= std::max(nothing, 64 * epsilon * reach_)) return true;
+    if (length <= std::max(negligible_length, 64 * epsilon * reach_)) return true;
     if (!interval.singular.begin && !interval.singular.end) return false;
     if (length > straight_share * whole_length_) return false;
     if (interval.singular.begin && interval.singular.end) return false;
@@ -197,8 +197,8 @@ double rough_length(const RationalTaylor& curve, const Metric& metric, double a,
 
 }  // namespace
 
-std::array<double, 5> quintic_map(double way, double h, const MapEnd& begin, const MapEnd& end) {
-  const double d = way - (begin.first + begin.second / 2 * h) * h;
+std::array<double, 5> quintic_map(double span, double h, const MapEnd& begin, const MapEnd& end) {
+  const double d = span - (begin.first + begin.second / 2 * h) * h;
   const double e = (end.first - begin.first - begin.second * h) * h, f = (end.second - begin.second) * h * h;
   const double cubed = h * h * h;
   return {begin.first, begin.second / 2, (10 * d - 4 * e + f / 2) / cubed, (-15 * d + 7 * e - f) / (cubed * h),

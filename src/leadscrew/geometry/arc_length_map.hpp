@@ -40,8 +40,8 @@ struct MapEnd {
   double first = 0, second = 0;
 };
 
-/// Coefficients of σ … σ⁵ with these derivatives at both ends, so far apart: `way` of x within the length h.
-std::array<double, 5> quintic_map(double way, double h, const MapEnd& begin, const MapEnd& end);
+/// Coefficients of σ … σ⁵ with these derivatives at both ends, h apart, over which x grows by `span`.
+std::array<double, 5> quintic_map(double span, double h, const MapEnd& begin, const MapEnd& end);
 
 /// Whether |C′| vanishes at an end, or the curvature is as good as infinite there.
 struct SingularEnds {

@@ -2,7 +2,7 @@
 // Curves by arc length: what a path is made of.
 //
 // A curve is q(s), 0 ≤ s ≤ length, in the space of nine coordinates, each at its own constant or varying rate along s.
-// The length is the caller's: the length of the tool tip's way where it moves, else of what moves (see gcode::Feed).
+// The length is the caller's: that of the tool tip's path where it moves, else of what moves (see gcode::Feed).
 // Each kind has
 //
 //   evaluate(s)  the position, s in double-double, rounded once: within one unit in the last place of the largest

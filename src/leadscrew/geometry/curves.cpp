@@ -9,7 +9,7 @@ Point Line::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
   Point position = start_;
-  slopes_.add(position, Way(s));
+  slopes_.add(position, SplitLength(s));
   return position;
 }
 
@@ -51,7 +51,7 @@ base::AxisSet moving(const Curve& curve) {
   return set;
 }
 
-double Arc::way(double radius, DoubleDouble sweep, double rise) {
+double Arc::helix_length(double radius, DoubleDouble sweep, double rise) {
   return std::hypot(radius * std::abs(sweep.value()), rise);
 }
 
@@ -72,17 +72,18 @@ Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t se
   straight_end[first] = start[first];
   straight_end[second] = start[second];
   slopes_ = Slopes(start, straight_end, length);
-  const Turned at_end = turned(Way(length));
+  const Turned at_end = turned(SplitLength(length));
   defect_first_ = (end[first] - at_end.first) / length;
   defect_second_ = (end[second] - at_end.second) / length;
 }
 
-Arc::Turned Arc::turned(const Way& s) const {
+Arc::Turned Arc::turned(const SplitLength& s) const {
   // θ = angle.hi + angle.lo. Sine and cosine of the greater part come from the library; what the smaller adds, and all
   // that is below a unit in the last place of the products, is gathered in `small` and enters with the last rounding.
   //
-  // Through small angles a rounding error of cos θ would count R times over, however short the arc: there the way from
-  // the start is x(cos θ − 1) − y sin θ, with cos θ − 1 = −2 sin²(θ/2), whose errors are of the chord's size.
+  // Through small angles a rounding error of cos θ would count R times over, however short the arc: there the
+  // displacement from the start is x(cos θ − 1) − y sin θ, with cos θ − 1 = −2 sin²(θ/2), whose errors are of the
+  // chord's size.
   const DoubleDouble angle = rate_.times(s);
   const bool is_small = std::abs(angle.hi) < 0.5;
   const double half = is_small ? std::sin(angle.hi / 2) : 0;
@@ -106,10 +107,10 @@ Arc::Turned Arc::turned(const Way& s) const {
 Point Arc::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
-  const Way way(s);
+  const SplitLength split(s);
   Point position = start_;
-  slopes_.add(position, way);
-  const Turned in_plane = turned(way);
+  slopes_.add(position, split);
+  const Turned in_plane = turned(split);
   position[first_] = in_plane.first;
   position[second_] = in_plane.second;
   return position;

@@ -157,14 +157,14 @@ Kinks find_kinks(const RationalBezier& curve, const Metric& metric) {
   kinks.at_end = std::sqrt(whole.dot(whole.d[whole.degree], whole.d[whole.degree])) <= standing * largest;
   if (largest < shortest_examined * search.least_weight * search.least_weight) return kinks;
   search.examine(whole);
-  // Next to nothing before or after a kink is no stretch of its own.
-  const double nothing = shortest_stretch * search.least_weight * search.least_weight / largest;
+  // What lies before or after a kink is no stretch of its own if it is negligibly short.
+  const double negligible = shortest_stretch * search.least_weight * search.least_weight / largest;
   for (const auto& [begin, end] : search.found) {
     if ((begin == 0 && kinks.at_start) || (end == 1 && kinks.at_end)) continue;
     const double t = polish(whole, begin, end);
-    if (t <= nothing) {
+    if (t <= negligible) {
       kinks.at_start = true;
-    } else if (t >= 1 - nothing) {
+    } else if (t >= 1 - negligible) {
       kinks.at_end = true;
     } else {
       kinks.inside.push_back(t);

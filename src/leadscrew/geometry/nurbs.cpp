@@ -11,7 +11,7 @@ using numeric::Jet;
 
 namespace {
 
-constexpr double beside_node = 1e-3;  // of the way to the next
+constexpr double beside_node = 1e-3;  // of the distance to the next
 
 /// c[0] + c[1] x + … + c[degree] x^degree.
 template <std::size_t degree>
@@ -269,8 +269,8 @@ void Nurbs::add_part(std::size_t record, double from, double to, NurbsTable& tab
   const double x = sigma > 0 ? polynomial_jet(map.data(), 5, sigma).value : 0;
   Coefficients moved = sigma > 0 ? shifted(map, sigma) : map;
   if (cuts_begin || cuts_end) {
-    const double way = polynomial_jet(map.data(), 5, end_sigma).value - x;
-    const auto c = quintic_map(way, end_sigma - sigma, map_end(sigma, cuts_begin), map_end(end_sigma, cuts_end));
+    const double difference = polynomial_jet(map.data(), 5, end_sigma).value - x;
+    const auto c = quintic_map(difference, end_sigma - sigma, map_end(sigma, cuts_begin), map_end(end_sigma, cuts_end));
     std::copy(c.begin(), c.end(), moved.begin() + 1);
   }
   const DoubleDouble s = sigma > 0 ? DoubleDouble() : begin - DoubleDouble(from);

@@ -43,7 +43,7 @@ NurbsForm form_of(const Programmed& curve) {
   return form;
 }
 
-/// What is granted to the table of u(s), > 0, for the speed g = |dq/ds| and its derivatives by s; k is the larger of
+/// Tolerances of the table of u(s), > 0, for the speed g = |dq/ds| and its derivatives by s; k is the larger of
 /// the curvature and the reciprocal of the length of a span. g″ has a step where two pieces of the table meet, and so
 /// has q‴: jerk by about as much, relative, where motion along a bend is as fast as jerk allows.
 struct MapTolerance {
@@ -119,7 +119,7 @@ class Nurbs {
 ///     about 1e-5 mm, which no machine tells from a corner,
 ///   - where other coordinates are the first to move in the order X Y Z, U V W, A B C.
 ///
-/// tolerance: granted to u(s). weights: length is that of all coordinates, each times its weight > 0. The work is
+/// tolerance: of u(s). weights: length is that of all coordinates, each times its weight > 0. The work is
 /// linear in the number of control points. A form that is none (counts, degree, knots, weights not as said above) gives
 /// no piece.
 std::vector<Nurbs> smooth_pieces(const NurbsForm& form, const MapTolerance& tolerance = {},

@@ -8,7 +8,7 @@
 //   q_i(x) = origin_i + (n0 + n1 x + … + np x^p) / (1 + w1 x + … + wp x^p)
 //
 // Everything is counted from the beginning of the record, which is on the curve, so that rounding errors are of the
-// size of the record's way, and the last sum rounds once.
+// size of the record's extent, and the last sum rounds once.
 
 #include <array>
 #include <cstddef>

@@ -17,12 +17,12 @@ inline double tip_curvature(const PointJet& jet) {
   return std::hypot(jet[0].second, jet[1].second, jet[2].second);
 }
 
-/// A path length as the cycle has it: in double-double, its greater part split for the products to come.
-struct Way {
+/// A path length in double-double, its greater part split into halves for exact products (Dekker).
+struct SplitLength {
   numeric::Split hi;
   double lo = 0;
 
-  explicit Way(numeric::DoubleDouble s) : hi(s.hi), lo(s.lo) {}
+  explicit SplitLength(numeric::DoubleDouble s) : hi(s.hi), lo(s.lo) {}
 };
 
 /// rate · s, the rate in double-double too.
@@ -33,7 +33,7 @@ struct Rate {
   Rate() = default;
   explicit Rate(numeric::DoubleDouble rate) : hi(rate.hi), lo(rate.lo) {}
 
-  numeric::DoubleDouble times(const Way& s) const {
+  numeric::DoubleDouble times(const SplitLength& s) const {
     const numeric::DoubleDouble product = numeric::two_product(hi, s.hi);
     return {product.hi, product.lo + (hi.value * s.lo + lo * s.hi.value)};
   }
@@ -52,12 +52,12 @@ class Slopes {
     }
   }
 
-  void add(Point& position, const Way& s) const {
+  void add(Point& position, const SplitLength& s) const {
     for (std::size_t k = 0; k < count_; ++k) {
       const std::size_t i = rates_[k].coordinate;
-      const numeric::DoubleDouble way = rates_[k].rate.times(s);
-      const numeric::DoubleDouble sum = numeric::two_sum(position[i], way.hi);
-      position[i] = sum.hi + (sum.lo + way.lo);
+      const numeric::DoubleDouble moved = rates_[k].rate.times(s);
+      const numeric::DoubleDouble sum = numeric::two_sum(position[i], moved.hi);
+      position[i] = sum.hi + (sum.lo + moved.lo);
     }
   }
   void add(PointJet& jet, double s) const {

@@ -11,7 +11,7 @@ using numeric::Jet;
 
 namespace {
 
-constexpr double granted_step = 1e-9;  // of tangent and curvature
+constexpr double negligible_step = 1e-9;  // of tangent and curvature
 
 bool is_form(const NurbsForm& form) {
   const std::size_t n = form.points.size();
@@ -125,8 +125,8 @@ double difference(const std::array<double, base::axis_count>& a, const std::arra
   return value;
 }
 
-/// Whether the curve passes from one stretch to another without a step of tangent or curvature; `between` them lies a
-/// way too short to be looked at, along which either may change as it does beside it.
+/// Whether the curve passes from one stretch to another without a step of tangent or curvature; `between` is the length
+/// of what lies between them, too short to be examined, along which either may change as it does next to it.
 bool is_smooth(const Stretch& before, const Stretch& after, double between) {
   if (before.singular.end || after.singular.begin || before.metric != after.metric) return false;
   const EndDerivatives left = derivatives_at(from_end(before.curve), before.metric);
@@ -134,9 +134,9 @@ bool is_smooth(const Stretch& before, const Stretch& after, double between) {
   const double tangent = std::max(largest(left.tangent), largest(right.tangent));
   const double curvature =
       std::max({largest(left.curvature), largest(right.curvature), tangent / before.longest, tangent / after.longest});
-  return difference(left.tangent, right.tangent) <= granted_step * tangent + 2 * between * curvature &&
+  return difference(left.tangent, right.tangent) <= negligible_step * tangent + 2 * between * curvature &&
          difference(left.curvature, right.curvature) <=
-             granted_step * curvature + 10 * between * curvature * curvature / tangent;
+             negligible_step * curvature + 10 * between * curvature * curvature / tangent;
 }
 
 /// Settles the joints that the knots leave open, and those about stretches too short to have a shape: derivatives that

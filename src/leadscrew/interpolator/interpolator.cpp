@@ -59,8 +59,8 @@ Interpolator::Interpolator(base::Period period, const base::AxisVector& position
 void Interpolator::load(const planner::Chunk& chunk) {
   if (!chunk.pieces.empty()) {
     const double s = chunk.first_state().s;
-    constexpr double nothing = 1e-9;  // of the path: a piece is at its start to rounding
-    const bool is_new_piece = !on_piece_ || s < end_on_piece_ - nothing || s <= nothing;
+    constexpr double negligible_length = 1e-9;  // in the units of path length: below it is rounding
+    const bool is_new_piece = !on_piece_ || s < end_on_piece_ - negligible_length || s <= negligible_length;
     first_number_ = last_number_ + (is_new_piece ? 1 : 0) - chunk.segments.front().piece;
     last_number_ = first_number_ + chunk.segments.back().piece;
     on_piece_ = true;
@@ -106,9 +106,9 @@ void Interpolator::begin_part(std::span<const planner::Segment> segments, Double
     length_before_end_ += chunk_->pieces[piece].axes().length();
   }
   const double length = chunk_->pieces[last.piece].axes().length();
-  constexpr double nothing = 1e-9;
+  constexpr double negligible_length = 1e-9;
   const double s = planner::evaluate(last, (end_ - begin_ - last.begin).value()).s;
-  end_on_piece_ = s > length - nothing ? length : s;
+  end_on_piece_ = s > length - negligible_length ? length : s;
 }
 
 base::Word Interpolator::next() {

@@ -70,7 +70,8 @@ class Interpolator {
   numeric::DoubleDouble segment_end_;    ///< seconds
   double length_before_ = 0;             ///< travelled before the piece, as if it had been travelled from its start
   bool on_piece_ = false;                ///< has anything been travelled?
-  // The sum of the lengths of all pieces before, and the way on the last: the same bits, wherever chunks are cut.
+  // The sum of the lengths of all pieces before, and the distance along the last: the same bits, wherever chunks are
+  // cut.
   double length_before_end_ = 0;  ///< travelled before the piece on which the part ends
   double end_on_piece_ = 0;       ///< where on it the part ends
   base::AxisVector rest_;

@@ -40,35 +40,35 @@ Measured measured(const geometry::PointJet& jet, std::size_t group) {
   return at;
 }
 
-double uniform_step(const geometry::Nurbs& curve, double way) {
-  return (curve.last_parameter() - curve.first_parameter()) * way / curve.length();
+double uniform_step(const geometry::Nurbs& curve, double distance) {
+  return (curve.last_parameter() - curve.first_parameter()) * distance / curve.length();
 }
 
 /// Δu of first order; uniform where C′ = 0.
-double first_order(const geometry::Nurbs& curve, const Measured& at, double way) {
-  const double step = way / std::sqrt(dot(at.first, at.first));
-  return std::isfinite(step) ? step : uniform_step(curve, way);
+double first_order(const geometry::Nurbs& curve, const Measured& at, double distance) {
+  const double step = distance / std::sqrt(dot(at.first, at.first));
+  return std::isfinite(step) ? step : uniform_step(curve, distance);
 }
 
 /// Δu of second order; of first where it does not lead forward.
-double second_order(const Measured& at, double way, double first) {
+double second_order(const Measured& at, double distance, double first) {
   const double squared = dot(at.first, at.first);
-  const double step = first - dot(at.first, at.second) * way * way / (2 * squared * squared);
+  const double step = first - dot(at.first, at.second) * distance * distance / (2 * squared * squared);
   return step > 0 && std::isfinite(step) ? step : first;
 }
 
-double distance(const Measured& a, const Measured& b) {
+double chord_length(const Measured& a, const Measured& b) {
   const Triple chord = {b.value[0] - a.value[0], b.value[1] - a.value[1], b.value[2] - a.value[2]};
   return std::sqrt(dot(chord, chord));
 }
 
-/// The step, halved while it would jump: while C(u + Δu) or, on a curve that comes back, C(u + Δu/2) is more than ten
-/// ways off. Near a cusp, where |C′| is next to nothing, a Taylor step would else end anywhere.
-double without_jump(const geometry::Nurbs& curve, const Measured& at, std::size_t group, double u, double way,
+/// The step, halved while it would jump: while C(u + Δu) or, on a curve that comes back, C(u + Δu/2) is farther away
+/// than ten times the distance. Near a cusp, where |C′| is next to 0, a Taylor step could else end anywhere.
+double without_jump(const geometry::Nurbs& curve, const Measured& at, std::size_t group, double u, double distance,
                     double step) {
   constexpr int most_halvings = 60;
   const auto jumps_to = [&](double there) {
-    return distance(at, measured(curve.jets_at(std::min(there, curve.last_parameter())), group)) > 10 * way;
+    return chord_length(at, measured(curve.jets_at(std::min(there, curve.last_parameter())), group)) > 10 * distance;
   };
   for (int halving = 0; halving < most_halvings; ++halving) {
     if (!jumps_to(u + step) && !jumps_to(u + step / 2)) break;
@@ -77,39 +77,39 @@ double without_jump(const geometry::Nurbs& curve, const Measured& at, std::size_
   return step;
 }
 
-/// Two steps of Newton's method for |C(u + Δu) − C(u)| = way.
-double chord_corrected(const geometry::Nurbs& curve, const Measured& at, std::size_t group, double u, double way,
+/// Two steps of Newton's method for |C(u + Δu) − C(u)| = distance.
+double chord_corrected(const geometry::Nurbs& curve, const Measured& at, std::size_t group, double u, double distance,
                        double step) {
   for (int pass = 0; pass < 2; ++pass) {
     const double there = std::min(u + step, curve.last_parameter());
     const Measured next = measured(curve.jets_at(there), group);
     const Triple chord = {next.value[0] - at.value[0], next.value[1] - at.value[1], next.value[2] - at.value[2]};
     const double length = std::sqrt(dot(chord, chord));
-    const double corrected = there - u + (way - length) * length / dot(chord, next.first);
+    const double corrected = there - u + (distance - length) * length / dot(chord, next.first);
     if (!(corrected > 0 && std::isfinite(corrected))) return step;
     step = corrected;
   }
   return step;
 }
 
-double marching_step(const geometry::Nurbs& curve, StepRule rule, double u, double way) {
-  if (rule == StepRule::uniform) return uniform_step(curve, way);
+double marching_step(const geometry::Nurbs& curve, StepRule rule, double u, double distance) {
+  if (rule == StepRule::uniform) return uniform_step(curve, distance);
   const geometry::PointJet jet = curve.jets_at(u);
   const std::size_t group = measured_group(jet);
   const Measured at = measured(jet, group);
-  const double first = first_order(curve, at, way);
-  if (rule == StepRule::taylor1) return without_jump(curve, at, group, u, way, first);
-  const double second = without_jump(curve, at, group, u, way, second_order(at, way, first));
+  const double first = first_order(curve, at, distance);
+  if (rule == StepRule::taylor1) return without_jump(curve, at, group, u, distance, first);
+  const double second = without_jump(curve, at, group, u, distance, second_order(at, distance, first));
   if (rule == StepRule::taylor2) return second;
-  return chord_corrected(curve, at, group, u, way, second);
+  return chord_corrected(curve, at, group, u, distance, second);
 }
 
 }  // namespace
 
-double next_parameter(const geometry::Nurbs& curve, StepRule rule, double u, double s, double way) {
-  if (rule == StepRule::arc_length) return curve.parameter(std::min(s + way, curve.length()));
-  if (!(way > 0)) return u;
-  return std::min(u + marching_step(curve, rule, u, way), curve.last_parameter());
+double next_parameter(const geometry::Nurbs& curve, StepRule rule, double u, double s, double distance) {
+  if (rule == StepRule::arc_length) return curve.parameter(std::min(s + distance, curve.length()));
+  if (!(distance > 0)) return u;
+  return std::min(u + marching_step(curve, rule, u, distance), curve.last_parameter());
 }
 
 }  // namespace leadscrew::interpolator

@@ -1,5 +1,5 @@
 #pragma once
-// What is said of velocity, acceleration and jerk alike.
+// One value for each of velocity, acceleration and jerk.
 
 #include <algorithm>
 

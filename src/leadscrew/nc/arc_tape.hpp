@@ -17,10 +17,10 @@ class ArcTape {
   /// Counts the commands of an arc by those of its interpolator, which is at its start.
   template <typename Circle>
   std::int64_t record(const pulse::Arc& arc, Circle circle) {
-    constexpr std::size_t room = most_commands + 64;
-    codes_.resize(room);
+    constexpr std::size_t buffer_size = most_commands + 64;
+    codes_.resize(buffer_size);
     std::uint8_t* at = codes_.data();
-    const std::uint8_t* const end = at + room;
+    const std::uint8_t* const end = at + buffer_size;
     pulse::step_through(circle, [&](auto& state) {
       *at++ = code(state.step());
       return at != end;

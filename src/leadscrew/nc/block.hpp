@@ -1,5 +1,5 @@
 #pragma once
-// A block of an NC program, ready for the registers: ways on the lattice of single steps, and words of feed.
+// A block of an NC program, ready for the registers: displacements on the lattice of single steps, and words of feed.
 
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/line.hpp>
@@ -10,7 +10,7 @@ namespace leadscrew::nc {
 /// Steps of the nine axes at one clock.
 using AxisPulse = pulse::Pulse<base::axis_count>;
 
-/// A way or a place of each axis, BLU.
+/// A displacement or a position of each axis, BLU.
 using LatticeVector = std::array<std::int64_t, base::axis_count>;
 
 struct Block {
@@ -22,8 +22,8 @@ struct Block {
   };
 
   Kind kind = Kind::line;
-  base::Line line{};    ///< of the part program
-  LatticeVector way{};  ///< BLU, signed; of an arc: of the axes that are not in its plane
+  base::Line line{};      ///< of the part program
+  LatticeVector delta{};  ///< BLU, signed; of an arc: of the axes that are not in its plane
   /// Of an arc: about its centre. It is never one whose ends coincide but a full circle.
   pulse::Arc arc;
   std::size_t first_axis = 0, second_axis = 1;  ///< of the arc's x and y
@@ -38,13 +38,13 @@ struct Block {
 };
 
 /// Steps that a block makes from its start to its end, BLU.
-constexpr LatticeVector whole_way(const Block& block) {
-  LatticeVector way = block.way;
-  if (block.kind == Block::Kind::dwell) way = {};
-  if (block.kind != Block::Kind::arc) return way;
-  way[block.first_axis] = block.arc.end.x - block.arc.start.x;
-  way[block.second_axis] = block.arc.end.y - block.arc.start.y;
-  return way;
+constexpr LatticeVector whole_delta(const Block& block) {
+  LatticeVector delta = block.delta;
+  if (block.kind == Block::Kind::dwell) delta = {};
+  if (block.kind != Block::Kind::arc) return delta;
+  delta[block.first_axis] = block.arc.end.x - block.arc.start.x;
+  delta[block.second_axis] = block.arc.end.y - block.arc.start.y;
+  return delta;
 }
 
 }  // namespace leadscrew::nc

@@ -10,25 +10,25 @@ namespace {
 constexpr double quarter_turn = std::numbers::pi / 2;
 
 /// √Σ Δ², rounded up.
-std::int64_t length_rounded_up(const LatticeVector& way, std::int64_t more) {
+std::int64_t length_rounded_up(const LatticeVector& delta, std::int64_t more) {
   std::int64_t square = more * more;
   double estimate = static_cast<double>(more) * static_cast<double>(more);
-  for (const std::int64_t of_axis : way) {
+  for (const std::int64_t of_axis : delta) {
     estimate += static_cast<double>(of_axis) * static_cast<double>(of_axis);
     if (estimate < 0x1p62) square += of_axis * of_axis;
   }
   return estimate < 0x1p62 ? pulse::capacity_for(square) : static_cast<std::int64_t>(std::ceil(std::sqrt(estimate)));
 }
 
-std::int64_t longest_of(const LatticeVector& way) {
+std::int64_t longest_of(const LatticeVector& delta) {
   std::int64_t longest = 0;
-  for (const std::int64_t of_axis : way) longest = std::max(longest, pulse::absolute(of_axis));
+  for (const std::int64_t of_axis : delta) longest = std::max(longest, pulse::absolute(of_axis));
   return longest;
 }
 
-std::int64_t sum_of(const LatticeVector& way) {
+std::int64_t sum_of(const LatticeVector& delta) {
   std::int64_t sum = 0;
-  for (const std::int64_t of_axis : way) sum += pulse::absolute(of_axis);
+  for (const std::int64_t of_axis : delta) sum += pulse::absolute(of_axis);
   return sum;
 }
 
@@ -40,8 +40,8 @@ std::int64_t dda_commands(std::int64_t longest, std::int64_t capacity, std::int6
 
 /// What the DDA of a block's line, or that of the axes beside its circle, begins with.
 std::int64_t preload_of(const Block& block, PulseMethod method, const InterpolationOptions& options) {
-  // With the longest way as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the shorter
-  // axes where they are more than half a step behind.
+  // With the longest component as its capacity a DDA is Bresenham's line: preloaded with ⌊(q − 1)/2⌋ it steps the
+  // shorter axes where they are more than half a step behind.
   if (block.kind == Block::Kind::line && rate_of(method) != CommandRate::path_length) return (block.capacity - 1) / 2;
   return pulse::preloaded(options.preload, block.capacity, /*is_lagging=*/true);
 }
@@ -49,11 +49,11 @@ std::int64_t preload_of(const Block& block, PulseMethod method, const Interpolat
 void count_line(Block& block, PulseMethod method, const InterpolationOptions& options) {
   const CommandRate rate = rate_of(method);
   if (rate == CommandRate::every_step) {
-    block.commands = sum_of(block.way);
+    block.commands = sum_of(block.delta);
     return;
   }
-  const std::int64_t longest = longest_of(block.way);
-  block.capacity = rate == CommandRate::path_length ? length_rounded_up(block.way, 0) : longest;
+  const std::int64_t longest = longest_of(block.delta);
+  block.capacity = rate == CommandRate::path_length ? length_rounded_up(block.delta, 0) : longest;
   block.commands = dda_commands(longest, block.capacity, preload_of(block, method, options));
 }
 
@@ -68,7 +68,7 @@ double commands_to(double angle, CommandRate rate) {
   return quarters * 2 * std::sin(eighth) + within;
 }
 
-/// Turned so that its way is counterclockwise, in 0 … 2π.
+/// The polar angle, in 0 … 2π, mirrored where the arc is clockwise, so that it grows along any arc.
 double angle_of(pulse::Point at, pulse::Direction direction) {
   const double angle =
       std::atan2(static_cast<double>(direction) * static_cast<double>(at.y), static_cast<double>(at.x));
@@ -109,9 +109,9 @@ void count_arc(Block& block, PulseMethod method, const InterpolationOptions& opt
     block.circle_commands = recorded_commands(block.arc, method, options, tape);
   }
   block.commands = block.circle_commands;
-  if (block.way == LatticeVector{}) return;
-  block.capacity = length_rounded_up(block.way, block.circle_commands);
-  block.commands = dda_commands(std::max(longest_of(block.way), block.circle_commands), block.capacity,
+  if (block.delta == LatticeVector{}) return;
+  block.capacity = length_rounded_up(block.delta, block.circle_commands);
+  block.commands = dda_commands(std::max(longest_of(block.delta), block.circle_commands), block.capacity,
                                 preload_of(block, method, options));
 }
 
@@ -123,7 +123,7 @@ void count_commands(Block& block, PulseMethod method, const InterpolationOptions
       count_line(block, method, options);
       break;
     case Block::Kind::point_to_point:
-      block.commands = longest_of(block.way);
+      block.commands = longest_of(block.delta);
       break;
     case Block::Kind::arc:
       count_arc(block, method, options, tape);
@@ -152,58 +152,58 @@ BlockInterpolator::BlockInterpolator(const Block& block, PulseMethod method, con
 }
 
 void BlockInterpolator::load_line(const Block& block, PulseMethod method, const InterpolationOptions& options) {
-  LatticeVector way{};
+  LatticeVector delta{};
   std::size_t axes = 0;
   for (const base::Axis axis : base::all_axes) {
-    if (block.way[base::index(axis)] == 0) continue;
+    if (block.delta[base::index(axis)] == 0) continue;
     lanes_[axes] = axis;
-    way[axes++] = block.way[base::index(axis)];
+    delta[axes++] = block.delta[base::index(axis)];
   }
   if (block.kind == Block::Kind::point_to_point) {
-    state_ = PointToPoint<base::axis_count>(way);
+    state_ = PointToPoint<base::axis_count>(delta);
   } else if (axes <= 2) {
-    load_line<2>(block, way, method, options);
+    load_line<2>(block, delta, method, options);
   } else if (axes == 3) {
-    load_line<3>(block, way, method, options);
+    load_line<3>(block, delta, method, options);
   } else if (axes <= 5) {
-    load_line<5>(block, way, method, options);
+    load_line<5>(block, delta, method, options);
   } else {
-    load_line<base::axis_count>(block, way, method, options);
+    load_line<base::axis_count>(block, delta, method, options);
   }
 }
 
 template <std::size_t axes>
-void BlockInterpolator::load_line(const Block& block, const LatticeVector& way, PulseMethod method,
+void BlockInterpolator::load_line(const Block& block, const LatticeVector& delta, PulseMethod method,
                                   const InterpolationOptions& options) {
-  std::array<std::int64_t, axes> ways;
-  std::copy_n(way.begin(), axes, ways.begin());
+  std::array<std::int64_t, axes> deltas;
+  std::copy_n(delta.begin(), axes, deltas.begin());
   const std::int64_t preload = preload_of(block, method, options);
-  with_row(method, [&](auto row) { state_ = row.template line<axes>(ways, block.capacity, preload); });
+  with_row(method, [&](auto row) { state_ = row.template line<axes>(deltas, block.capacity, preload); });
 }
 
 template <typename Circle>
 void BlockInterpolator::load_arc(const Block& block, const Circle& circle, PulseMethod method,
                                  const InterpolationOptions& options) {
-  // The circle's commands, and the ways of the axes beside it.
-  LatticeVector way{block.circle_commands};
+  // The circle's commands, and the displacements of the axes beside it.
+  LatticeVector delta{block.circle_commands};
   std::size_t beside = 0;
   lanes_[0] = base::all_axes[block.first_axis];
   lanes_[1] = base::all_axes[block.second_axis];
   for (const base::Axis axis : base::all_axes) {
-    if (block.way[base::index(axis)] == 0) continue;
+    if (block.delta[base::index(axis)] == 0) continue;
     lanes_[2 + beside] = axis;
-    way[++beside] = block.way[base::index(axis)];
+    delta[++beside] = block.delta[base::index(axis)];
   }
   in_order_ = std::is_sorted(lanes_.begin(), lanes_.begin() + static_cast<std::ptrdiff_t>(2 + beside));
   const std::int64_t capacity = block.capacity, preload = preload_of(block, method, options);
   if (beside == 0) {
     state_ = circle;
   } else if (beside == 1) {
-    state_ = Helix<Circle, 1>(circle, {std::array{way[0], way[1]}, capacity, preload});
+    state_ = Helix<Circle, 1>(circle, {std::array{delta[0], delta[1]}, capacity, preload});
   } else {
-    std::array<std::int64_t, 1 + all_beside> ways;
-    std::copy_n(way.begin(), ways.size(), ways.begin());
-    state_ = Helix<Circle, all_beside>(circle, {ways, capacity, preload});
+    std::array<std::int64_t, 1 + all_beside> deltas;
+    std::copy_n(delta.begin(), deltas.size(), deltas.begin());
+    state_ = Helix<Circle, all_beside>(circle, {deltas, capacity, preload});
   }
 }
 

@@ -12,7 +12,7 @@
 // Axes beside the plane of an arc go with it (helix.hpp): the first integrand of their DDA, with q = √(n² + Σ Δ²), is
 // the circle's n commands.
 //
-// Which of them it is matters once a run of commands: each has a loop of its own.
+// The method is chosen once for a run of commands, not at each of them: each has a loop of its own.
 
 #include <leadscrew/nc/arc_tape.hpp>
 #include <leadscrew/nc/block.hpp>
@@ -31,7 +31,7 @@ void count_commands(Block& block, PulseMethod method, const InterpolationOptions
 
 class BlockInterpolator {
  public:
-  /// Of nothing: done.
+  /// Without a block: done at once.
   BlockInterpolator() = default;
   /// Of a block with counted commands.
   BlockInterpolator(const Block& block, PulseMethod method, const InterpolationOptions& options);
@@ -45,8 +45,8 @@ class BlockInterpolator {
   /// What one command makes; at most one step of each axis.
   AxisPulse step();
 
-  /// One command after the other, each after as many clocks as the feed says, until it is done or there is no room: at
-  /// most so many, > 0. How many there were.
+  /// One command after the other, each after as many clocks as the feed says, until it is done or the buffer is full:
+  /// at most so many, > 0. How many there were.
   template <typename Feed>
   std::int64_t run(Feed& feed, std::int64_t most, StepWriter& steps) {
     return std::visit([&](auto& state) { return run(state, feed, most, steps); }, state_);
@@ -75,7 +75,8 @@ class BlockInterpolator {
 
   void load_line(const Block& block, PulseMethod method, const InterpolationOptions& options);
   template <std::size_t axes>
-  void load_line(const Block& block, const LatticeVector& way, PulseMethod method, const InterpolationOptions& options);
+  void load_line(const Block& block, const LatticeVector& delta, PulseMethod method,
+                 const InterpolationOptions& options);
   template <typename Circle>
   void load_arc(const Block& block, const Circle& circle, PulseMethod method, const InterpolationOptions& options);
 

@@ -131,8 +131,8 @@ Planned BlockMaker::wait(double seconds) const {
 
 Planned BlockMaker::line_to(const LatticeVector& end, const Part& part) {
   Block block;
-  for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
-  if (block.way == LatticeVector{}) return std::nullopt;
+  for (std::size_t i = 0; i < end.size(); ++i) block.delta[i] = end[i] - at_[i];
+  if (block.delta == LatticeVector{}) return std::nullopt;
   return plan(block, part);
 }
 
@@ -186,8 +186,8 @@ Planned BlockMaker::turn_to(const LatticeVector& end, double angle) {
     closing_ = left_ = placed.has_value();
   }
   if (!placed) return line_or_wait(end, Part{angle / sweep_});
-  for (std::size_t i = 0; i < end.size(); ++i) block.way[i] = end[i] - at_[i];
-  block.way[block.first_axis] = block.way[block.second_axis] = 0;
+  for (std::size_t i = 0; i < end.size(); ++i) block.delta[i] = end[i] - at_[i];
+  block.delta[block.first_axis] = block.delta[block.second_axis] = 0;
   block.arc = *placed;
   const double share = angle / sweep_;
   const std::size_t normal = index(gcode::normal_axis(move_.plane));
@@ -223,8 +223,8 @@ Planned BlockMaker::plan(Block block, const Part& part) {
   count_commands(block, options_.method, options_.interpolation, tape_);
   base::Result<PlannedBlock> planned = with_words(block, move_, part, machine_, options_);
   if (!planned) return give_up(std::move(planned.error()));
-  const LatticeVector way = whole_way(block);
-  for (std::size_t i = 0; i < way.size(); ++i) at_[i] += way[i];
+  const LatticeVector delta = whole_delta(block);
+  for (std::size_t i = 0; i < delta.size(); ++i) at_[i] += delta[i];
   planned->stops = move_.path_mode == gcode::PathMode::exact_stop && !left_;
   return planned;
 }
@@ -253,8 +253,8 @@ std::optional<base::Diagnostic> BlockMaker::register_problem(const Block& block)
                        gcode::text(static_cast<double>(value)) + " basic length units",
                    "registers hold up to 2^30 = 1073741824");
   };
-  for (std::size_t i = 0; i < block.way.size(); ++i) {
-    if (pulse::absolute(block.way[i]) > pulse::greatest_coordinate) return beyond(block.way[i], i, "the way");
+  for (std::size_t i = 0; i < block.delta.size(); ++i) {
+    if (pulse::absolute(block.delta[i]) > pulse::greatest_coordinate) return beyond(block.delta[i], i, "the way");
   }
   if (block.kind != Block::Kind::arc) return std::nullopt;
   for (const pulse::Point at : {block.arc.start, block.arc.end}) {

@@ -7,7 +7,7 @@
 //   curve   chords, as far from it as the machine's chord error allows
 //   dwell   so many clocks, rounded
 //
-// Every end is rounded to the lattice from machine zero, whatever the way there, so that a program's steps sum to its
+// Every end is rounded to the lattice from machine zero, whatever the path there, so that a program's steps sum to its
 // end. An arc needs one basic length unit in both axes of its plane.
 
 #include <leadscrew/gcode/reader.hpp>

@@ -61,7 +61,7 @@ std::array<double, base::axis_count> course_of(std::array<double, base::axis_cou
 void set_directions(PlannedBlock& planned, PulseMethod method) {
   const Block& block = planned.block;
   for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
-    planned.entry[axis] = planned.exit[axis] = real(block.way[axis]) / real(block.commands);
+    planned.entry[axis] = planned.exit[axis] = real(block.delta[axis]) / real(block.commands);
   }
   if (block.kind == Block::Kind::arc) {
     set_tangent(block, block.arc.start, method, planned.entry);
@@ -71,11 +71,12 @@ void set_directions(PlannedBlock& planned, PulseMethod method) {
   planned.exit_course = course_of(planned.exit);
 }
 
-/// A line of a step or two goes another way on the lattice than programmed; of many such the path goes as programmed.
+/// A line of a step or two runs in another direction on the lattice than programmed; a path of many such lines runs as
+/// programmed.
 void set_programmed_course(PlannedBlock& planned, const gcode::Move& move, const machine::Machine& machine) {
   if (move.kind != gcode::Move::Kind::line) return;
-  const auto way = programmed_way(move, machine);
-  if (norm(way) > 0) planned.entry_course = planned.exit_course = course_of(way);
+  const auto delta = programmed_delta(move, machine);
+  if (norm(delta) > 0) planned.entry_course = planned.exit_course = course_of(delta);
 }
 
 void limit_acceleration(PlannedBlock& planned, const machine::Machine& machine, PulseMethod method) {

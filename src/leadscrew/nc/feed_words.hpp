@@ -13,14 +13,15 @@
 
 namespace leadscrew::nc {
 
-/// The field of base::Subject of what a program's pulses cannot be, as against what is wrong with its text.
+/// base::Subject::field of problems with a program's pulses, which tells them from errors in its text.
 inline constexpr std::string_view pulses_field = "pulses";
 
 /// A block and what planning its rate needs.
 struct PlannedBlock {
   Block block;
   std::array<double, base::axis_count> entry{}, exit{};  ///< steps of each axis a command, where it begins and ends
-  /// Unit vectors along the path in steps, there: of a programmed line its own, whatever way the lattice leaves it.
+  /// Unit vectors along the path in steps, there: of a programmed line its own, whatever direction the lattice gives
+  /// it.
   std::array<double, base::axis_count> entry_course{}, exit_course{};
   double acceleration = 0;   ///< of the command rate, commands/s²
   double greatest_rate = 0;  ///< commands/s: that no axis exceeds its velocity, nor its acceleration in the curve

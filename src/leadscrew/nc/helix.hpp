@@ -1,6 +1,6 @@
 #pragma once
-// Axes beside the plane of an arc go with it as along a straight line, one of whose ways is the circle's: a linear DDA
-// has the circle's commands as its first integrand and clocks the circle by that one's overflows.
+// Axes beside the plane of an arc go with it as along a straight line of which the circle is one component: a linear
+// DDA has the circle's commands as its first integrand and clocks the circle by that one's overflows.
 
 #include <leadscrew/pulse/linear.hpp>
 #include <leadscrew/pulse/stretch.hpp>

@@ -7,7 +7,7 @@
 //
 //   method, name                  its enumerator; what the command line and JSON call it
 //   rate                          what it takes a command for
-//   Line<axes>, line()            the interpolator of lines in programs, for ways, a capacity q and what is in the
+//   Line<axes>, line()            the interpolator of lines in programs, for deltas, a capacity q and what is in the
 //                                 registers at the start
 //   Circle, circle()              that of arcs in programs
 //   Curves, load()                the interpolators of one curve alone, and the one of a curve
@@ -95,12 +95,12 @@ struct MethodDefaults {
   static constexpr std::string_view in_programs = {};
   static std::span<const PaperName> paper_names(PulseCurve::Shape) { return names_of_fpga; }
 
-  // In programs. With the longest way as its capacity a DDA is Bresenham's line (block_interpolator.cpp).
+  // In programs. With the longest component as its capacity a DDA is Bresenham's line (block_interpolator.cpp).
   template <std::size_t axes>
   using Line = pulse::LinearDda<axes>;
   template <std::size_t axes>
-  static Line<axes> line(const std::array<std::int64_t, axes>& way, std::int64_t capacity, std::int64_t preload) {
-    return {way, capacity, preload};
+  static Line<axes> line(const std::array<std::int64_t, axes>& delta, std::int64_t capacity, std::int64_t preload) {
+    return {delta, capacity, preload};
   }
 };
 
@@ -114,7 +114,7 @@ struct BySearch : MethodDefaults {
   template <typename State>
   static State load(const PulseCurve& curve, const PulseConventions&, const MethodOptions&) {
     if (curve.is_arc()) return Circle(curve.arc());
-    return pulse::LinearBresenham(curve.way());
+    return pulse::LinearBresenham(curve.delta());
   }
 
  protected:
@@ -137,8 +137,8 @@ struct ByIntegrators : MethodDefaults {
     const pulse::Preload preload = in_force.preload.value_or(pulse::Preload::none);
     if (curve.is_arc())
       return pulse::CircularDda(curve.arc(), {in_force.order.value_or(pulse::Order::parallel), preload, 0, bits});
-    const pulse::Point way = curve.way();
-    return pulse::LinearDda<2>({way.x, way.y}, *in_force.capacity, preload);
+    const pulse::Point delta = curve.delta();
+    return pulse::LinearDda<2>({delta.x, delta.y}, *in_force.capacity, preload);
   }
 };
 
@@ -150,8 +150,8 @@ struct PointComparison : MethodDefaults {
   template <std::size_t axes>
   using Line = pulse::LinearPointComparison<axes>;
   template <std::size_t axes>
-  static Line<axes> line(const std::array<std::int64_t, axes>& way, std::int64_t, std::int64_t) {
-    return Line<axes>(way);
+  static Line<axes> line(const std::array<std::int64_t, axes>& delta, std::int64_t, std::int64_t) {
+    return Line<axes>(delta);
   }
   using Circle = pulse::CircularSearch<pulse::Search::point_comparison>;
   static Circle circle(const pulse::Arc& arc, const InterpolationOptions&) { return Circle(arc); }
@@ -160,8 +160,8 @@ struct PointComparison : MethodDefaults {
   using Curves = TypeList<Circle, InwardCircle, Line<2>>;
   template <typename State>
   static State load(const PulseCurve& curve, const PulseConventions&, const MethodOptions& options) {
-    const pulse::Point way = curve.way();
-    if (!curve.is_arc()) return Line<2>({way.x, way.y});
+    const pulse::Point delta = curve.delta();
+    if (!curve.is_arc()) return Line<2>({delta.x, delta.y});
     if (options.tie == pulse::OnCircle::inward) return InwardCircle(curve.arc());
     return Circle(curve.arc());
   }

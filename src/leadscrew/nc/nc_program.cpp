@@ -12,7 +12,7 @@ constexpr std::int64_t digits_of_root = 31;
 
 std::size_t moving_axes(const Block& block) {
   std::size_t count = block.kind == Block::Kind::arc ? 2 : 0;
-  for (const std::int64_t way : block.way) count += way != 0;
+  for (const std::int64_t delta : block.delta) count += delta != 0;
   return count;
 }
 
@@ -71,7 +71,7 @@ void NcProgram::initiate() {
 
     Operations count;
     const auto axes = static_cast<std::int64_t>(moving_axes(block_));
-    // Each axis has a way, a counter, a sign and a remainder; an arc two coordinates of its start besides.
+    // Each axis has a displacement, a counter, a sign and a remainder; an arc two coordinates of its start besides.
     count.loads += 2 * axes + 2 + (block_.kind == Block::Kind::arc ? 2 : 0);
     count.tests += axes;
     count.stores += 4 * axes + 2 + (block_.kind == Block::Kind::arc ? 2 : 0);
@@ -100,7 +100,7 @@ AxisPulse NcProgram::interpolator_routine(Operations& count) {
   const bool is_arc = block_.kind == Block::Kind::arc;
   for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
     const bool is_in_plane = is_arc && (axis == block_.first_axis || axis == block_.second_axis);
-    if (!is_in_plane && block_.way[axis] == 0) continue;
+    if (!is_in_plane && block_.delta[axis] == 0) continue;
     if (is_in_plane) ++count.tests;  // for a counter whose integrand is 0
     ++count.tests;                   // of the counter
     if (interpolator_.left(axis) == 0) continue;

@@ -11,7 +11,7 @@ class PointToPoint {
  public:
   static constexpr std::size_t axes = axis_count;
 
-  /// Way of each axis, signed, BLU.
+  /// Displacement of each axis, signed, BLU.
   constexpr explicit PointToPoint(const std::array<std::int64_t, axes>& left) : left_(left) {}
 
   constexpr bool done() const { return left_ == std::array<std::int64_t, axes>{}; }

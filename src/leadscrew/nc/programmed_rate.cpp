@@ -13,47 +13,47 @@ double real(std::int64_t value) {
   return static_cast<double>(value);
 }
 
-StepVector in_steps(const LatticeVector& way) {
+StepVector in_steps(const LatticeVector& delta) {
   StepVector steps{};
-  for (std::size_t i = 0; i < way.size(); ++i) steps[i] = real(way[i]);
+  for (std::size_t i = 0; i < delta.size(); ++i) steps[i] = real(delta[i]);
   return steps;
 }
 
-/// Of three axes' ways, mm or degrees.
-double length_of(const StepVector& way, std::size_t first, const machine::Machine& machine) {
+/// Length of a displacement by its components in three axes from `first` on, mm or degrees.
+double length_of(const StepVector& delta, std::size_t first, const machine::Machine& machine) {
   double square = 0;
   for (std::size_t i = first; i < first + 3; ++i) {
-    if (way[i] == 0) continue;
-    const double length = way[i] * machine.limits(base::all_axes[i]).blu;
+    if (delta[i] == 0) continue;
+    const double length = delta[i] * machine.limits(base::all_axes[i]).blu;
     square += length * length;
   }
   return std::sqrt(square);
 }
 
-/// Of a straight way, as the feed counts it.
-double feed_length(const StepVector& way, const machine::Machine& machine) {
+/// Length of a straight displacement, as the feed counts it.
+double feed_length(const StepVector& delta, const machine::Machine& machine) {
   double length = 0;
   for (const base::Axis first : {base::Axis::X, base::Axis::U, base::Axis::A}) {
-    if (length == 0) length = length_of(way, base::index(first), machine);
+    if (length == 0) length = length_of(delta, base::index(first), machine);
   }
   return length;
 }
 
 /// Of the lattice's path, as the feed counts it.
 double feed_length(const Block& block, const machine::Machine& machine) {
-  if (block.kind != Block::Kind::arc) return feed_length(in_steps(block.way), machine);
+  if (block.kind != Block::Kind::arc) return feed_length(in_steps(block.delta), machine);
   const double radius = std::sqrt(real(block.arc.squared_radius()));
   const double blu = machine.limits(base::all_axes[block.first_axis]).blu;
-  return std::hypot(length_of(in_steps(block.way), base::index(base::Axis::X), machine),
+  return std::hypot(length_of(in_steps(block.delta), base::index(base::Axis::X), machine),
                     radius * sweep(block.arc) * blu);
 }
 
 /// Of a line, were the lattice as fine as can be.
-double commands_of(const StepVector& way, PulseMethod method) {
+double commands_of(const StepVector& delta, PulseMethod method) {
   const CommandRate rate = rate_of(method);
-  if (rate == CommandRate::path_length) return norm(way);
+  if (rate == CommandRate::path_length) return norm(delta);
   double sum = 0, longest = 0;
-  for (const double of_axis : way) {
+  for (const double of_axis : delta) {
     sum += std::abs(of_axis);
     longest = std::max(longest, std::abs(of_axis));
   }
@@ -74,26 +74,26 @@ void ask_velocity(ProgrammedRate& asked, const StepVector& velocity, const machi
 
 ProgrammedRate rate_of_line(const Block& block, const gcode::Move& move, const machine::Machine& machine,
                             PulseMethod method) {
-  StepVector way = programmed_way(move, machine);
-  const double seconds = seconds_of(1, feed_length(way, machine), move.feed);
+  StepVector delta = programmed_delta(move, machine);
+  const double seconds = seconds_of(1, feed_length(delta, machine), move.feed);
   ProgrammedRate asked;
   asked.rate = real(block.commands) / seconds_of(1, feed_length(block, machine), move.feed);
-  asked.least = commands_of(way, method) / seconds * (1 - numeric::quotient_rounding);
-  for (double& of_axis : way) of_axis /= seconds;
-  ask_velocity(asked, way, machine);
+  asked.least = commands_of(delta, method) / seconds * (1 - numeric::quotient_rounding);
+  for (double& of_axis : delta) of_axis /= seconds;
+  ask_velocity(asked, delta, machine);
   return asked;
 }
 
 /// Steps/s along an arc's circle, and of the axes beside it.
 StepVector velocity_on_arc(const Block& block, const gcode::Move& move, const Part& part,
                            const machine::Machine& machine, double seconds) {
-  StepVector velocity = programmed_way(move, machine);
+  StepVector velocity = programmed_delta(move, machine);
   double beside = 0;  // mm
   for (std::size_t i = 0; i < velocity.size(); ++i) {
     if (velocity[i] == 0) continue;
     velocity[i] *= part.share / seconds;
-    const double way = velocity[i] * seconds * machine.limits(base::all_axes[i]).blu;
-    if (i < 3 && !in_plane(block, i)) beside = way;
+    const double travel = velocity[i] * seconds * machine.limits(base::all_axes[i]).blu;
+    if (i < 3 && !in_plane(block, i)) beside = travel;
   }
   const double around = std::sqrt(std::max(0.0, part.length * part.length - beside * beside));
   for (const std::size_t i : {block.first_axis, block.second_axis})
@@ -109,13 +109,13 @@ double norm(const StepVector& steps) {
   return std::sqrt(square);
 }
 
-StepVector programmed_way(const gcode::Move& move, const machine::Machine& machine) {
-  StepVector way{};
+StepVector programmed_delta(const gcode::Move& move, const machine::Machine& machine) {
+  StepVector delta{};
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    if (machine.has(axis)) way[i] = (move.end[i] - move.start[i]) / machine.limits(axis).blu;
+    if (machine.has(axis)) delta[i] = (move.end[i] - move.start[i]) / machine.limits(axis).blu;
   }
-  return way;
+  return delta;
 }
 
 bool in_plane(const Block& block, std::size_t axis) {
@@ -124,7 +124,7 @@ bool in_plane(const Block& block, std::size_t axis) {
 
 double greatest_share(const Block& block, std::size_t axis) {
   if (in_plane(block, axis)) return real(block.circle_commands) / real(block.commands);
-  return std::abs(real(block.way[axis])) / real(block.commands);
+  return std::abs(real(block.delta[axis])) / real(block.commands);
 }
 
 AxisRate greatest_by_velocity(const Block& block, const machine::Machine& machine) {
@@ -151,7 +151,7 @@ ProgrammedRate programmed_rate(const Block& block, const gcode::Move& move, cons
   const double seconds = is_arc ? seconds_of(part.share, part.length, move.feed) : on_lattice;
   ProgrammedRate asked;
   asked.rate = real(block.commands) / seconds;
-  // Rounding to the lattice may have made the way longer by a step, of arcs by two, and their radius too.
+  // Rounding to the lattice may have made the path longer by a step, of arcs by two, and their radius too.
   asked.least =
       real(block.commands - (is_arc ? 2 : 1)) / std::max(seconds, on_lattice) * (1 - numeric::quotient_rounding);
   const AxisRate by_velocity = greatest_by_velocity(block, machine);

@@ -1,6 +1,6 @@
 #pragma once
-// How fast a block's feed asks for its commands, and for its axes: by the programmed way, not by what rounding to the
-// lattice makes of it.
+// How fast a block's feed asks for its commands, and for its axes: by the programmed displacement, not by what rounding
+// to the lattice makes of it.
 
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -24,7 +24,7 @@ using StepVector = std::array<double, base::axis_count>;
 double norm(const StepVector& steps);
 
 /// From the start of a move to its end, steps, not rounded.
-StepVector programmed_way(const gcode::Move& move, const machine::Machine& machine);
+StepVector programmed_delta(const gcode::Move& move, const machine::Machine& machine);
 
 /// Is the axis one of the two of an arc's plane?
 bool in_plane(const Block& block, std::size_t axis);

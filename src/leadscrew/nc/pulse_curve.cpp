@@ -18,8 +18,8 @@ Point from(Point origin, Point at) {
   return {at.x - origin.x, at.y - origin.y};
 }
 
-double length_of(Point way) {
-  return std::sqrt(static_cast<double>(way.x * way.x + way.y * way.y));
+double length_of(Point delta) {
+  return std::sqrt(static_cast<double>(delta.x * delta.x + delta.y * delta.y));
 }
 
 std::string text(Point at) {
@@ -60,14 +60,14 @@ void check_given(Problems& problems, const PulseCurve& curve) {
 }
 
 void check_line(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
-  const Point way = curve.way();
-  if (way == Point{}) {
+  const Point delta = curve.delta();
+  if (delta == Point{}) {
     add(problems, "no-way", "the line ends at " + text(curve.end) + ", where it starts",
         "a line needs a way; a full circle is an arc");
     return;
   }
-  check_register(problems, {"Jx", way.x, "the way along x"}, bits);
-  check_register(problems, {"Jy", way.y, "the way along y"}, bits);
+  check_register(problems, {"Jx", delta.x, "the way along x"}, bits);
+  check_register(problems, {"Jy", delta.y, "the way along y"}, bits);
 }
 
 void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
@@ -118,7 +118,7 @@ pulse::Arc PulseCurve::arc() const {
   return {from(center, start), from(center, end), direction};
 }
 
-Point PulseCurve::way() const {
+Point PulseCurve::delta() const {
   return from(start, end);
 }
 
@@ -140,13 +140,13 @@ Problems problems_of(const PulseCurve& curve, std::optional<int> bits) {
 
 PulseError::PulseError(const PulseCurve& curve)
     : curve_(curve),
-      way_(curve.is_arc() ? from(curve.center, curve.start) : curve.way()),
-      square_(way_.x * way_.x + way_.y * way_.y),
+      delta_(curve.is_arc() ? from(curve.center, curve.start) : curve.delta()),
+      square_(delta_.x * delta_.x + delta_.y * delta_.y),
       root_(std::sqrt(static_cast<double>(square_))) {}
 
 double PulseError::operator()(Point place) const {
   const Point at = from(curve_.origin(), place);
-  if (!curve_.is_arc()) return static_cast<double>(way_.x * at.y - way_.y * at.x) / root_;
+  if (!curve_.is_arc()) return static_cast<double>(delta_.x * at.y - delta_.y * at.x) / root_;
   // F = ρ² − R² is exact: F/(ρ + R) has no difference of nearly equal roots.
   const std::int64_t square = at.x * at.x + at.y * at.y;
   return static_cast<double>(square - square_) / (std::sqrt(static_cast<double>(square)) + root_);

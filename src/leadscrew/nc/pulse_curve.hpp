@@ -26,11 +26,11 @@ struct PulseCurve {
   /// The arc about the origin.
   pulse::Arc arc() const;
   /// The line's end from its start.
-  pulse::Point way() const;
+  pulse::Point delta() const;
   double radius() const;  ///< of an arc, BLU
 };
 
-/// What no interpolator could do: a line without a way, an arc of radius 0, an end off the circle by more than half a
+/// What no interpolator could do: a line of length 0, an arc of radius 0, an end off the circle by more than half a
 /// BLU, a coordinate that the registers do not hold: 2ⁿ − 1 is the greatest of n `bits`, pulse::greatest_coordinate
 /// without. Codes: `no-way`, `zero-radius`, `end-off-circle`, `register-overflow`. Empty where all is well.
 std::vector<base::Diagnostic> problems_of(const PulseCurve& curve, std::optional<int> bits);
@@ -58,7 +58,7 @@ class PulseError {
 
  private:
   PulseCurve curve_;
-  pulse::Point way_;
+  pulse::Point delta_;
   std::int64_t square_;  ///< of the radius or the length
   double root_;
 };

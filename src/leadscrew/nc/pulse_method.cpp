@@ -10,9 +10,9 @@ using pulse::Preload;
 
 namespace {
 
-/// The fewest bits that hold the longer way of a line.
-int bits_for(pulse::Point way) {
-  const std::int64_t longer = std::max(pulse::absolute(way.x), pulse::absolute(way.y));
+/// The fewest bits that hold the longer component of a line.
+int bits_for(pulse::Point delta) {
+  const std::int64_t longer = std::max(pulse::absolute(delta.x), pulse::absolute(delta.y));
   return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(longer)));
 }
 
@@ -49,7 +49,7 @@ PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& optio
     in_force.order = options.order.value_or(Order::parallel);
     return in_force;
   }
-  in_force.bits = options.bits.value_or(bits_for(curve.way()));
+  in_force.bits = options.bits.value_or(bits_for(curve.delta()));
   in_force.capacity = std::int64_t{1} << *in_force.bits;
   in_force.preload = options.preload.value_or(Preload::none);
   return in_force;
@@ -66,8 +66,8 @@ PulseConventions of_software(const PulseCurve& curve, const MethodOptions& optio
     in_force.order = options.order.value_or(Order::x_first);
     return in_force;
   }
-  const pulse::Point way = curve.way();
-  in_force.capacity = pulse::capacity_for(way.x * way.x + way.y * way.y);
+  const pulse::Point delta = curve.delta();
+  in_force.capacity = pulse::capacity_for(delta.x * delta.x + delta.y * delta.y);
   return in_force;
 }
 

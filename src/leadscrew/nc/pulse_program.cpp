@@ -75,8 +75,8 @@ std::span<const steps::StepEvent> PulseProgram::next(std::span<steps::StepEvent>
 
 /// Reads on until so much is known that nothing behind can matter, or until the first problem.
 void PulseProgram::fill() {
-  const std::size_t enough = options_.shape == Shape::accelerate ? BlockLookAhead::most_blocks : 1;
-  while (reading_ && ahead_.size() < enough) {
+  const std::size_t blocks_wanted = options_.shape == Shape::accelerate ? BlockLookAhead::most_blocks : 1;
+  while (reading_ && ahead_.size() < blocks_wanted) {
     auto planned = maker_.next();
     if (!planned) {
       reading_ = errors() == 0 && reader_.next(move_);

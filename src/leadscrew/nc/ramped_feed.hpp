@@ -18,8 +18,8 @@ class RampedFeed {
  public:
   constexpr explicit RampedFeed(std::int64_t capacity) : register_(capacity) {}
 
-  /// Begins a block with a word, to end with another; `by` is added a clock. All > 0, ≤ capacity; the way from the
-  /// word to rest is below 2²² commands.
+  /// Begins a block with a word, to end with another; `by` is added a clock. All > 0, ≤ capacity; coming
+  /// from the word to rest takes fewer than 2²² commands.
   constexpr void begin(std::int64_t word, std::int64_t exit, std::int64_t by) {
     word_ = word;
     exit_ = exit;
@@ -27,7 +27,7 @@ class RampedFeed {
     clocks_ = 1;
     braking_ = 0;
     if (word_ <= exit_) return;
-    // exit, exit + by, …: the words of the clocks on the way down.
+    // exit, exit + by, …: the words of the clocks of falling.
     const std::int64_t clocks = (word_ - exit_ + by_ - 1) / by_;
     braking_ = clocks * word_ - by_ * (clocks * (clocks + 1) / 2);
   }
@@ -60,11 +60,11 @@ class RampedFeed {
   /// Clocks up to the next command, whatever the word does, where so many commands are left in the block.
   constexpr std::int64_t skip(std::int64_t commands_left) {
     if (steady(commands_left) > 0) return at_its_word().skip();
-    const std::int64_t way = std::clamp(commands_left, std::int64_t{0}, most_commands) * register_.capacity();
-    if (change_throughout(way - register_.remainder())) return clocks_;
+    const std::int64_t distance = std::clamp(commands_left, std::int64_t{0}, most_commands) * register_.capacity();
+    if (change_throughout(distance - register_.remainder())) return clocks_;
     clocks_ = 1;
     for (std::int64_t clocks = 1;; ++clocks) {
-      change(way - register_.remainder());
+      change(distance - register_.remainder());
       if (register_.add(word_)) return clocks;
     }
   }
@@ -74,20 +74,20 @@ class RampedFeed {
  private:
   static constexpr std::int64_t most_commands = std::int64_t{1} << 22;  // times the capacity of 2⁴⁰ they fit a register
 
-  constexpr bool must_fall(std::int64_t word, std::int64_t way, std::int64_t braking) const {
-    return word > exit_ && way <= braking + word;
+  constexpr bool must_fall(std::int64_t word, std::int64_t distance, std::int64_t braking) const {
+    return word > exit_ && distance <= braking + word;
   }
-  constexpr bool may_rise(std::int64_t word, std::int64_t way, std::int64_t braking) const {
-    return word < aim_ && way > braking + 2 * word + by_;
+  constexpr bool may_rise(std::int64_t word, std::int64_t distance, std::int64_t braking) const {
+    return word < aim_ && distance > braking + 2 * word + by_;
   }
 
-  /// For one clock.
-  constexpr void change(std::int64_t way) {
-    if (must_fall(word_, way, braking_)) {
+  /// For one clock. A distance is a sum of words, as the feed register adds them up: a command is its capacity.
+  constexpr void change(std::int64_t distance) {
+    if (must_fall(word_, distance, braking_)) {
       fall(exit_);
     } else if (word_ > aim_) {
       fall(aim_);
-    } else if (may_rise(word_, way, braking_)) {
+    } else if (may_rise(word_, distance, braking_)) {
       if (word_ >= exit_) braking_ += word_;
       word_ = std::min(word_ + by_, aim_);
     }
@@ -99,17 +99,17 @@ class RampedFeed {
   }
 
   /// For all clocks up to the command, if it is the same change in each of them.
-  constexpr bool change_throughout(std::int64_t way) {
-    if (must_fall(word_, way, braking_)) return fall_throughout(exit_, way);
-    if (word_ > aim_) return fall_throughout(aim_, way);
-    return word_ >= exit_ && may_rise(word_, way, braking_) && rise_throughout(way);
+  constexpr bool change_throughout(std::int64_t distance) {
+    if (must_fall(word_, distance, braking_)) return fall_throughout(exit_, distance);
+    if (word_ > aim_) return fall_throughout(aim_, distance);
+    return word_ >= exit_ && may_rise(word_, distance, braking_) && rise_throughout(distance);
   }
 
-  /// The way comes down and what braking takes goes up: what holds at the last clock has held at all before.
-  constexpr bool rise_throughout(std::int64_t way) {
+  /// The distance left falls and the braking distance grows: what holds at the last clock has held at all before.
+  constexpr bool rise_throughout(std::int64_t distance) {
     if (!count_clocks(by_, aim_)) return false;
     const std::int64_t before = clocks_ - 1, passed = sum(before, by_);
-    if (!may_rise(word_ + before * by_, way - passed, braking_ + passed - before * by_)) return false;
+    if (!may_rise(word_ + before * by_, distance - passed, braking_ + passed - before * by_)) return false;
     const std::int64_t words = sum(clocks_, by_);
     register_.add(words);
     word_ += clocks_ * by_;
@@ -117,12 +117,12 @@ class RampedFeed {
     return true;
   }
 
-  /// The way and what braking takes come down together.
-  constexpr bool fall_throughout(std::int64_t to, std::int64_t way) {
+  /// The distance left and the braking distance fall together.
+  constexpr bool fall_throughout(std::int64_t to, std::int64_t distance) {
     if (!count_clocks(-by_, to)) return false;
     const std::int64_t before = clocks_ - 1, passed = sum(before, -by_);
     if (word_ > exit_ && passed > braking_) return false;
-    if (to == exit_ && !must_fall(word_ - before * by_, way, braking_)) return false;
+    if (to == exit_ && !must_fall(word_ - before * by_, distance, braking_)) return false;
     const std::int64_t words = sum(clocks_, -by_);
     register_.add(words);
     word_ -= clocks_ * by_;
@@ -154,7 +154,7 @@ class RampedFeed {
 
   FeedRegister register_;
   std::int64_t word_ = 1, aim_ = 1, exit_ = 1, by_ = 1;
-  std::int64_t braking_ = 0;  // words added on the way down to the exit, from the next clock on
+  std::int64_t braking_ = 0;  // braking distance: the sum of the words down to the exit, from the next clock on
   std::int64_t clocks_ = 1;   // of the last command whose clocks were passed at once
 };
 

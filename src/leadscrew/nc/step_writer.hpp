@@ -18,7 +18,7 @@ class StepWriter {
   /// Is there no space for a pulse of all axes?
   constexpr bool is_full() const { return at_ > last_; }
   constexpr void pass(std::int64_t ticks) { tick_ += ticks; }
-  /// A step at this tick, or none: no branch, for it would go the wrong way. Not when full.
+  /// A step at this tick, or none; without a branch, which would be mispredicted. Not when full.
   [[gnu::always_inline]] constexpr void put(base::Axis axis, std::int8_t step) {
     *at_ = steps::StepEvent(tick_, axis, step);
     at_ += step & 1;

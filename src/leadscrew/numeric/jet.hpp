@@ -1,9 +1,9 @@
 #pragma once
-// Jets: a value and its first N derivatives by one parameter, carried together through arithmetic. What geometry says of
-// a curve and kinematics makes of it is said in jets, so that velocity, acceleration and jerk need no finite differences.
-// Jet<> has three derivatives in double and names for them; other orders and scalars follow the same rules, Leibniz' for
-// products and recursions of it for what is defined by an equation (Griewank and Walther, "Evaluating Derivatives",
-// ch. 13).
+// Jets: a value and its first N derivatives by one parameter, carried together through arithmetic. What geometry says
+// of a curve and kinematics makes of it is said in jets, so that velocity, acceleration and jerk need no finite
+// differences. Jet<> has three derivatives in double and names for them; other orders and scalars follow the same
+// rules, Leibniz' for products and recursions of it for what is defined by an equation (Griewank and Walther,
+// "Evaluating Derivatives", ch. 13).
 
 #include <array>
 #include <cmath>

@@ -43,7 +43,8 @@ class MotionSource {
   void stop_when(std::function<bool()> asked) { planner_.stop_when(std::move(asked)); }
 
   /// Why motion ends before the program does: the first error of this reading, be it the reader's (which its sink gets
-  /// as well), the source's or that of `unchanged`; `travel`, where the path leaves that of an axis; or that it was interrupted.
+  /// as well), the source's or that of `unchanged`; `travel`, where the path leaves that of an axis; or that it was
+  /// interrupted.
   const std::optional<base::Diagnostic>& failure() const { return failure_; }
   /// The warning `planning-simplified`, where parts of the path are slower than they need be: planning them for the
   /// machine's own limits would have taken too much work (planner::Planner::simplified_sections).

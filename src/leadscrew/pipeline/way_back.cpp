@@ -112,15 +112,15 @@ double PathStretch::greatest_speed(double s) const {
 std::optional<Places> way_back(const PathStretch& stretch, const machine::Machine& machine, double longest_hop) {
   const std::size_t most_periods =
       std::max(fewest_periods, static_cast<std::size_t>(longest_hop / machine.period.seconds()));
-  Places way;
+  Places return_path;
   std::vector<Hop> hops;  // the next one last
   if (stretch.from() < stretch.to()) hops.push_back({stretch.to(), stretch.from()});
   while (!hops.empty()) {
     const Hop hop = hops.back();
     hops.pop_back();
     if (const auto places = places_of(stretch, hop, machine, most_periods)) {
-      if (!way.empty()) way.insert(way.end(), rests, way.back());
-      way.insert(way.end(), places->begin(), places->end());
+      if (!return_path.empty()) return_path.insert(return_path.end(), rests, return_path.back());
+      return_path.insert(return_path.end(), places->begin(), places->end());
       continue;
     }
     const double middle = (hop.from + hop.to) / 2;
@@ -128,7 +128,7 @@ std::optional<Places> way_back(const PathStretch& stretch, const machine::Machin
     hops.push_back({middle, hop.to});
     hops.push_back({hop.from, middle});
   }
-  return way;
+  return return_path;
 }
 
 }  // namespace leadscrew::pipeline

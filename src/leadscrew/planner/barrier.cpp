@@ -152,7 +152,7 @@ bool BarrierSolver::measure_rows(const std::vector<double>& c, Product& barrier)
     const double x = dot(site.x, at), f = squared(bounds_.factor(site, i));
     if (!(x > 0)) return false;
     double factor = 1;
-    for (const SpeedProblem::Row& row : problem_.rows(site)) {
+    for (const SpeedProblem::CoefficientRow& row : problem_.rows(site)) {
       const double a = 1 - f * squared(dot(row.acceleration, at));
       const double u = 1 - f * squared(dot(row.jerk, at)) * x;
       if (!(a > 0 && u > 0)) return false;
@@ -230,7 +230,7 @@ void add_site(const SpeedProblem& problem, const SpeedBounds& bounds, std::size_
   const double x = dot(site.x, c), inverse_x = 1 / x, ff = squared(bounds.factor(site, index));
   double by_x = 0, by_xx = 0;
   Four with_x{};
-  for (const SpeedProblem::Row& row : problem.rows(site)) {
+  for (const SpeedProblem::CoefficientRow& row : problem.rows(site)) {
     const double a = dot(row.acceleration, c), g = dot(row.jerk, c);
     const double free_a = 1 - ff * a * a, free_j = 1 - ff * g * g * x, both = 1 / (free_a * free_j);
     const double of_a = free_j * both, of_j = free_a * both;  // 1/(1 − A²) and 1/(1 − u)

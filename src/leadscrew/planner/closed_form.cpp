@@ -51,8 +51,8 @@ class Phases {
 
   DoubleDouble distance() const { return s_; }
 
-  /// Rounding has left the distance a few units in the last place off the end: spread that evenly over time. The speed that
-  /// this takes goes to the lesser part of v0, so that a motion from rest is seen to begin at speed 0.
+  /// Rounding has left the distance a few units in the last place off the end: spread that evenly over time. The speed
+  /// that this takes goes to the lesser part of v0, so that a motion from rest is seen to begin at speed 0.
   std::vector<Segment> take(double end) {
     const DoubleDouble defect_rate = (DoubleDouble(end) - s_) / begin_;
     for (Segment& segment : segments_) {
@@ -184,7 +184,8 @@ void ClosedForm::override_feed(double factor) {
   now_ = 0;
 }
 
-/// To the speed that is wanted, and from it to rest at the section's end; nothing where what is left is too short for it.
+/// To the speed that is wanted, and from it to rest at the section's end; nothing where what is left is too short for
+/// it.
 std::optional<ClosedForm::Motion> ClosedForm::change(const PathState& from) const {
   const toolpath::Piece piece = whole(section_);
   const double feed = piece.greatest_speed(piece.axes().jets(0)) * factor_;

@@ -1,5 +1,6 @@
 #pragma once
-// Sections that have a closed form: lines that run straight on, and arcs so short that the axes hardly trade places.
+// Sections that have a closed form: lines that run straight on, and arcs so short that the axes' shares of speed hardly
+// change.
 //
 //      speed    ╭───────┼─╮
 //              ╱        │  ╲              ┼ a slice ends here, feed is changed to 0.8
@@ -27,7 +28,7 @@ class ClosedForm {
   static std::optional<ClosedForm> plan(const Section& section, const constraints::Constraints& constraints,
                                         double feed_factor);
 
-  /// What takes about this long, s > 0, or the rest.
+  /// The next part of the motion, about this long, s > 0, or all that is left of it.
   Chunk next(double slice);
   /// Does the last slice end at rest?
   bool is_done() const { return !(now_ < motion_.duration); }

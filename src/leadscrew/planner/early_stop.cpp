@@ -27,7 +27,7 @@ double worst_between(const Segment& stop, std::span<const double> places, const 
 
 /// The duration of a stop from there, s; none where none is found that is over before `longest`. places: where
 /// knots lie ahead.
-double stop_duration(const PathState& from, std::span<const double> places, double room, double longest,
+double stop_duration(const PathState& from, std::span<const double> places, double distance_left, double longest,
                      const Section& section, const constraints::Constraints& constraints, double feed_factor) {
   const geometry::PointJet jet = section.jets(from.s, Side::right);
   const machine::Derivatives limits = tangent_limits(jet, constraints);
@@ -37,7 +37,8 @@ double stop_duration(const PathState& from, std::span<const double> places, doub
   double t = shortest_stop(from, limits);
   for (int attempt = 0; attempt < attempts; ++attempt, t *= longer) {
     const Segment stop = stop_within(from, t);
-    if (t >= longest || evaluate(stop, t).s - from.s > room || !(3 * from.speed + from.acceleration * t >= 0)) break;
+    if (t >= longest || evaluate(stop, t).s - from.s > distance_left || !(3 * from.speed + from.acceleration * t >= 0))
+      break;
     if (greatest_ratios(stop, section, constraints, feed_factor, first_looks).worst() > 1) continue;
     if (worst_between(stop, places, section, constraints, feed_factor) <= 1) return t;
   }

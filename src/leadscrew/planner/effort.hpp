@@ -4,10 +4,10 @@
 //   balance ^ .-.      .--.
 //           |/   \    /    \          windows are paid for, committed motion earns
 //           |     \  /      \  /
-//           +------\/--------\/----▶ t   below 0: the rest of the section is planned with gentler limits
+//           +------\/--------\/----▶ t   below 0: the rest of the section is planned with lower limits
 //
-// A unit is about a quarter of a microsecond of one processor: a place of the path that is looked at for knots, an
-// interval in a step of Newton's method, four looks of the proof. The examples take 2'000 to 50'000 units a second of
+// A unit is about a quarter of a microsecond of one processor: a sample of the path for knots, an
+// interval in a step of Newton's method, four samples of the proof. The examples take 2'000 to 50'000 units a second of
 // motion, and so does a circle at F2.5.
 
 #include <cstdint>

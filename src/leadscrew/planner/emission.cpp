@@ -29,8 +29,8 @@ constexpr std::array<double, 4> gauss_half_weights = {0.3626837833783620, 0.3137
 
 /// s(τ) along the section, by a quintic with the speeds and accelerations of both ends (Hermite).
 Segment quintic(const PathState& from, const PathState& to, double duration) {
-  const double t = duration, way = to.s - from.s;
-  const double r0 = way - t * (from.speed + t * from.acceleration / 2);
+  const double t = duration, distance = to.s - from.s;
+  const double r0 = distance - t * (from.speed + t * from.acceleration / 2);
   const double r1 = t * (to.speed - from.speed - t * from.acceleration);
   const double r2 = t * t * (to.acceleration - from.acceleration);
   Segment segment;
@@ -44,8 +44,8 @@ Segment quintic(const PathState& from, const PathState& to, double duration) {
   return segment;
 }
 
-/// The greatest of what is looked at in even steps, with the peak of the parabola through every three. What is no
-/// number is too much.
+/// The greatest of values at even steps, raised to the vertex of the parabola through every three of them. NaN counts
+/// as infinity: it exceeds every limit.
 class Peak {
  public:
   void look(double value) {
@@ -145,15 +145,15 @@ class Emitter {
 
   /// s = J t³/6 up to the first knot: t = 3 s₁/v₁.
   void ramp_up(double from, const PathState& to) {
-    const double way = to.s - from, t = 3 * way / to.speed;
+    const double distance = to.s - from, t = 3 * distance / to.speed;
     Segment segment;
     segment.duration = t;
     segment.s0 = from;
-    segment.c3 = way / (t * t * t);
+    segment.c3 = distance / (t * t * t);
     push(segment, 0, 0);
   }
   void ramp_down(const PathState& from, double end) {
-    const double way = end - from.s, t = 3 * way / from.speed, c3 = way / (t * t * t);
+    const double distance = end - from.s, t = 3 * distance / from.speed, c3 = distance / (t * t * t);
     Segment segment;
     segment.duration = t;
     segment.s0 = from.s;
@@ -272,15 +272,15 @@ double shortest_stop(const PathState& from, const machine::Derivatives& limits) 
   return std::max((a + std::sqrt(a * a + 6 * v * jerk)) / jerk, 1.33 * v / limits.acceleration);
 }
 
-std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
+std::optional<Segment> come_to_rest(const PathState& from, double distance_left, double longest, const Section& section,
                                     const Constraints& constraints) {
   const machine::Derivatives limits = tangent_limits(section.jets(from.s, Side::right), constraints);
   const double v = from.speed, a = from.acceleration;
   if (!(v > 0)) return std::nullopt;
   double t = shortest_stop(from, limits);
   for (int attempt = 0; attempt < 40; ++attempt, t *= 1.06) {
-    const double way = t * (v / 2 + t * a / 12);
-    if (t > longest || way > room || 3 * v + a * t < 0) return std::nullopt;
+    const double distance = t * (v / 2 + t * a / 12);
+    if (t > longest || distance > distance_left || 3 * v + a * t < 0) return std::nullopt;
     const Segment segment = stop_within(from, t);
     if (greatest_ratios(segment, section, constraints, infinity, stop_looks).worst() <= 1) return segment;
   }

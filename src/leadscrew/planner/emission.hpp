@@ -1,6 +1,6 @@
 #pragma once
-// From a profile of speed over way to motion in time: segments, the proof that they keep every limit, and the shortest
-// way to rest.
+// From a profile of speed over path length to motion in time: segments, the proof that they keep every limit, and the
+// shortest stop.
 
 #include <cstddef>
 #include <leadscrew/constraints/constraints.hpp>
@@ -32,11 +32,11 @@ double travel_time(const SpeedProfile& profile, std::size_t interval, double fro
 /// Along a part of an interval, from `from` on, which becomes where it ends.
 Segment along_interval(const SpeedProfile& profile, std::size_t interval, double begin, double end, PathState& from);
 
-/// Looks of the proof, a segment between knots; the close ones where knots lie far apart for how speed falls.
+/// Samples of the proof on a segment between knots; the closer ones where knots lie far apart for how speed falls.
 inline constexpr int usual_looks = 12, close_looks = 32;
-/// The largest ratios of speed, and of acceleration and jerk, some looks a segment. Speed is beside `feed_factor` times
-/// the programmed one, too. A motion that turns back counts as one that exceeds acceleration by half, so that it is
-/// planned again deeper inside the limits.
+/// The largest ratios of speed, and of acceleration and jerk, seen at `looks` samples a segment. Speed is judged by
+/// `feed_factor` times the programmed one, too. A motion that turns back counts as one that exceeds acceleration by
+/// half, so that it is planned again deeper inside the limits.
 Ratios greatest_ratios(const Segment& segment, const Section& section, const constraints::Constraints& constraints,
                        double feed_factor, int looks);
 
@@ -47,15 +47,15 @@ Segment stop_within(const PathState& from, double t);
 /// The shortest t, s, that the limits along the tangent may allow; the speed there is must be > 0.
 double shortest_stop(const PathState& from, const machine::Derivatives& limits);
 
-/// From motion to rest within `room`, no longer than `longest`, s: the first such stop that keeps every limit of every
-/// axis is taken. Nothing if there is none.
-std::optional<Segment> come_to_rest(const PathState& from, double room, double longest, const Section& section,
+/// From motion to rest within `distance_left`, in no more than `longest` seconds: the first such stop found that keeps
+/// every limit of every axis. Nothing if there is none.
+std::optional<Segment> come_to_rest(const PathState& from, double distance_left, double longest, const Section& section,
                                     const constraints::Constraints& constraints);
 
 /// A segment, parted at those of these places along the section that lie inside it. They ascend.
 std::vector<Segment> cut_at(const Segment& segment, std::span<const double> places);
 
-/// Segments along a section, which end at `end`, cut where pieces meet; way is counted from each piece's beginning and
+/// Segments along a section, which end at `end`, cut where pieces meet; s is counted from each piece's beginning and
 /// pieces from `first_piece`, on which the first segment begins.
 std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double end,
                                   std::size_t first_piece);

@@ -19,11 +19,11 @@ struct KnotSample {
   bool is_by_feed = false;  ///< is it feed that says the greatest?
 };
 
-/// Lowers h until it grows along the section, either way, by no more than `grading` of the distance.
+/// Lowers h until it grows along the section, forwards and backwards, by no more than `grading` of the distance.
 void grade(std::span<KnotSample> samples, double grading);
 
-/// Appends knots behind `from` up to `to`, a break: equal quantiles of ∫ ds/h. `first` is the sample at or before `from`;
-/// returns that of `to`. Ends where there are more than `most` knots, before `to`.
+/// Appends knots behind `from` up to `to`, a break: equal quantiles of ∫ ds/h. `first` is the sample at or before
+/// `from`; returns that of `to`. Ends where there are more than `most` knots, before `to`.
 std::size_t place_quantiles(std::span<const KnotSample> samples, double from, double to, std::size_t first,
                             std::size_t most, Knots& knots);
 

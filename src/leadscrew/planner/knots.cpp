@@ -10,21 +10,23 @@ namespace {
 
 using Sample = KnotSample;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double per_ramp = 40;          // knots while speed rises from rest or falls to it
-constexpr double cruise_knots = 8;       // of a cruise, while speed could rise from rest
-constexpr double cruise_time = 0.02;     // s between knots of a cruise that need not lie closer
-constexpr double cruise_grading = 0.1;   // of the distance from where the cruise begins or ends
-constexpr double slow_change = 0.05;     // of x, from sample to sample, where feed asks for another speed slowly
-constexpr double slow_tangent = 0.02;    // of the tangent acceleration that this may take
-constexpr double change_of_knot = 0.1;   // of x between knots there
-constexpr double grading = 0.25;         // |dh/ds|
-constexpr double ramp_grading = 0.25;    // h over distance from rest
-constexpr double merged_breaks = 1e-5;   // of the width around them
-constexpr int deepest = 40;              // bisections
-constexpr std::size_t most_unseen = 8;   // polynomials of a curve between samples; more are about a bend between them
-constexpr double unknown_margin = 0.03;  // of the length of a ramp, left before what is not known
+constexpr double per_ramp = 40;         // knots while speed rises from rest or falls to it
+constexpr double cruise_knots = 8;      // of a cruise, while speed could rise from rest
+constexpr double cruise_time = 0.02;    // s between knots of a cruise that need not lie closer
+constexpr double cruise_grading = 0.1;  // of the distance from where the cruise begins or ends
+constexpr double slow_change = 0.05;    // of x, from sample to sample, where feed asks for another speed slowly
+constexpr double slow_tangent = 0.02;   // of the tangent acceleration that this may take
+constexpr double change_of_knot = 0.1;  // of x between knots there
+constexpr double grading = 0.25;        // |dh/ds|
+constexpr double ramp_grading = 0.25;   // h over distance from rest
+constexpr double merged_breaks = 1e-5;  // of the width around them
+constexpr int deepest = 40;             // bisections
+constexpr std::size_t most_between_samples =
+    8;  // polynomials of a curve between samples; where there are more, a bend may lie between them
+constexpr double unknown_margin = 0.03;  // of the length of a ramp, kept free before the end of what is known
 constexpr double shortest_ramp = 1e-13;  // of the place on the section: what rounding leaves of its knots
-constexpr std::size_t rest_knots = 100;  // it takes about as many to come to rest: no window ends so short of it
+constexpr std::size_t rest_knots =
+    100;  // it takes about as many to come to rest: a window that would end so few knots before rest goes on to it
 constexpr double first_change = 0.15;    // of the usual width, where jerk changes at once
 constexpr double change_grading = 0.15;  // of the distance from there
 constexpr std::size_t more_knots = 24;   // after what is kept, if more is known
@@ -34,14 +36,14 @@ constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a w
 
 class Placement {
  public:
-  Placement(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+  Placement(const Section& section, const constraints::Constraints& constraints, const PlannedRange& range,
             std::size_t most, Effort& effort)
-      : section_(section), constraints_(constraints), stretch_(stretch), most_(most), effort_(effort) {}
+      : section_(section), constraints_(constraints), range_(range), most_(most), effort_(effort) {}
 
   Knots place() {
-    if (!stretch_.starts_at_rest) keep();
-    if (stretch_.kept_end_ramp > 0) {
-      knots_.end_ramp = stretch_.kept_end_ramp;
+    if (!range_.starts_at_rest) keep();
+    if (range_.kept_end_ramp > 0) {
+      knots_.end_ramp = range_.kept_end_ramp;
       knots_.intervals = knots_.s.size() - 1;
       return std::move(knots_);
     }
@@ -52,12 +54,12 @@ class Placement {
     if (!effort_.goes_on()) return {};
     passes();
     widths();
-    if (stretch_.starts_at_rest) {
+    if (range_.starts_at_rest) {
       knots_.s.push_back(first_knot());
       knots_.breaks.push_back(false);
     }
     distribute();
-    if (!stretch_.ends_at_rest || !reaches_end_ || knots_.s.size() > most() + rest_knots)
+    if (!range_.ends_at_rest || !reaches_end_ || knots_.s.size() > most() + rest_knots)
       cut();
     else
       knots_.intervals = knots_.s.size() - 1;
@@ -72,7 +74,7 @@ class Placement {
       const geometry::PointJet jet = section_.jets(s, side);
       const machine::Derivatives t = tangent_limits(jet, constraints_);
       const double speed =
-          std::sqrt(constraints_.greatest_square({jet, stretch_.feed_factor * section_.greatest_speed(s, side, jet)}));
+          std::sqrt(constraints_.greatest_square({jet, range_.feed_factor * section_.greatest_speed(s, side, jet)}));
       // Where jerk is next to no limit, what counts is how long speed rises: far less than that is short enough.
       const double rise = std::min(speed / t.acceleration, std::sqrt(length() / t.acceleration));
       const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
@@ -83,28 +85,28 @@ class Placement {
       if (bend > 0) ramp_length = std::min(ramp_length, 5e-5 / bend);
       return std::max(std::min(ramp_length, 1e-3 * length()), shortest_ramp * s);
     };
-    if (stretch_.starts_at_rest) knots_.start_ramp = ramp(stretch_.begin, Side::right);
-    knots_.end_ramp = ramp(stretch_.end, Side::left);
+    if (range_.starts_at_rest) knots_.start_ramp = ramp(range_.begin, Side::right);
+    knots_.end_ramp = ramp(range_.end, Side::left);
   }
-  double length() const { return stretch_.end - stretch_.begin; }
+  double length() const { return range_.end - range_.begin; }
   std::size_t most() const {
     if (kept_ == 0) return most_;
-    if (stretch_.changes_from == 0) return std::max(most_, std::min(kept_ + more_knots, most_ + rest_knots));
+    if (range_.changes_from == 0) return std::max(most_, std::min(kept_ + more_knots, most_ + rest_knots));
     // What is kept of a creep is short: from the speed that comes now, it takes all knots beyond to come to rest.
     return std::max(most_, std::min(kept_ + rest_knots, more_windows * most_ + rest_knots));
   }
   /// To the nearest place of rest. What lies beyond a stretch that ends in motion may force a stop there.
   double from_rest(double s) const {
-    const double before_end = stretch_.end - s;
-    return stretch_.starts_at_rest ? std::min(s - stretch_.begin, before_end) : before_end;
+    const double before_end = range_.end - s;
+    return range_.starts_at_rest ? std::min(s - range_.begin, before_end) : before_end;
   }
 
   void find_breaks() {
-    const double end = stretch_.end - knots_.end_ramp;
+    const double end = range_.end - knots_.end_ramp;
     const auto add = [&](double s) {
-      if (s > stretch_.begin && s < end) breaks_.push_back(s);
+      if (s > range_.begin && s < end) breaks_.push_back(s);
     };
-    for (std::size_t p = section_.piece_at(stretch_.begin, Side::right); p < section_.size(); ++p) {
+    for (std::size_t p = section_.piece_at(range_.begin, Side::right); p < section_.size(); ++p) {
       if (section_.offset(p) >= end) break;
       const toolpath::Piece& piece = section_.piece(p);
       for (const double s : piece.axes().breaks()) add(section_.offset(p) + s);
@@ -132,7 +134,7 @@ class Placement {
     sample.s = s;
     sample.a = t.acceleration;
     sample.j = t.jerk;
-    const double feed = stretch_.feed_factor * section_.greatest_speed(s, side, jet);
+    const double feed = range_.feed_factor * section_.greatest_speed(s, side, jet);
     const constraints::Place place{jet, feed};
     double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
     double second = 0, third = 0;
@@ -172,13 +174,13 @@ class Placement {
   /// Knots lie no wider here, whatever comes.
   static double widest(const Sample& sample) { return std::min(cruise_width(sample, sample.cap), sample.h_curve); }
 
-  double first_knot() const { return stretch_.begin + knots_.start_ramp; }
+  double first_knot() const { return range_.begin + knots_.start_ramp; }
 
   /// Samples between breaks, bisected until neighbours are no farther apart than twice the knots there; farther where
   /// the greatest speed is the same. From where they suffice for all knots that there may be, none.
   void sample() {
     const std::vector<double> breaks = breaks_;
-    const double joint = stretch_.kept.empty() ? first_knot() : stretch_.kept.back();
+    const double joint = range_.kept.empty() ? first_knot() : range_.kept.back();
     const double beyond = sample_from(first_knot(), joint);
     if (reaches_end_ || joint == first_knot() || beyond > static_cast<double>(more_knots)) return;
     // What is kept has wider knots than would be placed there now: it is not what they are to suffice for.
@@ -192,7 +194,7 @@ class Placement {
   /// For how many knots beyond `joint` they are.
   double sample_from(double from, double joint) {
     constexpr double least_cuts = 8, most_widths = 32;  // of a cut
-    const double enough = 2.0 * static_cast<double>(most() + rest_knots);
+    const double most_sampled = 2.0 * static_cast<double>(most() + rest_knots);
     double knots = 0, beyond = 0;
     for (std::size_t b = 0; b < breaks_.size(); ++b) {
       const double to = breaks_[b];
@@ -201,7 +203,7 @@ class Placement {
       Sample previous = samples_.back();
       const double longest_cut = (to - from) / least_cuts;
       while (previous.s < to && effort_.spend(1)) {
-        if (knots > enough) {
+        if (knots > most_sampled) {
           breaks_.resize(b);
           if (previous.s > from) breaks_.push_back(previous.s);
           ends_between_breaks_ = previous.s > from;
@@ -230,7 +232,7 @@ class Placement {
   void bisect(const Sample& left, const Sample& right, int depth) {
     if (!effort_.spend(1)) return;
     const double width = right.s - left.s;
-    const bool sees_all = section_.borders(left.s, right.s) <= most_unseen;
+    const bool sees_all = section_.borders(left.s, right.s) <= most_between_samples;
     if (depth == deepest || (sees_all && width <= 2 * std::min(width_by_cap(left), width_by_cap(right)))) return;
     const Sample middle = at((left.s + right.s) / 2, Side::left);
     const bool is_cruise = middle.cap == middle.greatest && is_same(left, middle) && is_same(middle, right) &&
@@ -280,8 +282,8 @@ class Placement {
       for (Sample* const sample : {&a, &b})
         sample->h = std::min(sample->h, std::max(widest, ramp_width(*sample, sample->reach, per_ramp)));
     }
-    if (stretch_.kept.size() > 1) {  // what is new goes on from the last interval that is there
-      const double joint = stretch_.kept.back(), width = joint - *(stretch_.kept.end() - 2);
+    if (range_.kept.size() > 1) {  // what is new goes on from the last interval that is there
+      const double joint = range_.kept.back(), width = joint - *(range_.kept.end() - 2);
       for (Sample& sample : samples_) {
         if (sample.s >= joint) sample.h = std::min(sample.h, width + grading * (sample.s - joint));
       }
@@ -299,13 +301,13 @@ class Placement {
   /// What is kept, and between it knots that lie closer where the time law is another from `begin` on: there jerk
   /// changes at once.
   void keep() {
-    const std::vector<double>& s = stretch_.kept;
-    const machine::Derivatives limits = tangent_limits(section_.jets(stretch_.begin, Side::right), constraints_);
-    const double first = first_change * planner::ramp_width(limits, stretch_.changes_from);
-    double next = stretch_.changes_from > 0 ? s[0] + first : infinity;
+    const std::vector<double>& s = range_.kept;
+    const machine::Derivatives limits = tangent_limits(section_.jets(range_.begin, Side::right), constraints_);
+    const double first = first_change * planner::ramp_width(limits, range_.changes_from);
+    double next = range_.changes_from > 0 ? s[0] + first : infinity;
     for (std::size_t k = 0; k < s.size(); ++k) {
       knots_.s.push_back(s[k]);
-      knots_.breaks.push_back(stretch_.kept_breaks[k]);
+      knots_.breaks.push_back(range_.kept_breaks[k]);
       if (k + knots_at_end >= s.size()) continue;
       while (next < s[k + 1]) {
         const double width = first + change_grading * (next - s[0]);
@@ -334,7 +336,7 @@ class Placement {
       if (knots_.s.size() > most() + rest_knots) return;
     }
     // Where nothing more is known yet, it may be one.
-    if (knots_.s.size() > kept_ && (ends_between_breaks_ || (stretch_.ends_at_rest && reaches_end_)))
+    if (knots_.s.size() > kept_ && (ends_between_breaks_ || (range_.ends_at_rest && reaches_end_)))
       knots_.breaks.back() = false;
   }
 
@@ -350,7 +352,7 @@ class Placement {
     // Nor may the last knot lie so near to where something unknown may begin that a tiny interval would follow.
     const auto too_near = [&](std::size_t k) {
       const double last_knot = knots_.s[k + knots_beyond], width = last_knot - knots_.s[k + knots_beyond - 1];
-      return stretch_.end - knots_.s[k] < margin || stretch_.end - last_knot < width;
+      return range_.end - knots_.s[k] < margin || range_.end - last_knot < width;
     };
     while (last > least && too_near(last)) --last;
     knots_.intervals = last;
@@ -364,7 +366,7 @@ class Placement {
 
   const Section& section_;
   const constraints::Constraints& constraints_;
-  const Stretch& stretch_;
+  const PlannedRange& range_;
   std::size_t most_;
   Effort& effort_;
   std::size_t kept_ = 0;
@@ -391,9 +393,9 @@ double ramp_width(const machine::Derivatives& limits, double x) {
   return speed * stop_time(speed, limits) / per_ramp;
 }
 
-Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+Knots place_knots(const Section& section, const constraints::Constraints& constraints, const PlannedRange& range,
                   std::size_t most, Effort& effort) {
-  return Placement(section, constraints, stretch, most, effort).place();
+  return Placement(section, constraints, range, most, effort).place();
 }
 
 }  // namespace leadscrew::planner

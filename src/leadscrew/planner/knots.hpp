@@ -26,8 +26,8 @@ machine::Derivatives tangent_limits(const geometry::PointJet& jet, const constra
 /// To come to rest from a constant speed ≥ 0, units/s: v/a + a/j, or 2√(v/j) where a is not reached; s.
 double stop_time(double speed, const machine::Derivatives& limits);
 
-/// A stretch of a section that knots are wanted for.
-struct Stretch {
+/// The part of a section that is to be planned as one window.
+struct PlannedRange {
   double begin = 0;  ///< on the section
   double end = 0;    ///< > begin
   bool starts_at_rest = true;
@@ -41,18 +41,18 @@ struct Stretch {
   double changes_from = 0;
 };
 
-/// Way between two of the knots, where speed √x may rise or fall as fast as it can.
+/// Distance between two of the knots where speed √x may rise or fall as fast as it can.
 double ramp_width(const machine::Derivatives& limits, double x);
 
-/// Knots along the stretch, at most about `most` intervals: fewer than reach its end if they would be more.
-/// Good only while the effort goes on.
-Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+/// Knots along the range, at most about `most` intervals: fewer than reach its end if they would be more.
+/// Complete only if the effort still goes on afterwards.
+Knots place_knots(const Section& section, const constraints::Constraints& constraints, const PlannedRange& range,
                   std::size_t most, Effort& effort);
 /// With all the effort of one window.
-inline Knots place_knots(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+inline Knots place_knots(const Section& section, const constraints::Constraints& constraints, const PlannedRange& range,
                          std::size_t most) {
   Effort effort;
-  return place_knots(section, constraints, stretch, most, effort);
+  return place_knots(section, constraints, range, most, effort);
 }
 
 }  // namespace leadscrew::planner

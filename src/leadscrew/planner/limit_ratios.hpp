@@ -1,5 +1,5 @@
 #pragma once
-// What a motion takes of every limit, evaluated from jets of the path and the polynomials of time.
+// How much of every limit a motion uses, evaluated from jets of the path and the polynomials of time.
 
 #include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/planner/motion.hpp>

@@ -32,7 +32,7 @@ constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity d
 // over within microseconds.
 constexpr double gentle_time = 0.01;       // s
 constexpr double slower = 4;               // each time that this does not help
-constexpr int greatest_gentleness = 10;    // times
+constexpr int most_lowerings = 10;         // times
 constexpr double between_lowerings = 1e6;  // units of effort
 
 }  // namespace
@@ -62,7 +62,7 @@ void LookAhead::clear() {
   fastest_ = slowest_stop_ = reach_ = 0;
   moving_.reset();
   gentle_.reset();
-  gentleness_ = 0;
+  lowerings_ = 0;
   least_balance_ = 0;
 }
 
@@ -98,24 +98,24 @@ bool LookAhead::knows_enough() const {
   return closed_ || section_.length() - begin_ >= reach_ || section_.size() >= most_pieces;
 }
 
-Stretch LookAhead::next_stretch() const {
-  Stretch stretch;
-  stretch.begin = begin_;
-  stretch.end = section_.length();
-  if (stretch.end - begin_ > 1.5 * reach_) stretch.end = begin_ + reach_;
-  stretch.starts_at_rest = !continuation_;
-  stretch.ends_at_rest = closed_ && stretch.end == section_.length();
-  if (factor_ > 0) stretch.feed_factor = factor_;
+PlannedRange LookAhead::next_range() const {
+  PlannedRange range;
+  range.begin = begin_;
+  range.end = section_.length();
+  if (range.end - begin_ > 1.5 * reach_) range.end = begin_ + reach_;
+  range.starts_at_rest = !continuation_;
+  range.ends_at_rest = closed_ && range.end == section_.length();
+  if (factor_ > 0) range.feed_factor = factor_;
   if (continuation_) {
-    stretch.kept = continuation_->s;
-    stretch.kept_breaks = continuation_->breaks;
-    stretch.kept_end_ramp = continuation_->end_ramp;
+    range.kept = continuation_->s;
+    range.kept_breaks = continuation_->breaks;
+    range.kept_end_ramp = continuation_->end_ramp;
   }
-  if (stretch.kept_end_ramp > 0) {
-    stretch.end = section_.length();
-    stretch.ends_at_rest = true;
+  if (range.kept_end_ramp > 0) {
+    range.end = section_.length();
+    range.ends_at_rest = true;
   }
-  return stretch;
+  return range;
 }
 
 /// Is enough left of the window for another motion to begin in it?
@@ -159,11 +159,11 @@ void LookAhead::go_on_from(Continuation continuation) {
 }
 
 std::unique_ptr<Window> LookAhead::solve(Refinement refinement) {
-  Stretch stretch = next_stretch();
+  PlannedRange range = next_range();
   if (continuation_ && refinement == Refinement::where_speed_changes) {
-    stretch.changes_from = continuation_->c[0];
+    range.changes_from = continuation_->c[0];
   }
-  return settled(plan_window(section_, limits(), stretch, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
+  return settled(plan_window(section_, limits(), range, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
                              most_intervals(), effort_));
 }
 
@@ -180,13 +180,13 @@ std::unique_ptr<Window> LookAhead::settled(std::unique_ptr<Window> window) {
 /// From rest to rest on a part of what is known: there, slowing down always helps.
 void LookAhead::solve_to_rest() {
   ++refused_;
-  Stretch stretch = next_stretch();
-  stretch.ends_at_rest = true;
+  PlannedRange range = next_range();
+  range.ends_at_rest = true;
   for (int halving = 0; halving < 40 && !window_ && !effort_.is_stopped(); ++halving) {
     effort_.pay();
     effort_.begin_window();
-    window_ = settled(plan_window(section_, limits(), stretch, continuation_, Aim::fastest, most_intervals(), effort_));
-    stretch.end = begin_ + (stretch.end - begin_) / 2;
+    window_ = settled(plan_window(section_, limits(), range, continuation_, Aim::fastest, most_intervals(), effort_));
+    range.end = begin_ + (range.end - begin_) / 2;
   }
   failed_ = !window_ && !effort_.is_stopped();
 }
@@ -225,10 +225,10 @@ std::optional<Chunk> LookAhead::plan() {
 void LookAhead::plan_from_rest() {
   forget();
   if (untouched_) effort_.earn_section();
-  if (is_overdrawn()) be_gentler();
+  if (is_overdrawn()) lower_limits();
   effort_.begin_window();
   window_ = solve(Refinement::none);
-  while (!window_ && !effort_.goes_on() && be_gentler()) {
+  while (!window_ && !effort_.goes_on() && lower_limits()) {
     effort_.pay();
     effort_.begin_window();
     window_ = solve(Refinement::none);
@@ -260,15 +260,15 @@ void LookAhead::plan_in_motion() {
 
 /// Has planning taken too much effort, also since limits were lowered last?
 bool LookAhead::is_overdrawn() const {
-  return effort_.balance() < least_balance_ && gentleness_ < greatest_gentleness;
+  return effort_.balance() < least_balance_ && lowerings_ < most_lowerings;
 }
 
 /// From rest on, lower limits, whose motion takes fewer windows. False if they are as low as they get.
-bool LookAhead::be_gentler() {
-  if (gentleness_ == greatest_gentleness || effort_.is_stopped()) return false;
-  if (gentleness_ == 0) ++simplified_;
-  const double speed = fastest_ * std::pow(slower, -gentleness_);
-  ++gentleness_;
+bool LookAhead::lower_limits() {
+  if (lowerings_ == most_lowerings || effort_.is_stopped()) return false;
+  if (lowerings_ == 0) ++simplified_;
+  const double speed = fastest_ * std::pow(slower, -lowerings_);
+  ++lowerings_;
   least_balance_ = std::min(effort_.balance(), 0.0) - between_lowerings;
   machine::Machine gentle = machine_;
   for (std::optional<machine::AxisLimits>& axis : gentle.axes) {
@@ -355,7 +355,7 @@ Chunk LookAhead::hand_out() {
   chunk.length = end - begin_;
   chunk.tail_length = rest - end;
   const toolpath::Piece& last = section_.piece(last_piece);
-  // At the end of a piece exactly there: the way on it, which has been rounded, may fall short of its length.
+  // At the end of a piece exactly there: `rest - offset`, which has been rounded, may fall short of its length.
   const double offset = section_.offset(last_piece), length = last.axes().length();
   const double on_piece = rest >= offset + length ? length : rest - offset;
   chunk.rest = last.axes().position(on_piece);

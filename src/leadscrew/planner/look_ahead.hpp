@@ -6,10 +6,10 @@
 //              ╱ │  committed │ ╲  tail
 //             ╱  │            │  ╰──╌╌
 //
-// Each window is planned from where the last one's committed part ends, as far ahead as the path is looked at, down to a
-// creep from which the motion can stop. Only the first part is committed: what lies ahead of it by some times the distance
-// to stop is no different from the optimum of the whole section. The rest, with a stop at its end, is the chunk's stop
-// tail.
+// Each window is planned from where the last one's committed part ends, as far ahead as a window reaches, down to
+// a creep from which the motion can stop. Only the first part is committed: what lies ahead of it by some times the
+// distance to stop is no different from the optimum of the whole section. The rest, with a stop at its end, is the
+// chunk's stop tail.
 //
 // A committed part may be handed out in slices, each with a tail that stops as early as can be. A change of speed asked
 // for (feed override, feed hold) takes effect where the last slice ends: from there the window is planned anew, first
@@ -74,7 +74,8 @@ class LookAhead {
   std::optional<Chunk> plan();
   /// Windows for which no motion was found: there the motion stopped once.
   std::int64_t refused() const { return refused_; }
-  /// Sections, or rests of sections, that would have taken more effort than motion earns: planned with gentler limits.
+  /// Sections, or rests of sections, that would have taken more effort than their motion allows: planned with lower
+  /// limits.
   std::int64_t simplified() const { return simplified_; }
   /// Does a change of the feed wait for the next slice, or because no motion was found at once? It is tried again two
   /// segments later, then four, … sixteen. Shortly before motion comes to rest none can begin, and none waits.
@@ -83,7 +84,7 @@ class LookAhead {
  private:
   bool knows_enough() const;
   std::size_t most_intervals() const;
-  Stretch next_stretch() const;
+  PlannedRange next_range() const;
   enum class Refinement : std::uint8_t { none, where_speed_changes };
   std::unique_ptr<Window> solve(Refinement refinement);
   std::unique_ptr<Window> settled(std::unique_ptr<Window> window);
@@ -91,7 +92,7 @@ class LookAhead {
   void plan_from_rest();
   void plan_in_motion();
   bool is_overdrawn() const;
-  bool be_gentler();
+  bool lower_limits();
   const constraints::Constraints& limits() const { return gentle_ ? *gentle_ : constraints_; }
   bool may_change() const;
   void take_change();
@@ -106,7 +107,7 @@ class LookAhead {
   constraints::Constraints constraints_;
   /// Kept in its place, where planning took too much effort.
   std::optional<constraints::Constraints> gentle_;
-  int gentleness_ = 0;        ///< how many times limits have been lowered on this section
+  int lowerings_ = 0;         ///< how many times limits have been lowered on this section
   double least_balance_ = 0;  ///< of the effort: below it they are lowered
   Effort effort_;
   Section section_;

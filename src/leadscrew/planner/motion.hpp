@@ -39,7 +39,8 @@ struct PathState {
 };
 PathState evaluate(const Segment& segment, double tau);
 
-/// What is rest to rounding, units/s and units/s²: under any jerk worth the name motion leaves it within nanoseconds.
+/// Speed and acceleration that count as rest, units/s and units/s²: any usual jerk leads beyond them within
+/// nanoseconds.
 inline constexpr double rest_speed = 1e-9, rest_acceleration = 1e-6;
 
 struct Chunk {

@@ -9,7 +9,7 @@ namespace {
 
 using numeric::DoubleDouble;
 
-constexpr double nothing = 1e-9;  // of the path
+constexpr double negligible_length = 1e-9;  // in the units of path length: below it is rounding
 
 }  // namespace
 
@@ -90,30 +90,30 @@ void Planner::start_at(double path_length, base::Line line) {
 }
 
 std::optional<geometry::Point> Planner::started_at() const {
-  const bool is_at_end = start_ && start_->path_length - start_->passed <= nothing;
+  const bool is_at_end = start_ && start_->path_length - start_->passed <= negligible_length;
   return is_at_end ? position_ : started_at_;
 }
 
 /// Does the element lie before the place where motion begins? The piece on which it lies is taken here.
 bool Planner::pass_over(const toolpath::Element& element) {
-  const double room = start_->path_length - start_->passed;
+  const double distance_left = start_->path_length - start_->passed;
   if (const auto* piece = std::get_if<toolpath::Piece>(&element)) {
     const double length = piece->axes().length();
     position_ = piece->axes().end();
     line_ = piece->last_line();
     start_->passed += length;
-    if (length <= room + nothing) return true;
+    if (length <= distance_left + negligible_length) return true;
     start_.reset();
-    started_at_ = piece->axes().position(std::max(room, 0.0));
-    if (room <= nothing) return false;
-    position_ = piece->axes().position(room);
+    started_at_ = piece->axes().position(std::max(distance_left, 0.0));
+    if (distance_left <= negligible_length) return false;
+    position_ = piece->axes().position(distance_left);
     take(*piece);
-    look_ahead_.begin_at(room);
+    look_ahead_.begin_at(distance_left);
     return true;
   }
   const auto* event = std::get_if<base::Event>(&element);
   const base::Line line = event ? event->line : std::get<toolpath::Dwell>(element).line;
-  if (room <= nothing && base::number(line) >= base::number(start_->line)) return false;
+  if (distance_left <= negligible_length && base::number(line) >= base::number(start_->line)) return false;
   if (event) keep_in_force(*event);
   return true;
 }

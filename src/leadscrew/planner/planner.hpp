@@ -2,10 +2,10 @@
 // From path to motion: the fastest speed along the path that keeps every limit of every axis.
 //
 // Pieces that meet with continuous curvature are travelled as one section, from rest to rest. A section that is one
-// line, or lines that run straight on, has the seven phases of constant jerk (rest_to_rest.hpp), which no law can beat;
-// so have short arcs, whose axes hardly trade places (piece_limits.hpp). Every other section has the optimal law of
-// speed_profile.hpp. Sections end where the path asks for a stop, where it bends or turns at once, and at dwells and
-// events.
+// line, or lines that run straight on, has the seven phases of constant jerk (rest_to_rest.hpp), which no time law can
+// beat; so have short arcs, along which the axes' shares of speed hardly change (piece_limits.hpp). Every other section
+// has the optimal time law of speed_profile.hpp. Sections end where the path asks for a stop, where it bends or turns
+// at once, and at dwells and events.
 
 #include <cstddef>
 #include <deque>

@@ -7,7 +7,8 @@ namespace leadscrew::planner {
 
 namespace {
 
-constexpr double unseen = 1e-4;  // of the limit of jerk
+constexpr double negligible_jerk =
+    1e-4;  // of the limit of jerk: steps of velocity or acceleration that take no more in a period are passed
 
 }  // namespace
 
@@ -73,8 +74,8 @@ bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& e
     const double kink = std::abs(leaving[i].first - entering[i].first);
     const double jump = std::abs(leaving[i].second - entering[i].second);
     if (kink == 0 && jump == 0) continue;
-    const double granted = unseen * machine.limits(axis).jerk;
-    if (kink * speed > granted * period * period || jump * speed * speed > granted * period) return false;
+    const double negligible = negligible_jerk * machine.limits(axis).jerk;
+    if (kink * speed > negligible * period * period || jump * speed * speed > negligible * period) return false;
   }
   return true;
 }

@@ -8,14 +8,14 @@
 
 namespace leadscrew::planner {
 
-/// Which of its two values is meant where a derivative by path length jumps.
+/// Which of the two one-sided values is meant where a derivative by path length jumps.
 enum class Side : std::uint8_t { left, right };
 
 /// Derivatives of axes at s, or so little aside of it that a step of the third derivative at s is told from which
 /// side it is seen.
 geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side side);
 
-/// Do the axes trade places here: is any q″ other than 0?
+/// Does the direction of the path turn here: is any q″ other than 0?
 bool turns(const geometry::PointJet& jet);
 
 class Section {
@@ -57,7 +57,7 @@ inline double squared(double v) {
 /// May motion run from a piece that ends with `leaving` into one that begins with `entering` without a stop? The
 /// derivatives must agree as closely as words at the machine's period can show: a kink Δq′ is a step Δq′·v of an axis'
 /// velocity, a jump Δq″ one of Δq″·v² of its acceleration; over one period they look like a jerk of Δq′·v/T² and
-/// Δq″·v²/T, which must stay below a thousandth of a tenth of its limit. `speed` is the greatest at the joint.
+/// Δq″·v²/T, which must stay below 1e-4 of its limit. `speed` is the greatest at the joint.
 bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& entering, double speed,
                   const machine::Machine& machine);
 

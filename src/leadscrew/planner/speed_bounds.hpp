@@ -14,7 +14,7 @@ namespace leadscrew::planner {
 /// Intervals before an end in motion whose rows are tightened for the stop that follows.
 inline constexpr std::size_t stopping_tail = 16;
 
-/// What motion takes of the limits, or what limits are lowered by.
+/// How much of the limits a motion uses, or the factors by which limits are lowered.
 struct Ratios {
   double speed = 1;  ///< of what bounds speed: the feed, axis velocities
   double rows = 1;   ///< of acceleration and jerk

@@ -112,11 +112,11 @@ class SpeedProblem::Builder {
     std::size_t sites = 2 * n + static_cast<std::size_t>(std::count(knots.breaks.begin(), knots.breaks.end(), true));
     sites += sites / 4;
     problem_.sites_.reserve(sites);
-    const RowPairs first = rows_at(knots.s[0], Side::right), half_way = rows_at(knots.s[n / 2], Side::right),
+    const RowPairs first = rows_at(knots.s[0], Side::right), middle = rows_at(knots.s[n / 2], Side::right),
                    last = rows_at(knots.s[n], Side::left);
     std::size_t moving = 0;
     for (std::size_t i = 0; i < RowPairs::size; ++i)
-      moving += first.pairs[i].bounds() || half_way.pairs[i].bounds() || last.pairs[i].bounds();
+      moving += first.pairs[i].bounds() || middle.pairs[i].bounds() || last.pairs[i].bounds();
     problem_.rows_.reserve(sites * moving);
   }
 
@@ -160,7 +160,7 @@ class SpeedProblem::Builder {
       if (!pair.bounds()) continue;
       const auto& [acceleration, jerk] = pair;
       const double a = 1 / (limit_margin * acceleration.limit), j = 1 / (limit_margin * jerk.limit);
-      Row& row = problem_.rows_.emplace_back();
+      CoefficientRow& row = problem_.rows_.emplace_back();
       for (std::size_t k = 0; k < 4; ++k) {
         row.acceleration[k] = a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
         row.jerk[k] = j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
@@ -189,7 +189,7 @@ class SpeedProblem::Builder {
     for (std::size_t i = 0; i < RowPairs::size; ++i) {
       const auto bounds = [&](const RowPairs* rows) { return rows->pairs[i].bounds(); };
       if (std::none_of(at.begin(), at.end(), bounds)) continue;
-      Row& row = problem_.rows_.emplace_back();
+      CoefficientRow& row = problem_.rows_.emplace_back();
       for (std::size_t p = 0; p < 3; ++p) {
         const auto& [acceleration, jerk] = at[p]->pairs[i];
         const double a = 1 / (limit_margin * acceleration.limit), j = of_jerk / (limit_margin * jerk.limit);
@@ -245,7 +245,7 @@ SpeedProblem::SpeedProblem(const Section& section, const constraints::Constraint
 /// it: the bound for which each row alone is kept with a margin.
 double SpeedProblem::bound_of_rows(const Site& site) const {
   double bound = infinity;
-  for (const Row& row : rows(site)) {
+  for (const CoefficientRow& row : rows(site)) {
     double by_a = 0, by_j = 0;
     for (std::size_t j = 0; j < 4; ++j) {
       by_a += std::abs(row.acceleration[j]);
@@ -308,7 +308,7 @@ double SpeedProblem::greatest_ratio(const Site& site, std::span<const double> c)
   const double x = dot(site.x, at);
   if (!(x > 0)) return infinity;
   double greatest = 0;
-  for (const Row& row : rows(site)) {
+  for (const CoefficientRow& row : rows(site)) {
     greatest = std::max({greatest, std::abs(dot(row.acceleration, at)), std::abs(dot(row.jerk, at)) * std::sqrt(x)});
   }
   return greatest;

@@ -31,7 +31,7 @@ struct SquareCaps {
 class SpeedProblem {
  public:
   /// Two limits as functions of the four coefficients of the interval, by their limits.
-  struct Row {
+  struct CoefficientRow {
     Four acceleration{}, jerk{};
   };
   /// A place of an interval where rows are kept; `x` is what g² is multiplied by.
@@ -52,7 +52,7 @@ class SpeedProblem {
   /// Values of the basis at numeric::gauss_3_places of every interval.
   std::span<const Four> gauss() const { return gauss_; }
   std::span<const Site> sites() const { return sites_; }
-  std::span<const Row> rows(const Site& site) const {
+  std::span<const CoefficientRow> rows(const Site& site) const {
     return {rows_.data() + site.first_row, rows_.data() + site.end_row};
   }
   /// As asked by feed and every other limit of speed.
@@ -92,7 +92,7 @@ class SpeedProblem {
   std::vector<CubicBasis> basis_;
   std::vector<Four> gauss_;
   std::vector<Site> sites_;
-  std::vector<Row> rows_;
+  std::vector<CoefficientRow> rows_;
   SquareCaps caps_;
   std::array<double, 3> start_tie_{}, end_tie_{};
   std::vector<double> creep_;

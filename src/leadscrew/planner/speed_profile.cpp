@@ -56,7 +56,8 @@ void SpeedProfile::set(std::vector<double> coefficients) {
 void SpeedProfile::creep() {
   std::vector<double> c(problem_.creep().begin(), problem_.creep().end());
   for (double& value : c) value *= 0.5;
-  // Slowing time by λ scales velocity, acceleration and jerk by λ, λ², λ³: always a way inside.
+  // Slowing time by λ scales velocity, acceleration and jerk by λ, λ², λ³: some λ brings all of them inside their
+  // limits.
   for (int round = 0; round < 60 && !(bounds_.greatest_ratio(problem_, c) < 0.9); ++round) {
     for (double& value : c) value *= 0.7;
   }

@@ -15,8 +15,8 @@ constexpr double finest_bend = 0.005;       // change of curvature times step
 constexpr int fewest_intervals = 32;        // of a curve
 constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
 constexpr int most_halvings = 20;
-constexpr double grading = 0.1;        // of the distance from the nearer end
-constexpr double granted_kink = 1e-6;  // of a unit tangent: less is taken as smooth, which keeps the bound a bound
+constexpr double grading = 0.1;           // h over the distance from the nearer end
+constexpr double negligible_kink = 1e-6;  // of a unit tangent: less is taken as smooth, which can only lower the bound
 
 bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& entering) {
   double largest = 0, difference = 0;
@@ -24,7 +24,7 @@ bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& ente
     largest = std::max({largest, std::abs(leaving[i].first), std::abs(entering[i].first)});
     difference = std::max(difference, std::abs(leaving[i].first - entering[i].first));
   }
-  return difference <= granted_kink * largest;
+  return difference <= negligible_kink * largest;
 }
 
 /// How far from here a knot may be, by the turn |q″| h and what it changes by, |q‴| h².
@@ -86,7 +86,7 @@ void TimeBound::add_curved(const toolpath::Piece& piece) {
     const auto next_knot = [&](double step) { return limit - s < 1.5 * step ? limit : s + step; };
     double s_next = next_knot(std::min(longest, graded));
     geometry::PointJet next = axes.jets(s_next);
-    // Into a turn that begins on the way, with shorter steps.
+    // With shorter steps where the curve begins to turn inside the step.
     for (int halving = 0; halving < most_halvings && finest_step(next) < (s_next - s) / 2; ++halving) {
       s_next = s + (s_next - s) / 2;
       next = axes.jets(s_next);
@@ -155,7 +155,7 @@ double TimeBound::greatest_start(const Interval& interval, double x_end) {
   std::size_t count = 0;
   double x = interval.x_max;
   for (std::size_t i = 0; i < interval.row_count; ++i) {
-    const Row& row = interval.rows[i];
+    const AccelerationBound& row = interval.rows[i];
     if (row.by_b == 0) {
       x = std::min(x, row.limit / std::abs(row.by_x));
       continue;
@@ -186,7 +186,7 @@ double TimeBound::greatest_end(const Interval& interval, double x_begin) {
   }
   double b = infinity;
   for (std::size_t i = 0; i < interval.row_count; ++i) {
-    const Row& row = interval.rows[i];
+    const AccelerationBound& row = interval.rows[i];
     if (row.by_b == 0) continue;
     b = std::min(b, row.limit / std::abs(row.by_b) - row.by_x / row.by_b * x_begin);
   }

@@ -36,18 +36,18 @@ class TimeBound {
 
  private:
   /// |by_x·x + by_b·b| ≤ limit.
-  struct Row {
+  struct AccelerationBound {
     double by_x = 0, by_b = 0, limit = 0;
   };
   static constexpr std::size_t most_rows = constraints::RowPairs::size;
   /// From one knot to the next. `x` stands for x at the first of them.
   struct Interval {
-    double length = 0;                  ///< > 0
-    double x_max = 0, x_end_max = 0;    ///< by feed and velocities, at its two knots
-    std::array<Row, most_rows> rows{};  ///< accelerations in its middle, in x and b
-    std::size_t row_count = 0;          ///< 0: straight
-    double straight_b = 0;              ///< straight: the greatest |b|, which may change its sign inside
-    double reach = 0;                   ///< K
+    double length = 0;                                ///< > 0
+    double x_max = 0, x_end_max = 0;                  ///< by feed and velocities, at its two knots
+    std::array<AccelerationBound, most_rows> rows{};  ///< accelerations in its middle, in x and b
+    std::size_t row_count = 0;                        ///< 0: straight
+    double straight_b = 0;                            ///< straight: the greatest |b|, which may change its sign inside
+    double reach = 0;                                 ///< K
   };
 
   void add_straight(const geometry::Line& line, const toolpath::Piece& piece);

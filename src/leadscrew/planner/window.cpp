@@ -32,30 +32,30 @@ constexpr double steepest = 2.5;        // ratio of the widths of neighbours
 constexpr double widest = 8;
 constexpr std::size_t most_refined = 600, intervals_at_end = 8;
 constexpr std::size_t stopping_intervals = 20;
-constexpr double granted_slowing = 1.0002;              // below, slowing time costs less than planning again
-constexpr double ways_to_stop = 4, stops_before = 1.2;  // of what the end of a window is felt by
-constexpr std::size_t least_ahead = 16;                 // intervals
+constexpr double allowed_slowing = 1.0002;             // below, slowing time costs less than planning again
+constexpr double stops_ahead = 4, stops_before = 1.2;  // how far the end of a window has influence
+constexpr std::size_t least_ahead = 16;                // intervals
 
-/// The knot that the next window begins at: as late as what lies before it does not feel the end of this one. Where
-/// some ways to stop lead to the end, speed is not what it would be if the end were farther; nor, for the time of a
-/// stop, is the way it rises to there. Behind a corner, where it is next to nothing, that ends sooner than stops from
-/// there say.
+/// The knot that the next window begins at: the last one before which this window's end has no influence. Where the end
+/// is no farther than `stops_ahead` stopping distances, speed is lower than it would be if the end were farther; so it
+/// may be for `stops_before` stopping times before that place. Behind a corner, where speed is next to 0, the influence
+/// ends sooner than the stopping distance from there tells.
 std::size_t commit_until(const SpeedProfile& profile, const Section& section,
                          const constraints::Constraints& constraints) {
   const std::size_t n = profile.intervals();
   const double end = profile.knots().s[n];
   std::size_t k = n;
-  double since = 0, enough = infinity;
+  double since = 0, time_needed = infinity;
   while (k > 0) {
     --k;
     since += travel_time(profile, k);
     const double s = profile.knots().s[k], speed = std::sqrt(profile.square(k, 0));
     const double stop = stop_time(speed, tangent_limits(section.jets(s, Side::right), constraints));
-    if (end - s <= ways_to_stop * speed * stop / 2) {
+    if (end - s <= stops_ahead * speed * stop / 2) {
       since = 0;
-      enough = stops_before * stop;
+      time_needed = stops_before * stop;
     }
-    if (n - k >= least_ahead && since >= enough) break;
+    if (n - k >= least_ahead && since >= time_needed) break;
   }
   return std::max({k, n / 4, std::size_t{1}});
 }
@@ -80,11 +80,11 @@ void slow_down(Window& window, double factor) {
 
 class WindowPlanner {
  public:
-  WindowPlanner(const Section& section, const constraints::Constraints& constraints, const Stretch& stretch,
+  WindowPlanner(const Section& section, const constraints::Constraints& constraints, const PlannedRange& range,
                 const std::optional<Continuation>& continuation, Aim aim, std::size_t most_intervals, Effort& effort)
       : section_(section),
         constraints_(constraints),
-        stretch_(stretch),
+        range_(range),
         continuation_(continuation),
         aim_(aim),
         most_intervals_(most_intervals),
@@ -104,7 +104,7 @@ class WindowPlanner {
 
   const Section& section_;
   const constraints::Constraints& constraints_;
-  const Stretch& stretch_;
+  const PlannedRange& range_;
   const std::optional<Continuation>& continuation_;
   Aim aim_;
   std::size_t most_intervals_;
@@ -135,11 +135,11 @@ bool WindowPlanner::emit(Window& window) const {
       window.after = profile.continuation(window.last_interval);
     }
   }
-  Emission emission = planner::emit(profile, stretch_.begin, stretch_.end);
+  Emission emission = planner::emit(profile, range_.begin, range_.end);
   window.segments = std::move(emission.segments);
   window.intervals = std::move(emission.intervals);
   window.places = std::move(emission.places);
-  window.end = stretch_.end;
+  window.end = range_.end;
   window.to_rest = profile.ends_at_rest();
   return add_stop(window) && prove(window);
 }
@@ -149,7 +149,7 @@ bool WindowPlanner::add_stop(Window& window) const {
   const SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
   const auto stop_from = [&](const PathState& from, double longest) {
-    return come_to_rest(from, stretch_.end - from.s, longest, section_, constraints_);
+    return come_to_rest(from, range_.end - from.s, longest, section_, constraints_);
   };
   std::optional<Segment> stop;
   std::size_t stops = window.segments.size();
@@ -189,7 +189,7 @@ bool WindowPlanner::add_stop(Window& window) const {
 bool WindowPlanner::prove(Window& window) const {
   const SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
-  const double feed_factor = profile.is_too_fast() || aim_ == Aim::rest ? infinity : stretch_.feed_factor;
+  const double feed_factor = profile.is_too_fast() || aim_ == Aim::rest ? infinity : range_.feed_factor;
   constexpr double effort_of_proof = 3;  // of a segment
   if (!effort_.spend(effort_of_proof * static_cast<double>(window.segments.size()))) return false;
   for (std::size_t k = 0; k < window.segments.size(); ++k) {
@@ -210,19 +210,18 @@ bool WindowPlanner::prove(Window& window) const {
 }
 
 std::unique_ptr<Window> WindowPlanner::plan() const {
-  Knots knots = place_knots(section_, constraints_, stretch_, most_intervals_, effort_);
+  Knots knots = place_knots(section_, constraints_, range_, most_intervals_, effort_);
   if (knots.intervals < 2) return nullptr;
   if (!continuation_) {
-    auto window =
-        std::make_unique<Window>(SpeedProfile(section_, constraints_, std::move(knots), stretch_.feed_factor));
+    auto window = std::make_unique<Window>(SpeedProfile(section_, constraints_, std::move(knots), range_.feed_factor));
     return repair_from_rest(*window) ? std::move(window) : nullptr;
   }
   for (int refinement = 0; refinement <= refinements; ++refinement) {
     const std::size_t intervals = knots.intervals;
     auto window =
-        std::make_unique<Window>(SpeedProfile(section_, constraints_, knots, *continuation_, stretch_.feed_factor));
+        std::make_unique<Window>(SpeedProfile(section_, constraints_, knots, *continuation_, range_.feed_factor));
     if (!(window->profile.greatest_ratio() < 1)) return nullptr;
-    const bool may_refine = stretch_.changes_from > 0 && refinement < refinements;
+    const bool may_refine = range_.changes_from > 0 && refinement < refinements;
     if (repair_in_motion(*window, may_refine ? &knots : nullptr)) return window;
     if (knots.intervals == intervals || !effort_.goes_on()) return nullptr;
   }
@@ -240,7 +239,7 @@ bool WindowPlanner::repair_from_rest(Window& window) const {
     profile.level_cruises();
     if (!emit(window)) return false;
     if (window.worst <= 1) return true;
-    if (window.worst <= granted_slowing || round == repairs) {
+    if (window.worst <= allowed_slowing || round == repairs) {
       if (window.turns_back) {
         profile.creep();
         if (!emit(window) || window.turns_back) return false;
@@ -263,7 +262,7 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
   SpeedProfile& profile = window.profile;
   if (aim_ == Aim::fastest && profile.is_too_fast() && !spend_on(profile, [&] { profile.descend(); })) return false;
   double first_gap = warm_gap;
-  const int rounds = stretch_.changes_from > 0 ? repairs_of_change : repairs;
+  const int rounds = range_.changes_from > 0 ? repairs_of_change : repairs;
   for (int round = 0; round <= rounds; ++round) {
     const bool last_round = round == rounds;
     const auto find_optimum = [&] {
@@ -292,7 +291,7 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
 }
 
 /// Knots come between those that lie too far apart for what the window does: where the proof is not kept, and wherever
-/// speed changes if there is room for so many. False if none do.
+/// speed changes, if that adds no more than may be added. False if none come.
 bool WindowPlanner::refine(Knots& knots, const Window& window) const {
   const SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
@@ -323,14 +322,14 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
     }
     return parts;
   };
-  const std::size_t room = n < most_refined ? most_refined - n : 0;
+  const std::size_t most_added = n < most_refined ? most_refined - n : 0;
   const auto added_by = [](const std::vector<std::size_t>& parts) {
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0}) - parts.size();
   };
   std::vector<std::size_t> parts = parts_if(true, 1);
-  for (double wider = 1; added_by(parts) > room && wider < widest; wider *= 1.5) parts = parts_if(false, wider);
-  if (added_by(parts) > room) parts = parts_if(false, infinity);
-  if (added_by(parts) == 0 || added_by(parts) > room) return false;
+  for (double wider = 1; added_by(parts) > most_added && wider < widest; wider *= 1.5) parts = parts_if(false, wider);
+  if (added_by(parts) > most_added) parts = parts_if(false, infinity);
+  if (added_by(parts) == 0 || added_by(parts) > most_added) return false;
   std::vector<double> s;
   std::vector<bool> breaks;
   for (std::size_t k = 0; k < knots.s.size(); ++k) {
@@ -350,9 +349,9 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
 }  // namespace
 
 std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
-                                    const Stretch& stretch, const std::optional<Continuation>& continuation, Aim aim,
+                                    const PlannedRange& range, const std::optional<Continuation>& continuation, Aim aim,
                                     std::size_t most_intervals, Effort& effort) {
-  return WindowPlanner(section, constraints, stretch, continuation, aim, most_intervals, effort).plan();
+  return WindowPlanner(section, constraints, range, continuation, aim, most_intervals, effort).plan();
 }
 
 }  // namespace leadscrew::planner

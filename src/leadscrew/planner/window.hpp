@@ -48,7 +48,7 @@ enum class Aim : std::uint8_t { fastest, rest };
 /// knots, more where speed is to change. Nothing if no motion is found that keeps every limit and can come to rest, or
 /// if the effort of one window does not find it.
 std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
-                                    const Stretch& stretch, const std::optional<Continuation>& continuation, Aim aim,
+                                    const PlannedRange& range, const std::optional<Continuation>& continuation, Aim aim,
                                     std::size_t most_intervals, Effort& effort);
 
 }  // namespace leadscrew::planner

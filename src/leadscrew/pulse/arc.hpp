@@ -1,5 +1,5 @@
 #pragma once
-// Arcs about the origin, by quadrants: in each of them both axes go one way.
+// Arcs about the origin, by quadrants: in each of them neither axis turns back.
 //
 //   ccw          y          A start on an axis belongs to the quadrant that the arc enters there, an end on one to the
 //            1   |   0      quadrant that it closes. An arc whose end is where it starts is a full circle.
@@ -22,7 +22,7 @@ struct Arc {
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
-/// In which a motion from this place goes on: 0 … 3.
+/// The quadrant in which a motion from this place goes on: 0 … 3.
 constexpr int quadrant(Point at, Direction direction) {
   const auto [x, y] = at;
   if (direction == Direction::counterclockwise) {

@@ -108,14 +108,15 @@ class CircularDda {
     load(now_.y(), target_.y - at.y, {absolute(at.x), absolute(target_.x)}, !x_lags);
   }
 
-  /// Of an axis: its way, and the other one's |coordinate| from here to the target.
-  constexpr void load(QuadrantRegisters::Side& side, std::int64_t way, std::array<std::int64_t, 2> other, bool lags) {
+  /// Of an axis: its displacement, and the other one's |coordinate| from here to the target.
+  constexpr void load(QuadrantRegisters::AxisIntegrator& axis, std::int64_t delta, std::array<std::int64_t, 2> other,
+                      bool lags) {
     const std::int64_t unit = std::int64_t{1} << options_.places;
-    side.integrand = other[0] * unit;
-    side.change = sign(other[1] - other[0]) * unit;
-    side.beyond = preloaded(options_.preload, capacity_, lags) + side.integrand - capacity_;
-    side.left = absolute(way);
-    side.sign = sign(way);
+    axis.integrand = other[0] * unit;
+    axis.change = sign(other[1] - other[0]) * unit;
+    axis.beyond = preloaded(options_.preload, capacity_, lags) + axis.integrand - capacity_;
+    axis.left = absolute(delta);
+    axis.sign = sign(delta);
   }
 
   Arc arc_;

@@ -59,7 +59,7 @@ class CircularSearch {
   constexpr int in_quadrant() const { return quadrant_; }  ///< 0 … 3
 
  private:
-  /// Masks, for a branch would go the wrong way every third clock: −1 where the axis steps, else 0.
+  /// Masks, for a branch would be mispredicted every third clock: −1 where the axis steps, else 0.
   struct Steps {
     std::int64_t shrinking = 0, growing = 0;
   };

@@ -5,26 +5,26 @@
 
 namespace leadscrew::pulse {
 
-/// An integrator an axis, whose integrand is the axis' way, and a counter of the steps that are left.
+/// An integrator an axis, whose integrand is the axis' displacement, and a counter of the steps that are left.
 template <std::size_t axis_count>
 class LinearDda {
  public:
   static constexpr std::size_t axes = axis_count;
 
-  /// Way of each axis, signed, |way| ≤ greatest_coordinate. capacity q ≥ the largest of them: 2ⁿ for n-bit registers,
-  /// where a line takes 2ⁿ clocks; or its length rounded up, where feed is the rate of the clock. The line ends at its
-  /// end whatever the preload.
-  constexpr LinearDda(const std::array<std::int64_t, axes>& way, std::int64_t capacity, Preload preload)
-      : LinearDda(way, capacity, 0) {
+  /// Displacement of each axis, signed, |delta| ≤ greatest_coordinate. capacity q ≥ the largest of them: 2ⁿ for n-bit
+  /// registers, where a line takes 2ⁿ clocks; or its length rounded up, where feed is the rate of the clock. The line
+  /// ends at its end whatever the preload.
+  constexpr LinearDda(const std::array<std::int64_t, axes>& delta, std::int64_t capacity, Preload preload)
+      : LinearDda(delta, capacity, 0) {
     std::int64_t longest = 0;
     for (const std::int64_t integrand : integrand_) longest = integrand > longest ? integrand : longest;
     for (std::size_t i = 0; i < axes; ++i)
       integrator_[i] = {capacity, preloaded(preload, capacity, integrand_[i] < longest)};
   }
-  constexpr LinearDda(const std::array<std::int64_t, axes>& way, std::int64_t capacity, std::int64_t preload) {
+  constexpr LinearDda(const std::array<std::int64_t, axes>& delta, std::int64_t capacity, std::int64_t preload) {
     for (std::size_t i = 0; i < axes; ++i) {
-      integrand_[i] = left_[i] = absolute(way[i]);
-      sign_[i] = sign(way[i]);
+      integrand_[i] = left_[i] = absolute(delta[i]);
+      sign_[i] = sign(delta[i]);
       integrator_[i] = {capacity, preload};
     }
   }
@@ -62,21 +62,21 @@ constexpr std::int64_t capacity_for(std::int64_t squared_length) {
   return capacity > 0 ? capacity : 1;
 }
 
-/// One axis a clock, the one that is furthest behind; of those that are equally far the first. Ends after Σ |way|
+/// One axis a clock, the one that is furthest behind; of those that are equally far the first. Ends after Σ |delta|
 /// clocks.
 ///
-/// Each axis keeps how much of its way it has made, ⌊2⁶² k/a⌋ after k of a steps, by additions. For a ≤ 2³⁰ two such
-/// shares are equal or at least 2⁻⁶⁰ apart, so that these order them.
+/// Each axis keeps what share of its distance it has made, ⌊2⁶² k/a⌋ after k of a steps, by additions. For a ≤ 2³⁰ two
+/// such shares are equal or at least 2⁻⁶⁰ apart, so that these order them.
 template <std::size_t axis_count>
 class LinearPointComparison {
  public:
   static constexpr std::size_t axes = axis_count;
 
-  /// Way of each axis, signed, |way| ≤ greatest_coordinate.
-  constexpr explicit LinearPointComparison(const std::array<std::int64_t, axes>& way) {
+  /// Displacement of each axis, signed, |delta| ≤ greatest_coordinate.
+  constexpr explicit LinearPointComparison(const std::array<std::int64_t, axes>& delta) {
     for (std::size_t i = 0; i < axes; ++i) {
-      const std::int64_t whole = absolute(way[i]);
-      sign_[i] = sign(way[i]);
+      const std::int64_t whole = absolute(delta[i]);
+      sign_[i] = sign(delta[i]);
       all_left_ += whole;
       if (whole > 0) made_[i] = {0, all_made / whole, 0, all_made % whole, whole, whole};
     }
@@ -110,7 +110,7 @@ class LinearPointComparison {
  private:
   static constexpr std::int64_t all_made = std::int64_t{1} << 62;
 
-  /// Of an axis' way.
+  /// Of an axis' distance.
   struct Made {
     std::int64_t share = all_made;       ///< rounded down
     std::int64_t by = 0;                 ///< what a step adds to it, rounded down
@@ -142,25 +142,25 @@ class LinearPointComparison {
   std::int64_t all_left_ = 0;
 };
 
-/// In a plane, for the way (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above the line
-/// F > 0, where x steps; below it y does.
+/// In a plane, for the displacement (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above
+/// the line F > 0, where x steps; below it y does.
 template <>
 class LinearPointComparison<2> {
  public:
   static constexpr std::size_t axes = 2;
 
-  constexpr explicit LinearPointComparison(const std::array<std::int64_t, 2>& way)
-      : way_{absolute(way[0]), absolute(way[1])}, left_(way_), sign_{sign(way[0]), sign(way[1])} {}
+  constexpr explicit LinearPointComparison(const std::array<std::int64_t, 2>& delta)
+      : distance_{absolute(delta[0]), absolute(delta[1])}, left_(distance_), sign_{sign(delta[0]), sign(delta[1])} {}
 
   constexpr bool done() const { return (left_[0] | left_[1]) == 0; }
 
   constexpr Pulse<2> step() {
     if (done()) return {};
-    // A mask, for a branch would go the wrong way.
-    const std::int64_t y_steps = -static_cast<std::int64_t>(f_ < 0 || way_[0] == 0);
+    // A mask, for a branch would be mispredicted.
+    const std::int64_t y_steps = -static_cast<std::int64_t>(f_ < 0 || distance_[0] == 0);
     left_[0] += ~y_steps;
     left_[1] += y_steps;
-    f_ += (way_[0] & y_steps) - (way_[1] & ~y_steps);
+    f_ += (distance_[0] & y_steps) - (distance_[1] & ~y_steps);
     return {{static_cast<std::int8_t>(sign_[0] & ~y_steps), static_cast<std::int8_t>(sign_[1] & y_steps)}};
   }
 
@@ -168,7 +168,7 @@ class LinearPointComparison<2> {
   constexpr std::int64_t left(std::size_t axis) const { return left_[axis]; }
 
  private:
-  std::array<std::int64_t, 2> way_, left_;
+  std::array<std::int64_t, 2> distance_, left_;
   std::array<std::int8_t, 2> sign_;
   std::int64_t f_ = 0;
 };
@@ -179,14 +179,14 @@ class LinearBresenham {
  public:
   static constexpr std::size_t axes = 2;
 
-  constexpr explicit LinearBresenham(Point way)
-      : is_steep_(absolute(way.y) > absolute(way.x)),
-        long_(is_steep_ ? absolute(way.y) : absolute(way.x)),
-        short_(is_steep_ ? absolute(way.x) : absolute(way.y)),
+  constexpr explicit LinearBresenham(Point delta)
+      : is_steep_(absolute(delta.y) > absolute(delta.x)),
+        long_(is_steep_ ? absolute(delta.y) : absolute(delta.x)),
+        short_(is_steep_ ? absolute(delta.x) : absolute(delta.y)),
         left_(long_),
         deviation_(-long_),
-        sign_x_(sign(way.x)),
-        sign_y_(sign(way.y)) {}
+        sign_x_(sign(delta.x)),
+        sign_y_(sign(delta.y)) {}
 
   constexpr bool done() const { return left_ == 0; }
 
@@ -199,7 +199,8 @@ class LinearBresenham {
     return {{both || !is_steep_ ? sign_x_ : std::int8_t{0}, both || is_steep_ ? sign_y_ : std::int8_t{0}}};
   }
 
-  /// Twice the distance from the line along the shorter axis, times the longer way, less that way.
+  /// Twice the distance from the line along the shorter axis, times the line's length along the longer axis, less that
+  /// length.
   constexpr std::int64_t deviation() const { return deviation_; }
   constexpr std::int64_t left() const { return left_; }  ///< steps of the longer axis
 

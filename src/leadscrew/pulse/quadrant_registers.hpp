@@ -3,30 +3,30 @@
 // something.
 //
 // An integrator is kept as r + p − q, which is negative where the next clock gives no overflow: all but that sign, and
-// what a step changes, is known a clock before. There are no branches, for they would go the wrong way.
+// what a step changes, is known a clock before. There are no branches: the processor would mispredict them.
 
 #include <leadscrew/pulse/integrator.hpp>
 
 namespace leadscrew::pulse {
 
 struct QuadrantRegisters {
-  /// Of an axis.
-  struct Side {
+  /// Registers of the integrator of one axis.
+  struct AxisIntegrator {
     std::int64_t beyond = -1;    ///< r + p − q
     std::int64_t integrand = 0;  ///< p: |coordinate of the other axis|, with the capacity's binary places
     std::int64_t change = 0;     ///< what a step of the other axis adds to it
     std::int64_t left = 0;       ///< the counter
     std::int8_t sign = 0;
   };
-  Side first, second;  ///< in the order in which they are clocked
+  AxisIntegrator first, second;  ///< in the order in which they are clocked
   std::int64_t capacity = 1;
   std::int64_t sees_new = -1;  ///< a mask: does the second integrator see the first axis' new coordinate?
   bool x_is_first = true;
 
-  constexpr const Side& x() const { return x_is_first ? first : second; }
-  constexpr const Side& y() const { return x_is_first ? second : first; }
-  constexpr Side& x() { return x_is_first ? first : second; }
-  constexpr Side& y() { return x_is_first ? second : first; }
+  constexpr const AxisIntegrator& x() const { return x_is_first ? first : second; }
+  constexpr const AxisIntegrator& y() const { return x_is_first ? second : first; }
+  constexpr AxisIntegrator& x() { return x_is_first ? first : second; }
+  constexpr AxisIntegrator& y() { return x_is_first ? second : first; }
 
   constexpr bool goes_on() const { return first.left > 0 && second.left > 0; }
 
@@ -47,14 +47,14 @@ struct QuadrantRegisters {
     return x_is_first ? Pulse<2>{{one, other}} : Pulse<2>{{other, one}};
   }
 
-  /// The integrator of a side whose counter holds something, alone: does it overflow?
-  constexpr bool step(Side& alone) const {
+  /// One clock of the integrator of one axis alone, whose counter is not 0: does it overflow?
+  constexpr bool step(AxisIntegrator& alone) const {
     const bool overflows = alone.beyond >= 0;
     alone.beyond += alone.integrand - (overflows ? capacity : 0);
     return overflows;
   }
 
-  constexpr Integrator integrator(const Side& side) const {
+  constexpr Integrator integrator(const AxisIntegrator& side) const {
     return {capacity, side.beyond - side.integrand + capacity};
   }
 };

@@ -1,16 +1,16 @@
 #pragma once
-// Interpolators clock by clock, as fast as they can be run.
+// Runs interpolators clock by clock, as fast as can be.
 
 #include <leadscrew/pulse/pulse.hpp>
 
 namespace leadscrew::pulse {
 
-/// An interpolator most of whose way takes few registers: stretch() copies them, to be stepped by themselves as long as
-/// they go on, and to be given back then. So few can be kept in the processor's.
+/// An interpolator that needs few of its registers along most of its path: stretch() copies these, to be stepped by
+/// themselves as long as goes_on() says, and to be given back then. So few fit in the processor's registers.
 template <typename State>
 concept Stretched = Interpolator<State> && requires(State state) { state.give_back(state.stretch()); };
 
-/// Steps it until it is done, or as long as take(state) says, which makes one clock of what it is given.
+/// Steps it until it is done or take(state) returns false; take makes one clock of the state it is given.
 template <Interpolator State, typename Take>
 [[gnu::always_inline]] constexpr void step_through(State& state, const Take& take) {
   while (!state.done()) {

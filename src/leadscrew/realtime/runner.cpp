@@ -121,7 +121,7 @@ bool Runner::make_due(std::int64_t due) noexcept {
   return true;
 }
 
-/// The words so far, and the way to rest behind the one that waits.
+/// The words so far, and the stop path behind the one that waits.
 bool Runner::publish() noexcept {
   interpolator::Interpolator onward = controller_.onward();
   for (base::MotionState state = waiting_->state; sink_.lead_on && state != base::MotionState::rest;) {

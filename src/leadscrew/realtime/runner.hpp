@@ -10,11 +10,12 @@
 // the same one again a period later, and the schedule gives way by that: a slip. So a late computer costs the sink's
 // lead, a slow sink costs time, and neither changes a word.
 //
-// A sink that others live by gets words in slices, each with the way to rest behind it: what the cycle would do if
+// A sink that drives depend on gets words in slices, each with the stop path behind it: what the cycle would do if
 // nothing followed. Words of a slice are made together, when the first of them is due.
 //
 // A planner that is late is the interpolator's matter: the stop tail runs, and motion goes on from rest, when enough is
-// planned not to be late again at once (feeder.hpp). The cycle neither allocates nor locks; its clock is for pacing alone.
+// planned not to be late again at once (feeder.hpp). The cycle neither allocates nor locks; its clock is for pacing
+// alone.
 
 #include <atomic>
 #include <cstdint>
@@ -30,10 +31,10 @@
 
 namespace leadscrew::realtime {
 
-/// Where words go; called by the cyclic thread: it must not wait. A sink that needs no way to rest has `take` alone.
+/// Where words go; called by the cyclic thread: it must not wait. A sink that needs no stop path has `take` alone.
 struct WordSink {
   std::function<bool(const base::Word&)> take;          ///< false if it has no room: it is given the word again
-  std::function<bool(const base::PathPlace&)> lead_on;  ///< to here goes the way to rest; false if it is too long
+  std::function<bool(const base::PathPlace&)> lead_on;  ///< appends a place to the stop path; false if it is too long
   std::function<bool()> publish;                        ///< a slice; false if nobody wants words any more
 };
 
@@ -57,7 +58,7 @@ struct Counters {
   double seconds_ahead = 0;       ///< planned, not begun
   double override_factor = 1;     ///< asked for; 0: held
   bool ended = false;             ///< the last word has been taken, or nobody wants it
-  bool too_long_to_rest = false;  ///< a way to rest was longer than the sink can hold: it ended before
+  bool too_long_to_rest = false;  ///< a stop path was longer than the sink can hold: it was cut off
 };
 
 class Runner {

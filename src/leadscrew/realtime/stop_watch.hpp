@@ -1,6 +1,6 @@
 #pragma once
-// Where the time goes of words that are made as fast as they can be. A look at a clock takes as long as a word: planning is
-// timed chunk by chunk, and of every 61 calls that make a word one is.
+// Where the time goes of words that are made as fast as they can be. A look at a clock takes as long as a word:
+// planning is timed chunk by chunk, and of every 61 calls that make a word one is.
 
 #include <cstdint>
 #include <ctime>

@@ -23,7 +23,7 @@ class WaitingSink {
   WaitingSink(const WaitingSink&) = delete;
   WaitingSink& operator=(const WaitingSink&) = delete;
 
-  /// For a runner that ends before this does. Neither allocates nor locks; needs no way to rest.
+  /// For a runner that ends before this does. Neither allocates nor locks; needs no stop path.
   WordSink sink();
   /// Hands over what is kept. The runner has ended.
   void end();

@@ -1,17 +1,17 @@
 #pragma once
-// Words from the one that makes them to the drives, always with a way to rest behind them: the one may be killed,
-// stopped or late at any instant, and the drives are left in the middle of a curve.
+// Words from the process that makes them (the maker) to the drives, always with a way to rest behind them, the stop
+// path: the maker may be killed, stopped or late at any instant, and leave the drives in the middle of a curve.
 //
 //   words    ··─┬───┬───┬───┬───┐ ··· pushed, not yet published
 //             read        head  │
-//   ways                        ├───┬──┬─┬● to rest, by the stop tail of the plan: one belongs to the head,
+//   stop paths                  ├───┬──┬─┬● to rest, by the stop tail of the plan: one belongs to the head,
 //                                           the other is written for the next one
 //
-// One number says where the head is, which of the two ways belongs to it, and whether the drives have left. The maker
-// publishes by changing it from one head to the next; drives that find no word left change the same number to "left",
-// and go the way of the head that they saw. Whoever is first decides, and the other learns it: no word is published
-// that drives have not waited for, and no way is written again that they may be going. Without a lock and without
-// pointers: this may lie in memory that two processes share.
+// One number says where the head is, which of the two stop paths belongs to it, and whether the drives have left. The
+// maker publishes by changing it from one head to the next; drives that find no word left change the same number to
+// "left", and follow the stop path of the head that they saw. Whoever is first decides, and the other sees it: no word
+// is published after drives have left, and no stop path is overwritten that they may be following. Without a lock and
+// without pointers: this may lie in memory that two processes share.
 
 #include <array>
 #include <atomic>
@@ -22,8 +22,8 @@
 
 namespace leadscrew::realtime {
 
-/// Holds at most so many words, and ways to rest of so many periods. One thread makes words, another is the drives.
-template <std::size_t most_words, std::size_t longest_way>
+/// Holds at most so many words, and stop paths of so many periods. One thread makes words, another is the drives.
+template <std::size_t most_words, std::size_t longest_stop_path>
 class WordStream {
   static_assert(std::is_trivially_copyable_v<base::Word> && std::atomic<std::uint64_t>::is_always_lock_free);
 
@@ -40,21 +40,20 @@ class WordStream {
     words_[pushed_++ % most_words] = word;
     return true;
   }
-  /// The way that will lead to rest behind the last word goes on to this place, a period later. False if it is too
-  /// long.
+  /// Appends a place, a period later, to the stop path behind the last word pushed. False if it is too long.
   bool lead_on(const base::PathPlace& place) noexcept {
-    Way& way = ways_[spare_];
-    if (way.size == longest_way) return false;
-    way.places[way.size++] = place;
+    StopPath& stop_path = stop_paths_[spare_];
+    if (stop_path.size == longest_stop_path) return false;
+    stop_path.places[stop_path.size++] = place;
     return true;
   }
-  /// All words pushed so far, and the way behind them. False if the drives have left: then they never see them.
+  /// All words pushed so far, and the stop path behind them. False if the drives have left: then they never see them.
   bool publish() noexcept {
     std::uint64_t seen = state_.load(std::memory_order_relaxed);
     const std::uint64_t next = pushed_ << 2 | spare_ << 1;
     if (has_left(seen) || !state_.compare_exchange_strong(seen, next, std::memory_order_acq_rel)) return false;
     spare_ = 1 - spare_;
-    ways_[spare_].size = 0;
+    stop_paths_[spare_].size = 0;
     return true;
   }
 
@@ -77,11 +76,11 @@ class WordStream {
     return has_left(seen) || state_.compare_exchange_strong(seen, seen | left, std::memory_order_acq_rel);
   }
   bool has_left() const noexcept { return has_left(state_.load(std::memory_order_acquire)); }
-  /// Having left, and taken all words: the next place on the way to rest. False behind its end.
-  bool follow_way(base::PathPlace& place) noexcept {
-    const Way& way = ways_[state_.load(std::memory_order_acquire) >> 1 & 1];
-    if (followed_ == way.size) return false;
-    place = way.places[followed_++];
+  /// Having left, and taken all words: the next place on the stop path. False behind its end.
+  bool follow_stop_path(base::PathPlace& place) noexcept {
+    const StopPath& stop_path = stop_paths_[state_.load(std::memory_order_acquire) >> 1 & 1];
+    if (followed_ == stop_path.size) return false;
+    place = stop_path.places[followed_++];
     return true;
   }
 
@@ -89,21 +88,22 @@ class WordStream {
   static constexpr std::size_t cache_line = 64;
   static constexpr std::uint64_t left = 1;
 
-  struct Way {
+  struct StopPath {
     std::size_t size = 0;
-    std::array<base::PathPlace, longest_way> places;  ///< not touched before they are needed: they are many
+    std::array<base::PathPlace, longest_stop_path>
+        places;  ///< not touched before they are needed, so that most of this memory is never mapped
   };
 
   static std::uint64_t head(std::uint64_t state) noexcept { return state >> 2; }
   static bool has_left(std::uint64_t state) noexcept { return (state & left) != 0; }
 
-  alignas(cache_line) std::atomic<std::uint64_t> state_{0};  ///< head · 4 + way · 2 + left
+  alignas(cache_line) std::atomic<std::uint64_t> state_{0};  ///< head · 4 + stop path · 2 + left
   alignas(cache_line) std::atomic<std::uint64_t> read_{0};
-  std::size_t followed_ = 0;                      ///< of the way; the drives'
+  std::size_t followed_ = 0;                      ///< of the stop path; the drives'
   alignas(cache_line) std::uint64_t pushed_ = 0;  ///< the maker's
-  std::uint64_t spare_ = 1;                       ///< way that is being written; the maker's
+  std::uint64_t spare_ = 1;                       ///< stop path that is being written; the maker's
   alignas(cache_line) std::array<base::Word, most_words> words_;
-  std::array<Way, 2> ways_;
+  std::array<StopPath, 2> stop_paths_;
 };
 
 }  // namespace leadscrew::realtime

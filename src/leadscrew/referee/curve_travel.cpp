@@ -13,7 +13,7 @@ constexpr std::size_t most_places = 64;      // of a word; where there are more,
 
 }  // namespace
 
-/// Those places from which the distance to the word grows both ways, within a nanometre.
+/// Those places from which the distance to the word grows forwards and backwards, within a nanometre.
 void CurveTravel::find_places(CandidateSet& candidates, std::size_t last) {
   now_.clear();
   for (std::size_t i = 0; i <= last && now_.size() <= most_places; ++i) {

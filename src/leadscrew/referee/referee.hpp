@@ -56,7 +56,7 @@ struct Violation {
 struct Verdict {
   double time_s = 0;
   double deviation_mm =
-      0;  ///< largest distance between words and programmed geometry, matched monotonically, both ways
+      0;  ///< largest distance between words and programmed geometry, matched monotonically, of either from the other
   double tolerance_mm = 0;         ///< the largest tolerance that applied
   double start_error_mm = 0;       ///< distance of the first word from the program's start
   double end_error_mm = 0;         ///< distance of the last word from the program's end

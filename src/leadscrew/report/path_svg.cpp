@@ -75,11 +75,11 @@ base::Result<void> write_path_svg(const std::string& title, const Recording& rec
   const bool is_point = std::max(extent.width(), extent.height()) < 1e-6;
   const double greatest = is_point ? 10 : std::max(extent.width(), extent.height());  // mm
   const double wide = std::max(extent.width(), greatest * 1e-3), high = std::max(extent.height(), greatest * 1e-3);
-  const double room = width - 2 * margin;
-  const double picture = std::clamp(room * high / wide, 120.0, 520.0);
-  const double scale = std::min(room / wide, picture / high);
+  const double available_width = width - 2 * margin;
+  const double picture = std::clamp(available_width * high / wide, 120.0, 520.0);
+  const double scale = std::min(available_width / wide, picture / high);
   const double height = title_height + picture + legend_height;
-  const Placement placement = centred(extent, scale, margin, title_height, room, picture);
+  const Placement placement = centred(extent, scale, margin, title_height, available_width, picture);
 
   std::string out;
   put(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ", fixed(width, 0), " ", fixed(height, 0),

@@ -21,7 +21,7 @@ using Diagnostics = std::vector<base::Diagnostic>;
 std::int64_t count(const Diagnostics& diagnostics, base::Severity severity);
 
 /// Where the time of the computer went.
-struct Effort {
+struct ComputingTime {
   double read = 0;             ///< s of the processor: the program, whole, for its diagnostics
   double plan = 0;             ///< s of the processor: all calls that plan
   double words = 0;            ///< s: all calls that make words, from those that were timed
@@ -55,7 +55,7 @@ struct CheckFigures {
 struct RunFigures {
   pipeline::Summary summary;
   referee::Verdict verdict;
-  Effort effort;
+  ComputingTime effort;
   std::vector<std::string> files{};    ///< written
   std::optional<StepFigures> steps{};  ///< where they were asked for
 

@@ -49,7 +49,7 @@ Json plan_of(const constraints::LimitRatios& plan, const machine::Machine& machi
   return list;
 }
 
-Json cpu_of(const Effort& effort) {
+Json cpu_of(const ComputingTime& effort) {
   return Json::object({{"read_s", effort.read},
                        {"plan_s", effort.plan},
                        {"words_s", effort.words},

@@ -33,7 +33,7 @@ std::string numbers(const std::vector<double>& values, int decimals = 2) {
 Diagnostics problems_of(const DdaQuestion& question) {
   Diagnostics problems = design::problems_of(question.range);
   if (problems.empty() && question.line)
-    problems = design::problems_of(question.range, question.line->way_mm, question.line->feed_mm_min);
+    problems = design::problems_of(question.range, question.line->delta_mm, question.line->feed_mm_min);
   return problems;
 }
 
@@ -81,14 +81,14 @@ Sizing answer(const DdaQuestion& question, const Style& style) {
                  row("greatest feed word", std::to_string(design.feed_word_max), number(word_max), "");
   if (question.line) {
     const double asked = question.line->feed_mm_min;
-    const auto real = design::along_line(design, range, question.line->way_mm, asked, true);
-    const auto meant = design::along_line(design, range, question.line->way_mm, asked, false);
+    const auto real = design::along_line(design, range, question.line->delta_mm, asked, true);
+    const auto meant = design::along_line(design, range, question.line->delta_mm, asked, false);
     add_line(result.json, real, asked);
     result.json["feed_word"] = std::llround(real.feed_word);
     result.json["pulses"] = real.pulses;
     add_line(ideal, meant, asked);
     Json pulses = Json::list();
-    for (const double way : question.line->way_mm) pulses.push_back(way / range.blu_mm);
+    for (const double delta : question.line->delta_mm) pulses.push_back(delta / range.blu_mm);
     ideal["pulses"] = std::move(pulses);
     result.text += line_text(real, meant, asked);
   }

@@ -20,7 +20,7 @@ inline constexpr std::string_view sizing_schema = "leadscrew.design/1";
 /// A linear interpolator, and its rates along one line.
 struct DdaQuestion {
   struct Line {
-    std::vector<double> way_mm;
+    std::vector<double> delta_mm;
     double feed_mm_min = 0;
   };
   design::DdaRange range;

@@ -7,15 +7,15 @@ namespace leadscrew::servo {
 
 namespace {
 
-/// When a motion in one direction passes `edge`, which it does before `last`: Newton's method, kept between the ends
-/// of a bracket.
-double passing_time(const Motion& from, const Pull& pull, double edge, double last, double way_at_last) {
+/// When a motion in one direction passes `edge`, which it does before the time `last`, at which it has gone by
+/// `travel`: Newton's method, kept between the ends of a bracket.
+double passing_time(const Motion& from, const Pull& pull, double edge, double last, double travel) {
   double low = 0, high = last;
-  double time = last * ((edge - from.position) / way_at_last);
+  double time = last * ((edge - from.position) / travel);
   for (int k = 0; k < 80; ++k) {
     const Motion now = after(from, pull, time);
     const double beyond = now.position - edge;
-    const bool passed = (beyond > 0) == (way_at_last > 0);
+    const bool passed = (beyond > 0) == (travel > 0);
     (passed ? high : low) = time;
     double next = time - beyond / now.velocity;
     if (!(low <= next && next <= high)) next = low + (high - low) / 2;

@@ -25,11 +25,12 @@ void AxisSteps::begin(const Span& span, const TickSpan& ticks) {
   even_ = false;
   const bool behind = std::fabs(span.begin - static_cast<double>(count_)) > 0.5 + 2 * hysteresis;
   if (behind) add_part(0, 0, 0, 0);
-  if (span.way == 0 && span.speed_begin == 0 && span.speed_end == 0) return begin_part();
-  const double departure = std::fabs(span.speed_begin - span.way) + std::fabs(span.speed_end - span.way);
-  if (!behind && departure <= evenly * std::fabs(span.way)) {
+  if (span.displacement == 0 && span.speed_begin == 0 && span.speed_end == 0) return begin_part();
+  const double departure =
+      std::fabs(span.speed_begin - span.displacement) + std::fabs(span.speed_end - span.displacement);
+  if (!behind && departure <= evenly * std::fabs(span.displacement)) {
     even_ = true;
-    add_part(0, 1, 0, span.way);
+    add_part(0, 1, 0, span.displacement);
     return begin_part();
   }
   double turns[2];
@@ -37,14 +38,14 @@ void AxisSteps::begin(const Span& span, const TickSpan& ticks) {
   double x = 0;
   for (int k = 0; k <= count; ++k) {
     const double end = k < count ? turns[k] : 1;
-    add_part(x, end, span.way_at(x), span.way_at(end));
+    add_part(x, end, span.displacement_at(x), span.displacement_at(end));
     x = end;
   }
   begin_part();
 }
 
-void AxisSteps::add_part(double x_begin, double x_end, double way_begin, double way_end) {
-  parts_of_span_[static_cast<std::size_t>(parts_++)] = {x_begin, x_end, way_begin, way_end};
+void AxisSteps::add_part(double x_begin, double x_end, double displacement_begin, double displacement_end) {
+  parts_of_span_[static_cast<std::size_t>(parts_++)] = {x_begin, x_end, displacement_begin, displacement_end};
 }
 
 /// Enters the first part from here on in which steps are due.
@@ -52,9 +53,10 @@ void AxisSteps::begin_part() {
   for (due_ = 0; part_ < parts_; ++part_) {
     const Part& part = parts_of_span_[static_cast<std::size_t>(part_)];
     const double from_count = span_.begin - static_cast<double>(count_);
-    const bool stands = part.way_end == part.way_begin;
-    part_direction_ = (stands ? from_count + part.way_end : part.way_end - part.way_begin) > 0 ? 1 : -1;
-    const double beyond = part_direction_ * (from_count + part.way_end) - 0.5;  // the first step's half, BLU
+    const bool stands = part.displacement_end == part.displacement_begin;
+    part_direction_ =
+        (stands ? from_count + part.displacement_end : part.displacement_end - part.displacement_begin) > 0 ? 1 : -1;
+    const double beyond = part_direction_ * (from_count + part.displacement_end) - 0.5;  // the first step's half, BLU
     if (beyond < (part_direction_ == direction_ ? 0 : hysteresis)) continue;
     due_ = static_cast<std::int64_t>(beyond) + 1;
     x_ = part.x_begin;
@@ -83,11 +85,11 @@ void AxisSteps::fill() {
   }
 }
 
-/// When the ways first, first + 1, … in the direction of the part are reached, in a nearly even period.
+/// When the displacements first, first + 1, … in the direction of the part are reached, in a nearly even period.
 void AxisSteps::even_ticks(double first, std::size_t count) {
-  const double inverse = 1 / std::fabs(span_.way);
-  const double alpha = span_.speed_begin / span_.way - 1;
-  const double beta = span_.speed_end / span_.way - 1;
+  const double inverse = 1 / std::fabs(span_.displacement);
+  const double alpha = span_.speed_begin / span_.displacement - 1;
+  const double beta = span_.speed_end / span_.displacement - 1;
   const double linear = 1 + alpha, square = -2 * alpha - beta, cube = alpha + beta;
   const double offset = ticks_.offset + upwards, length = ticks_.length;
   std::int32_t* const ticks = due_ticks_.data();
@@ -108,10 +110,10 @@ void AxisSteps::bracketed_ticks(double first, std::size_t count) {
   const Part& part = parts_of_span_[static_cast<std::size_t>(part_)];
   const double close = 1e-6 / ticks_.length;
   for (std::size_t k = 0; k < count; ++k) {
-    const double way = first + static_cast<double>(k);
+    const double target = first + static_cast<double>(k);
     double low = x_, high = part.x_end, x = (low + high) / 2;
     for (int tries = 0; tries < 64 && high - low > close; ++tries) {
-      const double beyond = part_direction_ * span_.way_at(x) - way;
+      const double beyond = part_direction_ * span_.displacement_at(x) - target;
       (beyond < 0 ? low : high) = x;
       const double speed = part_direction_ * span_.speed_at(x);
       const double newton = x - beyond / speed;

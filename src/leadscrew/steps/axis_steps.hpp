@@ -68,10 +68,10 @@ class AxisSteps {
   /// A piece of the period in which the reference does not turn.
   struct Part {
     double x_begin, x_end;
-    double way_begin, way_end;  ///< from the period's begin, BLU
+    double displacement_begin, displacement_end;  ///< from the period's begin, BLU
   };
 
-  void add_part(double x_begin, double x_end, double way_begin, double way_end);
+  void add_part(double x_begin, double x_end, double displacement_begin, double displacement_end);
   void begin_part();
   void even_ticks(double first, std::size_t count);
   void bracketed_ticks(double first, std::size_t count);

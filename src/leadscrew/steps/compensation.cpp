@@ -50,28 +50,29 @@ base::Result<Compensation> Compensation::create(const machine::Machine& machine)
   return made;
 }
 
-/// Which way does the axis run? A way back within the band is rounding.
+/// In which direction does the axis run? Turning back by less than the band is rounding.
 void Compensation::AxisState::turn(double position) {
   const double ahead = runs_backward ? farthest - position : position - farthest;
   if (ahead < -band) runs_backward = !runs_backward;
   if (ahead > 0 || ahead < -band) farthest = position;
 }
 
-/// A period's way from one command to the other. `lost`: how far the backward command lies below the forward one.
+/// One period of going over from one command to the other. `lost`: how far the backward command lies below the forward
+/// one.
 void Compensation::AxisState::go_over(double forward_command, double lost, double period) {
-  const double way = std::fabs(lost), left = target() - over;
-  const double wanted = std::min(takeup_velocity, std::sqrt(2 * acceleration * std::fabs(left) * way));
+  const double gap = std::fabs(lost), left = target() - over;
+  const double wanted = std::min(takeup_velocity, std::sqrt(2 * acceleration * std::fabs(left) * gap));
   const double most = acceleration * period;
   speed += std::clamp(std::copysign(wanted, left) - speed, -most, most);
-  double next = way > 0 ? std::clamp(over + speed * period / way, 0.0, 1.0) : target();
+  double next = gap > 0 ? std::clamp(over + speed * period / gap, 0.0, 1.0) : target();
   // What words leave of the axis' velocity.
   const double at_next = forward_command - next * lost;
   const double kept = std::clamp(at_next, command - velocity * period, command + velocity * period);
-  if (kept != at_next && way > 0) {
-    const double room = (forward_command - kept) / lost;
-    next = std::clamp(room, std::min(over, next), std::max(over, next));
+  if (kept != at_next && gap > 0) {
+    const double share = (forward_command - kept) / lost;
+    next = std::clamp(share, std::min(over, next), std::max(over, next));
   }
-  speed = (next - over) * way / period;
+  speed = (next - over) * gap / period;
   over = next;
   command = forward_command - over * lost;
 }

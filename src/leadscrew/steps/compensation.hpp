@@ -2,11 +2,12 @@
 // Errors of lead screws (machine/screw_errors.hpp), made good between words and steps.
 //
 // The real position of an axis is a rising broken line of its command. The command that leads to a position is read
-// from the same line the other way: exactly, without iteration. Where the axis turns back, its command goes further
-// back by the backlash.
+// from the inverse of that line: exactly, without iteration. Where the axis turns back, its command goes further back
+// by the backlash.
 //
-// Both depend on the way the axis runs. Where it turns, its command goes over from that of one way to that of the
-// other, no faster than the axis may go, on top of what words ask, and as softly as it may accelerate.
+// Both depend on the direction in which the axis runs. Where it turns, its command goes over from that of one direction
+// to that of the other, no faster than the axis may go, on top of what words ask, and with no more than its
+// acceleration.
 //
 // Words are compensated, not what lies between them: where the error of a table changes its slope by d, steps that
 // follow the words round the bend off by at most d·v·T/4, at velocity v and period T.
@@ -27,7 +28,8 @@ class Compensation {
   /// below.
   base::Word apply(const base::Word& word);
 
-  /// Has every axis gone over to its way? After the last word, apply it again and again until it is so.
+  /// Has every axis gone over to the command of its direction? After the last word, apply it again and again until it
+  /// is so.
   bool settled() const;
 
   /// How far commands have been from their positions, at most; mm or degrees.
@@ -58,9 +60,9 @@ class Compensation {
     double takeup_velocity = 0;  ///< units/s
     double acceleration = 0;     ///< of going over, units/s²
     double band = 0;             ///< the axis has turned when it is so far back, units
-    double farthest = 0;         ///< in the way it runs
+    double farthest = 0;         ///< in the direction in which it runs
     bool runs_backward = false;
-    double over = 0;   ///< share of the way from the forward to the backward command, 0 … 1
+    double over = 0;   ///< share of the difference between forward and backward command, 0 … 1
     double speed = 0;  ///< of going over, towards 1, units/s
     double command = 0;
     double greatest_correction = 0;  ///< of all words so far

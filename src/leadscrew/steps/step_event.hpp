@@ -1,5 +1,5 @@
 #pragma once
-// One step of one axis, as it leaves for a drive: at which tick of the step clock, and which way.
+// One step of one axis, as it leaves for a drive: at which tick of the step clock, and in which direction.
 
 #include <compare>
 #include <cstdint>

@@ -60,9 +60,9 @@ void StepGenerator::begin_period() {
   ticks_.offset = static_cast<double>(offset_) / nano;
   for (std::size_t k = 0; k < axes_; ++k) {
     Track& track = tracks_[order_[k]];
-    const double way = track.now - track.before;
-    const double speed = speed_between(way, track.next - track.now, track.sharpest);
-    steps_[order_[k]].begin({track.before, way, track.speed, speed}, ticks_);
+    const double displacement = track.now - track.before;
+    const double speed = speed_between(displacement, track.next - track.now, track.sharpest);
+    steps_[order_[k]].begin({track.before, displacement, track.speed, speed}, ticks_);
     track.speed = speed;
   }
 }

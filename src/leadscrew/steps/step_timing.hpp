@@ -17,7 +17,7 @@ struct StepTicks {
 
   /// From step to step of an axis, at least.
   std::int64_t pitch() const { return length + space; }
-  /// From a step to one the other way, at least.
+  /// From a step to one in the other direction, at least.
   std::int64_t reversal() const { return pitch() > length + hold + setup ? pitch() : length + hold + setup; }
 };
 

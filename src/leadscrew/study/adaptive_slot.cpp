@@ -19,8 +19,8 @@ namespace {
 constexpr std::int64_t most_periods = 60'000;
 
 struct Moved {
-  double feed = 0;  ///< mm/s
-  double way = 0;   ///< mm
+  double feed = 0;      ///< mm/s
+  double position = 0;  ///< mm
 };
 
 /// Words of the planner, and slides that follow them.
@@ -91,7 +91,7 @@ class SteppedSlot {
   static std::int64_t steps_of(double length) { return std::lround(length / blu); }
   static nc::Block slot(std::int64_t steps) {
     nc::Block block;
-    block.way[0] = block.commands = block.capacity = steps;
+    block.delta[0] = block.commands = block.capacity = steps;
     block.feed_word = word;
     block.greatest_word = 2 * word;
     return block;
@@ -133,8 +133,8 @@ base::Result<MilledSlot> mill_slot(Overridden overridden, double length, const s
   if (!cut) return base::failure(cut.error());
   MilledSlot milled;
   const auto travelled = travel(overridden, length, 1, [&](const Moved& moved) {
-    const double factor = cut->follow(moved.feed, slot_feed, moved.way);
-    milled.periods.push_back({moved.way, moved.feed, cut->mean_force(), factor});
+    const double factor = cut->follow(moved.feed, slot_feed, moved.position);
+    milled.periods.push_back({moved.position, moved.feed, cut->mean_force(), factor});
     return factor;
   });
   if (!travelled) return base::failure(travelled.error());

@@ -1,8 +1,8 @@
 #pragma once
-// A straight slot, milled under adaptive control by either way of moving a feed override:
+// A straight slot, milled under adaptive control, by either of two motions with a feed override:
 //
-//   planner      Planner::override_feed ─▶ words ─▶ loops of the machine's drives ─▶ slide ─▶ feed, way
-//   NC program   NcProgram::override_feed ─▶ steps ─▶ pulse-driven axis ─▶ slide ─▶ feed, way
+//   planner      Planner::override_feed ─▶ words ─▶ loops of the machine's drives ─▶ slide ─▶ feed, position
+//   NC program   NcProgram::override_feed ─▶ steps ─▶ pulse-driven axis ─▶ slide ─▶ feed, position
 //
 // Feed is what the tachogenerator tells. The depth of the cut depends on the place of the slide.
 
@@ -20,7 +20,7 @@ enum class Overridden : std::uint8_t { planner, nc_program };
 
 /// After a period of motion.
 struct SlotPeriod {
-  double way = 0;         ///< mm
+  double position = 0;    ///< mm
   double feed = 0;        ///< mm/s
   double mean_force = 0;  ///< over the last turn, N
   double factor = 1;      ///< override from now on

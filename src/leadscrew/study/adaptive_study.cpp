@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-// A slot in steel whose depth changes along the way, milled with adaptive control: by the planner's feed override, and
+// A slot in steel whose depth changes along it, milled with adaptive control: by the planner's feed override, and
 // by the adaptive-control input of Koren's NC program. The limit of the force is what the programmed feed gives in a
 // depth of 2 mm:
 //
@@ -58,7 +58,7 @@ Settled settled(const MilledSlot& milled, const Part& part) {
   Settled sums;
   double squares = 0, count = 0;
   for (const SlotPeriod& at : milled.periods) {
-    if (at.way < part.to - (part.to - part.from) / 3 || at.way > part.to - 1) continue;
+    if (at.position < part.to - (part.to - part.from) / 3 || at.position > part.to - 1) continue;
     sums.factor += at.factor;
     sums.feed += at.feed;
     sums.force += at.mean_force;

@@ -45,7 +45,7 @@ void add(Arcs& to, const Arcs& arcs) {
 }
 
 void try_arc(const CircularMethod& method, const Arc& arc, Arcs& arcs) {
-  const Followed found = method.follow(arc);
+  const FollowedArc found = method.follow(arc);
   const double error = radial_error(found.path, arc.squared_radius());
   Arcs::Kind& kind = arcs.of(arc);
   double& worst = arc.squared_radius() == method.exception ? arcs.exception : kind.error;

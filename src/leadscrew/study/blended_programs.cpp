@@ -27,13 +27,13 @@ double rounded(double value) {
   return std::round(value * 1000) / 1000;
 }
 
-Contour square() {
+ProgrammedContour square() {
   return {"G1 X10\nY10\nX0\nY0\n"};
 }
 
-Contour star() {
+ProgrammedContour star() {
   const auto tip = [](int k) { return std::polar(10.0, (0.5 + 0.8 * k) * std::numbers::pi); };
-  Contour star{{}, {tip(0).real(), tip(0).imag()}};
+  ProgrammedContour star{{}, {tip(0).real(), tip(0).imag()}};
   for (int k = 1; k <= 5; ++k) star.blocks += block("G1", {{'X', tip(k).real()}, {'Y', tip(k).imag()}});
   return star;
 }
@@ -46,8 +46,8 @@ double cubic_y(double u) {
 }
 
 template <int lines>
-Contour cubic() {
-  Contour cubic;
+ProgrammedContour cubic() {
+  ProgrammedContour cubic;
   for (int k = 1; k <= lines; ++k) {
     const double u = static_cast<double>(k) / lines;
     cubic.blocks += block("G1", {{'X', cubic_x(u)}, {'Y', cubic_y(u)}});
@@ -55,8 +55,8 @@ Contour cubic() {
   return cubic;
 }
 
-Contour rounded_cubic() {
-  Contour cubic;
+ProgrammedContour rounded_cubic() {
+  ProgrammedContour cubic;
   for (int k = 1; k <= 1000; ++k) {
     const double u = k / 1000.0;
     cubic.blocks += block("G1", {{'X', rounded(cubic_x(u))}, {'Y', rounded(cubic_y(u))}});
@@ -64,8 +64,8 @@ Contour rounded_cubic() {
   return cubic;
 }
 
-Contour turning_cubic() {
-  Contour cubic;
+ProgrammedContour turning_cubic() {
+  ProgrammedContour cubic;
   for (int k = 1; k <= 1000; ++k) {
     const double u = k / 1000.0;
     cubic.blocks += block("G1", {{'X', rounded(cubic_x(u))}, {'Y', rounded(cubic_y(u))}, {'A', rounded(3 * u)}});
@@ -73,8 +73,8 @@ Contour turning_cubic() {
   return cubic;
 }
 
-Contour collinear() {
-  Contour line;
+ProgrammedContour collinear() {
+  ProgrammedContour line;
   for (int k = 1; k <= 5000; ++k) line.blocks += block("G1", {{'X', k / 100.0}});
   return line;
 }
@@ -85,12 +85,12 @@ Contour collinear() {
 ///     │ ┌───┐   │     sixteen of them, each corner an arc
 ///     │ │ ──┘   │
 ///     │ └───────┘
-Contour pocket() {
+ProgrammedContour pocket() {
   constexpr int lines = 16;
   // Σ (⌊k/2⌋ + 1) = 72, and each arc is π/2 long in place of two radii.
   constexpr double step = (376 + (lines - 1) * (2 - std::numbers::pi / 2)) / 72;
   constexpr std::array<std::array<double, 2>, 4> headings = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  Contour pocket;
+  ProgrammedContour pocket;
   double x = 0, y = 0;
   for (int k = 0; k < lines; ++k) {
     const bool is_first = k == 0, is_last = k == lines - 1;
@@ -107,8 +107,8 @@ Contour pocket() {
   return pocket;
 }
 
-Contour circle() {
-  Contour circle{{}, {10}};
+ProgrammedContour circle() {
+  ProgrammedContour circle{{}, {10}};
   for (int k = 1; k <= 2000; ++k) {
     const double angle = k * std::numbers::pi / 1000;
     circle.blocks += block("G1", {{'X', 10 * std::cos(angle)}, {'Y', 10 * std::sin(angle)}});
@@ -117,10 +117,10 @@ Contour circle() {
 }
 
 /// 17 rows of 52 lines to and fro over a wavy surface, 16 steps from row to row: 900 lines, 32 corners.
-Contour finishing() {
+ProgrammedContour finishing() {
   constexpr int rows = 17, lines = 52;
   constexpr double chord = 0.9, step = 2;
-  Contour finishing;
+  ProgrammedContour finishing;
   for (int row = 0; row < rows; ++row) {
     for (int k = row == 0 ? 1 : 0; k <= lines; ++k) {
       const double x = chord * (row % 2 == 0 ? k : lines - k), y = step * row;
@@ -132,7 +132,7 @@ Contour finishing() {
 }
 
 PartProgram program_of(const BlendedProgram& program, const std::string& path_control) {
-  const Contour contour = program.contour();
+  const ProgrammedContour contour = program.contour();
   return {"G21 G90 G17 G94 " + path_control + word('F', program.feed * 60) + "\n" + contour.blocks + "M2\n",
           contour.start};
 }

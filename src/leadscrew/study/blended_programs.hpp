@@ -11,14 +11,14 @@
 namespace leadscrew::study {
 
 /// Blocks of lines and arcs, and where they begin.
-struct Contour {
+struct ProgrammedContour {
   std::string blocks;
   base::AxisVector start{};  ///< machine coordinates, mm
 };
 
 struct BlendedProgram {
   std::string_view name;
-  Contour (*contour)();
+  ProgrammedContour (*contour)();
   double feed = 0;             ///< mm/s
   double tolerance = 0;        ///< mm
   std::optional<double> most;  ///< s that the motion may take; without it, what it takes with a stop at each joint

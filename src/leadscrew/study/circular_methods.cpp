@@ -16,13 +16,13 @@ using pulse::Preload;
 using pulse::Search;
 
 template <Search method, OnCircle on_circle = OnCircle::outward>
-Followed search(const Arc& arc) {
+FollowedArc search(const Arc& arc) {
   return {follow_arc(CircularSearch<method, on_circle>(arc), arc)};
 }
 
 template <Order order, Preload preload, int places = 0>
-Followed dda(const Arc& arc) {
-  Followed followed;
+FollowedArc dda(const Arc& arc) {
+  FollowedArc followed;
   followed.path = follow_arc(CircularDda(arc, {order, preload, places}), arc, [&](const CircularDda& dda) {
     followed.drained += (dda.left_x() == 0 && dda.at().x == 0) || (dda.left_y() == 0 && dda.at().y == 0);
   });

@@ -7,7 +7,7 @@
 
 namespace leadscrew::study {
 
-struct Followed {
+struct FollowedArc {
   LatticePath path;
   int drained = 0;  ///< pulses that came of an axis left over with an integrand of 0
 };
@@ -24,7 +24,7 @@ inline constexpr const char* untold_bound = "the table of bounds has none";
 
 struct CircularMethod {
   std::string name;
-  Followed (*follow)(const pulse::Arc&);
+  FollowedArc (*follow)(const pulse::Arc&);
   double clocks_by_radius;  ///< on a full circle
   std::vector<CircleBound> circles;
   double one_quadrant = no_bound, more = no_bound;  ///< bounds of arcs, BLU

@@ -13,7 +13,7 @@ namespace leadscrew::study {
 namespace {
 
 constexpr double blu_inch = 0.0001;
-/// Ways of up to 12 in by four-digit words; up to 30 in/min, told to 0.01 in/min.
+/// Lines of up to 12 in by four-digit words; up to 30 in/min, told to 0.01 in/min.
 constexpr design::InverseTimeRange range{12, blu_inch, 30, 0.01, 4};
 constexpr Scale pps = {"pps", 0};
 constexpr Scale plain = {"", 0};
@@ -30,12 +30,12 @@ double clocks_to_end(pulse::FeedDda feed, State state) {
 
 /// 2 in at 10 in/min.
 Rows inverse_time_rows() {
-  constexpr double feed_in_min = 10, way_in = 2;
+  constexpr double feed_in_min = 10, distance_in = 2;
   const design::InverseTimeDesign design = design::design_inverse_time(range);
-  const double feed_pps = feed_in_min / 60 / blu_inch, way = way_in / blu_inch;
-  const double by_inches = design::inverse_time_word(range, way_in, feed_in_min, false).word;
-  const double by_pulses = 600 * feed_pps / way;
-  const auto steps = static_cast<std::int64_t>(way);
+  const double feed_pps = feed_in_min / 60 / blu_inch, distance_blu = distance_in / blu_inch;
+  const double by_inches = design::inverse_time_word(range, distance_in, feed_in_min, false).word;
+  const double by_pulses = 600 * feed_pps / distance_blu;
+  const auto steps = static_cast<std::int64_t>(distance_blu);
   const pulse::FeedDda feed(design.feed_capacity, static_cast<std::int64_t>(by_pulses + 0.5));
   const pulse::LinearDda<2> line({steps, 0}, design.capacity, pulse::Preload::none);
   return under(

@@ -117,7 +117,7 @@ Rows published_cubic_rows(const geometry::Nurbs& cubic) {
 }
 
 Row size_row(const PublishedSize& published, const March& marched) {
-  const double by_chord = size_of(marched), by_curve = 100 * marched.way_error;
+  const double by_chord = size_of(marched), by_curve = 100 * marched.arc_error;
   const bool is_chord = published.measure == Measure::chord;
   Row row = reproduced_row(is_chord ? "feed error, size" : "feed error along the curve, size", {"%", 2}, published.size,
                            is_chord ? by_chord : by_curve, published.accuracy);

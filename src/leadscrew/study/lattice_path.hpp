@@ -60,15 +60,15 @@ inline double radial_error(const LatticePath& path, std::int64_t squared_radius)
 
 /// a·y − b·x along the line from the origin to (a, b).
 template <pulse::Interpolator State>
-LatticePath follow_line(State state, pulse::Point way) {
-  const std::int64_t most_clocks = 8 * (pulse::absolute(way.x) + pulse::absolute(way.y)) + 1000;
-  const auto cross = [way](pulse::Point at) { return way.x * at.y - way.y * at.x; };
-  return follow(std::move(state), {}, way, most_clocks, cross, [](const State&) {});
+LatticePath follow_line(State state, pulse::Point delta) {
+  const std::int64_t most_clocks = 8 * (pulse::absolute(delta.x) + pulse::absolute(delta.y)) + 1000;
+  const auto cross = [delta](pulse::Point at) { return delta.x * at.y - delta.y * at.x; };
+  return follow(std::move(state), {}, delta, most_clocks, cross, [](const State&) {});
 }
 
 /// Greatest distance of such a path from its line, BLU.
-inline double line_error(const LatticePath& path, pulse::Point way) {
-  const double length = std::hypot(static_cast<double>(way.x), static_cast<double>(way.y));
+inline double line_error(const LatticePath& path, pulse::Point delta) {
+  const double length = std::hypot(static_cast<double>(delta.x), static_cast<double>(delta.y));
   return static_cast<double>(std::max(path.greatest, -path.least)) / length;
 }
 

@@ -13,17 +13,17 @@ constexpr Scale whole = {"", 0};
 
 /// N20 X20 Y40 F100, N30 X50 Y80; encoder of 200 holes on a screw of 4 mm.
 Rows encoder_rows() {
-  constexpr double pitch = 4, holes = 200, feed = 100, way_x = 50 - 20, way_y = 80 - 40;
-  const double blu = pitch / holes, length = std::hypot(way_x, way_y), feed_x = feed * way_x / length,
-               feed_y = feed * way_y / length;
+  constexpr double pitch = 4, holes = 200, feed = 100, delta_x = 50 - 20, delta_y = 80 - 40;
+  const double blu = pitch / holes, length = std::hypot(delta_x, delta_y), feed_x = feed * delta_x / length,
+               feed_y = feed * delta_y / length;
   return under(
       "problem 1: a pulse-driven axis",
       {exact_row("basic length unit", {"mm", 2}, 0.02, blu), exact_row("feed of X", {"mm/min", 0}, 60, feed_x),
        because(exact_row("pulse rate of X", {"ppm", 0}, 3000, feed_x / blu),
                "at steady state the encoder gives as many as the interpolator"),
-       exact_row("pulses of X", whole, 1500, way_x / blu), exact_row("feed of Y", {"mm/min", 0}, 80, feed_y),
-       exact_row("pulse rate of Y", {"ppm", 0}, 4000, feed_y / blu), exact_row("pulses of Y", whole, 2000, way_y / blu),
-       exact_row("time", {"s", 0}, 30, length / feed * 60)});
+       exact_row("pulses of X", whole, 1500, delta_x / blu), exact_row("feed of Y", {"mm/min", 0}, 80, feed_y),
+       exact_row("pulse rate of Y", {"ppm", 0}, 4000, feed_y / blu),
+       exact_row("pulses of Y", whole, 2000, delta_y / blu), exact_row("time", {"s", 0}, 30, length / feed * 60)});
 }
 
 /// As the lecture calculates it: f S/2ᵐ with S = 10 V/L, V 300 000 BLU/min and L = √(10000² + 5000²), rounded.

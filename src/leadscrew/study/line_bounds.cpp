@@ -23,45 +23,45 @@ void add(Found& to, const Found& found) {
 }
 
 template <pulse::Interpolator State>
-Found found_by(State state, Point way, double expected_clocks) {
-  const LatticePath path = follow_line(std::move(state), way);
-  return {line_error(path, way), std::abs(static_cast<double>(path.clocks) - expected_clocks), !path.ends};
+Found found_by(State state, Point delta, double expected_clocks) {
+  const LatticePath path = follow_line(std::move(state), delta);
+  return {line_error(path, delta), std::abs(static_cast<double>(path.clocks) - expected_clocks), !path.ends};
 }
 
-double length(Point way) {
-  return std::hypot(static_cast<double>(way.x), static_cast<double>(way.y));
+double length(Point delta) {
+  return std::hypot(static_cast<double>(delta.x), static_cast<double>(delta.y));
 }
 
 enum class Rounded : std::uint8_t { up, nearest, down };
 
 template <Rounded rounded, Preload preload>
-Found by_length(Point way) {
-  const double exact = length(way);
+Found by_length(Point delta) {
+  const double exact = length(delta);
   const double capacity = rounded == Rounded::up        ? std::ceil(exact)
                           : rounded == Rounded::nearest ? std::round(exact)
                                                         : std::floor(exact);
-  return found_by(LinearDda<2>({way.x, way.y}, static_cast<std::int64_t>(capacity), preload), way, exact);
+  return found_by(LinearDda<2>({delta.x, delta.y}, static_cast<std::int64_t>(capacity), preload), delta, exact);
 }
 
 /// In every register of up to 8 bits that holds the line. Its last pulse may come before clock 2ⁿ, never after it.
 template <Preload preload>
-Found by_bits(Point way) {
+Found by_bits(Point delta) {
   Found all;
   for (int bits = 1; bits <= 8; ++bits) {
     const std::int64_t capacity = std::int64_t{1} << bits;
-    if (std::max(way.x, way.y) >= capacity) continue;
-    Found found = found_by(LinearDda<2>({way.x, way.y}, capacity, preload), way, 0);
+    if (std::max(delta.x, delta.y) >= capacity) continue;
+    Found found = found_by(LinearDda<2>({delta.x, delta.y}, capacity, preload), delta, 0);
     found.beside = std::max(0.0, found.beside - static_cast<double>(capacity));
     add(all, found);
   }
   return all;
 }
 
-Found by_point_comparison(Point way) {
-  return found_by(pulse::LinearPointComparison<2>({way.x, way.y}), way, static_cast<double>(way.x + way.y));
+Found by_point_comparison(Point delta) {
+  return found_by(pulse::LinearPointComparison<2>({delta.x, delta.y}), delta, static_cast<double>(delta.x + delta.y));
 }
-Found by_bresenham(Point way) {
-  return found_by(pulse::LinearBresenham(way), way, static_cast<double>(std::max(way.x, way.y)));
+Found by_bresenham(Point delta) {
+  return found_by(pulse::LinearBresenham(delta), delta, static_cast<double>(std::max(delta.x, delta.y)));
 }
 
 struct Method {

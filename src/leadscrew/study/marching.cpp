@@ -61,13 +61,13 @@ double chord_error(const Places& places) {
 }
 
 /// Follows the curve along one step and raises the chord errors of the march.
-Step observe(const geometry::Nurbs& curve, double u_begin, double u_end, double way, March& march) {
+Step observe(const geometry::Nurbs& curve, double u_begin, double u_end, double step_length, March& march) {
   Places places;
   for (std::size_t i = 0; i <= samples; ++i) {
     const double part = static_cast<double>(i) / samples;
     const geometry::PointJet jet = curve.jets_at(i == samples ? u_end : u_begin + (u_end - u_begin) * part);
     places[i] = place(jet);
-    march.chord_error_rule = std::max(march.chord_error_rule, way * way * curvature(jet) / 8);
+    march.chord_error_rule = std::max(march.chord_error_rule, step_length * step_length * curvature(jet) / 8);
   }
   march.chord_error = std::max(march.chord_error, chord_error(places));
   const double fine = polygon(places, 1), coarse = polygon(places, 2);
@@ -78,15 +78,15 @@ Step observe(const geometry::Nurbs& curve, double u_begin, double u_end, double 
 
 March march(const geometry::Nurbs& curve, interpolator::StepRule rule, double speed, double period) {
   March result;
-  const double way = speed * period;
+  const double step_length = speed * period;
   double u = curve.first_parameter();
   while (result.steps < most_steps) {
-    const double s = static_cast<double>(result.steps) * way;
-    const double next = interpolator::next_parameter(curve, rule, u, s, way);
+    const double s = static_cast<double>(result.steps) * step_length;
+    const double next = interpolator::next_parameter(curve, rule, u, s, step_length);
     if (!(next < curve.last_parameter())) break;
-    const Step step = observe(curve, u, next, way, result);
-    const double error = step.chord / way - 1;
-    result.way_error = std::max(result.way_error, std::abs(step.arc / way - 1));
+    const Step step = observe(curve, u, next, step_length, result);
+    const double error = step.chord / step_length - 1;
+    result.arc_error = std::max(result.arc_error, std::abs(step.arc / step_length - 1));
     const bool is_first = result.steps == 0;
     result.feed_error_max = is_first ? error : std::max(result.feed_error_max, error);
     result.feed_error_min = is_first ? error : std::min(result.feed_error_min, error);

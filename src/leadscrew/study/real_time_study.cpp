@@ -67,8 +67,8 @@ std::vector<Line> lines_of_cubic() {
   return all;
 }
 
-/// Way from rest, at a time 0 … line.time.
-double way_at(const Line& line, double time) {
+/// Distance from the line's start, at a time 0 … line.time.
+double distance_at(const Line& line, double time) {
   const double ramp = line.peak / acceleration, left = line.time - time;
   if (time < ramp) return acceleration * time * time / 2;
   if (left < ramp) return line.length - acceleration * left * left / 2;
@@ -83,7 +83,7 @@ std::vector<Place> words_of_lines(const std::vector<Line>& all) {
     begins += decoding / lines;
     while (static_cast<double>(words.size()) * period < begins + line.time) {
       const double time = std::max(0.0, static_cast<double>(words.size()) * period - begins);
-      const double share = way_at(line, time) / line.length;
+      const double share = distance_at(line, time) / line.length;
       words.push_back(
           {line.from.x + share * (line.to.x - line.from.x), line.from.y + share * (line.to.y - line.from.y)});
     }

@@ -6,7 +6,7 @@
 
 namespace leadscrew::toolpath {
 
-/// Below it, the path is kept as programmed: no machine tells the difference.
+/// Below it, the path is kept as programmed: no machine could show the difference.
 inline constexpr double least_tolerance = 2e-4;  // mm
 
 struct Allowance {
@@ -15,22 +15,22 @@ struct Allowance {
 
   /// Of a spline along the leg, mm.
   double span_length(const Leg& leg) const;
-  /// Is the leg exact but near its ends, whatever lies beside it?
+  /// Is the leg so long that it stays exact but for its ends, whatever is next to it?
   bool is_long(const Leg& leg) const;
-  /// Legs that are fitted as a whole are what Q is for.
-  double granted(const Leg& leg) const { return is_long(leg) ? tolerance : std::min(tolerance, cam_tolerance); }
+  /// The tolerance of the leg, mm: P; for legs that are fitted as a whole no more than Q.
+  double tolerance_of(const Leg& leg) const { return is_long(leg) ? tolerance : std::min(tolerance, cam_tolerance); }
   /// Between a curve and the chords that stand for it, mm.
-  double sagitta(const Leg& leg) const { return arc_sagitta * granted(leg); }
+  double sagitta(const Leg& leg) const { return arc_sagitta * tolerance_of(leg); }
   /// How far the polyline that stands for the leg may be from what was programmed, mm.
   double spent_by(const Leg& leg) const { return leg.spent + (is_line(leg.curve) ? 0 : sagitta(leg)); }
-  /// What a spline may be off, mm.
-  double room_about(const Leg& leg) const { return kept_share * granted(leg) - spent_by(leg); }
-  /// What a blend may be off beside the `spent`, mm.
-  double room_beside(double spent) const { return kept_share * tolerance - spent; }
+  /// How far a spline may be from the polyline of the leg, mm.
+  double margin_about(const Leg& leg) const { return kept_share * tolerance_of(leg) - spent_by(leg); }
+  /// How far a blend may be off where `spent` of the tolerance is used already, mm.
+  double margin_beside(double spent) const { return kept_share * tolerance - spent; }
 
  private:
   static constexpr double kept_share = 0.98;   // the rest is for the rounding of words and of samples
-  static constexpr double arc_sagitta = 0.02;  // of what is granted
+  static constexpr double arc_sagitta = 0.02;  // of the leg's tolerance
 };
 
 /// As far as feed goes, mm/s.

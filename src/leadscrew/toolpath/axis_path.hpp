@@ -1,7 +1,7 @@
 #pragma once
-// The door between a path and the axes that travel it: positions of all axes as a function of path length. Whoever plans,
-// interpolates or goes back asks a piece for it (Piece::axes()) and never takes coordinates of a curve for positions of
-// axes.
+// The interface between a path and the axes that travel it: positions of all axes as a function of path length. Whoever
+// plans, interpolates or goes back asks a piece for it (Piece::axes()) and never takes coordinates of a curve for
+// positions of axes.
 //
 // On a Cartesian machine the two are the same, and everything here is inline and passes through. A machine that turns
 // tool or workpiece puts its kinematics between them, pushing positions and jets of the pose through one formula: here,
@@ -21,7 +21,8 @@ class AxisPath {
   double length() const { return geometry::length(curve_); }
   geometry::Point start() const { return geometry::start(curve_); }
   geometry::Point end() const { return geometry::end(curve_); }
-  /// mm or degrees, rounded once; at s ≤ 0 and s ≥ length the start and the end, exactly. For the cycle: takes no memory.
+  /// mm or degrees, rounded once; at s ≤ 0 and s ≥ length the start and the end, exactly. For the cycle: takes no
+  /// memory.
   geometry::Point position(numeric::DoubleDouble s) const { return geometry::evaluate(curve_, s); }
   /// Positions and three derivatives by path length.
   geometry::PointJet jets(double s) const { return geometry::jets(curve_, s); }

@@ -21,34 +21,35 @@ constexpr double sharpest_between_looks = 1.5;  // |t⁺ − t⁻|; between line
 constexpr double shrinking = 0.8;
 constexpr double nearly_whole = 0.8;
 constexpr int most_tries = 40;
-constexpr double granted_share = 1.0 / 200;  // of the room, for polylines that stand for curves
-constexpr int deepest = 14;                  // halvings of a curve
-constexpr double table_of_length = 1e-7;     // what a curve's length may be short of
-constexpr double most_lengthened = 1.02;     // of the way: more is a detour
+constexpr double polyline_share = 1.0 / 200;  // of the margin, for polylines that stand for curves
+constexpr int deepest = 14;                   // halvings of a curve
+constexpr double table_of_length = 1e-7;      // what a curve's length may be short of
+constexpr double most_lengthened = 1.02;      // of the lengths that a blend takes the place of: more is a detour
 
 /// A curve of length l between the ends of a chord c is no farther from it than √(l² − c²)/2, Fréchet's distance: what
 /// is at the share t of the length is at most √(t(1 − t)(l² − c²)) from the place at that share of the chord.
-bool is_chord(double length, const Point& a, const Point& b, double granted) {
+bool is_chord(double length, const Point& a, const Point& b, double allowed) {
   const double chord = distance(a, b);
-  return (length - chord) * (length + chord) <= 4 * granted * granted;
+  return (length - chord) * (length + chord) <= 4 * allowed * allowed;
 }
 
 /// Appends points that stand for the curve between two of its lengths, the last one included. rate: mm per length.
 void follow(const geometry::Curve& curve, double rate, double from, const Point& a, double to, const Point& b,
-            double granted, int depth, std::vector<Point>& points) {
-  if (depth == 0 || is_chord(rate * (to - from) * (1 + table_of_length), a, b, granted)) {
+            double allowed, int depth, std::vector<Point>& points) {
+  if (depth == 0 || is_chord(rate * (to - from) * (1 + table_of_length), a, b, allowed)) {
     points.push_back(b);
     return;
   }
   const double middle = (from + to) / 2;
   const Point place = to_millimetres(geometry::evaluate(curve, middle));
-  follow(curve, rate, from, a, middle, place, granted, depth - 1, points);
-  follow(curve, rate, middle, place, to, b, granted, depth - 1, points);
+  follow(curve, rate, from, a, middle, place, allowed, depth - 1, points);
+  follow(curve, rate, middle, place, to, b, allowed, depth - 1, points);
 }
 
-/// What was programmed where the curve is to be replaced, between `from` and `to` of its length, within `granted` mm.
+/// What was programmed where the curve is to be replaced, between `from` and `to` of its length, within `allowed` mm of
+/// it.
 std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vertex> polyline, double from, double to,
-                              double granted) {
+                              double allowed) {
   std::vector<Point> points;
   const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
   if (polyline.empty() || !nurbs) {
@@ -57,7 +58,7 @@ std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vert
     if (std::holds_alternative<geometry::Line>(curve))
       points.push_back(b);
     else
-      follow(curve, millimetres_per_length(curve), from, a, to, b, granted, deepest, points);
+      follow(curve, millimetres_per_length(curve), from, a, to, b, allowed, deepest, points);
     return points;
   }
   const double begin = nurbs->parameter(from), end = nurbs->parameter(to);
@@ -127,16 +128,16 @@ std::pair<ControlPoints, ControlPoints> split(ControlPoints p, double u) {
 }
 
 /// The same for the blend, which is no longer than its control polygon.
-void follow(const ControlPoints& p, double granted, int depth, std::vector<Point>& points) {
+void follow(const ControlPoints& p, double allowed, int depth, std::vector<Point>& points) {
   double length = 0;
   for (std::size_t i = 1; i < p.size(); ++i) length += distance(p[i - 1], p[i]);
-  if (depth == 0 || is_chord(length, p.front(), p.back(), granted)) {
+  if (depth == 0 || is_chord(length, p.front(), p.back(), allowed)) {
     points.push_back(p.back());
     return;
   }
   const auto [before, behind] = split(p, 0.5);
-  follow(before, granted, depth - 1, points);
-  follow(behind, granted, depth - 1, points);
+  follow(before, allowed, depth - 1, points);
+  follow(behind, allowed, depth - 1, points);
 }
 
 /// At even steps of the parameter.
@@ -156,19 +157,19 @@ bool turns_back(const std::array<Point, looks>& shape) {
   return false;
 }
 
-bool is_inside(const Corner& corner, const ControlPoints& blend, double before, double behind, double room) {
-  const double length = geometry::length(corner.before), granted = granted_share * room;
-  std::vector<Point> path = programmed(corner.before, corner.programmed_before, length - before, length, granted);
-  const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, 0, behind, granted);
+bool is_inside(const Corner& corner, const ControlPoints& blend, double before, double behind, double margin) {
+  const double length = geometry::length(corner.before), allowed = polyline_share * margin;
+  std::vector<Point> path = programmed(corner.before, corner.programmed_before, length - before, length, allowed);
+  const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, 0, behind, allowed);
   path.insert(path.end(), rest.begin(), rest.end());
   std::vector<Point> shape{blend.front()};
-  follow(blend, granted, deepest, shape);
-  return is_frechet_within(path, shape, room - 2 * granted);
+  follow(blend, allowed, deepest, shape);
+  return is_frechet_within(path, shape, margin - 2 * allowed);
 }
 
 }  // namespace
 
-std::optional<Blend> blend(const Corner& corner, double room) {
+std::optional<Blend> blend(const Corner& corner, double margin) {
   const double length_before = geometry::length(corner.before);
   const Point leaving = derivative(geometry::jets(corner.before, length_before), &numeric::Jet<>::first);
   const Point entering = derivative(geometry::jets(corner.behind, 0), &numeric::Jet<>::first);
@@ -177,12 +178,12 @@ std::optional<Blend> blend(const Corner& corner, double room) {
   const bool lines =
       std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
   if (!(apart < turned_back) || (lines && !(apart > 0))) return std::nullopt;
-  const double provable = lines ? room : (1 - 2.5 * granted_share) * room;
+  const double provable = lines ? margin : (1 - 2.5 * polyline_share) * margin;
   const double longest = 8 * provable / std::max(apart, 1e-12);  // by the turn; where only curvature steps, by trying
   double d = std::min({longest, corner.most_before * rate_before, corner.most_behind * rate_behind});
   const double least = 1e-3 * d;
   for (int k = 0; k < most_tries && d > least; ++k, d *= shrinking) {
-    // A curve that the other one lets have a little more is taken whole: what would be left of it is in the way.
+    // Where nearly all that may be taken of a curve is to be taken, all of it is: no short remainder is left.
     const auto share = [&](double rate, double most) {
       return most <= longest / rate && d / rate > nearly_whole * most ? most : d / rate;
     };
@@ -190,13 +191,13 @@ std::optional<Blend> blend(const Corner& corner, double room) {
     const geometry::NurbsForm form = form_of(corner, before, behind);
     if (!lines) {
       const ControlPoints points = control_points(form);
-      if (turns_back(shape_of(points)) || !is_inside(corner, points, before, behind, room)) continue;
+      if (turns_back(shape_of(points)) || !is_inside(corner, points, before, behind, margin)) continue;
     }
     std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
     if (pieces.size() != 1) continue;
-    const double way_before = before * rate_before, way_behind = behind * rate_behind;
-    if (pieces.front().length() > most_lengthened * (way_before + way_behind)) continue;
-    const double middle = pieces.front().length() * way_before / (way_before + way_behind);
+    const double taken_before = before * rate_before, taken_behind = behind * rate_behind;
+    if (pieces.front().length() > most_lengthened * (taken_before + taken_behind)) continue;
+    const double middle = pieces.front().length() * taken_before / (taken_before + taken_behind);
     return Blend{std::move(pieces.front()), before, behind, middle};
   }
   return std::nullopt;

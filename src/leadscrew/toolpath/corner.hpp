@@ -2,7 +2,7 @@
 // The blend of a corner: one quintic that leaves the curve before and joins the curve behind with their tangents and
 // curvatures.
 //
-//       ───A──╮             It has the position and two derivatives, at both ends, of the sum of both ways,
+//       ───A──╮             It has the position and two derivatives, at both ends, of the sum of both curves,
 //              ╲
 //               │               q(u) = A(L_A − d(1 − u)³) + B(d u³) − V,   0 ≤ u ≤ 1,
 //               B
@@ -31,8 +31,8 @@ struct Blend {
   double corner = 0;              ///< of the curve's length: the share of the one before
 };
 
-/// The longest blend found whose Fréchet distance from what was programmed is within `room`, mm. None where the path
+/// The longest blend found whose Fréchet distance from what was programmed is within `margin`, mm. None where the path
 /// turns back, or where there is none worth it.
-std::optional<Blend> blend(const Corner& corner, double room);
+std::optional<Blend> blend(const Corner& corner, double margin);
 
 }  // namespace leadscrew::toolpath

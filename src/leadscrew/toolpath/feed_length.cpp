@@ -28,7 +28,7 @@ Turn turn(const gcode::Move& move) {
 
 double arc_length(const gcode::Move& move, const Turn& turn) {
   const std::size_t normal = index(gcode::normal_axis(move.plane));
-  return geometry::Arc::way(turn.radius, turn.sweep, move.end[normal] - move.start[normal]);
+  return geometry::Arc::helix_length(turn.radius, turn.sweep, move.end[normal] - move.start[normal]);
 }
 
 /// What moves beside X Y Z goes on evenly with them.
@@ -98,10 +98,10 @@ std::vector<Piece> pieces_of(const gcode::Move& move) {
     if (std::optional<Piece> piece = straight_piece(move.start, move.end, axes)) pieces.push_back(std::move(*piece));
   } else if (move.kind == gcode::Move::Kind::arc) {
     const Turn turned = turn(move);
-    const double way = arc_length(move, turned);
-    if (!(way > 0)) return pieces;
+    const double around = arc_length(move, turned);
+    if (!(around > 0)) return pieces;
     const FeedAxes named = to_be_named(FeedAxes::xyz, geometry::moving(move.start, move.end));
-    const double length = named == FeedAxes::none ? way : with_others(way, move);
+    const double length = named == FeedAxes::none ? around : with_others(around, move);
     pieces.push_back({arc(move, turned, length), 0, {}, false, nullptr, named});
   } else if (move.kind == gcode::Move::Kind::nurbs) {
     const geometry::NurbsForm curve = geometry::form_of(move.curve);

@@ -62,7 +62,7 @@ double chord_end(const Curve& curve, double s, double to, double sagitta) {
     }
     return false;
   };
-  // A way as short as that is within the sagitta of its chord whatever it does.
+  // A part as short as that is within the sagitta of its chord, whatever its shape.
   const double shortest = sagitta / millimetres_per_length(curve);
   for (int k = 0; k < most_halvings && step > shortest && is_too_long(); ++k) step /= 2;
   step = std::max(step, shortest);
@@ -71,12 +71,12 @@ double chord_end(const Curve& curve, double s, double to, double sagitta) {
 
 /// Arc length at parameter u: false position, which soon finds it where u is nearly the length, and bisection.
 double length_at(const geometry::Nurbs& curve, double u) {
-  const double enough = 1e-10 * (curve.last_parameter() - curve.first_parameter());
+  const double tolerance = 1e-10 * (curve.last_parameter() - curve.first_parameter());
   double low = 0, high = curve.length(), u_low = curve.first_parameter(), u_high = curve.last_parameter();
   for (int k = 0; k < 60; ++k) {
     const double share = k % 3 == 2 ? 0.5 : (u - u_low) / (u_high - u_low);
     const double s = low + std::clamp(share, 0.0, 1.0) * (high - low), here = curve.parameter(s);
-    if (std::abs(here - u) <= enough) return s;
+    if (std::abs(here - u) <= tolerance) return s;
     (here < u ? low : high) = s;
     (here < u ? u_low : u_high) = here;
   }
@@ -95,7 +95,7 @@ Run::Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, b
 TubeSpline Run::spline_from(const Leg& leg, double from, bool pinned) const {
   State state = state_at(leg.curve, from, false);
   if (!pinned) state.count = 1;
-  const Vertex vertex{state.derivative[0], 0, allowance_.room_about(leg)};
+  const Vertex vertex{state.derivative[0], 0, allowance_.margin_about(leg)};
   return {state, vertex, longest_smoothing * allowance_.span_length(leg), shortest_smoothing * allowance_.tolerance};
 }
 
@@ -110,12 +110,12 @@ void Run::extend(const Leg& leg, double from, double to) {
   for (const LineMark& mark : leg.lines) {
     if (mark.s > from && mark.s < to) marks_.push_back({first + (mark.s - from) * rate, leg.feed, speed, mark.line});
   }
-  const double room = allowance_.room_about(leg);
+  const double margin = allowance_.margin_about(leg);
   spent_ = std::max(spent_, allowance_.spent_by(leg));
   const double sagitta = allowance_.sagitta(leg);
   for (double s = from; s < to;) {
     s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, sagitta);
-    spline_.append({position(leg.curve, s), first + (s - from) * rate, room, 1 / speed});
+    spline_.append({position(leg.curve, s), first + (s - from) * rate, margin, 1 / speed});
   }
   u_ = first + (to - from) * rate;
   settle();

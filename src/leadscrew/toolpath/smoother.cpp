@@ -22,7 +22,7 @@ constexpr double widest_window = 4;  // turn windows, where the leg is as long
 constexpr double reach_into = 6;     // lengths of a span
 constexpr double same_direction = 1e-9;
 constexpr double rounding = 1e-9;
-constexpr double granted_time = 0.005;  // s that what is made may cost more by feed than what it takes the place of
+constexpr double allowed_time = 0.005;  // s that what is made may cost more by feed than what it takes the place of
 constexpr int most_shortened = 40;      // times
 constexpr double uncut_share = 0.9;     // of a curve that the blend at its end may take, if there was none at its start
 
@@ -49,7 +49,7 @@ bool costs_time(const Leg& before, const Leg& behind, double tolerance) {
     return rate(geometry::jets(leg.curve, 0), leg.feed_axes) / millimetres_per_length(leg.curve);
   };
   const double seconds_per_mm = std::abs(1 / before.feed - 1 / behind.feed);
-  return tolerance * std::abs(feed_share(before) - feed_share(behind)) * seconds_per_mm > granted_time;
+  return tolerance * std::abs(feed_share(before) - feed_share(behind)) * seconds_per_mm > allowed_time;
 }
 
 /// The lines that a part of a piece was asked for by.
@@ -275,21 +275,21 @@ void Smoother::cut_corner(Stretch& behind) {
   double most = last_->cut ? last_->length / 2 : uncut_share * length_before;
   if (most > (1 - rounding) * length_before) most = length_before;
   Corner corner{last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, most, length_behind / 2};
-  const double room = allowance_.room_beside(std::max(last_->spent, behind.spent));
-  std::optional<Blend> found = blend(corner, room);
+  const double margin = allowance_.margin_beside(std::max(last_->spent, behind.spent));
+  std::optional<Blend> found = blend(corner, margin);
   std::vector<Piece> pieces;
   for (int k = 0; found; ++k) {
     pieces = pieces_of(*found, *last_, behind);
     const double costs = time_by_feed(pieces) -
                          time_by_feed(last_->piece, length_before - found->before, length_before) -
                          time_by_feed(behind.piece, 0, found->behind);
-    if (costs <= granted_time) break;
+    if (costs <= allowed_time) break;
     if (k == most_shortened) return;
     // Nearly in proportion to its size.
-    const double share = std::max(0.5, 0.9 * granted_time / costs);
+    const double share = std::max(0.5, 0.9 * allowed_time / costs);
     corner.most_before = share * found->before;
     corner.most_behind = share * found->behind;
-    found = blend(corner, room);
+    found = blend(corner, margin);
   }
   if (!found) return;
   const double left = length_before - found->before;

@@ -21,8 +21,9 @@ namespace leadscrew::toolpath {
 
 class Smoother {
  public:
-  /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, nor the other way round. Q of G64 ≥
-  /// 0, mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
+  /// P of G64 > 0, mm: no point of the path lies farther from what was programmed, and no point of that farther from
+  /// the path. Q of G64 ≥ 0, mm (the naive-CAM tolerance): where short moves are fitted, no farther than this either;
+  /// below 0.2 µm none are.
   Smoother(double tolerance, double cam_tolerance);
 
   void push(Leg leg);

@@ -21,15 +21,15 @@ class Samples {
     }
   }
 
-  /// The greatest of sign · coordinate; NaN counts as infinity.
-  double greatest(std::size_t axis, double sign, double enough) const {
+  /// The greatest of sign · coordinate; NaN counts as infinity. Exact only where it is, or may be, above the limit.
+  double greatest(std::size_t axis, double sign, double limit) const {
     std::size_t best = 0;
     for (std::size_t k = 0; k < points_.size(); ++k) {
       if (std::isnan(points_[k][axis])) return std::numeric_limits<double>::infinity();
       if (sign * points_[k][axis] > sign * points_[best][axis]) best = k;
     }
     const double sampled = sign * points_[best][axis];
-    if (points_.size() == 2 || sampled + bulge(axis) <= enough) return sampled;
+    if (points_.size() == 2 || sampled + bulge(axis) <= limit) return sampled;
     return std::max(sampled, peak(axis, sign, static_cast<double>(best) * step_));
   }
 

@@ -17,11 +17,11 @@ constexpr std::size_t fewest_spans = 4;    // of a curve
 constexpr double lengths_per_curve = 2.5;  // at least
 constexpr int most_rounds = 40;            // of a window
 constexpr double samples_per_span = 4;     // at least
-constexpr double sample_sagitta = 0.16;    // of the room, at curvature 1/ℓ or so
+constexpr double sample_sagitta = 0.16;    // of the margin, at curvature 1/ℓ or so
 constexpr double shortened_most = 0.5;     // by a round
 constexpr double shortened_least = 0.93;
 constexpr double most_lengthened = 1.002;  // by feed, of the polyline's time: more is a detour
-constexpr double granted_time = 0.005;     // s that it may cost whatever the polyline takes
+constexpr double allowed_time = 0.005;     // s that it may cost whatever the polyline takes
 constexpr double least_share = 0.01;       // of the shortest ℓ, that is tried anywhere
 constexpr double rounding = 1e-9;
 constexpr double back = -0.7;          // cosine of the angle between chords that turn back
@@ -126,7 +126,7 @@ void TubeSpline::take_samples() {
     while (span + 1 < spans && stretch_.span_end(span) <= u) ++span;
     const double width = stretch_.span_end(span) - stretch_.span_begin(span);
     const double step =
-        std::min(width / samples_per_span, std::sqrt(8 * sample_sagitta * vertices_[vertex].room * width));
+        std::min(width / samples_per_span, std::sqrt(8 * sample_sagitta * vertices_[vertex].margin * width));
     const double left = end - u;
     if (left > step) {
       u += left / std::ceil(left / step);
@@ -279,7 +279,7 @@ std::optional<bool> TubeSpline::is_detour(std::size_t judged) {
     before = there;
   }
   if (turns_back) return std::nullopt;
-  return time > std::max(most_lengthened * time_before, time_before + granted_time);
+  return time > std::max(most_lengthened * time_before, time_before + allowed_time);
 }
 
 /// Is the window inside the tube? Where it is not, ℓ is shortened.
@@ -299,7 +299,7 @@ bool TubeSpline::check() {
     const Sample &a = samples_[i - 1], &b = samples_[i];
     if (a.span >= judged) break;
     const double apart = b.u - a.u, bent = std::max(greatest_bend(a.span), greatest_bend(b.span));
-    double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].room;
+    double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].margin;
     if (a.span < settled_spans()) greatest = std::max(greatest, share);
     if (*detour && b.lengthened > 1) share = std::max(share, b.lengthened);
     if (share <= 1) continue;  // NaN counts as outside

@@ -9,9 +9,9 @@
 //                    ‾‾--..__                     the polyline: ℓ is as long as may be, and shortened about the places
 //                                                 where the curve would leave the tube.
 //
-// Distance is told at equal parameters, a bound of Fréchet's distance: both ways, and in order. Between two samples of
-// one chord, e = q − p bends as q does, so |e| ≤ max(|e_i|, |e_i+1|) + Δu²/8 · max |q″|, and |q″| is no more than its
-// largest control point. The proof is therefore complete, span interiors included.
+// Distance is taken at equal parameters, which bounds Fréchet's distance: of each curve from the other, and in order.
+// Between two samples of one chord, e = q − p bends as q does, so |e| ≤ max(|e_i|, |e_i+1|) + Δu²/8 · max |q″|, and
+// |q″| is no more than its largest control point. The proof is therefore complete, span interiors included.
 //
 // Streaming: a window of some 24 spans is solved, and the first third of it is settled; the next begins with its
 // position and four derivatives.
@@ -26,7 +26,7 @@ namespace leadscrew::toolpath {
 struct Vertex {
   geometry::Point position{};  ///< mm in every coordinate
   double u = 0;                ///< increasing from vertex to vertex
-  double room = 0;             ///< allowed distance here and on the chord that ends here, mm; > 0
+  double margin = 0;           ///< allowed distance here and on the chord that ends here, mm; > 0
   double pace = 0;             ///< that feed asks for on that chord, s/mm; ≥ 0
 };
 
@@ -61,7 +61,7 @@ class TubeSpline {
   /// What is not settled yet; the first one at settled() or before.
   const std::vector<Vertex>& vertices() const { return vertices_; }
   std::size_t worst() const { return worst_; }
-  /// Largest proven distance of all that has been settled, over the room there; ≤ 1.
+  /// Largest proven distance of all that has been settled, over the margin there; ≤ 1.
   double greatest_share() const { return greatest_share_; }
 
   /// How much of the polyline must be known, in u, for another stretch to be settled.

@@ -38,7 +38,7 @@ struct Ends {
 };
 
 Ends ends_of(const nc::PulseCurve& curve) {
-  if (!curve.is_arc()) return {{}, curve.way()};
+  if (!curve.is_arc()) return {{}, curve.delta()};
   return {curve.arc().start, curve.arc().end};
 }
 
