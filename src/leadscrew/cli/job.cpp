@@ -37,7 +37,7 @@ machine::ToolTable read_tools(const std::string& path, std::string& read, Diagno
     return {};
   }
   read += *text;
-  gcode::ToolTableText tools = gcode::read_tool_table(*text, path);
+  const gcode::ToolTableText tools = gcode::read_tool_table(*text, path);
   for (const base::Diagnostic& problem : tools.diagnostics) log.add(problem);
   return tools.table;
 }

@@ -65,7 +65,7 @@ PartMap::Dot PartMap::dot_at(double x, double y) const {
 void PartMap::set(std::vector<std::uint8_t>& dots, Dot dot) const {
   if (dot.column < 0 || dot.row < 0 || dot.column >= 2 * columns_ || dot.row >= 4 * rows_) return;
   constexpr std::array<std::array<std::uint8_t, 2>, 4> bits = {{{1, 8}, {2, 16}, {4, 32}, {64, 128}}};
-  const auto cell = static_cast<std::size_t>(dot.row / 4 * columns_ + dot.column / 2);
+  const std::size_t cell = cell_at(dot.row / 4, dot.column / 2);
   dots[cell] |= bits[static_cast<std::size_t>(dot.row % 4)][static_cast<std::size_t>(dot.column % 2)];
 }
 
@@ -85,7 +85,7 @@ std::string PartMap::text(const Style& style) const {
   std::string text;
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
-      const auto cell = static_cast<std::size_t>(row * columns_ + column);
+      const std::size_t cell = cell_at(row, column);
       const unsigned dots = ideal_[cell] | visited_[cell];
       // U+2800 … U+28FF in UTF-8.
       const std::string character = {'\xE2', static_cast<char>(0xA0 + (dots >> 6)),

@@ -30,6 +30,9 @@ class PartMap {
     int column = 0, row = 0;
   };
   Dot dot_at(double x, double y) const;
+  std::size_t cell_at(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
   void set(std::vector<std::uint8_t>& dots, Dot dot) const;
   void draw(double x0, double y0, double x1, double y1);
 

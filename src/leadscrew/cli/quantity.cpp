@@ -114,7 +114,7 @@ Parsed<std::int64_t> parse_frequency(std::string_view text) {
 }
 
 Parsed<double> parse_tolerance(std::string_view text) {
-  const auto value = parse_number(text);
+  auto value = parse_number(text);
   if (!value) return wrong_quantity("needs a number of millimetres, such as 0.01");
   if (*value < 0) return wrong_quantity("is below 0");
   return value;

@@ -34,7 +34,7 @@ base::Result<void> check_owner(const struct stat& status, const std::string& pat
   return base::failure(std::move(problem));
 }
 
-enum class Attempt { held, busy, gone };
+enum class Attempt : std::uint8_t { held, busy, gone };
 
 base::Result<Attempt> try_to_hold(const std::string& path, files::Descriptor& descriptor) {
   descriptor = files::Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK, 0600));

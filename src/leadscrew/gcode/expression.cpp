@@ -261,7 +261,9 @@ bool ExpressionReader::function(const char*& p, double& value, int depth) {
   if (found->function == Function::exists) return exists(p, value, depth);
   if (!bracketed(p, value, depth)) return false;
   if (found->function == Function::atan) {
-    if (*p != '/' || (skip_blanks(++p), *p != '[')) {
+    const bool has_slash = *p == '/';
+    if (has_slash) skip_blanks(++p);
+    if (!has_slash || *p != '[') {
       return reporter_.error("bad-operator", reporter_.column(begin), "ATAN[y] is not followed by /[x]",
                              "write ATAN[y]/[x]");
     }

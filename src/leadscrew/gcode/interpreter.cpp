@@ -230,7 +230,7 @@ void Interpreter::set_spindle_and_tool(const Block& block) {
         reporter_.warning("unknown-tool", block.column_of('T'),
                           "tool " + std::to_string(*tool) + " is not in the tool table", "its offsets are not known");
       }
-      selected_tool_ = *tool;
+      selected_tool_ = tool;
       emit_event(Kind::tool_prepare, *tool);
     }
   }

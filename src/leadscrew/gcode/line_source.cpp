@@ -6,7 +6,7 @@
 namespace leadscrew::gcode {
 
 namespace {
-constexpr std::size_t chunk = 64 * 1024;
+constexpr std::size_t chunk = 65536;
 }
 
 // Space for the longest line, one chunk behind it, and a line feed behind the last byte of the text.

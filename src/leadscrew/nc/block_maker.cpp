@@ -138,9 +138,10 @@ Planned BlockMaker::line_to(const LatticeVector& end, const Part& part) {
 
 /// A line too short for a step takes its time all the same, where that is what is programmed.
 Planned BlockMaker::line_or_wait(const LatticeVector& end, const Part& part) {
-  Planned made = line_to(end, part);
   const bool is_timed = move_.feed.mode == gcode::Feed::Mode::per_second;
-  return made || !is_timed ? made : wait(part.share / move_.feed.value);
+  Planned made = line_to(end, part);
+  if (!made && is_timed) made = wait(part.share / move_.feed.value);
+  return made;
 }
 
 Planned BlockMaker::next_turn() {

@@ -39,7 +39,7 @@ std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& mach
 }
 
 PulseProgram::PulseProgram(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-                           gcode::ReaderOptions reading, const PulseOptions& options, gcode::DiagnosticSink sink)
+                           const gcode::ReaderOptions& reading, const PulseOptions& options, gcode::DiagnosticSink sink)
     : options_(options),
       reader_(std::move(source), machine, tools, reading, std::move(sink)),
       maker_(machine, options, reading.start),

@@ -31,7 +31,7 @@ class PulseProgram {
  public:
   /// The machine and the tool table must outlive it.
   PulseProgram(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-               gcode::ReaderOptions reading, const PulseOptions& options, gcode::DiagnosticSink sink);
+               const gcode::ReaderOptions& reading, const PulseOptions& options, gcode::DiagnosticSink sink);
 
   /// The next steps in order, all those of the last tick too: of one clock at least, of one block, and as many as find
   /// buffer, which is for base::axis_count or more. None at the program's end, and at its first problem.

@@ -13,7 +13,7 @@ std::int64_t value_of(const Registers& registers, std::string_view name) {
 
 /// What a step along the tangent adds to F.
 std::int64_t added(std::int64_t coordinate, std::int8_t step) {
-  return 2 * step * coordinate + 1;
+  return 2 * coordinate * step + 1;
 }
 
 }  // namespace

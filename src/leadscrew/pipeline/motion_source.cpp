@@ -7,7 +7,7 @@
 namespace leadscrew::pipeline {
 
 MotionSource::MotionSource(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-                           gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
+                           const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics)
     : machine_(machine),
       start_(options.start),
       reader_(watched(std::move(source)), machine, tools, options, watched(std::move(diagnostics))),

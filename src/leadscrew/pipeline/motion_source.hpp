@@ -22,7 +22,7 @@ class MotionSource {
  public:
   /// diagnostics: gets every diagnostic of this reading; may be empty.
   MotionSource(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-               gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics);
+               const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics);
   MotionSource(const MotionSource&) = delete;  // the reader tells this one what it finds
   MotionSource& operator=(const MotionSource&) = delete;
 

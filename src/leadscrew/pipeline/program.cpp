@@ -9,7 +9,7 @@ namespace leadscrew::pipeline {
 using base::MotionState;
 
 Program::Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-                 gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics)
+                 const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics)
     : machine_(machine),
       constraints_(machine),
       source_(std::move(source), machine, tools, options, std::move(diagnostics)),

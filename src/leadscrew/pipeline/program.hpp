@@ -44,7 +44,7 @@ using EventSink = std::function<void(const base::Event&)>;
 class Program {
  public:
   Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-          gcode::ReaderOptions options, gcode::DiagnosticSink diagnostics);
+          const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics);
 
   Program(const Program&) = delete;  // the interpolator looks into the chunk that is kept here
   Program& operator=(const Program&) = delete;

@@ -19,7 +19,7 @@ double smooth_share(double u) {
 }
 
 /// With the continuation's knots those that lie between them.
-Continuation refined(Continuation before, const std::vector<double>& knots) {
+const Continuation& refined(Continuation& before, const std::vector<double>& knots) {
   for (std::size_t k = 0; k < knots.size() && knots[k] < before.s.back(); ++k) {
     if (knots[k] != before.s[k]) before.insert(knots[k]);
   }
@@ -37,7 +37,7 @@ SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraint
 SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraints& constraints, Knots knots,
                            Continuation before, double feed_factor)
     : problem_(section, constraints, std::move(knots), feed_factor),
-      bounds_(problem_, before = refined(std::move(before), problem_.knots().s)) {
+      bounds_(problem_, refined(before, problem_.knots().s)) {
   std::vector<double> c(problem_.creep().begin(), problem_.creep().end());
   for (double& value : c) value *= before.share;
   for (std::size_t i = 0; i < before.c.size() && i < c.size(); ++i)

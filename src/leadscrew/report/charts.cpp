@@ -114,8 +114,9 @@ base::Result<void> write_charts(const std::string& title, const std::string& uni
       "</title>\n", style, "<text class=\"title\" x=\"", fixed(margin, 0), "\" y=\"30\">", escaped(title), ", ",
       escaped(unit), "</text>\n");
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    const double x = margin + left + static_cast<double>(i % columns) * (box_width + gap);
-    const double y = title_height + caption_height + static_cast<double>(i / columns) * down;
+    const std::size_t row = i / columns, column = i % columns;
+    const double x = margin + left + static_cast<double>(column) * (box_width + gap);
+    const double y = title_height + caption_height + static_cast<double>(row) * down;
     Panel(charts[i], scale, x, y).put_all(out);
     if (auto written = sink(out); !written) return written;
     out.clear();

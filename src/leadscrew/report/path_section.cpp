@@ -80,7 +80,7 @@ void put_ruler(std::string& out, const View& view, const Placement& placement) {
   const int decimals = tick_decimals(step);
   const double bottom = above + plot_height;
   const auto label = [&](double value) {
-    std::string text = fixed(value, decimals);
+    const std::string text = fixed(value, decimals);
     return value < -step / 2 ? "−" + text.substr(1) : text;
   };
   std::string lines, labels;

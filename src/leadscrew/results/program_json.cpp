@@ -161,8 +161,8 @@ Json json_of_verify(const std::string& program, const machine::Machine& machine,
 }
 
 std::string json_text(std::string_view schema, std::vector<Json> objects) {
-  Json object = objects.size() == 1 ? std::move(objects.front())
-                                    : Json::object({{"schema", schema}, {"programs", std::move(objects)}});
+  const Json object = objects.size() == 1 ? std::move(objects.front())
+                                          : Json::object({{"schema", schema}, {"programs", std::move(objects)}});
   return object.written() + "\n";
 }
 

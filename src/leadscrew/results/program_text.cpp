@@ -71,8 +71,8 @@ std::string violations_text(const referee::Verdict& verdict, const Style& style)
 }
 
 std::string steps_text(const StepFigures& steps) {
-  std::string text = fmt::format("{} at a clock of {:g} kHz, the last at {}", steps.steps,
-                                 static_cast<double>(steps.clock_hz) / 1e3, seconds_text(steps.time_s));
+  const std::string text = fmt::format("{} at a clock of {:g} kHz, the last at {}", steps.steps,
+                                       static_cast<double>(steps.clock_hz) / 1e3, seconds_text(steps.time_s));
   if (!steps.error_blu) {
     return text + fmt::format("; by {}{}, {}: time and limits above are those of the words", steps.method,
                               steps.conventions.empty() ? "" : " (" + steps.conventions + ")",

@@ -94,7 +94,8 @@ ProgrammedContour pocket() {
   double x = 0, y = 0;
   for (int k = 0; k < lines; ++k) {
     const bool is_first = k == 0, is_last = k == lines - 1;
-    const double length = (k / 2 + 1) * step - (is_first || is_last ? 1 : 2);
+    const int steps = k / 2 + 1;
+    const double length = steps * step - (is_first || is_last ? 1 : 2);
     const auto [dx, dy] = headings[static_cast<std::size_t>(k % 4)];
     x += length * dx;
     y += length * dy;

@@ -47,7 +47,7 @@ Rows map_rows(const PublishedMap& published) {
   Row map = exact_row("pieces of the map" + asked, {"", 0}, static_cast<double>(published.pieces),
                       static_cast<double>(count));
   map.why = "published: quintic Hermite pieces of a prototype; here every span is halved at least once";
-  Row measured =
+  const Row measured =
       limit_row("measured" + asked, {"ppm", 3}, 1e6 * published.fluctuation, 1e6 * speed_fluctuation(pieces));
   return {map, measured};
 }

@@ -36,7 +36,7 @@ Rows inverse_time_rows() {
   const double by_inches = design::inverse_time_word(range, distance_in, feed_in_min, false).word;
   const double by_pulses = 600 * feed_pps / distance_blu;
   const auto steps = static_cast<std::int64_t>(distance_blu);
-  const pulse::FeedDda feed(design.feed_capacity, static_cast<std::int64_t>(by_pulses + 0.5));
+  const pulse::FeedDda feed(design.feed_capacity, std::llround(by_pulses));
   const pulse::LinearDda<2> line({steps, 0}, design.capacity, pulse::Preload::none);
   return under(
       "inverse-time code, eqs. 14 to 18",

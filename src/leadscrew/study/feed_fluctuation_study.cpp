@@ -40,7 +40,7 @@ constexpr std::array<Published, 4> published_cubic = {{
 }};
 
 /// Whether a feed is told by the chord between words or by the curve between them: where bends are sharp, two figures.
-enum class Measure { chord, curve };
+enum class Measure : std::uint8_t { chord, curve };
 
 /// Greatest size of the feed error, %. Which measure was meant is not told with either curve; these are the ones that
 /// give the published figures, and the rows say what the other gives.

@@ -62,7 +62,7 @@ Rows time_rows(const Optimum& optimum, double seconds, double bound_seconds) {
   Row time = at_most_row("time", {"s", optimum.optimum_decimals}, optimum.optimum, seconds,
                          optimum_accuracy * optimum.optimum);
   time.why = "published: numerical optimum T3*, good to 0.2 %";
-  Row ratio = at_most_row("time over optimum", {"", 4}, 1, seconds / optimum.optimum, optimum_accuracy);
+  const Row ratio = at_most_row("time over optimum", {"", 4}, 1, seconds / optimum.optimum, optimum_accuracy);
   Row bound = exact_row("least time without a limit of jerk", {"s", optimum.bound_decimals}, optimum.bound,
                         bound_seconds, bound_accuracy * optimum.bound);
   bound.why = "published: T2" + std::string(optimum.bound_note);

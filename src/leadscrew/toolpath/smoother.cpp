@@ -182,8 +182,8 @@ Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
   if (costs_time(before, behind, allowance_.tolerance)) return Joint::corner;
   const double window = turn_window * allowance_.tolerance, turn = turns_[joint];
   if (turn < corner_turn) return Joint::smooth;
-  for (std::size_t i = joint; i-- > 0 && ends_[joint + 1] - ends_[i + 1] <= window;) {
-    if (turns_[i] > turn) return Joint::smooth;
+  for (std::size_t i = joint; i > 0 && ends_[joint + 1] - ends_[i] <= window; --i) {
+    if (turns_[i - 1] > turn) return Joint::smooth;
   }
   for (std::size_t i = joint + 1; i < turns_.size() && ends_[i + 1] - ends_[joint + 1] <= window; ++i) {
     if (turns_[i] >= turn) return Joint::smooth;

@@ -40,7 +40,7 @@ WordWriter::AnyWriter WordWriter::made(std::string_view ending, const base::Byte
   return std::move(*writer);
 }
 
-WordWriter::WordWriter(std::string_view ending, base::ByteSink sink, base::AxisSet axes, base::Period period,
+WordWriter::WordWriter(std::string_view ending, const base::ByteSink& sink, base::AxisSet axes, base::Period period,
                        TraceKind kind)
     : writer_(made(ending, sink, axes, period, kind)) {}
 

@@ -19,7 +19,7 @@ bool has_header_last(std::string_view ending);
 class WordWriter {
  public:
   /// `ending`: of the file's name, in small letters, with its point.
-  WordWriter(std::string_view ending, base::ByteSink sink, base::AxisSet axes, base::Period period,
+  WordWriter(std::string_view ending, const base::ByteSink& sink, base::AxisSet axes, base::Period period,
              TraceKind kind = TraceKind::words);
 
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {}) {

@@ -246,8 +246,9 @@ base::Result<void> write_pulse_picture(const PulseCurve& curve, const std::vecto
       escaped(title_of(curve)), "</title>\n", style, "<text class=\"title\" x=\"", fixed(margin, 0), "\" y=\"30\">",
       escaped(title_of(curve)), "</text>\n");
   for (std::size_t i = 0; i < pulses.size(); ++i) {
-    const Panel place{window_of(pulses[i], curve), margin + static_cast<double>(i % columns) * across,
-                      title_height + static_cast<double>(i / columns) * down};
+    const std::size_t row = i / columns, column = i % columns;
+    const Panel place{window_of(pulses[i], curve), margin + static_cast<double>(column) * across,
+                      title_height + static_cast<double>(row) * down};
     put_panel(out, place, i, curve, pulses[i]);
     if (auto written = sink(out); !written) return written;
     out.clear();
