@@ -20,7 +20,8 @@ function(leadscrew_compile_options TARGET)
     target_compile_options(${TARGET} PRIVATE -Wno-deprecated-declarations)
   endif()
   if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
-    target_compile_options(${TARGET} PRIVATE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
+    # No function is replaced by one of another library: functions of one source may be inlined in one another.
+    target_compile_options(${TARGET} PRIVATE -fstack-protector-strong -D_FORTIFY_SOURCE=2 -fno-semantic-interposition)
     target_link_options(${TARGET} PRIVATE -Wl,-z,relro,-z,now)
   endif()
 endfunction()
@@ -74,13 +75,14 @@ function(leadscrew_use TARGET)
   endforeach()
 endfunction()
 
-# leadscrew_room(NAME [EDGE] [TEXT] [HOT] [TOGETHER [APART source…]] [DEPENDS room…] [HEADERS header-only-library…]): a room of the house. EDGE rooms lie outside
+# leadscrew_room(NAME [EDGE] [TEXT] [HOT] [LINKED] [TOGETHER [APART source…]] [DEPENDS room…] [HEADERS header-only-library…]): a room of the house. EDGE rooms lie outside
 # the core: they may throw, start threads and use the host's libraries. TEXT rooms, of these, write text with fmt. HOT rooms spend the
 # time of planning and of words: they are compiled with -O3 (a third fewer instructions in Newton's method than with -O2).
+# LINKED rooms are optimised again where the command and the benchmarks are linked, for what one call less is worth in them.
 # TOGETHER rooms have their sources compiled six at once but in debug builds, for what their headers cost, except for those
 # APART, whose local names others have too.
 function(leadscrew_room NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 room "EDGE;TEXT;HOT;TOGETHER" "" "APART;DEPENDS;HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 room "EDGE;TEXT;HOT;LINKED;TOGETHER" "" "APART;DEPENDS;HEADERS")
   set(target leadscrew_${NAME})
   set(view ${LEADSCREW_ROOM_VIEWS}/${NAME}/leadscrew)
   file(MAKE_DIRECTORY ${view})
@@ -117,11 +119,17 @@ function(leadscrew_room NAME)
     target_link_libraries(${target} PUBLIC leadscrew_header_${header})
   endforeach()
   if(room_TOGETHER AND (CMAKE_CROSSCOMPILING OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug"))
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set(batch 6)
+    if(room_HOT)
+      set(batch 0)  # all
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
     set_source_files_properties(${room_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    # Seen together, a class of one source looks as if it stood in a header, and a local name as if it hid another source's.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # A class of a source that is included with others looks as if it stood in a header.
-      target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+      target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-shadow -Wshadow=local)
+    else()
+      target_compile_options(${target} PRIVATE -Wno-shadow)
     endif()
   endif()
   if(room_HOT)
@@ -137,7 +145,7 @@ function(leadscrew_room NAME)
   else()
     leadscrew_precompile(${target} edge)
   endif()
-  if(LEADSCREW_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  if((LEADSCREW_LTO OR room_LINKED) AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Fat objects hold machine code as well: the installed archives work with any compiler.
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-flto=auto;-ffat-lto-objects>)
   endif()
@@ -145,8 +153,8 @@ endfunction()
 
 # Link-time optimisation where speed is the point: the command and the benchmarks.
 function(leadscrew_link_time_optimisation TARGET)
-  if(LEADSCREW_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-flto=auto>)
-    target_link_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-flto=auto>)
+    target_link_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-flto=auto;-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
   endif()
 endfunction()

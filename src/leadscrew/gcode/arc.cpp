@@ -59,6 +59,7 @@ ArcCircle circle_by_center(PlanePoint start, PlanePoint end, PlanePoint center, 
     circle.problem = ArcCircle::Problem::radii_differ;
     return circle;
   }
+  circle.radius = at_start;
   if (circle.difference <= rounding(start, end, center)) return circle;
 
   const double chord = distance(start, end);
@@ -69,6 +70,7 @@ ArcCircle circle_by_center(PlanePoint start, PlanePoint end, PlanePoint center, 
   const bool short_arc = turns == 1 && sweep(start, end, center, direction) <= pi;
   if (short_arc || std::fabs(shift) <= std::max(harmless_shift, harmless_shift_ratio * circle.difference)) {
     circle.center = {center.first - shift * along.first, center.second - shift * along.second};
+    circle.radius = distance(start, circle.center);
     return circle;
   }
   const double scale = at_start / at_end;
@@ -105,6 +107,7 @@ ArcCircle circle_by_radius(PlanePoint start, PlanePoint end, double radius, int 
   const PlanePoint mid = middle(start, end);
   circle.center = {mid.first - left * ((end.second - start.second) / chord),
                    mid.second + left * ((end.first - start.first) / chord)};
+  circle.radius = distance(start, circle.center);
   return circle;
 }
 

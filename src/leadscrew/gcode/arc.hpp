@@ -49,7 +49,8 @@ struct ArcCircle {
   Problem problem = Problem::none;
   double difference = 0;  ///< mm; of the radii, or by which the radius is too small
   PlanePoint center;
-  PlanePoint end;  ///< of the arc: the programmed one, unless a line must lead on to it
+  PlanePoint end;     ///< of the arc: the programmed one, unless a line must lead on to it
+  double radius = 0;  ///< mm; from the arc's start to the centre; 0 where there is a problem
 };
 
 /// The circle with its centre at or near `center`. `direction`: +1 counterclockwise (G3), −1 clockwise (G2); `turns`

@@ -18,7 +18,7 @@ double arc_length(PlanePoint start, const Interpreter::ArcPlan& plan, const Move
   const double angle = sweep(start, plan.circle.end, center, direction) +
                        (std::abs(plan.turns) - 1) * sweep(start, start, center, direction);
   const std::size_t normal = base::index(normal_axis(arc.plane));
-  return std::hypot(plan.radius * angle, arc.end[normal] - arc.start[normal]);
+  return std::hypot(plan.circle.radius * angle, arc.end[normal] - arc.start[normal]);
 }
 
 // I, J and K go with X, Y and Z.
@@ -101,7 +101,6 @@ bool Interpreter::plan_arc(const Block& block, PlanePoint start, PlanePoint end,
     if (!arc_center(block, start, center)) return false;
     plan.circle = circle_by_center(start, end, center, direction, *turns, tolerance);
   }
-  plan.radius = std::hypot(start.first - plan.circle.center.first, start.second - plan.circle.center.second);
   return report_circle(block, plan.circle);
 }
 
@@ -110,8 +109,8 @@ void Interpreter::arc_inside(const Block& block, PlanePoint start, const ArcPlan
   const base::Axis first = first_axis(plane_);
   const base::Axis second = second_axis(plane_);
   const auto reaches = [&](base::Axis axis, double center) {
-    return center - plan.radius < travel_low_[base::index(axis)] ||
-           center + plan.radius > travel_high_[base::index(axis)];
+    return center - plan.circle.radius < travel_low_[base::index(axis)] ||
+           center + plan.circle.radius > travel_high_[base::index(axis)];
   };
   const ArcCircle& circle = plan.circle;
   if (!reaches(first, circle.center.first) && !reaches(second, circle.center.second)) return;

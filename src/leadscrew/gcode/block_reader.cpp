@@ -31,6 +31,15 @@ constexpr char letter_at(unsigned index) {
   return static_cast<char>('A' + index);
 }
 
+// The code of a G word: ten times its number, to within a thousandth, from 0 to 999.
+std::optional<GCode> g_code_of(double value) {
+  const double tenths = value * 10;
+  if (!(tenths >= -0.5 && tenths < 999.5)) return std::nullopt;
+  const auto nearest = static_cast<GCode>(tenths + 0.5);
+  if (std::fabs(tenths - nearest) > 1e-3) return std::nullopt;
+  return nearest;
+}
+
 }  // namespace
 
 bool BlockReader::read(const TextLine& line, Block& block) {
@@ -72,83 +81,90 @@ bool BlockReader::read(const TextLine& line, Block& block) {
 
 bool BlockReader::word(const char*& p, unsigned letter, Block& block) {
   const char* const begin = p++;
-  if (letter == index_of('O')) {
-    block.clear();
-    assignments_.clear();
-    return reporter_.error("unsupported-o-word", reporter_.column(begin),
-                           "O words are not read: subroutines, loops, conditions", "write the program out in full");
-  }
+  if (letter == index_of('O')) return refuse_o_word(begin, block);
   double value = 0;
   if (!values_.value(p, value)) return false;
   const auto column = static_cast<std::uint32_t>(reporter_.column(begin));
   if (letter == index_of('G')) return g_word(value, column, block);
   if (letter == index_of('M')) return m_word(value, column, block);
-  if (!(std::fabs(value) <= largest_value)) {
-    return reporter_.error("bad-value", column,
-                           std::string(1, letter_at(letter)) + text(value) + " is out of all bounds",
-                           "at most 1e9 in magnitude");
-  }
+  if (!(std::fabs(value) <= largest_value)) return refuse_value(letter, value, column);
   const std::uint32_t bit = std::uint32_t{1} << letter;
-  if (block.words & bit) [[unlikely]] {
-    reporter_.error("repeated-word", column, std::string(1, letter_at(letter)) + " stands in this block already",
-                    "each letter but G and M once");
-    return true;
-  }
+  if (block.words & bit) return refuse_repeated(letter, column);
   block.words |= bit;
   block.value[letter] = value;
   block.column[letter] = column;
   return true;
 }
 
+bool BlockReader::refuse_o_word(const char* begin, Block& block) {
+  block.clear();
+  assignments_.clear();
+  return reporter_.error("unsupported-o-word", reporter_.column(begin),
+                         "O words are not read: subroutines, loops, conditions", "write the program out in full");
+}
+
+bool BlockReader::refuse_value(unsigned letter, double value, std::uint32_t column) {
+  return reporter_.error("bad-value", column, std::string(1, letter_at(letter)) + text(value) + " is out of all bounds",
+                         "at most 1e9 in magnitude");
+}
+
+bool BlockReader::refuse_repeated(unsigned letter, std::uint32_t column) {
+  reporter_.error("repeated-word", column, std::string(1, letter_at(letter)) + " stands in this block already",
+                  "each letter but G and M once");
+  return true;
+}
+
 // Problems with a code do not lose the place in the line: reading goes on behind them.
 bool BlockReader::g_word(double value, std::uint32_t column, Block& block) {
-  const double tenths = value * 10;
-  const double nearest = std::floor(tenths + 0.5);
-  const bool is_code = nearest >= 0 && nearest < 1000 && std::fabs(tenths - nearest) <= 1e-3;
-  const int code = is_code ? static_cast<int>(nearest) : -1;
-  const Group group = is_code ? group_of_g(code) : Group::unknown;
+  const std::optional<GCode> code = g_code_of(value);
+  const Group group = code ? group_of_g(*code) : Group::unknown;
+  if (group >= Group::unsupported || block.has(group)) return refuse_g(value, column, block);
+  block.g_groups |= bit(group);
+  block.g[index(group)] = *code;
+  block.g_column[index(group)] = column;
+  return true;
+}
+
+bool BlockReader::refuse_g(double value, std::uint32_t column, const Block& block) {
+  const std::optional<GCode> code = g_code_of(value);
+  const Group group = code ? group_of_g(*code) : Group::unknown;
   if (group == Group::unknown) {
     reporter_.error("unknown-code", column, "G" + text(value) + " is not known", "see the list of G codes");
-    return true;
-  }
-  if (group == Group::unsupported) {
-    reporter_.error("unsupported-code", column, g_name(code) + " is not supported", "see the list of G codes");
-    return true;
-  }
-  if (block.has(group)) {
+  } else if (group == Group::unsupported) {
+    reporter_.error("unsupported-code", column, g_name(*code) + " is not supported", "see the list of G codes");
+  } else {
     reporter_.error("modal-conflict", column,
-                    g_name(code) + " and " + g_name(block.code(group)) + " stand in one block",
+                    g_name(*code) + " and " + g_name(block.code(group)) + " stand in one block",
                     "both are of modal group " + std::to_string(index(group)) + ": one block, one of them");
-    return true;
   }
-  block.g_groups |= bit(group);
-  block.g[index(group)] = static_cast<GCode>(code);
-  block.g_column[index(group)] = column;
   return true;
 }
 
 bool BlockReader::m_word(double value, std::uint32_t column, Block& block) {
   const int code = as_integer(value).value_or(-1);
   const int group = group_of_m(code);
-  if (group == 0) {
-    if (is_unsupported_m(code)) {
-      reporter_.error("unsupported-code", column, "M" + std::to_string(code) + " is not supported",
-                      "M0 to M9 and M30 are");
-    } else {
-      reporter_.error("unknown-code", column, "M" + text(value) + " is not known", "M0 to M9 and M30 are");
-    }
-    return true;
-  }
+  if (group == 0 || block.has_m(group)) return refuse_m(value, column, block);
   const auto g = static_cast<std::size_t>(group);
-  if (block.has_m(group)) {
-    reporter_.error("modal-conflict", column,
-                    "M" + std::to_string(code) + " and M" + std::to_string(block.m[g]) + " stand in one block",
-                    "both are of M group " + std::to_string(group) + ": one block, one of them");
-    return true;
-  }
   block.m_groups |= std::uint32_t{1} << group;
   block.m[g] = static_cast<std::uint8_t>(code);
   block.m_column[g] = column;
+  return true;
+}
+
+bool BlockReader::refuse_m(double value, std::uint32_t column, const Block& block) {
+  const int code = as_integer(value).value_or(-1);
+  const int group = group_of_m(code);
+  if (group != 0) {
+    reporter_.error("modal-conflict", column,
+                    "M" + std::to_string(code) + " and M" + std::to_string(block.m[static_cast<std::size_t>(group)]) +
+                        " stand in one block",
+                    "both are of M group " + std::to_string(group) + ": one block, one of them");
+  } else if (is_unsupported_m(code)) {
+    reporter_.error("unsupported-code", column, "M" + std::to_string(code) + " is not supported",
+                    "M0 to M9 and M30 are");
+  } else {
+    reporter_.error("unknown-code", column, "M" + text(value) + " is not known", "M0 to M9 and M30 are");
+  }
   return true;
 }
 

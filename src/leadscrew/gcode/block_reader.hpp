@@ -30,6 +30,12 @@ class BlockReader {
   bool word(const char*& p, unsigned letter, Block& block);
   bool g_word(double value, std::uint32_t column, Block& block);
   bool m_word(double value, std::uint32_t column, Block& block);
+  // What is wrong with a word, told apart from reading it: most blocks have nothing of the kind.
+  [[gnu::cold]] bool refuse_o_word(const char* begin, Block& block);
+  [[gnu::cold]] bool refuse_value(unsigned letter, double value, std::uint32_t column);
+  [[gnu::cold]] bool refuse_repeated(unsigned letter, std::uint32_t column);
+  [[gnu::cold]] bool refuse_g(double value, std::uint32_t column, const Block& block);
+  [[gnu::cold]] bool refuse_m(double value, std::uint32_t column, const Block& block);
   bool assignment(const char*& p);
   bool comment(const char*& p);
   void assign();

@@ -26,7 +26,7 @@ class ExpressionReader {
       : parameters_(parameters), frame_(frame), reporter_(reporter) {}
 
   /// Any real value. Plain numbers, nearly all there is, are read in place.
-  bool value(const char*& p, double& value) {
+  [[gnu::always_inline]] bool value(const char*& p, double& value) {
     const char* q = p;
     while (is_blank(*q)) ++q;
     const bool negative = *q == '-';
@@ -50,7 +50,7 @@ class ExpressionReader {
  private:
   static constexpr double largest_ = 1.7976931348623157e308;
 
-  bool any_value(const char*& p, double& value, int depth);
+  [[gnu::noinline]] bool any_value(const char*& p, double& value, int depth);
   bool joined_number(const char*& p, double& value);
   bool bracketed(const char*& p, double& value, int depth);
   bool binary(const char*& p, double& value, int loosest, int depth);

@@ -9,7 +9,6 @@ namespace leadscrew::gcode {
 namespace {
 // A programmed inch is rounded when it becomes millimetres: that is no excursion.
 constexpr double travel_rounding = 1e-9;  // mm or degrees
-constexpr double seconds_per_minute = 60;
 }  // namespace
 
 Interpreter::Interpreter(const machine::Machine& machine, const machine::ToolTable& tools, const ReaderOptions& options,
@@ -67,6 +66,25 @@ void Interpreter::execute(const Block& block, base::Line line) {
   if (!ended_) stop_.reset();
 }
 
+// A move of no length from where the program stands, which takes no time. Field by field, in the memory of the move before: this is
+// done once a block.
+void Interpreter::prepare(Move& move, Move::Kind kind, base::Line line) const {
+  move.kind = kind;
+  move.path_mode = effective_mode_;
+  move.plane = plane_;
+  move.line = line;
+  move.start = frame_.position;
+  move.end = frame_.position;
+  move.feed = {};
+  move.tolerance = effective_tolerance_;
+  move.naive_cam_tolerance = effective_naive_cam_tolerance_;
+  move.center_first = move.center_second = 0;
+  move.turns = 0;
+  move.curve.clear();
+  move.dwell_seconds = 0;
+  move.event = {};
+}
+
 Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line line, Move& move) {
   constexpr std::uint32_t plain_words = axis_letter_bits | letter_bit('F') | letter_bit('N');
   const std::uint32_t axes = block.words & axis_letter_bits;
@@ -76,10 +94,9 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
       (block.has('F') && !(block['F'] > 0)) || (motion == 10 && !feed_known_ && !block.has('F')) || draft_.code >= 0) {
     return Plain::no;
   }
-  // One pass over the axis words: no state changes before all of them are known to be inside.
+  // No state changes before all axis words are known to be inside.
   const base::AxisVector& offset = frame_.sum();
-  move.start = frame_.position;
-  move.end = frame_.position;
+  base::AxisVector target;  // of the axes that stand in the block
   bool moves = false;
   bool linear = false;
   for (std::uint32_t rest = axes; rest != 0; rest &= rest - 1) {
@@ -87,56 +104,52 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
     const base::Axis axis = axis_of_letter(letter);
     const std::size_t i = base::index(axis);
     const double along = block.value[letter] * frame_.unit(axis);
-    const double target = along + (distance_ == Distance::absolute ? offset[i] : move.start[i]);
-    if (!(travel_low_[i] <= target && target <= travel_high_[i])) return Plain::no;
-    const bool axis_moves = target != move.start[i];
-    moves |= axis_moves;
-    linear |= axis_moves && !base::is_rotary(axis);
-    move.end[i] = target;
+    const double before = frame_.position[i];
+    target[i] = along + (distance_ == Distance::absolute ? offset[i] : before);
+    if (!(travel_low_[i] <= target[i] && target[i] <= travel_high_[i])) return Plain::no;
+    moves |= target[i] != before;
+    linear |= target[i] != before && !base::is_rotary(axis);
   }
   if (!outside_.empty()) return Plain::no;
   if (block.has('F')) set_feed(block);
   motion_ = motion;
   series_.reset();
   if (!moves) return Plain::no_move;
-  move.kind = Move::Kind::line;
-  move.path_mode = effective_mode_;
-  move.plane = plane_;
-  move.line = line;
-  move.feed = motion == 0 ? Feed{} : Feed{Feed::Mode::units_per_second, linear ? linear_feed_ : angular_feed_};
-  move.tolerance = effective_tolerance_;
-  move.naive_cam_tolerance = effective_naive_cam_tolerance_;
-  move.center_first = move.center_second = 0;
-  move.turns = 0;
-  move.curve.clear();
-  move.dwell_seconds = 0;
-  move.event = {};
-  frame_.position = move.end;
+  prepare(move, Move::Kind::line, line);
+  if (motion != 0) move.feed = {Feed::Mode::units_per_second, linear ? linear_feed_ : angular_feed_};
+  // Axis by axis: a vector that is read as a whole where parts of it have just been written waits for them.
+  for (std::uint32_t rest = axes; rest != 0; rest &= rest - 1) {
+    const std::size_t i = base::index(axis_of_letter(static_cast<unsigned>(std::countr_zero(rest))));
+    move.end[i] = frame_.position[i] = target[i];
+  }
   return Plain::move;
 }
 
 bool Interpreter::next(Move& move) {
   if (outbox_next_ < outbox_size_) {
     // The memory of a curve comes back for the next.
-    std::swap(move, outbox_[outbox_next_++]);
+    Move& made = outbox_[outbox_next_++];
+    NurbsCurve memory = std::move(move.curve);
+    move = std::move(made);
+    made.curve = std::move(memory);
     return true;
   }
   while (cycle_.active()) {
     const DrillCycle::Step step = cycle_.next();
     if (step.kind == DrillCycle::Step::Kind::dwell) {
-      prepare(move, Move::Kind::dwell);
+      prepare(move, Move::Kind::dwell, line_);
       move.dwell_seconds = cycle_.plan().dwell_seconds;
       return true;
     }
     if (step.target == frame_.position) continue;
-    prepare(move, Move::Kind::line);
+    prepare(move, Move::Kind::line, line_);
     move.end = step.target;
     if (step.kind == DrillCycle::Step::Kind::feed) move.feed = cycle_feed_;
     frame_.position = step.target;
     return true;
   }
   if (!stop_) return false;
-  prepare(move, Move::Kind::event);
+  prepare(move, Move::Kind::event, line_);
   move.event = {*stop_, 0, line_};
   stop_.reset();
   return true;
@@ -154,23 +167,9 @@ void Interpreter::end(base::Line line) {
   ended_ = true;
 }
 
-void Interpreter::prepare(Move& move, Move::Kind kind) const {
-  NurbsCurve memory = std::move(move.curve);
-  memory.clear();
-  move = Move{};
-  move.curve = std::move(memory);
-  move.kind = kind;
-  move.path_mode = effective_mode_;
-  move.plane = plane_;
-  move.line = line_;
-  move.start = move.end = frame_.position;
-  move.tolerance = effective_tolerance_;
-  move.naive_cam_tolerance = effective_naive_cam_tolerance_;
-}
-
 Move& Interpreter::emit(Move::Kind kind) {
   Move& move = outbox_[outbox_size_++];
-  prepare(move, kind);
+  prepare(move, kind, line_);
   return move;
 }
 

@@ -22,6 +22,8 @@
 
 namespace leadscrew::gcode {
 
+inline constexpr double seconds_per_minute = 60;
+
 class Interpreter {
  public:
   Interpreter(const machine::Machine& machine, const machine::ToolTable& tools, const ReaderOptions& options,
@@ -56,10 +58,9 @@ class Interpreter {
   };
   struct CodeTable;  // codes.cpp
 
-  /// The circle of an arc, its radius in mm, and its turns as in Move.
+  /// The circle of an arc, and its turns as in Move.
   struct ArcPlan {
     ArcCircle circle;
-    double radius = 0;
     int turns = 1;
   };
 
@@ -97,7 +98,7 @@ class Interpreter {
   void stop(const Block& block);
   void emit_event(base::Event::Kind kind, double value = 0);
   Move& emit(Move::Kind kind);
-  void prepare(Move& move, Move::Kind kind) const;
+  void prepare(Move& move, Move::Kind kind, base::Line line) const;
 
   // offsets.cpp: where the program's coordinates lie.
   void set_tool_length(const Block& block);
@@ -166,8 +167,8 @@ class Interpreter {
   void abandon_curve();
   std::string unfinished_message() const;
   std::string unfinished_hint() const;
-  bool curve_error(std::string_view code, std::uint32_t column, std::string message, std::string hint);
-  bool error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
+  [[gnu::cold]] bool curve_error(std::string_view code, std::uint32_t column, std::string message, std::string hint);
+  [[gnu::cold]] bool error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
     return reporter_.error(code, column, std::move(message), std::move(hint));
   }
 

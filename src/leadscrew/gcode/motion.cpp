@@ -5,12 +5,6 @@
 
 namespace leadscrew::gcode {
 
-namespace {
-
-constexpr double seconds_per_minute = 60;
-
-}  // namespace
-
 std::uint32_t Interpreter::motion_column(const Block& block) const {
   return block.has(Group::motion) ? block.column_of(Group::motion) : block.first_column;
 }

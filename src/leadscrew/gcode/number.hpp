@@ -18,7 +18,7 @@ constexpr bool is_blank(char c) {
 
 /// Reads the digits and the point that begin at `first`, correctly rounded, whatever their number. The text must end in
 /// a character that is neither.
-double long_decimal(const char* first, const char* last);
+[[gnu::noinline]] double long_decimal(const char* first, const char* last);
 
 /// The powers of ten that are doubles.
 inline constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,

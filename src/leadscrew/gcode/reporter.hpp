@@ -21,17 +21,19 @@ class Reporter {
     muted_ = false;
   }
 
+  // Most blocks have no problem: that there may be one costs those nothing.
   /// Reports an error at a column, counted in bytes from 1, and returns false.
-  bool error(std::string_view code, std::int64_t column, std::string message, std::string hint,
-             base::Subject subject = {});
-  void warning(std::string_view code, std::int64_t column, std::string message, std::string hint);
+  [[gnu::cold]] bool error(std::string_view code, std::int64_t column, std::string message, std::string hint,
+                           base::Subject subject = {});
+  [[gnu::cold]] void warning(std::string_view code, std::int64_t column, std::string message, std::string hint);
   /// Says something about the text as a whole.
   void report(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint);
 
   /// Keeps the line and a column of it, where something begins that further lines belong to.
   void keep(std::int64_t column);
   /// Reports an error there.
-  bool error_where_kept(std::string_view code, std::string message, std::string hint, base::Subject subject = {});
+  [[gnu::cold]] bool error_where_kept(std::string_view code, std::string message, std::string hint,
+                                      base::Subject subject = {});
 
   /// Makes the block fail for a cause that has been reported before, and returns false.
   bool fail() {

@@ -60,7 +60,10 @@ bool Interpreter::axis_inside(base::Axis axis, double value, std::uint32_t colum
 }
 
 bool Interpreter::inside_travel(const Block& block, const base::AxisVector& target) {
-  bool inside = true;
+  bool inside = outside_.empty() && reported_outside_.empty();
+  for (std::size_t i = 0; i < target.size(); ++i) inside &= travel_low_[i] <= target[i] && target[i] <= travel_high_[i];
+  if (inside) return true;
+  inside = true;
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
     const char letter = base::letter(axis);

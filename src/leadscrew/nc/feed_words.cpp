@@ -12,6 +12,8 @@ namespace leadscrew::nc {
 
 namespace {
 
+using numeric::real;
+
 // Of an axis' acceleration, along the path; the rest is for what changes by steps: words, and directions where blocks
 // meet. In curves the two below are used at a right angle.
 constexpr double along_path = 0.8, along_curve = 0.6 * along_path, across_curve = 0.8 * along_path;
@@ -27,10 +29,6 @@ base::Diagnostic refused(const Block& block, std::string_view code, std::string 
       base::problem(code, std::move(message), std::move(hint), {.axis = axis, .field = pulses_field});
   problem.place.line = base::number(block.line);
   return problem;
-}
-
-double real(std::int64_t value) {
-  return static_cast<double>(value);
 }
 
 /// How much an axis' acceleration in a curve exceeds the square of the command rate over the radius: DDAs go at one

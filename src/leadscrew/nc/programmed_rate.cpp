@@ -9,9 +9,7 @@ namespace leadscrew::nc {
 
 namespace {
 
-double real(std::int64_t value) {
-  return static_cast<double>(value);
-}
+using numeric::real;
 
 StepVector in_steps(const LatticeVector& delta) {
   StepVector steps{};
