@@ -4,8 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <percentiles.hpp>
-
-#include "pulse_programs.hpp"
+#include <pulse_programs.hpp>
 
 namespace {
 

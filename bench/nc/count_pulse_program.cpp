@@ -5,9 +5,8 @@
 //   count_pulse_program NAME RUNS  runs it; prints the pulses it made
 
 #include <cstdlib>
+#include <pulse_programs.hpp>
 #include <string_view>
-
-#include "pulse_programs.hpp"
 
 int main(int count, char** arguments) {
   using namespace leadscrew;

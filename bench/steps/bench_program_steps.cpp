@@ -6,8 +6,7 @@
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/steps/step_generator.hpp>
 #include <percentiles.hpp>
-
-#include "pulse_programs.hpp"
+#include <pulse_programs.hpp>
 
 namespace {
 
