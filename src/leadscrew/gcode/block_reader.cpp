@@ -35,7 +35,8 @@ constexpr char letter_at(unsigned index) {
 std::optional<GCode> g_code_of(double value) {
   const double tenths = value * 10;
   if (!(tenths >= -0.5 && tenths < 999.5)) return std::nullopt;
-  const auto nearest = static_cast<GCode>(tenths + 0.5);
+  const auto below = static_cast<GCode>(tenths);
+  const auto nearest = static_cast<GCode>(tenths - below > 0.5 ? below + 1 : below);
   if (std::fabs(tenths - nearest) > 1e-3) return std::nullopt;
   return nearest;
 }

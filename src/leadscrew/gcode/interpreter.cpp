@@ -128,10 +128,9 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
 bool Interpreter::next(Move& move) {
   if (outbox_next_ < outbox_size_) {
     // The memory of a curve comes back for the next.
-    Move& made = outbox_[outbox_next_++];
     NurbsCurve memory = std::move(move.curve);
-    move = std::move(made);
-    made.curve = std::move(memory);
+    move = std::move(outbox_[outbox_next_]);
+    outbox_[outbox_next_++].curve = std::move(memory);
     return true;
   }
   while (cycle_.active()) {
