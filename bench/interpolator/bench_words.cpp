@@ -6,6 +6,8 @@
 #include <leadscrew/interpolator/controller.hpp>
 #include <motion.hpp>
 #include <percentiles.hpp>
+#include <span>
+#include <string>
 
 namespace {
 
@@ -81,6 +83,38 @@ void words(benchmark::State& state, std::vector<toolpath::Element> (*make)()) {
   }
 }
 
+/// Many in one call, into one place of so many words: 512 stay in the processor's cache, a million go through memory.
+void many_words(benchmark::State& state, std::vector<toolpath::Element> (*make)(), std::size_t size,
+                interpolator::Kernel kernel) {
+  const auto chunks = testing_support::plan(make(), machine::mill3());
+  std::vector<base::Word> place(size);
+  std::size_t used = 0;
+  for (auto _ : state) {
+    interpolator::Interpolator interpolator(base::Period{1'000'000}, {});
+    interpolator.use(kernel);
+    for (const auto& chunk : chunks) {
+      interpolator.load(chunk);
+      while (!interpolator.wants_chunk()) {
+        if (used == size) used = 0;
+        used += interpolator.next(std::span(place).subspan(used));
+        benchmark::ClobberMemory();
+      }
+    }
+    state.SetItemsProcessed(state.items_processed() + base::count(interpolator.tick()));
+  }
+}
+
+/// What no way of making words can beat: equal words into the same place.
+void same_words(benchmark::State& state, std::size_t size) {
+  std::vector<base::Word> place(size);
+  const base::Word word;
+  for (auto _ : state) {
+    for (base::Word& to : place) to = word;
+    benchmark::ClobberMemory();
+    state.SetItemsProcessed(state.items_processed() + static_cast<std::int64_t>(size));
+  }
+}
+
 /// All chunks are there before the first word: what is measured is the cycle alone.
 void controlled(benchmark::State& state, std::vector<toolpath::Element> (*make)()) {
   const auto chunks = testing_support::plan(make(), machine::mill3());
@@ -105,6 +139,31 @@ auto* const along_both = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("words/lines-and-arcs", words, mixed)->Unit(benchmark::kMillisecond));
 auto* const along_curves = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("words/nurbs", words, curves)->Unit(benchmark::kMillisecond));
+constexpr std::size_t in_cache = 512, in_memory = 1'000'000;
+
+bool register_many() {
+  const std::pair<const char*, std::vector<toolpath::Element> (*)()> paths[] = {
+      {"lines", lines}, {"arcs", arcs}, {"lines-and-arcs", mixed}, {"nurbs", curves}};
+  const std::pair<const char*, interpolator::Kernel> kernels[] = {{"plain", interpolator::Kernel::plain},
+                                                                  {"avx2", interpolator::Kernel::avx2}};
+  const std::pair<const char*, std::size_t> places[] = {{"cache", in_cache}, {"memory", in_memory}};
+  for (const auto& [place, size] : places) {
+    leadscrew::bench::with_percentiles(
+        benchmark::RegisterBenchmark((std::string("many-words/equal/") + place).c_str(), same_words, size)
+            ->Unit(benchmark::kMillisecond));
+    for (const auto& [path, make] : paths) {
+      for (const auto& [name, kernel] : kernels) {
+        if (!interpolator::has(kernel)) continue;
+        const std::string title = std::string("many-words/") + path + "/" + name + "/" + place;
+        leadscrew::bench::with_percentiles(
+            benchmark::RegisterBenchmark(title.c_str(), many_words, make, size, kernel)->Unit(benchmark::kMillisecond));
+      }
+    }
+  }
+  return true;
+}
+const bool many_are_registered = register_many();
+
 auto* const controlled_lines = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("controller/lines", controlled, lines)->Unit(benchmark::kMillisecond));
 auto* const controlled_arcs = leadscrew::bench::with_percentiles(

@@ -26,7 +26,7 @@ TEST(Study, ListNamesWhatThereIs) {
   }
   EXPECT_EQ(names, (Names{"butterfly", "feed-fluctuation", "limits", "table-1", "orders", "10001", "fpga-table-1",
                           "lecture", "closed-loop-pulses", "real-time-vs-offline", "adaptive-force", "koren-feed",
-                          "digital-integrals", "bounds"}));
+                          "digital-integrals", "bounds", "tube"}));
 }
 
 TEST(ShareOut, DoesEachPartOnce) {
@@ -98,9 +98,13 @@ TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {
            Misuse{{"study", "buterfly"}, "no study \"buterfly\"; did you mean butterfly?"},
            Misuse{{"study", "feed-fluctuations"}, "did you mean feed-fluctuation?"},
            Misuse{{"study", "zzz"},
-                  "there are list, butterfly, feed-fluctuation, limits, table-1, orders, 10001, fpga-table-1, lecture, "
+                  "there are list, butterfly, feed-fluctuation, limits, tube, table-1, orders, 10001, fpga-table-1, "
+                  "lecture, "
                   "closed-loop-pulses, real-time-vs-offline, adaptive-force, koren-feed, digital-integrals, bounds"},
            Misuse{{"study"}, "NAME"},
+           Misuse{{"study", "butterfly", "--words", "made"}, "--words: there is none of butterfly; there is of tube"},
+           Misuse{{"study", "tube", "--picture", "made.svg"},
+                  "--picture: there is none of tube; there is of real-time-vs-offline"},
            Misuse{{"study", "list", "--machine", "mill3"}, "no option --machine"},
            Misuse{{"stduy", "list"}, "did you mean study?"},
            Misuse{{"run", "part.ngc", "--interpolator", "taylor3"},
@@ -111,6 +115,18 @@ TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {
     EXPECT_EQ(outcome.status, 2) << said;
     EXPECT_EQ(outcome.output, "") << said;
     EXPECT_TRUE(contains(outcome.errors, said)) << outcome.errors;
+  }
+}
+
+TEST(LongStudy, WritesWordsThatVerifyJudgesKept) {
+  const Folder folder;
+  ASSERT_EQ(leadscrew(folder, {"study", "tube", "--words", "made/words"}).status, 0);
+  for (const std::string name : {"corner-90", "square", "engraving", "pocket"}) {
+    const std::string file = "made/words/" + name;
+    const Outcome outcome = leadscrew(folder, {"verify", file + ".csv", file + ".ngc", "--json"});
+    EXPECT_EQ(outcome.status, 0) << name;
+    EXPECT_EQ(outcome.errors, "") << name;
+    EXPECT_EQ(outcome.json()["violation_count"], 0) << name;
   }
 }
 

@@ -76,5 +76,12 @@ TEST(Subjects, OfProblemsStayWithThem) {
   EXPECT_EQ(subject.entry, 1u);
 }
 
+TEST(SpindleWaits, UnlessTheFileSaysOtherwise) {
+  EXPECT_TRUE(read_machine(one_axis, "m")->spindle_waits);
+  EXPECT_TRUE(read_machine("spindle_waits = true\n" + one_axis, "m")->spindle_waits);
+  EXPECT_FALSE(read_machine("spindle_waits = false\n" + one_axis, "m")->spindle_waits);
+  EXPECT_EQ(problems_of("spindle_waits = 0\n" + one_axis), Texts{"1:17 machine-type"});
+}
+
 }  // namespace
 }  // namespace leadscrew::config::testing

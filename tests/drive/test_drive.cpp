@@ -103,7 +103,7 @@ int drive_through_kills(const Victim& victim, unsigned seed) {
         "drive", "part.ngc", "--trace", "words.csv", "--axes",   "axes.csv",   has_begun ? "--resume" : "--state",
         "state", "--quiet",  "--lead",  "300ms",     "--period", victim.period};
     Running running(folder, arguments);
-    // At any instant: while the program is read, before there are drives, on the way back, in motion.
+    // At any instant: while the program is read, before there are drives, on the return path, in motion.
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 1'200'000));
     running.send(SIGKILL);
     const auto outcome = running.wait();
@@ -134,7 +134,7 @@ int drive_through_kills(const Victim& victim, unsigned seed) {
       last = words.back();
     }
     if (!axes.empty()) rest = axes.back().q;
-    // Never aside of the path: neither on the way to rest, nor on the way back to where it goes on.
+    // Never aside of the path: neither to rest, nor on the return path to where it goes on.
     for (std::size_t k = 0; k < axes.size(); k += 10) EXPECT_LE(distance_to(path, axes[k].q), 3e-4);
     EXPECT_LE(distance_to(path, rest), 3e-4);
     longest_stop = std::max(longest_stop, distance(rest, last.q));

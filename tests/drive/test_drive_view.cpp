@@ -156,7 +156,7 @@ TEST(DriveView, StopsAtAPause) {
   EXPECT_NEAR(Json::parse(folder.read("state"))["position"][0], 5, 1e-9);
 }
 
-TEST(DriveView, TellsOfTheWayBackToWhereItGoesOnAndStopsThere) {
+TEST(DriveView, TellsOfTheReturnPathToWhereItGoesOnAndStopsThere) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94\nG1 X400 F3000\nM2\n");
   {

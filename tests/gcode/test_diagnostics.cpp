@@ -155,6 +155,11 @@ TEST(Diagnostics, DoNotCascade) {
   Conditions conditions;
   conditions.machine = machine::mill3();
   EXPECT_EQ(read("G0 A1\nA2\nA3\nB1\nM2\n", conditions).problems(), "1:4 unknown-axis; 4:1 unknown-axis; ");
+  // Nor in an arc that names only the axes that are there.
+  conditions.machine.axes[base::index(base::Axis::Y)].reset();
+  EXPECT_EQ(read("F60 G2 X2 I1\nG3 X4 I1\nM2\n", conditions).problems(), "1:5 unknown-axis; ");
+  EXPECT_EQ(read("F60 G2 X2 Y0 I1\nM2\n", conditions).problems(), "1:11 unknown-axis; ");
+  EXPECT_EQ(read("F60 G18 G2 X2 I1\nM2\n", conditions).problems(), "");
 }
 
 TEST(Diagnostics, LeaveThePositionWhereTheBlockWouldHaveEnded) {

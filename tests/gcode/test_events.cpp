@@ -28,14 +28,62 @@ TEST(Events, HaveTheirValues) {
                     {Kind::program_end, 0}}));
 }
 
+// LinuxCNC, "M62 - M65", "M67", "M68"
+TEST(Events, OfOutputsHaveTheirNumbersAndValues) {
+  const Reading reading = read_well("M62 P0\nM63 P63\nM64 P1\nM65 P2\nM67 E3 Q-1.5\nQ[1/4] E0 M68\nM2\n");
+  const std::vector<base::Event> expected = {
+      {Kind::digital_output_on_with_motion, 1, base::Line{1}, 0, false},
+      {Kind::digital_output_off_with_motion, 0, base::Line{2}, 63, false},
+      {Kind::digital_output_on, 1, base::Line{3}, 1, false},
+      {Kind::digital_output_off, 0, base::Line{4}, 2, false},
+      {Kind::analog_output_with_motion, -1.5, base::Line{5}, 3, false},
+      {Kind::analog_output, 0.25, base::Line{6}, 0, false},
+      {Kind::program_end, 0, base::Line{7}, 0, true},
+  };
+  EXPECT_EQ(reading.events(), expected);
+}
+
+TEST(Events, OfOutputsThatCannotBeAreSaid) {
+  const struct {
+    const char* block;
+    const char* problems;
+  } rows[] = {
+      {"M62", "1:1 missing-word; "},          {"M68 Q1", "1:1 missing-word; "},
+      {"M67 E0", "1:1 missing-word; "},       {"M62 P64", "1:5 bad-value; "},
+      {"M65 P-1", "1:5 bad-value; "},         {"M67 E0.5 Q1", "1:5 bad-value; "},
+      {"M62 P0 Q1", "1:8 unused-word; "},     {"M62 P0 G4", "1:5 ambiguous-word; "},
+      {"M62 M63 P0", "1:5 modal-conflict; "}, {"M66 P0", "1:1 unsupported-code; "},
+  };
+  for (const auto& row : rows) {
+    EXPECT_EQ(read(std::string(row.block) + "\nM2\n").problems().substr(0, std::string(row.problems).size()),
+              row.problems)
+        << row.block;
+  }
+}
+
+TEST(Events, SayWhetherMotionRestsForThem) {
+  const auto waits = [](bool spindle_waits) {
+    Conditions conditions;
+    conditions.machine.spindle_waits = spindle_waits;
+    std::string text;
+    for (const base::Event& event :
+         read_well("S1\nM3\nM4\nM5\nM7\nM8\nM9\nT3\nM6\nM64 P0\nM67 E0 Q0\nM0\nM1\nM2\n", conditions).events())
+      text += event.waits ? 'w' : '-';
+    return text;
+  };
+  EXPECT_EQ(waits(true), "-www----w--www");
+  EXPECT_EQ(waits(false), "--------w--www");
+}
+
 // NIST IR 6556, 3.8
 TEST(Execution, HasTheOrderOfTheStandardWhateverTheOrderOfWords) {
-  const Reading reading = read_well("M30 X1 G1 P2 G4 M8 M3 M6 T7 S500 F60\n");
+  const Reading reading = read_well("M30 X1 G1 P2 G4 M8 M3 M6 T7 M68 E0 Q1 S500 F60\n");
   std::vector<std::pair<Move::Kind, Kind>> found;
   for (const Move& move : reading.moves) found.emplace_back(move.kind, move.event.kind);
   const Kind none = Kind::program_end;
   EXPECT_EQ(found, (std::vector<std::pair<Move::Kind, Kind>>{{Move::Kind::event, Kind::spindle_speed},
                                                              {Move::Kind::event, Kind::tool_prepare},
+                                                             {Move::Kind::event, Kind::analog_output},
                                                              {Move::Kind::event, Kind::tool_change},
                                                              {Move::Kind::event, Kind::spindle_clockwise},
                                                              {Move::Kind::event, Kind::coolant_flood},

@@ -52,14 +52,19 @@ base::Word watched_word(Controller& controller, Sabotage sabotage) {
   return word;
 }
 
-/// Words until nothing is left to do.
-std::int64_t make_words(Controller& controller) {
-  std::int64_t words = 0;
+struct Count {
+  std::int64_t words = 0, events = 0;
+};
+
+/// Words and their events until nothing is left to do.
+void make_words(Controller& controller, Count& count) {
   do {
     watched_word(controller, Sabotage::none);
-    ++words;
+    ++count.words;
+    watch().armed = true;
+    while (controller.next_event() != nullptr) ++count.events;
+    watch().armed = false;
   } while (!controller.idle());
-  return words;
 }
 
 }  // namespace
@@ -72,25 +77,32 @@ int main(int argument_count, char** arguments) {
   const Path path = mixed_path();
   const auto cuts = cut_motion(path, 0, path.length(), path_speed, path_jerk, 0.03);
   Controller controller(path_period, {}, 4 * cuts.size());
+  // With an event before each, and one where it begins.
   const auto offer = [&](planner::Chunk chunk) {
+    chunk.events.resize(2);
+    chunk.events.front().s = -1;
+    if (!chunk.pieces.empty()) {
+      chunk.events.back().piece = chunk.segments.front().piece;
+      chunk.events.back().s = chunk.first_state().s;
+    }
     if (controller.offer(chunk) != Controller::Offer::accepted) std::abort();
   };
-  std::int64_t words = 0;
+  Count count;
   // Starved behind every chunk, and anew from there.
   for (std::size_t last = 0; last + 1 < cuts.size(); ++last) {
     for (std::size_t k = 0; k <= last; ++k) offer(cuts[k].chunk);
-    words += make_words(controller);
+    make_words(controller, count);
     const auto again = cut_motion(path, cuts[last].rest, path.length(), path_speed, path_jerk, 0.02);
     if (path.length() - cuts[last].rest > 1e-9) {
       for (const CutChunk& cut : again) offer(cut.chunk);
     }
     offer(dwell(path.at(path.length()), 0.05));
     offer({});
-    words += make_words(controller);
+    make_words(controller, count);
   }
   if (argument_count > 1 && std::strcmp(arguments[1], "sabotage") == 0) watched_word(controller, Sabotage::allocation);
-  std::printf("%lld words, %lld starvations, %lld chunks: %s\n", static_cast<long long>(words),
-              static_cast<long long>(controller.starvations()), static_cast<long long>(controller.begun()),
-              told(watch()).c_str());
-  return watch().calls == 0 ? 0 : 1;
+  std::printf("%lld words, %lld events, %lld starvations, %lld chunks: %s\n", static_cast<long long>(count.words),
+              static_cast<long long>(count.events), static_cast<long long>(controller.starvations()),
+              static_cast<long long>(controller.begun()), told(watch()).c_str());
+  return watch().calls == 0 && count.events == 2 * controller.begun() ? 0 : 1;
 }

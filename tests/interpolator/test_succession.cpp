@@ -51,7 +51,7 @@ class Turns {
     const std::lock_guard lock(mutex_);
     ended_[side] = true;
     running_ = false;
-    grant();
+    give_turn();
     changed_.notify_all();
   }
 
@@ -59,14 +59,14 @@ class Turns {
     std::unique_lock lock(mutex_);
     waits_[side] = true;
     if (turn_ == side) running_ = false;
-    grant();
+    give_turn();
     changed_.notify_all();
     changed_.wait(lock, [&] { return running_ && turn_ == side; });
     waits_[side] = false;
   }
 
   /// To one that waits, when both wait or have ended.
-  void grant() {
+  void give_turn() {
     const auto is_ready = [&](std::size_t side) { return waits_[side] || ended_[side]; };
     if (running_ || !is_ready(0) || !is_ready(1) || (ended_[0] && ended_[1])) return;
     const bool is_free = !ended_[0] && !ended_[1];

@@ -213,11 +213,11 @@ TEST(PulseProblems, NameTheRegisterOrTheValue) {
            Refused{{line, {}, {256, 3}, {}, {}},
                    8,
                    "register-overflow",
-                   "way along x is 256: register Jx of 8 bits holds no more than 255"},
+                   "distance along x is 256: register Jx of 8 bits holds no more than 255"},
            Refused{{line, {0, 100}, {5, -28}, {}, {}},
                    7,
                    "register-overflow",
-                   "way along y is -128: register Jy of 7 bits"},
+                   "distance along y is -128: register Jy of 7 bits"},
            Refused{
                {line, {}, {std::int64_t{1} << 31, 0}, {}, {}}, {}, "register-overflow", "x of the end is 2147483648"},
            Refused{{line, {-(std::int64_t{1} << 30), 0}, {1, 0}, {}, {}},

@@ -7,6 +7,7 @@ namespace {
 
 using leadscrew::numeric::bisect;
 using leadscrew::numeric::Bracket;
+using leadscrew::numeric::last_index;
 
 TEST(Bisection, ClosesUponWhereTheConditionEnds) {
   const Bracket found = bisect(0, 4, 200, [](double x) { return x * x < 2; }, 1e-15);
@@ -24,6 +25,13 @@ TEST(Bisection, HalvesNoMoreOftenThanTold) {
   EXPECT_EQ(asked, 5);
   EXPECT_EQ(found.from, 1 - 1.0 / 32);
   EXPECT_EQ(found.to, 1);
+}
+
+TEST(Bisection, FindsTheLastIndex) {
+  for (std::size_t last = 3; last <= 20; ++last) {
+    EXPECT_EQ(last_index(3, 20, [&](std::size_t index) { return index <= last; }), last);
+  }
+  EXPECT_EQ(last_index(7, 7, [](std::size_t) { return false; }), 7U) << "is not asked for what holds";
 }
 
 }  // namespace

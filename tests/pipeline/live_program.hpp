@@ -49,6 +49,8 @@ class LiveProgram {
       const base::Word word = controller_.next();
       referee_.observe(word.position);
       words.push_back(word);
+      while (const planner::PlacedEvent* event = controller_.next_event())
+        events.push_back(planner::passed_at(word.tick, *event));
     }
     return false;
   }
@@ -61,6 +63,7 @@ class LiveProgram {
   std::int64_t diagnostics = 0;  ///< of the reader
 
   std::vector<base::Word> words;
+  std::vector<base::PassedEvent> events;
 
  private:
   /// Keeps two slices ahead. False if there is nothing more to come.

@@ -312,7 +312,7 @@ TEST(BlendedPrograms, RunThroughStepsOfCurvatureWhereNoLinesAreFitted) {
 
 TEST(BlendedPrograms, RestAtEventsAndDwellsAtTheirPoint) {
   const std::string before = "G1 X10\nY5\n", behind = "Y10\nX0\nY0\n";
-  for (const std::string event : {"M8\n", "S500\n", "G4 P0.1\n"}) {
+  for (const std::string event : {"M0\n", "M5\n", "G4 P0.1\n"}) {
     const std::string text = head + before + event + behind;
     expect_better_than_stops(text);
     EXPECT_GT(run(text).summary.time_s, run(head + before + behind).summary.time_s);

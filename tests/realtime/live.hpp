@@ -44,7 +44,8 @@ inline realtime::RunnerOptions as_drive(const machine::Machine& machine) {
 
 class Live {
  public:
-  std::vector<base::Word> words;  ///< the cyclic thread's, until it has ended
+  std::vector<base::Word> words;          ///< the cyclic thread's, until it has ended
+  std::vector<base::PassedEvent> events;  ///< likewise
 
   /// A sink that is not given is `words`.
   Live(const std::string& text, const machine::Machine& machine, Delay delay, const realtime::RunnerOptions& options,
@@ -79,7 +80,12 @@ class Live {
                   return true;
                 },
             .lead_on = {},
-            .publish = {}};
+            .publish = {},
+            .event =
+                [this](const base::PassedEvent& event) {
+                  events.push_back(event);
+                  return true;
+                }};
   }
 
   machine::ToolTable tools_;

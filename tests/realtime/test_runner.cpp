@@ -58,6 +58,66 @@ TEST(Runner, MakesTheWordsOfRunBitForBit) {
   }
 }
 
+/// Whether the planner is late or not: each once, in order, with the word that passes its place.
+TEST(Runner, GivesEventsWithTheirWords) {
+  const machine::Machine machine = mill(1'000'000);
+  std::string text = "G21 G90 G94 G17 F6000\nG64 P0.05\nG1 X20 S0\n";
+  for (int k = 1; k < 60; ++k)
+    text += "M8\nG1 X" + std::to_string(20 + k) + " Y" + std::to_string(k % 3) + " S" + std::to_string(k) + '\n';
+  text += "M5\nG1 X0\nM2\n";
+  for (const bool is_late : {false, true}) {
+    std::minstd_rand random(7);
+    const auto late = [&] {
+      if (is_late && random() % 8 == 0) realtime::sleep_until(realtime::now() + 150'000'000);
+    };
+    Live live(text, machine, late, is_late ? 0.05 : 1.0);
+    live.events.reserve(1000);
+    live.runner().start();
+    live.wait();
+    EXPECT_TRUE(!is_late || live.runner().counters().starvations > 0);
+    std::vector<double> speeds;
+    for (const base::PassedEvent& event : live.events) {
+      const auto tick = static_cast<std::size_t>(base::count(event.tick));
+      ASSERT_LT(tick, live.words.size());
+      EXPECT_GE(live.words[tick].path_length, event.path_length - 1e-9);
+      EXPECT_LE(live.words[tick == 0 ? 0 : tick - 1].path_length, event.path_length + 1e-9);
+      if (event.kind == base::Event::Kind::spindle_speed) speeds.push_back(event.value);
+    }
+    ASSERT_EQ(live.events.size(), 60u + 59 + 2);
+    ASSERT_EQ(speeds.size(), 60u);
+    for (std::size_t k = 0; k < speeds.size(); ++k) EXPECT_EQ(speeds[k], static_cast<double>(k));
+    EXPECT_EQ(live.events.back().kind, base::Event::Kind::program_end);
+  }
+}
+
+/// One that has no room is given the event again, and its word behind it.
+TEST(Runner, GivesAnEventAgainThatTheSinkHasNoRoomFor) {
+  const machine::Machine machine = mill(1'000'000);
+  std::vector<std::string> given;
+  int asked = 0;
+  const auto take_event = [&](const base::PassedEvent& event) {
+    if (++asked % 3 != 0) return false;
+    given.push_back(std::string(base::code_of(event.kind)) + std::to_string(base::count(event.tick)));
+    return true;
+  };
+  std::int64_t words = 0;
+  bool behind = true;
+  const auto take = [&](const base::Word& word) {
+    behind = behind && base::count(word.tick) == words++ && asked % 3 == 0;
+    return true;
+  };
+  const std::string text = "G21 G90 G94 F6000\nM8\nG1 X1 S5\nM9\nG1 X2\nM2\n";
+  Live live(text, machine, {}, {.period = machine.period},
+            realtime::WordSink{.take = take, .lead_on = {}, .publish = {}, .event = take_event});
+  live.runner().start();
+  live.wait();
+  ASSERT_EQ(given.size(), 4u);
+  EXPECT_TRUE(given[0].starts_with("M8") && given[1].starts_with("S") && given[2].starts_with("M9"));
+  EXPECT_TRUE(given[3].starts_with("M2"));
+  EXPECT_TRUE(behind);
+  EXPECT_GT(live.runner().counters().slips, 0);
+}
+
 TEST(Runner, StopsOnThePathWhenThePlannerIsLateAndGoesOn) {
   const machine::Machine machine = mill(1'000'000);
   std::minstd_rand random(3);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <leadscrew/realtime/stop_watch.hpp>
+#include <vector>
 
 namespace leadscrew::realtime {
 namespace {
@@ -27,6 +28,25 @@ TEST_F(Watched, LooksAtTheClockForOneWordOf61) {
   EXPECT_EQ(watch.samples().count(), 1000U);
   EXPECT_EQ(watch.samples().longest(), 100U);
   EXPECT_NEAR(watch.cycling(), words * 100e-9, 1e-12);
+}
+
+TEST_F(Watched, TimesOneOf61CallsThatMakeManyWords) {
+  const std::vector<int> thirty(30);
+  for (int k = 0; k < 6100; ++k) EXPECT_EQ(watch.many([&] { return thirty; }).size(), 30U);
+  EXPECT_EQ(CountedClocks::wall_looks, 200);
+  EXPECT_EQ(watch.samples().count(), 0U);
+  EXPECT_NEAR(watch.cycling(), 6100 * 100e-9, 1e-12);
+}
+
+TEST_F(Watched, SaysHowManyWordsMayBeMadeUntilOneIsTimed) {
+  EXPECT_EQ(watch.words_until_sample(), 0U);
+  watch.cycle([] { return 0; });
+  EXPECT_EQ(watch.words_until_sample(), 60U);
+  watch.many([] { return std::vector<int>(20); });
+  EXPECT_EQ(watch.words_until_sample(), 40U);
+  watch.many([] { return std::vector<int>(40); });
+  EXPECT_EQ(watch.words_until_sample(), 0U);
+  EXPECT_NEAR(watch.cycling(), 100e-9 + 3 * 100e-9, 1e-12);
 }
 
 TEST_F(Watched, TimesTheFirstWordToo) {

@@ -38,6 +38,47 @@ TEST(WaitingSink, HandsOverEveryWordInOrderToOneThatWaits) {
   EXPECT_EQ(words.back().position, expected.back().position);
 }
 
+TEST(WaitingSink, HandsOverEventsBeforeTheirWords) {
+  const machine::Machine machine = machine::mill3();
+  std::string text = "G21 G90 G94 F3000\nG64 P0.05\n";
+  for (int k = 0; k < 40; ++k) text += "G1 X" + std::to_string(k + 1) + " S" + std::to_string(k) + '\n';
+  text += "M2\n";
+  std::vector<double> speeds;
+  std::int64_t words = 0;
+  bool in_order = true;
+  const auto take = [&](const base::Word& word) {
+    if (words % 100 == 50) realtime::sleep_until(realtime::now() + 100'000'000);
+    in_order = in_order && base::count(word.tick) == words++;
+    return true;
+  };
+  const auto take_event = [&](const base::PassedEvent& event) {
+    in_order = in_order && base::count(event.tick) == words;
+    if (event.kind == base::Event::Kind::spindle_speed) speeds.push_back(event.value);
+    return true;
+  };
+  realtime::WaitingSink sink(take, take_event);
+  Live live(text, machine, {}, {.period = machine.period, .look_ahead = 1}, sink.sink());
+  live.runner().start();
+  live.wait();
+  sink.end();
+  EXPECT_TRUE(in_order);
+  ASSERT_EQ(speeds.size(), 40u);
+  for (std::size_t k = 0; k < speeds.size(); ++k) EXPECT_EQ(speeds[k], static_cast<double>(k));
+}
+
+TEST(WaitingSink, EndsMotionWhenNobodyTakesEvents) {
+  const machine::Machine machine = machine::mill3();
+  realtime::WaitingSink sink([](const base::Word&) { return true; },
+                             [](const base::PassedEvent& event) { return event.value < 3; });
+  const std::string text = "G21 G90 G94 F600\nG1 X1 S1\nX2 S2\nX3 S3\nX400\nM2\n";
+  Live live(text, machine, {}, {.period = machine.period}, sink.sink());
+  live.runner().start();
+  live.wait();
+  sink.end();
+  EXPECT_TRUE(sink.is_refused());
+  EXPECT_LT(live.runner().counters().words, 5000);
+}
+
 TEST(WaitingSink, EndsMotionWhenNobodyTakesWords) {
   const machine::Machine machine = machine::mill3();
   std::int64_t taken = 0;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <utility>
+
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
@@ -115,6 +117,30 @@ TEST(BlendedMotion, ATighterBlockInTheMiddleIsJudgedByItsOwnTolerance) {
     if (word[0] > 6 && word[0] < 24) word[1] = 0.05 - 0.045 * law((word[0] - 6) / 4) * law((24 - word[0]) / 4);
   }
   EXPECT_FALSE(has(judge(program.moves, words, mill, period), "deviation"));
+}
+
+TEST(BlendedMotion, ABlockKeepsItsOwnToleranceBesideAWiderOne) {
+  // A bevel whose middle is `cut` from the corner; each block's end is visited as closely as its own tolerance asks.
+  for (const std::int64_t nanoseconds : {100'000, 1'000'000, 10'000'000}) {
+    const base::Period period{nanoseconds};
+    for (const auto& [before, behind] : {std::pair{0.01, 0.5}, std::pair{0.5, 0.01}}) {
+      for (const double cut : {0.009, 0.012, 0.1, 0.4}) {
+        const double leg = cut * std::sqrt(2.0);
+        Program program;
+        program.blended(before).line(10, 0).blended(behind).line(10, 10);
+        const Words words = through({{0}, {10 - leg}, {10, leg}, {10, 10}}, period);
+        const Verdict verdict = judge(program.moves, words, mill, period);
+        const double excuse = 1733 * period.seconds() * period.seconds() / 8;
+        if (cut > 0.01 + excuse) {
+          EXPECT_TRUE(has(verdict, "skipped path") || has(verdict, "deviation")) << describe(verdict);
+        }
+        if (cut < 0.01) {
+          EXPECT_FALSE(verdict.objects()) << describe(verdict);
+          EXPECT_NEAR(verdict.deviation_mm, cut, 0.0013 + excuse) << describe(verdict);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -55,6 +55,36 @@ TEST_P(Sabotage, NoneNoObjection) {
   EXPECT_DOUBLE_EQ(verdict.feed_programmed_max, 40);
 }
 
+/// Motion that runs through where the program asks for rest; where it asks for none, it may.
+TEST_P(Sabotage, RestLeftOut) {
+  Program through, parted;
+  through.fed(40).line(20, 0).line(20, 10);
+  parted.fed(40).line(10, 0).line(20, 0).line(20, 10);
+  const auto asked = [&](Move::Kind kind, base::Event::Kind event, bool waits) {
+    Program program = parted;
+    Move stand;
+    stand.kind = kind;
+    stand.start = stand.end = {10};
+    stand.line = base::Line{7};
+    stand.event = {event, 0, base::Line{7}, 0, waits};
+    program.moves.insert(program.moves.begin() + 1, stand);
+    return program;
+  };
+  using Kind = base::Event::Kind;
+  for (const Program& program :
+       {asked(Move::Kind::dwell, Kind::pause, true), asked(Move::Kind::event, Kind::pause, true),
+        asked(Move::Kind::event, Kind::spindle_clockwise, true)}) {
+    const Verdict sabotaged = judge_motion(program, motion(through)), kept = judge_motion(program, motion(parted));
+    ASSERT_EQ(sabotaged.violation_count, 1) << describe(sabotaged);
+    EXPECT_EQ(sabotaged.violations[0].what, "stop");
+    EXPECT_EQ(base::number(sabotaged.violations[0].line), 7);
+    EXPECT_GT(sabotaged.violations[0].value, sabotaged.violations[0].limit);
+    EXPECT_FALSE(kept.objects()) << describe(kept);
+  }
+  const Program travels = asked(Move::Kind::event, Kind::spindle_speed, false);
+  EXPECT_FALSE(judge_motion(travels, motion(through)).objects());
+}
+
 TEST_P(Sabotage, NotchSkipped) {
   Program short_cut = plate();
   short_cut.moves.erase(short_cut.moves.begin() + 2, short_cut.moves.begin() + 5);

@@ -7,7 +7,7 @@
 namespace leadscrew::servo::testing {
 
 inline AxisLoop pid_loop(const AxisOptions& axis, const PidOptions& pid, double period) {
-  return {Axis::create(axis).value(), Pid::create(pid, period).value(), period};
+  return {SimulatedAxis::create(axis).value(), Pid::create(pid, period).value(), period};
 }
 
 /// Proportional alone: Kv = P·K.

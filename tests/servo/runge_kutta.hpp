@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/servo/axis.hpp>
+#include <leadscrew/servo/simulated_axis.hpp>
 
 namespace leadscrew::servo::testing {
 

@@ -17,7 +17,7 @@ using testing_support::any;
 using testing_support::logarithmic;
 
 AxisLoop cascade_loop(const AxisOptions& axis, const CascadeOptions& cascade, double period) {
-  return {Axis::create(axis).value(), Cascade::create(cascade, period).value(), period};
+  return {SimulatedAxis::create(axis).value(), Cascade::create(cascade, period).value(), period};
 }
 
 RC_GTEST_PROP(Cascade, ClosesTheLoopAsItsLawSays, ()) {

@@ -27,7 +27,7 @@ TEST(ServoCycle, AxisLoopsTakeNoMemory) {
                          .encoder_resolution = 0.001};
   AxisLoop pid = pid_loop(axis, {.gains = {2, 2, 15}, .limit = 5}, 1e-3);
   const auto cascade = Cascade::create({.position_gain = 20, .velocity_gain = 0.2, .integral_gain = 1}, 1e-3).value();
-  AxisLoop cascaded(Axis::create(axis).value(), cascade, 1e-3);
+  AxisLoop cascaded(SimulatedAxis::create(axis).value(), cascade, 1e-3);
   EXPECT_EQ(allocations_of([&](int k) {
               pid.follow({std::sin(0.01 * k)});
               cascaded.follow({std::sin(0.01 * k)});

@@ -140,7 +140,8 @@ Answer answer_to_a_step(AntiWindup anti_windup, double travel, double limit) {
   const PidOptions options{
       .gains = {4, 20, 0.1}, .form = PidForm::standard, .limit = limit, .anti_windup = anti_windup};
   const auto pid = Pid::create(options, period).value();
-  AxisLoop loop(Axis::create({.drive = velocity_drive(10, 0.02), .command_limit = limit}).value(), pid, period);
+  AxisLoop loop(SimulatedAxis::create({.drive = velocity_drive(10, 0.02), .command_limit = limit}).value(), pid,
+                period);
   Answer answer;
   for (int k = 0; k < 60000; ++k) {
     loop.follow({travel});

@@ -42,11 +42,11 @@ inline Point turned(const Point& direction, double angle, const std::vector<std:
   }
 }
 
-/// Numbered by the length from the first, all with this margin.
+/// Numbered by the length from the first, all with this margin, which is all of the tolerance.
 inline std::vector<Vertex> vertices_of(const Polyline& polyline, double margin) {
-  std::vector<Vertex> vertices{{polyline.front(), 0, margin}};
+  std::vector<Vertex> vertices{{polyline.front(), 0, margin, 0, margin}};
   for (std::size_t i = 1; i < polyline.size(); ++i)
-    vertices.push_back({polyline[i], vertices.back().u + distance(polyline[i - 1], polyline[i]), margin});
+    vertices.push_back({polyline[i], vertices.back().u + distance(polyline[i - 1], polyline[i]), margin, 0, margin});
   return vertices;
 }
 

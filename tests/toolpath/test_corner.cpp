@@ -4,6 +4,7 @@
 #include <leadscrew/toolpath/corner.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/frechet.hpp>
+#include <leadscrew/toolpath/swing.hpp>
 #include <numbers>
 
 #include "polylines.hpp"
@@ -104,6 +105,10 @@ Corner corner_of_lines(double angle) {
   } while (turn_of_feed(in, out, axes[0]) > std::max(angle, 2.9) + 1e-6);
   return corner_of(line(place, in, logarithmic(0.1, 50), Side::before),
                    line(place, out, logarithmic(0.1, 50), Side::behind));
+}
+
+double line_length_in_millimetres(const Curve& line) {
+  return distance(to_millimetres(geometry::start(line)), to_millimetres(geometry::end(line)));
 }
 
 /// Unit tangent, and the curvature by mm.
@@ -229,17 +234,59 @@ RC_GTEST_PROP(Blend, OfSharpNurbsStaysInTheRoom, ()) {
   RC_ASSERT(is_frechet_within(legs, places_on(found->curve, 300), margin + step / 2));
 }
 
-RC_GTEST_PROP(Blend, CutsTheCornerOfLongLinesByTheRoom, ()) {
-  Corner corner = corner_of_lines(uniform(0.3, 2.9));
-  corner.most_before = geometry::length(corner.before);
-  corner.most_behind = geometry::length(corner.behind);
-  const double margin = 1e-3;
-  const std::optional<Blend> found = blend(corner, margin);
-  RC_ASSERT(found);
+/// How near the blend passes the corner.
+double passes_at(const Corner& corner, const Blend& blend) {
   const Point place = to_millimetres(geometry::start(corner.behind));
   double nearest = INFINITY;
-  for (const Point& point : places_on(found->curve, 200)) nearest = std::min(nearest, distance(point, place));
-  RC_ASSERT(std::abs(nearest - margin) <= 1e-6 * margin);
+  for (const Point& point : places_on(blend.curve, 200)) nearest = std::min(nearest, distance(point, place));
+  return nearest;
+}
+
+/// How far it goes from either line, up to the corner and behind.
+std::pair<double, double> swings_by(const Corner& corner, const Blend& blend) {
+  const Point from = to_millimetres(geometry::start(corner.before)),
+              place = to_millimetres(geometry::end(corner.before)), to = to_millimetres(geometry::end(corner.behind));
+  const Polyline places = places_on(blend.curve, 2000);
+  std::pair<double, double> farthest;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    // Around the corner it is on neither.
+    if (k < 700) farthest.first = std::max(farthest.first, distance_to_segment(places[k], from, place));
+    if (k > 1300) farthest.second = std::max(farthest.second, distance_to_segment(places[k], place, to));
+  }
+  return farthest;
+}
+
+Corner corner_of_whole_lines(double angle) {
+  Corner corner = corner_of_lines(angle);
+  corner.most_before = geometry::length(corner.before);
+  corner.most_behind = geometry::length(corner.behind);
+  return corner;
+}
+
+RC_GTEST_PROP(Blend, OfLongLinesUsesTheToleranceThreeTimes, ()) {
+  const Corner corner = corner_of_whole_lines(uniform(0.3, 2.9));
+  const double margin = 1e-4;
+  const std::optional<Blend> found = blend(corner, margin);
+  RC_ASSERT(found);
+  const auto [before, behind] = swings_by(corner, *found);
+  RC_ASSERT(std::abs(passes_at(corner, *found) - margin) <= 1e-6 * margin);
+  RC_ASSERT(std::abs(before - margin) <= 1e-4 * margin);
+  RC_ASSERT(std::abs(behind - margin) <= 1e-4 * margin);
+}
+
+RC_GTEST_PROP(Blend, OfShortLinesOnlyCutsTheCorner, ()) {
+  const double margin = 1e-4, angle = uniform(0.3, 2.9);
+  Corner corner = corner_of_whole_lines(angle);
+  // A third of what a blend that swings wide takes, in the lengths of either line.
+  const double room = Swing(2 * std::sin(angle / 2)).reach_within(margin) / 3;
+  corner.most_before = room * corner.most_before / line_length_in_millimetres(corner.before);
+  corner.most_behind = room * corner.most_behind / line_length_in_millimetres(corner.behind);
+  const std::optional<Blend> found = blend(corner, margin);
+  RC_ASSERT(found);
+  RC_ASSERT(std::abs(passes_at(corner, *found) - margin) <= 1e-6 * margin);
+  const auto [before, behind] = swings_by(corner, *found);
+  RC_ASSERT(before <= 0.75 * margin);
+  RC_ASSERT(behind <= 0.75 * margin);
 }
 
 RC_GTEST_PROP(Blend, IsNoneWhereLinesTurnBack, ()) {

@@ -10,19 +10,19 @@ namespace leadscrew::toolpath::testing {
 namespace {
 
 /// From vertex to vertex (mm, linear axes); line n leads to vertex n.
-std::vector<Leg> legs_along(const Polyline& polyline, double feed = 10) {
+std::vector<Leg> legs_along(const Polyline& polyline) {
   std::vector<Leg> legs;
   for (std::size_t i = 1; i < polyline.size(); ++i) {
     const double length = line_length(polyline[i - 1], polyline[i]);
     if (!(length > 0)) continue;
     legs.push_back(
-        {geometry::Line(polyline[i - 1], polyline[i], length), feed, base::Line{static_cast<std::int64_t>(i)}, {}, 0});
+        {geometry::Line(polyline[i - 1], polyline[i], length), 10, base::Line{static_cast<std::int64_t>(i)}, {}, 0});
   }
   return legs;
 }
 
-std::vector<Leg> reduced(const std::vector<Leg>& legs, double tolerance) {
-  Reduction reduction(tolerance);
+std::vector<Leg> reduced(const std::vector<Leg>& legs) {
+  Reduction reduction;
   std::vector<Leg> done;
   for (const Leg& leg : legs) {
     if (std::optional<Leg> grown = reduction.push(leg)) done.push_back(std::move(*grown));
@@ -30,6 +30,12 @@ std::vector<Leg> reduced(const std::vector<Leg>& legs, double tolerance) {
   if (std::optional<Leg> last = reduction.finish()) done.push_back(std::move(*last));
   EXPECT_FALSE(reduction.finish());
   return done;
+}
+
+/// All within one tolerance.
+std::vector<Leg> reduced(std::vector<Leg> legs, double tolerance) {
+  for (Leg& leg : legs) leg.allowance = {tolerance, tolerance};
+  return reduced(legs);
 }
 
 /// The lines that a leg is made of, in order.
@@ -79,6 +85,27 @@ TEST(Reduction, KeepsApartStraightLinesOfDifferentFeeds) {
   const std::vector<Leg> made = reduced(legs, 0.01);
   ASSERT_EQ(made.size(), 3u);
   EXPECT_EQ(made[1].feed, 20);
+}
+
+TEST(Reduction, KeepsApartStraightLinesOfDifferentTolerances) {
+  std::vector<Leg> legs = legs_along({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}});
+  for (Leg& leg : legs) leg.allowance = {0.01, 0.01};
+  legs[1].allowance = {0.1, 0.1};
+  legs[3].allowance = {0.01, 0.001};
+  const std::vector<Leg> made = reduced(legs);
+  ASSERT_EQ(made.size(), 4u);
+  for (std::size_t i = 0; i < made.size(); ++i) EXPECT_EQ(made[i].allowance, legs[i].allowance);
+}
+
+TEST(Reduction, MakesACloudOneWithinTheLeastToleranceOfItsLines) {
+  for (const double least : {0.01, 0.001}) {
+    std::vector<Leg> legs = legs_along({{0, 0}, {0.001, 0}, {0, 0.001}, {0.001, 0.001}});
+    for (Leg& leg : legs) leg.allowance = {0.1, 0.1};
+    legs[1].allowance = {0.5, least};
+    const std::vector<Leg> made = reduced(legs);
+    EXPECT_EQ(made.size(), least < 0.004 ? 3u : 1u);
+    EXPECT_EQ(made[0].allowance, made.size() == 1 ? (Allowance{0.1, least}) : legs[0].allowance);
+  }
 }
 
 TEST(Reduction, KeepsApartLinesWhoseLengthIsToldInOtherAxes) {

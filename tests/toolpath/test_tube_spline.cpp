@@ -14,7 +14,7 @@ using Outcome = TubeSpline::Outcome;
 struct Task {
   State start, end;
   std::vector<Vertex> vertices;
-  double longest = 0, shortest = 0;
+  double longest = 0;
 };
 
 struct Fit {
@@ -27,7 +27,7 @@ struct Fit {
 using Asks = std::function<bool(std::size_t vertex)>;
 
 Fit fit(const Task& task, const Asks& asks) {
-  TubeSpline spline(task.start, task.vertices.front(), task.longest, task.shortest);
+  TubeSpline spline(task.start, task.vertices.front(), task.longest);
   Fit fit;
   const auto settle = [&] {
     while ((fit.outcome = spline.settle()) == Outcome::settled || fit.outcome == Outcome::ended) {
@@ -51,13 +51,12 @@ Fit fit(const Task& task) {
 }
 
 /// From the first vertex to the last, the tangents there free.
-Task task_along(std::vector<Vertex> vertices, double longest, double shortest) {
+Task task_along(std::vector<Vertex> vertices, double longest) {
   Task task;
   task.start.derivative[0] = vertices.front().position;
   task.end.derivative[0] = vertices.back().position;
   task.vertices = std::move(vertices);
   task.longest = longest;
-  task.shortest = shortest;
   return task;
 }
 
@@ -80,7 +79,7 @@ Task random_task(double most_turn) {
   if (!is_even) {
     for (Vertex& vertex : vertices) vertex.margin *= logarithmic(0.2, 1);
   }
-  return task_along(vertices, 2 * std::max(logarithmic(0.1, 1), std::min(10 * margin, 3.0)), margin / 2);
+  return task_along(vertices, 2 * std::max(logarithmic(0.1, 1), std::min(10 * margin, 3.0)));
 }
 
 double size_of(const Task& task) {
@@ -140,7 +139,7 @@ RC_GTEST_PROP(TubeSpline, StaysInTheTube, ()) {
   const Task task = random_task(uniform(0, 3));
   const Fit made = fit(task);
   RC_CLASSIFY(made.outcome == Outcome::failed);
-  const double rounding = 1e-14 * size_of(task) / task.shortest;
+  const double rounding = 2e-14 * size_of(task) / task.vertices.front().tolerance;
   RC_ASSERT(made.greatest_share <= 1);
   RC_ASSERT(share_of_margin(task, made.stretches) <= made.greatest_share + rounding);
 }
@@ -155,8 +154,8 @@ RC_GTEST_PROP(TubeSpline, ProvesWhatLiesBetweenItsSamples, ()) {
       direction = turned(direction, uniform(0, 0.5), {0, 1});
     }
     std::vector<Vertex> vertices = vertices_of(polyline, 1);
-    for (Vertex& vertex : vertices) vertex.margin = logarithmic(0.01, 1);
-    const Task task = task_along(vertices, logarithmic(0.5, 6), 0.005);
+    for (Vertex& vertex : vertices) vertex.margin = logarithmic(0.01, 1), vertex.tolerance = 0.01;
+    const Task task = task_along(vertices, logarithmic(0.5, 6));
     const Fit made = fit(task);
     RC_ASSERT(share_of_margin(task, made.stretches) <= made.greatest_share + 1e-12);
   }
@@ -167,7 +166,7 @@ Task circle(double pitch, double length, double margin, double longest) {
   Polyline points;
   for (double angle = 0; angle < length / 10; angle += pitch / 10)
     points.push_back({10 * std::cos(angle), 10 * std::sin(angle)});
-  return task_along(vertices_of(points, margin), longest, margin / 2);
+  return task_along(vertices_of(points, margin), longest);
 }
 
 TEST(TubeSpline, ProvesNotMuchMoreThanIsTrueOnSmoothRuns) {
@@ -257,9 +256,9 @@ RC_GTEST_PROP(TubeSpline, IsTheSameHoweverMuchOfThePolylineIsKnown, ()) {
 
 TEST(TubeSpline, IsTheSameWhereJustEnoughIsKnown) {
   for (const double longest : {0.3, 0.37, 1.0, 1.3, 2.0, 0.7}) {
-    TubeSpline spline({}, {}, longest, 0.005);
+    TubeSpline spline({}, {}, longest);
     Polyline polyline{{0, 0}, {spline.reach(), 0}, {2 * spline.reach(), 1}};
-    const Task task = task_along(vertices_of(polyline, 0.01), longest, 0.005);
+    const Task task = task_along(vertices_of(polyline, 0.01), longest);
     EXPECT_TRUE(same(fit(task), fit(task, [](std::size_t) { return false; }))) << longest;
   }
 }
@@ -273,7 +272,7 @@ RC_GTEST_PROP(TubeSpline, IsStraightAlongAStraightLine, ()) {
     length += logarithmic(1e-2, 10);
     line.push_back(sum(from, length, direction));
   }
-  const Task task = task_along(vertices_of(line, logarithmic(1e-3, 1)), logarithmic(0.2, 6), 0);
+  const Task task = task_along(vertices_of(line, logarithmic(1e-3, 1)), logarithmic(0.2, 6));
   const Fit made = fit(task);
   RC_ASSERT(made.outcome == Outcome::ended);
   for (const QuinticSpline& stretch : made.stretches) {
@@ -300,7 +299,7 @@ TEST(TubeSpline, IsFoundInTubesOfRoundedWords) {
   for (const double pitch : {0.003, 0.01, 0.03, 0.1, 0.3}) {
     for (const double margin : {0.002, 0.005, 0.01}) {
       for (const double longest : {0.2, 1.0, 2.0}) {
-        const Fit made = fit(task_along(vertices_of(rounded_words(pitch), margin), longest, margin / 2));
+        const Fit made = fit(task_along(vertices_of(rounded_words(pitch), margin), longest));
         EXPECT_EQ(made.outcome, Outcome::ended) << pitch << ' ' << margin << ' ' << longest;
       }
     }

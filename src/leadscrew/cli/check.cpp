@@ -12,7 +12,7 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
   const auto file = open_program(program);
   if (!file) {
     log.add(file.error());
-    return {log.status(), results::json_of_rejected(results::check_schema, program, job.machine.name, log.all()), {}};
+    return rejected(results::check_schema, program, job, log);
   }
   const Reading reading = read_program(*file, job, console, log);
   const results::CheckFigures figures{reading.blocks, reading.moves};

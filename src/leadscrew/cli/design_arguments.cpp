@@ -137,7 +137,7 @@ void describe_design(Command& command, Arguments& arguments) {
   const auto add = [&](const char* name, const char* unit, const char* what, double& target) {
     command.value(name, unit, what, target, parse_quantity);
   };
-  add("--travel", "MM", "Greatest way of an axis", given->travel);
+  add("--travel", "MM", "Greatest travel of an axis", given->travel);
   add("--blu", "MM", "Basic length unit: a step", given->blu);
   add("--max-feed", "MM/MIN", "Greatest feed", given->max_feed);
   add("--min-distance", "MM", "Shortest line at the greatest feed", given->min_distance);

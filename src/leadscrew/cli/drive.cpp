@@ -108,10 +108,9 @@ Status status_of(const drive::Figures& figures, const DiagnosticLog& log) {
 
 ProgramResult drive_program(const std::string& program, const Job& job, Console& console) {
   DiagnosticLog log(console);
-  const std::string name = program == "-" ? "<stdin>" : program;
+  const std::string name = shown_name(program);
   const auto figures = ProgramDrive(program, job, console, log).execute();
-  if (!figures)
-    return {log.status(), results::json_of_rejected(results::drive_schema, name, job.machine.name, log.all()), {}};
+  if (!figures) return rejected(results::drive_schema, name, job, log);
   return {status_of(*figures, log), results::json_of_drive(name, job.machine, *figures, log.all()),
           results::drive_summary(name, job.machine, *figures, console.output_style())};
 }

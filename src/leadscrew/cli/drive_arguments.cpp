@@ -55,6 +55,8 @@ void describe_drive(Command& command, Arguments& arguments) {
   add_motion(command, arguments);
   command.text("--trace", "FILE", "Write the words that the drives took: " + trace::endings_text(), drive.trace);
   command.text("--axes", "FILE", "Write where the axes went, period by period: " + trace::endings_text(), drive.axes);
+  command.text("--events", "FILE", "Write when and where spindle, coolant, tools and outputs were asked for, as CSV",
+               drive.events);
   command.text("--sink", "FILE", "Words go on time to this file or pipe, as CSV, and to no drives", drive.sink);
   command.text("--state", "FILE", "Keep on disk how far it has come, for --resume", drive.state);
   command.text("--resume", "FILE", "Go on from where a drive was stopped or killed; FILE is kept up", drive.resume);

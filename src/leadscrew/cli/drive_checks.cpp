@@ -33,7 +33,7 @@ base::Result<void> check_sink(const Job& job) {
 base::Result<void> check_drive_files(const files::InputFile& program, const Job& job) {
   const drive::Options& arguments = job.arguments.drive;
   std::vector<std::string> written;
-  for (const auto& path : {arguments.trace, arguments.axes, arguments.state, arguments.sink}) {
+  for (const auto& path : {arguments.trace, arguments.axes, arguments.events, arguments.state, arguments.sink}) {
     if (path) written.push_back(*path);
   }
   // A state that goes on may be kept in another file or in the same.
@@ -43,6 +43,7 @@ base::Result<void> check_drive_files(const files::InputFile& program, const Job&
     if (auto sound = drive::check_replaceable(*arguments.state); !sound) return sound;
   }
   if (auto trace = check_ending("--trace", arguments.trace, trace::endings()); !trace) return trace;
+  if (auto events = check_ending("--events", arguments.events, {".csv"}); !events) return events;
   if (auto sink = check_sink(job); !sink) return sink;
   return check_ending("--axes", arguments.axes, trace::endings());
 }

@@ -26,6 +26,13 @@ std::string cut(std::string screen) {
   return screen;
 }
 
+/// As it was programmed, from its beginning.
+gcode::Reader programmed(const files::InputFile& file, const Job& job) {
+  gcode::ReaderOptions options = job.reader_options(file.name());
+  options.path_mode = gcode::PathMode::exact_stop;
+  return gcode::Reader(file.source(), job.machine, job.tools, options, nullptr);
+}
+
 }  // namespace
 
 DriveView::DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style)
@@ -33,7 +40,7 @@ DriveView::DriveView(const termios& settings, const files::InputFile& file, cons
       job_(job),
       program_(results::printable(file.name())),
       style_(style),
-      map_(file, job, std::min(drive::Terminal::columns() - 1, widest_map),
+      map_([&] { return programmed(file, job); }, std::min(drive::Terminal::columns() - 1, widest_map),
            std::min(drive::Terminal::rows() - status_lines, highest_map)) {}
 
 void DriveView::observe(const drive::Feedback& feedback) {
@@ -48,7 +55,7 @@ bool DriveView::go_on(realtime::Runner& runner) {
 }
 
 bool DriveView::go_back(double seconds) {
-  draw_way_back(seconds);
+  draw_return(seconds);
   return is_asked_to_stop();
 }
 
@@ -118,14 +125,20 @@ bool DriveView::is_due() {
   return true;
 }
 
-void DriveView::draw(const realtime::Runner& runner) {
-  if (is_due()) drive::Terminal::draw("\033[H" + cut(status_text(runner) + map_.text(style_)) + "\033[J");
+std::string DriveView::map_text() const {
+  return map_.text([&](bool visited, std::string_view text) {
+    return style_(visited ? Tone::good : Tone::faint, std::string(text));
+  });
 }
 
-void DriveView::draw_way_back(double seconds) {
+void DriveView::draw(const realtime::Runner& runner) {
+  if (is_due()) drive::Terminal::draw("\033[H" + cut(status_text(runner) + map_text()) + "\033[J");
+}
+
+void DriveView::draw_return(double seconds) {
   if (!is_due()) return;
   drive::Terminal::draw(fmt::format("\033[H{}back along the path to where motion goes on, {:.1f} s{}{}{}{}\033[J",
-                                    place_text(), seconds, end, style_(Tone::faint, "q stop"), end, map_.text(style_)));
+                                    place_text(), seconds, end, style_(Tone::faint, "q stop"), end, map_text()));
 }
 
 }  // namespace leadscrew::cli

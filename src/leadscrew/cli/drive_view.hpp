@@ -1,11 +1,12 @@
 #pragma once
 // The live view of a drive on a terminal, and its keys.
 
-#include <leadscrew/cli/part_map.hpp>
+#include <leadscrew/cli/job.hpp>
 #include <leadscrew/drive/link.hpp>
 #include <leadscrew/drive/pause.hpp>
 #include <leadscrew/drive/terminal.hpp>
 #include <leadscrew/realtime/runner.hpp>
+#include <leadscrew/results/part_map.hpp>
 
 namespace leadscrew::cli {
 
@@ -26,18 +27,19 @@ class DriveView {
   bool obey_keys(realtime::Runner& runner);
   bool is_asked_to_stop();
   void draw(const realtime::Runner& runner);
-  void draw_way_back(double seconds);
+  void draw_return(double seconds);
   std::string place_text() const;
   std::string status_text(const realtime::Runner& runner) const;
   std::string wait_text(const realtime::Counters& counters) const;
   bool stands_at_pause(const realtime::Counters& counters) const;
   bool is_due();
+  std::string map_text() const;
 
   drive::Terminal terminal_;
   const Job& job_;
   std::string program_;
   Style style_;
-  PartMap map_;
+  results::PartMap map_;
   drive::Feedback last_{};
   drive::Pause pause_;
   double factor_ = 1;  ///< of the feed, when it is not held

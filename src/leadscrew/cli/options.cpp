@@ -55,14 +55,18 @@ std::string unexpected(const CLI::App& command) {
   return fmt::format("no option {}{}", name, meant ? fmt::format("; did you mean --{}?", *meant) : "");
 }
 
-/// "--bits: 1 required N missing" and its likes, in words.
-std::string mismatch(const std::string& said) {
-  const std::size_t colon = said.find(": 1 required ");
-  const std::string_view missing = " missing";
-  if (colon == std::string::npos || !said.ends_with(missing)) return said;
-  const std::size_t value = colon + std::string_view(": 1 required ").size();
-  return fmt::format("{} needs a value: {}", said.substr(0, colon),
-                     said.substr(value, said.size() - missing.size() - value));
+/// An option that was given too often, or as the last word of the line without its value; otherwise what CLI11 said.
+std::string mismatch(const CLI::App& command, const std::string& last, const std::string& said) {
+  for (const CLI::Option* option : command.get_options()) {
+    const auto given = static_cast<int>(option->count());
+    const int most = option->get_items_expected_max();  // 0 of a flag, which may be given again
+    if (most > 0 && given > most) return fmt::format("{} is given {} times", option->get_name(), given);
+  }
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_min() > 0 && option->check_name(last))
+      return fmt::format("{} needs a value: {}", option->get_name(), option->get_type_name());
+  }
+  return said;
 }
 
 /// The first word must be a command; CLI11 would say less.
@@ -209,7 +213,7 @@ std::variant<std::size_t, Answer> parse_command_line(std::deque<Command>& comman
   } catch (const CLI::ExtrasError&) {
     return usage_answer(name(), unexpected(asked()));
   } catch (const CLI::ArgumentMismatch& error) {
-    return usage_answer(name(), mismatch(error.what()));
+    return usage_answer(name(), mismatch(asked(), values[count - 1], error.what()));
   } catch (const CLI::ParseError& error) {
     return usage_answer(name(), error.what());
   }

@@ -50,7 +50,8 @@ std::string stem_of(const std::string& program) {
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
-  OutputPaths paths{arguments.run.trace, arguments.run.report, arguments.run.picture, arguments.run.pulses};
+  OutputPaths paths{arguments.run.trace, arguments.run.report, arguments.run.picture, arguments.run.pulses,
+                    arguments.run.events};
   if (!arguments.run.out) return paths;
   const std::string base = (std::filesystem::path(*arguments.run.out) / stem_of(program)).string();
   if (!paths.trace) paths.trace = base + ".csv";
@@ -103,6 +104,7 @@ base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile&
   }
   if (auto sound = check_written(written, program, arguments); !sound) return sound;
   if (auto trace = check_ending("--trace", paths.trace, trace::endings()); !trace) return trace;
+  if (auto events = check_ending("--events", paths.events, {".csv"}); !events) return events;
   return check_ending("--pulses", paths.pulses, {".vcd", ".csv"});
 }
 
@@ -121,6 +123,10 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     auto opened = StepOutput::open(*paths.pulses, job);
     if (!opened) return base::failure(opened.error());
     outputs.steps_ = std::move(*opened);
+  }
+  if (paths.events) {
+    if (auto opened = outputs.events_.open(*paths.events, job.machine.period); !opened)
+      return base::failure(opened.error());
   }
   for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_), {&paths.picture, &outputs.picture_}}) {
     if (!*path) continue;
@@ -142,6 +148,11 @@ base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector
   return trace_.write(word, actual);
 }
 
+void Outputs::write(const base::PassedEvent& event) {
+  if (recording_) recording_->observe(event);
+  static_cast<void>(events_.write(event));
+}
+
 base::Result<void> Outputs::write_pages(const report::Report& report) {
   if (report_) {
     auto written =
@@ -159,8 +170,9 @@ std::optional<results::StepFigures> Outputs::step_figures() const {
 
 base::Result<std::vector<std::string>> Outputs::publish() {
   if (auto finished = trace_.finish(); !finished) return base::failure(finished.error());
+  if (auto finished = events_.finish(); !finished) return base::failure(finished.error());
   files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
-  const auto written = {trace_.file(), report_.get(), picture_.get(), steps};
+  const auto written = {trace_.file(), report_.get(), picture_.get(), steps, events_.file()};
   if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
   for (const files::OutputFile* file : written) {

@@ -1,10 +1,11 @@
 #pragma once
-// The files of one run: a trace, steps, a report, a picture. They appear together when all is done, or not at all.
+// The files of one run: a trace, steps, events, a report, a picture. They appear together when all is done, or not at all.
 
 #include <array>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/step_output.hpp>
+#include <leadscrew/files/event_file.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/files/word_file.hpp>
 #include <leadscrew/report/recording.hpp>
@@ -18,9 +19,9 @@ namespace leadscrew::cli {
 
 /// Which files a run was asked to write.
 struct OutputPaths {
-  std::optional<std::string> trace, report, picture, pulses;
+  std::optional<std::string> trace, report, picture, pulses, events;
 
-  std::array<std::optional<std::string>, 4> all() const { return {trace, report, picture, pulses}; }
+  std::array<std::optional<std::string>, 5> all() const { return {trace, report, picture, pulses, events}; }
 };
 
 /// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them, and
@@ -49,6 +50,9 @@ class Outputs {
   /// And where the slides were, with the feed that was measured, mm/s.
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
 
+  /// Of the word that is written next. Errors are told by publish().
+  void write(const base::PassedEvent& event);
+
   /// What a report and a picture are made of; null where neither was asked for.
   const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
@@ -69,6 +73,7 @@ class Outputs {
 
   const Job* job_;
   files::WordFile trace_;
+  files::EventFile events_;
   std::unique_ptr<files::OutputFile> report_, picture_;  ///< their sinks refer to them
   std::unique_ptr<StepOutput> steps_;
   std::optional<report::Recording> recording_;

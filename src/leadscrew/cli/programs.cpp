@@ -86,6 +86,14 @@ Status write_output(Console& console, std::string_view text) {
   return status_of(written.error());
 }
 
+std::string shown_name(const std::string& program) {
+  return program == "-" ? "<stdin>" : program;
+}
+
+ProgramResult rejected(std::string_view schema, const std::string& name, const Job& job, const DiagnosticLog& log) {
+  return {log.status(), results::json_of_rejected(schema, name, job.machine.name, log.all()), {}};
+}
+
 Status for_each_program(const Job& job, Console& console, std::string_view schema, const ProgramWork& work) {
   const Arguments& arguments = job.arguments;
   std::optional<ProgramThreads> threads;

@@ -18,6 +18,11 @@ struct ProgramResult {
   std::string summary;  ///< may be empty
 };
 
+/// As results name it: "<stdin>" for "-".
+std::string shown_name(const std::string& program);
+/// Of what got no further than its diagnostics.
+ProgramResult rejected(std::string_view schema, const std::string& name, const Job& job, const DiagnosticLog& log);
+
 /// What it finds wrong goes to its console. Threads work on several programs at a time.
 using ProgramWork = std::function<ProgramResult(const std::string& program, const Job& job, Console& console)>;
 

@@ -128,8 +128,8 @@ void observe_ideal_path(const files::InputFile& file, const Job& job, report::Fo
     for (const toolpath::Piece& piece : toolpath::pieces_of(move)) {
       const int count = move.kind == gcode::Move::Kind::line ? 1 : parts;
       for (int i = 1; i <= count; ++i) {
-        const double s = geometry::length(piece.curve) * i / count;
-        followed.observe_ideal(geometry::evaluate(piece.curve, numeric::DoubleDouble(s)));
+        const double s = piece.axes().length() * i / count;
+        followed.observe_ideal(piece.axes().position(numeric::DoubleDouble(s)));
       }
     }
   }

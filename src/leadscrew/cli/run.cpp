@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/report_form.hpp>
@@ -8,6 +10,7 @@
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
+#include <span>
 
 namespace leadscrew::cli {
 
@@ -66,21 +69,23 @@ class ProgramRun {
                               nullptr);
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
+    program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
                              files::interrupted);
-    realtime::StopWatch watch;
+    realtime::StopWatch<> watch;
     console_.begin_progress();
     while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
-      const base::Word word = watch.cycle([&] { return program.cycle(); });
-      referee.observe(word.position);
-      if (auto written = outputs.write(word); !written) return base::failure(written.error());
-      if (base::count(word.tick) % words_between_checks != 0) continue;
-      if (files::interrupted()) return base::failure(files::interruption());
-      progress.words = base::count(word.tick);
-      progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
-      console_.progress(progress);
+      for (const base::Word& word : next_words(program, watch)) {
+        referee.observe(word.position);
+        if (auto written = outputs.write(word); !written) return base::failure(written.error());
+        if (base::count(word.tick) % words_between_checks != 0) continue;
+        if (files::interrupted()) return base::failure(files::interruption());
+        progress.words = base::count(word.tick);
+        progress.motion_seconds = base::seconds(word.tick, job_.machine.period);
+        console_.progress(progress);
+      }
     }
     if (program.failure()) return base::failure(*program.failure());
     if (const auto warning = program.warning()) log_.add(*warning);
@@ -91,18 +96,26 @@ class ProgramRun {
         program.summary(), std::move(verdict), {reading.seconds, watch.preparing(), watch.cycling(), watch.samples()}};
   }
 
+  /// Many together, but for those that are timed one by one.
+  std::span<const base::Word> next_words(pipeline::Program& program, realtime::StopWatch<>& watch) {
+    const std::size_t most = std::min(watch.words_until_sample(), words_.size());
+    if (most > 0) return watch.many([&] { return program.cycle(std::span(words_).first(most)); });
+    words_[0] = watch.cycle([&] { return program.cycle(); });
+    return std::span(words_).first(1);
+  }
+
   std::string program_;
   const Job& job_;
   Console& console_;
   DiagnosticLog& log_;
+  std::array<base::Word, 64> words_;
 };
 
 ProgramResult run_program(const std::string& program, const Job& job, Console& console) {
   DiagnosticLog log(console);
-  const std::string name = program == "-" ? "<stdin>" : program;
+  const std::string name = shown_name(program);
   const auto figures = ProgramRun(program, job, console, log).execute();
-  if (!figures)
-    return {log.status(), results::json_of_rejected(results::run_schema, name, job.machine.name, log.all()), {}};
+  if (!figures) return rejected(results::run_schema, name, job, log);
   return {figures->kept() ? Status::done : Status::not_kept,
           results::json_of_run(name, job.machine, *figures, log.all()),
           results::run_summary(name, job.machine, *figures, console.output_style())};

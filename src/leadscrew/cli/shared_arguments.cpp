@@ -50,9 +50,11 @@ void add_pages(Command& command, Arguments& arguments) {
   RunArguments& run = arguments.run;
   command.output("--report", "FILE.html", "Write one self-contained page", run.report);
   command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed", run.picture);
+  command.output("--events", "FILE.csv", "Write when and where spindle, coolant, tools and outputs were asked for",
+                 run.events);
   command.output("--out", "DIR", "Write DIR/NAME.csv, .html and .svg of each program", run.out);
   command.check([&command, &arguments]() -> Parsed<void> {
-    const std::string_view option = command.first_given({"--trace", "--report", "--picture"});
+    const std::string_view option = command.first_given({"--trace", "--report", "--picture", "--events"});
     if (arguments.programs.size() < 2 || option.empty()) return {};
     return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
   });

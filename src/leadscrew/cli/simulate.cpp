@@ -65,6 +65,7 @@ class Simulation {
                               nullptr);
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
+    program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
     gcode::Reader reader = silent_reader(file, job_);
     const drive::LoopKind kind = job_.arguments.simulate.pulses ? drive::LoopKind::pulses : drive::LoopKind::words;
     auto slides = drive::Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
@@ -167,10 +168,9 @@ class Simulation {
 
 ProgramResult simulate_program(const std::string& program, const Job& job, Console& console) {
   DiagnosticLog log(console);
-  const std::string name = program == "-" ? "<stdin>" : program;
+  const std::string name = shown_name(program);
   const auto figures = Simulation(job, console, log).execute(program);
-  if (!figures)
-    return {log.status(), results::json_of_rejected(results::simulate_schema, name, job.machine.name, log.all()), {}};
+  if (!figures) return rejected(results::simulate_schema, name, job, log);
   return {figures->kept() ? Status::done : Status::not_kept,
           results::json_of_simulation(name, job.machine, *figures, log.all()),
           results::simulate_summary(name, job.machine, *figures, console.output_style())};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <leadscrew/cli/diagnostic_log.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
@@ -35,6 +36,18 @@ base::Result<void> draw(const study::Study& study, const std::string& path) {
   return files::publish_together({&*file});
 }
 
+base::Result<void> write_words(const std::vector<study::StudyFile>& texts, const std::string& folder) {
+  std::error_code ignored;  // writing says what is wrong
+  std::filesystem::create_directories(folder, ignored);
+  for (const study::StudyFile& each : texts) {
+    auto file = files::OutputFile::create(folder + "/" + each.name, files::OutputFile::Access::sequential);
+    if (!file) return base::failure(file.error());
+    if (auto written = file->write(each.text); !written) return written;
+    if (auto published = files::publish_together({&*file}); !published) return published;
+  }
+  return {};
+}
+
 Status status_of(const study::Rows& rows) {
   const bool failed = std::any_of(rows.begin(), rows.end(), [](const study::Row& row) {
     return row.verdict == study::Verdict::exceeded || row.verdict == study::Verdict::not_run;
@@ -53,11 +66,19 @@ Status study(const Arguments& arguments, Console& console) {
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study.name; });
   if (chosen == known.end()) return Status::usage;
   files::end_when_interrupted();
-  const study::Rows rows = chosen->rows({realtime::SystemClocks::processor_seconds, wall_seconds, share_out});
+  const study::Host host = {realtime::SystemClocks::processor_seconds, wall_seconds, share_out};
+  const study::Rows rows = chosen->rows(host);
   if (arguments.study.picture) {
     if (auto drawn = draw(*chosen, *arguments.study.picture); !drawn) {
       DiagnosticLog log(console);
       log.add(drawn.error());
+      return log.status();
+    }
+  }
+  if (arguments.study.words) {
+    if (auto written = write_words(chosen->words(host), *arguments.study.words); !written) {
+      DiagnosticLog log(console);
+      log.add(written.error());
       return log.status();
     }
   }

@@ -17,17 +17,26 @@ constexpr std::string_view study_examples =
     "  leadscrew study list                       what there is\n"
     "  leadscrew study butterfly\n"
     "  leadscrew study feed-fluctuation --json    rows of what, published, ours, unit, verdict and why\n"
-    "  leadscrew study real-time-vs-offline --picture feeds.svg\n";
+    "  leadscrew study real-time-vs-offline --picture feeds.svg\n"
+    "  leadscrew study tube --words tube          then: leadscrew verify tube/square.csv tube/square.ngc\n";
 
-Parsed<void> check_picture(const StudyArguments& asked) {
-  if (!asked.picture) return {};
-  std::vector<std::string_view> drawn;
+/// That the study asked for is one of those with `part`, if the option is given.
+template <class Part>
+Parsed<void> check_part(std::string_view option, bool given, std::string_view name, Part study::Study::* part) {
+  if (!given) return {};
+  std::vector<std::string_view> known;
   for (const study::Study& study : study::studies()) {
-    if (study.charts == nullptr) continue;
-    if (study.name == asked.name) return {};
-    drawn.push_back(study.name);
+    if (study.*part == nullptr) continue;
+    if (study.name == name) return {};
+    known.push_back(study.name);
   }
-  return wrong("--picture: there is none of {}; there is of {}", asked.name, fmt::join(drawn, ", "));
+  return wrong("{}: there is none of {}; there is of {}", option, name, fmt::join(known, ", "));
+}
+
+Parsed<void> check_outputs(const StudyArguments& asked) {
+  return check_part("--picture", asked.picture.has_value(), asked.name, &study::Study::charts).and_then([&] {
+    return check_part("--words", asked.words.has_value(), asked.name, &study::Study::words);
+  });
 }
 
 Parsed<void> check_name(std::string_view name) {
@@ -45,8 +54,10 @@ void describe_study(Command& command, Arguments& arguments) {
   StudyArguments& study = arguments.study;
   command.word("NAME", "Which; list says what there is", study.name);
   command.text("--picture", "FILE", "Its quantities over time, where it has any, as an SVG", study.picture);
+  command.text("--words", "FOLDER", "Its programs and their words, where it has any, as files in a folder",
+               study.words);
   add_output(command, arguments);
-  command.check([&study] { return check_name(study.name).and_then([&] { return check_picture(study); }); });
+  command.check([&study] { return check_name(study.name).and_then([&] { return check_outputs(study); }); });
   command.help(std::string(study_examples));
 }
 

@@ -9,6 +9,7 @@ namespace leadscrew::cli {
 struct StudyArguments {
   std::string name;  ///< of a study that there is, or "list"
   std::optional<std::string> picture;
+  std::optional<std::string> words;  ///< folder
 };
 
 struct Arguments;

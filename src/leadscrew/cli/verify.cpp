@@ -103,10 +103,9 @@ class Verification {
 
 ProgramResult verify_program(const std::string& program, const Job& job, Console& console) {
   DiagnosticLog log(console);
-  const std::string name = program == "-" ? "<stdin>" : program;
+  const std::string name = shown_name(program);
   const auto figures = Verification(job, console, log).execute(job.arguments.judged_trace, program);
-  if (!figures)
-    return {log.status(), results::json_of_rejected(results::verify_schema, name, job.machine.name, log.all()), {}};
+  if (!figures) return rejected(results::verify_schema, name, job, log);
   return {figures->verdict.objects() ? Status::not_kept : Status::done,
           results::json_of_verify(name, job.machine, *figures, log.all()),
           results::verify_summary(name, job.machine, *figures, console.output_style())};

@@ -162,8 +162,10 @@ class MachineReader {
 
   void read_machine_keys(const toml::table& root) {
     check_keys(root, machine_keys, false);
-    if (const auto name = string(root, "name", {})) machine_.name = *name;
-    if (const auto kinematics = string(root, "kinematics", field::kinematics)) machine_.kinematics = *kinematics;
+    if (const auto name = value<std::string>(root, "name", {})) machine_.name = *name;
+    if (const auto kinematics = value<std::string>(root, "kinematics", field::kinematics))
+      machine_.kinematics = *kinematics;
+    if (const auto waits = value<bool>(root, spindle_waits_key, spindle_waits_key)) machine_.spindle_waits = *waits;
     if (const auto period = number(root, "period_us", {.field = field::period}))
       machine_.period = base::Period{nanoseconds(*period).value_or(0)};
     for (const auto& [field, key, value] : machine_numbers) {
@@ -332,14 +334,18 @@ class MachineReader {
     return table;
   }
 
-  std::optional<std::string> string(const toml::table& table, std::string_view key, std::string_view field) {
+  /// A string, or true or false.
+  template <typename T>
+  std::optional<T> value(const toml::table& table, std::string_view key, std::string_view field) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return std::nullopt;
     positions_[slot_of({.field = field})] = node->source().begin;
-    const auto value = node->value_exact<std::string>();
+    const auto value = node->value_exact<T>();
+    constexpr bool is_flag = std::is_same_v<T, bool>;
     if (!value) {
-      report("machine-type", node->source().begin, fmt::format("{} is {}, not a string", key, type_text(*node)),
-             fmt::format("write {} = \"…\"", key));
+      report("machine-type", node->source().begin,
+             fmt::format("{} is {}, not {}", key, type_text(*node), is_flag ? "true or false" : "a string"),
+             fmt::format("write {} = {}", key, is_flag ? "true" : "\"…\""));
     }
     return value;
   }

@@ -14,6 +14,9 @@
 
 namespace leadscrew::config {
 
+/// true: motion rests for M3, M4 and M5, as without it; false: it goes on.
+inline constexpr std::string_view spindle_waits_key = "spindle_waits";
+
 /// A number of the machine itself, in the unit that it has there.
 struct MachineNumber {
   std::string_view field, key;
@@ -25,8 +28,9 @@ inline constexpr std::array machine_numbers = {
 
 /// Outside tables.
 inline constexpr auto machine_keys = [] {
-  std::array<std::string_view, 4 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  std::array<std::string_view, 5 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
   for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
+  keys[keys.size() - 2] = spindle_waits_key;
   keys.back() = "axis";
   return keys;
 }();

@@ -8,16 +8,15 @@
 //
 // A kind is a class that is made of a machine and has
 //
-//     Row           the shape of its rows
-//     is_of_axes    a row for each axis, its index the axis'; otherwise at most one row, of index 0
-//     is_proven     does a motion that passes it between knots have to be planned again? Then it counts in what bounds
-//                   time, too
-//     is_smooth     does its ratio run smoothly along a piece, so that a parabola through samples finds a peak?
-//     rows(place, take)   calls take(index, row); rows of one index are the same limit all along a path, and are given
-//     at
-//                         every place, be it that they bound nothing there
-//     limit(axis)   if it is of axes: that axis', infinite without one
-//     name          if it is not: as reports name it
+//     Row                the shape of its rows
+//     is_of_axes         a row for each axis, its index the axis'; otherwise at most one row, of index 0
+//     is_proven          does a motion that passes it between knots have to be planned again? Then it counts in what
+//                        bounds time, too
+//     is_smooth          does its ratio run smoothly along a piece, so that a parabola through samples finds a peak?
+//     rows(place, take)  calls take(index, row); rows of one index are the same limit all along a path, and are given
+//                        at every place, be it that they bound nothing there
+//     limit(axis)        if it is of axes: that axis', infinite without one
+//     name               if it is not: as reports name it
 //
 // and stands in Kinds below. How the path is travelled is the caller's; nothing here knows of solvers.
 
@@ -38,7 +37,7 @@
 namespace leadscrew::constraints {
 
 /// Every kind of limit, in the order in which rows are given.
-using Kinds = std::tuple<Feed, AxisVelocity, AxisAcceleration, AxisJerk, ChordError>;
+using Kinds = std::tuple<ProgrammedFeed, AxisVelocity, AxisAcceleration, AxisJerk, ChordError>;
 
 inline constexpr std::size_t kind_count = std::tuple_size_v<Kinds>;
 template <std::size_t kind>

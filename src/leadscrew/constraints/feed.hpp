@@ -8,13 +8,13 @@
 
 namespace leadscrew::constraints {
 
-class Feed {
+class ProgrammedFeed {
  public:
   using Row = SpeedRow;
   static constexpr std::string_view name = "feed";
   static constexpr bool is_of_axes = false, is_proven = true, is_smooth = false;
 
-  explicit Feed(const machine::Machine&) {}
+  explicit ProgrammedFeed(const machine::Machine&) {}
 
   template <typename Take>
   void rows(const Place& at, const Take& take) const {

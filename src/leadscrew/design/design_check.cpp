@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/design/design_check.hpp>
 #include <leadscrew/numeric/rounded_up.hpp>
 #include <string>
@@ -16,9 +15,7 @@ using Problems = std::vector<base::Diagnostic>;
 constexpr double greatest_register = 1 << 30;  // of a design: 30 bits
 
 std::string text(double value) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.10g", value);
-  return digits.data();
+  return base::text(value, 10);
 }
 
 void add(Problems& problems, std::string_view code, std::string message, std::string hint) {
@@ -93,7 +90,8 @@ Problems problems_of(const DdaRange& range, const std::vector<double>& delta_mm,
     square += pulses * pulses;
   }
   if (square == 0)
-    add(problems, "no-way", "the line ends where it starts, or within half a BLU of it", "a line needs a way");
+    add(problems, "no-way", "the line ends where it starts, or within half a BLU of it",
+        "give an end away from the start");
   if (!problems.empty()) return problems;
   check_feed(problems, feed_mm_min, range.max_feed_mm_min);
   const double word = 10 * feed_mm_min / range.blu_mm / std::sqrt(square);

@@ -57,10 +57,10 @@ base::Result<Beginning> Beginning::of(const files::InputFile& program, const Set
     if (!kept) return base::failure(kept.error());
     if (auto same = check_resumable(*kept, *fingerprint, setup.machine, *options.resume); !same)
       return base::failure(same.error());
-    auto way_back = find_way_back(*kept, program, setup, *options.resume);
-    if (!way_back) return base::failure(way_back.error());
-    begin.way_back = std::move(*way_back);
-    if (options.sink && !begin.way_back.empty()) return base::failure(stands_elsewhere(*options.resume));
+    auto return_path = find_return_path(*kept, program, setup, *options.resume);
+    if (!return_path) return base::failure(return_path.error());
+    begin.return_path = std::move(*return_path);
+    if (options.sink && !begin.return_path.empty()) return base::failure(stands_elsewhere(*options.resume));
     state = *kept;
     if (state.kind == State::Kind::moving) begin.warning = cut_twice(*options.resume);
   }

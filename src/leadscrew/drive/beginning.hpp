@@ -10,13 +10,13 @@
 namespace leadscrew::drive {
 
 struct Beginning {
-  State state;                              ///< its word is where the first word will be, its axes where they stand
-  std::vector<base::PathPlace> way_back;    ///< from the axes to that word, a place a period
-  std::vector<StateLock> held;              ///< of the states that are kept and gone on from
-  std::optional<base::Diagnostic> warning;  ///< `resume-cut-twice`
+  State state;                               ///< its word is where the first word will be, its axes where they stand
+  std::vector<base::PathPlace> return_path;  ///< from the axes to that word, a place a period
+  std::vector<StateLock> held;               ///< of the states that are kept and gone on from
+  std::optional<base::Diagnostic> warning;   ///< `resume-cut-twice`
 
   /// Holds the states, reads the one to resume, and writes the one to keep. Errors: those of StateLock::hold(),
-  /// fingerprint_of(), read_state(), check_resumable(), find_way_back() and write_state().
+  /// fingerprint_of(), read_state(), check_resumable(), find_return_path() and write_state().
   static base::Result<Beginning> of(const files::InputFile& program, const Setup& setup);
 };
 

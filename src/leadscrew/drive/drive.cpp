@@ -51,7 +51,7 @@ class Drive {
  private:
   /// Until the drives stand where motion begins. After a signal, or a word of who looks on, they do nothing more.
   base::Result<void> await_readiness() {
-    const double seconds = static_cast<double>(begin_.way_back.size()) * setup_.machine.period.seconds();
+    const double seconds = static_cast<double>(begin_.return_path.size()) * setup_.machine.period.seconds();
     bool stops = false;
     while (process_.is_running() && (stops || link_.phase.load(std::memory_order_acquire) == Phase::starting)) {
       take_feedback();

@@ -11,7 +11,7 @@
 //
 // Modules, in the order of the data:
 //   setup, checks     what is asked for, and whether the machine can be driven so
-//   state, state_lock, resume, beginning   where an earlier drive has come to, and the way back to there
+//   state, state_lock, resume, beginning   where an earlier drive has come to, and the return path to there
 //   word_maker        text to words on time; word_guard: what is never handed over
 //   link, process     memory shared by two processes, and the other one's life
 //   drive_side, file_side, word_side       the other process: simulated drives, or a file

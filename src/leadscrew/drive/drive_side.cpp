@@ -49,6 +49,7 @@ class DriveSide : public WordSide {
 
   base::Result<void> open(const Setup& setup) {
     const Options& options = setup.options;
+    if (auto opened = open_events(setup); !opened) return opened;
     if (options.trace) {
       if (auto opened = trace_file_.open(*options.trace, setup.machine); !opened) return opened;
     }
@@ -56,9 +57,9 @@ class DriveSide : public WordSide {
     return {};
   }
 
-  base::Result<void> run(const std::vector<base::PathPlace>& way_back) {
+  base::Result<void> run(const std::vector<base::PathPlace>& return_path) {
     wake_ = realtime::now();
-    go(way_back);
+    go(return_path);
     link_.phase.store(Phase::ready, std::memory_order_release);
     while (period()) wait();
     link_.concluding.store(true, std::memory_order_release);
@@ -67,10 +68,10 @@ class DriveSide : public WordSide {
   }
 
  private:
-  /// To where the first word will be; called off, to where the way back rests next.
-  void go(const std::vector<base::PathPlace>& way_back) {
+  /// To where the first word will be; called off, to where the return path rests next.
+  void go(const std::vector<base::PathPlace>& return_path) {
     took(observe());
-    for (const base::PathPlace& place : way_back) {
+    for (const base::PathPlace& place : return_path) {
       if (axes_.at_rest() && is_called_off()) return;
       follow(place);
       wait();
@@ -113,6 +114,7 @@ class DriveSide : public WordSide {
     last_ = word;
     follow({word.position, word.path_length});
     took(trace_file_.write(word));
+    took(write_events(word));
     took(observe());
     link_.taken.fetch_add(1, std::memory_order_release);
     return true;
@@ -172,11 +174,11 @@ class DriveSide : public WordSide {
 };
 
 /// Opens its files, and takes words until there are no more.
-template <class Side, class... WayBack>
-void run(Side& side, Link& link, const Setup& setup, const WayBack&... way_back) {
+template <class Side, class... ReturnPath>
+void run(Side& side, Link& link, const Setup& setup, const ReturnPath&... return_path) {
   base::Result<void> done = side.open(setup);
   if (done) {
-    done = side.run(way_back...);
+    done = side.run(return_path...);
   } else {
     side.give_up();
   }
@@ -195,7 +197,7 @@ void run_drives(Link& link, const Setup& setup, Beginning& begin) {
     DriveSide side(link, setup, begin.state);  // with the thread that writes states, which has no deadline
     // What is not permitted, the command says of itself.
     static_cast<void>(realtime::become_real_time());
-    run(side, link, setup, begin.way_back);
+    run(side, link, setup, begin.return_path);
   }
   if (link.is_orphan()) {
     for (StateLock& lock : begin.held) lock.remove_file();

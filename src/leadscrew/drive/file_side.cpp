@@ -24,7 +24,8 @@ FileSide::FileSide(Link& link, const Setup& setup, const State& begin)
       writer_([this](std::string_view bytes) { return write(bytes); }, setup.machine.axis_set(), setup.machine.period),
       progress_(realtime::now()) {}
 
-base::Result<void> FileSide::open(const Setup&) {
+base::Result<void> FileSide::open(const Setup& setup) {
+  if (auto opened = open_events(setup); !opened) return opened;
   // A pipe without a reader cannot be opened so: ENXIO.
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC;
   struct stat status = {};
@@ -71,6 +72,7 @@ void FileSide::take_words() {
   }
   accepted_bytes_ = written_bytes_;
   last_ = words.back();
+  took(write_events(last_));
   link_.taken.fetch_add(static_cast<std::int64_t>(words.size()), std::memory_order_release);
   for (const base::Word& word : words) link_.feedback.push({.word = word, .actual = word.position});
   state_writer_.observe(last_, {last_.position, last_.path_length});

@@ -13,7 +13,8 @@ realtime::WordSink GuardedSink::sink() {
                 stop_path_guard_.observe(place.position);
                 return link_.words.lead_on(place);
               },
-          .publish = [this] { return publish(); }};
+          .publish = [this] { return publish(); },
+          .event = [this](const base::PassedEvent& event) { return link_.events.push(event); }};
 }
 
 bool GuardedSink::take(const base::Word& word) noexcept {

@@ -1,8 +1,8 @@
 #pragma once
 // What the command and the drives have in common: memory that two processes see.
 //
-//   drive (plans, makes words) ── words ──▶ drives (a process of its own)
-//                              ── order ──▶
+//   drive (plans, makes words) ── words, events ──▶ drives (a process of its own)
+//                              ── order ──────────▶
 //                              ◀─ phase, feedback ──
 //
 // The drives outlive whoever kills the command: they take the words that have reached them, follow the stop path that
@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cstdint>
 #include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/realtime/ring.hpp>
 #include <leadscrew/realtime/word_stream.hpp>
@@ -81,7 +82,8 @@ struct Link {
 
   const pid_t maker = ::getpid();  ///< of the words: this is made by the command
   realtime::WordStream<most_words, longest_stop_path> words;
-  realtime::Ring<Feedback, 1 << 14> feedback;  ///< what nobody takes is dropped
+  realtime::Ring<base::PassedEvent, 1 << 14> events;  ///< of words, there before them
+  realtime::Ring<Feedback, 1 << 14> feedback;         ///< what nobody takes is dropped
   std::atomic<Order> order{Order::follow};
   std::atomic<Phase> phase{Phase::starting};
   std::atomic<bool> stopping{false};          ///< asked to, by a signal or a key

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <leadscrew/drive/resume.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
-#include <leadscrew/pipeline/way_back.hpp>
+#include <leadscrew/pipeline/return_path.hpp>
 
 namespace leadscrew::drive {
 
@@ -44,8 +44,8 @@ base::Result<void> check_resumable(const State& state, const Fingerprint& now, c
   return {};
 }
 
-base::Result<std::vector<base::PathPlace>> find_way_back(const State& state, const files::InputFile& program,
-                                                         const Setup& setup, const std::string& path) {
+base::Result<std::vector<base::PathPlace>> find_return_path(const State& state, const files::InputFile& program,
+                                                            const Setup& setup, const std::string& path) {
   constexpr double same = 1e-6;  // mm or degrees
   const auto refused = [&](double length, std::string_view but) {
     return state_refusal("resume-state",
@@ -74,8 +74,8 @@ base::Result<std::vector<base::PathPlace>> find_way_back(const State& state, con
   if (!stretch.is_whole()) return refused(state.axes.path_length, "it is shorter");
   if (!are_same(stretch.at(stretch.to()).position, state.axes.position))
     return refused(state.axes.path_length, "it is elsewhere there");
-  auto return_path = pipeline::way_back(stretch, setup.machine);
-  if (!return_path) return refused(state.axes.path_length, "no way leads back");
+  auto return_path = pipeline::plan_return(stretch, setup.machine);
+  if (!return_path) return refused(state.axes.path_length, "no motion back to it keeps the limits");
   return_path->back().position = state.word.position;
   return std::move(*return_path);
 }

@@ -14,6 +14,7 @@ inline constexpr double slice_duration = 0.02;
 
 struct Options {
   std::optional<std::string> trace, axes;    ///< files of the simulated drives: words taken, where the axes went
+  std::optional<std::string> events;         ///< file of the events of the words that were taken
   std::optional<std::string> state, resume;  ///< files: kept while it moves, and where it goes on from
   std::optional<std::string> sink;           ///< file or pipe that gets the words in the place of drives
   double look_ahead = 0.3;                   ///< s planned ahead of the words, 0.01 … 60

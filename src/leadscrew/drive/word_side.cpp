@@ -3,9 +3,26 @@
 
 namespace leadscrew::drive {
 
+base::Result<void> WordSide::open_events(const Setup& setup) {
+  const auto& path = setup.options.events;
+  return path ? event_file_.open(*path, setup.machine.period) : base::Result<void>();
+}
+
+base::Result<void> WordSide::write_events(const base::Word& word) {
+  base::Result<void> written;
+  while (written) {
+    if (!next_event_ && !link_.events.pop(next_event_.emplace())) next_event_.reset();
+    if (!next_event_ || next_event_->tick > word.tick) break;
+    written = event_file_.write(*next_event_);
+    next_event_.reset();
+  }
+  return written;
+}
+
 base::Result<void> WordSide::conclude(std::span<files::WordFile* const> files) {
   link_.concluding.store(true, std::memory_order_release);
   for (files::WordFile* file : files) took(file->publish());
+  took(event_file_.publish());
   if (is_orphan() && link_.has_terminal.load(std::memory_order_acquire)) Terminal::restore(link_.terminal);
   const bool has_left = link_.words.has_left();
   const bool ended = !has_left && link_.at_end.load(std::memory_order_acquire);

@@ -5,6 +5,7 @@
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/drive/state.hpp>
 #include <leadscrew/drive/state_writer.hpp>
+#include <leadscrew/files/event_file.hpp>
 #include <leadscrew/files/word_file.hpp>
 #include <optional>
 #include <span>
@@ -30,6 +31,9 @@ class WordSide {
   void took(const base::Result<void>& result) {
     if (!result && !failed_) failed_ = result.error();
   }
+  base::Result<void> open_events(const Setup& setup);
+  /// Writes those of the word, and of all before it.
+  base::Result<void> write_events(const base::Word& word);
   /// Files before the last state: who sees that finds them. One that cannot be written does not keep the others from
   /// being written.
   base::Result<void> conclude(std::span<files::WordFile* const> files);
@@ -38,6 +42,10 @@ class WordSide {
   StateWriter state_writer_;
   base::Word last_;  ///< taken
   std::optional<base::Diagnostic> failed_;
+
+ private:
+  files::EventFile event_file_;
+  std::optional<base::PassedEvent> next_event_;  ///< of a word that has not been taken
 };
 
 }  // namespace leadscrew::drive

@@ -79,6 +79,15 @@ bool Interpreter::report_circle(const Block& block, const ArcCircle& circle) {
 
 // How often the arc turns, and about where; false where that cannot be known.
 bool Interpreter::plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan) {
+  for (const base::Axis axis : {first_axis(plane_), second_axis(plane_)}) {
+    if (machine_.has(axis)) continue;
+    reporter_.fail();
+    if (reported_lacking_.contains(axis)) return false;
+    if (!reporter_.muted()) reported_lacking_.insert(axis);
+    return error("unknown-axis", motion_column(block),
+                 std::string("the arc moves ") + base::letter(axis) + ", which the machine does not have",
+                 "an arc needs both axes of its plane");
+  }
   const ArcTolerance tolerance = arc_tolerance(frame_.length_unit != 1);
   const int direction = to_do_ == 30 ? 1 : -1;
   const std::optional<int> turns = block.has('P') ? as_integer(block['P']) : 1;

@@ -94,6 +94,7 @@ bool Interpreter::repeats_motion(const Block& block) const {
   std::uint32_t words = block.words & row_of(motion_).repeated_by.bits;
   if (is_arc(motion_)) words &= ~offset_letters | offset_letters_of(plane_after(block));
   for_each_code(block, [&](GCode code) { words &= ~row_of(code).words.bits; });
+  if (block.has_m(5)) words &= ~Letters(letters_of_output(block.m[5])).bits;
   return words != 0;
 }
 
@@ -124,11 +125,12 @@ void Interpreter::check_words(const Block& block) {
   const std::uint32_t dependent = block.words & dependent_words;
   if (dependent == 0) return;
   std::uint32_t used = motion_words(block), used_twice = 0;
-  for_each_code(block, [&](GCode code) {
-    const std::uint32_t words = row_of(code).words.bits;
+  const auto use = [&](std::uint32_t words) {
     used_twice |= used & words;
     used |= words;
-  });
+  };
+  for_each_code(block, [&](GCode code) { use(row_of(code).words.bits); });
+  if (block.has_m(5)) use(Letters(letters_of_output(block.m[5])).bits);
   for (std::uint32_t rest = dependent & ~used; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
     const char name = static_cast<char>('A' + letter);
@@ -169,6 +171,14 @@ void Interpreter::check_presence(const Block& block) {
     error("missing-word", at, std::move(message), std::move(hint));
   };
   if (code == 40 && !block.has('P')) missing(column, "G4 does not say how long", "give P, seconds");
+  if (block.has_m(5)) {
+    for (const char* letter = letters_of_output(block.m[5]); *letter != 0; ++letter) {
+      if (!block.has(*letter)) {
+        missing(block.m_column[5], "M" + std::to_string(block.m[5]) + " lacks " + *letter,
+                block.m[5] <= 65 ? "M62 P0" : "M67 E0 Q0");
+      }
+    }
+  }
   if (code == 100 && !(block.has('L') && block.has('P'))) missing(column, "G10 lacks L or P", "G10 L2 P1 X0 Y0 Z0");
   if (code == 920 && !axes) missing(column, "G92 lacks axis words", "G92 X0");
   if (code == 530) {

@@ -115,6 +115,9 @@ std::string Interpreter::users_of(char letter) {
   for (const Code& row : CodeTable::rows) {
     if (row.words.has(letter)) users.push_back(g_name(row.code));
   }
+  for (const int code : {62, 63, 64, 65, 67, 68}) {
+    if (Letters(letters_of_output(code)).has(letter)) users.push_back("M" + std::to_string(code));
+  }
   if (users.empty()) return "no supported code takes it";
   std::string text = std::string(1, letter) + " belongs to " + users.front();
   for (std::size_t i = 1; i < users.size(); ++i) text += (i + 1 < users.size() ? ", " : " and ") + users[i];

@@ -55,6 +55,13 @@ constexpr int group_of_m(int code) {
     case 2:
     case 30:
       return 4;
+    case 62:
+    case 63:
+    case 64:
+    case 65:
+    case 67:
+    case 68:
+      return 5;
     case 6:
       return 6;
     case 3:
@@ -70,10 +77,16 @@ constexpr int group_of_m(int code) {
   }
 }
 
+/// The letters that an M code of group 5 takes: a digital output, or an analog one and what it is set to.
+constexpr const char* letters_of_output(int code) {
+  return code <= 65 ? "P" : "EQ";
+}
+
 /// Whether LinuxCNC knows an M code that is not read here.
 constexpr bool is_unsupported_m(int code) {
-  return code == 19 || (48 <= code && code <= 53) || (60 <= code && code <= 73 && code != 69) || code == 98 ||
-         code == 99 || (100 <= code && code <= 199);
+  return code == 19 || (48 <= code && code <= 53) ||
+         (60 <= code && code <= 73 && code != 69 && group_of_m(code) == 0) || code == 98 || code == 99 ||
+         (100 <= code && code <= 199);
 }
 
 constexpr bool is_drill_cycle(GCode motion) {

@@ -172,8 +172,12 @@ Move& Interpreter::emit(Move::Kind kind) {
   return move;
 }
 
-void Interpreter::emit_event(base::Event::Kind kind, double value) {
-  emit(Move::Kind::event).event = {kind, value, line_};
+void Interpreter::emit_event(base::Event::Kind kind, double value, std::int32_t output) {
+  using Kind = base::Event::Kind;
+  const bool turns_spindle =
+      kind == Kind::spindle_clockwise || kind == Kind::spindle_counterclockwise || kind == Kind::spindle_stop;
+  const bool waits = kind == Kind::tool_change || (turns_spindle && machine_.spindle_waits);
+  emit(Move::Kind::event).event = {kind, value, line_, output, waits};
 }
 
 void Interpreter::set_feed(const Block& block) {
@@ -232,6 +236,7 @@ void Interpreter::set_spindle_and_tool(const Block& block) {
       emit_event(Kind::tool_prepare, *tool);
     }
   }
+  set_outputs(block);
   if (block.has_m(6)) {
     if (!selected_tool_) {
       error("missing-word", block.m_column[6], "M6 changes to no tool", "select it with T before");
@@ -253,6 +258,26 @@ void Interpreter::set_spindle_and_tool(const Block& block) {
         break;
     }
   }
+}
+
+void Interpreter::set_outputs(const Block& block) {
+  using Kind = base::Event::Kind;
+  if (!block.has_m(5)) return;
+  const std::uint8_t code = block.m[5];
+  const char letter = *letters_of_output(code);
+  for (const char* each = letters_of_output(code); *each != 0; ++each) {
+    if (!block.has(*each)) return;
+  }
+  const std::optional<int> output = as_integer(block[letter]);
+  if (!output || *output < 0 || *output >= base::most_outputs) {
+    error("bad-value", block.column_of(letter), "the number of the output is " + text(block[letter]),
+          std::string(1, letter) + " must be an integer of 0 to " + std::to_string(base::most_outputs - 1));
+    return;
+  }
+  constexpr Kind digital[] = {Kind::digital_output_on_with_motion, Kind::digital_output_off_with_motion,
+                              Kind::digital_output_on, Kind::digital_output_off};
+  if (code <= 65) return emit_event(digital[code - 62], code % 2 == 0 ? 1 : 0, *output);
+  emit_event(code == 67 ? Kind::analog_output_with_motion : Kind::analog_output, block['Q'], *output);
 }
 
 void Interpreter::set_coolant(const Block& block) {

@@ -2,7 +2,7 @@
 // What blocks mean: the modal state of the program, and the moves and events each block makes of it, in the order of
 // execution of NIST IR 6556, 3.8:
 //
-//     feed mode · F · S · T · M6 · M3 M4 M5 · M7 M8 M9 · G4 · plane · units · tool length · coordinate system · path
+//     feed mode · F · S · T · M62 … M65 M67 M68 · M6 · M3 M4 M5 · M7 M8 M9 · G4 · plane · units · tool length · coordinate system · path
 //     control · distance mode · retract mode · G10 G28 G30 G92 · motion · M0 M1 M2 M30
 //
 // So an F word is read in the units that held before its block.
@@ -91,12 +91,13 @@ class Interpreter {
   void set_feed(const Block& block);
   void assume_feed();
   void set_spindle_and_tool(const Block& block);
+  void set_outputs(const Block& block);
   void set_coolant(const Block& block);
   void dwell(const Block& block);
   void set_modes(const Block& block);
   void set_path_control(const Block& block);
   void stop(const Block& block);
-  void emit_event(base::Event::Kind kind, double value = 0);
+  void emit_event(base::Event::Kind kind, double value = 0, std::int32_t output = 0);
   Move& emit(Move::Kind kind);
   void prepare(Move& move, Move::Kind kind, base::Line line) const;
 

@@ -1,5 +1,5 @@
 #include <fast_float/fast_float.h>
-#include <charconv>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/gcode/number.hpp>
 
 namespace leadscrew::gcode {
@@ -11,10 +11,7 @@ double long_decimal(const char* first, const char* last) {
 }
 
 std::string text(double value) {
-  if (value == 0) return "0";
-  char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 9);
-  return {buffer, end.ptr};
+  return value == 0 ? "0" : base::text(value, 9);
 }
 
 }  // namespace leadscrew::gcode

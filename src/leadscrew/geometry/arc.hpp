@@ -36,6 +36,26 @@ class Arc {
   double angle_rate() const { return rate_.hi.value; }  ///< ω = dθ/ds, rad per unit of length, signed
   const Slopes& slopes() const { return slopes_; }      ///< of the straight coordinates
 
+  /// What turned() is made of, for kernels that make many positions at once with the same operations.
+  struct Turn {
+    double start_first, start_second, center_first, center_second;
+    Rate x, y;                           ///< start − centre
+    Rate rate;                           ///< ω
+    double defect_first, defect_second;  ///< per unit of length
+  };
+  Turn turn() const {
+    return {start_[first_], start_[second_], center_first_, center_second_, x_, y_,
+            rate_,          defect_first_,   defect_second_};
+  }
+  /// Below so many radians displacement is counted from the start, else from the centre.
+  static constexpr double small_angle = 0.5;
+  struct Sines {
+    double sine = 0, cosine = 0;  ///< of a small angle, cosine less 1
+  };
+  /// By the functions of the library. Nobody else asks these, for whether a compiler takes them one by one or both at
+  /// once may change a bit.
+  static Sines sines(double angle);
+
   /// Length of a circular arc or a helix: √ of squares of radius·|sweep| in the plane and `rise` across it.
   static double helix_length(double radius, numeric::DoubleDouble sweep, double rise);
 

@@ -77,6 +77,12 @@ Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t se
   defect_second_ = (end[second] - at_end.second) / length;
 }
 
+[[gnu::noinline]] Arc::Sines Arc::sines(double angle) {
+  if (std::abs(angle) >= small_angle) return {std::sin(angle), std::cos(angle)};
+  const double half = std::sin(angle / 2);
+  return {std::sin(angle), -2 * half * half};
+}
+
 Arc::Turned Arc::turned(const SplitLength& s) const {
   // θ = angle.hi + angle.lo. Sine and cosine of the greater part come from the library; what the smaller adds, and all
   // that is below a unit in the last place of the products, is gathered in `small` and enters with the last rounding.
@@ -85,9 +91,9 @@ Arc::Turned Arc::turned(const SplitLength& s) const {
   // displacement from the start is x(cos θ − 1) − y sin θ, with cos θ − 1 = −2 sin²(θ/2), whose errors are of the
   // chord's size.
   const DoubleDouble angle = rate_.times(s);
-  const bool is_small = std::abs(angle.hi) < 0.5;
-  const double half = is_small ? std::sin(angle.hi / 2) : 0;
-  const numeric::Split sine = std::sin(angle.hi), cosine = is_small ? -2 * half * half : std::cos(angle.hi);
+  const bool is_small = std::abs(angle.hi) < small_angle;
+  const Sines sines_of_angle = sines(angle.hi);
+  const numeric::Split sine = sines_of_angle.sine, cosine = sines_of_angle.cosine;
   const double origin_first = is_small ? start_[first_] : center_first_;
   const double origin_second = is_small ? start_[second_] : center_second_;
   const auto sum = [](double origin, const DoubleDouble& a, const DoubleDouble& b, double small) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <leadscrew/geometry/kinks.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 
 namespace leadscrew::geometry {
 
@@ -32,18 +33,15 @@ struct Hodograph {
     for (std::size_t i = 0; i <= degree; ++i) square = std::max(square, dot(d[i], d[i]));
     return std::sqrt(square);
   }
-  double dot(const Vector& a, const Vector& b) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < count; ++k) sum += a[k] * b[k];
-    return sum;
-  }
+  double dot(const Vector& a, const Vector& b) const { return numeric::dot(a, b, count); }
+  double norm(const Vector& a) const { return numeric::norm(a, count); }
 
   bool is_in_front_of_a_plane() const {
     Vector sum{};
     for (std::size_t i = 0; i <= degree; ++i) {
       for (std::size_t k = 0; k < count; ++k) sum[k] += d[i][k];
     }
-    const double least = in_front * std::sqrt(dot(sum, sum)) * largest();
+    const double least = in_front * norm(sum) * largest();
     if (least <= 0) return false;
     return std::all_of(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(degree) + 1,
                        [&](const Vector& of) { return dot(of, sum) >= least; });
@@ -153,8 +151,8 @@ Kinks find_kinks(const RationalBezier& curve, const Metric& metric) {
   Search search;
   search.least_weight = least_weight(curve);
   const double largest = whole.largest();
-  kinks.at_start = std::sqrt(whole.dot(whole.d[0], whole.d[0])) <= standing * largest;
-  kinks.at_end = std::sqrt(whole.dot(whole.d[whole.degree], whole.d[whole.degree])) <= standing * largest;
+  kinks.at_start = whole.norm(whole.d[0]) <= standing * largest;
+  kinks.at_end = whole.norm(whole.d[whole.degree]) <= standing * largest;
   if (largest < shortest_examined * search.least_weight * search.least_weight) return kinks;
   search.examine(whole);
   // What lies before or after a kink is no stretch of its own if it is negligibly short.

@@ -3,6 +3,7 @@
 #include <leadscrew/geometry/arc_length_map.hpp>
 #include <leadscrew/geometry/nurbs_table.hpp>
 #include <leadscrew/geometry/rational.hpp>
+#include <leadscrew/numeric/bisection.hpp>
 
 namespace leadscrew::geometry {
 
@@ -120,16 +121,7 @@ std::size_t Nurbs::record_at(double s) const {
   const std::uint32_t* const buckets = table_->buckets.data() + first_bucket_ + bucket;
   const double* const nodes = table_->nodes.data();
   // The last record that begins at s or before. There are seldom more than two in a bucket.
-  std::size_t low = buckets[0], high = buckets[1];
-  while (low < high) {
-    const std::size_t middle = (low + high + 1) / 2;
-    if (nodes[middle] <= s) {
-      low = middle;
-    } else {
-      high = middle - 1;
-    }
-  }
-  return low;
+  return numeric::last_index(buckets[0], buckets[1], [&](std::size_t index) { return nodes[index] <= s; });
 }
 
 Point Nurbs::evaluate(DoubleDouble s) const {
@@ -184,16 +176,10 @@ double Nurbs::parameter(double s) const {
 }
 
 PointJet Nurbs::jets_at(double u) const {
-  std::size_t low = first_record_, high = first_record_ + record_count_ - 1;
-  while (low < high) {
-    const std::size_t middle = (low + high + 1) / 2;
-    if (table_->record(middle)[NurbsTable::parameter] <= u) {
-      low = middle;
-    } else {
-      high = middle - 1;
-    }
-  }
-  const double* const record = table_->record(low);
+  const std::size_t index = numeric::last_index(first_record_, first_record_ + record_count_ - 1, [&](std::size_t i) {
+    return table_->record(i)[NurbsTable::parameter] <= u;
+  });
+  const double* const record = table_->record(index);
   const double width = record[NurbsTable::width];
   const Jet<> x((u - record[NurbsTable::parameter]) / width, 1 / width, 0, 0);
   PointJet jets = record_jets(*table_, record, x.value, start_);

@@ -112,11 +112,9 @@ class Nurbs {
 /// The first begins at the first control point if the curve is clamped there, and so for the last. It is cut
 ///
 ///   - where the tangent by arc length turns by a step, and where the curvature does (steps below 1e-9 of the tangent,
-///   and
-///     of the larger of curvature and the reciprocal of the neighbouring spans' lengths, are taken as none),
+///     and of the larger of curvature and the reciprocal of the neighbouring spans' lengths, are taken as none),
 ///   - where |dC/du| vanishes: cusps, reversals, coinciding control points; and where the radius of curvature falls
-///   below
-///     about 1e-5 mm, which no machine tells from a corner,
+///     below about 1e-5 mm, which no machine tells from a corner,
 ///   - where other coordinates are the first to move in the order X Y Z, U V W, A B C.
 ///
 /// tolerance: of u(s). weights: length is that of all coordinates, each times its weight > 0. The work is

@@ -6,6 +6,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/numeric/double_double.hpp>
 #include <leadscrew/numeric/jet.hpp>
+#include <span>
 
 namespace leadscrew::geometry {
 
@@ -43,6 +44,11 @@ struct Rate {
 /// met.
 class Slopes {
  public:
+  struct Coordinate {
+    std::size_t coordinate = 0;
+    Rate rate;
+  };
+
   Slopes() = default;
   /// length > 0.
   Slopes(const Point& start, const Point& end, double length) {
@@ -74,12 +80,10 @@ class Slopes {
     }
     return 0;
   }
+  /// Those that change, each with its rate ≠ 0.
+  std::span<const Coordinate> coordinates() const { return std::span(rates_).first(count_); }
 
  private:
-  struct Coordinate {
-    std::size_t coordinate = 0;
-    Rate rate;
-  };
   std::array<Coordinate, base::axis_count> rates_{};
   std::size_t count_ = 0;
 };

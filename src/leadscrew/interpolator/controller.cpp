@@ -13,14 +13,35 @@ Controller::Controller(base::Period period, const base::AxisVector& position, st
 base::Word Controller::next() noexcept {
   // Bounded: a turn begins one of the accepted chunks or one's tail, and as the position is told only afterwards, the
   // planner cannot put more than capacity − 1 in front of one call. Chunks far shorter than a period pass in a row.
+  event_link_ = current_;
+  event_ = interpolator_.events_passed();
   while (interpolator_.wants_chunk() && go_on()) {
   }
   const bool stands = interpolator_.at_rest();
   const base::Word word = interpolator_.next();
+  while (event_link_ < current_ && event_ == events_passed(event_link_)) {
+    ++event_link_;
+    event_ = 0;
+  }
   // Before the position, so that who sees the last chunk begun sees no older rest.
   stands_.store(stands, std::memory_order_relaxed);
   position_.store(current_, std::memory_order_release);
+  left_.store(event_link_, std::memory_order_release);
   return word;
+}
+
+const planner::PlacedEvent* Controller::next_event() noexcept {
+  while (event_ == events_passed(event_link_)) {
+    if (event_link_ == current_) return nullptr;
+    ++event_link_;
+    event_ = 0;
+  }
+  return &link(event_link_).chunk.event(event_++);
+}
+
+/// Of a chunk, by the last word.
+std::size_t Controller::events_passed(std::int64_t number) const noexcept {
+  return number == current_ ? interpolator_.events_passed() : link(number).events_passed;
 }
 
 /// The chunk in motion, or its tail, has ended: goes on with its successor or its tail. False if there is neither.
@@ -32,6 +53,7 @@ bool Controller::go_on() noexcept {
     return true;
   }
   if (!is_followed) return false;
+  link(current_).events_passed = interpolator_.events_of_part();
   interpolator_.load(link(++current_).chunk);
   return true;
 }
@@ -43,7 +65,8 @@ Controller::Offer Controller::offer(std::span<planner::Chunk> chunks) {
   };
   if (!std::all_of(chunks.begin(), chunks.end(), is_checked)) return Offer::unchecked;
   const auto count = static_cast<std::int64_t>(chunks.size());
-  if (accepted_ + count - begun() >= static_cast<std::int64_t>(capacity_)) return Offer::full;
+  if (accepted_ + count - left_.load(std::memory_order_acquire) >= static_cast<std::int64_t>(capacity_))
+    return Offer::full;
   Link& last = link(accepted_);
   const bool begins_at_rest = chunks.front().begins_at_rest();
   // Looked at first, so that a late chunk is not moved from.

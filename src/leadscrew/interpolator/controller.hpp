@@ -16,7 +16,8 @@
 //
 // Memory orders. A link is written by the planner and then released by the store or compare-and-swap to `followed` in
 // the link before it; the cycle's compare-and-swap acquires it. The cycle's last look at a link is before its release
-// store of the position, which the planner acquires before it writes the link again. Nothing else is shared but figures
+// store of how many it has left, which the planner acquires before it writes the link again: one whose events belong to
+// the last word is left with the next. Nothing else is shared but figures
 // for the planner to look at.
 //
 // Memory is taken by the constructor and by the planner; what chunks hold is freed by the planner's thread when a link
@@ -46,6 +47,10 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   /// The cycle: the word of this tick. It neither allocates nor frees, locks, throws nor reads a clock, and goes
   /// through capacity − 1 new chunks at most. Motion from rest begins with the word after the one that stood.
   base::Word next() noexcept;
+  /// The cycle: the next event of the period that ends with the last word, in order: what motion has passed since the
+  /// word before, once each, never early. None where there is no more. Good until the next call of next(), which passes
+  /// over those that were not taken.
+  const planner::PlacedEvent* next_event() noexcept;
 
   /// The cycle's: a copy of itself that goes on as this would if no chunk followed the one in motion. Good until the
   /// next call of next().
@@ -59,7 +64,7 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   };
   /// Hands over the chunk that comes after the last accepted one; moved from only if accepted. One that begins at rest
   /// follows when the one before has come to rest, by its tail if it has one. One that begins in motion after a chunk
-  /// that ends at rest is late. Nobody here looks at its events: begun() tells when it begins.
+  /// that ends at rest is late.
   Offer offer(planner::Chunk& chunk) { return offer(std::span(&chunk, 1)); }
   /// Hands over several at once: the cycle sees all of them or none. Each but the first goes on with the motion of the
   /// one before. At least one.
@@ -87,11 +92,13 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
     planner::Chunk chunk;
     double committed_seconds = 0;  ///< of this chunk and all before it; the planner's
     Succession<> succession;
+    std::size_t events_passed = 0;  ///< of the chunk, when the cycle has left it; the cycle's
   };
   static_assert(std::atomic<std::int64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
   Link& link(std::int64_t number) const { return links_[static_cast<std::size_t>(number) % capacity_]; }
   bool go_on() noexcept;
+  std::size_t events_passed(std::int64_t number) const noexcept;
   bool append(Link& last, bool begins_at_rest);
 
   const std::size_t capacity_;
@@ -102,10 +109,13 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
 
   // The cycle's.
   alignas(cache_line) Interpolator interpolator_;
-  std::int64_t current_ = 0;  ///< number of the chunk in motion
+  std::int64_t current_ = 0;     ///< number of the chunk in motion
+  std::int64_t event_link_ = 0;  ///< number of the chunk that holds the next event
+  std::size_t event_ = 0;        ///< index of that there
 
   // Told by the cycle to the planner.
   alignas(cache_line) std::atomic<std::int64_t> position_{0};  ///< current_, when the call has ended
+  std::atomic<std::int64_t> left_{0};                          ///< event_link_, then: chunks before it are done with
   std::atomic<std::int64_t> starvations_{0};
   std::atomic<bool> stands_{true};
 };

@@ -1,18 +1,12 @@
 #include <cmath>
 #include <leadscrew/interpolator/interpolator.hpp>
+#include <leadscrew/interpolator/tick_time.hpp>
 
 namespace leadscrew::interpolator {
 
 using numeric::DoubleDouble;
 
 namespace {
-
-constexpr DoubleDouble nanosecond = DoubleDouble(1) / DoubleDouble(1e9);
-
-/// n·T to the precision of a double-double, for any run shorter than 104 days: n·T in nanoseconds is exact.
-DoubleDouble time_of(base::Tick tick, base::Period period) {
-  return nanosecond * static_cast<double>(base::count(tick) * period.nanoseconds);
-}
 
 struct Along {
   DoubleDouble s;
@@ -74,6 +68,7 @@ void Interpolator::load(const planner::Chunk& chunk) {
   }
   waited_ = false;
   in_tail_ = false;
+  passed_ = 0;
   chunk_ = &chunk;
   begin_part(chunk.segments, begin_ + chunk.end());
   rest_ = chunk.rest;
@@ -122,6 +117,7 @@ base::Word Interpolator::next() {
   now_ = time_of(tick_, period_);
   if (has_ended) {
     waited_ = true;
+    passed_ = events_of_part();
     word.position = rest_;
     word.path_length = length_before_end_ + end_on_piece_;
     return word;
@@ -129,6 +125,7 @@ base::Word Interpolator::next() {
   const planner::Segment& segment = segment_at(now);
   word.state = segment.state;
   if (segment.state == base::MotionState::rest) {
+    pass_events(0, 0);
     word.position = rest_;
     word.path_length = length_before_end_ + end_on_piece_;
     return word;
@@ -142,12 +139,25 @@ base::Word Interpolator::next() {
     word.feed *= toolpath::rate(piece.axes().jets(s.value()), piece.feed_axes);
   }
   word.line = piece.line_at(s.value());
+  pass_events(segment.piece, s.value());
   return word;
 }
 
+/// Those that lie before a place of the chunk, or there: found by halving, as there may be many.
+void Interpolator::pass_events(std::size_t piece, double s) {
+  std::size_t end = events_of_part();
+  while (passed_ < end) {
+    const std::size_t middle = passed_ + (end - passed_) / 2;
+    const planner::PlacedEvent& event = chunk_->event(middle);
+    const bool is_passed = event.piece < piece || (event.piece == piece && event.s <= s);
+    (is_passed ? passed_ : end) = is_passed ? middle + 1 : middle;
+  }
+}
+
 base::AxisVector Interpolator::position(const toolpath::Piece& piece, std::size_t index, DoubleDouble s) {
-  const auto* nurbs = std::get_if<geometry::Nurbs>(&piece.curve);
-  if (rule_ == StepRule::arc_length || !nurbs) return piece.axes().position(s);
+  const toolpath::AxisPath axes = piece.axes();
+  const geometry::Nurbs* nurbs = axes.nurbs();
+  if (rule_ == StepRule::arc_length || !nurbs) return axes.position(s);
   const std::int64_t number = first_number_ + static_cast<std::int64_t>(index);
   if (stepped_number_ != number) {
     stepped_number_ = number;
@@ -156,10 +166,7 @@ base::AxisVector Interpolator::position(const toolpath::Piece& piece, std::size_
   }
   parameter_ = next_parameter(*nurbs, rule_, parameter_, stepped_, s.value() - stepped_);
   stepped_ = s.value();
-  const geometry::PointJet there = nurbs->jets_at(parameter_);
-  base::AxisVector position{};
-  for (std::size_t i = 0; i < position.size(); ++i) position[i] = there[i].value;
-  return position;
+  return axes.position_at_parameter(parameter_);
 }
 
 const planner::Segment& Interpolator::segment_at(DoubleDouble time) {

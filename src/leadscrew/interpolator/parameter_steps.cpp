@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/interpolator/parameter_steps.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 
 namespace leadscrew::interpolator {
 
 namespace {
 
-using Triple = std::array<double, 3>;
+using numeric::dot;
 
-double dot(const Triple& a, const Triple& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Triple = std::array<double, 3>;
 
 /// C and two derivatives by u, over the three coordinates by which length is told.
 struct Measured {
@@ -46,7 +45,7 @@ double uniform_step(const geometry::Nurbs& curve, double distance) {
 
 /// Δu of first order; uniform where C′ = 0.
 double first_order(const geometry::Nurbs& curve, const Measured& at, double distance) {
-  const double step = distance / std::sqrt(dot(at.first, at.first));
+  const double step = distance / numeric::norm(at.first);
   return std::isfinite(step) ? step : uniform_step(curve, distance);
 }
 
@@ -58,8 +57,7 @@ double second_order(const Measured& at, double distance, double first) {
 }
 
 double chord_length(const Measured& a, const Measured& b) {
-  const Triple chord = {b.value[0] - a.value[0], b.value[1] - a.value[1], b.value[2] - a.value[2]};
-  return std::sqrt(dot(chord, chord));
+  return numeric::distance(b.value, a.value);
 }
 
 /// The step, halved while it would jump: while C(u + Δu) or, on a curve that comes back, C(u + Δu/2) is farther away
@@ -83,8 +81,8 @@ double chord_corrected(const geometry::Nurbs& curve, const Measured& at, std::si
   for (int pass = 0; pass < 2; ++pass) {
     const double there = std::min(u + step, curve.last_parameter());
     const Measured next = measured(curve.jets_at(there), group);
-    const Triple chord = {next.value[0] - at.value[0], next.value[1] - at.value[1], next.value[2] - at.value[2]};
-    const double length = std::sqrt(dot(chord, chord));
+    const Triple chord = numeric::difference(next.value, at.value);
+    const double length = numeric::norm(chord);
     const double corrected = there - u + (distance - length) * length / dot(chord, next.first);
     if (!(corrected > 0 && std::isfinite(corrected))) return step;
     step = corrected;

@@ -39,6 +39,9 @@ struct Machine {
   std::array<ScrewErrors, base::axis_count> screws;  ///< no motion knows of them; steps::Compensation makes them good
   std::array<AxisDrive, base::axis_count> drives;    ///< for simulation
 
+  /// Does motion rest for M3, M4 and M5?
+  bool spindle_waits = true;
+
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
   base::AxisSet axis_set() const {
     base::AxisSet set;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/nc/block_look_ahead.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 #include <utility>
 
 namespace leadscrew::nc {
@@ -12,7 +13,8 @@ constexpr double share_of_junctions = 0.1;  // of what an axis' acceleration cha
 
 /// Steps of its path.
 double length(const PlannedBlock& planned) {
-  return static_cast<double>(planned.block.commands) * std::min(norm(planned.entry), norm(planned.exit));
+  return static_cast<double>(planned.block.commands) *
+         std::min(numeric::norm(planned.entry), numeric::norm(planned.exit));
 }
 
 /// Speed v at which an axis' step of velocity, v·change, is no more than a share of what its acceleration changes in a
@@ -44,7 +46,7 @@ double BlockLookAhead::rest_rate(const PlannedBlock& planned) const {
 /// Speed at which both can meet; 0 where the path must rest.
 double BlockLookAhead::junction(const PlannedBlock& before, const PlannedBlock& after) const {
   if (before.stops || before.block.kind == Block::Kind::dwell || after.block.kind == Block::Kind::dwell) return 0;
-  const double out = norm(before.exit), in = norm(after.entry);
+  const double out = numeric::norm(before.exit), in = numeric::norm(after.entry);
   double speed = std::min(greatest_rate(before) * out, greatest_rate(after) * in);
   // Chords of one curve turn as it does, but for what the lattice does not show.
   if (after.goes_on) return speed;
@@ -72,16 +74,16 @@ BlockLookAhead::Next BlockLookAhead::pop(double feed_factor) {
       exit_speed = 0;
       continue;
     }
-    const double exit_rate = std::max(exit_speed / norm(after.exit), rest_rate(after));
+    const double exit_rate = std::max(exit_speed / numeric::norm(after.exit), rest_rate(after));
     exit_speed = std::min(junction(blocks_[i - 1], after),
-                          greatest_entry(after, exit_rate, greatest_rate(after)) * norm(after.entry));
+                          greatest_entry(after, exit_rate, greatest_rate(after)) * numeric::norm(after.entry));
   }
   Next next{std::move(blocks_.front())};
   blocks_.pop_front();
   if (next.planned.block.kind != Block::Kind::dwell) {
     next.rest_rate = rest_rate(next.planned);
-    next.entry_rate = std::max(entry_speed_ / norm(next.planned.entry), next.rest_rate);
-    next.exit_rate = std::max(exit_speed / norm(next.planned.exit), next.rest_rate);
+    next.entry_rate = std::max(entry_speed_ / numeric::norm(next.planned.entry), next.rest_rate);
+    next.exit_rate = std::max(exit_speed / numeric::norm(next.planned.exit), next.rest_rate);
   }
   entry_speed_ = next.planned.block.kind == Block::Kind::dwell ? 0 : exit_speed;
   return next;

@@ -255,7 +255,7 @@ std::optional<base::Diagnostic> BlockMaker::register_problem(const Block& block)
                    "registers hold up to 2^30 = 1073741824");
   };
   for (std::size_t i = 0; i < block.delta.size(); ++i) {
-    if (pulse::absolute(block.delta[i]) > pulse::greatest_coordinate) return beyond(block.delta[i], i, "the way");
+    if (pulse::absolute(block.delta[i]) > pulse::greatest_coordinate) return beyond(block.delta[i], i, "the travel");
   }
   if (block.kind != Block::Kind::arc) return std::nullopt;
   for (const pulse::Point at : {block.arc.start, block.arc.end}) {

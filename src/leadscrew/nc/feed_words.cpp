@@ -4,6 +4,7 @@
 #include <leadscrew/nc/feed_words.hpp>
 #include <leadscrew/nc/programmed_rate.hpp>
 #include <leadscrew/numeric/rounded_up.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -51,7 +52,7 @@ void set_tangent(const Block& block, pulse::Point at, PulseMethod method, std::a
 }
 
 std::array<double, base::axis_count> course_of(std::array<double, base::axis_count> steps) {
-  const double length = norm(steps);
+  const double length = numeric::norm(steps);
   for (double& of_axis : steps) of_axis /= length;
   return steps;
 }
@@ -74,7 +75,7 @@ void set_directions(PlannedBlock& planned, PulseMethod method) {
 void set_programmed_course(PlannedBlock& planned, const gcode::Move& move, const machine::Machine& machine) {
   if (move.kind != gcode::Move::Kind::line) return;
   const auto delta = programmed_delta(move, machine);
-  if (norm(delta) > 0) planned.entry_course = planned.exit_course = course_of(delta);
+  if (numeric::norm(delta) > 0) planned.entry_course = planned.exit_course = course_of(delta);
 }
 
 void limit_acceleration(PlannedBlock& planned, const machine::Machine& machine, PulseMethod method) {

@@ -3,6 +3,7 @@
 #include <leadscrew/nc/lattice_arc.hpp>
 #include <leadscrew/nc/programmed_rate.hpp>
 #include <leadscrew/numeric/rounded_up.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 #include <limits>
 
 namespace leadscrew::nc {
@@ -49,7 +50,7 @@ double feed_length(const Block& block, const machine::Machine& machine) {
 /// Of a line, were the lattice as fine as can be.
 double commands_of(const StepVector& delta, PulseMethod method) {
   const CommandRate rate = rate_of(method);
-  if (rate == CommandRate::path_length) return norm(delta);
+  if (rate == CommandRate::path_length) return numeric::norm(delta);
   double sum = 0, longest = 0;
   for (const double of_axis : delta) {
     sum += std::abs(of_axis);
@@ -100,12 +101,6 @@ StepVector velocity_on_arc(const Block& block, const gcode::Move& move, const Pa
 }
 
 }  // namespace
-
-double norm(const StepVector& steps) {
-  double square = 0;
-  for (const double of_axis : steps) square += of_axis * of_axis;
-  return std::sqrt(square);
-}
 
 StepVector programmed_delta(const gcode::Move& move, const machine::Machine& machine) {
   StepVector delta{};
@@ -159,7 +154,7 @@ ProgrammedRate programmed_rate(const Block& block, const gcode::Move& move, cons
   StepVector velocity = velocity_on_arc(block, move, part, machine, seconds);
   ask_velocity(asked, velocity, machine);
   velocity[block.second_axis] = 0;  // the circle's, once
-  asked.least = std::max(asked.least, norm(velocity) * (1 - numeric::quotient_rounding));
+  asked.least = std::max(asked.least, numeric::norm(velocity) * (1 - numeric::quotient_rounding));
   return asked;
 }
 

@@ -20,9 +20,6 @@ struct Part {
 /// Of each axis, in steps.
 using StepVector = std::array<double, base::axis_count>;
 
-/// √Σ of squares.
-double norm(const StepVector& steps);
-
 /// From the start of a move to its end, steps, not rounded.
 StepVector programmed_delta(const gcode::Move& move, const machine::Machine& machine);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/nc/pulse_curve.hpp>
 #include <string>
 #include <utility>
@@ -20,16 +21,6 @@ Point from(Point origin, Point at) {
 
 double length_of(Point delta) {
   return std::sqrt(static_cast<double>(delta.x * delta.x + delta.y * delta.y));
-}
-
-std::string text(Point at) {
-  return "(" + std::to_string(at.x) + ", " + std::to_string(at.y) + ")";
-}
-
-std::string decimal(double value) {
-  const auto thousandths = std::llround(value * 1000);
-  const std::string digits = std::to_string(1000 + thousandths % 1000);
-  return std::to_string(thousandths / 1000) + "." + digits.substr(1);
 }
 
 void add(Problems& problems, std::string_view code, std::string message, std::string hint) {
@@ -62,18 +53,18 @@ void check_given(Problems& problems, const PulseCurve& curve) {
 void check_line(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
   const Point delta = curve.delta();
   if (delta == Point{}) {
-    add(problems, "no-way", "the line ends at " + text(curve.end) + ", where it starts",
-        "a line needs a way; a full circle is an arc");
+    add(problems, "no-way", "the line ends at " + point_text(curve.end) + ", where it starts",
+        "give an end away from the start; a full circle is an arc");
     return;
   }
-  check_register(problems, {"Jx", delta.x, "the way along x"}, bits);
-  check_register(problems, {"Jy", delta.y, "the way along y"}, bits);
+  check_register(problems, {"Jx", delta.x, "the distance along x"}, bits);
+  check_register(problems, {"Jy", delta.y, "the distance along y"}, bits);
 }
 
 void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
   const pulse::Arc arc = curve.arc();
   if (arc.start == Point{}) {
-    add(problems, "zero-radius", "the radius is 0: the arc starts at its centre " + text(curve.center),
+    add(problems, "zero-radius", "the radius is 0: the arc starts at its centre " + point_text(curve.center),
         "a centre away from the start");
     return;
   }
@@ -86,7 +77,8 @@ void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> b
   const double radius = curve.radius(), at_end = length_of(arc.end);
   if (std::abs(at_end - radius) > 0.5) {
     add(problems, "end-off-circle",
-        "the end " + text(curve.end) + " is " + decimal(at_end) + " BLU from the centre, the start " + decimal(radius),
+        "the end " + point_text(curve.end) + " is " + base::fixed_text(at_end, 3) + " BLU from the centre, the start " +
+            base::fixed_text(radius, 3),
         "the end may be off the circle through the start by half a BLU at most");
     return;
   }
@@ -99,6 +91,10 @@ void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> b
 }
 
 }  // namespace
+
+std::string point_text(Point at) {
+  return "(" + std::to_string(at.x) + ", " + std::to_string(at.y) + ")";
+}
 
 std::optional<base::Diagnostic> overflow_of(const RegisterContent& content, std::optional<int> bits) {
   const std::int64_t greatest = bits ? (std::int64_t{1} << *bits) - 1 : pulse::greatest_coordinate;

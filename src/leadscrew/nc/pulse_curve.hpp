@@ -30,6 +30,9 @@ struct PulseCurve {
   double radius() const;  ///< of an arc, BLU
 };
 
+/// (x, y)
+std::string point_text(pulse::Point at);
+
 /// What no interpolator could do: a line of length 0, an arc of radius 0, an end off the circle by more than half a
 /// BLU, a coordinate that the registers do not hold: 2ⁿ − 1 is the greatest of n `bits`, pulse::greatest_coordinate
 /// without. Codes: `no-way`, `zero-radius`, `end-off-circle`, `register-overflow`. Empty where all is well.

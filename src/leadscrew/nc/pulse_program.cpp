@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <leadscrew/nc/nc_program.hpp>
 #include <leadscrew/nc/pulse_program.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 #include <utility>
 
 namespace leadscrew::nc {
@@ -120,14 +121,14 @@ void PulseProgram::begin_feed(const BlockLookAhead::Next& next, double speed) {
     return;
   }
   const auto word = [&](double rate) { return std::max<std::int64_t>(1, word_of(rate, options_)); };
-  const double rate = std::clamp(speed / norm(planned_.entry), next.rest_rate, next.entry_rate);
+  const double rate = std::clamp(speed / numeric::norm(planned_.entry), next.rest_rate, next.entry_rate);
   feed_.begin(word(rate), word(next.exit_rate), acceleration_word(planned_.acceleration, options_));
 }
 
 double PulseProgram::speed() const {
   if (planned_.block.commands == 0) return 0;
   const double share = static_cast<double>(feed_.word()) / static_cast<double>(options_.feed_capacity);
-  return share * static_cast<double>(options_.clock_pps) * norm(planned_.exit);
+  return share * static_cast<double>(options_.clock_pps) * numeric::norm(planned_.exit);
 }
 
 }  // namespace leadscrew::nc

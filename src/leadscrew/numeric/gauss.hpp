@@ -16,6 +16,13 @@ inline constexpr std::array<GaussPoint, 4> gauss_8 = {{{0.18343464249564980, 0.3
                                                        {0.79666647741362674, 0.22238103445337447},
                                                        {0.96028985649753623, 0.10122853629037626}}};
 
+/// The same with 16 digits: four of these doubles differ from those of `gauss_8` in their last bit. Durations are told by
+/// them, and every word that was recorded with them depends on the bits.
+inline constexpr std::array<GaussPoint, 4> gauss_8_of_durations = {{{0.1834346424956498, 0.3626837833783620},
+                                                                    {0.5255324099163290, 0.3137066458778873},
+                                                                    {0.7966664774136267, 0.2223810344533745},
+                                                                    {0.9602898564975363, 0.1012285362903763}}};
+
 /// √0.6: with 0 and its mirror image the three points on [−1, 1].
 inline constexpr double gauss_3_abscissa = 0.7745966692414834;
 /// The three points on [0, 1], and their weights there.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/toolpath/travel.hpp>
 #include <string>
@@ -91,7 +92,7 @@ bool MotionSource::push(toolpath::Element element) {
       failure_ =
           base::problem("travel",
                         std::string("the path would lead axis ") + base::letter(excess->axis) + " to " +
-                            std::to_string(excess->position) + ", outside its travel",
+                            base::text(excess->position, 9) + ", outside its travel",
                         "this is a defect of leadscrew: please report it, with the program and the machine file");
       failure_->place.line = base::number(piece->line);
       return false;

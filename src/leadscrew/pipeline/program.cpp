@@ -36,8 +36,25 @@ bool Program::prepare() {
 
 base::Word Program::cycle() {
   const base::Word word = interpolator_.next();
+  tell_events(interpolator_.events_passed(), word.tick);
   account(word);
   return word;
+}
+
+std::span<const base::Word> Program::cycle(std::span<base::Word> words) {
+  std::size_t count = interpolator_.next(words);
+  if (count == 0) words[count++] = interpolator_.next();  // at rest, at the end
+  // Several at once only where no event is left in the part.
+  tell_events(interpolator_.events_passed(), words[count - 1].tick);
+  for (const base::Word& word : words.first(count)) account(word);
+  return words.first(count);
+}
+
+/// As many of the chunk's.
+void Program::tell_events(std::size_t count, base::Tick tick) {
+  for (; told_ < count; ++told_) {
+    if (events_) events_(planner::passed_at(tick, chunk_.event(told_)));
+  }
 }
 
 /// Goes on through the stop tail of the last chunk, which becomes part of the motion.
@@ -58,12 +75,11 @@ bool Program::plan_next() {
     summary_.bound_s = bound_.seconds();
   }
   if (!chunk) return false;
+  tell_events(interpolator_.events_of_part(), interpolator_.tick());
+  told_ = 0;
   chunk_ = std::move(*chunk);
   planner::raise_limit_ratios(chunk_, constraints_, summary_.plan);
   summary_.length_mm += chunk_.length;
-  if (events_) {
-    for (const base::Event& event : chunk_.events) events_(event);
-  }
   interpolator_.load(chunk_);
   return true;
 }

@@ -16,6 +16,7 @@
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/planner/time_bound.hpp>
 #include <optional>
+#include <span>
 
 namespace leadscrew::pipeline {
 
@@ -34,8 +35,8 @@ struct Summary {
   constraints::LimitRatios plan{};  ///< analytically, from the motion
 };
 
-/// Called for each event as the chunk that follows it begins.
-using EventSink = std::function<void(const base::Event&)>;
+/// Called for each event once, in order: with the word in whose period motion passes its place, before that is returned.
+using EventSink = std::function<void(const base::PassedEvent&)>;
 
 /// A program that has an error must not be moved: read it whole first (gcode::Reader), then run it. The machine and the
 /// tool table must outlive the program.
@@ -72,6 +73,9 @@ class Program {
 
   /// The next word; prepare() must have said true.
   base::Word cycle();
+  /// The next words, bit for bit as cycle() gives them, as many as `words` holds and nobody has to plan for; at least
+  /// one. prepare() must have said true; not empty.
+  std::span<const base::Word> cycle(std::span<base::Word> words);
 
   /// Will the next prepare() read or plan, or is the motion of the next word there already?
   bool will_plan() const { return !ended_ && interpolator_.wants_chunk(); }
@@ -85,6 +89,7 @@ class Program {
  private:
   bool plan_next();
   void stop();
+  void tell_events(std::size_t count, base::Tick tick);
   void account(const gcode::Move& move);
   void account(const base::Word& word);
 
@@ -95,6 +100,7 @@ class Program {
   interpolator::Interpolator interpolator_;
   planner::Chunk chunk_;
   EventSink events_;
+  std::size_t told_ = 0;  ///< events of the chunk
   bool bound_is_known_ = false;
   bool ended_ = false;
   std::optional<base::Word> before_;

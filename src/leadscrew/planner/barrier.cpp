@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/planner/barrier.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <limits>
 #include <utility>
 
@@ -8,18 +9,16 @@ namespace leadscrew::planner {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double descent_weight = 4;        // of speed above what is wanted, against time
-constexpr double descent_softness = 0.004;  // of the wanted x
 
 /// What x above the wanted costs a unit of distance, with derivatives: ρ (y + √(y² + ε²)) / 2√w, y = x/w − 1.
 struct Excess {
   double value = 0, slope = 0, curvature = 0;
 };
 Excess excess(double x, double wanted) {
-  const double y = x / wanted - 1, root = std::sqrt(y * y + squared(descent_softness));
-  const double scale = descent_weight / (2 * std::sqrt(wanted));
+  const double y = x / wanted - 1, root = std::sqrt(y * y + squared(tuning::descent::softness));
+  const double scale = tuning::descent::weight / (2 * std::sqrt(wanted));
   return {scale * (y + root), scale * (1 + y / root) / wanted,
-          scale * squared(descent_softness) / (root * root * root * squared(wanted))};
+          scale * squared(tuning::descent::softness) / (root * root * root * squared(wanted))};
 }
 
 }  // namespace

@@ -98,11 +98,12 @@ bool has_closed_form(const Section& section) {
   return section.size() == 1 && arc && std::abs(arc->angle_rate()) * arc->length() < small_angle;
 }
 
-/// The section as one piece.
+/// The section as one piece: its curve is made of curves, so that axes are asked for as of any piece.
 toolpath::Piece whole(const Section& section) {
   toolpath::Piece piece = section.piece(0);
   if (section.size() == 1) return piece;
-  piece.curve = geometry::Line(piece.axes().start(), section.piece(section.size() - 1).axes().end(), section.length());
+  const toolpath::Piece& last = section.piece(section.size() - 1);
+  piece.curve = geometry::Line(geometry::start(piece.curve), geometry::end(last.curve), section.length());
   return piece;
 }
 

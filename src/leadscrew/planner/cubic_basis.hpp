@@ -1,6 +1,9 @@
 #pragma once
 // The four cubic B-splines that live on one interval of a knot sequence, as polynomials there (de Boor, "A Practical
 // Guide to Splines", ch. X): B_j(u) = Σ_p m[j][p] u^p, 0 ≤ u ≤ 1.
+//
+// Coefficients, since a window looks at every interval hundreds of times. toolpath/quintic_basis has values by the
+// recursion at single places: another order of operations, which gives other last bits, and another cost.
 
 #include <array>
 #include <vector>

@@ -2,16 +2,15 @@
 #include <leadscrew/planner/early_stop.hpp>
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/knots.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <span>
 
 namespace leadscrew::planner {
 
 namespace {
 
-constexpr double first_wait = 0.005, later = 1.4;  // s: places are tried so long after the slice, and each time later
-constexpr int attempts = 14;
-constexpr double longer = 1.12;  // each than the last
-constexpr int first_looks = 8;   // most attempts are seen to fail by the first
+using namespace tuning::early_stop;
+
 constexpr double none = -1;
 
 /// The largest ratio, looked at between these places as closely as a window is between its knots.

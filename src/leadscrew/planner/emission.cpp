@@ -2,8 +2,10 @@
 #include <array>
 #include <cmath>
 #include <leadscrew/numeric/bisection.hpp>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <limits>
 
 namespace leadscrew::planner {
@@ -15,17 +17,10 @@ using constraints::Constraints;
 using constraints::LimitRatios;
 using numeric::DoubleDouble;
 
+using namespace tuning::proof;
+
 constexpr double turning_back = 1.5;  // ratio that stands for a motion that goes back
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int looks_per_polynomial = 6;
-constexpr std::size_t most_borders = 60;  // that are looked at so closely
-constexpr int stop_looks = 32;            // of the proof that a stop keeps its limits
-
-// Of numeric::gauss_8, to 16 digits: durations, and with them words, would differ in their last bits.
-constexpr std::array<double, 4> gauss_half_places = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                                     0.9602898564975363};
-constexpr std::array<double, 4> gauss_half_weights = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                                      0.1012285362903763};
 
 /// s(τ) along the section, by a quintic with the speeds and accelerations of both ends (Hermite).
 Segment quintic(const PathState& from, const PathState& to, double duration) {
@@ -174,9 +169,10 @@ class Emitter {
 double travel_time(const SpeedProfile& profile, std::size_t k, double from, double to) {
   const double middle = (from + to) / 2, half = (to - from) / 2;
   double sum = 0;
-  for (std::size_t q = 0; q < 4; ++q) {
+  for (std::size_t q = 0; q < numeric::gauss_8_of_durations.size(); ++q) {
+    const auto [abscissa, weight] = numeric::gauss_8_of_durations[q];
     for (const double side : {-1.0, 1.0}) {
-      sum += gauss_half_weights[q] / std::sqrt(profile.square(k, middle + half * side * gauss_half_places[q]));
+      sum += weight / std::sqrt(profile.square(k, middle + half * side * abscissa));
     }
   }
   return sum * half * profile.width(k);
@@ -212,9 +208,6 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
   const double end = evaluate(segment, segment.duration.value()).s;
   const std::size_t borders = section.borders(segment.s0.value(), end);
   looks = std::max(looks, looks_per_polynomial * (static_cast<int>(std::min(borders, most_borders)) + 1));
-  constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
-  constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
-  constexpr double dense_steps = 1 + 1e-3;    // where there are so many that not all are looked at: at a cusp
   const auto has_table = [&](std::size_t piece) { return section.piece(piece).axes().has_table(); };
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
   const std::size_t last = section.piece_at(end, Side::left);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <leadscrew/planner/knot_samples.hpp>
 #include <leadscrew/planner/knots.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <limits>
 
 namespace leadscrew::planner {
@@ -9,30 +10,9 @@ namespace leadscrew::planner {
 namespace {
 
 using Sample = KnotSample;
+using namespace tuning::knots;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double per_ramp = 40;         // knots while speed rises from rest or falls to it
-constexpr double cruise_knots = 8;      // of a cruise, while speed could rise from rest
-constexpr double cruise_time = 0.02;    // s between knots of a cruise that need not lie closer
-constexpr double cruise_grading = 0.1;  // of the distance from where the cruise begins or ends
-constexpr double slow_change = 0.05;    // of x, from sample to sample, where feed asks for another speed slowly
-constexpr double slow_tangent = 0.02;   // of the tangent acceleration that this may take
-constexpr double change_of_knot = 0.1;  // of x between knots there
-constexpr double grading = 0.25;        // |dh/ds|
-constexpr double ramp_grading = 0.25;   // h over distance from rest
-constexpr double merged_breaks = 1e-5;  // of the width around them
-constexpr int deepest = 40;             // bisections
-constexpr std::size_t most_between_samples =
-    8;  // polynomials of a curve between samples; where there are more, a bend may lie between them
-constexpr double unknown_margin = 0.03;  // of the length of a ramp, kept free before the end of what is known
-constexpr double shortest_ramp = 1e-13;  // of the place on the section: what rounding leaves of its knots
-constexpr std::size_t rest_knots =
-    100;  // it takes about as many to come to rest: a window that would end so few knots before rest goes on to it
-constexpr double first_change = 0.15;    // of the usual width, where jerk changes at once
-constexpr double change_grading = 0.15;  // of the distance from there
-constexpr std::size_t more_knots = 24;   // after what is kept, if more is known
-constexpr std::size_t more_windows = 2;  // that may be in the place of one where much is kept and speed changes
-constexpr std::size_t knots_at_end = 8;  // that nothing comes between
-constexpr std::size_t knots_beyond = 3;  // knots after the last interval of a window that ends in motion
 
 class Placement {
  public:

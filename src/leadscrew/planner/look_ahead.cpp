@@ -4,6 +4,7 @@
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <limits>
 
 namespace leadscrew::planner {
@@ -12,28 +13,9 @@ namespace {
 
 using numeric::DoubleDouble;
 
+using namespace tuning::look_ahead;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double longest_segment = 0.02;  // s, where a change of speed may have to begin
-constexpr double most_parts = 1000;       // of a segment
-constexpr int few_looks = 4;              // of a part of a segment that was looked at
-
-constexpr double stops_committed = 3;          // times to stop that are committed, where speed is greatest
-constexpr double least_reach = 0.25;           // s
-constexpr std::size_t rows_of_a_window = 960;  // intervals times axes that move: so long does a window take to plan
-constexpr std::size_t least_intervals = 200, greatest_intervals = 320;
-constexpr double few_share = 0.6;           // of the intervals that a window may have
-constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
-constexpr std::size_t most_pieces = 900;
-constexpr std::size_t most_patience = 16;  // segments
-constexpr double hardly_moves = 1e-3;      // |q′| of an axis whose velocity does not count yet
-
-// Gentler limits: acceleration is reached no sooner than in this time, and the greatest speed by it no sooner either.
-// Where limits of jerk and acceleration are far greater than speeds are, knots lie so close that a window of them is
-// over within microseconds.
-constexpr double gentle_time = 0.01;       // s
-constexpr double slower = 4;               // each time that this does not help
-constexpr int most_lowerings = 10;         // times
-constexpr double between_lowerings = 1e6;  // units of effort
 
 }  // namespace
 
@@ -260,22 +242,22 @@ void LookAhead::plan_in_motion() {
 
 /// Has planning taken too much effort, also since limits were lowered last?
 bool LookAhead::is_overdrawn() const {
-  return effort_.balance() < least_balance_ && lowerings_ < most_lowerings;
+  return effort_.balance() < least_balance_ && lowerings_ < tuning::gentle::most_lowerings;
 }
 
 /// From rest on, lower limits, whose motion takes fewer windows. False if they are as low as they get.
 bool LookAhead::lower_limits() {
-  if (lowerings_ == most_lowerings || effort_.is_stopped()) return false;
+  if (lowerings_ == tuning::gentle::most_lowerings || effort_.is_stopped()) return false;
   if (lowerings_ == 0) ++simplified_;
-  const double speed = fastest_ * std::pow(slower, -lowerings_);
+  const double speed = fastest_ * std::pow(tuning::gentle::slower, -lowerings_);
   ++lowerings_;
-  least_balance_ = std::min(effort_.balance(), 0.0) - between_lowerings;
+  least_balance_ = std::min(effort_.balance(), 0.0) - tuning::gentle::between_lowerings;
   machine::Machine gentle = machine_;
   for (std::optional<machine::AxisLimits>& axis : gentle.axes) {
     if (!axis) continue;
     axis->velocity = std::min(axis->velocity, speed);
-    axis->acceleration = std::min(axis->acceleration, axis->velocity / gentle_time);
-    axis->jerk = std::min(axis->jerk, axis->acceleration / gentle_time);
+    axis->acceleration = std::min(axis->acceleration, axis->velocity / tuning::gentle::time);
+    axis->jerk = std::min(axis->jerk, axis->acceleration / tuning::gentle::time);
   }
   gentle_.emplace(gentle);
   return true;

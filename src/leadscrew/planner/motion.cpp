@@ -22,6 +22,14 @@ bool Chunk::begins_at_rest() const {
   return std::abs(first.speed) <= rest_speed && std::abs(first.acceleration) <= rest_acceleration;
 }
 
+base::PassedEvent passed_at(base::Tick tick, const PlacedEvent& event) {
+  base::PassedEvent passed;
+  static_cast<base::Event&>(passed) = event;
+  passed.tick = tick;
+  passed.path_length = event.path_length;
+  return passed;
+}
+
 PathState evaluate(const Segment& segment, double tau) {
   const double c0 = segment.s0.value(), c1 = segment.v0.value();
   const double c2 = segment.c2, c3 = segment.c3, c4 = segment.c4, c5 = segment.c5;

@@ -43,8 +43,20 @@ PathState evaluate(const Segment& segment, double tau);
 /// nanoseconds.
 inline constexpr double rest_speed = 1e-9, rest_acceleration = 1e-6;
 
+/// An event at its place of a chunk.
+struct PlacedEvent : base::Event {
+  std::uint32_t piece = 0;  ///< index into Chunk::pieces
+  double s = 0;             ///< path length on the piece; −∞ if it is to happen before the chunk begins
+  double path_length = 0;   ///< since the program's start, as base::Word::path_length
+};
+
+/// The same, passed in the period that ends with this word.
+base::PassedEvent passed_at(base::Tick tick, const PlacedEvent& event);
+
 struct Chunk {
-  std::vector<base::Event> events;  ///< to happen before this chunk begins, in order
+  /// To happen before this chunk begins, and then where its committed part passes their places; in order.
+  std::vector<PlacedEvent> events;
+  std::vector<PlacedEvent> tail_events;  ///< where the tail passes; those of the next chunk, if it goes on
   /// Those that the committed part and the tail go along; empty for a dwell. Where the chunk begins in the middle of a
   /// piece, that is the piece on which the chunk before ended.
   std::vector<toolpath::Piece> pieces;
@@ -68,6 +80,11 @@ struct Chunk {
   numeric::DoubleDouble end() const;
   /// Where on its piece the committed part begins; 0 without segments.
   PathState first_state() const;
+  /// Events before the chunk begins and on its committed part; if the tail is run, on that too.
+  std::size_t event_count(bool with_tail) const { return events.size() + (with_tail ? tail_events.size() : 0); }
+  const PlacedEvent& event(std::size_t index) const {
+    return index < events.size() ? events[index] : tail_events[index - events.size()];
+  }
   /// Nothing, a dwell, or motion that starts from rest (to rounding); otherwise it continues the motion of the chunk
   /// before.
   bool begins_at_rest() const;

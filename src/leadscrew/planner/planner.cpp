@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/planner.hpp>
+#include <limits>
 #include <utility>
 
 namespace leadscrew::planner {
@@ -102,7 +103,12 @@ bool Planner::pass_over(const toolpath::Element& element) {
     position_ = piece->axes().end();
     line_ = piece->last_line();
     start_->passed += length;
-    if (length <= distance_left + negligible_length) return true;
+    if (length <= distance_left + negligible_length) {
+      pass_events(*piece, std::numeric_limits<double>::infinity());
+      return true;
+    }
+    pass_events(*piece, distance_left);
+    travelling_.begin_at(start_->path_length, start_->events);
     start_.reset();
     started_at_ = piece->axes().position(std::max(distance_left, 0.0));
     if (distance_left <= negligible_length) return false;
@@ -116,6 +122,17 @@ bool Planner::pass_over(const toolpath::Element& element) {
   if (distance_left <= negligible_length && base::number(line) >= base::number(start_->line)) return false;
   if (event) keep_in_force(*event);
   return true;
+}
+
+/// Those before a place on a piece where motion begins, and those there whose lines lie before its line.
+void Planner::pass_events(const toolpath::Piece& piece, double s) {
+  if (!piece.events) return;
+  for (const toolpath::EventMark& mark : *piece.events) {
+    const bool is_there = std::abs(mark.s - s) <= negligible_length;
+    if (is_there ? base::number(mark.event.line) >= base::number(start_->line) : mark.s > s) return;
+    keep_in_force(mark.event);
+    start_->events = mark.number + 1;
+  }
 }
 
 /// Of events that undo one another, the last.
@@ -139,6 +156,14 @@ void Planner::keep_in_force(const base::Event& event) {
         return 6;
       case Kind::tool_change:
         return 7;
+      case Kind::digital_output_on_with_motion:
+      case Kind::digital_output_off_with_motion:
+      case Kind::digital_output_on:
+      case Kind::digital_output_off:
+        return 8;
+      case Kind::analog_output_with_motion:
+      case Kind::analog_output:
+        return 9;
       case Kind::pause:
       case Kind::optional_pause:
       case Kind::program_end:
@@ -149,7 +174,8 @@ void Planner::keep_in_force(const base::Event& event) {
   if (group(event.kind) == 0) return;
   std::erase_if(events_, [&](const base::Event& before) {
     const bool is_coolant = before.kind == Kind::coolant_mist || before.kind == Kind::coolant_flood;
-    return group(before.kind) == group(event.kind) || (event.kind == Kind::coolant_off && is_coolant);
+    const bool is_alike = group(before.kind) == group(event.kind) && before.output == event.output;
+    return is_alike || (event.kind == Kind::coolant_off && is_coolant);
   });
   events_.push_back(event);
 }
@@ -215,13 +241,13 @@ void Planner::override_feed(double factor) {
 void Planner::refuse() {
   position_ = rest_before_;
   line_ = line_before_;
+  travelling_.refuse();
   if (closed_form_) return go_on_from(closed_form_->rest_before());
   look_ahead_.refuse();
 }
 
 Chunk Planner::follow_events(Chunk chunk) {
-  chunk.events = std::move(events_);
-  events_.clear();
+  travelling_.place(chunk, std::exchange(events_, {}));
   chunk.rest = position_;
   chunk.rest_line = line_;
   return chunk;

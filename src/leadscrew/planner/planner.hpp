@@ -5,7 +5,7 @@
 // line, or lines that run straight on, has the seven phases of constant jerk (rest_to_rest.hpp), which no time law can
 // beat; so have short arcs, along which the axes' shares of speed hardly change (piece_limits.hpp). Every other section
 // has the optimal time law of speed_profile.hpp. Sections end where the path asks for a stop, where it bends or turns
-// at once, and at dwells and events.
+// at once, and at dwells and events that motion rests for. All other events travel with their pieces.
 
 #include <cstddef>
 #include <deque>
@@ -15,6 +15,7 @@
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <leadscrew/planner/travelling_events.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <limits>
 #include <optional>
@@ -31,7 +32,10 @@ class Planner {
   Planner(const machine::Machine& machine, const geometry::Point& start)
       : machine_(machine), constraints_(machine), look_ahead_(machine), position_(start) {}
 
-  void push(const toolpath::Element& element) { waiting_.push_back(element); }
+  void push(const toolpath::Element& element) {
+    waiting_.push_back(element);
+    if (auto* piece = std::get_if<toolpath::Piece>(&waiting_.back())) travelling_.enter(*piece);
+  }
   /// No more elements will come.
   void finish() { finished_ = true; }
   /// The next chunk; none if it takes more elements to know it, or if all has been planned.
@@ -39,8 +43,8 @@ class Planner {
 
   /// Before anything is pushed: motion begins at rest behind so much of the path, units of its length, as if all before
   /// had been travelled. Dwells and events that stand at this very place come before it if their lines lie before
-  /// `line`. Spindle, coolant and tool are as the events before have left them: those that say so come out again, with
-  /// the first chunk.
+  /// `line`. Spindle, coolant, tool and outputs are as the events before have left them: those that say so come out
+  /// again, with the first chunk.
   void start_at(double path_length, base::Line line);
   /// Where that is on the path, once a chunk has been popped or there is none; none where the path is not so long.
   std::optional<geometry::Point> started_at() const;
@@ -80,6 +84,7 @@ class Planner {
   bool pass_over(const toolpath::Element& element);
   Chunk stand(const toolpath::Dwell& dwell);
   void keep_in_force(const base::Event& event);
+  void pass_events(const toolpath::Piece& piece, double s);
   std::optional<Chunk> plan();
   void go_on_from(double s);
   Chunk follow_events(Chunk chunk);
@@ -87,7 +92,8 @@ class Planner {
   struct Start {
     double path_length = 0;
     base::Line line{};
-    double passed = 0;  ///< length of the pieces before
+    double passed = 0;        ///< length of the pieces before
+    std::int64_t events = 0;  ///< on these, that travel
   };
 
   const machine::Machine& machine_;
@@ -100,6 +106,7 @@ class Planner {
   double feed_factor_ = 1;
   double dwelt_ = 0;                       ///< s handed out of the dwell that is the next element
   std::vector<base::Event> events_;        ///< waiting for the chunk they come before
+  TravellingEvents travelling_;            ///< all others
   LookAhead look_ahead_;                   ///< along the section that is being planned
   std::optional<toolpath::Piece> last_;    ///< its last piece
   std::optional<ClosedForm> closed_form_;  ///< of that section, where it has one

@@ -70,6 +70,7 @@ bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& e
                   const machine::Machine& machine) {
   const double period = machine.period.seconds();
   for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
     const std::size_t i = base::index(axis);
     const double kink = std::abs(leaving[i].first - entering[i].first);
     const double jump = std::abs(leaving[i].second - entering[i].second);

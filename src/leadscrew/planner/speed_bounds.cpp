@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/speed_bounds.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <limits>
 
 namespace leadscrew::planner {
@@ -8,7 +9,6 @@ namespace leadscrew::planner {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double stopping_factor = 1.08;  // of the rows of the intervals before an end in motion
 
 double square_at(const SpeedProblem& problem, std::span<const double> c, std::size_t interval, double u) {
   return dot(problem.basis()[interval].value(u), &c[interval]);
@@ -26,7 +26,7 @@ SpeedBounds::SpeedBounds(const SpeedProblem& problem, const Continuation& before
   // Knots that lie well for a motion that goes on lie far apart for one that stops so soon.
   const std::size_t from = n > stopping_tail ? n - stopping_tail : 0;
   for (std::size_t k = std::max(from, before.loose); k < n; ++k)
-    tightened_[k] = std::max(stopping_factor, k < before.tightened.size() ? before.tightened[k] : 1);
+    tightened_[k] = std::max(tuning::rows::stopping_factor, k < before.tightened.size() ? before.tightened[k] : 1);
 }
 
 double SpeedBounds::greatest_ratio(const SpeedProblem& problem, std::span<const double> c, std::size_t from) const {
@@ -94,7 +94,8 @@ void SpeedBounds::restore_caps(const SpeedProblem& problem, std::span<const doub
 /// little where motion was proven, more beyond where the last window would have come to rest. Where it is now looked at
 /// for the first time, rows are relaxed until the profile is far inside; the proof decides what becomes of it.
 void SpeedBounds::relax_rows(const SpeedProblem& problem, std::span<const double> c) {
-  constexpr double greatest_relaxed = 1.1, margin = 1e-4;
+  using tuning::rows::greatest_relaxed;
+  constexpr double margin = tuning::rows::relaxed_margin;
   const std::span<const SpeedProblem::Site> sites = problem.sites();
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const double ratio = tightened_[sites[i].interval] * problem.greatest_ratio(sites[i], c);

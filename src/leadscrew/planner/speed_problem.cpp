@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/speed_problem.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <limits>
 #include <utility>
 
@@ -10,14 +11,9 @@ namespace {
 
 using constraints::RowPairs;
 
+using namespace tuning::rows;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double least_peak = 0.01;      // of a limit, by the curve alone at the greatest speed
-constexpr std::size_t most_borders = 7;  // between polynomials, that an interval has sites for
-// Of the limits, for what lies between the places looked at and for the step from spline to quintics:
-constexpr double limit_margin = 0.9995;      // of acceleration and jerk
-constexpr double feed_margin = 1 - 1e-7;     // of the programmed speed, squared
-constexpr double turning_margin = 1 - 3e-4;  // of the speed, squared, where it is an axis' that trades with others
-constexpr std::size_t creep_tail = 3;        // of the intervals at an end in motion: all their coefficients creep
 
 std::array<double, 6> around(const std::vector<double>& s, std::size_t k) {
   std::array<double, 6> t;

@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/speed_profile.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <utility>
 
 namespace leadscrew::planner {
 
 namespace {
 
-constexpr double too_fast_margin = 0.002, descended_margin = 0.0005;  // of x, where limits are relaxed
-constexpr double descent_floor = 0.9;                                 // of the wanted x
-constexpr double descent_first_gap = 3, cold_descent_gap = 20, descent_gap = 0.02;
 constexpr std::size_t blend = 16;  // coefficients over which a cruise is reached and left
 
 /// From 0 to 1 with two derivatives 0 at both ends; 0 below and 1 above.
@@ -44,7 +42,7 @@ SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraint
     c[i] = i < before.creeping ? before.c[i] : std::min(before.c[i], c[i]);
   set(c);
   far_inside_ = std::move(c);
-  too_fast_ = bounds_.relax_caps(problem_, this->c(), too_fast_margin);
+  too_fast_ = bounds_.relax_caps(problem_, this->c(), tuning::descent::too_fast_margin);
   bounds_.relax_rows(problem_, this->c());
 }
 
@@ -97,9 +95,10 @@ void SpeedProfile::descend() {
     goal.wanted.insert(goal.wanted.end(), numeric::gauss_3_places.size(), lower);
   }
   for (std::size_t i = 0; i < c().size(); ++i)
-    goal.floors.push_back(std::min(descent_floor * caps.coefficients[i], descent_floor * descent_floor * c()[i]));
-  optimize(goal, descent_first_gap, descent_gap);
-  bounds_.restore_caps(problem_, c(), descended_margin);
+    goal.floors.push_back(std::min(tuning::descent::floor * caps.coefficients[i],
+                                   tuning::descent::floor * tuning::descent::floor * c()[i]));
+  optimize(goal, tuning::descent::first_gap, tuning::descent::last_gap);
+  bounds_.restore_caps(problem_, c(), tuning::descent::descended_margin);
 }
 
 void SpeedProfile::descend_to_creep() {
@@ -109,7 +108,7 @@ void SpeedProfile::descend_to_creep() {
     for (std::size_t q = 0; q < numeric::gauss_3_places.size(); ++q)
       goal_.wanted.push_back(std::max(0.5 * dot(problem_.gauss()[3 * k + q], &problem_.creep()[k]), least));
   }
-  optimize(goal_, cold_descent_gap, descent_gap);
+  optimize(goal_, tuning::descent::cold_gap, tuning::descent::last_gap);
 }
 
 void SpeedProfile::settle() {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/time_bound.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <limits>
 #include <span>
 
@@ -8,15 +9,9 @@ namespace leadscrew::planner {
 
 namespace {
 
+using namespace tuning::bound;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t most_waiting = 2048;  // intervals
-constexpr double finest_turn = 0.005;       // rad, of a curve between knots
-constexpr double finest_bend = 0.005;       // change of curvature times step
-constexpr int fewest_intervals = 32;        // of a curve
-constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
-constexpr int most_halvings = 20;
-constexpr double grading = 0.1;           // h over the distance from the nearer end
-constexpr double negligible_kink = 1e-6;  // of a unit tangent: less is taken as smooth, which can only lower the bound
 
 bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& entering) {
   double largest = 0, difference = 0;

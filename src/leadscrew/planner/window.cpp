@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/emission.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <leadscrew/planner/window.hpp>
 #include <limits>
 #include <numeric>
@@ -11,33 +12,17 @@ namespace {
 
 using numeric::DoubleDouble;
 
+using namespace tuning::window;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double gap = 1e-3;                       // of the time, to the optimum
-constexpr double cold_gap = 20;                    // of creep
-constexpr double warm_gap = 0.3;                   // of a window whose beginning is nearly optimal already
-constexpr double repair_gap = 0.1;                 // of a profile that is planned again
-constexpr double deep_gap = 10;                    // of a profile from which limits can be tightened
-constexpr int repairs = 7, repairs_of_change = 5;  // knots come between soon where feed has changed
-constexpr double repair_margin = 2e-4;
 /// Where tightened rows have not helped, as where a window begins and little can change, a profile that is farther
 /// inside may: it costs less than what the last round falls back to.
 constexpr double gap_of_round(int round, int rounds) {
   return round + 2 < rounds ? gap : round + 1 < rounds ? 10 * gap : 100 * gap;
 }
-constexpr int refinements = 3;
-constexpr double coarse_knots = 1.005;  // ratios above tell that knots lie too far apart
-constexpr double cruising = 0.02;       // of the acceleration
-constexpr double most_parts = 32;       // of an interval, at once
-constexpr double steepest = 2.5;        // ratio of the widths of neighbours
-constexpr double widest = 8;
-constexpr std::size_t most_refined = 600, intervals_at_end = 8;
-constexpr std::size_t stopping_intervals = 20;
-constexpr double allowed_slowing = 1.0002;             // below, slowing time costs less than planning again
-constexpr double stops_ahead = 4, stops_before = 1.2;  // how far the end of a window has influence
-constexpr std::size_t least_ahead = 16;                // intervals
 
 /// The knot that the next window begins at: the last one before which this window's end has no influence. Where the end
-/// is no farther than `stops_ahead` stopping distances, speed is lower than it would be if the end were farther; so it
+/// is no farther than `stops_felt` stopping distances, speed is lower than it would be if the end were farther; so it
 /// may be for `stops_before` stopping times before that place. Behind a corner, where speed is next to 0, the influence
 /// ends sooner than the stopping distance from there tells.
 std::size_t commit_until(const SpeedProfile& profile, const Section& section,
@@ -51,7 +36,7 @@ std::size_t commit_until(const SpeedProfile& profile, const Section& section,
     since += travel_time(profile, k);
     const double s = profile.knots().s[k], speed = std::sqrt(profile.square(k, 0));
     const double stop = stop_time(speed, tangent_limits(section.jets(s, Side::right), constraints));
-    if (end - s <= stops_ahead * speed * stop / 2) {
+    if (end - s <= stops_felt * speed * stop / 2) {
       since = 0;
       time_needed = stops_before * stop;
     }
@@ -190,7 +175,6 @@ bool WindowPlanner::prove(Window& window) const {
   const SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
   const double feed_factor = profile.is_too_fast() || aim_ == Aim::rest ? infinity : range_.feed_factor;
-  constexpr double effort_of_proof = 3;  // of a segment
   if (!effort_.spend(effort_of_proof * static_cast<double>(window.segments.size()))) return false;
   for (std::size_t k = 0; k < window.segments.size(); ++k) {
     const int looks =

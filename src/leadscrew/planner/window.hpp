@@ -17,9 +17,6 @@
 
 namespace leadscrew::planner {
 
-/// Times to stop that a window looks ahead of what it commits to, at the greatest speed.
-inline constexpr double stops_ahead = 4.5;
-
 /// A window that has been planned, on the section.
 struct Window {
   explicit Window(SpeedProfile speed) : profile(std::move(speed)) {}

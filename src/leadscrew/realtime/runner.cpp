@@ -110,13 +110,24 @@ void Runner::cycle() {
 /// wants more.
 bool Runner::make_due(std::int64_t due) noexcept {
   while (published_ < due) {
-    if (!waiting_) waiting_ = controller_.next();
-    if (!sink_.take(*waiting_)) return true;
+    if (!waiting_) {
+      waiting_ = controller_.next();
+      event_ = controller_.next_event();
+    }
+    if (!take_events() || !sink_.take(*waiting_)) return true;
     ++taken_;
     const bool rests = waiting_->state == base::MotionState::rest;
     if ((rests || taken_ - published_ >= options_.slice) && !publish()) return false;
     waiting_.reset();
     if (is_last()) return false;
+  }
+  return true;
+}
+
+/// Those of the word that waits go before it. False if there is no room.
+bool Runner::take_events() noexcept {
+  for (; event_ != nullptr; event_ = controller_.next_event()) {
+    if (sink_.event && !sink_.event(planner::passed_at(waiting_->tick, *event_))) return false;
   }
   return true;
 }

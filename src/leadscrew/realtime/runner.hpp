@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/interpolator/controller.hpp>
 #include <leadscrew/realtime/feeder.hpp>
@@ -36,6 +37,9 @@ struct WordSink {
   std::function<bool(const base::Word&)> take;          ///< false if it has no room: it is given the word again
   std::function<bool(const base::PathPlace&)> lead_on;  ///< appends a place to the stop path; false if it is too long
   std::function<bool()> publish;                        ///< a slice; false if nobody wants words any more
+  /// An event of the period that ends with the word that take is given next (base::PassedEvent::tick): each once, in
+  /// order; false if it has no room: it is given the event again. Absent: events are passed over.
+  std::function<bool(const base::PassedEvent&)> event = {};
 };
 
 struct RunnerOptions {
@@ -91,6 +95,7 @@ class Runner {
   void plan();
   void cycle();
   bool make_due(std::int64_t due) noexcept;
+  bool take_events() noexcept;
   bool publish() noexcept;
   bool is_last() const noexcept;
 
@@ -104,9 +109,10 @@ class Runner {
   Feeder feeder_;  ///< the planner's
 
   // The cycle's.
-  std::optional<base::Word> waiting_;  ///< for room in the sink
-  std::int64_t taken_ = 0;             ///< words, by the sink
-  std::int64_t published_ = 0;         ///< of these
+  std::optional<base::Word> waiting_;            ///< for room in the sink
+  const planner::PlacedEvent* event_ = nullptr;  ///< likewise, of its period
+  std::int64_t taken_ = 0;                       ///< words, by the sink
+  std::int64_t published_ = 0;                   ///< of these
 
   // Told by one thread to others.
   std::atomic<bool> begun_{false}, ended_{false}, halted_{false}, too_long_to_rest_{false};

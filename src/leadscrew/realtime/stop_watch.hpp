@@ -1,7 +1,8 @@
 #pragma once
 // Where the time goes of words that are made as fast as they can be. A look at a clock takes as long as a word:
-// planning is timed chunk by chunk, and of every 61 calls that make a word one is.
+// planning is timed chunk by chunk, and of every 61 words one is.
 
+#include <cstddef>
 #include <cstdint>
 #include <ctime>
 #include <leadscrew/realtime/histogram.hpp>
@@ -57,12 +58,36 @@ class StopWatch {
     return result;
   }
 
+  /// How many words until cycle() times one; 0 if it is the next.
+  std::size_t words_until_sample() const {
+    return static_cast<std::size_t>((words_per_sample - words_ % words_per_sample) % words_per_sample);
+  }
+
+  /// Work that makes many words, and returns them; of every 61 such calls one is timed. No sample.
+  template <class Work>
+  auto many(Work&& work) {
+    const bool is_timed = calls_++ % words_per_sample == 0;
+    const std::int64_t begin = is_timed ? Clocks::nanoseconds() : 0;
+    const auto made = work();
+    const auto count = static_cast<std::int64_t>(made.size());
+    words_ += count;
+    together_ += count;
+    if (!is_timed) return made;
+    timed_ += Clocks::nanoseconds() - begin;
+    timed_words_ += count;
+    return made;
+  }
+
   /// s of the processor.
   double preparing() const { return preparing_; }
   /// s on the wall, of all words if the samples are like the others.
   double cycling() const {
-    if (words_ == 0) return 0;
-    return static_cast<double>(sampled_) / 1e9 * static_cast<double>(words_) / static_cast<double>(samples_.count());
+    const auto estimate = [](std::int64_t nanoseconds, std::int64_t words, std::int64_t of) {
+      return of == 0 ? 0
+                     : static_cast<double>(nanoseconds) / 1e9 * static_cast<double>(words) / static_cast<double>(of);
+    };
+    return estimate(sampled_, words_ - together_, static_cast<std::int64_t>(samples_.count())) +
+           estimate(timed_, together_, timed_words_);
   }
   /// ns of each sample, the two looks at the clock included.
   const realtime::Histogram& samples() const { return samples_; }
@@ -71,6 +96,8 @@ class StopWatch {
   double preparing_ = 0;                  // s
   std::int64_t words_ = 0, sampled_ = 0;  // ns
   realtime::Histogram samples_;
+  std::int64_t calls_ = 0, together_ = 0;     // of many(), and the words of all
+  std::int64_t timed_ = 0, timed_words_ = 0;  // ns
 };
 
 }  // namespace leadscrew::realtime

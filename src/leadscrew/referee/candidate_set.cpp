@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <leadscrew/referee/candidate_set.hpp>
+#include <leadscrew/referee/tuning.hpp>
 
 namespace leadscrew::referee {
 
 namespace {
 
 constexpr std::size_t first_ring_size = 16;
-constexpr double slack = 0.25;  // of the tolerance: candidates that much beyond it are kept
 
 }  // namespace
 
@@ -134,7 +134,7 @@ Candidate CandidateSet::candidate_on(const Slot& slot, const Candidate& carried)
     const double place = onward ? nearest.place : slot.now.place;
     const double distance = onward ? nearest.distance : metric_.distance(word_, point_at(metric_, piece, place));
     const Candidate own = arrive(slot.now, place, distance);
-    if (!best.alive || own.margin < best.margin) best = own;
+    if (!best.alive || is_better(own, best)) best = own;
   }
   return best;
 }
@@ -151,7 +151,7 @@ Candidate CandidateSet::past_bend(const Slot& slot, double distance, const Candi
   const Candidate own = pass(slot.now);
   if (!carried.alive) return own;
   const Candidate before = pass(carried);
-  return own.margin < before.margin ? own : before;
+  return is_better(own, before) ? own : before;
 }
 
 /// Takes the better of the candidate from before piece i and of its own past the end of the piece; it dies of a margin
@@ -159,14 +159,16 @@ Candidate CandidateSet::past_bend(const Slot& slot, double distance, const Candi
 void CandidateSet::pass_to_end(std::size_t i, double most, Candidate& candidate) {
   const Slot& here = slot(i);
   const Piece& piece = here.piece;
-  const double tolerance = i + 1 < count_ ? std::max(piece.tolerance, slot(i + 1).piece.tolerance) : piece.tolerance;
+  // Where two blocks meet, each of them asks for its own tolerance.
+  const bool next_asks_more = i + 1 < count_ && slot(i + 1).piece.tolerance < piece.tolerance;
+  const Piece& asking = next_asks_more ? slot(i + 1).piece : piece;
   const double distance = distance_to_chord(metric_, chord_, piece.to);
-  if (distance - allowance_ - tolerance > most) {
+  if (distance - allowance_ - asking.tolerance > most) {
     candidate.alive = false;
     return;
   }
   candidate = past_bend(here, distance, candidate);
-  pass_over(distance, tolerance, piece.line, candidate);
+  pass_over(distance, asking.tolerance, asking.line, candidate);
   candidate.place = 0;
   candidate.held = false;
   candidate.distance = distance;
@@ -175,8 +177,8 @@ void CandidateSet::pass_to_end(std::size_t i, double most, Candidate& candidate)
 
 std::size_t CandidateSet::step(const Reach& reach) {
   std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  Candidate carried;
+  Candidate least, carried;
+  least.margin = std::numeric_limits<double>::infinity();
   next_alive_ = 0;
   next_last_ = 0;
   stepped_ = 0;
@@ -187,18 +189,18 @@ std::size_t CandidateSet::step(const Reach& reach) {
     here.next.alive = false;
     if (!carried.alive && !here.now.alive) continue;
     here.next = candidate_on(here, carried);
-    if (here.next.margin < least) {
-      least = here.next.margin;
+    if (is_better(here.next, least)) {
+      least = here.next;
       best = i;
     }
-    here.next.alive = here.next.margin <= reach.keep + slack * here.piece.tolerance;
+    here.next.alive = here.next.margin <= reach.keep + tuning::candidates::slack * here.piece.tolerance;
     if (here.next.alive) {
       ++next_alive_;
       next_last_ = i;
     }
     const double nearest_carry = std::min(here.now.alive ? here.now.margin : std::numeric_limits<double>::infinity(),
                                           carried.alive ? carried.margin : std::numeric_limits<double>::infinity());
-    const double most = reach.carry + slack * here.piece.tolerance;
+    const double most = reach.carry + tuning::candidates::slack * here.piece.tolerance;
     if (nearest_carry > most) {
       carried.alive = false;
       continue;

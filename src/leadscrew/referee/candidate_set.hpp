@@ -12,6 +12,7 @@
 // the word and never back. Where words run back along a piece its distance therefore comes out too large, by no more
 // than the piece's length: a matching that visits the same pieces in the same order has every word on the same piece.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/line.hpp>
@@ -42,6 +43,13 @@ struct Candidate {
     margin = none;
   }
 };
+
+/// Inside the tolerances all matchings are as good, and the one that lies nearest tells the deviation; where tolerances
+/// differ, that need not be the one that lies farthest inside.
+inline bool is_better(const Candidate& a, const Candidate& b) {
+  const double outside_a = std::max(0.0, a.margin), outside_b = std::max(0.0, b.margin);
+  return outside_a < outside_b || (outside_a == outside_b && a.cost < b.cost);
+}
 
 class CandidateSet {
  public:

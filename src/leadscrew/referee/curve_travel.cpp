@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <leadscrew/referee/curve_travel.hpp>
+#include <leadscrew/referee/tuning.hpp>
 #include <limits>
 
 namespace leadscrew::referee {
 
 namespace {
 
-constexpr double greatest_stretch = 4. / 3;  // of a chord; an arc's of 2½ radians
-constexpr double hidden_share = 1e-4;        // of the length; a tenth of what is objected to
-constexpr double same_length = 1e-9;         // mm
-constexpr std::size_t most_places = 64;      // of a word; where there are more, the chord counts
+using namespace tuning::travel;
+
+constexpr double same_length = 1e-9;  // mm
 
 }  // namespace
 

@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/referee/derivatives.hpp>
+#include <leadscrew/referee/derivative_check.hpp>
 #include <leadscrew/referee/feed_check.hpp>
+#include <leadscrew/referee/tuning.hpp>
 
 namespace leadscrew::referee {
 
 namespace {
 
-constexpr double widest_turn = 2.5;  // radians; beyond, a chord says too little about its arc
-
 /// (θ/2)/sin(θ/2), by its series where that is exact to rounding.
 double arc_over_chord(double turn) {
-  if (turn > widest_turn) return 1;
+  if (turn > tuning::travel::widest_turn) return 1;
   const double half = turn / 2;
   if (turn < 1e-2) return 1 + half * half / 6 * (1 + half * half * 7 / 60);
   return half / std::sin(half);

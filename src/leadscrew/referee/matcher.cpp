@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <leadscrew/referee/matcher.hpp>
+#include <leadscrew/referee/tuning.hpp>
 
 namespace leadscrew::referee {
 
 namespace {
 
-constexpr std::size_t most_pieces = 16384;         // looked ahead while the trace follows the program
-constexpr std::size_t most_pieces_departed = 256;  // and while it does not
-constexpr double search_factor = 16;               // of the least cost, while it does not
-constexpr double rematch_step = 1. / 16;           // of the tolerance: deviations larger by more are rematched
-constexpr double on_arc = 1e-3;                    // of the radius: words farther off may bend otherwise
-constexpr double same_distance = 1e-9;             // mm; rounding is below
+using namespace tuning::matching;
+
+constexpr double on_arc = 1e-3;         // of the radius: words farther off may bend otherwise
+constexpr double same_distance = 1e-9;  // mm; rounding is below
 
 }  // namespace
 
@@ -49,7 +48,7 @@ Passage Matcher::observe(const Point& word, double allowance) {
 
 /// Whether the best match is beyond the tolerance, or farther than any has been for certain.
 bool Matcher::needs_rematch(double cost, double margin, double tolerance) const {
-  return margin > nanometre || cost > confirmed_ + std::max(nanometre, rematch_step * tolerance);
+  return margin > nanometre || cost > confirmed_ + std::max(nanometre, tuning::rematch::step * tolerance);
 }
 
 Passage Matcher::follow(double allowance) {
@@ -91,6 +90,18 @@ void Matcher::adopt() {
   candidates_.keep_from(rematch_.recording() ? rematch_.first_needed() : std::numeric_limits<std::int64_t>::max());
 }
 
+/// At a corner the block that is not followed is the one that begins there: is the word as near to it, and too far? Its
+/// tolerance may be so small that the matching has not come to it.
+bool Matcher::leaves_the_next(std::size_t best) {
+  if (best + 1 >= candidates_.count()) return false;
+  const Slot &chosen = slot(best), &next = slot(best + 1);
+  const bool is_reached = best + 1 < candidates_.stepped() && next.next.alive;
+  if (!is_reached && chosen.next.place < chosen.piece.span) return false;
+  const double distance =
+      is_reached ? next.next.distance : nearest_on(metric_, next.piece, candidates_.word()).distance;
+  return distance <= chosen.next.distance + same_distance && distance > next.piece.tolerance + nanometre;
+}
+
 /// The best candidate ahead of the trace's departure, or the return to the path.
 Passage Matcher::depart() {
   rematch_.stop();
@@ -106,11 +117,8 @@ Passage Matcher::depart() {
   const bool on_path = chosen.next.distance - chosen.piece.tolerance <= nanometre;
   Passage result = passage(best);
   if (!on_path) {
-    // At a corner the block that is not followed is the one that begins there.
-    const bool at_corner = best + 1 < candidates_.stepped() && slot(best + 1).next.alive &&
-                           slot(best + 1).next.distance <= chosen.next.distance + same_distance;
-    const base::Line line = slot(at_corner ? best + 1 : best).piece.line;
-    result.deviation = Finding{line, chosen.next.distance, chosen.piece.tolerance};
+    const Piece& left = slot(leaves_the_next(best) ? best + 1 : best).piece;
+    result.deviation = Finding{left.line, chosen.next.distance, left.tolerance};
     for (std::size_t i = 0; i < best; ++i) slot(i).next.alive = false;
     adopt();
     return result;
@@ -185,7 +193,7 @@ std::optional<Finding> Matcher::conclude() {
   end_ = end.point;
   if (rematch_.running() || needs_rematch(end.at.cost, end.at.margin, tolerance)) {
     const std::optional<CandidateSet::End> rematched = rematch_.conclude();
-    if (rematched && rematched->at.margin < end.at.margin) end = *rematched;
+    if (rematched && is_better(rematched->at, end.at)) end = *rematched;
   }
   deviation_ = std::max(deviation_, end.at.cost);
   const Candidate& last = end.before;

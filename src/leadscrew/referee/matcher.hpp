@@ -12,7 +12,8 @@
 //                       ▲ allowed
 //
 // A motion whose acceleration is at most a leaves the chord of a period T by no more: f'' is bounded and f = 0 at both
-// ends. Path that lies farther was skipped. sampling_allowance.hpp bounds a.
+// ends. Path that lies farther was skipped. sampling_allowance.hpp bounds a. The tolerance is each block's own; where two
+// blocks meet, the lesser of both.
 //
 // Every piece of the path holds at most one candidate (candidate_set.hpp). Candidates beyond 1¼ tolerances and a
 // nanometre are dropped. So there is one nearly always, two where the path turns back or the block changes, and
@@ -81,6 +82,7 @@ class Matcher {
 
   bool needs_rematch(double cost, double margin, double tolerance) const;
   Passage follow(double allowance);
+  bool leaves_the_next(std::size_t best);
   Passage depart();
   void rejoin(std::size_t best, Passage& passage);
   void adopt();

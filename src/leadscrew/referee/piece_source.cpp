@@ -171,13 +171,24 @@ bool PieceSource::begin_curve(const gcode::Move& move) {
 }
 
 bool PieceSource::read() {
-  gcode::Move move;
-  while (moves_(move)) {
-    if (move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event) continue;
-    begin(move);
-    return true;
+  if (!std::exchange(has_begun_, true)) read_ahead();
+  if (!ahead_) return false;
+  begin(*ahead_);
+  read_ahead();
+  return true;
+}
+
+/// Up to the next move, so that what stands between is known while words come to the end of this one.
+void PieceSource::read_ahead() {
+  if (!ahead_) ahead_.emplace();
+  while (moves_(*ahead_)) {
+    using Kind = gcode::Move::Kind;
+    if (ahead_->kind != Kind::dwell && ahead_->kind != Kind::event) return;
+    const bool rests =
+        ahead_->kind == Kind::dwell || (ahead_->event.waits && ahead_->event.kind != base::Event::Kind::program_end);
+    if (rests && any_move()) stops_.push_back({end_, end_tolerance_, ahead_->line});
   }
-  return false;
+  ahead_.reset();
 }
 
 void PieceSource::cut_arc(Piece& piece, std::int64_t number) const {

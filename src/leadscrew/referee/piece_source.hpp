@@ -4,8 +4,18 @@
 #include <leadscrew/referee/nurbs.hpp>
 #include <leadscrew/referee/piece.hpp>
 #include <leadscrew/referee/referee.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace leadscrew::referee {
+
+/// Where motion must rest.
+struct RequiredStop {
+  Point place{};
+  double tolerance = 0;  ///< mm
+  base::Line line{};
+};
 
 class PieceSource {
  public:
@@ -22,10 +32,13 @@ class PieceSource {
   double end_tolerance() const { return end_tolerance_; }      ///< mm; of the last move read
   base::Line end_line() const { return end_line_; }
   double largest_tolerance() const { return largest_tolerance_; }  ///< mm; of the moves read
-  double greatest_feed() const;                                    ///< mm/s; degrees/s where no linear axis is fed
+  /// Where motion must rest before the move that comes next, and before those since the last call.
+  std::vector<RequiredStop> take_stops() { return std::exchange(stops_, {}); }
+  double greatest_feed() const;  ///< mm/s; degrees/s where no linear axis is fed
 
  private:
   bool read();
+  void read_ahead();
   bool next_of_block(Piece& piece);
   void begin(const gcode::Move& move);
   bool begin_arc(const gcode::Move& move);
@@ -37,6 +50,9 @@ class PieceSource {
 
   MoveSource moves_;
   const Metric& metric_;
+  bool has_begun_ = false;
+  std::optional<gcode::Move> ahead_;  // the move behind the block that is being cut
+  std::vector<RequiredStop> stops_;
   std::int64_t block_ = 0, serial_ = 0;
   Point start_{}, end_{};
   double start_tolerance_ = 0, end_tolerance_ = 0, largest_tolerance_ = 0;

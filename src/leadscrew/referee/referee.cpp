@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/referee/derivatives.hpp>
+#include <leadscrew/referee/derivative_check.hpp>
 #include <leadscrew/referee/feed_check.hpp>
 #include <leadscrew/referee/matcher.hpp>
 #include <leadscrew/referee/metric.hpp>
 #include <leadscrew/referee/piece_source.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/referee/sampling_allowance.hpp>
+#include <leadscrew/referee/stop_check.hpp>
 #include <leadscrew/referee/violation_log.hpp>
 
 namespace leadscrew::referee {
@@ -22,7 +23,8 @@ class Referee::Implementation {
         matcher_(source_, metric_, cancellation_),
         allowance_(metric_, period.seconds()),
         derivatives_(machine, period),
-        feed_(metric_, period) {}
+        feed_(metric_, period),
+        stops_(metric_, period.seconds()) {}
 
   void observe(const base::AxisVector& position) {
     if (cancellation_.requested()) return;
@@ -44,6 +46,7 @@ class Referee::Implementation {
     const double end_time = seconds(words_ - 1);
     verdict.time_s = end_time;
     if (const auto skipped = matcher_.conclude()) add_rare(end_time, "skipped path", *skipped);
+    if (const auto passed = stops_.conclude()) add_rare(end_time, "stop", *passed);
     verdict.deviation_mm = matcher_.deviation();
     verdict.end_error_mm = metric_.distance(metric_.point(position_), matcher_.path_end());
     if (verdict.end_error_mm > source_.end_tolerance() + nanometre) {
@@ -74,6 +77,8 @@ class Referee::Implementation {
     if (const auto& departed = passage.deviation) {
       log_.add(time(), departed->line, "deviation", departed->value, departed->limit);
     }
+    for (const RequiredStop& stop : source_.take_stops()) stops_.require(stop);
+    stops_.observe(point);
     derivatives_.observe(position, line_);
     feed_.observe(position, passage, time(), log_);
     position_ = position;
@@ -96,8 +101,9 @@ class Referee::Implementation {
   Cancellation cancellation_;
   Matcher matcher_;
   SamplingAllowance allowance_;
-  Derivatives derivatives_;
+  DerivativeCheck derivatives_;
   FeedCheck feed_;
+  StopCheck stops_;
   ViolationLog log_;
   std::int64_t words_ = 0;
   base::AxisVector position_{};

@@ -12,6 +12,8 @@
 //
 // Ends: the first word at the program's start, the last at its end.
 //
+// Rest: where the program asks for it between two moves (stop_check.hpp).
+//
 // Feed: the travel from word to word against the programmed feed (feed_check.hpp).
 //
 //     words    ●──●──●──●         ●──●     the word at ▲ is too far from the path: "deviation"
@@ -69,7 +71,7 @@ struct Verdict {
   bool objects() const { return violation_count > 0; }
 };
 
-/// Gives the program's moves one after the other; false at its end. Events and dwells are passed over.
+/// Gives the program's moves one after the other, with dwells and events; false at its end.
 using MoveSource = std::function<bool(gcode::Move&)>;
 
 /// Judges words as they come; memory does not grow with the program or the trace. The machine must outlive the referee.

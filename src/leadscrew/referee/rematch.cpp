@@ -1,20 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/referee/rematch.hpp>
+#include <leadscrew/referee/tuning.hpp>
 
 namespace leadscrew::referee {
 
 namespace {
 
-constexpr double fineness = 16;            // parts for a length of the tolerance
-constexpr int most_parts_at_end = 64;      // of a piece: 4 tolerances
-constexpr double far = 3;                  // tolerances; between marks, and from where a rematch began
-constexpr std::size_t most_words = 4096;   // after a mark
-constexpr std::size_t most_cut = 512;      // parts; where as many are held already, pieces stay whole
-constexpr std::size_t most_parts = 16896;  // looked ahead
+using namespace tuning::rematch;
 
-bool better(const Candidate& a, const Candidate& b) {
-  return a.margin < b.margin || (a.margin == b.margin && a.distance < b.distance);
+bool is_nearer(const Candidate& a, const Candidate& b) {
+  return is_better(a, b) || (!is_better(b, a) && a.distance < b.distance);
 }
 
 }  // namespace
@@ -141,7 +137,7 @@ void Rematch::transfer_candidates() {
     const Candidate& candidate = parts_.slot(i).next;
     if (!candidate.alive) continue;
     CandidateSet::Slot& whole = whole_.slot(index(i));
-    if (whole.next.alive && !better(candidate, whole.next)) continue;
+    if (whole.next.alive && !is_nearer(candidate, whole.next)) continue;
     whole.next = candidate;
     whole.next.place = std::min(part.begins + part.scale * candidate.place, whole.piece.span);
     whole.next.held = true;  // the best of the parts need not be the nearest

@@ -32,6 +32,7 @@ void put_followed_section(std::string& page, const PageContent& content);
 void put_time_section(std::string& page, const PageContent& content);   ///< feed and axes over time
 void put_limit_section(std::string& page, const PageContent& content);  ///< table of ratios
 void put_block_section(std::string& page, const PageContent& content);  ///< slowest, nearest to a limit
+void put_event_section(std::string& page, const PageContent& content);  ///< what the program asked for on its way
 void put_diagnostics(std::string& page, const PageContent& content);
 void put_origin(std::string& page, const PageContent& content);  ///< how to make the page again
 

@@ -69,6 +69,12 @@ class Recording::Implementation {
   }
 
   std::span<const PathPoint> path() { return path_.points(); }
+  void observe(const base::PassedEvent& event) {
+    ++event_count_;
+    if (events_.size() < most_events) events_.push_back(event);
+  }
+  std::int64_t event_count() const { return event_count_; }
+  std::span<const base::PassedEvent> events() const { return events_; }
   std::vector<BlockFigures> slowest() const { return slowest_.with(block_); }
   std::vector<BlockFigures> nearest() const { return nearest_.with(block_); }
 
@@ -142,6 +148,9 @@ class Recording::Implementation {
   double block_begins_at_ = 0;
   double path_length_ = 0;
   base::Tick last_tick_{};
+  static constexpr std::size_t most_events = 200;
+  std::int64_t event_count_ = 0;
+  std::vector<base::PassedEvent> events_;
   WorstBlocks<&BlockFigures::duration> slowest_;
   WorstBlocks<&BlockFigures::worst_ratio> nearest_;
 };
@@ -154,6 +163,9 @@ Recording& Recording::operator=(Recording&&) noexcept = default;
 
 void Recording::observe(const base::Word& word) {
   implementation_->observe(word);
+}
+void Recording::observe(const base::PassedEvent& event) {
+  implementation_->observe(event);
 }
 std::int64_t Recording::words() const {
   return implementation_->words();
@@ -178,6 +190,12 @@ std::vector<BlockFigures> Recording::slowest_blocks() const {
 }
 std::vector<BlockFigures> Recording::nearest_to_limit() const {
   return implementation_->nearest();
+}
+std::int64_t Recording::event_count() const {
+  return implementation_->event_count();
+}
+std::span<const base::PassedEvent> Recording::events() const {
+  return implementation_->events();
 }
 
 }  // namespace leadscrew::report

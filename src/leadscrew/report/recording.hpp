@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/event.hpp>
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/base/word.hpp>
@@ -44,6 +45,7 @@ class Recording {
   Recording(const machine::Machine& machine, base::Period period);
 
   void observe(const base::Word& word);
+  void observe(const base::PassedEvent& event);
 
   std::int64_t words() const;  ///< observed, the one at rest at the start among them
   double seconds() const;      ///< time of the last word
@@ -56,6 +58,8 @@ class Recording {
   std::span<const PathPoint> path() const;             ///< at most 20000 points
   std::vector<BlockFigures> slowest_blocks() const;    ///< up to ten, the slowest first
   std::vector<BlockFigures> nearest_to_limit() const;  ///< up to ten, the nearest first
+  std::int64_t event_count() const;
+  std::span<const base::PassedEvent> events() const;  ///< the first 200
 
  private:
   class Implementation;

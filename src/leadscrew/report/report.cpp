@@ -47,6 +47,7 @@ base::Result<void> write_report(const Report& report, const Recording& recording
   put_time_section(page, content);
   put_limit_section(page, content);
   put_block_section(page, content);
+  put_event_section(page, content);
   put_diagnostics(page, content);
   put_origin(page, content);
   put(page, "</main>\n<script>", page_js, "</script>\n</body>\n</html>\n");

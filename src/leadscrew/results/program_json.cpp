@@ -97,11 +97,9 @@ Json json_of_diagnostics(const Diagnostics& diagnostics) {
   return list_of(diagnostics);
 }
 
-Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
-                 const Diagnostics& diagnostics) {
-  const pipeline::Summary& summary = figures.summary;
-  const referee::Verdict& verdict = figures.verdict;
-  Json json = Json::object({{"schema", run_schema},
+Json json_of_motion(std::string_view schema, const std::string& program, const machine::Machine& machine,
+                    const pipeline::Summary& summary, std::initializer_list<Json::Member> more) {
+  Json json = Json::object({{"schema", schema},
                             {"program", program},
                             {"machine", machine.name},
                             {"period_s", machine.period.seconds()},
@@ -110,18 +108,27 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                             {"moves", summary.moves},
                             {"length_mm", summary.length_mm},
                             {"time_s", summary.time_s},
-                            {"dwell_s", summary.dwell_s},
-                            {"bound_s", summary.bound_s},
-                            {"deviation_mm", verdict.deviation_mm},
-                            {"tolerance_mm", summary.tolerance_mm},
-                            {"feed", Json::object({{"programmed_max_mm_s", summary.feed_programmed_max},
-                                                   {"max_ratio", verdict.feed_max_ratio},
-                                                   {"ripple", summary.ripple}})},
-                            {"axes", axes_of(verdict)},
-                            {"plan", plan_of(summary.plan, machine)},
-                            {"violation_count", verdict.violation_count},
-                            {"cpu", cpu_of(figures.effort)},
-                            {"diagnostics", list_of(diagnostics)}});
+                            {"dwell_s", summary.dwell_s}});
+  for (const auto& [key, value] : more) json[key] = value;
+  return json;
+}
+
+Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
+                 const Diagnostics& diagnostics) {
+  const pipeline::Summary& summary = figures.summary;
+  const referee::Verdict& verdict = figures.verdict;
+  Json json = json_of_motion(run_schema, program, machine, summary,
+                             {{"bound_s", summary.bound_s},
+                              {"deviation_mm", verdict.deviation_mm},
+                              {"tolerance_mm", summary.tolerance_mm},
+                              {"feed", Json::object({{"programmed_max_mm_s", summary.feed_programmed_max},
+                                                     {"max_ratio", verdict.feed_max_ratio},
+                                                     {"ripple", summary.ripple}})},
+                              {"axes", axes_of(verdict)},
+                              {"plan", plan_of(summary.plan, machine)},
+                              {"violation_count", verdict.violation_count},
+                              {"cpu", cpu_of(figures.effort)},
+                              {"diagnostics", list_of(diagnostics)}});
   if (figures.steps) json["pulses"] = json_of_steps(*figures.steps);
   return json;
 }

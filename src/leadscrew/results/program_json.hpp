@@ -1,6 +1,7 @@
 #pragma once
 // Results as JSON, by the schemas of the command-line contract.
 
+#include <initializer_list>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/json/json.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -25,6 +26,9 @@ Json json_of_rejected(std::string_view schema, const std::string& program, const
 /// The list of them, as it stands under "diagnostics".
 Json json_of_diagnostics(const Diagnostics& diagnostics);
 
+/// What run and simulate say alike of a program that has been moved through: {schema … dwell_s}, and then `more`.
+Json json_of_motion(std::string_view schema, const std::string& program, const machine::Machine& machine,
+                    const pipeline::Summary& summary, std::initializer_list<Json::Member> more);
 Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
                  const Diagnostics& diagnostics);
 Json json_of_check(const std::string& program, const machine::Machine& machine, const CheckFigures& reading,

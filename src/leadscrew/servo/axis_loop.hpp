@@ -1,13 +1,13 @@
 #pragma once
 // A position loop, period by period: read the encoder, make a command, hold it.
 //
-//   Setpoint ─▶ Controller ─u─▶ Axis ─▶ slide
-//                   ▲             │
-//                   └── reading ──┘
+//   Setpoint ─▶ Controller ─u─▶ SimulatedAxis ─▶ slide
+//                   ▲                  │
+//                   └───── reading ────┘
 
-#include <leadscrew/servo/axis.hpp>
 #include <leadscrew/servo/cascade.hpp>
 #include <leadscrew/servo/pid.hpp>
+#include <leadscrew/servo/simulated_axis.hpp>
 #include <utility>
 #include <variant>
 
@@ -18,7 +18,7 @@ using Controller = std::variant<Pid, Cascade>;
 class AxisLoop {
  public:
   /// period: seconds, > 0; the one the controller was made for.
-  AxisLoop(Axis axis, Controller controller, double period)
+  AxisLoop(SimulatedAxis axis, Controller controller, double period)
       : axis_(std::move(axis)), controller_(std::move(controller)), period_(period) {}
 
   /// One period. No allocation, no unbounded loop.
@@ -33,12 +33,12 @@ class AxisLoop {
     axis_.advance(command_, period_);
   }
 
-  const Axis& axis() const { return axis_; }
+  const SimulatedAxis& axis() const { return axis_; }
   /// That of the last period, units; what the axis' own limit leaves of it is the axis' affair.
   double command() const { return command_; }
 
  private:
-  Axis axis_;
+  SimulatedAxis axis_;
   Controller controller_;
   double period_;
   double command_ = 0;

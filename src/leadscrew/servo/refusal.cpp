@@ -1,19 +1,11 @@
-#include <charconv>
 #include <cmath>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/servo/refusal.hpp>
 #include <utility>
 
 namespace leadscrew::servo {
 
-namespace {
-
-std::string text(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, end.ptr};
-}
-
-}  // namespace
+using base::text;
 
 void Refusal::unless_positive(std::string_view what, double value) {
   if (!(value > 0 && std::isfinite(value))) refuse(what, value, "above 0");

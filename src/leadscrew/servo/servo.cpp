@@ -15,7 +15,7 @@ base::Result<Controller> controller_of(const CascadeOptions& options, double per
 }
 
 base::Result<AxisLoop> loop_of(const LoopOptions& options, double period) {
-  auto axis = Axis::create(options.axis);
+  auto axis = SimulatedAxis::create(options.axis);
   if (!axis) return base::failure(std::move(axis.error()));
   auto controller = std::visit([&](const auto& of_kind) { return controller_of(of_kind, period); }, options.controller);
   if (!controller) return base::failure(std::move(controller.error()));

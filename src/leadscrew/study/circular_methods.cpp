@@ -31,7 +31,7 @@ FollowedArc dda(const Arc& arc) {
 
 }  // namespace
 
-const std::vector<CircularMethod>& circular_methods() {
+const std::vector<CircularMethod>& circular_methods() {  // NOLINT(readability-function-size): a table
   constexpr double eighths = 8, diagonal = 4 * std::numbers::sqrt2, turn = 2 * std::numbers::pi;
   static const std::vector<CircularMethod> all = {
       {"point comparison", search<Search::point_comparison>, eighths, {{0.9990, 4, 500}}},

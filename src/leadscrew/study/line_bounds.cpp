@@ -84,7 +84,7 @@ constexpr std::array<Method, 10> methods = {{
     {"DDA of 1 … 8 bits, empty", by_bits<Preload::none>, 255, 0.996, "2ⁿ, beyond it", 0},
     {"DDA of 1 … 8 bits, half", by_bits<Preload::half>, 255, 0.704, "2ⁿ, beyond it", 0},
     {"point comparison", by_point_comparison, 256, 0, "a + b", 0},
-    {"Bresenham", by_bresenham, 256, 0, "the longer way", 0},
+    {"Bresenham", by_bresenham, 256, 0, "max(a, b)", 0},
 }};
 
 Rows rows_of(const Method& method, const Found& found) {

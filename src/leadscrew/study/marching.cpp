@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/study/curves.hpp>
 #include <leadscrew/study/marching.hpp>
 
@@ -16,24 +17,6 @@ Place place(const geometry::PointJet& jet) {
   return {jet[0].value, jet[1].value, jet[2].value};
 }
 
-Place operator-(const Place& a, const Place& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Place& a, const Place& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double norm(const Place& a) {
-  return std::sqrt(dot(a, a));
-}
-
-/// Distance of a point from the segment between two others.
-double distance(const Place& point, const Place& begin, const Place& end) {
-  const Place chord = end - begin, seen = point - begin;
-  const double squared = dot(chord, chord);
-  const double part = squared > 0 ? std::clamp(dot(seen, chord) / squared, 0.0, 1.0) : 0;
-  return norm({seen[0] - part * chord[0], seen[1] - part * chord[1], seen[2] - part * chord[2]});
-}
-
 /// What one step is: the length of its chord and of the curve above it, mm.
 struct Step {
   double chord = 0, arc = 0;
@@ -45,7 +28,7 @@ using Places = std::array<Place, samples + 1>;
 /// Length of the polygon through every `stride`-th place. Its error falls with the square of the stride.
 double polygon(const Places& places, std::size_t stride) {
   double sum = 0;
-  for (std::size_t i = stride; i < places.size(); i += stride) sum += norm(places[i] - places[i - stride]);
+  for (std::size_t i = stride; i < places.size(); i += stride) sum += numeric::distance(places[i], places[i - stride]);
   return sum;
 }
 
@@ -53,7 +36,8 @@ double polygon(const Places& places, std::size_t stride) {
 /// through it and its neighbours.
 double chord_error(const Places& places) {
   std::array<double, samples + 1> distances{};
-  for (std::size_t i = 1; i < samples; ++i) distances[i] = distance(places[i], places[0], places[samples]);
+  for (std::size_t i = 1; i < samples; ++i)
+    distances[i] = numeric::distance_to_segment(places[i], places[0], places[samples]);
   const auto greatest = std::max_element(distances.begin() + 1, distances.end() - 1);
   const double before = greatest[-1], at = greatest[0], after = greatest[1];
   const double bend = 2 * at - before - after, slope = after - before;
@@ -71,7 +55,7 @@ Step observe(const geometry::Nurbs& curve, double u_begin, double u_end, double 
   }
   march.chord_error = std::max(march.chord_error, chord_error(places));
   const double fine = polygon(places, 1), coarse = polygon(places, 2);
-  return {norm(places[samples] - places[0]), fine + (fine - coarse) / 3};  // Richardson's extrapolation
+  return {numeric::distance(places[samples], places[0]), fine + (fine - coarse) / 3};  // Richardson's extrapolation
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ constexpr std::array<Gains, 2> sets = {
 /// √(Vx² + Vy²) at the tachogenerators, mm/s, a period apart.
 base::Result<std::vector<double>> measured_feed(const std::vector<Place>& words, const servo::PidGains& gains,
                                                 const Plant& plant) {
-  const auto axis = servo::Axis::create({.drive = servo::velocity_drive(plant.gain, plant.time_constant)});
+  const auto axis = servo::SimulatedAxis::create({.drive = servo::velocity_drive(plant.gain, plant.time_constant)});
   if (!axis) return base::failure(axis.error());
   const auto pid = servo::Pid::create({.gains = gains}, period);
   if (!pid) return base::failure(pid.error());

@@ -1,6 +1,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/study/row.hpp>
 #include <utility>
 
@@ -89,10 +90,10 @@ void append(Rows& rows, Rows more) {
 }
 
 std::string decimal(double value, int decimals) {
-  char buffer[400];
   const bool vanishes = value != 0 && std::abs(value) < 0.5 * std::pow(10, -decimals);
-  const auto end = vanishes ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 1)
-                            : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
+  if (!vanishes) return base::fixed_text(value, decimals);
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 1);
   return {buffer, end.ptr};
 }
 

@@ -5,11 +5,13 @@ namespace leadscrew::study {
 
 namespace {
 
-constexpr std::array<Study, 14> all = {{
+constexpr std::array<Study, 15> all = {{
     {"butterfly", "The butterfly by arc length, and the times of travelling it", butterfly_rows},
     {"feed-fluctuation", "Feed and chord errors of the rules that step a curve's parameter", feed_fluctuation_rows},
     {"limits", "Time, limits and effort along curves beside the optimum, and along blended lines and corners",
      limits_rows},
+    {"tube", "The least time inside the tolerance, path and time law found at once, and ours beside it", tube_rows,
+     nullptr, tube_words},
     {"table-1", "Koren's comparison of integration methods after half a turn, in numbers of 27 bits", table_1_rows},
     {"orders", "How the error of each integration method falls with its step", orders_rows},
     {"10001", "Koren's half circle of 10 000 BLU, which comes out at 10 001", half_circle_rows},

@@ -5,16 +5,25 @@
 #include <leadscrew/study/host.hpp>
 #include <leadscrew/study/row.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace leadscrew::study {
+
+/// A file that a study can write beside its rows.
+struct StudyFile {
+  std::string name;  ///< such as "square.csv"
+  std::string text;
+};
 
 struct Study {
   std::string_view name;   ///< as the command line takes it
   std::string_view title;  ///< one line
   Rows (*rows)(const Host&);
   std::vector<report::Chart> (*charts)() = nullptr;  ///< mm/s over time, where there are any
+  /// Programs and the words of each as a trace that `leadscrew verify` reads, where there are any.
+  std::vector<StudyFile> (*words)(const Host&) = nullptr;
 };
 
 /// All there are, in the order in which they are listed.
@@ -32,6 +41,12 @@ Rows curve_rows(const Host& host);
 
 /// Those, and the same of short lines and corners blended within a tolerance.
 Rows limits_rows(const Host& host);
+
+/// Corners, polygons, zigzags, short lines and arcs: the least time in which any motion within the tolerance and every
+/// limit can be through, found by optimisation, and the time of ours.
+Rows tube_rows(const Host& host);
+/// Each fragment and the words of its least time at 1 ms, named alike.
+std::vector<StudyFile> tube_words(const Host& host);
 
 /// Table I of "Interpolator for a computer numerical control system": the cosine after half a turn by four methods.
 Rows table_1_rows(const Host& host);

@@ -39,6 +39,16 @@ class AxisPath {
   const geometry::Line* line() const { return std::get_if<geometry::Line>(&curve_); }
   const geometry::Arc* arc() const { return std::get_if<geometry::Arc>(&curve_); }
 
+  /// For published rules that step the parameter u of a NURBS curve instead of its length: that curve; else none.
+  const geometry::Nurbs* nurbs() const { return std::get_if<geometry::Nurbs>(&curve_); }
+  /// Positions at a parameter of nurbs(), which must not be none. For the cycle: takes no memory.
+  geometry::Point position_at_parameter(double u) const {
+    const geometry::PointJet jets = nurbs()->jets_at(u);
+    geometry::Point position;
+    for (std::size_t i = 0; i < position.size(); ++i) position[i] = jets[i].value;
+    return position;
+  }
+
  private:
   const geometry::Curve& curve_;
 };

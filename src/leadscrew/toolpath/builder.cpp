@@ -1,7 +1,9 @@
 #include <algorithm>
-#include <leadscrew/toolpath/allowance.hpp>
 #include <leadscrew/toolpath/builder.hpp>
+#include <leadscrew/toolpath/event_marks.hpp>
+#include <leadscrew/toolpath/leg.hpp>
 #include <limits>
+#include <utility>
 
 namespace leadscrew::toolpath {
 
@@ -25,10 +27,16 @@ void Builder::push(const gcode::Move& move) {
   switch (move.kind) {
     case gcode::Move::Kind::dwell:
       flush();
+      settle_events(true);
       settled_.emplace_back(Dwell{move.start, move.dwell_seconds, move.line});
       return;
     case gcode::Move::Kind::event:
+      if (!move.event.waits) {
+        passed_.push_back({0, move.event});
+        return;
+      }
       flush();
+      settle_events(move.event.kind != base::Event::Kind::program_end);
       settled_.emplace_back(move.event);
       return;
     default:
@@ -40,17 +48,19 @@ void Builder::move_along(const gcode::Move& move) {
   std::vector<Piece> pieces = pieces_of(move);
   const double feed = pieces.empty() ? 0 : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
+  if (!pieces.empty()) set_events(pieces.front(), std::exchange(passed_, {}));
   const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
   if (!blends) flush();
   if (!blends || pieces.empty()) {
     for (Piece& piece : pieces) settled_.emplace_back(std::move(piece));
   } else {
-    if (smoother_ &&
-        (smoother_->tolerance() != move.tolerance || smoother_->cam_tolerance() != move.naive_cam_tolerance)) {
-      flush();
+    if (!smoother_) smoother_.emplace();
+    const Allowance allowance{move.tolerance, move.naive_cam_tolerance};
+    for (Piece& piece : pieces) {
+      const auto events = events_of(piece);
+      smoother_->push(Leg{
+          std::move(piece.curve), feed, move.line, {}, 0, piece.feed_axes, allowance, {events.begin(), events.end()}});
     }
-    if (!smoother_) smoother_.emplace(move.tolerance, move.naive_cam_tolerance);
-    for (Piece& piece : pieces) smoother_->push(Leg{std::move(piece.curve), feed, move.line, {}, 0, piece.feed_axes});
   }
   if (move.path_mode != gcode::PathMode::exact_stop || pieces.empty()) return;
   std::get<Piece>(settled_.back()).stop = true;
@@ -61,7 +71,26 @@ void Builder::flush() {
   if (!smoother_) return;
   smoother_->finish();
   while (std::optional<Piece> piece = smoother_->pop()) settled_.emplace_back(std::move(*piece));
+  for (const EventMark& mark : smoother_->events_at_end()) settled_.emplace_back(mark.event);
   smoother_.reset();
+}
+
+void Builder::finish() {
+  flush();
+  settle_events(false);
+}
+
+/// Motion rests here: what was to be passed stands by itself, but for what is to happen as motion begins again.
+void Builder::settle_events(bool motion_follows) {
+  std::vector<EventMark> kept;
+  for (const EventMark& mark : passed_) {
+    if (motion_follows && base::is_with_motion(mark.event.kind)) {
+      kept.push_back(mark);
+    } else {
+      settled_.emplace_back(mark.event);
+    }
+  }
+  passed_ = std::move(kept);
 }
 
 std::optional<Element> Builder::pop() {

@@ -3,8 +3,10 @@
 #include <leadscrew/toolpath/corner.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/frechet.hpp>
-#include <leadscrew/toolpath/reduction.hpp>
+#include <leadscrew/toolpath/leg.hpp>
+#include <leadscrew/toolpath/swing.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
+#include <leadscrew/toolpath/tuning.hpp>
 #include <utility>
 #include <vector>
 
@@ -15,16 +17,7 @@ using geometry::PointJet;
 
 namespace {
 
-constexpr double turned_back = 1.99;            // |t_A − t_B|: from here on a stop is faster than any blend
-constexpr std::size_t looks = 33;               // at a blend, for how it turns
-constexpr double sharpest_between_looks = 1.5;  // |t⁺ − t⁻|; between lines it stays below
-constexpr double shrinking = 0.8;
-constexpr double nearly_whole = 0.8;
-constexpr int most_tries = 40;
-constexpr double polyline_share = 1.0 / 200;  // of the margin, for polylines that stand for curves
-constexpr int deepest = 14;                   // halvings of a curve
-constexpr double table_of_length = 1e-7;      // what a curve's length may be short of
-constexpr double most_lengthened = 1.02;      // of the lengths that a blend takes the place of: more is a detour
+using namespace tuning::corner;
 
 /// A curve of length l between the ends of a chord c is no farther from it than √(l² − c²)/2, Fréchet's distance: what
 /// is at the share t of the length is at most √(t(1 − t)(l² − c²)) from the place at that share of the chord.
@@ -167,17 +160,61 @@ bool is_inside(const Corner& corner, const ControlPoints& blend, double before, 
   return is_frechet_within(path, shape, margin - 2 * allowed);
 }
 
+/// What takes the place of these lengths; none if it is not smooth or a detour.
+std::optional<Blend> blend_of(const geometry::NurbsForm& form, double before, double behind, double taken_before,
+                              double taken_behind) {
+  std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
+  if (pieces.size() != 1) return std::nullopt;
+  if (pieces.front().length() > most_lengthened * (taken_before + taken_behind)) return std::nullopt;
+  const double middle = pieces.front().length() * taken_before / (taken_before + taken_behind);
+  return Blend{std::move(pieces.front()), before, behind, middle};
+}
+
+/// Of two lines, with the tangents by their lengths; none where there is too little room for one worth it.
+std::optional<Blend> swing_wide(const Corner& corner, const PointJet& leaving, const PointJet& entering, double turn,
+                                double margin) {
+  const double rate_before = norm(derivative(leaving, &numeric::Jet<>::first)),
+               rate_behind = norm(derivative(entering, &numeric::Jet<>::first));
+  const Swing swing(turn);
+  const double full = swing.reach_within(margin), share = turn > sharp_swing ? share_of_sharp : 1;
+  double taken = std::min({full, share * rate_before * corner.most_before, share * rate_behind * corner.most_behind});
+  for (const double most : {rate_before * corner.most_before, rate_behind * corner.most_behind}) {
+    if (taken > (1 - least_rest) * most && taken < most) taken = (1 - least_rest) * most;
+  }
+  if (taken < (turn < tuning::corner_turn ? least_swing : least_swing_of_corner) * full) return std::nullopt;
+  const auto length = [&](double rate, double most) { return taken == rate * most ? most : taken / rate; };
+  const double before = length(rate_before, corner.most_before), behind = length(rate_behind, corner.most_behind);
+  geometry::NurbsForm form;
+  form.degree = 3;
+  form.knots = {0, 0, 0, 0, swing.w(), 1 - swing.w(), 1, 1, 1, 1};
+  form.weights.assign(6, 1.0);
+  form.points.resize(6);
+  const std::array<double, 6> values = swing.control_values();
+  const double scale = taken / swing.reach();
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double a = scale / rate_before * values[values.size() - 1 - k], b = scale / rate_behind * values[k];
+    for (std::size_t i = 0; i < leaving.size(); ++i)
+      form.points[k][i] = entering[i].value - a * leaving[i].first + b * entering[i].first;
+  }
+  return blend_of(form, before, behind, before * rate_before, behind * rate_behind);
+}
+
 }  // namespace
 
 std::optional<Blend> blend(const Corner& corner, double margin) {
   const double length_before = geometry::length(corner.before);
-  const Point leaving = derivative(geometry::jets(corner.before, length_before), &numeric::Jet<>::first);
-  const Point entering = derivative(geometry::jets(corner.behind, 0), &numeric::Jet<>::first);
+  const PointJet before_corner = geometry::jets(corner.before, length_before),
+                 behind_corner = geometry::jets(corner.behind, 0);
+  const Point leaving = derivative(before_corner, &numeric::Jet<>::first);
+  const Point entering = derivative(behind_corner, &numeric::Jet<>::first);
   const double rate_before = norm(leaving), rate_behind = norm(entering), apart = turn_between(leaving, entering);
 
   const bool lines =
       std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
   if (!(apart < turned_back) || (lines && !(apart > 0))) return std::nullopt;
+  if (lines) {
+    if (std::optional<Blend> found = swing_wide(corner, before_corner, behind_corner, apart, margin)) return found;
+  }
   const double provable = lines ? margin : (1 - 2.5 * polyline_share) * margin;
   const double longest = 8 * provable / std::max(apart, 1e-12);  // by the turn; where only curvature steps, by trying
   double d = std::min({longest, corner.most_before * rate_before, corner.most_behind * rate_behind});
@@ -193,12 +230,8 @@ std::optional<Blend> blend(const Corner& corner, double margin) {
       const ControlPoints points = control_points(form);
       if (turns_back(shape_of(points)) || !is_inside(corner, points, before, behind, margin)) continue;
     }
-    std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
-    if (pieces.size() != 1) continue;
-    const double taken_before = before * rate_before, taken_behind = behind * rate_behind;
-    if (pieces.front().length() > most_lengthened * (taken_before + taken_behind)) continue;
-    const double middle = pieces.front().length() * taken_before / (taken_before + taken_behind);
-    return Blend{std::move(pieces.front()), before, behind, middle};
+    std::optional<Blend> found = blend_of(form, before, behind, before * rate_before, behind * rate_behind);
+    if (found) return found;
   }
   return std::nullopt;
 }

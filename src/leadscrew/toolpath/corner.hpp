@@ -1,6 +1,7 @@
 #pragma once
-// The blend of a corner: one quintic that leaves the curve before and joins the curve behind with their tangents and
-// curvatures.
+// The blend of a corner: one spline that leaves the curve before and joins the curve behind with their tangents and
+// curvatures. Between two lines that leave it enough room it swings wide (swing.hpp); elsewhere it is a quintic that cuts
+// the corner.
 //
 //       ───A──╮             It has the position and two derivatives, at both ends, of the sum of both curves,
 //              ╲

@@ -10,7 +10,7 @@ using base::Axis;
 using base::index;
 using geometry::Point;
 
-/// Spans of fits and blends are much shorter than their radii, and what is granted to a table of arc length is told by
+/// Spans of fits and blends are much shorter than their radii, and what a table of arc length may be off by is told by
 /// the shorter of the two.
 constexpr geometry::MapTolerance table_of_short_spans{1e-7, 1e-6, 1e-6};
 

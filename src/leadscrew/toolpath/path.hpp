@@ -1,6 +1,7 @@
 #pragma once
 // The tool path: smooth pieces joined end to end, each a curve by arc length, tolerance already spent; between them the
-// dwells and events of the program, each pinned to its place.
+// dwells of the program and the events that motion rests for, each pinned to its place. All other events lie on the
+// pieces: where one was programmed between two moves, at the place of the path that stands for their joint.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,6 +24,15 @@ namespace leadscrew::toolpath {
 struct LineMark {
   double s = 0;  ///< path length on the piece
   base::Line line{};
+};
+
+/// An event that motion does not rest for, where it is passed.
+struct EventMark {
+  double s = 0;  ///< path length on the piece: from 0 to less than its length
+  base::Event event;
+  // Given by the planner.
+  std::int64_t number = 0;  ///< of all events that travel, in the order of the path
+  double path_length = 0;   ///< since the program's start
 };
 
 /// Axes by whose motion feed is counted (RS274/NGC 2.1.2.5).
@@ -55,6 +65,8 @@ struct Piece {
   /// Whose length feed is counted by; none: the curve's.
   FeedAxes feed_axes = FeedAxes::none;
   TravelMark travel{};
+  /// That are passed on it: not descending by s; none otherwise.
+  std::shared_ptr<const std::vector<EventMark>> events{};
 
   /// How axes travel it.
   AxisPath axes() const { return AxisPath(curve); }

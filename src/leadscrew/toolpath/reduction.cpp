@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/reduction.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
+#include <leadscrew/toolpath/tuning.hpp>
 #include <utility>
 
 namespace leadscrew::toolpath {
@@ -9,10 +11,9 @@ using geometry::Point;
 
 namespace {
 
-constexpr double straight = 2e-7;         // mm: what rounding and three decimals of inches leave
-constexpr std::size_t most_lines = 4096;  // of the program in one leg
-constexpr double ball_share = 0.25;       // of the tolerance
-constexpr double greatest_share = 0.25;   // of the tolerance that may be spent
+using namespace tuning::reduction;
+
+constexpr double straight = 2e-7;  // mm: what rounding and three decimals of inches leave
 constexpr double rounding = 1e-9;
 
 /// That feed lets a curve take whose direction is nearly that at its start, s.
@@ -22,11 +23,6 @@ double least_time(const geometry::Curve& curve, double feed, FeedAxes axes) {
 
 }  // namespace
 
-double millimetres_per_length(const geometry::Curve& curve) {
-  if (std::holds_alternative<geometry::Nurbs>(curve)) return 1;
-  return norm(derivative(geometry::jets(curve, 0), &numeric::Jet<>::first));
-}
-
 /// Is the open leg and this one a single line?
 bool Reduction::join(const Leg& leg) {
   const auto* const open = std::get_if<geometry::Line>(&open_->curve);
@@ -34,14 +30,15 @@ bool Reduction::join(const Leg& leg) {
   if (!open || !line || open_->lines.size() >= most_lines) return false;
   const Point end = to_millimetres(line->end());
   const double off = distance_to_segment(end_, start_, end);
-  const bool is_straight =
-      open_->feed == leg.feed && open_->spent + off <= straight && distance(start_, end) > distance(start_, end_);
+  const Allowance allowance = lesser(open_->allowance, leg.allowance);
+  const bool is_straight = open_->feed == leg.feed && open_->allowance == leg.allowance &&
+                           open_->spent + off <= straight && distance(start_, end) > distance(start_, end_);
   // All that lies in a ball may be taken for its centre.
   const double radius = std::max(radius_, distance(start_, end_));
-  const bool is_in_ball = std::max(radius, distance(start_, end)) <= ball_share * tolerance_;
+  const bool is_in_ball = std::max(radius, distance(start_, end)) <= ball_share * allowance.fitted();
   if (!is_straight && !is_in_ball) return false;
   const double spent = std::min(open_->spent + off, radius);
-  if (!is_straight && spent > greatest_share * tolerance_) return false;
+  if (!is_straight && spent > most_spent * allowance.fitted()) return false;
   // Told in the same axes as before, or not at all.
   const FeedAxes axes = axes_of(*open_);
   const std::optional<Piece> one = straight_piece(open->start(), line->end(), axes);
@@ -53,9 +50,12 @@ bool Reduction::join(const Leg& leg) {
   // What became one line may be shorter than its parts were.
   open_->lines.push_back({open->length(), leg.line});
   for (auto mark = open_->lines.rbegin(); mark != open_->lines.rend() && mark->s > length; ++mark) mark->s = length;
+  append_events(open_->events, leg.events, open->length());
+  for (auto mark = open_->events.rbegin(); mark != open_->events.rend() && mark->s > length; ++mark) mark->s = length;
   open_->curve = one->curve;
   open_->feed_axes = one->feed_axes;
   open_->feed = feed;
+  open_->allowance = allowance;
   seconds_ = seconds;
   open_->spent = spent;
   radius_ = radius;

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/run.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
+#include <leadscrew/toolpath/tuning.hpp>
 #include <utility>
 
 namespace leadscrew::toolpath {
@@ -12,12 +14,9 @@ using geometry::Point;
 
 namespace {
 
-constexpr double longest_smoothing = 2;     // lengths of a span
-constexpr double shortest_smoothing = 0.5;  // tolerances
-constexpr double least_corner = 0.2;        // |t⁺ − t⁻| of one that is made where no spline fits
-constexpr double split_window = 32;         // tolerances: how far from there
+using namespace tuning::run;
+
 constexpr double rounding = 1e-9;
-constexpr double least_hold = 0.002;  // s that a feed is held
 
 Point position(const Curve& curve, double s) {
   return to_millimetres(geometry::evaluate(curve, s));
@@ -69,34 +68,20 @@ double chord_end(const Curve& curve, double s, double to, double sagitta) {
   return s + step < to && s + step > s ? s + step : to;
 }
 
-/// Arc length at parameter u: false position, which soon finds it where u is nearly the length, and bisection.
-double length_at(const geometry::Nurbs& curve, double u) {
-  const double tolerance = 1e-10 * (curve.last_parameter() - curve.first_parameter());
-  double low = 0, high = curve.length(), u_low = curve.first_parameter(), u_high = curve.last_parameter();
-  for (int k = 0; k < 60; ++k) {
-    const double share = k % 3 == 2 ? 0.5 : (u - u_low) / (u_high - u_low);
-    const double s = low + std::clamp(share, 0.0, 1.0) * (high - low), here = curve.parameter(s);
-    if (std::abs(here - u) <= tolerance) return s;
-    (here < u ? low : high) = s;
-    (here < u ? u_low : u_high) = here;
-  }
-  return low;
-}
-
 }  // namespace
 
-Run::Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before)
-    : allowance_(allowance),
-      axes_(axes_of(leg)),
+Run::Run(const Leg& leg, double from, bool pinned, bool corner_before)
+    : axes_(axes_of(leg)),
+      allowance_(leg.allowance),
       start_(geometry::evaluate(leg.curve, from)),
       corner_before_(corner_before),
       spline_(spline_from(leg, from, pinned)) {}
 
-TubeSpline Run::spline_from(const Leg& leg, double from, bool pinned) const {
+TubeSpline Run::spline_from(const Leg& leg, double from, bool pinned) {
   State state = state_at(leg.curve, from, false);
   if (!pinned) state.count = 1;
-  const Vertex vertex{state.derivative[0], 0, allowance_.margin_about(leg)};
-  return {state, vertex, longest_smoothing * allowance_.span_length(leg), shortest_smoothing * allowance_.tolerance};
+  const Vertex vertex{state.derivative[0], 0, margin_about(leg), 0, leg.allowance.tolerance};
+  return {state, vertex, longest_smoothing * span_length(leg)};
 }
 
 void Run::extend(const Leg& leg, double from, double to) {
@@ -110,12 +95,16 @@ void Run::extend(const Leg& leg, double from, double to) {
   for (const LineMark& mark : leg.lines) {
     if (mark.s > from && mark.s < to) marks_.push_back({first + (mark.s - from) * rate, leg.feed, speed, mark.line});
   }
-  const double margin = allowance_.margin_about(leg);
-  spent_ = std::max(spent_, allowance_.spent_by(leg));
-  const double sagitta = allowance_.sagitta(leg);
+  const PathPart part{from, to, geometry::length(leg.curve)};
+  for (const EventMark& mark : leg.events) {
+    if (part.has(mark.s)) events_.push_back({first + (mark.s - from) * rate, mark.event});
+  }
+  const double margin = margin_about(leg), off = sagitta(leg);
+  spent_ = std::max(spent_, spent_by(leg));
+  if (std::exchange(allowance_, leg.allowance) != leg.allowance) spline_.lengthen(longest_smoothing * span_length(leg));
   for (double s = from; s < to;) {
-    s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, sagitta);
-    spline_.append({position(leg.curve, s), first + (s - from) * rate, margin, 1 / speed});
+    s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, off);
+    spline_.append({position(leg.curve, s), first + (s - from) * rate, margin, 1 / speed, leg.allowance.tolerance});
   }
   u_ = first + (to - from) * rate;
   settle();
@@ -157,7 +146,7 @@ bool Run::begin_rest(bool corner) {
   if (vertices.empty() || (vertices.size() == 1 && last_)) return false;
   State state;
   state.derivative[0] = vertices.front().position;
-  spline_ = TubeSpline(state, vertices.front(), spline_.longest(), shortest_smoothing * allowance_.tolerance);
+  spline_ = TubeSpline(state, vertices.front(), spline_.longest());
   for (std::size_t i = 1; i < vertices.size(); ++i) spline_.append(vertices[i]);
   start_ = from_millimetres(vertices.front().position);
   is_first_ = true;
@@ -177,11 +166,11 @@ bool Run::retreat() {
   const double settled = spline_.settled();
   std::size_t next = 1;
   while (next + 1 < vertices.size() && vertices[next].u <= settled) ++next;
-  const double worst = vertices[spline_.worst()].u;
+  const Vertex& worst = vertices[spline_.worst()];
   std::size_t end = next;
   double sharpest = least_corner;
   for (std::size_t i = next; i + 1 < vertices.size(); ++i) {
-    if (std::abs(vertices[i].u - worst) > split_window * allowance_.tolerance) continue;
+    if (std::abs(vertices[i].u - worst.u) > split_window * worst.tolerance) continue;
     const double turn = turn_between(difference(vertices[i].position, vertices[i - 1].position),
                                      difference(vertices[i + 1].position, vertices[i].position));
     if (turn > sharpest) {
@@ -210,7 +199,16 @@ bool Run::retreat() {
     const Mark& mark = marks.front();
     line->feed = mark.feed;
     line->line = mark.line;
-    done_.push_back({std::move(*line), axes_, is_first_ && corner_before_, {}, spent_});
+    const double u = vertices[end].u, length = geometry::length(line->curve);
+    std::vector<EventMark> events;
+    for (const Passing& passing : events_before(u))
+      events.push_back({length * std::clamp((passing.u - settled) / (u - settled), 0.0, 1.0), passing.event});
+    set_events(*line, std::move(events));
+    done_.push_back({.piece = std::move(*line),
+                     .axes = axes_,
+                     .corner_before = is_first_ && corner_before_,
+                     .tolerance = vertices[end].tolerance,
+                     .spent = spent_});
   }
   return begin_rest(false);
 }
@@ -234,8 +232,11 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
     double u = curve.first_parameter();
     std::size_t mark = mark_at(u, 0);
     for (double begin = 0; begin < curve.length();) {
-      Stretch stretch{
-          {curve, 0, marks[mark].line, false, nullptr}, axes_, std::exchange(corner, false), around, spent_};
+      Stretch stretch{.piece = {curve, 0, marks[mark].line, false, nullptr},
+                      .axes = axes_,
+                      .corner_before = std::exchange(corner, false),
+                      .programmed = around,
+                      .spent = spent_};
       const double end = fed_until(curve, begin, stretch.piece.feed, u);
       stretch.piece.feed_axes = to_be_named(axes_, curve.moving());
       std::vector<LineMark> lines;
@@ -249,11 +250,28 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
       }
       mark = mark_at(u, mark);
       if (!lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(std::move(lines));
+      std::vector<EventMark> events;
+      for (const Passing& passing : events_before(u))
+        events.push_back({std::clamp(length_at(curve, passing.u) - begin, 0.0, end - begin), passing.event});
+      set_events(stretch.piece, std::move(events));
       if (begin > 0 || end < curve.length()) stretch.piece.curve = curve.part(begin, end);
       done_.push_back(std::move(stretch));
       begin = end;
     }
   }
+}
+
+/// Takes the events before u.
+std::vector<Run::Passing> Run::events_before(double u) {
+  std::vector<Passing> passed;
+  for (; !events_.empty() && events_.front().u < u; events_.pop_front()) passed.push_back(events_.front());
+  return passed;
+}
+
+std::vector<base::Event> Run::events_left() const {
+  std::vector<base::Event> events;
+  for (const Passing& passing : events_) events.push_back(passing.event);
+  return events;
 }
 
 std::size_t Run::mark_at(double u, std::size_t from) const {

@@ -3,8 +3,10 @@
 // the tube around them (tube_spline.hpp). Where no spline stays inside, it ends at the sharpest vertex near by, with a
 // corner there, and another begins.
 
+#include <cmath>
 #include <deque>
-#include <leadscrew/toolpath/allowance.hpp>
+#include <leadscrew/toolpath/leg.hpp>
+#include <leadscrew/toolpath/stretch.hpp>
 #include <leadscrew/toolpath/tube_spline.hpp>
 #include <optional>
 #include <utility>
@@ -12,21 +14,10 @@
 
 namespace leadscrew::toolpath {
 
-/// A part of the path that is done but for its corners.
-struct Stretch {
-  Piece piece;
-  FeedAxes axes{};  ///< by which feed is counted
-  bool corner_before = false;
-  std::vector<Vertex> programmed{};  ///< the polyline it was fitted to; none if it is what was programmed
-  double spent = 0;                  ///< of the tolerance, by what stands for what was programmed, mm
-  bool cut = false;                  ///< at its start, by a blend
-  double length = 0;                 ///< before that
-};
-
 class Run {
  public:
   /// From a place on the leg, with its direction and bend if `pinned`, else in any direction.
-  Run(const Allowance& allowance, const Leg& leg, double from, bool pinned, bool corner_before);
+  Run(const Leg& leg, double from, bool pinned, bool corner_before);
 
   /// Goes on along the leg, 0 ≤ from < to ≤ its length.
   void extend(const Leg& leg, double from, double to);
@@ -34,6 +25,8 @@ class Run {
   void end(const Leg& leg, double to, bool pinned);
   /// What has been settled since the last call, in order.
   std::vector<Stretch> take() { return std::exchange(done_, {}); }
+  /// After end() and take(): the events that lie where the run ends.
+  std::vector<base::Event> events_left() const;
 
  private:
   struct Mark {
@@ -48,7 +41,14 @@ class Run {
     double until = 0;  ///< u
   };
 
-  TubeSpline spline_from(const Leg& leg, double from, bool pinned) const;
+  /// An event that is passed.
+  struct Passing {
+    double u = 0;
+    base::Event event;
+  };
+
+  std::vector<Passing> events_before(double u);
+  static TubeSpline spline_from(const Leg& leg, double from, bool pinned);
   void settle();
   bool begin_rest(bool corner);
   bool retreat();
@@ -57,10 +57,11 @@ class Run {
   Hold hold_from(double u, std::size_t mark) const;
   double fed_until(const geometry::Nurbs& curve, double begin, double& feed, double& u);
 
-  Allowance allowance_;
   FeedAxes axes_;                  ///< by which the feed of all its legs is counted
+  Allowance allowance_;            ///< of the last leg
   double u_ = 0;                   ///< as far as it is known
   std::deque<Mark> marks_{};       ///< by u; the first holds where the next stretch begins
+  std::deque<Passing> events_{};   ///< by u; that are not settled
   Hold hold_{};                    ///< where the next stretch begins
   geometry::Point start_, end_{};  ///< where the spline begins and is to end, in the axes' units
   double spent_ = 0;               ///< by any of its legs

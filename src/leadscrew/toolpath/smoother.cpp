@@ -2,9 +2,12 @@
 #include <cmath>
 #include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/toolpath/corner.hpp>
+#include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/smoother.hpp>
+#include <leadscrew/toolpath/swing.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
+#include <leadscrew/toolpath/tuning.hpp>
 #include <utility>
 
 namespace leadscrew::toolpath {
@@ -14,17 +17,14 @@ using geometry::Point;
 
 namespace {
 
-constexpr double corner_turn = 1.3;  // |t⁺ − t⁻| = 2 sin(θ/2): 81°
-constexpr double sharp_turn = 1.4;   // a corner even if the path goes on turning
-constexpr double concentrated = 1.5;
-constexpr double turn_window = 8;    // tolerances
-constexpr double widest_window = 4;  // turn windows, where the leg is as long
-constexpr double reach_into = 6;     // lengths of a span
+using namespace tuning::smoother;
+using tuning::allowed_time;
+using tuning::corner_turn;
+using tuning::corner::least_in_place_of_spline;
+using tuning::corner::least_swing_of_corner;
+using tuning::corner::sharp_swing;
+
 constexpr double same_direction = 1e-9;
-constexpr double rounding = 1e-9;
-constexpr double allowed_time = 0.005;  // s that what is made may cost more by feed than what it takes the place of
-constexpr int most_shortened = 40;      // times
-constexpr double uncut_share = 0.9;     // of a curve that the blend at its end may take, if there was none at its start
 
 Point position(const Curve& curve, double s) {
   return to_millimetres(geometry::evaluate(curve, s));
@@ -42,46 +42,9 @@ bool goes_on(const Curve& first, const Curve& second) {
   return true;
 }
 
-/// Would a curve through both lose time? Where much of a move is rotary, what the curve takes of its neighbour's travel
-/// into it, no more than the tolerance, is fed as slowly as its own.
-bool costs_time(const Leg& before, const Leg& behind, double tolerance) {
-  const auto feed_share = [](const Leg& leg) {
-    return rate(geometry::jets(leg.curve, 0), leg.feed_axes) / millimetres_per_length(leg.curve);
-  };
-  const double seconds_per_mm = std::abs(1 / before.feed - 1 / behind.feed);
-  return tolerance * std::abs(feed_share(before) - feed_share(behind)) * seconds_per_mm > allowed_time;
-}
-
-/// The lines that a part of a piece was asked for by.
-struct Lines {
-  base::Line first{};
-  std::vector<LineMark> marks;  ///< of the others, from the beginning of the part
-};
-
-/// Between two path lengths; places are told by what stands for that part, which is so much longer.
-Lines lines_between(const Piece& piece, double from, double to, double longer = 1) {
-  Lines lines{piece.line, {}};
-  if (!piece.lines) return lines;
-  for (const LineMark& mark : *piece.lines) {
-    if (mark.s <= from) {
-      lines.first = mark.line;
-    } else if (mark.s < to) {
-      lines.marks.push_back({longer * (mark.s - from), mark.line});
-    }
-  }
-  return lines;
-}
-
-void name(Piece& piece, Lines lines) {
-  piece.line = lines.first;
-  piece.lines = lines.marks.empty() ? nullptr : std::make_shared<const std::vector<LineMark>>(std::move(lines.marks));
-}
-
-/// Leaves what lies between two path lengths.
-void trim(Piece& piece, double from, double to) {
-  if (from == 0 && to == geometry::length(piece.curve)) return;
-  piece.curve = geometry::part(piece.curve, from, to);
-  name(piece, lines_between(piece, from, to));
+/// Is the one so much more than the other that it should not be held to it?
+bool is_much_wider(double margin, double narrow) {
+  return margin >= much_wider * narrow;
 }
 
 /// How long a part of a piece takes by feed alone, s: where feed is counted by some of the axes that move, a blend of
@@ -103,6 +66,11 @@ std::vector<Piece> pieces_of(const Blend& blend, const Stretch& before, const St
   const double length = blend.curve.length(), length_before = geometry::length(before.piece.curve);
   Lines first = lines_between(before.piece, length_before - blend.before, length_before, blend.corner / blend.before);
   Lines second = lines_between(behind.piece, 0, blend.behind, (length - blend.corner) / blend.behind);
+  std::vector<EventMark> events = events_on({length_before - blend.before, length_before, length_before},
+                                            events_of(before.piece), blend.corner / blend.before);
+  const std::vector<EventMark> events_behind =
+      events_on({0, blend.behind, geometry::length(behind.piece.curve)}, events_of(behind.piece),
+                (length - blend.corner) / blend.behind);
   Piece one{blend.curve, before.piece.feed, {}, false, nullptr, to_be_named(before.axes, blend.curve.moving())};
   Piece other = one;
   other.feed = behind.piece.feed;
@@ -112,19 +80,47 @@ std::vector<Piece> pieces_of(const Blend& blend, const Stretch& before, const St
     if (second.first != last) first.marks.push_back({blend.corner, second.first});
     for (const LineMark& mark : second.marks) first.marks.push_back({blend.corner + mark.s, mark.line});
     name(one, std::move(first));
+    append_events(events, events_behind, blend.corner);
+    set_events(one, std::move(events));
     return {one};
   }
   one.curve = blend.curve.part(0, blend.corner);
   other.curve = blend.curve.part(blend.corner, length);
   name(one, std::move(first));
   name(other, std::move(second));
+  set_events(one, std::move(events));
+  set_events(other, events_behind);
   return {one, other};
 }
 
-}  // namespace
+/// A blend, and what it is as pieces.
+struct Cut {
+  Blend blend;
+  std::vector<Piece> pieces;
+};
 
-Smoother::Smoother(double tolerance, double cam_tolerance)
-    : allowance_{tolerance, cam_tolerance}, reduction_(std::min(tolerance, cam_tolerance)) {}
+/// The blend of a corner within a tolerance, which takes at most these lengths of its neighbours.
+std::optional<Cut> cut_within(double tolerance, const Stretch& before, double most_before, const Stretch& behind,
+                              double most_behind) {
+  Corner corner{before.piece.curve, behind.piece.curve, before.programmed, behind.programmed, most_before, most_behind};
+  const double margin = margin_beside(tolerance, std::max(before.spent, behind.spent));
+  const double length = geometry::length(before.piece.curve);
+  for (int k = 0; k <= most_shortened; ++k) {
+    std::optional<Blend> found = blend(corner, margin);
+    if (!found) return std::nullopt;
+    std::vector<Piece> pieces = pieces_of(*found, before, behind);
+    const double costs = time_by_feed(pieces) - time_by_feed(before.piece, length - found->before, length) -
+                         time_by_feed(behind.piece, 0, found->behind);
+    if (costs <= allowed_time) return Cut{std::move(*found), std::move(pieces)};
+    // Nearly in proportion to its size.
+    const double share = std::max(0.5, 0.9 * allowed_time / costs);
+    corner.most_before = share * found->before;
+    corner.most_behind = share * found->behind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 void Smoother::push(Leg leg) {
   if (std::optional<Leg> reduced = reduction_.push(std::move(leg))) take(std::move(*reduced));
@@ -144,6 +140,8 @@ std::optional<Piece> Smoother::pop() {
 }
 
 void Smoother::take(Leg leg) {
+  if (!legs_.empty() && legs_.back().allowance != leg.allowance)
+    changes_.push_back({ends_.back(), legs_.back().allowance.tolerance, leg.allowance.tolerance});
   ends_.push_back(ends_.back() + length_of(leg));
   legs_.push_back(std::move(leg));
   classify(false);
@@ -158,6 +156,11 @@ Point Smoother::place_at(double u) const {
   return position(at.curve, share * geometry::length(at.curve));
 }
 
+/// What both legs at the end of leg `joint` allow, mm.
+double Smoother::tolerance_at(std::size_t joint) const {
+  return std::min(legs_[joint].allowance.tolerance, legs_[joint + 1].allowance.tolerance);
+}
+
 /// |t⁺ − t⁻| at the end of leg `joint`, of the mean directions before and behind it.
 double Smoother::turn_at(std::size_t joint, double window) const {
   const double u = ends_[joint + 1];
@@ -165,22 +168,78 @@ double Smoother::turn_at(std::size_t joint, double window) const {
     const double chord = ends_[leg + 1] - ends_[leg];
     return std::min(std::max(window, std::min(chord, widest_window * window)), known);
   };
-  const double before = width(joint, u - ends_.front()), behind = width(joint + 1, ends_.back() - u);
+  // What is allowed much less does not turn with it.
+  const double tolerance = tolerance_at(joint);
+  double first = ends_.front(), last = ends_.back();
+  for (const Change& change : changes_) {
+    if (change.u <= u && is_much_wider(tolerance, change.before)) first = std::max(first, change.u);
+    if (change.u >= u && is_much_wider(tolerance, change.behind)) {
+      last = change.u;
+      break;
+    }
+  }
+  const double before = width(joint, u - first), behind = width(joint + 1, last - u);
   const Point here = place_at(u), from = place_at(u - before), to = place_at(u + behind);
   return turn_between(difference(here, from), difference(to, here));
+}
+
+/// mm of either line at the end of leg `joint` that the longest blend of their corner takes; none where they are none.
+std::optional<double> Smoother::wanted_at(std::size_t joint) const {
+  const Leg &before = legs_[joint], &behind = legs_[joint + 1];
+  if (!is_line(before.curve) || !is_line(behind.curve)) return std::nullopt;
+  const double turn = turn_between(derivative(geometry::jets(before.curve, 0), &numeric::Jet<>::first),
+                                   derivative(geometry::jets(behind.curve, 0), &numeric::Jet<>::first));
+  if (!(turn > 0 && turn < sharp_swing)) return std::nullopt;
+  return Swing(turn).reach_within(margin_beside(tolerance_at(joint), std::max(before.spent, behind.spent)));
+}
+
+/// Are both lines so long that their corner is passed sooner by a blend that swings wide than by a spline?
+bool Smoother::swings_wide(std::size_t joint) const {
+  const std::optional<double> wanted = wanted_at(joint);
+  if (!wanted) return false;
+  const double least = turns_[joint] < corner_turn ? least_in_place_of_spline : least_swing_of_corner;
+  return least * *wanted < std::min(length_of(legs_[joint]), length_of(legs_[joint + 1])) / 2;
+}
+
+/// u at the last change before the leg, or where the path begins.
+double Smoother::changed_before(std::size_t leg) const {
+  double u = 0;
+  for (const Change& change : changes_) {
+    if (change.u <= ends_[leg]) u = change.u;
+  }
+  return u;
+}
+
+/// Does a part of the path begin or end there that is allowed much more, so that it is faster with a corner at its end? A
+/// spline's smoothing length grows but slowly from a vertex that it must come close to; and blends need not keep Q.
+bool Smoother::is_beside_wide(std::size_t joint) const {
+  const Leg &before = legs_[joint], &behind = legs_[joint + 1];
+  if (before.allowance == behind.allowance) return false;
+  const bool narrows = margin_about(behind) < margin_about(before);
+  const Leg &wide = narrows ? before : behind, &narrow = narrows ? behind : before;
+  const double margin = margin_about(narrow);
+  if (!is_much_wider(margin_about(wide), margin)) return false;
+  if (is_much_wider(tolerance_at(joint), margin)) return turns_[joint] >= least_without_q;
+  const double span = span_length(wide), least = std::max(least_without_q, tight_spans * margin / span);
+  const double length = narrows ? ends_[joint + 1] - changed_before(joint) : length_of(wide);
+  if (turns_[joint] < (length > span ? least : std::max(least, least_beside_short))) return false;
+  const std::size_t next = narrows ? joint - 1 : joint + 2;
+  return next >= legs_.size() || is_much_wider(margin_about(legs_[next]), margin);
 }
 
 Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
   const Leg &before = legs_[joint], &behind = legs_[joint + 1];
   if (axes_of(before) != axes_of(behind)) return goes_on(before.curve, behind.curve) ? Joint::through : Joint::corner;
-  const bool are_long = allowance_.is_long(before) && allowance_.is_long(behind);
-  const bool fits = allowance_.cam_tolerance >= least_tolerance || are_long;
+  const bool are_long = is_long(before) && is_long(behind);
+  const bool fits = may_be_fitted(before) && may_be_fitted(behind);
   // Short lines may run straight on by chance, where what they stand for bends.
   const bool may_stand_for_a_curve = fits && !are_long && (is_line(before.curve) || is_line(behind.curve));
   if (!may_stand_for_a_curve && goes_on(before.curve, behind.curve)) return Joint::through;
   if (!fits) return Joint::corner;
-  if (costs_time(before, behind, allowance_.tolerance)) return Joint::corner;
-  const double window = turn_window * allowance_.tolerance, turn = turns_[joint];
+  if (costs_time(before, behind, tolerance_at(joint))) return Joint::corner;
+  if (swings_wide(joint)) return Joint::wide;
+  const double window = turn_window * tolerance_at(joint), turn = turns_[joint];
+  if (is_beside_wide(joint)) return Joint::corner;
   if (turn < corner_turn) return Joint::smooth;
   for (std::size_t i = joint; i > 0 && ends_[joint + 1] - ends_[i] <= window; --i) {
     if (turns_[i - 1] > turn) return Joint::smooth;
@@ -193,10 +252,12 @@ Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
 
 /// Follows the legs whose ends are known.
 void Smoother::classify(bool all) {
-  const double window = turn_window * allowance_.tolerance, ahead = widest_window * window;
-  while (turns_.size() + 1 < legs_.size() && (all || ends_.back() - ends_[turns_.size() + 1] >= ahead))
-    turns_.push_back(turn_at(turns_.size(), window));
-  while (joints_.size() < turns_.size() && (all || ends_[turns_.size()] - ends_[joints_.size() + 1] > window)) {
+  const auto window = [&](std::size_t joint) { return turn_window * tolerance_at(joint); };
+  const auto ahead = [&](std::size_t joint) { return widest_window * window(joint); };
+  while (turns_.size() + 1 < legs_.size() && (all || ends_.back() - ends_[turns_.size() + 1] >= ahead(turns_.size())))
+    turns_.push_back(turn_at(turns_.size(), window(turns_.size())));
+  while (joints_.size() < turns_.size() &&
+         (all || ends_[turns_.size()] - ends_[joints_.size() + 1] > window(joints_.size()))) {
     joints_.push_back(joint_kind(joints_.size()));
   }
   if (all && !legs_.empty()) joints_.push_back(Joint::end);
@@ -205,9 +266,10 @@ void Smoother::classify(bool all) {
     before_ = joints_[followed_++];
   }
   // Turns look back at legs that are done.
-  while (followed_ > 1 && turns_.size() > 1 && ends_[turns_.size()] - ends_[1] > 2 * ahead) {
+  while (followed_ > 1 && turns_.size() > 1 && ends_[turns_.size()] - ends_[1] > 2 * ahead(turns_.size() - 1)) {
     legs_.pop_front();
     ends_.pop_front();
+    if (changes_.size() > 1 && changes_[1].u < ends_.front()) changes_.pop_front();
     joints_.pop_front();
     turns_.pop_front();
     --followed_;
@@ -217,13 +279,15 @@ void Smoother::classify(bool all) {
 void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
   const double length = geometry::length(leg.curve), rate = millimetres_per_length(leg.curve);
   const bool comes_smoothly = before == Joint::smooth, goes_smoothly = behind == Joint::smooth;
-  if (!allowance_.is_long(leg) && (comes_smoothly || goes_smoothly)) {
+  // Next to a corner that swings wide a line stays what it is.
+  const bool stays = is_long(leg) || before == Joint::wide || behind == Joint::wide;
+  if (!stays && (comes_smoothly || goes_smoothly)) {
     if (!run_) begin_run(leg, 0, before == Joint::through);
     run_->extend(leg, 0, length);
     if (!goes_smoothly) run_->end(leg, length, behind == Joint::through);
     take_run(goes_smoothly);
   } else {
-    const double reach = std::min(reach_into * allowance_.span_length(leg) / rate, length / 2);
+    const double reach = std::min(reach_into * span_length(leg) / rate, length / 2);
     const double from = comes_smoothly ? reach : 0, to = goes_smoothly ? length - reach : length;
     if (comes_smoothly) {
       run_->extend(leg, 0, from);
@@ -237,26 +301,44 @@ void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
       take_run(true);
     }
   }
-  if (behind == Joint::corner) corner_ = true;
+  if (behind == Joint::corner || behind == Joint::wide) corner_ = true;
 }
 
 void Smoother::begin_run(const Leg& leg, double from, bool pinned) {
-  run_.emplace(allowance_, leg, from, pinned, std::exchange(corner_, false));
+  run_.emplace(leg, from, pinned, std::exchange(corner_, false));
 }
 
 /// What has been settled of the run.
 void Smoother::take_run(bool goes_on) {
   for (Stretch& stretch : run_->take()) add(std::move(stretch));
-  if (!goes_on) run_.reset();
+  if (goes_on) return;
+  // Those at its end.
+  for (const base::Event& event : run_->events_left()) {
+    if (!last_) {
+      carried_.push_back({0, event});
+      continue;
+    }
+    std::vector<EventMark> events(events_of(last_->piece).begin(), events_of(last_->piece).end());
+    events.push_back({geometry::length(last_->piece.curve), event});
+    set_events(last_->piece, std::move(events));
+  }
+  run_.reset();
 }
 
 void Smoother::add_exact(const Leg& leg, double from, double to) {
-  Stretch stretch{{leg.curve, leg.feed, leg.line, false, nullptr, leg.feed_axes},
-                  axes_of(leg),
-                  std::exchange(corner_, false),
-                  {},
-                  leg.spent};
+  Stretch stretch{.piece = {leg.curve, leg.feed, leg.line, false, nullptr, leg.feed_axes},
+                  .axes = axes_of(leg),
+                  .corner_before = std::exchange(corner_, false),
+                  .tolerance = leg.allowance.tolerance,
+                  .spent = leg.spent};
+  const Joint behind = joints_[followed_];  // of this leg
+  if (to < geometry::length(leg.curve) || (behind != Joint::corner && behind != Joint::wide)) {
+    stretch.wanted_behind = 0;
+  } else if (const std::optional<double> wanted = wanted_at(followed_)) {
+    stretch.wanted_behind = *wanted / millimetres_per_length(leg.curve);
+  }
   if (!leg.lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(leg.lines);
+  set_events(stretch.piece, leg.events);
   trim(stretch.piece, from, to);
   add(std::move(stretch));
 }
@@ -268,45 +350,42 @@ void Smoother::add(Stretch stretch) {
   last_ = std::move(stretch);
 }
 
+/// Half of each neighbour at most; all that a blend at its start has left, if that is no more. As far as its tolerance
+/// holds: where a lesser one is near, the greater of the blends within the one and the other.
 void Smoother::cut_corner(Stretch& behind) {
   const double length_before = geometry::length(last_->piece.curve),
                length_behind = geometry::length(behind.piece.curve);
-  // Half of each neighbour at most; all that a blend at its start has left, if that is no more.
-  double most = last_->cut ? last_->length / 2 : uncut_share * length_before;
-  if (most > (1 - rounding) * length_before) most = length_before;
-  Corner corner{last_->piece.curve, behind.piece.curve, last_->programmed, behind.programmed, most, length_behind / 2};
-  const double margin = allowance_.margin_beside(std::max(last_->spent, behind.spent));
-  std::optional<Blend> found = blend(corner, margin);
-  std::vector<Piece> pieces;
-  for (int k = 0; found; ++k) {
-    pieces = pieces_of(*found, *last_, behind);
-    const double costs = time_by_feed(pieces) -
-                         time_by_feed(last_->piece, length_before - found->before, length_before) -
-                         time_by_feed(behind.piece, 0, found->behind);
-    if (costs <= allowed_time) break;
-    if (k == most_shortened) return;
-    // Nearly in proportion to its size.
-    const double share = std::max(0.5, 0.9 * allowed_time / costs);
-    corner.most_before = share * found->before;
-    corner.most_behind = share * found->behind;
-    found = blend(corner, margin);
+  // Of the one before all that a blend at its start has left; of the one behind half, or more where the corner at its end
+  // wants less.
+  const double most = last_->cut ? length_before : uncut_share * length_before;
+  const double most_behind =
+      std::max(length_behind / 2, std::min(uncut_share * length_behind, length_behind - behind.wanted_behind));
+  std::optional<Cut> cut;
+  double tolerance = std::min(toolpath::tolerance_at(*last_, Side::last), toolpath::tolerance_at(behind, Side::first));
+  for (int k = 0; k < most_tolerances && tolerance > 0; ++k) {
+    const Reach before = reach_within(*last_, Side::last, tolerance, most),
+                beyond = reach_within(behind, Side::first, tolerance, most_behind);
+    std::optional<Cut> found = cut_within(tolerance, *last_, before.length, behind, beyond.length);
+    if (found && (!cut || found->blend.curve.length() > cut->blend.curve.length())) cut = std::move(found);
+    tolerance = std::max(before.beyond, beyond.beyond);
   }
-  if (!found) return;
-  const double left = length_before - found->before;
+  if (!cut) return;
+  const double left = length_before - cut->blend.before;
   if (left > 0) {
     trim(last_->piece, 0, left);
     emit(std::move(last_->piece));
   }
   behind.length = length_behind;
   behind.cut = true;
-  trim(behind.piece, found->behind, length_behind);
-  if (pieces.size() > 1) emit(std::move(pieces.front()));
-  last_->piece = std::move(pieces.back());
+  trim(behind.piece, cut->blend.behind, length_behind);
+  if (cut->pieces.size() > 1) emit(std::move(cut->pieces.front()));
+  last_->piece = std::move(cut->pieces.back());
 }
 
 /// What no corner can cut any more.
 void Smoother::emit(Piece piece) {
   piece.curve = simplest(piece.curve);
+  carry_events(piece, carried_);
   done_.push_back(std::move(piece));
 }
 

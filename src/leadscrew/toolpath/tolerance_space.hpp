@@ -2,10 +2,9 @@
 // The space in which a tolerance is told: all coordinates in millimetres, a degree of a rotary axis counting as the arc
 // it sweeps at a radius of 50 mm. The distance is Euclid's.
 
-#include <algorithm>
-#include <cmath>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/geometry/point.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 #include <numbers>
 
 namespace leadscrew::toolpath {
@@ -32,30 +31,12 @@ inline geometry::Point weights_of_length() {
   return to_millimetres(weights);
 }
 
-inline double dot(const geometry::Point& a, const geometry::Point& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-inline double norm(const geometry::Point& a) {
-  return std::sqrt(dot(a, a));
-}
-inline double distance(const geometry::Point& a, const geometry::Point& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
-}
-inline geometry::Point difference(const geometry::Point& a, const geometry::Point& b) {
-  geometry::Point d;
-  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
-  return d;
-}
-/// a + share·b
-inline geometry::Point sum(const geometry::Point& a, double share, const geometry::Point& b) {
-  geometry::Point s;
-  for (std::size_t i = 0; i < a.size(); ++i) s[i] = a[i] + share * b[i];
-  return s;
-}
+using numeric::difference;
+using numeric::distance;
+using numeric::distance_to_segment;
+using numeric::dot;
+using numeric::norm;
+using numeric::sum;
 
 /// |t⁺ − t⁻| = 2 sin(θ/2) of two directions; 2 if one is none.
 inline double turn_between(const geometry::Point& in, const geometry::Point& out) {
@@ -71,14 +52,6 @@ inline geometry::Point derivative(const geometry::PointJet& jet, double numeric:
   geometry::Point d;
   for (std::size_t i = 0; i < d.size(); ++i) d[i] = jet[i].*which;
   return to_millimetres(d);
-}
-
-/// Distance of a point from the segment between two others.
-inline double distance_to_segment(const geometry::Point& p, const geometry::Point& a, const geometry::Point& b) {
-  const geometry::Point along = difference(b, a), to = difference(p, a);
-  const double length = dot(along, along);
-  const double share = length > 0 ? std::clamp(dot(to, along) / length, 0.0, 1.0) : 0;
-  return norm(sum(to, -share, along));
 }
 
 }  // namespace leadscrew::toolpath

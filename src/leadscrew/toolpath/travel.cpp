@@ -8,12 +8,12 @@ namespace leadscrew::toolpath {
 
 namespace {
 
-/// Coordinates of a curve at even lengths, ends included.
+/// Where the axes of a piece are at even lengths, ends included.
 class Samples {
  public:
-  explicit Samples(const geometry::Curve& curve)
-      : curve_(curve), length_(geometry::length(curve)), step_(length_ / static_cast<double>(parts_of(curve))) {
-    const std::size_t parts = parts_of(curve);
+  explicit Samples(const AxisPath& axes)
+      : axes_(axes), length_(axes.length()), step_(length_ / static_cast<double>(parts_of(axes))) {
+    const std::size_t parts = parts_of(axes);
     points_.reserve(parts + 1);
     for (std::size_t k = 0; k <= parts; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(parts);
@@ -34,7 +34,7 @@ class Samples {
   }
 
  private:
-  geometry::Point at(double s) const { return geometry::evaluate(curve_, numeric::DoubleDouble(s)); }
+  geometry::Point at(double s) const { return axes_.position(numeric::DoubleDouble(s)); }
 
   /// More than a smooth curve rises above its samples: as much as it goes from one to the next.
   double bulge(std::size_t axis) const {
@@ -58,24 +58,24 @@ class Samples {
     return greatest;
   }
 
-  static std::size_t parts_of(const geometry::Curve& curve) {
+  static std::size_t parts_of(const AxisPath& axes) {
     constexpr double least = 32, most = 4096, angle = 0.2;  // rad
-    if (std::holds_alternative<geometry::Line>(curve)) return 1;
-    const auto* arc = std::get_if<geometry::Arc>(&curve);
+    if (axes.line()) return 1;
+    const geometry::Arc* arc = axes.arc();
     const double parts = arc ? std::abs(arc->angle_rate()) * arc->length() / angle : least;
     return static_cast<std::size_t>(std::clamp(parts, least, most));
   }
 
-  const geometry::Curve& curve_;
+  AxisPath axes_;
   double length_, step_;
   std::vector<geometry::Point> points_;
 };
 
 /// Far from where travel ends: on a line by its ends, on an arc by its length, which no axis of its plane outruns.
-bool is_far_inside(const geometry::Curve& curve, std::size_t axis, double least, double most) {
-  if (std::holds_alternative<geometry::Nurbs>(curve)) return false;
-  const double start = geometry::start(curve)[axis], end = geometry::end(curve)[axis];
-  const auto* arc = std::get_if<geometry::Arc>(&curve);
+bool is_far_inside(const AxisPath& axes, std::size_t axis, double least, double most) {
+  const geometry::Arc* arc = axes.arc();
+  if (!axes.line() && !arc) return false;
+  const double start = axes.start()[axis], end = axes.end()[axis];
   const double reach = arc && (axis == arc->first() || axis == arc->second()) ? 1.001 * arc->length() : 0;
   const auto is_inside = [&](double q) { return q - reach >= least && q + reach <= most; };
   return is_inside(start) && is_inside(end);
@@ -85,7 +85,8 @@ bool is_far_inside(const geometry::Curve& curve, std::size_t axis, double least,
 
 std::optional<TravelExcess> check_travel(Piece& piece, const machine::Machine& machine, const geometry::Point& start,
                                          double slack) {
-  const double length = geometry::length(piece.curve);
+  const AxisPath axes = piece.axes();
+  const double length = axes.length();
   if (!std::isfinite(length)) return TravelExcess{base::Axis::X, length};
   std::optional<Samples> samples;
   for (const base::Axis axis : base::all_axes) {
@@ -93,8 +94,8 @@ std::optional<TravelExcess> check_travel(Piece& piece, const machine::Machine& m
     const std::size_t i = base::index(axis);
     const double least = std::min(machine.limits(axis).travel_min, start[i]) - slack;
     const double most = std::max(machine.limits(axis).travel_max, start[i]) + slack;
-    if (is_far_inside(piece.curve, i, least, most)) continue;
-    if (!samples) samples.emplace(piece.curve);
+    if (is_far_inside(axes, i, least, most)) continue;
+    if (!samples) samples.emplace(axes);
     const double high = samples->greatest(i, 1, most), low = -samples->greatest(i, -1, -least);
     if (!(high <= most)) return TravelExcess{axis, high};
     if (!(low >= least)) return TravelExcess{axis, low};

@@ -4,6 +4,8 @@
 #include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/tube_spline.hpp>
+#include <leadscrew/toolpath/tuning.hpp>
+#include <limits>
 #include <utility>
 
 namespace leadscrew::toolpath {
@@ -12,25 +14,15 @@ using geometry::Point;
 
 namespace {
 
-constexpr double cone_slope = 0.1;         // |dℓ/du|
-constexpr std::size_t fewest_spans = 4;    // of a curve
-constexpr double lengths_per_curve = 2.5;  // at least
-constexpr int most_rounds = 40;            // of a window
-constexpr double samples_per_span = 4;     // at least
-constexpr double sample_sagitta = 0.16;    // of the margin, at curvature 1/ℓ or so
-constexpr double shortened_most = 0.5;     // by a round
-constexpr double shortened_least = 0.93;
-constexpr double most_lengthened = 1.002;  // by feed, of the polyline's time: more is a detour
-constexpr double allowed_time = 0.005;     // s that it may cost whatever the polyline takes
-constexpr double least_share = 0.01;       // of the shortest ℓ, that is tried anywhere
+using namespace tuning::tube;
+using tuning::allowed_time;
+
 constexpr double rounding = 1e-9;
-constexpr double back = -0.7;          // cosine of the angle between chords that turn back
-constexpr double least_advance = 0.3;  // of the parameter, of chords that do not
 
 }  // namespace
 
-TubeSpline::TubeSpline(const State& start, const Vertex& vertex, double longest, double shortest)
-    : vertices_{vertex}, start_(start), begin_(vertex.u), longest_(longest), shortest_(shortest) {}
+TubeSpline::TubeSpline(const State& start, const Vertex& vertex, double longest)
+    : vertices_{vertex}, start_(start), begin_(vertex.u), longest_(longest) {}
 
 void TubeSpline::retreat_to(std::size_t vertex) {
   vertices_.resize(vertex + 1);
@@ -45,6 +37,16 @@ double TubeSpline::smoothing_length(double u) const {
   if (next != apexes_.begin())
     length = std::min(length, std::prev(next)->length + cone_slope * (u - std::prev(next)->u));
   return length;
+}
+
+/// ℓ that is not worth it. Beside chords of a small tolerance it may be short, as ℓ about them is.
+double TubeSpline::shortest_length(double u) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < vertices_.size(); ++i) {
+    const double apart = std::max({0.0, vertices_[i - 1].u - u, u - vertices_[i].u});
+    shortest = std::min(shortest, shortest_smoothing * vertices_[i].tolerance + cone_slope * apart);
+  }
+  return shortest;
 }
 
 /// Keeps the apexes that lie on no other's cone: then the neighbours of a place say what ℓ is.
@@ -311,9 +313,9 @@ bool TubeSpline::check() {
       worst_ = b.vertex;
     }
   }
-  least_asked_ = longest_;
+  least_asked_ = {begin_, longest_};
   for (const Apex& apex : found) {
-    least_asked_ = std::min(least_asked_, apex.length);
+    if (apex.length < least_asked_.length) least_asked_ = apex;
     if (apex.length < smoothing_length(apex.u)) shorten(apex.u, apex.length);
   }
   if (inside) greatest_share_ = std::max(greatest_share_, greatest);
@@ -359,9 +361,10 @@ TubeSpline::Outcome TubeSpline::settle() {
       std::erase_if(apexes_, [&](const Apex& apex) { return apex.u < begin_ - 10 * longest_; });
       return Outcome::settled;
     }
-    if (turns_back_ || smoothing_length(vertices_[worst_].u) < shortest_) break;
+    const double worst = vertices_[worst_].u;
+    if (turns_back_ || smoothing_length(worst) < shortest_length(worst)) break;
     // The worst vertex may be far from where the curve leaves the tube.
-    if (least_asked_ < least_share * shortest_) break;
+    if (least_asked_.length < least_share * shortest_length(least_asked_.u)) break;
   }
   return Outcome::failed;
 }

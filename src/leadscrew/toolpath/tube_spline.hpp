@@ -16,6 +16,7 @@
 // Streaming: a window of some 24 spans is solved, and the first third of it is settled; the next begins with its
 // position and four derivatives.
 
+#include <algorithm>
 #include <leadscrew/toolpath/quintic_basis.hpp>
 #include <optional>
 #include <vector>
@@ -28,18 +29,21 @@ struct Vertex {
   double u = 0;                ///< increasing from vertex to vertex
   double margin = 0;           ///< allowed distance here and on the chord that ends here, mm; > 0
   double pace = 0;             ///< that feed asks for on that chord, s/mm; ≥ 0
+  double tolerance = 0;        ///< P on that chord, mm: a smoothing length of less than half is not worth it
 };
 
 class TubeSpline {
  public:
-  /// From the state `start` at the vertex given first. `longest`: of ℓ, in u; > 0. `shortest`: ℓ that is not worth it.
-  TubeSpline(const State& start, const Vertex& vertex, double longest, double shortest);
+  /// From the state `start` at the vertex given first. `longest`: of ℓ, in u; > 0.
+  TubeSpline(const State& start, const Vertex& vertex, double longest);
 
   /// The polyline goes on; not after close().
   void append(const Vertex& vertex) { vertices_.push_back(vertex); }
   /// The last vertex given is the end. The curve ends there with that state, its derivatives by −u; where `end` has one
   /// only (the position), in any direction.
   void close(const State& end) { end_ = end; }
+  /// ℓ may be as long as this from what is not settled on.
+  void lengthen(double longest) { longest_ = std::max(longest_, longest); }
   /// The end was another vertex, one that has not been settled: forgets all behind it, and that it was closed.
   void retreat_to(std::size_t vertex);
 
@@ -87,6 +91,7 @@ class TubeSpline {
   };
 
   double smoothing_length(double u) const;
+  double shortest_length(double u) const;
   void shorten(double u, double length);
   void place_knots();
   void take_samples();
@@ -102,10 +107,10 @@ class TubeSpline {
   std::optional<State> end_;
   double begin_ = 0;
   bool begun_ = false;  ///< has a window been tried?
-  double longest_, shortest_;
+  double longest_;
   std::vector<Apex> apexes_;  ///< by u; none lies above another's cone
   std::size_t worst_ = 0;
-  double least_asked_ = 0;   ///< of ℓ, where the curve left the tube
+  Apex least_asked_{};       ///< where the curve left the tube
   bool turns_back_ = false;  ///< did it there, nearly on the spot?
   double greatest_share_ = 0;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/markup/markup.hpp>
+#include <leadscrew/nc/pulse_curve.hpp>
 #include <leadscrew/waves/pulses.hpp>
 #include <numbers>
 
@@ -167,10 +168,6 @@ void put_worst(std::string& out, const Panel& panel, const TrueCurve& curve, con
       "\" r=\"7\"/>\n");
 }
 
-std::string text_of(Point at) {
-  return "(" + std::to_string(at.x) + ", " + std::to_string(at.y) + ")";
-}
-
 void put_caption(std::string& out, const Panel& panel, const MeasuredPulses& pulses, bool is_whole) {
   const nc::PulseFigures& figures = pulses.figures;
   const auto line = [&](double below, std::string_view kind, const std::string& text) {
@@ -179,7 +176,7 @@ void put_caption(std::string& out, const Panel& panel, const MeasuredPulses& pul
   };
   line(22, " class=\"name\"", escaped(nc::name(pulses.run.method())));
   line(40, "", std::to_string(figures.clocks) + " clocks, " + std::to_string(figures.pulses) + " pulses");
-  line(57, "", "greatest error " + readable(figures.max_error) + " BLU, at " + text_of(figures.worst));
+  line(57, "", "greatest error " + readable(figures.max_error) + " BLU, at " + nc::point_text(figures.worst));
   line(74, "", "r.m.s. " + readable(figures.rms_error) + " BLU" + (is_whole ? "" : "; shown around the worst place"));
 }
 
@@ -227,10 +224,10 @@ void put_legend(std::string& out, double y) {
 }  // namespace
 
 std::string title_of(const PulseCurve& curve) {
-  const std::string ends = "from " + text_of(curve.start) + " to " + text_of(curve.end);
+  const std::string ends = "from " + nc::point_text(curve.start) + " to " + nc::point_text(curve.end);
   if (!curve.is_arc()) return "line " + ends;
   const bool is_ccw = curve.direction == pulse::Direction::counterclockwise;
-  return "arc " + ends + " about " + text_of(curve.center) + (is_ccw ? ", counterclockwise" : ", clockwise");
+  return "arc " + ends + " about " + nc::point_text(curve.center) + (is_ccw ? ", counterclockwise" : ", clockwise");
 }
 
 base::Result<void> write_pulse_picture(const PulseCurve& curve, const std::vector<MeasuredPulses>& pulses,

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/servo/axis.hpp>
 #include <leadscrew/servo/refusal.hpp>
+#include <leadscrew/servo/simulated_axis.hpp>
 
 namespace leadscrew::servo {
 
-base::Result<Axis> Axis::create(const AxisOptions& options) {
+base::Result<SimulatedAxis> SimulatedAxis::create(const AxisOptions& options) {
   Refusal refusal("servo-axis");
   refusal.unless_positive("the drive's acceleration for one unit of command", options.drive.acceleration);
   refusal.unless_not_negative("the drive's damping", options.drive.damping);
@@ -15,10 +15,10 @@ base::Result<Axis> Axis::create(const AxisOptions& options) {
   refusal.unless_not_negative("backlash", options.backlash);
   refusal.unless_not_negative("the encoder's resolution", options.encoder_resolution);
   if (refusal.found()) return base::failure(*refusal.found());
-  return Axis(options);
+  return SimulatedAxis(options);
 }
 
-void Axis::advance(double command, double seconds) {
+void SimulatedAxis::advance(double command, double seconds) {
   const double held = std::clamp(command, -options_.command_limit, options_.command_limit);
   const double pull = options_.drive.acceleration * held;
   // Once up to a stop, and once for what follows it.
@@ -26,7 +26,7 @@ void Axis::advance(double command, double seconds) {
 }
 
 /// Moves until the screw stops, at most for so many seconds; returns how long that took.
-double Axis::travel(double pull, double at_most) {
+double SimulatedAxis::travel(double pull, double at_most) {
   const bool stands = screw_.velocity == 0;
   if (stands && std::fabs(pull) <= std::max(options_.friction, options_.breakaway)) return at_most;
   const double against = std::copysign(options_.friction, stands ? pull : screw_.velocity);
@@ -41,7 +41,7 @@ double Axis::travel(double pull, double at_most) {
   return stops ? rest : at_most;
 }
 
-double Axis::reading() const {
+double SimulatedAxis::reading() const {
   const double position = options_.encoder_place == EncoderPlace::screw ? screw_.position : slide_;
   const double resolution = options_.encoder_resolution;
   return resolution > 0 ? std::floor(position / resolution + 0.5) * resolution : position;

@@ -33,10 +33,10 @@ struct AxisOptions {
   EncoderPlace encoder_place = EncoderPlace::screw;
 };
 
-class Axis {
+class SimulatedAxis {
  public:
   /// At rest at 0, the slide midway between the flanks. Code: `servo-axis`.
-  static base::Result<Axis> create(const AxisOptions& options);
+  static base::Result<SimulatedAxis> create(const AxisOptions& options);
 
   /// Holds a command for so many seconds. Both finite, seconds ≥ 0.
   void advance(double command, double seconds);
@@ -51,7 +51,7 @@ class Axis {
   const AxisOptions& options() const { return options_; }
 
  private:
-  explicit Axis(const AxisOptions& options) : options_(options) {}
+  explicit SimulatedAxis(const AxisOptions& options) : options_(options) {}
   double travel(double pull, double at_most);
 
   AxisOptions options_;

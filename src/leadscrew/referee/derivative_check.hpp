@@ -20,9 +20,9 @@ namespace leadscrew::referee {
 /// The rounding bound of a difference of positions up to `largest`, mm or degrees: 8·ulp.
 double rounding_of(double largest);
 
-class Derivatives {
+class DerivativeCheck {
  public:
-  Derivatives(const machine::Machine& machine, base::Period period);
+  DerivativeCheck(const machine::Machine& machine, base::Period period);
 
   void observe(const base::AxisVector& position, base::Line line);
   /// After the last word, of this line: appends violations to the log and fills in the ratios.

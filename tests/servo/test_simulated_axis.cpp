@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <leadscrew/servo/axis.hpp>
+#include <leadscrew/servo/simulated_axis.hpp>
 #include <random_numbers.hpp>
 #include <vector>
 
@@ -15,8 +15,8 @@ namespace {
 using testing_support::any;
 using testing_support::logarithmic;
 
-Axis made(const AxisOptions& options) {
-  return Axis::create(options).value();
+SimulatedAxis made(const AxisOptions& options) {
+  return SimulatedAxis::create(options).value();
 }
 
 Drive any_drive() {
@@ -28,10 +28,10 @@ double any_command() {
   return any(0, 6) == 0 ? 0 : any(-1000, 1001) / 100.0;
 }
 
-RC_GTEST_PROP(Axis, AgreesWithRungeAndKuttaUnderHeldCommands, ()) {
+RC_GTEST_PROP(SimulatedAxis, AgreesWithRungeAndKuttaUnderHeldCommands, ()) {
   AxisOptions options{.drive = any_drive()};
   if (any(0, 3) == 0) options.command_limit = logarithmic(0.1, 10);
-  Axis axis = made(options);
+  SimulatedAxis axis = made(options);
   SmallSteps reference(options);
   double farthest = 0, fastest = 0;
   for (int k = 0; k < 30; ++k) {
@@ -49,7 +49,7 @@ RC_GTEST_PROP(Axis, AgreesWithRungeAndKuttaUnderHeldCommands, ()) {
 
 /// Also where d·t is so small that differences of near equals would show, and where it is so large that nothing is
 /// left.
-TEST(Axis, HoldIntegralsAreThoseOfTheirSeries) {
+TEST(SimulatedAxis, HoldIntegralsAreThoseOfTheirSeries) {
   for (double damping : {1e-12, 1e-6, 0.1, 0.2499, 0.2501, 1.0, 3.0}) {
     long double first = 0, second = 0, term = 1;  // of t = 1
     for (int k = 1; k < 60; ++k) {
@@ -65,8 +65,8 @@ TEST(Axis, HoldIntegralsAreThoseOfTheirSeries) {
   EXPECT_DOUBLE_EQ(hold_integrals(1e3, 1).second, 1e-3 - 1e-6);
 }
 
-TEST(Axis, ReachesItsGainAsTheTimeConstantSays) {
-  Axis axis = made({.drive = velocity_drive(10, 0.02)});
+TEST(SimulatedAxis, ReachesItsGainAsTheTimeConstantSays) {
+  SimulatedAxis axis = made({.drive = velocity_drive(10, 0.02)});
   axis.advance(3, 0.02);
   EXPECT_NEAR(axis.screw().velocity, 30 * (1 - std::exp(-1.0)), 1e-12);
   axis.advance(3, 2);
@@ -75,11 +75,11 @@ TEST(Axis, ReachesItsGainAsTheTimeConstantSays) {
 }
 
 /// 2 A·0.5 N·m/A on 0.01 kg·m²: 100 rad/s²; a screw of 10 mm.
-TEST(Axis, OfACurrentMotorAcceleratesByTorqueOverInertia) {
+TEST(SimulatedAxis, OfACurrentMotorAcceleratesByTorqueOverInertia) {
   const double per_radian = 10 / (2 * 3.14159265358979323846);
   const CurrentMotor motor{
       .amplifier = 2, .torque_constant = 0.5, .inertia = 0.01, .viscous_friction = 0, .travel_per_radian = per_radian};
-  Axis axis = made({.drive = current_drive(motor), .command_limit = 3});
+  SimulatedAxis axis = made({.drive = current_drive(motor), .command_limit = 3});
   axis.advance(8, 0.1);  // limited to 3
   EXPECT_NEAR(axis.screw().velocity, 300 * per_radian * 0.1, 1e-9);
   EXPECT_NEAR(axis.screw().position, 300 * per_radian * 0.005, 1e-9);
@@ -87,12 +87,12 @@ TEST(Axis, OfACurrentMotorAcceleratesByTorqueOverInertia) {
   EXPECT_NEAR(reflected_inertia(500, per_radian), 500 * 1e-6 * per_radian * per_radian, 1e-15);
 }
 
-RC_GTEST_PROP(Axis, WithFrictionAndPlayAgreesWithSmallSteps, ()) {
+RC_GTEST_PROP(SimulatedAxis, WithFrictionAndPlayAgreesWithSmallSteps, ()) {
   AxisOptions options{.drive = velocity_drive(logarithmic(1, 20), logarithmic(0.01, 0.1))};
   options.friction = options.drive.acceleration * logarithmic(0.01, 3);
   if (any(0, 2) == 0) options.breakaway = options.friction * logarithmic(1, 3);
   options.backlash = logarithmic(1e-3, 0.3);
-  Axis axis = made(options);
+  SimulatedAxis axis = made(options);
   SmallSteps reference(options);
   // The chord of a step finds a stop to within the square of the step.
   const double pull = 20 * options.drive.acceleration;
@@ -109,7 +109,7 @@ RC_GTEST_PROP(Axis, WithFrictionAndPlayAgreesWithSmallSteps, ()) {
 
 TEST(AxisFriction, HoldsBelowBreakawayAndBrakesFromThere) {
   const AxisOptions options{.drive = velocity_drive(10, 0.02), .friction = 1000, .breakaway = 1500};
-  Axis axis = made(options);
+  SimulatedAxis axis = made(options);
   axis.advance(3, 10);  // pulls 1500 mm/s²
   EXPECT_EQ(axis.screw().position, 0);
   EXPECT_EQ(axis.screw().velocity, 0);
@@ -123,7 +123,7 @@ TEST(AxisFriction, HoldsBelowBreakawayAndBrakesFromThere) {
 
 /// v(t) = 0 of v′ = −c − d·v: t = τ·ln(1 + v/(c·τ)); and what it travels until then.
 TEST(AxisFriction, StopsWhereTheClosedFormSays) {
-  Axis axis = made({.drive = velocity_drive(10, 0.02), .friction = 400});
+  SimulatedAxis axis = made({.drive = velocity_drive(10, 0.02), .friction = 400});
   axis.advance(5, 10);
   const double v = 50 - 400 * 0.02, begin = axis.screw().position;
   axis.advance(0, 10);
@@ -135,7 +135,7 @@ RC_GTEST_PROP(AxisFriction, NeverGivesEnergy, ()) {
   AxisOptions options{.drive = any_drive(), .friction = any(0, 2) * logarithmic(1, 1000)};
   options.breakaway = any(0, 2) * logarithmic(1, 1000);
   options.backlash = any(0, 2) * logarithmic(1e-3, 1);
-  Axis axis = made(options);
+  SimulatedAxis axis = made(options);
   axis.advance(any_command(), 0.05);
   double speed = std::fabs(axis.screw().velocity);
   for (int k = 0; k < 50; ++k) {
@@ -148,7 +148,7 @@ RC_GTEST_PROP(AxisFriction, NeverGivesEnergy, ()) {
 }
 
 TEST(AxisBacklash, SlideLagsByThePlayAfterEachReversal) {
-  Axis axis = made({.drive = velocity_drive(1, 0.01), .backlash = 0.08});
+  SimulatedAxis axis = made({.drive = velocity_drive(1, 0.01), .backlash = 0.08});
   axis.advance(2, 1);
   EXPECT_DOUBLE_EQ(axis.slide(), axis.screw().position - 0.04);
   const double forward = axis.slide();
@@ -164,10 +164,10 @@ TEST(AxisBacklash, SlideLagsByThePlayAfterEachReversal) {
 /// Measured at the slide, a quantised loop of the same play sees it; measured at the screw it does not.
 TEST(AxisBacklash, ShowsInReadingsOfTheSlideAlone) {
   AxisOptions options{.drive = velocity_drive(1, 0.01), .backlash = 0.08};
-  Axis at_screw = made(options);
+  SimulatedAxis at_screw = made(options);
   options.encoder_place = EncoderPlace::slide;
-  Axis at_slide = made(options);
-  for (Axis* axis : {&at_screw, &at_slide}) axis->advance(2, 1);
+  SimulatedAxis at_slide = made(options);
+  for (SimulatedAxis* axis : {&at_screw, &at_slide}) axis->advance(2, 1);
   EXPECT_EQ(at_screw.reading(), at_screw.screw().position);
   EXPECT_EQ(at_slide.reading(), at_slide.screw().position - 0.04);
 }
@@ -175,7 +175,7 @@ TEST(AxisBacklash, ShowsInReadingsOfTheSlideAlone) {
 TEST(AxisEncoder, ReadsTheNearestMultiple) {
   AxisOptions options{.drive = {1, 0}, .encoder_resolution = 0.01};
   for (const double command : {1.0, -1.0}) {
-    Axis axis = made(options);
+    SimulatedAxis axis = made(options);
     for (int k = 0; k < 400; ++k) {
       axis.advance(command, 1e-3);
       const double counts = axis.reading() / 0.01;
@@ -187,11 +187,11 @@ TEST(AxisEncoder, ReadsTheNearestMultiple) {
 }
 
 std::string refusal(const AxisOptions& options) {
-  const auto axis = Axis::create(options);
+  const auto axis = SimulatedAxis::create(options);
   return axis ? "" : std::string(axis.error().code) + ": " + axis.error().message;
 }
 
-TEST(Axis, SaysWhichOptionIsWrong) {
+TEST(SimulatedAxis, SaysWhichOptionIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal({.drive = {1, 0}}), "");
   EXPECT_EQ(refusal({.drive = {0, 1}}), "servo-axis: the drive's acceleration for one unit of command is 0");

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/referee/derivatives.hpp>
+#include <leadscrew/referee/derivative_check.hpp>
 #include <limits>
 #include <string>
 
@@ -17,7 +17,7 @@ double rounding_of(double largest) {
   return 8 * (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
 }
 
-Derivatives::Derivatives(const machine::Machine& machine, base::Period period) : period_(period.seconds()) {
+DerivativeCheck::DerivativeCheck(const machine::Machine& machine, base::Period period) : period_(period.seconds()) {
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     Track& track = tracks_[track_count_++];
@@ -36,7 +36,7 @@ Derivatives::Derivatives(const machine::Machine& machine, base::Period period) :
   }
 }
 
-void Derivatives::observe(const base::AxisVector& position, base::Line line) {
+void DerivativeCheck::observe(const base::AxisVector& position, base::Line line) {
   for (std::size_t i = 0; i < track_count_; ++i) {
     Track& track = tracks_[i];
     const double value = position[base::index(track.axis)];
@@ -46,7 +46,7 @@ void Derivatives::observe(const base::AxisVector& position, base::Line line) {
   ++words_;
 }
 
-void Derivatives::difference(Track& track, double position, base::Line line) {
+void DerivativeCheck::difference(Track& track, double position, base::Line line) {
   widen(track, std::abs(position));
   const double first = position - track.last;
   const double second = first - track.first_difference;
@@ -62,18 +62,18 @@ void Derivatives::difference(Track& track, double position, base::Line line) {
   }
 }
 
-void Derivatives::widen(Track& track, double magnitude) {
+void DerivativeCheck::widen(Track& track, double magnitude) {
   if (magnitude <= track.largest && words_ > 0) return;
   track.largest = std::max(track.largest, magnitude);
   track.rounding = rounding_of(track.largest);
   for (Limit& limit : track.limits) limit.bound = limit.objectionable + track.rounding;
 }
 
-std::size_t Derivatives::level_of(double excess) {
+std::size_t DerivativeCheck::level_of(double excess) {
   return static_cast<std::size_t>(std::clamp(std::ilogb(excess) - finest_level, 0, levels - 1));
 }
 
-void Derivatives::suspect(Track& track, std::size_t order, double difference, base::Line line) {
+void DerivativeCheck::suspect(Track& track, std::size_t order, double difference, base::Line line) {
   Limit& limit = track.limits[order];
   ++limit.violations[level_of(difference - limit.objectionable)];
   if (suspects_.size() == most_violations_listed) return;
@@ -84,13 +84,13 @@ void Derivatives::suspect(Track& track, std::size_t order, double difference, ba
 }
 
 /// Differences that exceed what is objectionable by more than the rounding bound, which is a power of two.
-std::int64_t Derivatives::count(const Limit& limit, double rounding) {
+std::int64_t DerivativeCheck::count(const Limit& limit, double rounding) {
   std::int64_t sum = 0;
   for (std::size_t level = level_of(rounding); level < levels; ++level) sum += limit.violations[level];
   return sum;
 }
 
-void Derivatives::conclude(base::Line line, Verdict& verdict, ViolationLog& log) {
+void DerivativeCheck::conclude(base::Line line, Verdict& verdict, ViolationLog& log) {
   for (std::size_t k = 0; k < orders; ++k, ++words_) {
     for (std::size_t i = 0; i < track_count_; ++i) difference(tracks_[i], tracks_[i].last, line);
   }

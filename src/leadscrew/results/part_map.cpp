@@ -1,19 +1,17 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <leadscrew/cli/part_map.hpp>
+#include <leadscrew/results/part_map.hpp>
 #include <leadscrew/toolpath/builder.hpp>
 #include <limits>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
 /// Chords along everything that is travelled at feed.
 template <class Take>
-void each_chord(const files::InputFile& file, const Job& job, const Take& take) {
-  gcode::ReaderOptions options = job.reader_options(file.name());
-  options.path_mode = gcode::PathMode::exact_stop;  // as it was programmed
-  gcode::Reader reader(file.source(), job.machine, job.tools, options, nullptr);
+void each_chord(gcode::Reader reader, const Take& take) {
   toolpath::Builder builder;
   bool reading = true;
   while (reading) {
@@ -24,10 +22,11 @@ void each_chord(const files::InputFile& file, const Job& job, const Take& take) 
       const auto* piece = std::get_if<toolpath::Piece>(&*element);
       if (piece == nullptr || std::isinf(piece->feed)) continue;
       constexpr int chords_of_a_curve = 24;
-      const int chords = std::holds_alternative<geometry::Line>(piece->curve) ? 1 : chords_of_a_curve;
-      geometry::Point from = geometry::start(piece->curve);
+      const toolpath::AxisPath axes = piece->axes();
+      const int chords = axes.line() ? 1 : chords_of_a_curve;
+      geometry::Point from = axes.start();
       for (int k = 1; k <= chords; ++k) {
-        const geometry::Point to = geometry::evaluate(piece->curve, geometry::length(piece->curve) * k / chords);
+        const geometry::Point to = axes.position(axes.length() * k / chords);
         take(from, to);
         from = to;
       }
@@ -37,11 +36,11 @@ void each_chord(const files::InputFile& file, const Job& job, const Take& take) 
 
 }  // namespace
 
-PartMap::PartMap(const files::InputFile& file, const Job& job, int columns, int rows)
+PartMap::PartMap(const std::function<gcode::Reader()>& reader, int columns, int rows)
     : columns_(std::max(columns, 1)), rows_(std::max(rows, 1)) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double left = infinity, right = -infinity, bottom = infinity, top = -infinity;
-  each_chord(file, job, [&](const geometry::Point& from, const geometry::Point& to) {
+  each_chord(reader(), [&](const geometry::Point& from, const geometry::Point& to) {
     left = std::min({left, from[0], to[0]});
     right = std::max({right, from[0], to[0]});
     bottom = std::min({bottom, from[1], to[1]});
@@ -53,7 +52,7 @@ PartMap::PartMap(const files::InputFile& file, const Job& job, int columns, int 
   unit_ = std::max({(right - left) / (2 * columns_ - 1), (top - bottom) / (4 * rows_ - 1), 1e-6});
   left_ = left;
   top_ = top;
-  each_chord(file, job,
+  each_chord(reader(),
              [&](const geometry::Point& from, const geometry::Point& to) { draw(from[0], from[1], to[0], to[1]); });
 }
 
@@ -81,7 +80,7 @@ void PartMap::visit(const base::AxisVector& position) {
   set(visited_, dot_at(position[0], position[1]));
 }
 
-std::string PartMap::text(const Style& style) const {
+std::string PartMap::text(const std::function<std::string(bool, std::string_view)>& paint) const {
   std::string text;
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
@@ -90,11 +89,11 @@ std::string PartMap::text(const Style& style) const {
       // U+2800 … U+28FF in UTF-8.
       const std::string character = {'\xE2', static_cast<char>(0xA0 + (dots >> 6)),
                                      static_cast<char>(0x80 + (dots & 0x3F))};
-      text += style(visited_[cell] != 0 ? Tone::good : Tone::faint, character);
+      text += paint(visited_[cell] != 0, character);
     }
     text += "\033[K\n";
   }
   return text;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <leadscrew/referee/derivatives.hpp>
+#include <leadscrew/referee/derivative_check.hpp>
 
 #include "track.hpp"
 
@@ -28,7 +28,7 @@ const AxisVerdict& verdict_of(const Verdict& verdict, Axis axis) {
                        [&](const AxisVerdict& one) { return one.axis == axis; });
 }
 
-RC_GTEST_PROP(Derivatives, AgreeWithASinusoid, ()) {
+RC_GTEST_PROP(DerivativeCheck, AgreeWithASinusoid, ()) {
   const double frequency = *rc::gen::element(9.0, 17.0, 31.0);
   const base::Period period{*rc::gen::element<std::int64_t>(100'000, 250'000, 1'000'000, 2'000'000)};
   const Axis axis = *rc::gen::element(Axis::X, Axis::Y, Axis::Z, Axis::C);
@@ -57,7 +57,7 @@ RC_GTEST_PROP(Derivatives, AgreeWithASinusoid, ()) {
   }
 }
 
-TEST(Derivatives, RoundingIsForgivenAtTheShortestPeriod) {
+TEST(DerivativeCheck, RoundingIsForgivenAtTheShortestPeriod) {
   const machine::Machine machine = five_axes();
   const base::Period period{10'000};
   Words words;
@@ -72,12 +72,12 @@ TEST(Derivatives, RoundingIsForgivenAtTheShortestPeriod) {
   EXPECT_LT(verdict_of(verdict, Axis::X).acceleration_ratio, 0.02);
 }
 
-TEST(Derivatives, TheRoundingBoundIsEightUnitsInTheLastPlace) {
+TEST(DerivativeCheck, TheRoundingBoundIsEightUnitsInTheLastPlace) {
   EXPECT_EQ(rounding_of(1), 8 * std::ldexp(1, -52));
   EXPECT_EQ(rounding_of(1000), 8 * std::ldexp(1, -43));
 }
 
-TEST(Derivatives, MoreJerkThanRoundingExplainsIsSeenFarFromZeroAtTheShortestPeriod) {
+TEST(DerivativeCheck, MoreJerkThanRoundingExplainsIsSeenFarFromZeroAtTheShortestPeriod) {
   // At 800 mm and 10 µs a third difference that rounding explains is 909 mm/s³; here are 10 000 beyond the limit.
   const machine::Machine machine = five_axes();
   const base::Period period{10'000};
@@ -98,7 +98,7 @@ TEST(Derivatives, MoreJerkThanRoundingExplainsIsSeenFarFromZeroAtTheShortestPeri
   }
 }
 
-TEST(Derivatives, StartingAtFullSpeedIsAJump) {
+TEST(DerivativeCheck, StartingAtFullSpeedIsAJump) {
   const machine::Machine machine = machine::mill3();
   const base::Period period{1'000'000};
   Words words;
@@ -117,7 +117,7 @@ TEST(Derivatives, StartingAtFullSpeedIsAJump) {
   EXPECT_EQ(verdict.violation_count, 6) << describe(verdict);
 }
 
-TEST(Derivatives, AHalfPercentOfJerkOnOneAxisIsSeen) {
+TEST(DerivativeCheck, AHalfPercentOfJerkOnOneAxisIsSeen) {
   machine::Machine machine = machine::mill3();
   const base::Period period{1'000'000};
   Program program;
@@ -140,7 +140,7 @@ TEST(Derivatives, AHalfPercentOfJerkOnOneAxisIsSeen) {
   EXPECT_EQ(strict.violation_count, static_cast<std::int64_t>(strict.violations.size()));
 }
 
-TEST(Derivatives, NoViolationThatTheRatioDenies) {
+TEST(DerivativeCheck, NoViolationThatTheRatioDenies) {
   // Near 0 a difference exceeds the limit by less than the rounding bound of the positions reached later.
   machine::Machine machine = machine::mill3();
   machine.axes[0]->jerk = 1000;
@@ -167,7 +167,7 @@ TEST(Derivatives, NoViolationThatTheRatioDenies) {
   }
 }
 
-TEST(Derivatives, WhatIsNoNumberIsAnObjection) {
+TEST(DerivativeCheck, WhatIsNoNumberIsAnObjection) {
   const base::Period period{1'000'000};
   Words words(5);
   at(words[2], Axis::Z) = std::nan("");

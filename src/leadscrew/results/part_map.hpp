@@ -7,23 +7,24 @@
 //                 7 8
 
 #include <cstdint>
-#include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/job.hpp>
-#include <leadscrew/files/input_file.hpp>
+#include <functional>
+#include <leadscrew/base/axes.hpp>
+#include <leadscrew/gcode/reader.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 class PartMap {
  public:
-  /// All that the program travels at feed, in X and Y; so many characters large.
-  PartMap(const files::InputFile& file, const Job& job, int columns, int rows);
+  /// All that the program travels at feed, in X and Y; so many characters large. `reader`: from its beginning, each time.
+  PartMap(const std::function<gcode::Reader()>& reader, int columns, int rows);
 
   /// The axes have been here.
   void visit(const base::AxisVector& position);
-  /// Lines of text.
-  std::string text(const Style& style) const;
+  /// Lines of text, each character as `paint` has it, which is told whether the axes have been there.
+  std::string text(const std::function<std::string(bool, std::string_view)>& paint) const;
 
  private:
   struct Dot {
@@ -41,4 +42,4 @@ class PartMap {
   std::vector<std::uint8_t> ideal_, visited_;  ///< a character each
 };
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

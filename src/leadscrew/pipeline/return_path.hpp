@@ -5,7 +5,7 @@
 //    goes on here ●━━━━━●━━━━━━━━━● rest      In hops from rest to rest: s falls by u³(10 − 15u + 6u²), so slowly that
 //                    ◀──    ◀── s(u)          words a period apart keep every limit of every axis, and every place its
 //                                             feed. A hop that would take long is made as two: one slow place, a bend
-//                                             of some µm, must not slow the whole way; and at each rest it may be
+//                                             of some µm, must not slow the whole path; and at each rest it may be
 //                                             ended.
 
 #include <cstddef>
@@ -50,9 +50,9 @@ class PathStretch {
 };
 
 /// A place for each period, from the first behind rest at the stretch's end to rest at its beginning; where it rests on
-/// the way, the same place four times. No hop takes longer than `longest_hop`, s, but for what a period rounds.
+/// the path, the same place four times. No hop takes longer than `longest_hop`, s, but for what a period rounds.
 /// Nothing where the machine cannot move at all.
-std::optional<std::vector<base::PathPlace>> way_back(const PathStretch& stretch, const machine::Machine& machine,
-                                                     double longest_hop = 1);
+std::optional<std::vector<base::PathPlace>> plan_return(const PathStretch& stretch, const machine::Machine& machine,
+                                                        double longest_hop = 1);
 
 }  // namespace leadscrew::pipeline

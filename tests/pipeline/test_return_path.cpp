@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <leadscrew/pipeline/motion_source.hpp>
-#include <leadscrew/pipeline/way_back.hpp>
+#include <leadscrew/pipeline/return_path.hpp>
 #include <string>
 
 namespace {
@@ -41,13 +41,13 @@ double worst_ratio(const std::vector<base::PathPlace>& places, const base::AxisV
   return worst;
 }
 
-TEST(WayBack, StaysOnAnArcWithinLimitsAndFeed) {
+TEST(ReturnPath, StaysOnAnArcWithinLimitsAndFeed) {
   const machine::Machine machine = machine::mill3();
   for (const double feed : {60.0, 1200.0, 12000.0}) {
     const std::string text = "G21 G90 G94 G17\nG2 X0 Y0 I10 F" + std::to_string(feed) + "\nM2\n";
     const pipeline::PathStretch stretch = stretch_of(text, machine, 3, 11);
     ASSERT_TRUE(stretch.is_whole());
-    const auto places = pipeline::way_back(stretch, machine);
+    const auto places = pipeline::plan_return(stretch, machine);
     ASSERT_TRUE(places.has_value());
     double last = 11, fastest = 0;
     for (const base::PathPlace& place : *places) {
@@ -67,35 +67,35 @@ TEST(WayBack, StaysOnAnArcWithinLimitsAndFeed) {
   }
 }
 
-TEST(WayBack, GoesOverJoinsOfABlendedPath) {
+TEST(ReturnPath, GoesOverJoinsOfABlendedPath) {
   const machine::Machine machine = machine::mill3();
   const std::string text = "G21 G90 G94 G17 F3000\nG64 P0.1\nG1 X10\nY10\nX20\nM2\n";
   const pipeline::PathStretch stretch = stretch_of(text, machine, 8, 12);
-  const auto places = pipeline::way_back(stretch, machine);
+  const auto places = pipeline::plan_return(stretch, machine);
   ASSERT_TRUE(places.has_value());
   EXPECT_LE(worst_ratio(*places, stretch.at(12).position, machine), 1 + 1e-9);
-  EXPECT_NEAR(places->back().position[0], 8, 1e-9);
+  EXPECT_NEAR(places->back().position[0], stretch.at(8).position[0], 1e-9);
   for (const base::PathPlace& place : *places) {
     const double x = place.position[0], y = place.position[1];
     EXPECT_LE(std::min(std::hypot(y, std::max(0.0, x - 10)), std::hypot(x - 10, std::min(0.0, y))), 0.1 + 1e-9);
   }
 }
 
-TEST(WayBack, IsNothingWhereThereIsNoWay) {
+TEST(ReturnPath, IsNothingWhereThereIsNoWay) {
   const machine::Machine machine = machine::mill3();
-  const auto places = pipeline::way_back(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 2), machine);
+  const auto places = pipeline::plan_return(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 2), machine);
   ASSERT_TRUE(places.has_value());
   EXPECT_TRUE(places->empty());
 }
 
 /// Where motion passed one bend of next to nothing, the rest of the way is as fast as ever.
-TEST(WayBack, IsNotSlowedByOneSlowPlace) {
+TEST(ReturnPath, IsNotSlowedByOneSlowPlace) {
   machine::Machine machine = machine::mill3();
   for (const std::int64_t period : {50'000, 1'000'000}) {
     machine.period = {period};
     const std::string text = "G21 G90 G94 G17 F4600\nG64 P0.0002\nG1 X10\nX10.002 Y0.002\nX20\nM2\n";
     const pipeline::PathStretch stretch = stretch_of(text, machine, 2, 18);
-    const auto places = pipeline::way_back(stretch, machine);
+    const auto places = pipeline::plan_return(stretch, machine);
     ASSERT_TRUE(places.has_value());
     EXPECT_LE(worst_ratio(*places, stretch.at(18).position, machine), 1 + 1e-9);
     EXPECT_LE(static_cast<double>(places->size()) * machine.period.seconds(), 4);
@@ -103,10 +103,10 @@ TEST(WayBack, IsNotSlowedByOneSlowPlace) {
 }
 
 /// It rests at least once a second, so that it can be called off.
-TEST(WayBack, RestsOnALongWay) {
+TEST(ReturnPath, RestsOnALongWay) {
   const machine::Machine machine = machine::mill3();
   const pipeline::PathStretch stretch = stretch_of("G21 G90 G94\nG1 X20 F60\nM2\n", machine, 1, 19);
-  const auto places = pipeline::way_back(stretch, machine);
+  const auto places = pipeline::plan_return(stretch, machine);
   ASSERT_TRUE(places.has_value());
   EXPECT_LE(worst_ratio(*places, stretch.at(19).position, machine), 1 + 1e-9);
   std::size_t moving = 0, longest = 0;
@@ -120,17 +120,17 @@ TEST(WayBack, RestsOnALongWay) {
 }
 
 /// A corner is passed next to at rest, whether motion rested there or not.
-TEST(WayBack, KeepsLimitsAtACorner) {
+TEST(ReturnPath, KeepsLimitsAtACorner) {
   const machine::Machine machine = machine::mill3();
   const pipeline::PathStretch stretch = stretch_of("G21 G90 G94 G61 F3000\nG1 X10\nY10\nM2\n", machine, 8, 12);
   ASSERT_TRUE(stretch.is_whole());
-  const auto places = pipeline::way_back(stretch, machine);
+  const auto places = pipeline::plan_return(stretch, machine);
   ASSERT_TRUE(places.has_value());
   EXPECT_LE(worst_ratio(*places, stretch.at(12).position, machine), 1 + 1e-9);
   EXPECT_NEAR(places->back().position[0], 8, 1e-9);
 }
 
-TEST(WayBack, IsNotWholeBeyondThePath) {
+TEST(ReturnPath, IsNotWholeBeyondThePath) {
   const machine::Machine machine = machine::mill3();
   EXPECT_FALSE(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 6).is_whole());
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/pipeline/way_back.hpp>
+#include <leadscrew/pipeline/return_path.hpp>
 
 namespace leadscrew::pipeline {
 
@@ -109,7 +109,7 @@ double PathStretch::greatest_speed(double s) const {
   return part.piece.greatest_speed(part.piece.axes().jets(on_piece));
 }
 
-std::optional<Places> way_back(const PathStretch& stretch, const machine::Machine& machine, double longest_hop) {
+std::optional<Places> plan_return(const PathStretch& stretch, const machine::Machine& machine, double longest_hop) {
   const std::size_t most_periods =
       std::max(fewest_periods, static_cast<std::size_t>(longest_hop / machine.period.seconds()));
   Places return_path;

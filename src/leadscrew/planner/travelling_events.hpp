@@ -1,0 +1,36 @@
+#pragma once
+// Events on their way with the path: each is handed out with the chunk whose committed part passes its place, once,
+// whatever slices, stops and refused chunks there are. They are counted, not compared by place: places are rounded.
+
+#include <cstdint>
+#include <leadscrew/planner/motion.hpp>
+#include <leadscrew/toolpath/path.hpp>
+#include <vector>
+
+namespace leadscrew::planner {
+
+class TravellingEvents {
+ public:
+  /// The next piece of the path: numbers its events and says how far from the program's start they lie.
+  void enter(toolpath::Piece& piece);
+  /// Motion begins so far from the program's start, behind the events before this number.
+  void begin_at(double path_length, std::int64_t number);
+  /// Those on the chunk's pieces that no chunk before has handed out. `before`: to happen before it begins.
+  void place(Chunk& chunk, std::vector<base::Event> before);
+  /// Motion has come to rest by the tail of the chunk before the last.
+  void refuse();
+
+ private:
+  /// How far motion has come: along the path, and the number of the first event that it has not passed.
+  struct Reached {
+    double path_length = 0;
+    std::int64_t number = 0;
+  };
+
+  double entered_ = 0;          ///< path length of the pieces so far
+  std::int64_t numbered_ = 0;   ///< events so far
+  Reached next_;                ///< where the next chunk begins
+  Reached rest_, rest_before_;  ///< where motion rests by the tail of the last chunk, and of the one before
+};
+
+}  // namespace leadscrew::planner

@@ -1,0 +1,68 @@
+#include <leadscrew/toolpath/leg.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
+#include <leadscrew/toolpath/tuning.hpp>
+
+namespace leadscrew::toolpath {
+
+namespace {
+
+using namespace tuning::spans;
+
+double tolerance_of(const Leg& leg) {
+  return is_long(leg) ? leg.allowance.tolerance : leg.allowance.fitted();
+}
+
+}  // namespace
+
+double millimetres_per_length(const geometry::Curve& curve) {
+  if (std::holds_alternative<geometry::Nurbs>(curve)) return 1;
+  return norm(derivative(geometry::jets(curve, 0), &numeric::Jet<>::first));
+}
+
+double greatest_speed(const Leg& leg) {
+  const double rate = toolpath::rate(geometry::jets(leg.curve, 0), leg.feed_axes);
+  return leg.feed / rate * millimetres_per_length(leg.curve);
+}
+
+double length_of(const Leg& leg) {
+  return geometry::length(leg.curve) * millimetres_per_length(leg.curve);
+}
+
+double span_length(const Leg& leg) {
+  return std::max(std::clamp(span_time * greatest_speed(leg), shortest_span, longest_span),
+                  std::min(span_of_tolerance * leg.allowance.tolerance, longest_of_tolerance));
+}
+
+bool is_long(const Leg& leg) {
+  return length_of(leg) > long_leg * span_length(leg);
+}
+
+bool may_be_fitted(const Leg& leg) {
+  return leg.allowance.cam_tolerance >= least_tolerance || is_long(leg);
+}
+
+double sagitta(const Leg& leg) {
+  return tuning::spans::arc_sagitta * tolerance_of(leg);
+}
+
+double spent_by(const Leg& leg) {
+  return leg.spent + (is_line(leg.curve) ? 0 : sagitta(leg));
+}
+
+double margin_about(const Leg& leg) {
+  return kept_share * tolerance_of(leg) - spent_by(leg);
+}
+
+double margin_beside(double tolerance, double spent) {
+  return kept_share * tolerance - std::min(spent, most_spent * tolerance);
+}
+
+bool costs_time(const Leg& before, const Leg& behind, double tolerance) {
+  const auto feed_share = [](const Leg& leg) {
+    return rate(geometry::jets(leg.curve, 0), leg.feed_axes) / millimetres_per_length(leg.curve);
+  };
+  const double seconds_per_mm = std::abs(1 / before.feed - 1 / behind.feed);
+  return tolerance * std::abs(feed_share(before) - feed_share(behind)) * seconds_per_mm > tuning::allowed_time;
+}
+
+}  // namespace leadscrew::toolpath

@@ -1,0 +1,100 @@
+#pragma once
+// The constants of fits and blends that were found by trial, in one place: a group for each source that uses it, and before
+// each group what pulls its values one way and what the other. Whoever changes one measures both, by the times of the
+// blended programs (`leadscrew study limits`, its last groups) and by `script/bench`. Whatever they are, each curve that is
+// made is proven to lie inside the tolerance. Roundings stay where they are used.
+
+#include <cstddef>
+
+namespace leadscrew::toolpath::tuning {
+
+/// Length of the spans of splines along short lines. Longer: smoother, faster motion and fewer pieces. Shorter: the spline
+/// fits inside narrow tolerances, and details shorter than a span cost no speed.
+namespace spans {
+inline constexpr double long_leg = 15;  // lengths of a span
+/// s at the programmed feed, within mm.
+inline constexpr double span_time = 0.005, shortest_span = 0.1, longest_span = 1;
+inline constexpr double span_of_tolerance = 10, longest_of_tolerance = 3;  // mm
+inline constexpr double arc_sagitta = 0.02;                                // of the leg's tolerance
+inline constexpr double kept_share = 0.98;  // of the tolerance; the rest is for the rounding of words and of samples
+}  // namespace spans
+
+inline constexpr double corner_turn = 1.3;  // |t⁺ − t⁻| = 2 sin(θ/2): 81°
+
+/// Blends of corners. Longer blends are faster at the corner and slower where the next one is near.
+namespace corner {
+/// Blends that swing wide. Of the full length, that one must have at least: a shorter one is slower than one that only
+/// cuts in; less from the turn |t_A − t_B| on that is a corner anyhow. Of what a leg has for its end, that one may take at
+/// most, where the turn is still sharper (122°): there speed has to rise and fall again between two such corners. Zigzags
+/// of legs of 0.5 … 8 mm, 45° … 160°, P 10 µm.
+inline constexpr double least_swing = 0.5, least_swing_of_corner = 0.35;
+inline constexpr double sharp_swing = 1.75, share_of_sharp = 0.7;
+/// Of the full length, that there must be for two lines to be blended so where a spline would run through their joint.
+inline constexpr double least_in_place_of_spline = 0.6;
+/// Of a line, that may be left between two blends, or none: a shorter rest would only be another piece.
+inline constexpr double least_rest = 0.05;
+inline constexpr double turned_back = 1.99;            // |t_A − t_B|: from here on a stop is faster than any blend
+inline constexpr std::size_t looks = 33;               // at a blend, for how it turns
+inline constexpr double sharpest_between_looks = 1.5;  // |t⁺ − t⁻|; between lines it stays below
+inline constexpr double shrinking = 0.8;
+inline constexpr double nearly_whole = 0.8;
+inline constexpr int most_tries = 40;
+inline constexpr double polyline_share = 1.0 / 200;  // of the margin, for polylines that stand for curves
+inline constexpr int deepest = 14;                   // halvings of a curve
+inline constexpr double table_of_length = 1e-7;      // what a curve's length may be short of
+inline constexpr double most_lengthened = 1.02;      // of the lengths a blend takes the place of: more is a detour
+}  // namespace corner
+
+/// Lines of the program in one leg. More of the tolerance spent here: fewer pieces. Less: more is left to smooth by.
+namespace reduction {
+inline constexpr std::size_t most_lines = 4096;  // of the program in one leg
+inline constexpr double ball_share = 0.25;       // of the tolerance
+}  // namespace reduction
+
+/// Splines along runs of short lines: what is tried where one does not fit, and how long a feed is held.
+namespace run {
+inline constexpr double longest_smoothing = 2;  // lengths of a span
+inline constexpr double least_corner = 0.2;     // |t⁺ − t⁻| of one that is made where no spline fits
+inline constexpr double split_window = 32;      // tolerances: how far from there
+inline constexpr double least_hold = 0.002;     // s that a feed is held: sooner than speed can change
+}  // namespace run
+
+/// Which joints are corners. Greater turns taken into splines: fewer blends, but a spline pays for a sharp corner along
+/// its neighbours.
+namespace smoother {
+inline constexpr double sharp_turn = 1.4;  // a corner even if the path goes on turning
+inline constexpr double concentrated = 1.5;
+inline constexpr double turn_window = 8;    // tolerances
+inline constexpr double widest_window = 4;  // turn windows, where the leg is as long
+inline constexpr double reach_into = 6;     // lengths of a span
+inline constexpr int most_shortened = 40;   // times
+inline constexpr int most_tolerances = 4;   // tried at a corner
+/// Of a curve that the blend at its end may take, if there was none at its start.
+inline constexpr double uncut_share = 0.9;
+/// Where a block is allowed so many times what the next one is, their joint may be a corner: where it turns by as many
+/// margins over a span of the wide one, by this where that is shorter than a span, by that where one is narrow but for Q.
+inline constexpr double much_wider = 8, tight_spans = 64, least_beside_short = 0.5, least_without_q = 0.02;
+}  // namespace smoother
+
+/// s that what is made may cost more by feed than what it takes the place of.
+inline constexpr double allowed_time = 0.005;
+
+/// The smoothing lengths ℓ of a spline in its tube. Longer: faster. Shortened gently, in many rounds: nearer to the
+/// longest that fit. In few: less work, and what is not settled yet is kept short.
+namespace tube {
+inline constexpr double cone_slope = 0.1;          // |dℓ/du|
+inline constexpr double shortest_smoothing = 0.5;  // tolerances
+inline constexpr std::size_t fewest_spans = 4;     // of a curve
+inline constexpr double lengths_per_curve = 2.5;   // at least
+inline constexpr int most_rounds = 40;             // of a window
+inline constexpr double samples_per_span = 4;      // at least
+inline constexpr double sample_sagitta = 0.16;     // of the margin, at curvature 1/ℓ or so
+inline constexpr double shortened_most = 0.5;      // by a round
+inline constexpr double shortened_least = 0.93;
+inline constexpr double most_lengthened = 1.002;  // by feed, of the polyline's time: more is a detour
+inline constexpr double least_share = 0.01;       // of the shortest ℓ, that is tried anywhere
+inline constexpr double back = -0.7;              // cosine of the angle between chords that turn back
+inline constexpr double least_advance = 0.3;      // of the parameter, of chords that do not
+}  // namespace tube
+
+}  // namespace leadscrew::toolpath::tuning
