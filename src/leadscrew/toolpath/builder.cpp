@@ -54,11 +54,10 @@ void Builder::move_along(const gcode::Move& move) {
   if (!blends || pieces.empty()) {
     for (Piece& piece : pieces) settled_.emplace_back(std::move(piece));
   } else {
-    if (!smoother_) smoother_.emplace();
     const Allowance allowance{move.tolerance, move.naive_cam_tolerance};
     for (Piece& piece : pieces) {
       const auto events = events_of(piece);
-      smoother_->push(Leg{
+      blend(Leg{
           std::move(piece.curve), feed, move.line, {}, 0, piece.feed_axes, allowance, {events.begin(), events.end()}});
     }
   }
@@ -66,13 +65,38 @@ void Builder::move_along(const gcode::Move& move) {
   std::get<Piece>(settled_.back()).stop = true;
 }
 
+/// Motion comes to rest between legs of one kind and of the other.
+void Builder::blend(Leg leg) {
+  if (machine_ != nullptr && RacingLine::takes(leg)) {
+    settle(smoother_);
+    if (!racing_line_) racing_line_.emplace(*machine_);
+    racing_line_->push(std::move(leg));
+  } else {
+    settle(racing_line_);
+    if (!smoother_) smoother_.emplace();
+    smoother_->push(std::move(leg));
+  }
+}
+
+template <class Blending>
+void Builder::settle(std::optional<Blending>& blending) {
+  if (!blending) return;
+  blending->finish();
+  take_settled(blending);
+  for (const EventMark& mark : blending->events_at_end()) settled_.emplace_back(mark.event);
+  blending.reset();
+}
+
+template <class Blending>
+void Builder::take_settled(std::optional<Blending>& blending) {
+  if (!blending) return;
+  while (std::optional<Piece> piece = blending->pop()) settled_.emplace_back(std::move(*piece));
+}
+
 /// What follows cannot change what was pushed so far.
 void Builder::flush() {
-  if (!smoother_) return;
-  smoother_->finish();
-  while (std::optional<Piece> piece = smoother_->pop()) settled_.emplace_back(std::move(*piece));
-  for (const EventMark& mark : smoother_->events_at_end()) settled_.emplace_back(mark.event);
-  smoother_.reset();
+  settle(racing_line_);
+  settle(smoother_);
 }
 
 void Builder::finish() {
@@ -94,8 +118,9 @@ void Builder::settle_events(bool motion_follows) {
 }
 
 std::optional<Element> Builder::pop() {
-  if (settled_.empty() && smoother_) {
-    if (std::optional<Piece> piece = smoother_->pop()) settled_.emplace_back(std::move(*piece));
+  if (settled_.empty()) {
+    take_settled(racing_line_);
+    take_settled(smoother_);
   }
   std::optional<Element> element;
   if (settled_.empty()) return element;

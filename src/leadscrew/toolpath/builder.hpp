@@ -3,13 +3,15 @@
 //
 // In exact-path and exact-stop mode (G61, G61.1) every move is kept as programmed, a NURBS curve as its smooth pieces
 // (geometry::smooth_pieces). Where blending is asked for (G64), moves that follow one another without a dwell or an
-// event that motion rests for are smoothed together, each within its tolerance (Smoother). All other events lie where
+// event that motion rests for are smoothed together, each within its tolerance: those in X, Y and Z alone as the machine travels them in the least time
+// (RacingLine), all others by blends and fits (Smoother). All other events lie where
 // the move begins that follows them, or stand by themselves where motion rests before there is one.
 
 #include <deque>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/path.hpp>
+#include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/smoother.hpp>
 #include <optional>
 #include <vector>
@@ -18,6 +20,11 @@ namespace leadscrew::toolpath {
 
 class Builder {
  public:
+  /// Blends without regard to a machine.
+  Builder() = default;
+  /// The machine must outlive it.
+  explicit Builder(const machine::Machine& machine) : machine_(&machine) {}
+
   void push(const gcode::Move& move);
   /// No more moves will come.
   void finish();
@@ -26,9 +33,16 @@ class Builder {
 
  private:
   void move_along(const gcode::Move& move);
+  void blend(Leg leg);
+  template <class Blending>
+  void settle(std::optional<Blending>& blending);
+  template <class Blending>
+  void take_settled(std::optional<Blending>& blending);
   void flush();
   void settle_events(bool motion_follows);
 
+  const machine::Machine* machine_ = nullptr;
+  std::optional<RacingLine> racing_line_;
   std::optional<Smoother> smoother_;
   std::vector<EventMark> passed_;  ///< events where the next move begins
   std::deque<Element> settled_;

@@ -65,4 +65,27 @@ bool costs_time(const Leg& before, const Leg& behind, double tolerance) {
   return tolerance * std::abs(feed_share(before) - feed_share(behind)) * seconds_per_mm > tuning::allowed_time;
 }
 
+double chord_end(const geometry::Curve& curve, double s, double to, double sagitta) {
+  constexpr int most_halvings = 20;
+  constexpr double fewest_chords = 4, nearly_all = 0.75;
+  const auto longest_at = [&](double place) {
+    const double bend = norm(derivative(geometry::jets(curve, place), &numeric::Jet<>::second));
+    return std::sqrt(8 * sagitta / std::max(bend, 1e-12));
+  };
+  double step = std::min(longest_at(s), geometry::length(curve) / fewest_chords);
+  // Looked at inside too: a bulge need not show at the ends.
+  const auto is_too_long = [&] {
+    if (geometry::borders(curve, s, std::min(s + step, to)) > 1) return true;
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+      if (longest_at(std::min(s + share * step, to)) < nearly_all * step) return true;
+    }
+    return false;
+  };
+  // A part as short as that is within the sagitta of its chord, whatever its shape.
+  const double shortest = sagitta / millimetres_per_length(curve);
+  for (int k = 0; k < most_halvings && step > shortest && is_too_long(); ++k) step /= 2;
+  step = std::max(step, shortest);
+  return s + step < to && s + step > s ? s + step : to;
+}
+
 }  // namespace leadscrew::toolpath

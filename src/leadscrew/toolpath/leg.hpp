@@ -68,6 +68,9 @@ bool is_long(const Leg& leg);
 /// May any of it be fitted: is it long, or allowed a Q that machines can show?
 bool may_be_fitted(const Leg& leg);
 
+/// Where a chord from s ends that stays within `sagitta` of the curve, or nearly: at `to` at last.
+double chord_end(const geometry::Curve& curve, double s, double to, double sagitta);
+
 /// Between a curve and the chords that stand for it, mm.
 double sagitta(const Leg& leg);
 

@@ -1,0 +1,440 @@
+#include <leadscrew/toolpath/corridor_check.hpp>
+#include <leadscrew/toolpath/corridor_optimum.hpp>
+#include <leadscrew/toolpath/corridor_start.hpp>
+#include <leadscrew/toolpath/event_marks.hpp>
+#include <leadscrew/toolpath/racing_line.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
+#include <leadscrew/toolpath/tuning.hpp>
+#include <limits>
+#include <utility>
+
+namespace leadscrew::toolpath {
+
+namespace {
+
+using namespace tuning::corridor;
+using geometry::Point;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Vector<3> place_of(const Point& point) {
+  return {point[0], point[1], point[2]};
+}
+
+CorridorLimits<3> limits_of(const machine::Machine& machine) {
+  CorridorLimits<3> limits;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const base::Axis axis = base::all_axes[i];
+    limits.velocity[i] = limits.acceleration[i] = limits.jerk[i] = infinity;
+    if (!machine.has(axis)) continue;
+    limits.velocity[i] = machine.limits(axis).velocity;
+    limits.acceleration[i] = machine.limits(axis).acceleration;
+    limits.jerk[i] = machine.limits(axis).jerk;
+  }
+  return limits;
+}
+
+/// As a corridor: a line, an arc in a plane in parts of at most half a turn, anything else by chords.
+std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
+  const geometry::Curve& curve = leg.curve;
+  const double length = geometry::length(curve);
+  const auto at = [&](double s) { return place_of(geometry::evaluate(curve, s)); };
+  std::vector<CorridorLeg<3>> legs;
+  if (is_line(curve)) return {line_leg<3>(at(0), at(length), margin_about(leg), leg.feed)};
+  const auto* const arc = std::get_if<geometry::Arc>(&curve);
+  if (arc && arc->first() < 3 && arc->second() < 3 && geometry::moving(curve).size() == 2) {
+    const geometry::Arc::Turn turn = arc->turn();
+    Vector<3> center = at(0);
+    center[arc->first()] = turn.center_first;
+    center[arc->second()] = turn.center_second;
+    const double sweep = arc->angle_rate() * length, parts = std::ceil(std::abs(sweep) / 3.0);
+    for (double k = 0; k < parts; ++k) {
+      legs.push_back(arc_leg<3>(at(length * k / parts), at(length * (k + 1) / parts), arc->first(), arc->second(),
+                                center, sweep / parts, margin_about(leg) + sagitta(leg), leg.feed));
+    }
+    return legs;
+  }
+  for (double s = 0; s < length;) {
+    const double next = chord_end(curve, s, length, sagitta(leg));
+    legs.push_back(line_leg<3>(at(s), at(next), margin_about(leg), leg.feed));
+    s = next;
+  }
+  return legs;
+}
+
+}  // namespace
+
+RacingLine::RacingLine(const machine::Machine& machine)
+    : limits_(limits_of(machine)), least_{infinity, infinity, infinity} {
+  for (std::size_t i = 0; i < 3; ++i) {
+    least_.velocity = std::min(least_.velocity, limits_.velocity[i]);
+    least_.acceleration = std::min(least_.acceleration, limits_.acceleration[i]);
+    least_.jerk = std::min(least_.jerk, limits_.jerk[i]);
+  }
+}
+
+bool RacingLine::takes(const Leg& leg) {
+  if (leg.feed_axes != FeedAxes::none || leg.allowance.tolerance < least_tolerance || !may_be_fitted(leg)) return false;
+  for (const base::Axis axis : base::all_axes) {
+    if (base::index(axis) >= 3 && geometry::moving(leg.curve).contains(axis)) return false;
+  }
+  return true;
+}
+
+void RacingLine::push(Leg leg) {
+  if (std::optional<Leg> reduced = reduction_.push(std::move(leg))) take(std::move(*reduced));
+}
+
+void RacingLine::finish() {
+  if (std::optional<Leg> reduced = reduction_.finish()) take(std::move(*reduced));
+  advance(true);
+}
+
+std::optional<Piece> RacingLine::pop() {
+  if (done_.empty()) return std::nullopt;
+  std::optional<Piece> piece(std::move(done_.front()));
+  done_.pop_front();
+  return piece;
+}
+
+void RacingLine::take(Leg leg) {
+  others_ = geometry::start(leg.curve);
+  if (borders_.empty()) borders_.push_back(0);
+  const std::vector<CorridorLeg<3>> parts = corridor_of(leg);
+  const double most = speed_along(parts.front());
+  for (EventMark& mark : leg.events) events_.push_back({borders_.back() + mark.s, std::move(mark.event)});
+  leg.events.clear();
+  sources_.push_back({borders_.back(), std::make_shared<const Leg>(std::move(leg))});
+  double along = 0;
+  for (const CorridorLeg<3>& part : parts) along += part.length;
+  const double longer = geometry::length(sources_.back().leg->curve) / along;
+  for (const CorridorLeg<3>& part : parts) {
+    if (!merge(part, longer * part.length, most)) append(part, longer * part.length);
+  }
+  advance(false);
+}
+
+void RacingLine::append(const CorridorLeg<3>& leg, double length) {
+  merged_.clear();
+  merged_margin_ = leg.margin;
+  legs_.push_back(leg);
+  borders_.push_back(borders_.back() + length);
+}
+
+/// Lines that are passed within an interval and lie nearly in one become one.
+bool RacingLine::merge(const CorridorLeg<3>& line, double length, double speed) {
+  constexpr std::size_t most_merged = 64;
+  if (legs_.size() < (is_moving_ ? 2U : 1U) || line.is_arc || merged_.size() >= most_merged) return false;
+  const CorridorLeg<3>& last = legs_.back();
+  if (last.is_arc || (rest_ && rest_->count >= legs_.size())) return false;
+  const double margin = std::min(merged_margin_, line.margin), allowed = merged_share * margin;
+  const double interval = interval_of_corner * std::cbrt(margin / least_.jerk);
+  if (std::max(last.length, line.length) > speed * interval) return false;
+  CorridorLeg<3> one = line_leg<3>(last.from, line.to, margin, std::min(last.feed, line.feed));
+  double farthest = 0, off = size(one.nearest(line.from).offset);
+  for (const Place& place : merged_) {
+    off = std::max(off, size(one.nearest(place).offset));
+    const double advanced = one.advance(place);
+    if (advanced < farthest) return false;
+    farthest = advanced;
+  }
+  if (!(one.length > last.length) || off > allowed || one.advance(line.from) < farthest) return false;
+  merged_margin_ = std::min(merged_margin_, line.margin);
+  one.margin = merged_margin_ - off;
+  merged_.push_back(line.from);
+  legs_.back() = one;
+  borders_.back() += length;
+  return true;
+}
+
+/// As fast as feed and the machine allow, mm/s.
+double RacingLine::speed_along(const CorridorLeg<3>& leg) const {
+  double speed = std::min(leg.feed, least_.velocity);
+  if (leg.is_arc) {
+    speed = std::min({speed, nearly_all * std::sqrt(least_.acceleration * leg.radius),
+                      nearly_all * std::cbrt(least_.jerk * leg.radius * leg.radius)});
+  }
+  return speed;
+}
+
+/// What it takes to come to that speed from rest, mm: farther away a corner has no influence.
+double RacingLine::reach_of(const CorridorLeg<3>& leg) const {
+  const double speed = speed_along(leg);
+  return speed *
+         std::max(speed / least_.acceleration + least_.acceleration / least_.jerk, 2 * std::sqrt(speed / least_.jerk));
+}
+
+/// So long that its middle stays what it is.
+bool RacingLine::is_long(std::size_t leg) const {
+  const double begun = leg == 0 && is_moving_ ? begin_ : 0;
+  return legs_[leg].length - begun > reaches_of_long * reach_of(legs_[leg]);
+}
+
+/// Does the path turn back there?
+bool RacingLine::stops_at(std::size_t joint) const {
+  const CorridorLeg<3>&before = legs_[joint], &behind = legs_[joint + 1];
+  return size(between(before.tangent(before.length), behind.tangent(0))) >= tuning::corner::turned_back;
+}
+
+double RacingLine::speed_at(std::size_t joint) const {
+  const CorridorLeg<3>&before = legs_[joint], &behind = legs_[joint + 1];
+  const double turn = size(between(before.tangent(before.length), behind.tangent(0)));
+  const double margin = std::min(before.margin, behind.margin);
+  const double interval = interval_of_corner * std::cbrt(margin / least_.jerk);
+  return std::min({speed_along(before), speed_along(behind), start_step * margin / (std::max(turn, 1e-9) * interval)});
+}
+
+/// About, s.
+double RacingLine::seconds_along(std::size_t leg) const {
+  const double length = legs_[leg].length, a = start_acceleration * least_.acceleration;
+  const double from = leg > 0 ? speed_at(leg - 1) : 0, to = leg + 1 < legs_.size() ? speed_at(leg) : 0;
+  return std::max(length / speed_along(legs_[leg]), length / std::max((from + to) / 2, 0.5 * std::sqrt(a * length)));
+}
+
+std::optional<RacingLine::Window> RacingLine::choose(bool all) const {
+  double seconds = 0, fastest = 0;
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    const bool is_last = i + 1 == legs_.size();
+    if (i > 0 && is_long(i)) return Window{i + 1, CorridorEnd::moving, reach_of(legs_[i]), false};
+    if (is_last ? all : stops_at(i)) return Window{i + 1, CorridorEnd::rest, legs_[i].length, false};
+    seconds += seconds_along(i);
+    fastest = std::max(fastest, speed_along(legs_[i]));
+    const double stop = fastest / least_.acceleration + least_.acceleration / least_.jerk;
+    if (is_last || !(seconds > (stops_ahead + stops_planned) * stop || i >= most_legs)) continue;
+    // Farther than what was planned before, to rest.
+    if (!rest_ || i + 1 > rest_->count) return Window{i + 1, CorridorEnd::rest, legs_[i].length, true};
+  }
+  return std::nullopt;
+}
+
+/// Control points of a motion along the leg whose knot is there; the middle one is nearest.
+std::array<Vector<3>, 3> RacingLine::points_at(const CorridorLeg<3>& leg, double s, double interval) const {
+  const double step = speed_along(leg) * interval;
+  const Place here = leg.at(s), tangent = leg.tangent(s);
+  Place bend{};
+  if (leg.is_arc) {
+    bend = between(here, leg.center);
+    for (std::size_t i = 0; i < 3; ++i)
+      bend[i] = i == leg.first || i == leg.second ? bend[i] * step * step / (leg.radius * leg.radius) : 0;
+  }
+  const Place middle = along(here, -1.0 / 6, bend);
+  return {along(along(middle, -step, tangent), 0.5, bend), middle, along(along(middle, step, tangent), 0.5, bend)};
+}
+
+namespace {
+
+/// The coordinates that a window's legs move in, two at least.
+std::vector<std::size_t> moving_axes(const std::deque<CorridorLeg<3>>& legs, std::size_t count,
+                                     std::span<const Vector<3>> given) {
+  std::vector<std::size_t> axes, still;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double first = legs.front().from[axis];
+    bool moves = false;
+    for (std::size_t i = 0; i < count; ++i)
+      moves = moves || legs[i].from[axis] != first || legs[i].to[axis] != first ||
+              (legs[i].is_arc && (legs[i].first == axis || legs[i].second == axis));
+    for (const Vector<3>& point : given) moves = moves || point[axis] != first;
+    (moves ? axes : still).push_back(axis);
+  }
+  while (axes.size() < 2) {
+    axes.push_back(still.front());
+    still.erase(still.begin());
+  }
+  std::sort(axes.begin(), axes.end());
+  return axes;
+}
+
+template <std::size_t D>
+Vector<D> projected(const Vector<3>& a, const std::vector<std::size_t>& axes) {
+  Vector<D> b;
+  for (std::size_t i = 0; i < D; ++i) b[i] = a[axes[i]];
+  return b;
+}
+
+template <std::size_t D>
+CorridorLeg<D> projected(const CorridorLeg<3>& leg, const std::vector<std::size_t>& axes) {
+  const Vector<D> from = projected<D>(leg.from, axes), to = projected<D>(leg.to, axes);
+  if (!leg.is_arc) return line_leg<D>(from, to, leg.margin, leg.feed);
+  const auto at = [&](std::size_t axis) {
+    return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
+  };
+  return arc_leg<D>(from, to, at(leg.first), at(leg.second), projected<D>(leg.center, axes), leg.turn, leg.margin,
+                    leg.feed);
+}
+
+/// In so many coordinates.
+template <std::size_t D>
+class InAxes {
+ public:
+  InAxes(const Corridor<3>& corridor, std::vector<std::size_t> axes) : axes_(std::move(axes)) {
+    for (const CorridorLeg<3>& leg : corridor.legs) full_.legs.push_back(projected<D>(leg, axes_));
+    full_.limits = {projected<D>(corridor.limits.velocity, axes_), projected<D>(corridor.limits.acceleration, axes_),
+                    projected<D>(corridor.limits.jerk, axes_)};
+    full_.begin = corridor.begin;
+    full_.end = corridor.end;
+  }
+
+  std::optional<TimeSpline<3>> motion(const CorridorEnds<3>& ends3, double interval, const Vector<3>& still) const {
+    CorridorEnds<D> ends{ends3.begin, ends3.end, {}, {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      ends.points_at_begin[k] = projected<D>(ends3.points_at_begin[k], axes_);
+      ends.points_at_end[k] = projected<D>(ends3.points_at_end[k], axes_);
+    }
+    double share = planned_share;
+    for (int k = 0; k < most_tries; ++k) {
+      Corridor<D> planned = full_;
+      for (CorridorLeg<D>& leg : planned.legs) leg.margin *= share;
+      const std::optional<TimeSpline<D>> found = least_time(planned, start_motion(planned, interval, ends));
+      if (!found) return std::nullopt;
+      const double greatest = greatest_share(full_, *found);
+      if (greatest <= 1) return with_all(*found, still);
+      share *= 0.995 / greatest;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  TimeSpline<3> with_all(const TimeSpline<D>& found, const Vector<3>& still) const {
+    TimeSpline<3> motion{{}, found.passes, found.interval};
+    motion.points.assign(found.points.size(), still);
+    for (std::size_t k = 0; k < found.points.size(); ++k) {
+      for (std::size_t i = 0; i < D; ++i) motion.points[k][axes_[i]] = found.points[k][i];
+    }
+    return motion;
+  }
+
+  std::vector<std::size_t> axes_;
+  Corridor<D> full_;
+};
+
+}  // namespace
+
+std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
+  Corridor<3> corridor;
+  corridor.legs.assign(legs_.begin(), legs_.begin() + static_cast<std::ptrdiff_t>(window.count));
+  corridor.limits = limits_;
+  corridor.begin = is_moving_ ? CorridorEnd::moving : CorridorEnd::rest;
+  corridor.end = window.end;
+  const std::vector<std::size_t> axes =
+      moving_axes(legs_, window.count, is_moving_ ? std::span<const Place>(given_) : std::span<const Place>());
+  const bool goes_on = is_moving_ || window.end == CorridorEnd::moving;
+  // Where motion goes on, its interval should come out as the one that its control points there were made for.
+  const double wanted = is_moving_ ? given_interval_ : suitable_interval(corridor);
+  std::optional<Plan> found;
+  for (int k = 0; k < most_intervals; ++k) {
+    CorridorEnds<3> ends{is_moving_ ? begin_ : 0, window.finish, given_, {}};
+    if (window.end == CorridorEnd::moving) ends.points_at_end = points_at(corridor.legs.back(), window.finish, wanted);
+    const double interval = wanted / interval_ratio_;
+    std::optional<TimeSpline<3>> motion = axes.size() == 2
+                                              ? InAxes<2>(corridor, axes).motion(ends, interval, legs_.front().from)
+                                              : InAxes<3>(corridor, axes).motion(ends, interval, {});
+    if (!motion) return found;
+    const double off = motion->interval / wanted;
+    found = Plan{std::move(*motion), window.count};
+    if (!goes_on || std::abs(off - 1) < allowed_interval) break;
+    interval_ratio_ = std::clamp(interval_ratio_ * off, 0.25, 4.0);
+  }
+  return found;
+}
+
+/// Plans as far as enough is known, or to the end.
+void RacingLine::advance(bool all) {
+  while (!legs_.empty()) {
+    if (emit_long_start()) continue;
+    const std::optional<Window> window = choose(all);
+    if (!window) return;
+    // One leg alone stays what it is.
+    if (window->count == 1 && !window->is_provisional && !rest_ && window->end == CorridorEnd::rest) {
+      emit_exact(borders_[0] + (is_moving_ ? begin_ / legs_[0].length : 0) * (borders_[1] - borders_[0]), borders_[1]);
+      is_moving_ = false;
+      drop_before(1);
+      continue;
+    }
+    if (std::optional<Plan> found = plan(*window)) {
+      accept(std::move(*found), *window);
+    } else {
+      retreat(*window);
+    }
+  }
+}
+
+/// Up to where the corner at its end has an influence, a long leg is what it is.
+bool RacingLine::emit_long_start() {
+  if (rest_ || !is_long(0)) return false;
+  const double length = legs_[0].length, until = length - reach_of(legs_[0]);
+  const double per_length = (borders_[1] - borders_[0]) / length;
+  emit_exact(borders_[0] + (is_moving_ ? begin_ : 0) * per_length, borders_[0] + until * per_length);
+  is_moving_ = true;
+  begin_ = until;
+  const Corridor<3> one{{legs_[0]}, limits_};
+  given_interval_ = suitable_interval(one);
+  given_ = points_at(legs_[0], until, given_interval_);
+  return true;
+}
+
+void RacingLine::accept(Plan plan, const Window& window) {
+  const std::size_t intervals = plan.motion.intervals();
+  given_interval_ = plan.motion.interval;
+  if (!window.is_provisional) {
+    emit(plan, 0, intervals);
+    rest_.reset();
+    drop_before(window.end == CorridorEnd::rest ? window.count : window.count - 1);
+    is_moving_ = window.end == CorridorEnd::moving;
+    begin_ = window.finish;
+    std::copy_n(plan.motion.points.end() - 3, 3, given_.begin());
+    return;
+  }
+  // The next begins where a stop at the end of this one has no influence, as far from joints as may be.
+  double fastest = 0;
+  for (std::size_t i = 0; i < window.count; ++i) fastest = std::max(fastest, speed_along(legs_[i]));
+  const double ahead =
+      stops_ahead * (fastest / least_.acceleration + least_.acceleration / least_.jerk) / plan.motion.interval;
+  const double n = static_cast<double>(intervals), last = std::max(n - ahead, n / 3), first = std::max(0.7 * last, 6.0);
+  std::size_t knot = static_cast<std::size_t>(std::max(last, 6.0));
+  double farthest = 0;
+  for (double k = std::ceil(first); k <= last; ++k) {
+    double apart = n;
+    for (const double pass : plan.motion.passes) apart = std::min(apart, std::abs(k - pass));
+    if (apart > farthest) farthest = apart, knot = static_cast<std::size_t>(k);
+  }
+  emit(plan, 0, knot);
+  const auto passed = static_cast<std::size_t>(
+      std::lower_bound(plan.motion.passes.begin(), plan.motion.passes.end(), static_cast<double>(knot)) -
+      plan.motion.passes.begin());
+  std::copy_n(plan.motion.points.begin() + static_cast<std::ptrdiff_t>(knot), 3, given_.begin());
+  TimeSpline<3>& motion = plan.motion;
+  motion.points.erase(motion.points.begin(), motion.points.begin() + static_cast<std::ptrdiff_t>(knot));
+  motion.passes.erase(motion.passes.begin(), motion.passes.begin() + static_cast<std::ptrdiff_t>(passed));
+  for (double& pass : motion.passes) pass -= static_cast<double>(knot);
+  plan.count -= passed;
+  drop_before(passed);
+  is_moving_ = true;
+  begin_ = legs_[0].advance(given_[1]);
+  rest_ = std::move(plan);
+}
+
+/// No motion was found: what was planned before ends at rest, or legs stay what they are, with stops.
+void RacingLine::retreat(const Window& window) {
+  if (rest_) {
+    const Plan plan = std::move(*rest_);
+    rest_.reset();
+    emit(plan, 0, plan.motion.intervals());
+    drop_before(plan.count);
+  } else {
+    const double begun = is_moving_ ? begin_ / legs_[0].length : 0;
+    // A window that ends in motion leaves the leg to the next.
+    const std::size_t count = is_moving_ ? 1 : window.end == CorridorEnd::moving ? window.count - 1 : window.count;
+    emit_exact(borders_[0] + begun * (borders_[1] - borders_[0]), borders_[count]);
+    drop_before(count);
+  }
+  is_moving_ = false;
+}
+
+void RacingLine::drop_before(std::size_t leg) {
+  const auto count = static_cast<std::ptrdiff_t>(leg);
+  legs_.erase(legs_.begin(), legs_.begin() + count);
+  borders_.erase(borders_.begin(), borders_.begin() + count);
+  while (sources_.size() > 1 && sources_[1].u <= borders_.front()) sources_.pop_front();
+}
+
+}  // namespace leadscrew::toolpath
