@@ -16,7 +16,9 @@ constexpr std::array<double, 2> first_difference = {-1, 1};
 constexpr std::array<double, 3> second_difference = {1, -2, 1};
 constexpr std::array<double, 4> third_difference = {-1, 3, -3, 1};
 constexpr std::array<double, 3> knot_weights = {1.0 / 6, 4.0 / 6, 1.0 / 6};
-constexpr std::array<double, 4> middle_weights = {1.0 / 48, 23.0 / 48, 23.0 / 48, 1.0 / 48};
+// At thirds of an interval.
+constexpr std::array<double, 4> first_third_weights = {8.0 / 162, 93.0 / 162, 60.0 / 162, 1.0 / 162};
+constexpr std::array<double, 4> second_third_weights = {1.0 / 162, 60.0 / 162, 93.0 / 162, 8.0 / 162};
 
 template <std::size_t D, std::size_t count>
 Vector<D> sum_of(const Vector<D>* points, const std::array<double, count>& factors) {
@@ -88,6 +90,14 @@ struct SplinePlace {
 
 template <std::size_t D>
 using Square = std::array<std::array<double, D>, D>;
+
+/// Does an offset hardly change with motion in that direction, length 1? So it is beside a leg, and beyond its end where
+/// the next one turns by little.
+template <std::size_t D>
+bool is_across(const Vector<D>& offset, const Vector<D>& direction) {
+  constexpr double nearly = 0.3;
+  return std::abs(inner(offset, direction)) <= nearly * size(offset);
+}
 
 /// Adds terms to the model.
 template <std::size_t D>
@@ -209,7 +219,7 @@ CorridorBarrier<D>::CorridorBarrier(const Corridor<D>& corridor, std::size_t int
   for (const double v : corridor.limits.velocity) slowest = std::min(slowest, v);
   for (const CorridorLeg<D>& leg : corridor.legs) has_velocity_limit_ = has_velocity_limit_ || leg.feed > slowest;
   const double n = static_cast<double>(intervals);
-  inequalities_ = static_cast<double>(2 * D) * n * (has_velocity_limit_ ? 3 : 2) + 3 * n +
+  inequalities_ = static_cast<double>(2 * D) * n * (has_velocity_limit_ ? 3 : 2) + (places + 1) * n +
                   static_cast<double>(corridor.legs.size());
 }
 
@@ -223,7 +233,7 @@ double CorridorBarrier<D>::relaxed(std::size_t k) const {
 /// Of interval k.
 template <std::size_t D>
 double CorridorBarrier<D>::feed_of(std::size_t k, const Passing& passing) const {
-  const std::uint32_t from = passing.legs[2 * k], to = passing.legs[2 * k + 2];
+  const std::uint32_t from = passing.legs[places * k], to = passing.legs[places * (k + 1)];
   double feed = corridor_.legs[from].feed;
   for (std::uint32_t leg = from + 1; leg <= to; ++leg) feed = std::min(feed, corridor_.legs[leg].feed);
   return feed;
@@ -231,11 +241,11 @@ double CorridorBarrier<D>::feed_of(std::size_t k, const Passing& passing) const 
 
 template <std::size_t D>
 void CorridorBarrier<D>::assign(Passing& passing) const {
-  const std::size_t places = 2 * intervals_ + 1;
-  passing.legs.resize(places);
+  const std::size_t count = places * intervals_ + 1;
+  passing.legs.resize(count);
   std::uint32_t leg = 0;
-  for (std::size_t i = 0; i < places; ++i) {
-    while (leg < passing.passes.size() && 0.5 * static_cast<double>(i) > passing.passes[leg]) ++leg;
+  for (std::size_t i = 0; i < count; ++i) {
+    while (leg < passing.passes.size() && static_cast<double>(i) > places * passing.passes[leg]) ++leg;
     passing.legs[i] = leg;
   }
 }
@@ -325,8 +335,9 @@ double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Pas
       const Vector<D> off = leg.nearest(x).offset;
       return sum.add(1 - inner(off, off) / (leg.margin * leg.margin));
     };
-    if (k > 0 && !inside(2 * k, sum_of(&c[k], knot_weights))) return infinity;
-    if (!inside(2 * k + 1, sum_of(&c[k], middle_weights))) return infinity;
+    if (k > 0 && !inside(places * k, sum_of(&c[k], knot_weights))) return infinity;
+    if (!inside(places * k + 1, sum_of(&c[k], first_third_weights))) return infinity;
+    if (!inside(places * k + 2, sum_of(&c[k], second_third_weights))) return infinity;
   }
   for (std::size_t i = 0; i < passing.passes.size(); ++i) {
     const SplinePlace place(passing.passes[i], intervals_);
@@ -353,7 +364,8 @@ void CorridorBarrier<D>::assemble(double t, const CorridorPoint<D>& at, const Pa
   const auto tube = [&](std::size_t place, std::size_t first, const auto& weights) {
     const CorridorLeg<D>& leg = corridor_.legs[passing.legs[place]];
     const auto near = leg.nearest(sum_of(&c[first], weights));
-    add.distance(first, weights, near.offset, leg.margin, near.is_beyond ? nullptr : &near.tangent);
+    add.distance(first, weights, near.offset, leg.margin,
+                 is_across(near.offset, near.tangent) ? &near.tangent : nullptr);
   };
   for (std::size_t k = 0; k < intervals_; ++k) {
     const double more = relaxed(k);
@@ -382,17 +394,18 @@ void CorridorBarrier<D>::assemble(double t, const CorridorPoint<D>& at, const Pa
       model.w_curvature += (2 * inverse * inverse * (g * g + inner(velocity, velocity))) * g_slope * g_slope -
                            2 * g * inverse * g_curvature;
     }
-    if (k > 0) tube(2 * k, k, knot_weights);
-    tube(2 * k + 1, k, middle_weights);
+    if (k > 0) tube(places * k, k, knot_weights);
+    tube(places * k + 1, k, first_third_weights);
+    tube(places * k + 2, k, second_third_weights);
   }
   for (std::size_t i = 0; i < passing.passes.size(); ++i) {
     const SplinePlace place(passing.passes[i], intervals_);
     const Vector<D> off = between(corridor_.legs[i].to, sum_of(&c[place.first], place.weights));
     Vector<D> velocity = sum_of(&c[place.first], place.slopes);
-    const double speed = size(velocity), aside = std::abs(inner(off, velocity));
-    const bool passes_nearest = speed > 0 && aside <= 0.3 * size(off) * speed;
+    const double speed = size(velocity);
     for (double& v : velocity) v /= speed;
-    add.distance(place.first, place.weights, off, corridor_.margin_at(i), passes_nearest ? &velocity : nullptr);
+    const bool may_move = speed > 0 && is_across(off, velocity);
+    add.distance(place.first, place.weights, off, corridor_.margin_at(i), may_move ? &velocity : nullptr);
   }
   model.fix_ends();
 }

@@ -4,7 +4,7 @@
 //
 //     minimise  t·w − Σ log(slack)     |Δ³c| ≤ j h₀³ w     |Δ²c| ≤ a h₀² w^(2/3)     |Δc| ≤ v h₀ w^(1/3)
 //
-// and each knot, and the place halfway to the next, within the margin of its leg, each joint passed within it. The
+// and each knot, and two places to the next, within the margin of its leg, each joint passed within it. The
 // right-hand sides are concave in w, so that this is convex where it is fixed which leg each knot belongs to and when
 // each joint is passed; here both follow the motion (corridor_optimum.hpp). A place near a leg may move along it.
 
@@ -15,10 +15,13 @@
 
 namespace leadscrew::toolpath {
 
+/// That are looked at in each interval: its knot and two more, a third of it apart.
+inline constexpr std::size_t places = 3;
+
 /// What belongs where.
 struct Passing {
   std::vector<double> passes;       ///< when each joint is passed, in intervals
-  std::vector<std::uint32_t> legs;  ///< of each place: knot k is place 2k, halfway to the next 2k + 1
+  std::vector<std::uint32_t> legs;  ///< of each place: knot k is place 3k
 };
 
 template <std::size_t D>

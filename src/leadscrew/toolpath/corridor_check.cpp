@@ -35,31 +35,35 @@ Bezier<D> cut(Bezier<D>& b, double u) {
 template <std::size_t D>
 class Check {
  public:
-  explicit Check(const Corridor<D>& corridor) : corridor_(corridor) {}
+  explicit Check(const Corridor<D>& corridor) : corridor_(corridor), shares_(corridor.legs.size()) {}
 
   /// Goes on along a leg; looks closer where it seems to be farther off than any place before.
-  void add(const Bezier<D>& part, std::size_t leg, int halvings = 2) {
+  void add(const Bezier<D>& part, std::size_t leg, int halvings = 4) {
     const CorridorLeg<D>& at = corridor_.legs[leg];
     const double share = share_of(part, at);
-    if (share > greatest_ && halvings > 0) {
+    if (share > std::max(shares_[leg], close) && halvings > 0) {
       Bezier<D> first = part;
       const Bezier<D> second = cut(first, 0.5);
       add(first, leg, halvings - 1);
       add(second, leg, halvings - 1);
       return;
     }
-    greatest_ = std::max(greatest_, share);
+    shares_[leg] = std::max(shares_[leg], share);
     farthest_ = std::max(farthest_, goes_on(part, at) ? at.advance(part[3]) : greatest_advance(part, at));
   }
 
   void pass(std::size_t joint, const Vector<D>& x) {
-    greatest_ = std::max(greatest_, size(between(corridor_.legs[joint].to, x)) / corridor_.margin_at(joint));
+    const double off = size(between(corridor_.legs[joint].to, x));
+    for (const std::size_t leg : {joint, joint + 1})
+      shares_[leg] = std::max(shares_[leg], off / corridor_.legs[leg].margin);
     farthest_ = 0;
   }
 
-  double greatest() const { return greatest_; }
+  std::vector<double> shares() const { return shares_; }
 
  private:
+  static constexpr double close = 0.95;  // below, it does not matter how near
+
   static bool goes_on(const Bezier<D>& part, const CorridorLeg<D>& leg) {
     const double b[] = {leg.advance(part[0]), leg.advance(part[1]), leg.advance(part[2]), leg.advance(part[3])};
     return b[0] <= b[1] && b[1] <= b[2] && b[2] <= b[3];
@@ -101,14 +105,14 @@ class Check {
   }
 
   const Corridor<D>& corridor_;
-  double greatest_ = 0;
+  std::vector<double> shares_;
   double farthest_ = 0;  // along the leg
 };
 
 }  // namespace
 
 template <std::size_t D>
-double greatest_share(const Corridor<D>& corridor, const TimeSpline<D>& motion) {
+std::vector<double> shares_of_margins(const Corridor<D>& corridor, const TimeSpline<D>& motion) {
   Check<D> check(corridor);
   std::size_t leg = 0;
   for (std::size_t k = 0; k < motion.intervals(); ++k) {
@@ -127,10 +131,10 @@ double greatest_share(const Corridor<D>& corridor, const TimeSpline<D>& motion) 
     }
     check.add(rest, leg);
   }
-  return check.greatest();
+  return check.shares();
 }
 
-template double greatest_share<2>(const Corridor<2>&, const TimeSpline<2>&);
-template double greatest_share<3>(const Corridor<3>&, const TimeSpline<3>&);
+template std::vector<double> shares_of_margins<2>(const Corridor<2>&, const TimeSpline<2>&);
+template std::vector<double> shares_of_margins<3>(const Corridor<3>&, const TimeSpline<3>&);
 
 }  // namespace leadscrew::toolpath

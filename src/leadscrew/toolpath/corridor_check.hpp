@@ -7,8 +7,8 @@
 
 namespace leadscrew::toolpath {
 
-/// The greatest distance over the leg's margin: no place has more. `looks`: each interval is told by so many parts.
+/// Of each leg, the greatest distance over its margin: no place has more.
 template <std::size_t D>
-double greatest_share(const Corridor<D>& corridor, const TimeSpline<D>& motion);
+std::vector<double> shares_of_margins(const Corridor<D>& corridor, const TimeSpline<D>& motion);
 
 }  // namespace leadscrew::toolpath

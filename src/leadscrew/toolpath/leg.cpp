@@ -50,7 +50,11 @@ double spent_by(const Leg& leg) {
 }
 
 double margin_about(const Leg& leg) {
-  return kept_share * tolerance_of(leg) - spent_by(leg);
+  return margin_about(leg, kept_share);
+}
+
+double margin_about(const Leg& leg, double share) {
+  return share * tolerance_of(leg) - spent_by(leg);
 }
 
 double margin_beside(double tolerance, double spent) {

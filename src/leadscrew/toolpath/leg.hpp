@@ -79,6 +79,8 @@ double spent_by(const Leg& leg);
 
 /// How far a spline may be from the polyline of the leg, mm. P; for legs that are fitted as a whole no more than Q.
 double margin_about(const Leg& leg);
+/// The same with another share of the tolerance kept than splines keep.
+double margin_about(const Leg& leg, double share);
 
 /// How far a blend may be off within the tolerance P, mm, where no leg has spent more than `spent` and none more than
 /// most_spent of its own P.

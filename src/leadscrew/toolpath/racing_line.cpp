@@ -34,13 +34,17 @@ CorridorLimits<3> limits_of(const machine::Machine& machine) {
   return limits;
 }
 
+double margin_of(const Leg& leg) {
+  return margin_about(leg, corridor_share);
+}
+
 /// As a corridor: a line, an arc in a plane in parts of at most half a turn, anything else by chords.
 std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
   const geometry::Curve& curve = leg.curve;
   const double length = geometry::length(curve);
   const auto at = [&](double s) { return place_of(geometry::evaluate(curve, s)); };
   std::vector<CorridorLeg<3>> legs;
-  if (is_line(curve)) return {line_leg<3>(at(0), at(length), margin_about(leg), leg.feed)};
+  if (is_line(curve)) return {line_leg<3>(at(0), at(length), margin_of(leg), leg.feed)};
   const auto* const arc = std::get_if<geometry::Arc>(&curve);
   if (arc && arc->first() < 3 && arc->second() < 3 && geometry::moving(curve).size() == 2) {
     const geometry::Arc::Turn turn = arc->turn();
@@ -50,13 +54,13 @@ std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
     const double sweep = arc->angle_rate() * length, parts = std::ceil(std::abs(sweep) / 3.0);
     for (double k = 0; k < parts; ++k) {
       legs.push_back(arc_leg<3>(at(length * k / parts), at(length * (k + 1) / parts), arc->first(), arc->second(),
-                                center, sweep / parts, margin_about(leg) + sagitta(leg), leg.feed));
+                                center, sweep / parts, margin_of(leg) + sagitta(leg), leg.feed));
     }
     return legs;
   }
   for (double s = 0; s < length;) {
     const double next = chord_end(curve, s, length, sagitta(leg));
-    legs.push_back(line_leg<3>(at(s), at(next), margin_about(leg), leg.feed));
+    legs.push_back(line_leg<3>(at(s), at(next), margin_of(leg), leg.feed));
     s = next;
   }
   return legs;
@@ -170,12 +174,6 @@ bool RacingLine::is_long(std::size_t leg) const {
   return legs_[leg].length - begun > reaches_of_long * reach_of(legs_[leg]);
 }
 
-/// Does the path turn back there?
-bool RacingLine::stops_at(std::size_t joint) const {
-  const CorridorLeg<3>&before = legs_[joint], &behind = legs_[joint + 1];
-  return size(between(before.tangent(before.length), behind.tangent(0))) >= tuning::corner::turned_back;
-}
-
 double RacingLine::speed_at(std::size_t joint) const {
   const CorridorLeg<3>&before = legs_[joint], &behind = legs_[joint + 1];
   const double turn = size(between(before.tangent(before.length), behind.tangent(0)));
@@ -196,7 +194,7 @@ std::optional<RacingLine::Window> RacingLine::choose(bool all) const {
   for (std::size_t i = 0; i < legs_.size(); ++i) {
     const bool is_last = i + 1 == legs_.size();
     if (i > 0 && is_long(i)) return Window{i + 1, CorridorEnd::moving, reach_of(legs_[i]), false};
-    if (is_last ? all : stops_at(i)) return Window{i + 1, CorridorEnd::rest, legs_[i].length, false};
+    if (is_last && all) return Window{i + 1, CorridorEnd::rest, legs_[i].length, false};
     seconds += seconds_along(i);
     fastest = std::max(fastest, speed_along(legs_[i]));
     const double stop = fastest / least_.acceleration + least_.acceleration / least_.jerk;
@@ -280,15 +278,17 @@ class InAxes {
       ends.points_at_begin[k] = projected<D>(ends3.points_at_begin[k], axes_);
       ends.points_at_end[k] = projected<D>(ends3.points_at_end[k], axes_);
     }
-    double share = planned_share;
+    std::vector<double> shares(full_.legs.size(), planned_share);
     for (int k = 0; k < most_tries; ++k) {
       Corridor<D> planned = full_;
-      for (CorridorLeg<D>& leg : planned.legs) leg.margin *= share;
+      for (std::size_t i = 0; i < shares.size(); ++i) planned.legs[i].margin *= shares[i];
       const std::optional<TimeSpline<D>> found = least_time(planned, start_motion(planned, interval, ends));
       if (!found) return std::nullopt;
-      const double greatest = greatest_share(full_, *found);
-      if (greatest <= 1) return with_all(*found, still);
-      share *= 0.995 / greatest;
+      const std::vector<double> reached = shares_of_margins(full_, *found);
+      if (*std::max_element(reached.begin(), reached.end()) <= 1) return with_all(*found, still);
+      for (std::size_t i = 0; i < shares.size(); ++i) {
+        if (reached[i] > 1) shares[i] *= less_than_reached / reached[i];
+      }
     }
     return std::nullopt;
   }
@@ -331,7 +331,7 @@ std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
     if (!motion) return found;
     const double off = motion->interval / wanted;
     found = Plan{std::move(*motion), window.count};
-    if (!goes_on || std::abs(off - 1) < allowed_interval) break;
+    if (goes_on ? std::abs(off - 1) < allowed_interval : off < coarse_interval) break;
     interval_ratio_ = std::clamp(interval_ratio_ * off, 0.25, 4.0);
   }
   return found;

@@ -73,7 +73,6 @@ class RacingLine {
   std::optional<Window> choose(bool all) const;
   double seconds_along(std::size_t leg) const;
   double speed_at(std::size_t joint) const;
-  bool stops_at(std::size_t joint) const;
   double speed_along(const CorridorLeg<3>& leg) const;
   double reach_of(const CorridorLeg<3>& leg) const;
   bool is_long(std::size_t leg) const;

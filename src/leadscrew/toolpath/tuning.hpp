@@ -81,8 +81,9 @@ namespace corridor {
 /// Of (P/j)^(1/3), and of P that motion may bulge between the places looked at. Longer intervals: less work. Shorter:
 /// nearer to the least time.
 inline constexpr double interval_of_corner = 0.5, interval_bulge = 0.05;
-/// Of the margin, what is planned in; the rest is for that bulge.
-inline constexpr double planned_share = 0.975;
+/// Of the tolerance, what a motion is proven to keep: the rest is for the rounding of words. Of that, what is planned in:
+/// the rest is for the bulge. Where it is too little, less of it by what was reached.
+inline constexpr double corridor_share = 0.997, planned_share = 0.992, less_than_reached = 0.995;
 /// The start. Slower: less in the way of its corners, and more steps from there.
 inline constexpr double start_acceleration = 0.6;  // of the machine's
 inline constexpr double start_step = 2;            // margins by |t⁺ − t⁻|: between control points at a corner
@@ -91,16 +92,17 @@ inline constexpr double first_gap = 2, last_gap = 0.01, growth_of_weight = 8;
 inline constexpr double enough_decrement = 0.5;
 /// Windows, in times to stop from the greatest speed: that one is planned ahead of what is kept of it, and that is kept.
 /// Longer: less of the end's influence. Shorter: the path is known sooner.
-inline constexpr double stops_ahead = 2.5, stops_planned = 4;
+inline constexpr double stops_ahead = 2.5, stops_planned = 12;
 inline constexpr std::size_t most_legs = 400;
 inline constexpr double reaches_of_long = 2.5;
 inline constexpr double nearly_all = 0.95;        // of what an arc's curvature allows, where its middle is travelled
 inline constexpr double merged_share = 0.15;      // of the margin, that short lines may take for being made one
 inline constexpr int most_tries = 3;              // with smaller margins
 inline constexpr int most_intervals = 2;          // tried for one window
+inline constexpr double coarse_interval = 1.3;    // of the one that suits
 inline constexpr double allowed_interval = 0.03;  // off the one that its ends were made for
-inline constexpr int most_steps = 60, patience = 10;  // of Newton's method, at each t
-inline constexpr double least_fall = 1;               // of the barrier, in so many
+inline constexpr int most_steps = 80, patience = 12;  // of Newton's method, at each t
+inline constexpr double least_fall = 0.7;             // of the barrier, in so many
 }  // namespace corridor
 
 /// s that what is made may cost more by feed than what it takes the place of.
