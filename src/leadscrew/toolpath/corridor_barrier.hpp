@@ -9,8 +9,8 @@
 // each joint is passed; here both follow the motion (corridor_optimum.hpp). A place near a leg may move along it.
 
 #include <cstdint>
-#include <leadscrew/numeric/banded.hpp>
 #include <leadscrew/toolpath/corridor.hpp>
+#include <leadscrew/toolpath/newton_model.hpp>
 #include <vector>
 
 namespace leadscrew::toolpath {
@@ -28,22 +28,6 @@ template <std::size_t D>
 struct CorridorPoint {
   std::vector<Vector<D>> points;
   double w = 1;
-};
-
-/// Gradient and Hessian in the control points, bordered by those in w.
-template <std::size_t D>
-struct NewtonModel {
-  static constexpr std::size_t half_bandwidth = 4 * D - 1;
-  numeric::BandedMatrix<half_bandwidth> hessian;
-  std::vector<double> slope, border;
-  double w_slope = 0, w_curvature = 0;
-  std::vector<double> along_slope, along_border;
-
-  void reset(std::size_t points);
-  /// The first three points and the last three do not move.
-  void fix_ends();
-  /// Of every point, and of w; returns the decrement, not finite where the model could not be solved.
-  double solve(std::vector<Vector<D>>& step, double& w_step);
 };
 
 template <std::size_t D>

@@ -1,6 +1,4 @@
-#include <leadscrew/toolpath/corridor_check.hpp>
-#include <leadscrew/toolpath/corridor_optimum.hpp>
-#include <leadscrew/toolpath/corridor_start.hpp>
+#include <leadscrew/toolpath/corridor_plan.hpp>
 #include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
@@ -123,6 +121,11 @@ void RacingLine::append(const CorridorLeg<3>& leg, double length) {
   merged_margin_ = leg.margin;
   legs_.push_back(leg);
   borders_.push_back(borders_.back() + length);
+  fastest_ = std::max(fastest_, speed_along(leg));
+  // Of the leg before it is known now.
+  const std::size_t last = legs_.size() - 1;
+  if (last > 0) clock_[last - 1] = (last > 1 ? clock_[last - 2] : clock_begin_) + seconds_along(last - 1);
+  clock_.push_back(0);
 }
 
 /// Lines that are passed within an interval and lie nearly in one become one.
@@ -130,7 +133,7 @@ bool RacingLine::merge(const CorridorLeg<3>& line, double length, double speed) 
   constexpr std::size_t most_merged = 64;
   if (legs_.size() < (is_moving_ ? 2U : 1U) || line.is_arc || merged_.size() >= most_merged) return false;
   const CorridorLeg<3>& last = legs_.back();
-  if (last.is_arc || (rest_ && rest_->count >= legs_.size())) return false;
+  if (last.is_arc) return false;
   const double margin = std::min(merged_margin_, line.margin), allowed = merged_share * margin;
   const double interval = interval_of_corner * std::cbrt(margin / least_.jerk);
   if (std::max(last.length, line.length) > speed * interval) return false;
@@ -189,20 +192,20 @@ double RacingLine::seconds_along(std::size_t leg) const {
   return std::max(length / speed_along(legs_[leg]), length / std::max((from + to) / 2, 0.5 * std::sqrt(a * length)));
 }
 
+/// To rest from the greatest speed so far, s.
+double RacingLine::stop_time() const {
+  return fastest_ / least_.acceleration + least_.acceleration / least_.jerk;
+}
+
 std::optional<RacingLine::Window> RacingLine::choose(bool all) const {
-  double seconds = 0, fastest = 0;
-  for (std::size_t i = 0; i < legs_.size(); ++i) {
-    const bool is_last = i + 1 == legs_.size();
-    if (i > 0 && is_long(i)) return Window{i + 1, CorridorEnd::moving, reach_of(legs_[i]), false};
-    if (is_last && all) return Window{i + 1, CorridorEnd::rest, legs_[i].length, false};
-    seconds += seconds_along(i);
-    fastest = std::max(fastest, speed_along(legs_[i]));
-    const double stop = fastest / least_.acceleration + least_.acceleration / least_.jerk;
-    if (is_last || !(seconds > (stops_ahead + stops_planned) * stop || i >= most_legs)) continue;
-    // Farther than what was planned before, to rest.
-    if (!rest_ || i + 1 > rest_->count) return Window{i + 1, CorridorEnd::rest, legs_[i].length, true};
-  }
-  return std::nullopt;
+  const std::size_t last = legs_.size() - 1;
+  if (last > 0 && is_long(last)) return Window{last + 1, CorridorEnd::moving, reach_of(legs_[last]), false};
+  if (all) return Window{last + 1, CorridorEnd::rest, legs_[last].length, false};
+  // The last leg may still grow.
+  if (last == 0 || (rest_ && last <= rest_->count)) return std::nullopt;
+  const bool is_enough = clock_[last - 1] - clock_begin_ > (stops_ahead + stops_planned) * stop_time();
+  if (!is_enough && last < most_legs) return std::nullopt;
+  return Window{last, CorridorEnd::rest, legs_[last - 1].length, true};
 }
 
 /// Control points of a motion along the leg whose knot is there; the middle one is nearest.
@@ -219,104 +222,12 @@ std::array<Vector<3>, 3> RacingLine::points_at(const CorridorLeg<3>& leg, double
   return {along(along(middle, -step, tangent), 0.5, bend), middle, along(along(middle, step, tangent), 0.5, bend)};
 }
 
-namespace {
-
-/// The coordinates that a window's legs move in, two at least.
-std::vector<std::size_t> moving_axes(const std::deque<CorridorLeg<3>>& legs, std::size_t count,
-                                     std::span<const Vector<3>> given) {
-  std::vector<std::size_t> axes, still;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double first = legs.front().from[axis];
-    bool moves = false;
-    for (std::size_t i = 0; i < count; ++i)
-      moves = moves || legs[i].from[axis] != first || legs[i].to[axis] != first ||
-              (legs[i].is_arc && (legs[i].first == axis || legs[i].second == axis));
-    for (const Vector<3>& point : given) moves = moves || point[axis] != first;
-    (moves ? axes : still).push_back(axis);
-  }
-  while (axes.size() < 2) {
-    axes.push_back(still.front());
-    still.erase(still.begin());
-  }
-  std::sort(axes.begin(), axes.end());
-  return axes;
-}
-
-template <std::size_t D>
-Vector<D> projected(const Vector<3>& a, const std::vector<std::size_t>& axes) {
-  Vector<D> b;
-  for (std::size_t i = 0; i < D; ++i) b[i] = a[axes[i]];
-  return b;
-}
-
-template <std::size_t D>
-CorridorLeg<D> projected(const CorridorLeg<3>& leg, const std::vector<std::size_t>& axes) {
-  const Vector<D> from = projected<D>(leg.from, axes), to = projected<D>(leg.to, axes);
-  if (!leg.is_arc) return line_leg<D>(from, to, leg.margin, leg.feed);
-  const auto at = [&](std::size_t axis) {
-    return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
-  };
-  return arc_leg<D>(from, to, at(leg.first), at(leg.second), projected<D>(leg.center, axes), leg.turn, leg.margin,
-                    leg.feed);
-}
-
-/// In so many coordinates.
-template <std::size_t D>
-class InAxes {
- public:
-  InAxes(const Corridor<3>& corridor, std::vector<std::size_t> axes) : axes_(std::move(axes)) {
-    for (const CorridorLeg<3>& leg : corridor.legs) full_.legs.push_back(projected<D>(leg, axes_));
-    full_.limits = {projected<D>(corridor.limits.velocity, axes_), projected<D>(corridor.limits.acceleration, axes_),
-                    projected<D>(corridor.limits.jerk, axes_)};
-    full_.begin = corridor.begin;
-    full_.end = corridor.end;
-  }
-
-  std::optional<TimeSpline<3>> motion(const CorridorEnds<3>& ends3, double interval, const Vector<3>& still) const {
-    CorridorEnds<D> ends{ends3.begin, ends3.end, {}, {}};
-    for (std::size_t k = 0; k < 3; ++k) {
-      ends.points_at_begin[k] = projected<D>(ends3.points_at_begin[k], axes_);
-      ends.points_at_end[k] = projected<D>(ends3.points_at_end[k], axes_);
-    }
-    std::vector<double> shares(full_.legs.size(), planned_share);
-    for (int k = 0; k < most_tries; ++k) {
-      Corridor<D> planned = full_;
-      for (std::size_t i = 0; i < shares.size(); ++i) planned.legs[i].margin *= shares[i];
-      const std::optional<TimeSpline<D>> found = least_time(planned, start_motion(planned, interval, ends));
-      if (!found) return std::nullopt;
-      const std::vector<double> reached = shares_of_margins(full_, *found);
-      if (*std::max_element(reached.begin(), reached.end()) <= 1) return with_all(*found, still);
-      for (std::size_t i = 0; i < shares.size(); ++i) {
-        if (reached[i] > 1) shares[i] *= less_than_reached / reached[i];
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
-  TimeSpline<3> with_all(const TimeSpline<D>& found, const Vector<3>& still) const {
-    TimeSpline<3> motion{{}, found.passes, found.interval};
-    motion.points.assign(found.points.size(), still);
-    for (std::size_t k = 0; k < found.points.size(); ++k) {
-      for (std::size_t i = 0; i < D; ++i) motion.points[k][axes_[i]] = found.points[k][i];
-    }
-    return motion;
-  }
-
-  std::vector<std::size_t> axes_;
-  Corridor<D> full_;
-};
-
-}  // namespace
-
 std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
   Corridor<3> corridor;
   corridor.legs.assign(legs_.begin(), legs_.begin() + static_cast<std::ptrdiff_t>(window.count));
   corridor.limits = limits_;
   corridor.begin = is_moving_ ? CorridorEnd::moving : CorridorEnd::rest;
   corridor.end = window.end;
-  const std::vector<std::size_t> axes =
-      moving_axes(legs_, window.count, is_moving_ ? std::span<const Place>(given_) : std::span<const Place>());
   const bool goes_on = is_moving_ || window.end == CorridorEnd::moving;
   // Where motion goes on, its interval should come out as the one that its control points there were made for.
   const double wanted = is_moving_ ? given_interval_ : suitable_interval(corridor);
@@ -324,10 +235,7 @@ std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
   for (int k = 0; k < most_intervals; ++k) {
     CorridorEnds<3> ends{is_moving_ ? begin_ : 0, window.finish, given_, {}};
     if (window.end == CorridorEnd::moving) ends.points_at_end = points_at(corridor.legs.back(), window.finish, wanted);
-    const double interval = wanted / interval_ratio_;
-    std::optional<TimeSpline<3>> motion = axes.size() == 2
-                                              ? InAxes<2>(corridor, axes).motion(ends, interval, legs_.front().from)
-                                              : InAxes<3>(corridor, axes).motion(ends, interval, {});
+    std::optional<TimeSpline<3>> motion = plan_in(corridor, ends, wanted / interval_ratio_);
     if (!motion) return found;
     const double off = motion->interval / wanted;
     found = Plan{std::move(*motion), window.count};
@@ -385,10 +293,7 @@ void RacingLine::accept(Plan plan, const Window& window) {
     return;
   }
   // The next begins where a stop at the end of this one has no influence, as far from joints as may be.
-  double fastest = 0;
-  for (std::size_t i = 0; i < window.count; ++i) fastest = std::max(fastest, speed_along(legs_[i]));
-  const double ahead =
-      stops_ahead * (fastest / least_.acceleration + least_.acceleration / least_.jerk) / plan.motion.interval;
+  const double ahead = stops_ahead * stop_time() / plan.motion.interval;
   const double n = static_cast<double>(intervals), last = std::max(n - ahead, n / 3), first = std::max(0.7 * last, 6.0);
   std::size_t knot = static_cast<std::size_t>(std::max(last, 6.0));
   double farthest = 0;
@@ -432,6 +337,8 @@ void RacingLine::retreat(const Window& window) {
 
 void RacingLine::drop_before(std::size_t leg) {
   const auto count = static_cast<std::ptrdiff_t>(leg);
+  if (leg > 0) clock_begin_ = clock_[leg - 1];
+  clock_.erase(clock_.begin(), clock_.begin() + count);
   legs_.erase(legs_.begin(), legs_.begin() + count);
   borders_.erase(borders_.begin(), borders_.begin() + count);
   while (sources_.size() > 1 && sources_[1].u <= borders_.front()) sources_.pop_front();

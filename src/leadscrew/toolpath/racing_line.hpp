@@ -72,6 +72,7 @@ class RacingLine {
   bool emit_long_start();
   std::optional<Window> choose(bool all) const;
   double seconds_along(std::size_t leg) const;
+  double stop_time() const;
   double speed_at(std::size_t joint) const;
   double speed_along(const CorridorLeg<3>& leg) const;
   double reach_of(const CorridorLeg<3>& leg) const;
@@ -91,6 +92,9 @@ class RacingLine {
   Reduction reduction_;
   std::deque<CorridorLeg<3>> legs_;  ///< that are not done
   std::deque<double> borders_;       ///< u where they begin, and where the last one ends
+  std::deque<double> clock_;         ///< about when they end, s; not known of the last
+  double clock_begin_ = 0;           ///< and when the first begins
+  double fastest_ = 0;               ///< speed of any leg so far, mm/s
   std::deque<Source> sources_;
   std::deque<UpcomingEvent> events_;  ///< that are not done
   std::vector<Place> merged_;         ///< where the lines that became the last leg meet
