@@ -19,6 +19,8 @@ namespace leadscrew::toolpath {
 class Builder {
  public:
   void push(const gcode::Move& move);
+  /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
+  void tell_feed() { told_feed_ = -1; }
   /// No more moves will come.
   void finish();
   /// The next element that is settled, if there is one.
@@ -26,11 +28,13 @@ class Builder {
 
  private:
   void move_along(const gcode::Move& move);
+  void note_feed(base::Line line, double feed);
   void flush();
   void settle_events(bool motion_follows);
 
   std::optional<Smoother> smoother_;
-  std::vector<EventMark> passed_;  ///< events where the next move begins
+  std::vector<EventMark> passed_;    ///< events where the next move begins
+  std::optional<double> told_feed_;  ///< by the last event
   std::deque<Element> settled_;
 };
 
