@@ -49,6 +49,37 @@ TEST(Events, AreWrittenWithTheirWordsAndPlaces) {
   EXPECT_EQ(events[4][4] + events[3][4], "SM67");  // in the order of the program
 }
 
+/// Of a machine with a laser: a column of the trace, by `run` and by `simulate`, where words come later than events. What
+/// no block asks for is no event.
+TEST(Events, ReachTheLaserWithTheirWords) {
+  const Folder folder;
+  const std::string text = "G21 G90 G94 F6000 G61\nM67 E0 Q5\nG1 X20\nM68 E0 Q2\nF3000 X40\nG0 X60\nM2\n";
+  folder.write("part.ngc", text);
+  std::string machine = "[laser]\n";
+  for (const char axis : {'X', 'Y', 'Z'})
+    machine += std::string("[axis.") + axis + "]\ntravel_mm = [-500, 500]\nmax_velocity_mm_s = 200\n" +
+               "max_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\nblu_mm = 0.001\n";
+  folder.write("laser.toml", machine);
+  ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--machine", "laser.toml", "--trace", "t.csv", "--events", "e.csv",
+                               "--report", "r.html"})
+                .status,
+            0);
+  ASSERT_EQ(leadscrew(folder, {"simulate", "part.ngc", "--machine", "laser.toml", "--trace", "s.csv"}).status, 0);
+  const auto words = rows_of(folder.read("t.csv")), followed = rows_of(folder.read("s.csv"));
+  EXPECT_EQ(words[0].back(), "power");
+  EXPECT_EQ(followed[0].back(), "power");
+  ASSERT_EQ(rows_of(folder.read("e.csv")).size(), 4u);
+  EXPECT_FALSE(contains(folder.read("r.html"), "<td class=\"text\">F</td>"));
+  for (const auto* rows : {&words, &followed}) {
+    for (std::size_t k = 1; k < rows->size(); ++k) {
+      const auto& row = (*rows)[k];
+      const double x = std::stod(row[4]), feed = std::stod(row[3]);
+      const double expected = x < 20 ? 5 * feed / 100 : x < 40 ? 2 * feed / 50 : 0;
+      EXPECT_NEAR(std::stod(row.back()), expected, 1e-9) << row[0];
+    }
+  }
+}
+
 TEST(Events, StandOnTheReport) {
   const Folder folder;
   folder.write("part.ngc", part);

@@ -83,5 +83,24 @@ TEST(SpindleWaits, UnlessTheFileSaysOtherwise) {
   EXPECT_EQ(problems_of("spindle_waits = 0\n" + one_axis), Texts{"1:17 machine-type"});
 }
 
+TEST(Laser, IsReadWithItsDefaults) {
+  EXPECT_FALSE(read_machine(one_axis, "m")->laser);
+  EXPECT_EQ(read_machine(one_axis + "[laser]\n", "m")->laser, machine::Laser{});
+  const auto read = read_machine(one_axis + "[laser]\npower = \"S\"\noutput = 63\nfollow_feed = false\n", "m");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->laser, (machine::Laser{machine::Laser::Power::spindle_speed, 63, false}));
+}
+
+TEST(Laser, IsRefusedWhereItIsWrong) {
+  EXPECT_EQ(problems_of("laser = 5\n" + one_axis), Texts{"1:9 machine-type"});
+  EXPECT_EQ(problems_of(one_axis + "[laser]\npower = \"M62\"\n"), Texts{"8:9 machine-laser"});
+  EXPECT_EQ(problems_of(one_axis + "[laser]\npower = 67\n"), Texts{"8:9 machine-laser"});
+  EXPECT_EQ(problems_of(one_axis + "[laser]\noutput = 64\n"), Texts{"8:10 machine-laser"});
+  EXPECT_EQ(problems_of(one_axis + "[laser]\noutput = -1\n"), Texts{"8:10 machine-laser"});
+  EXPECT_EQ(problems_of(one_axis + "[laser]\noutput = 1.0\n"), Texts{"8:10 machine-type"});
+  EXPECT_EQ(problems_of(one_axis + "[laser]\nfollow_feed = 1\n"), Texts{"8:15 machine-type"});
+  EXPECT_EQ(problems_of(one_axis + "[laser]\nfeed = true\n"), Texts{"8:1 machine-key"});
+}
+
 }  // namespace
 }  // namespace leadscrew::config::testing

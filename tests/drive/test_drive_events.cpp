@@ -43,13 +43,25 @@ std::vector<EventRow> events_of(const std::string& csv) {
 TEST(DriveEvents, AreThoseOfRunBitForBit) {
   const Folder folder;
   folder.write("part.ngc", many_events(40, 900));
-  drive_without_a_tail(folder, {"--events", "driven.csv"});
-  drive_without_a_tail(folder, {"--events", "sent.csv", "--sink", "words.csv"});
-  EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--events", "run.csv"}).status, 0);
+  std::string machine = "[laser]\noutput = 1\n";
+  for (const char* axis : {"X", "Y", "Z"})
+    machine += "[axis." + std::string(axis) + "]\ntravel_mm = [-500, 500]\nmax_velocity_mm_s = 200\n" +
+               "max_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\nblu_mm = 0.001\n";
+  folder.write("laser.toml", machine);
+  drive_without_a_tail(folder, {"--machine", "laser.toml", "--events", "driven.csv", "--trace", "driven-words.csv"});
+  drive_without_a_tail(folder, {"--machine", "laser.toml", "--events", "sent.csv", "--sink", "words.csv"});
+  const std::vector<std::string> run = {"run",      "part.ngc", "--machine", "laser.toml",
+                                        "--events", "run.csv",  "--trace",   "run-words.csv"};
+  EXPECT_EQ(leadscrew(folder, run).status, 0);
   const std::string expected = folder.read("run.csv");
   EXPECT_EQ(std::count(expected.begin(), expected.end(), '\n'), 1 + 2 + 40 + 20 + 2);
   EXPECT_EQ(folder.read("driven.csv"), expected);
   EXPECT_EQ(folder.read("sent.csv"), expected);
+  // With the power of a laser.
+  const std::string words = folder.read("run-words.csv");
+  EXPECT_TRUE(words.starts_with("t,line,s,feed,X,Y,Z,power\n"));
+  EXPECT_EQ(folder.read("driven-words.csv"), words);
+  EXPECT_EQ(folder.read("words.csv"), words);
 }
 
 /// Those in force are told again where motion goes on; all others once.

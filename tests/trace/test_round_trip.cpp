@@ -155,6 +155,33 @@ TEST(NpyWriter, NumpyReadsIt) {
   std::filesystem::remove(file);
 }
 
+/// Behind those of the words and of the slides, and not in the way of who reads the words again.
+TEST(WordWriter, HasAColumnOfPower) {
+  const base::AxisSet axes = machine::mill3().axis_set();
+  const auto words = random_train(20, 3);
+  for (const std::string_view ending : endings()) {
+    std::string bytes;
+    WordWriter writer(ending, into(bytes), axes, millisecond, {.power = true});
+    for (const base::Word& word : words) ASSERT_TRUE(writer.write(word, {.power = 7.5}));
+    ASSERT_TRUE(writer.finish());
+    if (const auto header = writer.header()) bytes.replace(0, header->size(), *header);
+    auto reader = TraceReader::open(from(bytes, 1000), "trace", axes);
+    ASSERT_TRUE(reader) << reader.error().message;
+    for (const base::Word& word : words) {
+      const auto row = reader->next();
+      ASSERT_TRUE(row && *row) << ending;
+      EXPECT_EQ((*row)->position[1], word.position[1]);
+    }
+    const auto end = reader->next();
+    EXPECT_TRUE(end && !*end);
+  }
+  std::string text;
+  CsvWriter writer(into(text), axes, millisecond, {.actual = true, .power = true});
+  ASSERT_TRUE(writer.write({}, {.actual = {1, 2, 3}, .power = 0.5}));
+  ASSERT_TRUE(writer.finish());
+  EXPECT_EQ(text, "t,line,s,feed,X,Y,Z,actual_X,actual_Y,actual_Z,power\n0,0,0,0,0,0,0,1,2,3,0.5\n");
+}
+
 TEST(WordWriter, PassesOnWhatTheSinkSays) {
   const auto words = random_train(5000, 1);
   for (const std::string_view ending : endings()) {

@@ -13,18 +13,21 @@ namespace leadscrew::base {
 
 struct Event {
   enum class Kind : std::uint8_t {
-    spindle_stop,                    ///< M5
-    spindle_clockwise,               ///< M3; value: revolutions per minute
-    spindle_counterclockwise,        ///< M4; value: revolutions per minute
-    spindle_speed,                   ///< S; value: revolutions per minute
-    coolant_mist,                    ///< M7
-    coolant_flood,                   ///< M8
-    coolant_off,                     ///< M9
-    tool_prepare,                    ///< T; value: tool number
-    tool_change,                     ///< M6; value: tool number
-    pause,                           ///< M0
-    optional_pause,                  ///< M1
-    program_end,                     ///< M2, M30 or the closing %
+    spindle_stop,              ///< M5
+    spindle_clockwise,         ///< M3; value: revolutions per minute
+    spindle_counterclockwise,  ///< M4; value: revolutions per minute
+    spindle_speed,             ///< S; value: revolutions per minute
+    coolant_mist,              ///< M7
+    coolant_flood,             ///< M8
+    coolant_off,               ///< M9
+    tool_prepare,              ///< T; value: tool number
+    tool_change,               ///< M6; value: tool number
+    pause,                     ///< M0
+    optional_pause,            ///< M1
+    program_end,               ///< M2, M30 or the closing %
+    /// F; value: of the block that motion enters, mm/s (degrees/s where only rotary axes move), 0 of a rapid. Only where
+    /// somebody asks for it (toolpath::Builder::tell_feed).
+    programmed_feed,
     digital_output_on_with_motion,   ///< M62; output: its number; value: 1
     digital_output_off_with_motion,  ///< M63; likewise; value: 0
     digital_output_on,               ///< M64; as M62
@@ -51,6 +54,11 @@ constexpr bool is_with_motion(Event::Kind kind) {
          kind == Kind::analog_output_with_motion;
 }
 
+/// Does a block ask for it? Not where it only says how motion was programmed.
+constexpr bool is_of_program(Event::Kind kind) {
+  return kind != Event::Kind::programmed_feed;
+}
+
 /// Is it of an output that has a number?
 constexpr bool has_output(Event::Kind kind) {
   return kind >= Event::Kind::digital_output_on_with_motion;
@@ -65,6 +73,7 @@ constexpr bool has_value(Event::Kind kind) {
     case Kind::spindle_speed:
     case Kind::tool_prepare:
     case Kind::tool_change:
+    case Kind::programmed_feed:
     case Kind::analog_output_with_motion:
     case Kind::analog_output:
       return true;
@@ -75,8 +84,8 @@ constexpr bool has_value(Event::Kind kind) {
 
 /// As a program writes it: "M8", "S".
 constexpr std::string_view code_of(Event::Kind kind) {
-  constexpr std::string_view codes[] = {"M5", "M3", "M4", "S",   "M7",  "M8",  "M9",  "T",   "M6",
-                                        "M0", "M1", "M2", "M62", "M63", "M64", "M65", "M67", "M68"};
+  constexpr std::string_view codes[] = {"M5", "M3", "M4", "S",   "M7",  "M8",  "M9",  "T",   "M6", "M0",
+                                        "M1", "M2", "F",  "M62", "M63", "M64", "M65", "M67", "M68"};
   return codes[static_cast<std::size_t>(kind)];
 }
 

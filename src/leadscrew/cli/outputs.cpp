@@ -115,8 +115,8 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     if (auto made = make_folder(*job.arguments.run.out); !made) return base::failure(made.error());
   }
   if (paths.trace) {
-    const trace::TraceKind kind = follows ? trace::TraceKind::followed : trace::TraceKind::words;
-    if (auto opened = outputs.trace_.open(*paths.trace, job.machine, kind); !opened)
+    const trace::MoreColumns columns{.actual = follows, .power = job.machine.laser.has_value()};
+    if (auto opened = outputs.trace_.open(*paths.trace, job.machine, columns); !opened)
       return base::failure(opened.error());
   }
   if (paths.pulses) {
@@ -149,7 +149,8 @@ base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector
 }
 
 void Outputs::write(const base::PassedEvent& event) {
-  if (recording_) recording_->observe(event);
+  trace_.observe(event);
+  if (recording_ && base::is_of_program(event.kind)) recording_->observe(event);
   static_cast<void>(events_.write(event));
 }
 

@@ -1,8 +1,5 @@
-// The one file that includes toml++.
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +9,7 @@
 #include <leadscrew/config/file_text.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/config/machine_keys.hpp>
+#include <leadscrew/config/toml_values.hpp>
 #include <map>
 #include <optional>
 #include <set>
@@ -27,66 +25,6 @@ using Position = toml::source_position;
 namespace field = machine::field;
 
 constexpr const char* pitch_hint = "entries [position, error], such as [[-100, 0], [100, 0.012]]";
-constexpr const char* exact_hint = "integers are exact up to 9007199254740992; write others with a decimal point";
-
-std::string_view type_text(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::none:
-      return "nothing";
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "a list";
-    case toml::node_type::string:
-      return "a string";
-    case toml::node_type::integer:
-      return "an integer";
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "true or false";
-    default:
-      return "a date or time";
-  }
-}
-
-/// Is it an integer that no double holds exactly?
-bool is_inexact(const toml::node& node) {
-  return node.is_integer() && !node.value<double>();
-}
-
-/// Two numbers; empty where it is anything else.
-std::optional<std::array<double, 2>> pair_of(const toml::node& node) {
-  const toml::array* pair = node.as_array();
-  if (pair == nullptr || pair->size() != 2) return std::nullopt;
-  // Of an integer that no double holds there is no value.
-  const auto first = (*pair)[0].value<double>(), second = (*pair)[1].value<double>();
-  if (!(*pair)[0].is_number() || !(*pair)[1].is_number() || !first || !second) return std::nullopt;
-  return std::array{*first, *second};
-}
-
-/// What is wrong where pair_of() is empty, and what would be right.
-std::pair<std::string, std::string> not_a_pair(std::string_view what, const toml::node& node, const char* hint) {
-  const toml::array* list = node.as_array();
-  if (list == nullptr) return {fmt::format("{} is {}, not a list of two numbers", what, type_text(node)), hint};
-  const auto inexact = std::find_if(list->begin(), list->end(), is_inexact);
-  if (list->size() == 2 && inexact != list->end()) {
-    return {fmt::format("{} holds {}, which no double-precision number is", what, *inexact->value<std::int64_t>()),
-            exact_hint};
-  }
-  return {fmt::format("{} is a list, but not of two numbers", what), hint};
-}
-
-/// In the order of the file.
-std::vector<const toml::key*> unknown_keys(const toml::table& table, std::span<const std::string_view> known) {
-  std::vector<const toml::key*> unknown;
-  for (const auto& [key, node] : table) {
-    if (std::find(known.begin(), known.end(), key.str()) == known.end()) unknown.push_back(&key);
-  }
-  std::sort(unknown.begin(), unknown.end(),
-            [](const toml::key* a, const toml::key* b) { return a->source().begin < b->source().begin; });
-  return unknown;
-}
 
 /// The nearest whole number of them; empty for NaN.
 std::optional<std::int64_t> nanoseconds(double microseconds) {
@@ -107,6 +45,7 @@ class MachineReader {
     machine_.name = std::filesystem::path(file_).stem();
     if (const auto root = parse()) {
       read_machine_keys(*root);
+      read_laser(*root);
       read_axes(*root);
       judge();
     }
@@ -171,6 +110,18 @@ class MachineReader {
     for (const auto& [field, key, value] : machine_numbers) {
       if (const auto given = number(root, key, {.field = field})) machine_.*value = *given;
     }
+  }
+
+  void read_laser(const toml::table& root) {
+    const toml::node* node = root.get("laser");
+    if (node == nullptr) return;
+    const toml::table* table = table_of(*node, "laser", "[laser]", "laser");
+    if (table == nullptr) return;
+    check_keys(*table, laser_keys, false);
+    machine::Laser& laser = machine_.laser.emplace();
+    if (is_second(*table, "power", laser_powers, "machine-laser")) laser.power = machine::Laser::Power::spindle_speed;
+    if (const auto output = value<std::int64_t>(*table, "output", field::laser_output)) laser.output = *output;
+    if (const auto follow = value<bool>(*table, "follow_feed", "follow_feed")) laser.follow_feed = *follow;
   }
 
   void read_axes(const toml::table& root) {
@@ -271,13 +222,14 @@ class MachineReader {
   }
 
   /// Is the value the second of two words? Not where the key is missing.
-  bool is_second(const toml::table& table, std::string_view key, std::array<std::string_view, 2> words) {
+  bool is_second(const toml::table& table, std::string_view key, std::array<std::string_view, 2> words,
+                 std::string_view code = "machine-drive") {
     const toml::node* node = table.get(key);
     if (node == nullptr) return false;
     const auto word = node->value_exact<std::string>();
     if (word && (*word == words[0] || *word == words[1])) return *word == words[1];
     const std::string found = word ? fmt::format("\"{}\"", shown(*word)) : std::string(type_text(*node));
-    report("machine-drive", node->source().begin, fmt::format("{} is {}", key, found),
+    report(code, node->source().begin, fmt::format("{} is {}", key, found),
            fmt::format("\"{}\" or \"{}\"", words[0], words[1]));
     return false;
   }
@@ -334,18 +286,19 @@ class MachineReader {
     return table;
   }
 
-  /// A string, or true or false.
+  /// A string, a whole number, or true or false.
   template <typename T>
   std::optional<T> value(const toml::table& table, std::string_view key, std::string_view field) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return std::nullopt;
     positions_[slot_of({.field = field})] = node->source().begin;
     const auto value = node->value_exact<T>();
-    constexpr bool is_flag = std::is_same_v<T, bool>;
     if (!value) {
-      report("machine-type", node->source().begin,
-             fmt::format("{} is {}, not {}", key, type_text(*node), is_flag ? "true or false" : "a string"),
-             fmt::format("write {} = {}", key, is_flag ? "true" : "\"…\""));
+      const auto [kind, example] = std::is_same_v<T, bool>          ? std::pair("true or false", "true")
+                                   : std::is_same_v<T, std::string> ? std::pair("a string", "\"…\"")
+                                                                    : std::pair("a whole number", "0");
+      report("machine-type", node->source().begin, fmt::format("{} is {}, not {}", key, type_text(*node), kind),
+             fmt::format("write {} = {}", key, example));
     }
     return value;
   }

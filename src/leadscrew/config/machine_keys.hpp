@@ -28,9 +28,10 @@ inline constexpr std::array machine_numbers = {
 
 /// Outside tables.
 inline constexpr auto machine_keys = [] {
-  std::array<std::string_view, 5 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  std::array<std::string_view, 6 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
   for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
-  keys[keys.size() - 2] = spindle_waits_key;
+  keys[keys.size() - 3] = spindle_waits_key;
+  keys[keys.size() - 2] = "laser";
   keys.back() = "axis";
   return keys;
 }();
@@ -90,6 +91,10 @@ constexpr std::string_view text_of(const Key& key, base::Axis axis) {
 
 /// The key of [axis.X] that gives this field; empty where none does.
 std::string_view axis_key_of(base::Axis axis, std::string_view field);
+
+/// Of [laser], and what its power may be.
+inline constexpr std::array<std::string_view, 3> laser_keys = {"power", "output", "follow_feed"};
+inline constexpr std::array<std::string_view, 2> laser_powers = {"M67", "S"};
 
 /// Every key of [axis.X], of [axis.X.drive], and those without which there is no axis.
 std::vector<std::string_view> all_axis_keys(base::Axis axis);

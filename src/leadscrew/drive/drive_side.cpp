@@ -51,7 +51,9 @@ class DriveSide : public WordSide {
     const Options& options = setup.options;
     if (auto opened = open_events(setup); !opened) return opened;
     if (options.trace) {
-      if (auto opened = trace_file_.open(*options.trace, setup.machine); !opened) return opened;
+      if (auto opened = trace_file_.open(*options.trace, setup.machine, {.power = setup.machine.laser.has_value()});
+          !opened)
+        return opened;
     }
     if (options.axes) return axes_file_.open(*options.axes, setup.machine);
     return {};
@@ -113,8 +115,9 @@ class DriveSide : public WordSide {
     if (!link_.words.pop(word)) return false;
     last_ = word;
     follow({word.position, word.path_length});
+    for (const base::PassedEvent& event : take_events(word)) trace_file_.observe(event);
     took(trace_file_.write(word));
-    took(write_events(word));
+    took(write_events());
     took(observe());
     link_.taken.fetch_add(1, std::memory_order_release);
     return true;

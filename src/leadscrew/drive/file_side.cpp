@@ -21,8 +21,11 @@ constexpr std::size_t most_at_once = 4096;             // bytes, for which a pip
 FileSide::FileSide(Link& link, const Setup& setup, const State& begin)
     : WordSide(link, setup, begin),
       path_(*setup.options.sink),
-      writer_([this](std::string_view bytes) { return write(bytes); }, setup.machine.axis_set(), setup.machine.period),
-      progress_(realtime::now()) {}
+      writer_([this](std::string_view bytes) { return write(bytes); }, setup.machine.axis_set(), setup.machine.period,
+              {.power = setup.machine.laser.has_value()}),
+      progress_(realtime::now()) {
+  if (setup.machine.laser) laser_.emplace(*setup.machine.laser);
+}
 
 base::Result<void> FileSide::open(const Setup& setup) {
   if (auto opened = open_events(setup); !opened) return opened;
@@ -61,7 +64,12 @@ base::Result<void> FileSide::run() {
 void FileSide::take_words() {
   std::vector<base::Word> words;
   base::Result<void> written;
-  for (base::Word word; written && link_.words.pop(word); words.push_back(word)) written = writer_.write(word);
+  for (base::Word word; written && link_.words.pop(word); words.push_back(word)) {
+    for (const base::PassedEvent& event : take_events(word)) {
+      if (laser_) laser_->observe(event);
+    }
+    written = writer_.write(word, {.power = laser_ ? laser_->at(word) : 0});
+  }
   if (words.empty()) return;
   if (written) written = writer_.finish();
   if (!written) {
@@ -72,7 +80,7 @@ void FileSide::take_words() {
   }
   accepted_bytes_ = written_bytes_;
   last_ = words.back();
-  took(write_events(last_));
+  took(write_events());
   link_.taken.fetch_add(static_cast<std::int64_t>(words.size()), std::memory_order_release);
   for (const base::Word& word : words) link_.feedback.push({.word = word, .actual = word.position});
   state_writer_.observe(last_, {last_.position, last_.path_length});

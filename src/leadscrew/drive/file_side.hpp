@@ -3,6 +3,7 @@
 // its whole row is in the file, under its own name: whatever is killed, all words that the state knows are there.
 
 #include <leadscrew/drive/word_side.hpp>
+#include <leadscrew/machine/laser.hpp>
 #include <leadscrew/trace/csv_writer.hpp>
 
 namespace leadscrew::drive {
@@ -28,6 +29,7 @@ class FileSide : public WordSide {
   bool is_regular_ = false;
   std::int64_t accepted_bytes_ = 0, written_bytes_ = 0;
   trace::CsvWriter writer_;
+  std::optional<machine::LaserPower> laser_;
   std::int64_t progress_ = 0;  ///< ns: when something was last written
   bool gave_up_ = false;       ///< on a reader that does not read
 };

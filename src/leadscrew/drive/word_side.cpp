@@ -8,14 +8,22 @@ base::Result<void> WordSide::open_events(const Setup& setup) {
   return path ? event_file_.open(*path, setup.machine.period) : base::Result<void>();
 }
 
-base::Result<void> WordSide::write_events(const base::Word& word) {
-  base::Result<void> written;
-  while (written) {
+std::span<const base::PassedEvent> WordSide::take_events(const base::Word& word) {
+  const std::size_t taken = events_.size();
+  while (true) {
     if (!next_event_ && !link_.events.pop(next_event_.emplace())) next_event_.reset();
-    if (!next_event_ || next_event_->tick > word.tick) break;
-    written = event_file_.write(*next_event_);
+    if (!next_event_ || next_event_->tick > word.tick) return std::span(events_).subspan(taken);
+    events_.push_back(*next_event_);
     next_event_.reset();
   }
+}
+
+base::Result<void> WordSide::write_events() {
+  base::Result<void> written;
+  for (const base::PassedEvent& event : events_) {
+    if (written) written = event_file_.write(event);
+  }
+  events_.clear();
   return written;
 }
 

@@ -9,6 +9,7 @@
 #include <leadscrew/files/word_file.hpp>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace leadscrew::drive {
 
@@ -32,8 +33,10 @@ class WordSide {
     if (!result && !failed_) failed_ = result.error();
   }
   base::Result<void> open_events(const Setup& setup);
-  /// Writes those of the word, and of all before it.
-  base::Result<void> write_events(const base::Word& word);
+  /// Takes those of the word, and of all before it that have not been taken. Good until the next call.
+  std::span<const base::PassedEvent> take_events(const base::Word& word);
+  /// Writes those that have been taken.
+  base::Result<void> write_events();
   /// Files before the last state: who sees that finds them. One that cannot be written does not keep the others from
   /// being written.
   base::Result<void> conclude(std::span<files::WordFile* const> files);
@@ -46,6 +49,7 @@ class WordSide {
  private:
   files::EventFile event_file_;
   std::optional<base::PassedEvent> next_event_;  ///< of a word that has not been taken
+  std::vector<base::PassedEvent> events_;        ///< taken, not written
 };
 
 }  // namespace leadscrew::drive

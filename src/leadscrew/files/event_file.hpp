@@ -13,9 +13,9 @@ class EventFile {
  public:
   /// Errors as those of OutputFile.
   base::Result<void> open(const std::string& path, base::Period period);
-  /// Events without a file are passed over. Once one could not be written, finish() says so too.
+  /// Events without a file are passed over, and those that no block asks for. Once one could not be written, finish() says so too.
   base::Result<void> write(const base::PassedEvent& event) {
-    return writer_ ? writer_->write(event) : base::Result<void>();
+    return writer_ && base::is_of_program(event.kind) ? writer_->write(event) : base::Result<void>();
   }
   /// Events have ended: all of them are in the file, which has no name yet.
   base::Result<void> finish() { return writer_ ? writer_->finish() : base::Result<void>(); }

@@ -2,18 +2,22 @@
 
 namespace leadscrew::files {
 
-base::Result<void> WordFile::open(const std::string& path, const machine::Machine& machine, trace::TraceKind kind) {
+base::Result<void> WordFile::open(const std::string& path, const machine::Machine& machine,
+                                  trace::MoreColumns columns) {
   const std::string ending = extension(path);
   const auto access = trace::has_header_last(ending) ? OutputFile::Access::rewritable : OutputFile::Access::sequential;
   auto file = OutputFile::create(path, access);
   if (!file) return base::failure(file.error());
   file_ = std::make_unique<OutputFile>(std::move(*file));
-  writer_.emplace(ending, file_->sink(), machine.axis_set(), machine.period, kind);
+  writer_.emplace(ending, file_->sink(), machine.axis_set(), machine.period, columns);
+  if (columns.power) laser_.emplace(*machine.laser);
   return {};
 }
 
 base::Result<void> WordFile::write(const base::Word& word, const base::AxisVector& actual) {
-  return writer_ ? writer_->write(word, actual) : base::Result<void>();
+  if (!writer_) return {};
+  for (; !events_.empty() && events_.front().tick <= word.tick; events_.pop_front()) laser_->observe(events_.front());
+  return writer_->write(word, {actual, laser_ ? laser_->at(word) : 0});
 }
 
 base::Result<void> WordFile::finish() {

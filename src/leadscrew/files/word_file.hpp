@@ -1,6 +1,8 @@
 #pragma once
 // A trace that is written while words come, in the format that its name ends in: whole, or not there at all.
 
+#include <deque>
+#include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -14,9 +16,13 @@ namespace leadscrew::files {
 class WordFile {
  public:
   /// Errors as those of OutputFile.
-  base::Result<void> open(const std::string& path, const machine::Machine& machine,
-                          trace::TraceKind kind = trace::TraceKind::words);
-  /// `actual`: of TraceKind::followed, mm or degrees. Words without a file are passed over.
+  /// A column of power: of a machine with a laser only.
+  base::Result<void> open(const std::string& path, const machine::Machine& machine, trace::MoreColumns columns = {});
+  /// Of a word that will be written, in order: what a laser goes by.
+  void observe(const base::PassedEvent& event) {
+    if (laser_) events_.push_back(event);
+  }
+  /// `actual`: mm or degrees. Words without a file are passed over.
   base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
   /// Words have ended: all of them are in the file, which has no name yet.
   base::Result<void> finish();
@@ -28,6 +34,8 @@ class WordFile {
  private:
   std::unique_ptr<OutputFile> file_;  ///< the writer's sink refers to it
   std::optional<trace::WordWriter> writer_;
+  std::optional<machine::LaserPower> laser_;
+  std::deque<base::PassedEvent> events_;  ///< of words that have not been written
 };
 
 }  // namespace leadscrew::files

@@ -48,7 +48,11 @@ Along along(const planner::Segment& segment, DoubleDouble tau) {
 }  // namespace
 
 Interpolator::Interpolator(base::Period period, const base::AxisVector& position, double path_length, base::Line line)
-    : period_(period), length_before_end_(path_length), rest_(position), line_(line) {}
+    : period_(period),
+      ticks_per_second_(1e9 / static_cast<double>(period.nanoseconds)),
+      length_before_end_(path_length),
+      rest_(position),
+      line_(line) {}
 
 void Interpolator::load(const planner::Chunk& chunk) {
   if (!chunk.pieces.empty()) {

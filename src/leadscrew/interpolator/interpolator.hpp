@@ -74,6 +74,7 @@ class Interpolator {
   std::size_t ticks_before(numeric::DoubleDouble end, std::size_t most) const;
 
   base::Period period_;
+  double ticks_per_second_;
   base::Tick tick_{};
   const planner::Chunk* chunk_ = nullptr;
   std::span<const planner::Segment> segments_;  ///< of the committed part or the tail

@@ -37,8 +37,11 @@ std::size_t Interpolator::next(std::span<base::Word> words) {
 
 /// How many ticks from the next word's on, at most so many, lie before `end`, which that one does; maybe fewer.
 std::size_t Interpolator::ticks_before(DoubleDouble end, std::size_t most) const {
-  const double estimate = (end - now_).hi * (1e9 / static_cast<double>(period_.nanoseconds));
+  const double estimate = (end - now_).hi * ticks_per_second_;
   std::size_t count = estimate < static_cast<double>(most - 1) ? static_cast<std::size_t>(estimate) + 1 : most;
+  // Away from whole numbers the estimate, good to 1e-13 of itself, is right.
+  constexpr double doubtful = 1e-9;
+  if (estimate > static_cast<double>(count - 1) + doubtful) return count;
   while (count > 1 && end <= time_of(after(tick_, count - 1), period_)) --count;  // the estimate is off by two at most
   return count;
 }

@@ -5,10 +5,12 @@
 
 #define LEADSCREW_LANEWISE [[gnu::always_inline]] inline
 
+constexpr std::size_t lanes = LEADSCREW_LANES;
+
 typedef double Vector __attribute__((vector_size(8 * lanes)));
 typedef long long Mask __attribute__((vector_size(8 * lanes)));
 
-static_assert(2 * lanes <= spare_rows);
+static_assert(lanes <= most_lanes);
 
 struct Pair {
   Vector hi, lo;
@@ -16,6 +18,13 @@ struct Pair {
 
 LEADSCREW_LANEWISE Vector all(double value) {
   return value - Vector{};
+}
+
+/// The same, of a number that stands for bits: nothing is computed with it.
+LEADSCREW_LANEWISE Vector all_bits(double bits) {
+  Vector vector;
+  for (std::size_t lane = 0; lane < lanes; ++lane) vector[lane] = bits;
+  return vector;
 }
 
 LEADSCREW_LANEWISE Vector load(const double* from) {
@@ -64,33 +73,16 @@ LEADSCREW_LANEWISE Pair times(const geometry::Rate& rate, Pair s) {
   return {product.hi, product.lo + (rate.hi.value * s.lo + rate.lo * s.hi)};
 }
 
-/// The numbers of the segments, a column for each and a row for each word.
-LEADSCREW_LANEWISE void spread(const Block& block, Made& made) {
-  const std::size_t columns = block.degree == 5 ? Block::number_count : Block::c4;
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < block.stretch_count; ++k) {
-    const Block::Stretch& stretch = block.stretches[k];
-    // A few rows too many: what comes next is written over them, and lanes behind the last word have its numbers.
-    const std::size_t end = begin + stretch.words + (k + 1 == block.stretch_count ? lanes - 1 : 0);
-    for (std::size_t column = 0; column < columns; ++column) {
-      const Vector number = all(stretch.numbers[column]);
-      for (std::size_t i = begin; i < end; i += lanes) store(&made.numbers[column][i], number);
-    }
-    for (std::size_t i = begin; i < begin + stretch.words; ++i) made.state[i] = stretch.state;
-    begin += stretch.words;
-  }
-}
-
-/// Since their segments began, of the words from the `first`; of the last, for lanes behind it.
-LEADSCREW_LANEWISE Pair tau_of(const Block& block, const Made& made, std::size_t first) {
-  const double last = static_cast<double>(block.count - 1);
+/// Since the segment began, of the words from the `first`; of its last word, for lanes behind that.
+LEADSCREW_LANEWISE Pair tau_of(const Block& block, const Block::Stretch& stretch, std::size_t first, std::size_t end) {
+  const double last = static_cast<double>(end - 1);
   Vector number = all(static_cast<double>(first));
   for (std::size_t lane = 0; lane < lanes; ++lane) number[lane] += static_cast<double>(lane);
   number = number < last ? number : all(last);
   const Vector nanoseconds = block.nanoseconds + block.period * number;
   const Pair product = two_product(all(nanosecond.hi), nanoseconds);
   const Pair now = quick_two_sum(product.hi, product.lo + nanosecond.lo * nanoseconds);
-  return sum_of(now, {load(&made.numbers[Block::begin_hi][first]), load(&made.numbers[Block::begin_lo][first])});
+  return sum_of(now, {all(stretch.numbers[Block::begin_hi]), all(stretch.numbers[Block::begin_lo])});
 }
 
 struct Horner {
@@ -105,73 +97,131 @@ LEADSCREW_LANEWISE void step(Horner& sum, Vector tau, Vector coefficient) {
   sum.value = value.hi;
 }
 
-/// s and speed; false if the bits of one could differ.
-LEADSCREW_LANEWISE bool go_along(const Block& block, double length, int degree, Made& made) {
-  Mask is_good = all(least_s) < all(length);
-  for (std::size_t i = 0; i < block.count; i += lanes) {
-    const Pair tau = tau_of(block, made, i);
+/// s and speed of the words of a segment, of this degree, from `begin` to `end`; clears the lanes of `is_good` in which
+/// bits could differ. What lies behind the end, to fill a vector, is good for nothing: the next segment's is written over
+/// it.
+LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stretch, std::size_t begin, double length,
+                                 int degree, Made& made, Mask& is_good) {
+  const auto number = [&](Block::Number which) { return all(stretch.numbers[which]); };
+  const Vector state = all_bits(__builtin_bit_cast(double, static_cast<std::int64_t>(stretch.state)));
+  const std::size_t end = begin + stretch.words;
+  for (std::size_t i = begin; i < end; i += lanes) {
+    const Pair tau = tau_of(block, stretch, i, end);
     Horner sum{};
-    Mask is_whole = is_good | ~is_good;
     if (degree == 5) {
-      sum.value = load(&made.numbers[Block::c5][i]);
-      step(sum, tau.hi, load(&made.numbers[Block::c4][i]));
-      step(sum, tau.hi, load(&made.numbers[Block::c3][i]));
-      is_whole =
-          (sum.value != 0.0) | (load(&made.numbers[Block::c2][i]) != 0.0) | ((sum.speed == 0.0) & (sum.error == 0.0));
+      sum.value = number(Block::c5);
+      step(sum, tau.hi, number(Block::c4));
+      step(sum, tau.hi, number(Block::c3));
+      is_good &= (sum.value != 0.0) | (number(Block::c2) != 0.0);
     } else if (degree == 3) {
-      sum.value = load(&made.numbers[Block::c3][i]);
+      sum.value = number(Block::c3);
     }
     if (degree >= 3) {
-      step(sum, tau.hi, load(&made.numbers[Block::c2][i]));
-      step(sum, tau.hi, load(&made.numbers[Block::v0_hi][i]));
+      step(sum, tau.hi, number(Block::c2));
+      step(sum, tau.hi, number(Block::v0_hi));
     } else {
-      sum.value = load(&made.numbers[Block::v0_hi][i]);
+      sum.value = number(Block::v0_hi);
     }
-    sum.error += load(&made.numbers[Block::v0_lo][i]);
-    step(sum, tau.hi, load(&made.numbers[Block::s0_hi][i]));
-    sum.error += load(&made.numbers[Block::s0_lo][i]);
+    sum.error += number(Block::v0_lo);
+    step(sum, tau.hi, number(Block::s0_hi));
+    sum.error += number(Block::s0_lo);
     const Pair s = two_sum(sum.value, sum.error + tau.lo * sum.speed);
-    is_good &= is_whole & (tau.hi >= least_tau) & (s.hi >= least_s) & (s.hi < length);
+    is_good &= (tau.hi >= least_tau) & (s.hi >= least_s) & (s.hi < length);
     store(&made.s_hi[i], s.hi);
     store(&made.s_lo[i], s.lo);
     store(&made.speed[i], sum.speed);
+    store(&made.state[i], state);
+  }
+}
+
+/// False if the bits of a word could differ.
+LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made) {
+  Mask is_good = all(least_s) < all(length);
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < block.stretch_count; ++k) {
+    const Block::Stretch& stretch = block.stretches[k];
+    if (stretch.degree == 5) {
+      go_along(block, stretch, begin, length, 5, made, is_good);
+    } else if (stretch.degree == 3) {
+      go_along(block, stretch, begin, length, 3, made, is_good);
+    } else {
+      go_along(block, stretch, begin, length, 1, made, is_good);
+    }
+    begin += stretch.words;
   }
   bool are_good = true;
   for (std::size_t lane = 0; lane < lanes; ++lane) are_good = are_good && is_good[lane] != 0;
   return are_good;
 }
 
-/// All but the coordinates that move.
-LEADSCREW_LANEWISE void write(const Block& block, const geometry::Point& start, const Made& made, base::Word* words) {
+/// The columns that all words have: but for the coordinates that move, and the state.
+LEADSCREW_LANEWISE void describe(const Block& block, const geometry::Point& start, Made& made, Slots& slots) {
   base::Word common;
   common.position = start;
   common.line = block.line;
-  std::array<double, sizeof common / sizeof(double)> bytes;
-  __builtin_memcpy(bytes.data(), &common, sizeof common);
-  const std::int64_t tick = base::count(block.tick);
-  for (std::size_t i = 0; i < block.count; ++i) {
-    base::Word& word = words[i];
-    double* const to = reinterpret_cast<double*>(&word);
-    for (std::size_t k = 0; k + lanes <= bytes.size(); k += lanes) store(to + k, load(&bytes[k]));
-    store(to + (bytes.size() - lanes), load(&bytes[bytes.size() - lanes]));
-    word.tick = base::Tick{tick + static_cast<std::int64_t>(i)};
-    word.path_length = block.length_before + (made.s_hi[i] + made.s_lo[i]);
-    word.speed = made.speed[i];
-    word.feed = made.speed[i] * block.feed_rate;
-    word.state = made.state[i];
+  std::array<double, slot_count> numbers;
+  __builtin_memcpy(numbers.data(), &common, sizeof common);
+  for (std::size_t slot = 0; slot < slot_count; ++slot) slots.set(slot, numbers[slot]);
+  Mask tick = base::count(block.tick) - Mask{};
+  for (std::size_t lane = 0; lane < lanes; ++lane) tick[lane] += static_cast<std::int64_t>(lane);
+  for (std::size_t i = 0; i < block.count; i += lanes) {
+    __builtin_memcpy(&made.tick[i], &tick, sizeof tick);
+    tick += static_cast<std::int64_t>(lanes) - Mask{};
+    store(&made.path_length[i], block.length_before + (load(&made.s_hi[i]) + load(&made.s_lo[i])));
+    store(&made.feed[i], load(&made.speed[i]) * block.feed_rate);
   }
+  slots.set(slot_of_tick, made.tick.data());
+  slots.set(slot_of_path_length, made.path_length.data());
+  slots.set(slot_of_speed, made.speed.data());
+  slots.set(slot_of_feed, made.feed.data());
+  slots.set(slot_of_state, made.state.data());
 }
 
-LEADSCREW_LANEWISE void go_straight(const geometry::Slopes& slopes, const geometry::Point& start, const Made& made,
-                                    std::size_t count, base::Word* words) {
+/// So many slots of as many words, from these on: columns become rows.
+LEADSCREW_LANEWISE void write_square(const Slots& slots, std::size_t slot, std::size_t word, double* to) {
+  const Vector first = load(slots.at(slot, word)), second = load(slots.at(slot + 1, word));
+#if LEADSCREW_LANES == 4
+  const Vector third = load(slots.at(slot + 2, word)), fourth = load(slots.at(slot + 3, word));
+  const Vector even = __builtin_shufflevector(first, second, 0, 4, 2, 6);
+  const Vector odd = __builtin_shufflevector(first, second, 1, 5, 3, 7);
+  const Vector next_even = __builtin_shufflevector(third, fourth, 0, 4, 2, 6);
+  const Vector next_odd = __builtin_shufflevector(third, fourth, 1, 5, 3, 7);
+  store(to + slot, __builtin_shufflevector(even, next_even, 0, 1, 4, 5));
+  store(to + slot_count + slot, __builtin_shufflevector(odd, next_odd, 0, 1, 4, 5));
+  store(to + 2 * slot_count + slot, __builtin_shufflevector(even, next_even, 2, 3, 6, 7));
+  store(to + 3 * slot_count + slot, __builtin_shufflevector(odd, next_odd, 2, 3, 6, 7));
+#else
+  store(to + slot, __builtin_shufflevector(first, second, 0, 2));
+  store(to + slot_count + slot, __builtin_shufflevector(first, second, 1, 3));
+#endif
+}
+
+/// As many words as there are lanes.
+LEADSCREW_LANEWISE void write_rows(const Slots& slots, std::size_t word, base::Word* words) {
+  double* const to = reinterpret_cast<double*>(words);
+  for (std::size_t slot = 0; slot + lanes <= slot_count; slot += lanes) write_square(slots, slot, word, to);
+  if (slot_count % lanes != 0) write_square(slots, slot_count - lanes, word, to);
+}
+
+LEADSCREW_LANEWISE void write(const Slots& slots, std::size_t count, base::Word* words) {
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) write_rows(slots, i, words + i);
+  if (i == count) return;
+  std::array<base::Word, lanes> last;
+  write_rows(slots, i, last.data());
+  std::copy_n(last.begin(), count - i, words + i);
+}
+
+LEADSCREW_LANEWISE void go_straight(const geometry::Slopes& slopes, const geometry::Point& start, std::size_t count,
+                                    Made& made, Slots& slots) {
   for (const auto& slope : slopes.coordinates()) {
-    alignas(64) std::array<double, words_in_block> moved;
+    auto& moved = made.position[slope.coordinate];
     for (std::size_t i = 0; i < count; i += lanes) {
       const Pair product = times(slope.rate, {load(&made.s_hi[i]), load(&made.s_lo[i])});
       const Pair sum = two_sum(all(start[slope.coordinate]), product.hi);
       store(&moved[i], sum.hi + (sum.lo + product.lo));
     }
-    for (std::size_t i = 0; i < count; ++i) words[i].position[slope.coordinate] = moved[i];
+    slots.set(slot_of_position + slope.coordinate, moved.data());
   }
 }
 
@@ -181,7 +231,7 @@ LEADSCREW_LANEWISE Vector turned(Vector origin, Pair a, Pair b, Vector small) {
   return absolute.hi + (absolute.lo + (sum.lo + (a.lo + b.lo + small)));
 }
 
-LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, Made& made, std::size_t count, base::Word* words) {
+LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, std::size_t count, Made& made, Slots& slots) {
   const geometry::Arc::Turn turn = arc.turn();
   for (std::size_t i = 0; i < count; i += lanes) {
     const Pair angle = times(turn.rate, {load(&made.s_hi[i]), load(&made.s_lo[i])});
@@ -194,7 +244,7 @@ LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, Made& made, std::size
     made.cosine[i] = sines.cosine;
   }
   for (std::size_t i = count; i % lanes != 0; ++i) made.sine[i] = made.cosine[i] = 0;
-  alignas(64) std::array<double, words_in_block> first, second;
+  auto &first = made.position[arc.first()], &second = made.position[arc.second()];
   const double x = turn.x.hi.value, y = turn.y.hi.value;
   for (std::size_t i = 0; i < count; i += lanes) {
     const Vector angle = load(&made.angle[i]), angle_lo = load(&made.angle_lo[i]), s = load(&made.s_hi[i]);
@@ -210,32 +260,21 @@ LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, Made& made, std::size
     store(&first[i], turned(origin_first, x_cosine, {-y_sine.hi, -y_sine.lo}, small_first + turn.defect_first * s));
     store(&second[i], turned(origin_second, x_sine, y_cosine, small_second + turn.defect_second * s));
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    words[i].position[arc.first()] = first[i];
-    words[i].position[arc.second()] = second[i];
-  }
-}
-
-LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made) {
-  if (block.degree == 5) return go_along(block, length, 5, made);
-  if (block.degree == 3) return go_along(block, length, 3, made);
-  return go_along(block, length, 1, made);
+  slots.set(slot_of_position + arc.first(), first.data());
+  slots.set(slot_of_position + arc.second(), second.data());
 }
 
 [[gnu::noinline]] bool make_words(const Block& block, base::Word* words) {
   Made made;
-  spread(block, made);
-  if (const auto* line = std::get_if<geometry::Line>(block.curve)) {
-    if (!go_along(block, line->length(), made)) return false;
-    write(block, line->start(), made, words);
-    go_straight(line->slopes(), line->start(), made, block.count, words);
-    return true;
-  }
-  const auto& arc = *std::get_if<geometry::Arc>(block.curve);
-  if (!go_along(block, arc.length(), made)) return false;
-  write(block, arc.start(), made, words);
-  go_straight(arc.slopes(), arc.start(), made, block.count, words);
-  go_round(arc, made, block.count, words);
+  Slots slots;
+  const auto* const line = std::get_if<geometry::Line>(block.curve);
+  const auto* const arc = std::get_if<geometry::Arc>(block.curve);
+  if (!go_along(block, line ? line->length() : arc->length(), made)) return false;
+  const geometry::Point& start = line ? line->start() : arc->start();
+  describe(block, start, made, slots);
+  go_straight(line ? line->slopes() : arc->slopes(), start, block.count, made, slots);
+  if (arc) go_round(*arc, block.count, made, slots);
+  write(slots, block.count, words);
   return true;
 }
 

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <leadscrew/interpolator/tick_time.hpp>
 #include <leadscrew/interpolator/word_kernels.hpp>
+#include <type_traits>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -14,15 +17,46 @@ namespace {
 constexpr double least_coefficient = 0x1p-200, greatest_coefficient = 0x1p200;
 constexpr double least_tau = 0x1p-100, least_s = 0x1p-100, greatest_begin = 0x1p90;
 
-constexpr std::size_t spare_rows = 8;  // behind the last word: a kernel writes whole vectors, twice its lanes at most
+constexpr std::size_t most_lanes = 4;
 
-/// What one step of a kernel hands to the next, a row for each word.
+/// What one step of a kernel hands to the next, a row for each word; some of it stands for bits.
 struct Made {
-  /// Of the numbers of the segments; behind the last word, what that has.
-  alignas(64) std::array<std::array<double, words_in_block + spare_rows>, Block::number_count> numbers;
-  std::array<base::MotionState, words_in_block> state;
-  alignas(64) std::array<double, words_in_block> s_hi, s_lo, speed;
+  // Segment by segment, whole vectors: behind the last word there is room for what fills one.
+  alignas(64) std::array<double, words_in_block + most_lanes> s_hi, s_lo, speed, state;
+  alignas(64) std::array<double, words_in_block> tick, path_length, feed;
+  alignas(64) std::array<std::array<double, words_in_block>, base::axis_count> position;
   alignas(64) std::array<double, words_in_block> angle, angle_lo, sine, cosine;
+};
+
+// A word as slots of eight bytes, in its order.
+constexpr std::size_t slot_count = sizeof(base::Word) / sizeof(double);
+static_assert(sizeof(base::Word) == slot_count * sizeof(double) && std::is_trivially_copyable_v<base::Word>);
+constexpr std::size_t slot_of_tick = offsetof(base::Word, tick) / 8,
+                      slot_of_position = offsetof(base::Word, position) / 8,
+                      slot_of_path_length = offsetof(base::Word, path_length) / 8,
+                      slot_of_speed = offsetof(base::Word, speed) / 8, slot_of_feed = offsetof(base::Word, feed) / 8,
+                      slot_of_state = offsetof(base::Word, state) / 8;
+static_assert(std::endian::native == std::endian::little && sizeof(base::MotionState) == 1);  // a state in its slot
+
+/// What stands in each slot: of word i the double at begin + (i & mask), which may stand for bits.
+class Slots {
+ public:
+  void set(std::size_t slot, const double* column) {
+    begins_[slot] = column;
+    masks_[slot] = ~std::size_t{0};
+  }
+  /// The same in every word.
+  void set(std::size_t slot, double number) {
+    equal_[slot].fill(number);
+    begins_[slot] = equal_[slot].data();
+    masks_[slot] = 0;
+  }
+  const double* at(std::size_t slot, std::size_t word) const { return begins_[slot] + (word & masks_[slot]); }
+
+ private:
+  std::array<const double*, slot_count> begins_;
+  std::array<std::size_t, slot_count> masks_;
+  alignas(64) std::array<std::array<double, most_lanes>, slot_count> equal_;
 };
 
 /// How many coefficients of the segment count, as Interpolator::next() decides it.
@@ -42,8 +76,9 @@ bool is_moderate(double factor) {
 
 namespace plain {
 namespace {
-constexpr std::size_t lanes = 2;
+#define LEADSCREW_LANES 2
 #include <leadscrew/interpolator/word_kernel.inl>
+#undef LEADSCREW_LANES
 }  // namespace
 }  // namespace plain
 
@@ -59,11 +94,12 @@ constexpr std::size_t lanes = 2;
 #endif
 namespace avx2 {
 namespace {
-constexpr std::size_t lanes = 4;
+#define LEADSCREW_LANES 4
 [[gnu::always_inline]] inline __m256d fused(__m256d a, __m256d b, __m256d c) {
   return _mm256_fmadd_pd(a, b, c);
 }
 #include <leadscrew/interpolator/word_kernel.inl>
+#undef LEADSCREW_LANES
 }  // namespace
 }  // namespace avx2
 #if defined(__clang__)
@@ -112,10 +148,10 @@ bool Block::add(const planner::Segment& segment, numeric::DoubleDouble begin, st
                         is_moderate(segment.c2) && is_moderate(segment.v0.hi) && is_moderate(segment.s0.hi) &&
                         std::abs(begin.hi) <= greatest_begin;
   if (!is_usual) return false;
-  degree = std::max(degree, degree_of(segment));
   stretches[stretch_count++] = {{-begin.hi, -begin.lo, segment.s0.hi, segment.s0.lo, segment.v0.hi, segment.v0.lo,
                                  segment.c2, segment.c3, segment.c4, segment.c5},
                                 words,
+                                degree_of(segment),
                                 segment.state};
   count += words;
   return true;

@@ -14,8 +14,7 @@
 // Block::add() and is_in_range() ask for what words share, the kernels for τ and s in each word; whoever gets a no makes
 // the words one by one. Nothing overflows: no value exceeds 2⁷⁰⁰.
 //
-// Segments of different degree go together: steps with coefficients that are 0 change nothing but the signs of zeros, which
-// no sum that follows keeps. Where Interpolator::next() leaves out steps that would change something, a kernel says no.
+// Where Interpolator::next() leaves out steps along a segment, because what they begin with has become 0, a kernel says no.
 //
 // A kernel calls nothing through a pointer, so that what it reaches can be read from its machine code.
 
@@ -55,13 +54,13 @@ struct Block {
   double feed_rate = 1;      ///< feed by speed along the path
   base::Line line{};
   std::size_t count = 0;  ///< of words
-  int degree = 1;         ///< the greatest of the segments: 1, 3 or 5
 
   // What each of the segments is made of, in the order of the words.
   enum Number : std::uint8_t { begin_hi, begin_lo, s0_hi, s0_lo, v0_hi, v0_lo, c2, c3, c4, c5, number_count };
   struct Stretch {
     std::array<double, number_count> numbers;  ///< begin with its sign changed
     std::size_t words;
+    int degree;  ///< of the segment: 1, 3 or 5
     base::MotionState state;
   };
   std::size_t stretch_count = 0;

@@ -12,6 +12,7 @@ inline constexpr std::string_view period = "period";
 inline constexpr std::string_view tolerance = "tolerance";
 inline constexpr std::string_view chord_error = "chord error";
 inline constexpr std::string_view axes = "axes";
+inline constexpr std::string_view laser_output = "laser output";
 
 // Of an axis.
 inline constexpr std::string_view travel = "travel";

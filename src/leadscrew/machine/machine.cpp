@@ -84,6 +84,7 @@ std::vector<base::Diagnostic> validate(const Machine& machine) {
     check_axis(problems, axis, machine);
   }
   check_screws(problems, machine);
+  if (machine.laser) check_laser(*machine.laser, problems);
   if (!any)
     problems.push_back(problem("machine-axes", "the machine has no axis", "give at least one, such as [axis.X]",
                                {.field = field::axes}));

@@ -8,6 +8,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/machine/drive.hpp>
+#include <leadscrew/machine/laser.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <optional>
@@ -41,6 +42,7 @@ struct Machine {
 
   /// Does motion rest for M3, M4 and M5?
   bool spindle_waits = true;
+  std::optional<Laser> laser;
 
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
   base::AxisSet axis_set() const {
@@ -60,7 +62,7 @@ struct Machine {
 Machine mill3();
 
 /// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`,
-/// those of check_step_times(), check_screw() and check_drive(), and `pitch-axis` for screws of axes that the machine
+/// those of check_step_times(), check_screw(), check_drive() and check_laser(), and `pitch-axis` for screws of axes that the machine
 /// lacks.
 std::vector<base::Diagnostic> validate(const Machine& machine);
 

@@ -13,7 +13,9 @@ MotionSource::MotionSource(gcode::ByteSource source, const machine::Machine& mac
       start_(options.start),
       reader_(watched(std::move(source)), machine, tools, options, watched(std::move(diagnostics))),
       builder_(machine),
-      planner_(machine, options.start) {}
+      planner_(machine, options.start) {
+  if (machine.laser && machine.laser->follow_feed) builder_.tell_feed();
+}
 
 gcode::ByteSource MotionSource::watched(gcode::ByteSource source) {
   return [this, source = std::move(source)](std::span<char> buffer) -> base::Result<std::size_t> {

@@ -164,6 +164,8 @@ void Planner::keep_in_force(const base::Event& event) {
       case Kind::analog_output_with_motion:
       case Kind::analog_output:
         return 9;
+      case Kind::programmed_feed:
+        return 10;
       case Kind::pause:
       case Kind::optional_pause:
       case Kind::program_end:

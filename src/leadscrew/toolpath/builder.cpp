@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <leadscrew/toolpath/builder.hpp>
 #include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/leg.hpp>
@@ -48,6 +49,7 @@ void Builder::move_along(const gcode::Move& move) {
   std::vector<Piece> pieces = pieces_of(move);
   const double feed = pieces.empty() ? 0 : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
+  if (!pieces.empty()) note_feed(move.line, feed);
   if (!pieces.empty()) set_events(pieces.front(), std::exchange(passed_, {}));
   const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
   if (!blends) flush();
@@ -91,6 +93,14 @@ template <class Blending>
 void Builder::take_settled(std::optional<Blending>& blending) {
   if (!blending) return;
   while (std::optional<Piece> piece = blending->pop()) settled_.emplace_back(std::move(*piece));
+}
+
+/// Where the next move begins.
+void Builder::note_feed(base::Line line, double feed) {
+  const double told = std::isfinite(feed) ? feed : 0;
+  if (!told_feed_ || *told_feed_ == told) return;
+  told_feed_ = told;
+  passed_.push_back({0, {base::Event::Kind::programmed_feed, told, line, 0, false}});
 }
 
 /// What follows cannot change what was pushed so far.

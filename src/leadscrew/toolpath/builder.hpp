@@ -26,6 +26,8 @@ class Builder {
   explicit Builder(const machine::Machine& machine) : machine_(&machine) {}
 
   void push(const gcode::Move& move);
+  /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
+  void tell_feed() { told_feed_ = -1; }
   /// No more moves will come.
   void finish();
   /// The next element that is settled, if there is one.
@@ -38,13 +40,15 @@ class Builder {
   void settle(std::optional<Blending>& blending);
   template <class Blending>
   void take_settled(std::optional<Blending>& blending);
+  void note_feed(base::Line line, double feed);
   void flush();
   void settle_events(bool motion_follows);
 
   const machine::Machine* machine_ = nullptr;
   std::optional<RacingLine> racing_line_;
   std::optional<Smoother> smoother_;
-  std::vector<EventMark> passed_;  ///< events where the next move begins
+  std::vector<EventMark> passed_;    ///< events where the next move begins
+  std::optional<double> told_feed_;  ///< by the last event
   std::deque<Element> settled_;
 };
 

@@ -4,12 +4,12 @@
 namespace leadscrew::trace {
 namespace {
 
-constexpr std::size_t longest_row = (4 + 2 * base::axis_count) * (base::digits_room + 1);
+constexpr std::size_t longest_row = (5 + 2 * base::axis_count) * (base::digits_room + 1);
 
 }  // namespace
 
-CsvWriter::CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
-    : rows_(std::move(sink), longest_row), axes_(axes), period_(period), kind_(kind) {
+CsvWriter::CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns)
+    : rows_(std::move(sink), longest_row), axes_(axes), period_(period), columns_(columns) {
   std::string& header = rows_.text();
   header = "t,line,s,feed";
   for (const base::Axis axis : base::all_axes) {
@@ -18,14 +18,15 @@ CsvWriter::CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period perio
     header += base::letter(axis);
   }
   for (const base::Axis axis : base::all_axes) {
-    if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
+    if (!columns_.actual || !axes_.contains(axis)) continue;
     header += ",actual_";
     header += base::letter(axis);
   }
+  if (columns_.power) header += ",power";
   header += '\n';
 }
 
-base::Result<void> CsvWriter::write(const base::Word& word, const base::AxisVector& actual) {
+base::Result<void> CsvWriter::write(const base::Word& word, const BesideWord& beside) {
   if (!rows_.state()) return rows_.state();
   char row[longest_row];
   char* at = base::write_digits(row, base::seconds(word.tick, period_));
@@ -41,9 +42,13 @@ base::Result<void> CsvWriter::write(const base::Word& word, const base::AxisVect
     at = base::write_digits(at, word.position[base::index(axis)]);
   }
   for (const base::Axis axis : base::all_axes) {
-    if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
+    if (!columns_.actual || !axes_.contains(axis)) continue;
     *at++ = ',';
-    at = base::write_digits(at, actual[base::index(axis)]);
+    at = base::write_digits(at, beside.actual[base::index(axis)]);
+  }
+  if (columns_.power) {
+    *at++ = ',';
+    at = base::write_digits(at, beside.power);
   }
   *at++ = '\n';
   rows_.text().append(row, static_cast<std::size_t>(at - row));

@@ -9,15 +9,15 @@ namespace leadscrew::trace {
 
 class CsvWriter {
  public:
-  CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
-  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
+  CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns = {});
+  base::Result<void> write(const base::Word& word, const BesideWord& beside = {});
   base::Result<void> finish() { return rows_.flush(); }
 
  private:
   base::BlockSink rows_;
   base::AxisSet axes_;
   base::Period period_;
-  TraceKind kind_;
+  MoreColumns columns_;
 };
 static_assert(Writer<CsvWriter>);
 

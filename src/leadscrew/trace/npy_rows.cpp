@@ -218,6 +218,7 @@ base::Result<void> NpyRows::take_plain_columns(std::int64_t columns, base::AxisS
     }
   }
   axes_ = machine_axes;
+  if (columns == static_cast<std::int64_t>(fields_.size()) + 1) fields_.push_back({"power", Type::float64, {}});
   if (columns == static_cast<std::int64_t>(fields_.size())) return {};
   return base::failure(wrong("trace-column", "the array has " + std::to_string(columns) + " columns",
                              "the " + std::to_string(fields_.size()) + " columns t line s feed " +

@@ -25,14 +25,14 @@ void append_little_endian(std::string& bytes, double value) {
   bytes.append(text, sizeof text);
 }
 
-int columns(base::AxisSet axes, TraceKind kind) {
-  return 4 + axes.size() * (kind == TraceKind::followed ? 2 : 1);
+int column_count(base::AxisSet axes, const MoreColumns& columns) {
+  return 4 + axes.size() * (columns.actual ? 2 : 1) + (columns.power ? 1 : 0);
 }
 
 }  // namespace
 
-NpyWriter::NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind)
-    : rows_(std::move(sink), 8 * (4 + 2 * base::axis_count)), axes_(axes), period_(period), kind_(kind) {
+NpyWriter::NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns)
+    : rows_(std::move(sink), 8 * (5 + 2 * base::axis_count)), axes_(axes), period_(period), columns_(columns) {
   rows_.text() = header();
 }
 
@@ -41,13 +41,13 @@ std::string NpyWriter::header() const {
   text += static_cast<char>(header_bytes - 10);
   text += '\0';
   text += "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(rows_written_) + ", " +
-          std::to_string(columns(axes_, kind_)) + "), }";
+          std::to_string(column_count(axes_, columns_)) + "), }";
   text.resize(header_bytes - 1, ' ');
   text += '\n';
   return text;
 }
 
-base::Result<void> NpyWriter::write(const base::Word& word, const base::AxisVector& actual) {
+base::Result<void> NpyWriter::write(const base::Word& word, const BesideWord& beside) {
   if (!rows_.state()) return rows_.state();
   std::string& rows = rows_.text();
   append_little_endian(rows, base::seconds(word.tick, period_));
@@ -58,9 +58,10 @@ base::Result<void> NpyWriter::write(const base::Word& word, const base::AxisVect
     if (axes_.contains(axis)) append_little_endian(rows, word.position[base::index(axis)]);
   }
   for (const base::Axis axis : base::all_axes) {
-    if (kind_ != TraceKind::followed || !axes_.contains(axis)) continue;
-    append_little_endian(rows, actual[base::index(axis)]);
+    if (!columns_.actual || !axes_.contains(axis)) continue;
+    append_little_endian(rows, beside.actual[base::index(axis)]);
   }
+  if (columns_.power) append_little_endian(rows, beside.power);
   ++rows_written_;
   return rows_.flush_if_full();
 }

@@ -9,8 +9,8 @@ namespace leadscrew::trace {
 
 class NpyWriter {
  public:
-  NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, TraceKind kind = TraceKind::words);
-  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
+  NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns = {});
+  base::Result<void> write(const base::Word& word, const BesideWord& beside = {});
   base::Result<void> finish() { return rows_.flush(); }
   /// For the rows written so far; always of the same size.
   std::string header() const;
@@ -19,7 +19,7 @@ class NpyWriter {
   base::BlockSink rows_;
   base::AxisSet axes_;
   base::Period period_;
-  TraceKind kind_;
+  MoreColumns columns_;
   std::int64_t rows_written_ = 0;
 };
 static_assert(HeaderLast<NpyWriter>);

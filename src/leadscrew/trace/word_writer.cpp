@@ -32,17 +32,17 @@ bool has_header_last(std::string_view ending) {
 }
 
 WordWriter::AnyWriter WordWriter::made(std::string_view ending, const base::ByteSink& sink, base::AxisSet axes,
-                                       base::Period period, TraceKind kind) {
+                                       base::Period period, MoreColumns columns) {
   std::optional<AnyWriter> writer;
   with_format(ending, [&]<class F>(const F&) {
-    writer.emplace(std::in_place_type<typename F::Writer>, sink, axes, period, kind);
+    writer.emplace(std::in_place_type<typename F::Writer>, sink, axes, period, columns);
   });
   return std::move(*writer);
 }
 
 WordWriter::WordWriter(std::string_view ending, const base::ByteSink& sink, base::AxisSet axes, base::Period period,
-                       TraceKind kind)
-    : writer_(made(ending, sink, axes, period, kind)) {}
+                       MoreColumns columns)
+    : writer_(made(ending, sink, axes, period, columns)) {}
 
 std::optional<std::string> WordWriter::header() const {
   return std::visit(

@@ -20,10 +20,10 @@ class WordWriter {
  public:
   /// `ending`: of the file's name, in small letters, with its point.
   WordWriter(std::string_view ending, const base::ByteSink& sink, base::AxisSet axes, base::Period period,
-             TraceKind kind = TraceKind::words);
+             MoreColumns columns = {});
 
-  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {}) {
-    return std::visit([&](auto& writer) { return writer.write(word, actual); }, writer_);
+  base::Result<void> write(const base::Word& word, const BesideWord& beside = {}) {
+    return std::visit([&](auto& writer) { return writer.write(word, beside); }, writer_);
   }
   base::Result<void> finish() {
     return std::visit([](auto& writer) { return writer.finish(); }, writer_);
@@ -41,7 +41,7 @@ class WordWriter {
   using AnyWriter = Writers<std::remove_const_t<decltype(formats)>>::Any;
 
   static AnyWriter made(std::string_view ending, const base::ByteSink& sink, base::AxisSet axes, base::Period period,
-                        TraceKind kind);
+                        MoreColumns columns);
 
   AnyWriter writer_;
 };

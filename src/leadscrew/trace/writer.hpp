@@ -2,10 +2,9 @@
 // What a format of words has to offer.
 //
 // Columns are `t line s feed X Y Z …`: seconds, source line, path length, feed, then the machine's axes; mm, degrees,
-// seconds.
+// seconds. Others stand behind them.
 
 #include <concepts>
-#include <cstdint>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/sink.hpp>
@@ -15,18 +14,24 @@
 
 namespace leadscrew::trace {
 
-/// What the rows of a trace hold.
-enum class TraceKind : std::uint8_t {
-  words,     ///< where the axes were to be
-  followed,  ///< and where their slides were: columns actual_X, actual_Y, … after those of the words
+/// Which columns a trace has behind those of the words, in this order.
+struct MoreColumns {
+  bool actual = false;  ///< actual_X, actual_Y, …: where the slides were
+  bool power = false;   ///< power: of the laser
 };
 
-/// Opens a trace by its constructor, takes a word a row, and finishes with what is still gathered. `actual`: of
-/// TraceKind::followed, mm or degrees. Once the sink has failed, every later call fails with the same diagnostic.
+/// What they hold in the row of a word.
+struct BesideWord {
+  base::AxisVector actual{};  ///< mm or degrees
+  double power = 0;           ///< machine::LaserPower
+};
+
+/// Opens a trace by its constructor, takes a word a row, and finishes with what is still gathered. Once the sink has
+/// failed, every later call fails with the same diagnostic.
 template <class T>
-concept Writer = std::constructible_from<T, base::ByteSink, base::AxisSet, base::Period, TraceKind> &&
-                 requires(T writer, const base::Word& word, const base::AxisVector& actual) {
-                   { writer.write(word, actual) } -> std::same_as<base::Result<void>>;
+concept Writer = std::constructible_from<T, base::ByteSink, base::AxisSet, base::Period, MoreColumns> &&
+                 requires(T writer, const base::Word& word, const BesideWord& beside) {
+                   { writer.write(word, beside) } -> std::same_as<base::Result<void>>;
                    { writer.finish() } -> std::same_as<base::Result<void>>;
                  };
 
