@@ -74,12 +74,17 @@ function(leadscrew_precompile TARGET KIND)
   target_precompile_headers(${TARGET} REUSE_FROM ${first})
 endfunction()
 
-# leadscrew_use(TARGET ROOM…): link these rooms and see their headers; no others.
+# leadscrew_use(TARGET ROOM…): link these rooms and see their headers and those of the rooms that they declare; no others.
 function(leadscrew_use TARGET)
+  set(seen "")
   foreach(room ${ARGN})
+    get_property(declared TARGET leadscrew_${room} PROPERTY LEADSCREW_DEPENDS)
     target_link_libraries(${TARGET} PRIVATE leadscrew_${room})
-    target_include_directories(${TARGET} PRIVATE ${LEADSCREW_ROOM_VIEWS}/${room})
+    list(APPEND seen ${declared} ${room})
   endforeach()
+  list(REMOVE_DUPLICATES seen)
+  list(TRANSFORM seen PREPEND ${LEADSCREW_ROOM_VIEWS}/)
+  target_include_directories(${TARGET} PRIVATE ${seen})
 endfunction()
 
 # leadscrew_room(NAME [EDGE] [TEXT] [HOT] [LINKED] [TOGETHER [APART source…]] [DEPENDS room…] [HEADERS header-only-library…]): a room of the house. EDGE rooms lie outside
