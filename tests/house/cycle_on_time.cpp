@@ -76,7 +76,7 @@ int main(int argument_count, char** arguments) {
                                          if (is_sabotaged && base::count(word.tick) == 50) allocated = std::malloc(8);
                                          return stream->push(word);
                                        },
-                                   .lead_on = [&](const base::PathPlace& to) { return stream->lead_on(to); },
+                                   .append_stop_position = [&](const base::PathPlace& to) { return stream->append_stop_position(to); },
                                    .publish =
                                        [&] {
                                          seen = watch();
