@@ -49,7 +49,7 @@ class RisingWords {
     for (int k = 1; k <= 20; ++k) {
       base::PathPlace place;
       place.position[0] = risen(20) + risen(19) - risen(std::max(19 - k, 0));
-      EXPECT_TRUE(sink_.lead_on(place));
+      EXPECT_TRUE(sink_.append_stop_position(place));
     }
   }
 
@@ -106,7 +106,7 @@ TEST(GuardedSink, KeepsASliceBackWhoseWayToRestLeavesTheTravel) {
   GuardedSink guarded(*link, machine, near_the_end, 1000);
   const realtime::WordSink sink = guarded.sink();
   EXPECT_TRUE(sink.take(word_at(near_the_end[0] + 1e-3)));
-  EXPECT_TRUE(sink.lead_on({word_at(near_the_end[0] + 2e-3).position, 2e-3}));
+  EXPECT_TRUE(sink.append_stop_position({word_at(near_the_end[0] + 2e-3).position, 2e-3}));
   EXPECT_FALSE(sink.publish());
 }
 

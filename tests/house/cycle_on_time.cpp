@@ -70,18 +70,19 @@ int main(int argument_count, char** arguments) {
   Cuts cuts;
   const realtime::Planning planning = {
       .next = [&] { return cuts.next(); }, .refuse = [&] { cuts.refuse(); }, .override_feed = [](double) {}};
-  const realtime::WordSink sink = {.take =
-                                       [&](const base::Word& word) {
-                                         watch().may_read_clock = watch().armed = true;
-                                         if (is_sabotaged && base::count(word.tick) == 50) allocated = std::malloc(8);
-                                         return stream->push(word);
-                                       },
-                                   .lead_on = [&](const base::PathPlace& to) { return stream->lead_on(to); },
-                                   .publish =
-                                       [&] {
-                                         seen = watch();
-                                         return stream->publish();
-                                       }};
+  const realtime::WordSink sink = {
+      .take =
+          [&](const base::Word& word) {
+            watch().may_read_clock = watch().armed = true;
+            if (is_sabotaged && base::count(word.tick) == 50) allocated = std::malloc(8);
+            return stream->push(word);
+          },
+      .append_stop_position = [&](const base::PathPlace& to) { return stream->append_stop_position(to); },
+      .publish =
+          [&] {
+            seen = watch();
+            return stream->publish();
+          }};
   realtime::Runner runner({.period = path_period, .look_ahead = 0.05, .lead = 20, .slice = 20}, planning, sink);
   runner.start();
   base::Word word;

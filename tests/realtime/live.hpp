@@ -79,7 +79,7 @@ class Live {
                   words.push_back(word);
                   return true;
                 },
-            .lead_on = {},
+            .append_stop_position = {},
             .publish = {},
             .event =
                 [this](const base::PassedEvent& event) {
@@ -106,13 +106,14 @@ class Drives {
   ~Drives() { end(); }
 
   realtime::WordSink sink() {
-    return {.take = [this](const base::Word& word) { return stream_->push(word); },
-            .lead_on = [this](const base::PathPlace& place) { return stream_->lead_on(place); },
-            .publish =
-                [this] {
-                  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
-                  return stream_->publish();
-                }};
+    return {
+        .take = [this](const base::Word& word) { return stream_->push(word); },
+        .append_stop_position = [this](const base::PathPlace& place) { return stream_->append_stop_position(place); },
+        .publish =
+            [this] {
+              if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+              return stream_->publish();
+            }};
   }
   /// Until all words have been taken: when there will be no more.
   void end() {

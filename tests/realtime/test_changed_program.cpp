@@ -33,7 +33,7 @@ TEST(ChangedProgram, BringsARunnerToRestOnThePathThatWasChecked) {
                                    if (words.size() == change_at) is_changed.store(true);
                                    return true;
                                  },
-                             .lead_on = {},
+                             .append_stop_position = {},
                              .publish = {}});
     runner.start();
     while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);

@@ -60,11 +60,12 @@ class Abandoned {
     // Far ahead: no word waits for its time.
     auto chunk = chunks.begin();
     const auto next = [&] { return chunk == chunks.end() ? std::nullopt : std::optional(*chunk++); };
-    realtime::Runner runner({.period = machine.period, .look_ahead = 60, .lead = 1'000'000, .slice = 20},
-                            {.next = next, .refuse = [] {}, .override_feed = [](double) {}},
-                            {.take = [&](const base::Word& word) { return stream_->push(word); },
-                             .lead_on = [&](const base::PathPlace& to) { return stream_->lead_on(to); },
-                             .publish = [&, last_word] { return taken() <= last_word && stream_->publish(); }});
+    realtime::Runner runner(
+        {.period = machine.period, .look_ahead = 60, .lead = 1'000'000, .slice = 20},
+        {.next = next, .refuse = [] {}, .override_feed = [](double) {}},
+        {.take = [&](const base::Word& word) { return stream_->push(word); },
+         .append_stop_position = [&](const base::PathPlace& to) { return stream_->append_stop_position(to); },
+         .publish = [&, last_word] { return taken() <= last_word && stream_->publish(); }});
     runner.start();
     while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 100'000);
     EXPECT_EQ(runner.counters().starvations, 0);

@@ -108,7 +108,7 @@ TEST(Runner, GivesAnEventAgainThatTheSinkHasNoRoomFor) {
   };
   const std::string text = "G21 G90 G94 F6000\nM8\nG1 X1 S5\nM9\nG1 X2\nM2\n";
   Live live(text, machine, {}, {.period = machine.period},
-            realtime::WordSink{.take = take, .lead_on = {}, .publish = {}, .event = take_event});
+            realtime::WordSink{.take = take, .append_stop_position = {}, .publish = {}, .event = take_event});
   live.runner().start();
   live.wait();
   ASSERT_EQ(given.size(), 4u);
@@ -211,7 +211,7 @@ TEST(Runner, CountsThePeriodsThatItSleptThrough) {
                                    realtime::sleep_until(realtime::now() + 40'000'000);
                                  return true;
                                },
-                           .lead_on = {},
+                           .append_stop_position = {},
                            .publish = {}});
   runner.start();
   while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);
@@ -250,7 +250,8 @@ TEST(Runner, TakesNoMemoryForAWord) {
                                      if (!before) before = testing_support::allocations_of_thread();
                                      return stream->push(word);
                                    },
-                               .lead_on = [&](const base::PathPlace& place) { return stream->lead_on(place); },
+                               .append_stop_position =
+                                   [&](const base::PathPlace& place) { return stream->append_stop_position(place); },
                                .publish =
                                    [&] {
                                      const bool is_wanted = stream->publish();
@@ -286,7 +287,7 @@ TEST(Runner, LosesAndRepeatsNoWordWhenTheSinkIsFull) {
                                  words.push_back(word);
                                  return true;
                                },
-                           .lead_on = {},
+                           .append_stop_position = {},
                            .publish = {}});
   runner.start();
   while (!runner.has_ended()) realtime::sleep_until(realtime::now() + 1'000'000);

@@ -38,12 +38,12 @@ TEST(WordStream, LeadsToRestBehindTheLastPublishedWord) {
   base::Word word;
   base::PathPlace place;
   EXPECT_TRUE(stream.push(word_at(1)));
-  EXPECT_TRUE(stream.lead_on({{1.5}, 1.5}));
-  EXPECT_TRUE(stream.lead_on({{1.6}, 1.6}));
-  EXPECT_FALSE(stream.lead_on({{1.7}, 1.7}));
+  EXPECT_TRUE(stream.append_stop_position({{1.5}, 1.5}));
+  EXPECT_TRUE(stream.append_stop_position({{1.6}, 1.6}));
+  EXPECT_FALSE(stream.append_stop_position({{1.7}, 1.7}));
   EXPECT_TRUE(stream.publish());
   EXPECT_TRUE(stream.push(word_at(2)));
-  EXPECT_TRUE(stream.lead_on({{2.5}, 2.5}));
+  EXPECT_TRUE(stream.append_stop_position({{2.5}, 2.5}));
   EXPECT_FALSE(stream.leave_if_empty());
   EXPECT_FALSE(stream.has_left());
   EXPECT_TRUE(stream.pop(word));
@@ -64,7 +64,7 @@ TEST(WordStream, WhatWasPublishedIsTakenAfterLeaving) {
   base::Word word;
   base::PathPlace place;
   EXPECT_TRUE(stream.push(word_at(1)));
-  EXPECT_TRUE(stream.lead_on({{1.5}, 1.5}));
+  EXPECT_TRUE(stream.append_stop_position({{1.5}, 1.5}));
   EXPECT_TRUE(stream.publish());
   stream.leave();
   EXPECT_TRUE(stream.push(word_at(2)));
@@ -92,7 +92,7 @@ TEST(WordStream, TwoThreadsAgreeOnWhereTheDrivesLeft) {
           continue;
         }
         for (int part = 1; part <= 3 && number % 3 == 0; ++part) {
-          ASSERT_TRUE(stream->lead_on({{number + part / 4.0}, number + part / 4.0}));
+          ASSERT_TRUE(stream->append_stop_position({{number + part / 4.0}, number + part / 4.0}));
         }
         if (number % 3 == 0) {
           if (!stream->publish()) return;

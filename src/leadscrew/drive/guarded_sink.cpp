@@ -8,10 +8,10 @@ namespace leadscrew::drive {
 
 realtime::WordSink GuardedSink::sink() {
   return {.take = [this](const base::Word& word) { return take(word); },
-          .lead_on =
+          .append_stop_position =
               [this](const base::PathPlace& place) {
                 stop_path_guard_.observe(place.position);
-                return link_.words.lead_on(place);
+                return link_.words.append_stop_position(place);
               },
           .publish = [this] { return publish(); },
           .event = [this](const base::PassedEvent& event) { return link_.events.push(event); }};

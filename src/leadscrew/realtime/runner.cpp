@@ -135,10 +135,10 @@ bool Runner::take_events() noexcept {
 /// The words so far, and the stop path behind the one that waits.
 bool Runner::publish() noexcept {
   interpolator::Interpolator onward = controller_.onward();
-  for (base::MotionState state = waiting_->state; sink_.lead_on && state != base::MotionState::rest;) {
+  for (base::MotionState state = waiting_->state; sink_.append_stop_position && state != base::MotionState::rest;) {
     const base::Word word = onward.next();
     state = word.state;
-    if (sink_.lead_on({word.position, word.path_length})) continue;
+    if (sink_.append_stop_position({word.position, word.path_length})) continue;
     too_long_to_rest_.store(true, std::memory_order_release);
     return false;
   }

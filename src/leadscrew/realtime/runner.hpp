@@ -34,9 +34,10 @@ namespace leadscrew::realtime {
 
 /// Where words go; called by the cyclic thread: it must not wait. A sink that needs no stop path has `take` alone.
 struct WordSink {
-  std::function<bool(const base::Word&)> take;          ///< false if it has no room: it is given the word again
-  std::function<bool(const base::PathPlace&)> lead_on;  ///< appends a place to the stop path; false if it is too long
-  std::function<bool()> publish;                        ///< a slice; false if nobody wants words any more
+  std::function<bool(const base::Word&)> take;  ///< false if it has no room: it is given the word again
+  std::function<bool(const base::PathPlace&)>
+      append_stop_position;       ///< appends a place to the stop path; false if it is too long
+  std::function<bool()> publish;  ///< a slice; false if nobody wants words any more
   /// An event of the period that ends with the word that take is given next (base::PassedEvent::tick): each once, in
   /// order; false if it has no room: it is given the event again. Absent: events are passed over.
   std::function<bool(const base::PassedEvent&)> event = {};

@@ -17,7 +17,7 @@ WaitingSink::WaitingSink(std::function<bool(const base::Word&)> take,
 WordSink WaitingSink::sink() {
   // Refused, it takes what it will not keep: publish() is asked behind words that were taken.
   WordSink sink = {.take = [this](const base::Word& word) { return is_refused() || kept_->push(word); },
-                   .lead_on = {},
+                   .append_stop_position = {},
                    .publish = [this] { return !is_refused(); }};
   if (take_event_)
     sink.event = [this](const base::PassedEvent& event) { return is_refused() || kept_events_->push(event); };

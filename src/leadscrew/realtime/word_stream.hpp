@@ -41,7 +41,7 @@ class WordStream {
     return true;
   }
   /// Appends a place, a period later, to the stop path behind the last word pushed. False if it is too long.
-  bool lead_on(const base::PathPlace& place) noexcept {
+  bool append_stop_position(const base::PathPlace& place) noexcept {
     StopPath& stop_path = stop_paths_[spare_];
     if (stop_path.size == longest_stop_path) return false;
     stop_path.places[stop_path.size++] = place;

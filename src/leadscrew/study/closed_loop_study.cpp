@@ -90,13 +90,13 @@ Rows pulse_rows(double gain, double settled) {
                         "N/f and some times 1/Kv: no more to come, the counter 0, slower than a pulse a second")});
 }
 
-struct Place {
+struct SlidePosition {
   double x = 0, y = 0;
 };
 
-constexpr double speed = 20;    // mm/s
-constexpr double blu = 1e-4;    // mm
-constexpr double settling = 1;  // s: the start has died away to e⁻²⁰ of a following error, far below a BLU
+constexpr double speed = 20;          // mm/s
+constexpr double encoder_blu = 1e-4;  // mm
+constexpr double settling = 1;        // s: the start has died away to e⁻²⁰ of a following error, far below a BLU
 constexpr Scale micrometres = {"µm", 2};
 
 /// Two axes, their pulse-driven loops, and the steps that follow words.
@@ -106,7 +106,7 @@ class Table {
     machine::Machine machine = machine::mill3();
     for (const auto& [axis, loop] : {std::pair{base::Axis::X, x}, {base::Axis::Y, y}}) {
       machine.axes[base::index(axis)]->velocity = 2 * speed;
-      machine.axes[base::index(axis)]->blu = blu;
+      machine.axes[base::index(axis)]->blu = encoder_blu;
       machine.drives[base::index(axis)].position_gain = loop.gain;
       machine.drives[base::index(axis)].time_constant = loop.time_constant * 1000;
     }
@@ -119,13 +119,13 @@ class Table {
   template <class Path, class Look>
   void follow(Path&& place, double seconds, Look&& look) {
     for (std::int64_t k = 0; static_cast<double>(k) * period_ <= seconds; ++k) {
-      const Place due = place(static_cast<double>(k) * period_);
+      const SlidePosition due = place(static_cast<double>(k) * period_);
       base::Word word;
       word.tick = base::Tick{k};
       word.position = {due.x, due.y};
       const auto followed = servo_.follow(word);
       const bool has_settled = static_cast<double>(k - 1) * period_ >= settling;
-      if (followed && has_settled) look(Place{followed->position[0], followed->position[1]});
+      if (followed && has_settled) look(SlidePosition{followed->position[0], followed->position[1]});
     }
   }
 
@@ -141,7 +141,7 @@ class Table {
 /// on like any input: times ∫|h| dt of its impulse response h at most.
 double coarseness(const servo::PositionLoop& loop) {
   constexpr double tick = 1 / static_cast<double>(servo::PulseServo::step_clock);
-  return servo::greatest_gain(loop) * (blu / 2 + speed * tick + blu / 2);
+  return servo::greatest_gain(loop) * (encoder_blu / 2 + speed * tick + encoder_blu / 2);
 }
 
 std::string gains_text(const servo::PositionLoop& x, const servo::PositionLoop& y) {
@@ -160,8 +160,9 @@ Row line_row(double degrees, const servo::PositionLoop& x, const servo::Position
   const double angle = degrees * std::numbers::pi / 180, along_x = std::cos(angle), along_y = std::sin(angle);
   double sum = 0;
   int count = 0;
-  table->follow([&](double time) { return Place{speed * time * along_x, speed * time * along_y}; }, 2 * settling,
-                [&](const Place& here) {
+  table->follow([&](double time) { return SlidePosition{speed * time * along_x, speed * time * along_y}; },
+                2 * settling,
+                [&](const SlidePosition& here) {
                   sum += along_x * here.y - along_y * here.x;
                   ++count;
                 });
@@ -184,10 +185,10 @@ base::Result<Ring> ring_of(double radius, const servo::PositionLoop& x, const se
   Ring ring{2 * radius, 0};
   table->follow(
       [&](double time) {
-        return Place{radius * (std::cos(frequency * time) - 1), radius * std::sin(frequency * time)};
+        return SlidePosition{radius * (std::cos(frequency * time) - 1), radius * std::sin(frequency * time)};
       },
       settling + half_turn,
-      [&](const Place& here) {
+      [&](const SlidePosition& here) {
         const double distance = std::hypot(here.x + radius, here.y);
         ring.nearest = std::min(ring.nearest, distance);
         ring.farthest = std::max(ring.farthest, distance);

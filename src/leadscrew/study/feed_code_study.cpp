@@ -16,7 +16,7 @@ constexpr double blu_inch = 0.0001;
 /// Lines of up to 12 in by four-digit words; up to 30 in/min, told to 0.01 in/min.
 constexpr design::InverseTimeRange range{12, blu_inch, 30, 0.01, 4};
 constexpr Scale pps = {"pps", 0};
-constexpr Scale plain = {"", 0};
+constexpr Scale unscaled = {"", 0};
 
 /// Clocks until an interpolator that is stepped by the commands of a feed DDA has ended.
 template <pulse::Interpolator State>
@@ -44,7 +44,7 @@ Rows inverse_time_rows() {
        because(exact_row("clock, eq. 18", pps, 2e6, design.clock_pps), "q q0/600, q0 = 10 000 words of feed"),
        because(exact_row("reciprocal of the time of 2 in at 10 in/min", {"1/min", 0}, 5, by_inches / 10),
                "f counts tenths of it"),
-       because(exact_row("f by pulses, eqs. 16 and 17", plain, by_inches, by_pulses),
+       because(exact_row("f by pulses, eqs. 16 and 17", unscaled, by_inches, by_pulses),
                "beside f by inches, eqs. 14 and 15, where a radius stands for the length of a line"),
        because(exact_row("time of that line, by its registers", {"s", 3}, 60 / (by_inches / 10),
                          clocks_to_end(feed, line) / design.clock_pps),
@@ -66,9 +66,10 @@ Rows direct_rows() {
   return under(
       "q = L, eqs. 19 to 21",
       {exact_row("clock", pps, 5000, clock), exact_row("from interrupt to interrupt", {"µs", 0}, 200, 1e6 / clock),
-       exact_row("q0", plain, 3000, capacity),
-       because(exact_row("f of 30 in/min, eq. 21", plain, 3000, design::software_word(range, 30, true).word), "100 V0"),
-       because(exact_row("commands an interrupt at f = 3000", plain, 1,
+       exact_row("q0", unscaled, 3000, capacity),
+       because(exact_row("f of 30 in/min, eq. 21", unscaled, 3000, design::software_word(range, 30, true).word),
+               "100 V0"),
+       because(exact_row("commands an interrupt at f = 3000", unscaled, 1,
                          static_cast<double>(commands(3000, second)) / second),
                "clocked for a second"),
        because(exact_row("commands at f = 1234", {"pps", 2}, 2056.67, a_second), "clocked for a minute"),
@@ -99,7 +100,7 @@ Rows load_rows() {
   const auto initiator = static_cast<double>(program.initiations().worst);
   return under(
       "the NC program's share of the computer",
-      {because(at_most_row("instructions of the longest interrupt", plain, published / instruction, operations),
+      {because(at_most_row("instructions of the longest interrupt", unscaled, published / instruction, operations),
                "loads, additions, tests and stores of one accumulator, counted around a circle, without the initiator"),
        because(at_most_row("time of the longest interrupt", {"µs", 0}, published, operations * instruction),
                "those operations at 2 µs"),
@@ -107,10 +108,11 @@ Rows load_rows() {
                "of 200 µs; what is left is for adaptive control"),
        because(measured_row("instructions of the mean interrupt", {"", 1}, program.operations().mean()),
                "around that circle"),
-       because(at_most_row("instructions with the initiator's", plain, published / instruction, operations + initiator),
-               "of an interrupt that ends a block and begins another; " + decimal(initiator, 0) +
-                   " are the initiator's, 62 of them for the 31 digits of the root that is q; it is not told how "
-                   "theirs had it, nor whether the 170 µs hold it"),
+       because(
+           at_most_row("instructions with the initiator's", unscaled, published / instruction, operations + initiator),
+           "of an interrupt that ends a block and begins another; " + decimal(initiator, 0) +
+               " are the initiator's, 62 of them for the 31 digits of the root that is q; it is not told how "
+               "theirs had it, nor whether the 170 µs hold it"),
        not_reproducible_row("time measured on their computer", {"µs", 0}, published,
                             "the computer and its program are not here")});
 }
@@ -140,7 +142,7 @@ Rows integrator_rows() {
   }
   return under(
       "the DDA integrator, eqs. 1 to 5",
-      {because(exact_row("registers that differ, r > q beside r − 1 ≥ q", plain, 0, static_cast<double>(others)),
+      {because(exact_row("registers that differ, r > q beside r − 1 ≥ q", unscaled, 0, static_cast<double>(others)),
                "of " + std::to_string(tried) + ": every capacity to 32, integrand and remainder")});
 }
 

@@ -73,14 +73,14 @@ struct Method {
   double clocks_bound;
 };
 
-constexpr const char* whole = "L";
+constexpr const char* line_length = "L";
 constexpr std::array<Method, 10> methods = {{
-    {"DDA, q = L rounded up, empty", by_length<Rounded::up, Preload::none>, 120, 0.992, whole, 1},
-    {"DDA, q = L rounded up, half", by_length<Rounded::up, Preload::half>, 120, 0.702, whole, 1},
-    {"DDA, q = L rounded, empty", by_length<Rounded::nearest, Preload::none>, 120, 0.992, whole, 1},
-    {"DDA, q = L rounded, half", by_length<Rounded::nearest, Preload::half>, 120, 0.702, whole, 1},
-    {"DDA, q = L rounded down, empty", by_length<Rounded::down, Preload::none>, 120, 0.992, whole, 1},
-    {"DDA, q = L rounded down, half", by_length<Rounded::down, Preload::half>, 120, 0.702, whole, 1},
+    {"DDA, q = L rounded up, empty", by_length<Rounded::up, Preload::none>, 120, 0.992, line_length, 1},
+    {"DDA, q = L rounded up, half", by_length<Rounded::up, Preload::half>, 120, 0.702, line_length, 1},
+    {"DDA, q = L rounded, empty", by_length<Rounded::nearest, Preload::none>, 120, 0.992, line_length, 1},
+    {"DDA, q = L rounded, half", by_length<Rounded::nearest, Preload::half>, 120, 0.702, line_length, 1},
+    {"DDA, q = L rounded down, empty", by_length<Rounded::down, Preload::none>, 120, 0.992, line_length, 1},
+    {"DDA, q = L rounded down, half", by_length<Rounded::down, Preload::half>, 120, 0.702, line_length, 1},
     {"DDA of 1 … 8 bits, empty", by_bits<Preload::none>, 255, 0.996, "2ⁿ, beyond it", 0},
     {"DDA of 1 … 8 bits, half", by_bits<Preload::half>, 255, 0.704, "2ⁿ, beyond it", 0},
     {"point comparison", by_point_comparison, 256, 0, "a + b", 0},

@@ -5,7 +5,7 @@ namespace leadscrew::study {
 
 namespace {
 
-constexpr std::array<Study, 15> all = {{
+constexpr std::array<Study, 15> all_studies = {{
     {"butterfly", "The butterfly by arc length, and the times of travelling it", butterfly_rows},
     {"feed-fluctuation", "Feed and chord errors of the rules that step a curve's parameter", feed_fluctuation_rows},
     {"limits", "Time, limits and effort along curves beside the optimum, and along blended lines and corners",
@@ -29,7 +29,7 @@ constexpr std::array<Study, 15> all = {{
 }  // namespace
 
 std::span<const Study> studies() {
-  return all;
+  return all_studies;
 }
 
 }  // namespace leadscrew::study

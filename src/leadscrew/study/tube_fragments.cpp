@@ -11,7 +11,7 @@ namespace leadscrew::study {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double feed = 100, tolerance = 0.01;
+constexpr double fragment_feed = 100, fragment_tolerance = 0.01;
 
 /// Lines and arcs from machine zero on, coordinates to three decimals.
 class Contour {
@@ -144,23 +144,27 @@ ProgrammedContour arcs_and_corners() {
 }
 
 constexpr std::array<TubeFragment, 17> fragments = {{
-    {"corner-10", {"corner that turns 10°, 2 × 5 mm", corner<10>, feed, tolerance}, 0.29319},
-    {"corner-45", {"corner that turns 45°, 2 × 5 mm", corner<45>, feed, tolerance}, 0.35288},
-    {"corner-90", {"corner that turns 90°, 2 × 5 mm", corner<90>, feed, tolerance}, 0.35929},
-    {"corner-135", {"corner that turns 135°, 2 × 5 mm", corner<135>, feed, tolerance}, 0.33394},
-    {"square", {"square of 10 mm", square_of_ten, feed, tolerance}, 0.90176},
-    {"hexagon", {"hexagon of 5 mm", hexagon, feed, tolerance}, 1.01887},
-    {"star", {"five-pointed star, R 10 mm", star_of_ten, feed, tolerance}, 1.45465},
-    {"zigzag-0.05", {"zigzag, pitch 0.05 mm", zigzag<50>, feed, tolerance}, 0.54079},
-    {"zigzag-0.5", {"zigzag, pitch 0.5 mm", zigzag<500>, feed, tolerance}, 1.34766},
-    {"zigzag-2", {"zigzag, pitch 2 mm", zigzag<2000>, feed, tolerance}, 2.56101},
-    {"walk-1", {"random walk 1, 20 lines", random_walk<1>, feed, tolerance}, 1.51323},
-    {"walk-2", {"random walk 2, 20 lines", random_walk<2>, feed, tolerance}, 1.28713},
-    {"walk-3", {"random walk 3, 20 lines", random_walk<3>, feed, tolerance}, 1.53886},
-    {"engraving", {"engraved strokes, 28 lines", engraving, feed, tolerance}, 1.17558},
-    {"raster", {"raster, 4 rows 0.2 mm apart", raster, feed, tolerance}, 1.02453},
-    {"pocket", {"pocket, 4 lines and 4 quarter arcs R 2 mm", rounded_pocket, feed, tolerance}, 0.74426},
-    {"arcs", {"4 lines and 2 arcs, corners and tangents", arcs_and_corners, feed, tolerance}, 0.69211},
+    {"corner-10", {"corner that turns 10°, 2 × 5 mm", corner<10>, fragment_feed, fragment_tolerance}, 0.29319},
+    {"corner-45", {"corner that turns 45°, 2 × 5 mm", corner<45>, fragment_feed, fragment_tolerance}, 0.35288},
+    {"corner-90", {"corner that turns 90°, 2 × 5 mm", corner<90>, fragment_feed, fragment_tolerance}, 0.35929},
+    {"corner-135", {"corner that turns 135°, 2 × 5 mm", corner<135>, fragment_feed, fragment_tolerance}, 0.33394},
+    {"square", {"square of 10 mm", square_of_ten, fragment_feed, fragment_tolerance}, 0.90176},
+    {"hexagon", {"hexagon of 5 mm", hexagon, fragment_feed, fragment_tolerance}, 1.01887},
+    {"star", {"five-pointed star, R 10 mm", star_of_ten, fragment_feed, fragment_tolerance}, 1.45465},
+    {"zigzag-0.05", {"zigzag, pitch 0.05 mm", zigzag<50>, fragment_feed, fragment_tolerance}, 0.54079},
+    {"zigzag-0.5", {"zigzag, pitch 0.5 mm", zigzag<500>, fragment_feed, fragment_tolerance}, 1.34766},
+    {"zigzag-2", {"zigzag, pitch 2 mm", zigzag<2000>, fragment_feed, fragment_tolerance}, 2.56101},
+    {"walk-1", {"random walk 1, 20 lines", random_walk<1>, fragment_feed, fragment_tolerance}, 1.51323},
+    {"walk-2", {"random walk 2, 20 lines", random_walk<2>, fragment_feed, fragment_tolerance}, 1.28713},
+    {"walk-3", {"random walk 3, 20 lines", random_walk<3>, fragment_feed, fragment_tolerance}, 1.53886},
+    {"engraving", {"engraved strokes, 28 lines", engraving, fragment_feed, fragment_tolerance}, 1.17558},
+    {"raster", {"raster, 4 rows 0.2 mm apart", raster, fragment_feed, fragment_tolerance}, 1.02453},
+    {"pocket",
+     {"pocket, 4 lines and 4 quarter arcs R 2 mm", rounded_pocket, fragment_feed, fragment_tolerance},
+     0.74426},
+    {"arcs",
+     {"4 lines and 2 arcs, corners and tangents", arcs_and_corners, fragment_feed, fragment_tolerance},
+     0.69211},
 }};
 
 }  // namespace

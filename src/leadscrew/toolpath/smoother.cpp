@@ -361,10 +361,11 @@ void Smoother::cut_corner(Stretch& behind) {
   const double most_behind =
       std::max(length_behind / 2, std::min(uncut_share * length_behind, length_behind - behind.wanted_behind));
   std::optional<Cut> cut;
-  double tolerance = std::min(toolpath::tolerance_at(*last_, Side::last), toolpath::tolerance_at(behind, Side::first));
+  double tolerance =
+      std::min(toolpath::tolerance_at(*last_, StretchEnd::last), toolpath::tolerance_at(behind, StretchEnd::first));
   for (int k = 0; k < most_tolerances && tolerance > 0; ++k) {
-    const Reach before = reach_within(*last_, Side::last, tolerance, most),
-                beyond = reach_within(behind, Side::first, tolerance, most_behind);
+    const Reach before = reach_within(*last_, StretchEnd::last, tolerance, most),
+                beyond = reach_within(behind, StretchEnd::first, tolerance, most_behind);
     std::optional<Cut> found = cut_within(tolerance, *last_, before.length, behind, beyond.length);
     if (found && (!cut || found->blend.curve.length() > cut->blend.curve.length())) cut = std::move(found);
     tolerance = std::max(before.beyond, beyond.beyond);

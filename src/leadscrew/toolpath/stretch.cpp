@@ -49,32 +49,33 @@ double length_at(const geometry::Nurbs& curve, double u) {
 namespace {
 
 /// The chord of what was programmed that leads away from the end; u: of the end.
-std::size_t chord_from(const std::vector<Vertex>& vertices, Side side, double u) {
+std::size_t chord_from(const std::vector<Vertex>& vertices, StretchEnd end, double u) {
   std::size_t chord = 1;
-  while (chord + 1 < vertices.size() && (side == Side::first ? vertices[chord].u <= u : vertices[chord].u < u)) ++chord;
+  while (chord + 1 < vertices.size() && (end == StretchEnd::first ? vertices[chord].u <= u : vertices[chord].u < u))
+    ++chord;
   return chord;
 }
 
-double parameter_at(const geometry::Nurbs& curve, Side side) {
-  return curve.parameter(side == Side::first ? 0 : curve.length());
+double parameter_at(const geometry::Nurbs& curve, StretchEnd end) {
+  return curve.parameter(end == StretchEnd::first ? 0 : curve.length());
 }
 
 }  // namespace
 
-double tolerance_at(const Stretch& stretch, Side side) {
+double tolerance_at(const Stretch& stretch, StretchEnd end) {
   const auto* const nurbs = std::get_if<geometry::Nurbs>(&stretch.piece.curve);
   if (stretch.programmed.empty() || !nurbs) return stretch.tolerance;
-  return stretch.programmed[chord_from(stretch.programmed, side, parameter_at(*nurbs, side))].tolerance;
+  return stretch.programmed[chord_from(stretch.programmed, end, parameter_at(*nurbs, end))].tolerance;
 }
 
-Reach reach_within(const Stretch& stretch, Side side, double tolerance, double most) {
+Reach reach_within(const Stretch& stretch, StretchEnd end, double tolerance, double most) {
   const std::vector<Vertex>& vertices = stretch.programmed;
   const auto* const nurbs = std::get_if<geometry::Nurbs>(&stretch.piece.curve);
   if (vertices.empty() || !nurbs) return {most, 0};
   const double length = nurbs->length();
-  const double farthest = nurbs->parameter(side == Side::first ? most : length - most);
-  std::size_t chord = chord_from(vertices, side, parameter_at(*nurbs, side));
-  if (side == Side::first) {
+  const double farthest = nurbs->parameter(end == StretchEnd::first ? most : length - most);
+  std::size_t chord = chord_from(vertices, end, parameter_at(*nurbs, end));
+  if (end == StretchEnd::first) {
     while (vertices[chord].tolerance >= tolerance) {
       if (vertices[chord].u >= farthest || ++chord == vertices.size()) return {most, 0};
     }

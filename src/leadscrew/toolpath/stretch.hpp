@@ -37,10 +37,10 @@ void trim(Piece& piece, double from, double to);
 /// Arc length at parameter u.
 double length_at(const geometry::Nurbs& curve, double u);
 
-enum class Side : std::uint8_t { first, last };
+enum class StretchEnd : std::uint8_t { first, last };
 
 /// P of what was programmed at an end of the stretch, mm.
-double tolerance_at(const Stretch& stretch, Side side);
+double tolerance_at(const Stretch& stretch, StretchEnd end);
 
 /// How far from that end P is no less than `tolerance`: at most `most` of the piece's length. `beyond`: P there, mm; 0
 /// if it is nowhere less on that much.
@@ -48,6 +48,6 @@ struct Reach {
   double length = 0;
   double beyond = 0;
 };
-Reach reach_within(const Stretch& stretch, Side side, double tolerance, double most);
+Reach reach_within(const Stretch& stretch, StretchEnd end, double tolerance, double most);
 
 }  // namespace leadscrew::toolpath
