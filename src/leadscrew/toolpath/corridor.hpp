@@ -11,9 +11,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace leadscrew::toolpath {
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Of two coordinates or three, mm.
 template <std::size_t D>

@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <leadscrew/toolpath/corridor_barrier.hpp>
-#include <limits>
 
 namespace leadscrew::toolpath {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_slack = 1e-12;  // relative
 // Control points that are given had another interval: so much more is allowed, in so many intervals beside them.
 constexpr double given_relaxation = 3;
@@ -165,7 +163,7 @@ class Adder {
 template <std::size_t D>
 CorridorBarrier<D>::CorridorBarrier(const Corridor<D>& corridor, std::size_t intervals, double start_interval)
     : corridor_(corridor), intervals_(intervals), start_interval_(start_interval) {
-  double slowest = infinity;
+  double slowest = unlimited;
   for (const double v : corridor.limits.velocity) slowest = std::min(slowest, v);
   for (const CorridorLeg<D>& leg : corridor.legs) has_velocity_limit_ = has_velocity_limit_ || leg.feed > slowest;
   const double n = static_cast<double>(intervals);
@@ -242,7 +240,7 @@ void CorridorBarrier<D>::follow(const std::vector<Vector<D>>& points, std::vecto
 
 template <std::size_t D>
 double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Passing& passing) const {
-  if (!(at.w > 0)) return infinity;
+  if (!(at.w > 0)) return unlimited;
   const Bounds<D> most(corridor_.limits, start_interval_ * std::cbrt(at.w));
   const std::vector<Vector<D>>& c = at.points;
   LogSum sum;
@@ -253,7 +251,7 @@ double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Pas
     for (std::size_t i = 0; i < D; ++i) {
       const double share = jerk[i] / (more * most.jerk[i]);
       const double slack = 1 - share * share;
-      if (!(slack > least_slack)) return infinity;
+      if (!(slack > least_slack)) return unlimited;
       factor *= slack;
     }
     // Jerk and the others count in w as well: g² (1 − u²/g²).
@@ -261,7 +259,7 @@ double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Pas
     for (std::size_t i = 0; i < D; ++i) {
       const double share = acceleration[i] / (more * most.acceleration[i]);
       const double slack = 1 - share * share;
-      if (!(slack > least_slack)) return infinity;
+      if (!(slack > least_slack)) return unlimited;
       factor *= slack;
     }
     const Vector<D> velocity = sum_of(&c[k + 1], first_difference);
@@ -269,36 +267,36 @@ double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Pas
       for (std::size_t i = 0; i < D; ++i) {
         const double share = velocity[i] / (more * most.velocity[i]);
         const double slack = 1 - share * share;
-        if (!(slack > least_slack)) return infinity;
+        if (!(slack > least_slack)) return unlimited;
         factor *= slack;
       }
     }
     const double feed = more * feed_of(k, passing) * most.h;
-    if (feed < infinity) {
+    if (feed < unlimited) {
       const double slack = 1 - inner(velocity, velocity) / (feed * feed);
-      if (!(slack > least_slack)) return infinity;
+      if (!(slack > least_slack)) return unlimited;
       factor *= slack;
     }
-    if (!sum.add(factor)) return infinity;
+    if (!sum.add(factor)) return unlimited;
     const auto inside = [&](std::size_t place, const Vector<D>& x) {
       const CorridorLeg<D>& leg = corridor_.legs[passing.legs[place]];
       const Vector<D> off = leg.nearest(x).offset;
       return sum.add(1 - inner(off, off) / (leg.margin * leg.margin));
     };
-    if (k > 0 && !inside(places * k, sum_of(&c[k], knot_weights))) return infinity;
-    if (!inside(places * k + 1, sum_of(&c[k], first_third_weights))) return infinity;
-    if (!inside(places * k + 2, sum_of(&c[k], second_third_weights))) return infinity;
+    if (k > 0 && !inside(places * k, sum_of(&c[k], knot_weights))) return unlimited;
+    if (!inside(places * k + 1, sum_of(&c[k], first_third_weights))) return unlimited;
+    if (!inside(places * k + 2, sum_of(&c[k], second_third_weights))) return unlimited;
   }
   for (std::size_t i = 0; i < passing.passes.size(); ++i) {
     const SplinePlace place(passing.passes[i], intervals_);
     const Vector<D> off = between(corridor_.legs[i].to, sum_of(&c[place.first], place.weights));
     const double margin = corridor_.margin_at(i);
-    if (!sum.add(1 - inner(off, off) / (margin * margin))) return infinity;
+    if (!sum.add(1 - inner(off, off) / (margin * margin))) return unlimited;
   }
   // Of g² of all two-sided bounds: 2 log g each, g ∝ w, w^(2/3), w^(1/3).
   const double n = static_cast<double>(intervals_), d = static_cast<double>(D);
   double powers = n * d * (2.0 + 4.0 / 3 + (has_velocity_limit_ ? 2.0 / 3 : 0));
-  for (std::size_t k = 0; k < intervals_; ++k) powers += feed_of(k, passing) < infinity ? 2.0 / 3 : 0;
+  for (std::size_t k = 0; k < intervals_; ++k) powers += feed_of(k, passing) < unlimited ? 2.0 / 3 : 0;
   return t * at.w - sum.value() - powers * std::log(at.w);
 }
 
@@ -327,7 +325,7 @@ void CorridorBarrier<D>::assemble(double t, const CorridorPoint<D>& at, const Pa
       if (has_velocity_limit_) add.two_sided(k + 1, first_difference, i, velocity[i], more * most.velocity[i], 1.0 / 3);
     }
     const double feed = more * feed_of(k, passing) * most.h;
-    if (feed < infinity) {
+    if (feed < unlimited) {
       // −log(g² − |u|²), g ∝ w^(1/3)
       const double inverse = 1 / (feed * feed - inner(velocity, velocity)), g = feed;
       const double g_slope = g / (3 * w), g_curvature = -2 * g / (9 * w * w);

@@ -72,7 +72,7 @@ class InAxes {
       ends.points_at_end[k] = projected<D>(ends3.points_at_end[k], axes_);
     }
     std::vector<double> shares(full_.legs.size(), planned_share);
-    for (int k = 0; k < most_tries; ++k) {
+    for (int k = 0; k < most_plans; ++k) {
       Corridor<D> planned = full_;
       for (std::size_t i = 0; i < shares.size(); ++i) planned.legs[i].margin *= shares[i];
       const std::optional<TimeSpline<D>> found = least_time(planned, start_motion(planned, interval, ends));

@@ -1,15 +1,12 @@
 #include <algorithm>
 #include <leadscrew/toolpath/corridor_start.hpp>
 #include <leadscrew/toolpath/tuning.hpp>
-#include <limits>
 
 namespace leadscrew::toolpath {
 
 namespace {
 
 using namespace tuning::corridor;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <std::size_t D>
 double least_of(const Vector<D>& a) {
@@ -131,7 +128,7 @@ class Start {
   }
 
   double least_interval(const std::vector<Vector<D>>& c) const {
-    double slowest = infinity, h = 0;
+    double slowest = unlimited, h = 0;
     for (const CorridorLeg<D>& leg : corridor_.legs) slowest = std::min(slowest, leg.feed);
     const CorridorLimits<D>& limits = corridor_.limits;
     for (std::size_t k = 0; k + 1 < c.size(); ++k) {
@@ -162,7 +159,7 @@ class Start {
 
 template <std::size_t D>
 double suitable_interval(const Corridor<D>& corridor) {
-  double margin = infinity;
+  double margin = unlimited;
   for (const CorridorLeg<D>& leg : corridor.legs) margin = std::min(margin, leg.margin);
   const auto greatest = [](const Vector<D>& a) { return *std::max_element(a.begin(), a.end()); };
   const CorridorLimits<D>& limits = corridor.limits;

@@ -3,7 +3,6 @@
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/tuning.hpp>
-#include <limits>
 #include <utility>
 
 namespace leadscrew::toolpath {
@@ -13,8 +12,6 @@ namespace {
 using namespace tuning::corridor;
 using geometry::Point;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Vector<3> place_of(const Point& point) {
   return {point[0], point[1], point[2]};
 }
@@ -23,7 +20,7 @@ CorridorLimits<3> limits_of(const machine::Machine& machine) {
   CorridorLimits<3> limits;
   for (std::size_t i = 0; i < 3; ++i) {
     const base::Axis axis = base::all_axes[i];
-    limits.velocity[i] = limits.acceleration[i] = limits.jerk[i] = infinity;
+    limits.velocity[i] = limits.acceleration[i] = limits.jerk[i] = unlimited;
     if (!machine.has(axis)) continue;
     limits.velocity[i] = machine.limits(axis).velocity;
     limits.acceleration[i] = machine.limits(axis).acceleration;
@@ -67,7 +64,7 @@ std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
 }  // namespace
 
 RacingLine::RacingLine(const machine::Machine& machine)
-    : limits_(limits_of(machine)), least_{infinity, infinity, infinity} {
+    : limits_(limits_of(machine)), least_{unlimited, unlimited, unlimited} {
   for (std::size_t i = 0; i < 3; ++i) {
     least_.velocity = std::min(least_.velocity, limits_.velocity[i]);
     least_.acceleration = std::min(least_.acceleration, limits_.acceleration[i]);

@@ -64,7 +64,7 @@ Point point_of(const Vector<3>& place, Point others) {
   return others;
 }
 
-std::optional<Timed> straight(const Point& from, const Point& to, double begin, double end, int cubed) {
+std::optional<Timed> straight_part(const Point& from, const Point& to, double begin, double end, int cubed) {
   const double length = line_length(from, to);
   if (!(length > 0)) return std::nullopt;
   return Timed{geometry::Line(from, to, length), begin, end, cubed};
@@ -89,12 +89,12 @@ std::vector<Timed> curves_of(const TimeSpline<3>& motion, std::size_t from, std:
   const auto at = [](std::size_t knot) { return static_cast<double>(knot); };
   if (from_rest) {
     const Point rest = point_of(motion.points[from], others);
-    if (auto line = straight(rest, geometry::start(curves.front().curve), at(from), at(first), 1))
+    if (auto line = straight_part(rest, geometry::start(curves.front().curve), at(from), at(first), 1))
       curves.insert(curves.begin(), std::move(*line));
   }
   if (to_rest) {
     const Point rest = point_of(motion.points[to + 2], others);
-    if (auto line = straight(geometry::end(curves.back().curve), rest, at(last), at(to), -1))
+    if (auto line = straight_part(geometry::end(curves.back().curve), rest, at(last), at(to), -1))
       curves.push_back(std::move(*line));
   }
   return curves;
