@@ -108,6 +108,7 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
   if (arguments.tools) job.tools = read_tools(*arguments.tools, job.text, log);
   if (log.errors() > 0) return std::nullopt;
   if (arguments.period) job.machine.period = *arguments.period;
+  if (arguments.smoothing) job.machine.smoothing = *arguments.smoothing;
   take_step_times(arguments.run, job.machine);
   for (const AxisValue& value : arguments.start) take_start(value, job, log);
   if (log.errors() > 0) return std::nullopt;

@@ -42,6 +42,9 @@ void add_motion(Command& command, Arguments& arguments) {
   command.choice<gcode::PathMode>("--mode", "MODE", "exact-stop or blend, in place of G61, G61.1 and G64",
                                   arguments.mode,
                                   {{"exact-stop", gcode::PathMode::exact_stop}, {"blend", gcode::PathMode::blend}});
+  command.choice<machine::Smoothing>(
+      "--smoothing", "WAY", "splines or least-time, in place of the machine's: corners and short lines within G64's P",
+      arguments.smoothing, {{"splines", machine::Smoothing::splines}, {"least-time", machine::Smoothing::least_time}});
   command.value("--tolerance", "MM", "In place of P of G64 and the machine's, mm", arguments.tolerance,
                 parse_tolerance);
 }

@@ -105,6 +105,8 @@ class MachineReader {
     if (const auto kinematics = value<std::string>(root, "kinematics", field::kinematics))
       machine_.kinematics = *kinematics;
     if (const auto waits = value<bool>(root, spindle_waits_key, spindle_waits_key)) machine_.spindle_waits = *waits;
+    if (is_second(root, smoothing_key, smoothings, "machine-smoothing"))
+      machine_.smoothing = machine::Smoothing::least_time;
     if (const auto period = number(root, "period_us", {.field = field::period}))
       machine_.period = base::Period{nanoseconds(*period).value_or(0)};
     for (const auto& [field, key, value] : machine_numbers) {

@@ -17,6 +17,10 @@ namespace leadscrew::config {
 /// true: motion rests for M3, M4 and M5, as without it; false: it goes on.
 inline constexpr std::string_view spindle_waits_key = "spindle_waits";
 
+/// How paths are smoothed within their tolerance: machine::Smoothing, in its order.
+inline constexpr std::string_view smoothing_key = "smoothing";
+inline constexpr std::array<std::string_view, 2> smoothings = {"splines", "least-time"};
+
 /// A number of the machine itself, in the unit that it has there.
 struct MachineNumber {
   std::string_view field, key;
@@ -28,8 +32,9 @@ inline constexpr std::array machine_numbers = {
 
 /// Outside tables.
 inline constexpr auto machine_keys = [] {
-  std::array<std::string_view, 6 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  std::array<std::string_view, 7 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
   for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
+  keys[keys.size() - 4] = smoothing_key;
   keys[keys.size() - 3] = spindle_waits_key;
   keys[keys.size() - 2] = "laser";
   keys.back() = "axis";

@@ -30,6 +30,12 @@ struct AxisLimits {
   friend bool operator==(const AxisLimits&, const AxisLimits&) = default;
 };
 
+/// How moves in X, Y and Z are smoothed within their tolerance (G64).
+enum class Smoothing : std::uint8_t {
+  splines,     ///< by blends of corners and splines along short lines, whatever the machine
+  least_time,  ///< along the path that the machine travels in the least time: faster, and more to plan
+};
+
 struct Machine {
   std::string name;
   std::string kinematics = "cartesian";  ///< "cartesian": each axis is one coordinate of the program
@@ -40,6 +46,7 @@ struct Machine {
   std::array<ScrewErrors, base::axis_count> screws;  ///< no motion knows of them; steps::Compensation makes them good
   std::array<AxisDrive, base::axis_count> drives;    ///< for simulation
 
+  Smoothing smoothing = Smoothing::splines;
   /// Does motion rest for M3, M4 and M5?
   bool spindle_waits = true;
   std::optional<Laser> laser;

@@ -12,13 +12,15 @@ namespace {
 
 constexpr base::Period word_period{1'000'000};
 
-Rows least_rows(const TubeFragment& fragment, const TubeMotion& motion, double planned) {
+Rows least_rows(const TubeFragment& fragment, const TubeMotion& motion, double planned, double by_splines) {
   constexpr Scale seconds = {"s", 4};
   return {because(reproduced_row("least time in the tube", seconds, fragment.least, motion.seconds(),
                                  least_accuracy * fragment.least),
                   "recorded: the least of five starts far apart, good to 0.1 %"),
           measured_row("time planned", seconds, planned),
-          measured_row("time planned over least time", {"", 3}, planned / motion.seconds())};
+          measured_row("time planned over least time", {"", 3}, planned / motion.seconds()),
+          measured_row("time planned by splines", seconds, by_splines),
+          measured_row("time planned by splines over least time", {"", 3}, by_splines / motion.seconds())};
 }
 
 Rows kept_rows(const TubeFragment& fragment, const referee::Verdict& verdict) {
@@ -32,14 +34,16 @@ Rows kept_rows(const TubeFragment& fragment, const referee::Verdict& verdict) {
 }
 
 Rows rows_of(const TubeFragment& fragment, const Host& host) {
-  const machine::Machine machine = machine_of(fragment.program, word_period);
+  machine::Machine machine = machine_of(fragment.program, word_period);
   const PartProgram program = blended(fragment.program);
+  const auto by_splines = plan(program, machine, host);
+  machine.smoothing = machine::Smoothing::least_time;
   const auto planned = plan(program, machine, host);
-  if (!planned) return {not_run_row("motion", planned.error().message)};
+  if (!planned || !by_splines) return {not_run_row("motion", (planned ? by_splines : planned).error().message)};
   const auto tube = tube_of(program, machine);
   if (!tube) return {not_run_row("least time in the tube", tube.error().message)};
   const TubeMotion motion = least_time_motion(*tube).motion;
-  Rows rows = least_rows(fragment, motion, planned->seconds);
+  Rows rows = least_rows(fragment, motion, planned->seconds, by_splines->seconds);
   append(rows, kept_rows(fragment, judge(program, machine, motion.words(word_period.seconds()))));
   return rows;
 }

@@ -69,7 +69,7 @@ void Builder::move_along(const gcode::Move& move) {
 
 /// Motion comes to rest between legs of one kind and of the other.
 void Builder::blend(Leg leg) {
-  if (machine_ != nullptr && RacingLine::takes(leg)) {
+  if (machine_ != nullptr && machine_->smoothing == machine::Smoothing::least_time && RacingLine::takes(leg)) {
     settle(smoother_);
     if (!racing_line_) racing_line_.emplace(*machine_);
     racing_line_->push(std::move(leg));

@@ -3,8 +3,8 @@
 //
 // In exact-path and exact-stop mode (G61, G61.1) every move is kept as programmed, a NURBS curve as its smooth pieces
 // (geometry::smooth_pieces). Where blending is asked for (G64), moves that follow one another without a dwell or an
-// event that motion rests for are smoothed together, each within its tolerance: those in X, Y and Z alone as the machine travels them in the least time
-// (RacingLine), all others by blends and fits (Smoother). All other events lie where
+// event that motion rests for are smoothed together, each within its tolerance: those in X, Y and Z alone along the path of least time
+// (RacingLine) where the machine asks for it, all others by blends and fits (Smoother). All other events lie where
 // the move begins that follows them, or stand by themselves where motion rests before there is one.
 
 #include <deque>
@@ -20,9 +20,9 @@ namespace leadscrew::toolpath {
 
 class Builder {
  public:
-  /// Blends without regard to a machine.
+  /// By blends and fits.
   Builder() = default;
-  /// The machine must outlive it.
+  /// As the machine asks for (machine::Smoothing). It must outlive the builder.
   explicit Builder(const machine::Machine& machine) : machine_(&machine) {}
 
   void push(const gcode::Move& move);
