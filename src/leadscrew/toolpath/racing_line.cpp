@@ -3,6 +3,7 @@
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/tuning.hpp>
+#include <numbers>
 #include <utility>
 
 namespace leadscrew::toolpath {
@@ -46,7 +47,7 @@ std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
     Vector<3> center = at(0);
     center[arc->first()] = turn.center_first;
     center[arc->second()] = turn.center_second;
-    const double sweep = arc->angle_rate() * length, parts = std::ceil(std::abs(sweep) / 3.0);
+    const double sweep = arc->angle_rate() * length, parts = std::ceil(std::abs(sweep) / (std::numbers::pi * (1 + 1e-9)));
     for (double k = 0; k < parts; ++k) {
       legs.push_back(arc_leg<3>(at(length * k / parts), at(length * (k + 1) / parts), arc->first(), arc->second(),
                                 center, sweep / parts, margin_of(leg) + sagitta(leg), leg.feed));
@@ -248,11 +249,12 @@ void RacingLine::advance(bool all) {
     if (emit_long_start()) continue;
     const std::optional<Window> window = choose(all);
     if (!window) return;
-    // One leg alone stays what it is.
-    if (window->count == 1 && !window->is_provisional && !rest_ && window->end == CorridorEnd::rest) {
-      emit_exact(borders_[0] + (is_moving_ ? begin_ / legs_[0].length : 0) * (borders_[1] - borders_[0]), borders_[1]);
+    // One move alone stays what it is.
+    if (sources_.size() == 1 && !window->is_provisional && !rest_ && window->end == CorridorEnd::rest) {
+      const double per_length = (borders_[1] - borders_[0]) / legs_[0].length;
+      emit_exact(borders_[0] + (is_moving_ ? begin_ : 0) * per_length, borders_[window->count]);
       is_moving_ = false;
-      drop_before(1);
+      drop_before(window->count);
       continue;
     }
     if (std::optional<Plan> found = plan(*window)) {

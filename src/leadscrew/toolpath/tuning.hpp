@@ -83,7 +83,7 @@ namespace corridor {
 inline constexpr double interval_of_corner = 0.5, interval_bulge = 0.05;
 /// Of the tolerance, what a motion is proven to keep: the rest is for the rounding of words. Of that, what is planned in:
 /// the rest is for the bulge. Where it is too little, less of it by what was reached.
-inline constexpr double corridor_share = 0.997, planned_share = 0.992, less_than_reached = 0.995;
+inline constexpr double corridor_share = 0.988, planned_share = 0.992, less_than_reached = 0.995;
 /// The start. Slower: less in the way of its corners, and more steps from there.
 inline constexpr double start_acceleration = 0.6;  // of the machine's
 inline constexpr double start_step = 2;            // margins by |t⁺ − t⁻|: between control points at a corner

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random_numbers.hpp>
+#include <string>
+#include <vector>
+
+#include "blended.hpp"
+
+// Programs smoothed along the path of least time, judged by the referee: inside the tolerance, inside every limit, no
+// slower than with a stop at every joint; and on programs of corners faster than by splines.
+
+namespace {
+
+using namespace leadscrew;
+using namespace leadscrew::testing_support;
+
+machine::Machine mill_of_least_time() {
+  machine::Machine machine = wide_mill();
+  machine.smoothing = machine::Smoothing::least_time;
+  return machine;
+}
+
+/// Lines and arcs of 0.01 to 50 mm that turn anyhow, some of them in space, some rapids; feeds and tolerances change.
+std::string random_program() {
+  const bool in_space = any(0, 3) == 0, changes = any(0, 4) == 0;
+  const double usual = logarithmic(0.02, 20), tolerance = logarithmic(1e-3, 0.3);
+  std::string text = "G21 G90 G17 G94 F6000\nG64" + word('P', tolerance, 6) + '\n';
+  double x = 0, y = 0, z = 0, heading = any(0, 6283) / 1000.0;
+  for (int k = any(2, 24); k > 0; --k) {
+    const double length = usual * logarithmic(0.3, 3);
+    if (changes && any(0, 5) == 0) text += "G64" + word('P', tolerance * logarithmic(0.1, 2), 6) + '\n';
+    if (any(0, 6) == 0) {
+      // A quarter of a circle, tangent or not.
+      const double side = any(0, 2) == 0 ? 1 : -1;
+      const double cx = -side * length * std::sin(heading), cy = side * length * std::cos(heading);
+      const double to = heading + side * std::numbers::pi / 2;
+      x += cx + side * length * std::sin(to);
+      y += cy - side * length * std::cos(to);
+      text += (side > 0 ? "G3" : "G2") + word('X', x, 9) + word('Y', y, 9) + word('I', cx, 9) + word('J', cy, 9);
+      heading = any(0, 2) == 0 ? to : to + any(-1500, 1501) / 1000.0;
+    } else {
+      heading += any(0, 8) == 0   ? std::numbers::pi
+                 : any(0, 2) == 0 ? any(-3142, 3142) / 1000.0
+                                  : any(-500, 500) / 1000.0;
+      x += length * std::cos(heading);
+      y += length * std::sin(heading);
+      if (in_space) z += length * any(-700, 701) / 1000.0;
+      text += (any(0, 20) == 0 ? "G0" : "G1") + word('X', x, 6) + word('Y', y, 6) + word('Z', z, 6);
+    }
+    if (any(0, 12) == 0) text += word('F', logarithmic(200, 12000), 0);
+    text += '\n';
+  }
+  return text + "M2\n";
+}
+
+RC_GTEST_PROP(LeastTime, KeepsEveryPromiseAndIsNoSlowerThanWithStops, ()) {
+  const std::string text = random_program();
+  RC_LOG() << text;
+  const Outcome outcome = run_on(mill_of_least_time(), text), stopping = run_with_stops(text);
+  RC_ASSERT(keeps_promises(outcome));
+  RC_ASSERT(outcome.summary.time_s <= stopping.summary.time_s + 0.001);
+}
+
+/// As CAM writes a curve: chords that turn by little, rounded to a micrometre.
+TEST(LeastTime, KeepsChordsOfACurveWithinTheirTolerance) {
+  for (const double pitch : {0.02, 0.1, 0.5}) {
+    std::string text = "G21 G90 G17 G94 F6000\nG64 P0.01\n";
+    for (double s = 0; s < 12; s += pitch)
+      text += "G1" + word('X', s, 3) + word('Y', 2 * std::sin(s) + 0.3 * std::sin(3.1 * s), 3) + '\n';
+    text += "M2\n";
+    SCOPED_TRACE(pitch);
+    const Outcome outcome = run_on(mill_of_least_time(), text);
+    EXPECT_TRUE(keeps_promises(outcome));
+    EXPECT_LE(outcome.summary.time_s, 1.005 * run(text).summary.time_s);
+  }
+}
+
+/// 20 lines of 0.2 to 4 mm, each turned by up to 1.8 rad.
+std::string walk(unsigned seed) {
+  std::string text = "G21 G90 G17 G94 F6000\nG64 P0.01\n";
+  double x = 0, y = 0, heading = 0;
+  const auto draw = [&] { return (seed = 1664525u * seed + 1013904223u) / 4294967296.0; };
+  for (int k = 0; k < 20; ++k) {
+    heading += 1.8 * (2 * draw() - 1);
+    const double length = 0.2 * std::pow(20, draw());
+    x += length * std::cos(heading);
+    y += length * std::sin(heading);
+    text += "G1" + word('X', x, 3) + word('Y', y, 3) + '\n';
+  }
+  return text + "M2\n";
+}
+
+TEST(LeastTime, IsATenthFasterThanSplinesOnRandomWalks) {
+  for (const unsigned seed : {1u, 2u, 3u, 11u}) {
+    SCOPED_TRACE(seed);
+    const Outcome outcome = run_on(mill_of_least_time(), walk(seed));
+    EXPECT_TRUE(keeps_promises(outcome));
+    EXPECT_LE(outcome.summary.time_s, 0.93 * run(walk(seed)).summary.time_s);
+  }
+}
+
+TEST(LeastTime, LeavesOneLineAndOneArcAsTheyAre) {
+  for (const char* block : {"G1 X12 Y5 Z-3", "G3 X12 Y0 I6 J0", "G2 X0 Y0 I6 J0"}) {
+    const std::string text = std::string("G21 G90 G17 G94 F3000\nG64 P0.05\n") + block + "\nM2\n";
+    SCOPED_TRACE(block);
+    const Outcome outcome = run_on(mill_of_least_time(), text);
+    EXPECT_TRUE(keeps_promises(outcome));
+    EXPECT_LE(outcome.verdict.deviation_mm, 1e-9);
+  }
+}
+
+TEST(LeastTime, KeepsTheMiddleOfLongLinesExact) {
+  const std::string text = "G21 G90 G17 G94 F6000\nG64 P0.05\nG1 X300\nG1 Y200\nG1 X0\nM2\n";
+  const Outcome outcome = run_on(mill_of_least_time(), text);
+  EXPECT_TRUE(keeps_promises(outcome));
+  EXPECT_LE(outcome.summary.time_s, run(text).summary.time_s + 0.001);
+}
+
+}  // namespace
