@@ -9,9 +9,9 @@
 //
 // One number says where the head is, which of the two stop paths belongs to it, and whether the drives have left. The
 // maker publishes by changing it from one head to the next; drives that find no word left change the same number to
-// "left", and follow the stop path of the head that they saw. Whoever is first decides, and the other sees it: no word
-// is published after drives have left, and no stop path is overwritten that they may be following. Without a lock and
-// without pointers: this may lie in memory that two processes share.
+// "left", and follow the stop path of the head that they saw. The change that comes first decides, and the other side
+// sees it: no word is published after drives have left, and no stop path is overwritten that they may be following.
+// Without a lock and without pointers: this may lie in memory that two processes share.
 
 #include <array>
 #include <atomic>

@@ -1,17 +1,8 @@
-#include <charconv>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/study/tube_words.hpp>
 
 namespace leadscrew::study {
-
-namespace {
-
-void append_number(std::string& text, double value) {
-  char buffer[40];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
-}  // namespace
 
 referee::Verdict judge(const PartProgram& program, const machine::Machine& machine,
                        const std::vector<PlaneVector>& words) {
@@ -33,8 +24,8 @@ referee::Verdict judge(const PartProgram& program, const machine::Machine& machi
 std::string trace_of(const std::vector<PlaneVector>& words, base::Period period) {
   std::string text = "t,X,Y,Z\n";
   for (std::size_t k = 0; k < words.size(); ++k) {
-    append_number(text, base::seconds(base::Tick{static_cast<std::int64_t>(k)}, period));
-    for (const double coordinate : {words[k].x, words[k].y}) append_number(text += ',', coordinate);
+    text += base::text(base::seconds(base::Tick{static_cast<std::int64_t>(k)}, period));
+    for (const double coordinate : {words[k].x, words[k].y}) text += ',' + base::text(coordinate);
     text += ",0\n";
   }
   return text;
