@@ -145,7 +145,8 @@ bool register_many() {
   const std::pair<const char*, std::vector<toolpath::Element> (*)()> paths[] = {
       {"lines", lines}, {"arcs", arcs}, {"lines-and-arcs", mixed}, {"nurbs", curves}};
   const std::pair<const char*, interpolator::Kernel> kernels[] = {{"plain", interpolator::Kernel::plain},
-                                                                  {"avx2", interpolator::Kernel::avx2}};
+                                                                  {"avx2", interpolator::Kernel::avx2},
+                                                                  {"neon", interpolator::Kernel::neon}};
   const std::pair<const char*, std::size_t> places[] = {{"cache", in_cache}, {"memory", in_memory}};
   for (const auto& [place, size] : places) {
     leadscrew::bench::with_percentiles(

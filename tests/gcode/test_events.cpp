@@ -13,7 +13,7 @@ std::vector<std::pair<Kind, double>> events(std::string_view text, const Conditi
 using Events = std::vector<std::pair<Kind, double>>;
 
 TEST(Events, HaveTheirValues) {
-  EXPECT_EQ(events("S1000\nM3\nM4\nM5\nM7\nM8\nM9\nT3\nM6\nM0\nM1\nM2\n"),
+  EXPECT_EQ(events("S1000\nM3\nM4\nM5\nM7\nM8\nM9\nT3\nM6\nM0\nM1\nM60\nM2\n"),
             (Events{{Kind::spindle_speed, 1000},
                     {Kind::spindle_clockwise, 1000},
                     {Kind::spindle_counterclockwise, 1000},
@@ -25,6 +25,7 @@ TEST(Events, HaveTheirValues) {
                     {Kind::tool_change, 3},
                     {Kind::pause, 0},
                     {Kind::optional_pause, 0},
+                    {Kind::pallet_pause, 0},
                     {Kind::program_end, 0}}));
 }
 
@@ -67,12 +68,12 @@ TEST(Events, SayWhetherMotionRestsForThem) {
     conditions.machine.spindle_waits = spindle_waits;
     std::string text;
     for (const base::Event& event :
-         read_well("S1\nM3\nM4\nM5\nM7\nM8\nM9\nT3\nM6\nM64 P0\nM67 E0 Q0\nM0\nM1\nM2\n", conditions).events())
+         read_well("S1\nM3\nM4\nM5\nM7\nM8\nM9\nT3\nM6\nM64 P0\nM67 E0 Q0\nM0\nM1\nM60\nM2\n", conditions).events())
       text += event.waits ? 'w' : '-';
     return text;
   };
-  EXPECT_EQ(waits(true), "-www----w--www");
-  EXPECT_EQ(waits(false), "--------w--www");
+  EXPECT_EQ(waits(true), "-www----w--wwww");
+  EXPECT_EQ(waits(false), "--------w--wwww");
 }
 
 // NIST IR 6556, 3.8

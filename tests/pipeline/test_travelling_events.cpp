@@ -235,7 +235,7 @@ TEST(TravellingEvents, WaitWhereTheyMust) {
     EXPECT_GT(time(event, true), plain + 0.05) << event;
     EXPECT_EQ(time(event, false), plain) << event;
   }
-  for (const char* event : {"M0", "M1", "M6", "G4 P0.01"}) EXPECT_GT(time(event, false), plain + 0.05) << event;
+  for (const char* event : {"M0", "M1", "M60", "M6", "G4 P0.01"}) EXPECT_GT(time(event, false), plain + 0.05) << event;
   for (const char* event :
        {"M7", "M8", "M9", "S5", "T2", "M62 P0", "M63 P1", "M64 P2", "M65 P3", "M67 E0 Q1", "M68 E1 Q-2"})
     EXPECT_EQ(time(event, true), plain) << event;

@@ -24,6 +24,7 @@ struct Event {
     tool_change,               ///< M6; value: tool number
     pause,                     ///< M0
     optional_pause,            ///< M1
+    pallet_pause,              ///< M60: a pause in which the pallet is changed
     program_end,               ///< M2, M30 or the closing %
     /// F; value: of the block that motion enters, mm/s (degrees/s where only rotary axes move), 0 of a rapid. Only where
     /// somebody asks for it (toolpath::Builder::tell_feed).
@@ -52,6 +53,12 @@ constexpr bool is_with_motion(Event::Kind kind) {
   using Kind = Event::Kind;
   return kind == Kind::digital_output_on_with_motion || kind == Kind::digital_output_off_with_motion ||
          kind == Kind::analog_output_with_motion;
+}
+
+/// Does motion rest until somebody says to go on?
+constexpr bool is_pause(Event::Kind kind) {
+  using Kind = Event::Kind;
+  return kind == Kind::pause || kind == Kind::optional_pause || kind == Kind::pallet_pause;
 }
 
 /// Does a block ask for it? Not where it only says how motion was programmed.
@@ -84,8 +91,8 @@ constexpr bool has_value(Event::Kind kind) {
 
 /// As a program writes it: "M8", "S".
 constexpr std::string_view code_of(Event::Kind kind) {
-  constexpr std::string_view codes[] = {"M5", "M3", "M4", "S",   "M7",  "M8",  "M9",  "T",   "M6", "M0",
-                                        "M1", "M2", "F",  "M62", "M63", "M64", "M65", "M67", "M68"};
+  constexpr std::string_view codes[] = {"M5", "M3",  "M4", "S", "M7",  "M8",  "M9",  "T",   "M6",  "M0",
+                                        "M1", "M60", "M2", "F", "M62", "M63", "M64", "M65", "M67", "M68"};
   return codes[static_cast<std::size_t>(kind)];
 }
 

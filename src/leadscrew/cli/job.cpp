@@ -84,9 +84,7 @@ bool is_motion(const gcode::Move& move) {
 }
 
 bool is_pause(const gcode::Move& move) {
-  using Kind = base::Event::Kind;
-  return move.kind == gcode::Move::Kind::event &&
-         (move.event.kind == Kind::pause || move.event.kind == Kind::optional_pause);
+  return move.kind == gcode::Move::Kind::event && base::is_pause(move.event.kind);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ base::Result<files::InputFile> open_program(const std::string& program);
 struct Reading {
   std::int64_t blocks = 0;
   std::int64_t moves = 0;   ///< lines and arcs
-  std::int64_t pauses = 0;  ///< M0 and M1
+  std::int64_t pauses = 0;  ///< M0, M1 and M60
   double seconds = 0;       ///< that reading took
 };
 

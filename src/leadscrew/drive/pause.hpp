@@ -1,5 +1,5 @@
 #pragma once
-// M0 and M1 on a terminal: the planner's thread asks before each chunk, the view's answers when a key says so.
+// M0, M1 and M60 on a terminal: the planner's thread asks before each chunk, the view's answers when a key says so.
 
 #include <algorithm>
 #include <atomic>
@@ -10,10 +10,10 @@ namespace leadscrew::drive {
 
 class Pause {
  public:
-  /// Of the first M0 or M1 before the chunk, or of the one after so many of them.
+  /// Of the first pause before the chunk, or of the one after so many of them.
   static std::optional<base::Line> line_before(const planner::Chunk& chunk, int after = 0) {
     const auto pause = std::find_if(chunk.events.begin(), chunk.events.end(), [&](const base::Event& event) {
-      const bool is_pause = event.kind == base::Event::Kind::pause || event.kind == base::Event::Kind::optional_pause;
+      const bool is_pause = base::is_pause(event.kind);
       return is_pause && after-- == 0;
     });
     return pause == chunk.events.end() ? std::nullopt : std::optional(pause->line);
@@ -29,7 +29,7 @@ class Pause {
     return !line;
   }
 
-  /// Of the M0 or M1 where motion waits, or will.
+  /// Of the pause where motion waits, or will.
   std::optional<base::Line> line() const {
     const std::int64_t line = line_.load(std::memory_order_acquire);
     return line == nowhere ? std::nullopt : std::optional(base::Line{line});

@@ -162,10 +162,10 @@ bool BlockReader::refuse_m(double value, std::uint32_t column, const Block& bloc
                     "both are of M group " + std::to_string(group) + ": one block, one of them");
   } else if (is_unsupported_m(code)) {
     reporter_.error("unsupported-code", column, "M" + std::to_string(code) + " is not supported",
-                    "M0 to M9, M30, M62 to M65, M67 and M68 are");
+                    "M0 to M9, M30, M60, M62 to M65, M67 and M68 are");
   } else {
     reporter_.error("unknown-code", column, "M" + text(value) + " is not known",
-                    "M0 to M9, M30, M62 to M65, M67 and M68 are");
+                    "M0 to M9, M30, M60, M62 to M65, M67 and M68 are");
   }
   return true;
 }

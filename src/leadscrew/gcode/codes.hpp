@@ -54,6 +54,7 @@ constexpr int group_of_m(int code) {
     case 1:
     case 2:
     case 30:
+    case 60:
       return 4;
     case 62:
     case 63:

@@ -352,6 +352,9 @@ void Interpreter::stop(const Block& block) {
     case 1:
       stop_ = base::Event::Kind::optional_pause;
       break;
+    case 60:
+      stop_ = base::Event::Kind::pallet_pause;
+      break;
     default:
       stop_ = base::Event::Kind::program_end;
       ended_ = true;

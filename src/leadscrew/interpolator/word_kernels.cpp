@@ -8,6 +8,8 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 namespace leadscrew::interpolator {
@@ -109,6 +111,22 @@ namespace {
 #endif
 
 #undef LEADSCREW_FUSED
+
+#elif defined(__aarch64__)
+
+#define LEADSCREW_FUSED
+namespace neon {
+namespace {
+#define LEADSCREW_LANES 2
+[[gnu::always_inline]] inline float64x2_t fused(float64x2_t a, float64x2_t b, float64x2_t c) {
+  return vfmaq_f64(c, a, b);
+}
+#include <leadscrew/interpolator/word_kernel.inl>
+#undef LEADSCREW_LANES
+}  // namespace
+}  // namespace neon
+#undef LEADSCREW_FUSED
+
 #endif
 
 bool has(Kernel kernel) {
@@ -118,6 +136,9 @@ bool has(Kernel kernel) {
 #if defined(__x86_64__)
     case Kernel::avx2:
       return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+#elif defined(__aarch64__)
+    case Kernel::neon:
+      return true;
 #endif
     default:
       return false;
@@ -125,7 +146,8 @@ bool has(Kernel kernel) {
 }
 
 Kernel widest_kernel() {
-  return has(Kernel::avx2) ? Kernel::avx2 : Kernel::plain;
+  if (has(Kernel::avx2)) return Kernel::avx2;
+  return has(Kernel::neon) ? Kernel::neon : Kernel::plain;
 }
 
 bool Block::is_in_range() const {
@@ -160,6 +182,8 @@ bool Block::add(const planner::Segment& segment, numeric::DoubleDouble begin, st
 bool make_words(Kernel kernel, const Block& block, base::Word* words) {
 #if defined(__x86_64__)
   if (kernel == Kernel::avx2) return avx2::make_words(block, words);
+#elif defined(__aarch64__)
+  if (kernel == Kernel::neon) return neon::make_words(block, words);
 #endif
   (void)kernel;
   return plain::make_words(block, words);

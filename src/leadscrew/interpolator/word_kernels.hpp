@@ -32,9 +32,10 @@ namespace leadscrew::interpolator {
 enum class Kernel : std::uint8_t {
   plain,  ///< two lanes of what every processor has
   avx2,   ///< four, x86-64 with AVX2 and FMA; eight of AVX-512 were no faster
+  neon,   ///< two, with the fused multiply-add of every AArch64
 };
 
-inline constexpr std::array<Kernel, 2> all_kernels = {Kernel::plain, Kernel::avx2};
+inline constexpr std::array<Kernel, 3> all_kernels = {Kernel::plain, Kernel::avx2, Kernel::neon};
 
 /// Can this processor run it?
 bool has(Kernel kernel);

@@ -168,6 +168,7 @@ void Planner::keep_in_force(const base::Event& event) {
         return 10;
       case Kind::pause:
       case Kind::optional_pause:
+      case Kind::pallet_pause:
       case Kind::program_end:
         return 0;
     }
