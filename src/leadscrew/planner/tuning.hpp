@@ -62,6 +62,16 @@ inline constexpr std::size_t least_ahead = 16;  // intervals
 inline constexpr double effort_of_proof = 3;    // units, of a segment
 }  // namespace window
 
+/// The barrier method. Faster growth: fewer stages, of more steps each. More that is negligible: fewer steps a stage, until
+/// the next begins too far from its centre. Shorter steps at the next attempt: fewer attempts; longer: fewer steps.
+namespace barrier {
+inline constexpr double growth = 20;        // of t, from stage to stage
+inline constexpr double negligible = 0.06;  // decrement of a step, of the number of inequalities
+inline constexpr double shorter = 0.7;      // each attempt at a step
+inline constexpr double first_time_curvature = 0.2,
+                        first_floor_curvature = 0.1;  // of the first stage; 0.75 and 1 are exact
+}  // namespace barrier
+
 /// How far windows reach, and how much of one is committed. Longer: less of a stop's influence in what is committed
 /// (LookAhead.LosesNothingToTheNumberOfPieces), fewer windows. Shorter: no window takes longer than a few milliseconds to plan.
 namespace look_ahead {
