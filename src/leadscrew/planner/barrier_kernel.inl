@@ -166,7 +166,7 @@ void assemble(const BarrierTerms& terms, double t, const BarrierValues& values, 
   }
 }
 
-/// Newton's step of λ·free = 1, for a step of `share` times `before` to `after`, kept near what it is there.
+/// Newton's step of λ·free = 1, `change` what the whole step changes u by; kept near what it is at a centre there.
 LEADSCREW_LANEWISE Vector stepped(const Vector& dual, const Vector& free_before, const Vector& change,
                                   const Vector& free_after) {
   const Vector wanted = (all(1) + dual * change) / free_before, middle = all(1) / free_after;
@@ -183,7 +183,8 @@ void step_duals(const BarrierTerms& terms, const BarrierValues& before, const Ba
   }
   for (std::size_t i = 0; i < terms.sites.size(); ++i) {
     const SpeedProblem::Site& site = terms.sites[i];
-    const Vector ff = all(terms.factors[i]), w = ff * multiples(before.squares[i]), w_there = ff * multiples(after.squares[i]);
+    const Vector ff = all(terms.factors[i]), w = ff * multiples(before.squares[i]);
+    const Vector w_there = ff * multiples(after.squares[i]);
     const Vector of_place = ff * of_jerk * all(after.squares[i] - before.squares[i]);
     for (std::size_t block = site.first_block; block < site.end_block; ++block) {
       const Vector y = load(before.rows[block]), there = load(after.rows[block]);

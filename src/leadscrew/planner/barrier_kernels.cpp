@@ -1,9 +1,7 @@
 #include <cmath>
 #include <leadscrew/planner/barrier_kernels.hpp>
 
-#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"  // no vector is handed from function to function that is not inline
-#endif
 
 namespace leadscrew::planner {
 
