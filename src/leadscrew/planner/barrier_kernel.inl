@@ -21,12 +21,21 @@ LEADSCREW_LANEWISE void store(Lanes& to, const Vector& vector) {
 LEADSCREW_LANEWISE double sum_of(const Vector& v) {
   return (v[0] + v[2]) + (v[1] + v[3]);
 }
+#if defined(LEADSCREW_WIDE)
+LEADSCREW_LANEWISE bool any(const Mask& mask) {
+  return _mm256_movemask_pd((__m256d)mask) != 0;
+}
+LEADSCREW_LANEWISE Vector root(const Vector& v) {
+  return _mm256_sqrt_pd(v);
+}
+#else
 LEADSCREW_LANEWISE bool any(const Mask& mask) {
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
 LEADSCREW_LANEWISE Vector root(const Vector& v) {
   return Vector{__builtin_sqrt(v[0]), __builtin_sqrt(v[1]), __builtin_sqrt(v[2]), __builtin_sqrt(v[3])};
 }
+#endif
 LEADSCREW_LANEWISE Vector smaller(const Vector& a, const Vector& b) {
   return a < b ? a : b;
 }
@@ -37,6 +46,10 @@ LEADSCREW_LANEWISE Vector greater(const Vector& a, const Vector& b) {
 /// The rows of four coefficients, one for each lane.
 LEADSCREW_LANEWISE Vector along(const std::array<Lanes, 4>& by, const std::array<Vector, 4>& c) {
   return (load(by[0]) * c[0] + load(by[1]) * c[1]) + (load(by[2]) * c[2] + load(by[3]) * c[3]);
+}
+
+LEADSCREW_LANEWISE std::array<Vector, 4> loaded(const std::array<Lanes, 4>& by) {
+  return {load(by[0]), load(by[1]), load(by[2]), load(by[3])};
 }
 
 /// What A² and g² are multiplied by at a place.
@@ -101,21 +114,31 @@ struct Local {
   std::array<Vector, 4> gradient{};
   std::array<Vector, 10> hessian{};
 
-  LEADSCREW_LANEWISE void slope(const std::array<Lanes, 4>& by, const Vector& weight) {
-    for (std::size_t i = 0; i < 4; ++i) gradient[i] += weight * load(by[i]);
+  LEADSCREW_LANEWISE void slope(const std::array<Vector, 4>& by, const Vector& weight) {
+    gradient[0] += weight * by[0];
+    gradient[1] += weight * by[1];
+    gradient[2] += weight * by[2];
+    gradient[3] += weight * by[3];
   }
   LEADSCREW_LANEWISE void bend(const std::array<Vector, 4>& by, const Vector& weight) {
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vector scaled = weight * by[i];
-      for (std::size_t j = 0; j <= i; ++j) hessian[at++] += scaled * by[j];
-    }
+    const Vector first = weight * by[0], second = weight * by[1], third = weight * by[2], fourth = weight * by[3];
+    hessian[0] += first * by[0];
+    hessian[1] += second * by[0];
+    hessian[2] += second * by[1];
+    hessian[3] += third * by[0];
+    hessian[4] += third * by[1];
+    hessian[5] += third * by[2];
+    hessian[6] += fourth * by[0];
+    hessian[7] += fourth * by[1];
+    hessian[8] += fourth * by[2];
+    hessian[9] += fourth * by[3];
   }
 };
 
 void assemble(const BarrierTerms& terms, double t, const BarrierValues& values, const BarrierDuals& duals,
               std::span<LocalModel> models) {
   const Vector one = all(1), of_jerk = {0, 1, 0, 1}, weights = load(terms.time_weights);
+  const Vector middle = {0, 1, 0, 0}, end = {0, 0, 0, 1};  // SpeedProblem::middle_place, end_place
   std::size_t next = 0;
   for (std::size_t k = 0; k < terms.places.size(); ++k) {
     Local local;
@@ -131,9 +154,10 @@ void assemble(const BarrierTerms& terms, double t, const BarrierValues& values, 
       const SpeedProblem::Site& site = terms.sites[next];
       const double square = values.squares[next], ff = terms.factors[next];
       const Vector w = multiples(square), inverse_w = multiples(1 / square);
+      const std::array<Vector, 4> e = {all(site.x[0]), all(site.x[1]), all(site.x[2]), all(site.x[3])};
       Vector slope_by_x = {}, bend_by_x = {};
       for (std::size_t block = site.first_block; block < site.end_block; ++block) {
-        const std::array<Lanes, 4>& by = terms.blocks[block].by;
+        const std::array<Vector, 4> by = loaded(terms.blocks[block].by);
         const Vector y = load(values.rows[block]), dual = load(duals.rows[block]);
         const Vector fw = all(ff) * w, u = fw * y * y, more = one + u, both = one / ((one - u) * more);
         const Vector inverse_free = more * both, inverse_more = (one - u) * both;
@@ -142,25 +166,21 @@ void assemble(const BarrierTerms& terms, double t, const BarrierValues& values, 
         local.slope(by, all(2) * fw * y * inverse_free);
         slope_by_x += of_jerk * (u * inverse_w * inverse_free);
         bend_by_x += of_jerk * (dual * u * u * inverse_w * inverse_w * inverse_more);
-        std::array<Vector, 4> p;
-        for (std::size_t i = 0; i < 4; ++i) p[i] = load(by[i]) + of_place * all(site.x[i]);
-        local.bend(p, curvature);
+        local.bend({by[0] + of_place * e[0], by[1] + of_place * e[1], by[2] + of_place * e[2], by[3] + of_place * e[3]},
+                   curvature);
       }
       if (site.place >= 0) {
-        slope[site.place] += sum_of(slope_by_x);
-        bend[site.place] += sum_of(bend_by_x);
+        const Vector lane = site.place == SpeedProblem::middle_place ? middle : end;
+        slope += lane * all(sum_of(slope_by_x));
+        bend += lane * all(sum_of(bend_by_x));
       } else {
-        std::array<Vector, 4> p;
-        for (std::size_t i = 0; i < 4; ++i) {
-          p[i] = all(site.x[i]);
-          local.gradient[i] += slope_by_x * p[i];
-        }
-        local.bend(p, bend_by_x);
+        local.slope(e, slope_by_x);
+        local.bend(e, bend_by_x);
       }
     }
-    const std::array<Lanes, 4>& by = terms.places[k];
+    const std::array<Vector, 4> by = loaded(terms.places[k]);
     local.slope(by, slope);
-    local.bend({load(by[0]), load(by[1]), load(by[2]), load(by[3])}, bend);
+    local.bend(by, bend);
     for (std::size_t i = 0; i < 4; ++i) models[k].gradient[i] = sum_of(local.gradient[i]);
     for (std::size_t i = 0; i < 10; ++i) models[k].hessian[i] = sum_of(local.hessian[i]);
   }

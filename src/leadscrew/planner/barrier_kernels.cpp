@@ -1,6 +1,10 @@
 #include <cmath>
 #include <leadscrew/planner/barrier_kernels.hpp>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #pragma GCC diagnostic ignored "-Wpsabi"  // no vector is handed from function to function that is not inline
 
 namespace leadscrew::planner {
@@ -13,6 +17,8 @@ constexpr BarrierKernel kernel = {measure, assemble, step_duals, center_duals};
 }  // namespace plain
 
 #if defined(__x86_64__)
+
+#define LEADSCREW_WIDE
 
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
@@ -32,6 +38,7 @@ constexpr BarrierKernel kernel = {measure, assemble, step_duals, center_duals};
 #pragma GCC pop_options
 #endif
 
+#undef LEADSCREW_WIDE
 #endif
 
 const BarrierKernel& plain_barrier_kernel() {
