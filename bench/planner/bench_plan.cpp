@@ -1,26 +1,26 @@
-// Pieces planned per second, lines and arcs, and what it takes to plan windows of a curve in six axes.
+// What planning takes beside the motion: sections of one kind each, the path made before, on the built-in mill and on one
+// that is ten times as fast.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <ctime>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/planner/planner.hpp>
+#include <leadscrew/toolpath/builder.hpp>
 #include <motion.hpp>
+#include <numbers>
 #include <percentiles.hpp>
 #include <six_axes.hpp>
+#include <string>
+#include <vector>
 
 namespace {
 
 using namespace leadscrew;
-
-void plan(benchmark::State& state, toolpath::Piece piece) {
-  const machine::Machine machine = machine::mill3();
-  planner::Planner planner(machine, {});
-  for (auto _ : state) {
-    planner.push(piece);
-    benchmark::DoNotOptimize(planner.pop());
-  }
-  state.SetItemsProcessed(state.iterations());
-}
 
 double thread_cpu_seconds() {
   timespec time{};
@@ -28,17 +28,96 @@ double thread_cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+using Path = std::vector<toolpath::Element>;
+
+/// A tenfold acceleration takes a hundredfold jerk to be reached in a tenth of the time.
+machine::Machine fast_mill() {
+  machine::Machine machine = machine::mill3();
+  for (auto& axis : machine.axes) {
+    if (axis) axis->acceleration *= 10, axis->jerk *= 100;
+  }
+  return machine;
+}
+
+Path path_of(const std::string& text) {
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable tools;
+  gcode::Reader reader(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) {});
+  toolpath::Builder builder;
+  Path path;
+  const auto take = [&] {
+    while (std::optional<toolpath::Element> element = builder.pop()) path.push_back(std::move(*element));
+  };
+  gcode::Move move;
+  while (reader.next(move)) {
+    builder.push(move);
+    take();
+  }
+  builder.finish();
+  take();
+  return path;
+}
+
+std::string block(double x, double y) {
+  char text[64];
+  std::snprintf(text, sizeof text, "G1 X%.4f Y%.4f\n", x, y);
+  return text;
+}
+
+const std::string start = "G21 G90 G17 G94 F6000 G64 P0.01\n";
+
+std::string squares() {
+  std::string text = start;
+  for (int k = 0; k < 5; ++k) text += block(10, 0) + block(10, 10) + block(0, 10) + block(0, 0);
+  return text + "M2\n";
+}
+std::string zigzag() {
+  std::string text = start;
+  for (int k = 0; k < 12; ++k) text += block(k % 2 == 0 ? 10 : 0, 0.5 * k) + block(k % 2 == 0 ? 10 : 0, 0.5 * (k + 1));
+  return text + "M2\n";
+}
+/// Lines of `shortest` to `longest` mm; each turns by up to `turn` rad, one of sixteen anyhow.
+std::string wandering(int count, double shortest, double longest, double turn) {
+  constexpr double half_turn = 3.14159;
+  std::string text = start;
+  std::uint64_t state = 1;
+  const auto random = [&] {  // 0 … 1, by a linear congruence
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state >> 40) / 0x1p24;
+  };
+  double x = 0, y = 0, angle = 0;
+  for (int k = 0; k < count; ++k) {
+    angle += (random() < 1.0 / 16 ? half_turn : turn) * (2 * random() - 1);
+    const double length = shortest + (longest - shortest) * random();
+    x += length * std::cos(angle), y += length * std::sin(angle);
+    text += block(x, y);
+  }
+  return text + "M2\n";
+}
+
+Path lines_with_stops() {
+  Path path;
+  for (int k = 0; k < 100; ++k) {
+    const double from = 5.0 * (k % 2), to = 5 - from;
+    path.emplace_back(testing_support::line_piece({from, from, from}, {to, to, to}, 60));
+  }
+  return path;
+}
+Path small_arcs() {
+  Path path;
+  for (int k = 0; k < 20; ++k) {
+    path.emplace_back(testing_support::arc_piece({}, 1, 0, 2 * std::numbers::pi, 100));
+    std::get<toolpath::Piece>(path.back()).stop = true;
+  }
+  return path;
+}
+
 /// "longest": s of the longest call; "share": of the time that the motion takes.
-void plan_six_axes(benchmark::State& state) {
-  constexpr int spans = 300;
-  const machine::Machine machine = testing_support::mill_of_six_axes();
-  testing_support::CurveInSixAxes curve(50);
-  std::vector<toolpath::Piece> pieces;
-  const geometry::Point start = curve.start();
-  while (pieces.size() < spans) pieces.push_back(curve.next());
+void plan(benchmark::State& state, const machine::Machine& machine, const geometry::Point& start_point,
+          const Path& path) {
   double longest = 0, taken = 0, motion = 0;
   for (auto _ : state) {
-    planner::Planner planner(machine, start);
+    planner::Planner planner(machine, start_point);
     const auto pop = [&] {
       for (;;) {
         const double before = thread_cpu_seconds();
@@ -50,8 +129,8 @@ void plan_six_axes(benchmark::State& state) {
         motion += chunk->duration.value();
       }
     };
-    for (const toolpath::Piece& piece : pieces) {
-      planner.push(piece);
+    for (const toolpath::Element& element : path) {
+      planner.push(element);
       pop();
     }
     planner.finish();
@@ -59,14 +138,33 @@ void plan_six_axes(benchmark::State& state) {
   }
   state.counters["longest"] = longest;
   state.counters["share"] = taken / motion;
-  state.SetItemsProcessed(spans * state.iterations());
+  state.SetItemsProcessed(static_cast<std::int64_t>(path.size()) * state.iterations());
 }
 
-auto* const six_axes = leadscrew::bench::with_percentiles(
-    benchmark::RegisterBenchmark("plan/windows of a curve in six axes", plan_six_axes)->Iterations(1));
-auto* const line = leadscrew::bench::with_percentiles(
-    benchmark::RegisterBenchmark("plan/line", plan, testing_support::line_piece({}, {3, 4, 5}, 60)));
-auto* const arc = leadscrew::bench::with_percentiles(
-    benchmark::RegisterBenchmark("plan/arc", plan, testing_support::arc_piece({}, 10, 0, 2, 60)));
+void add(const std::string& name, const machine::Machine& machine, const Path& path, const geometry::Point& at = {}) {
+  leadscrew::bench::with_percentiles(
+      benchmark::RegisterBenchmark(("plan/" + name).c_str(), [=](benchmark::State& state) {
+        plan(state, machine, at, path);
+      })->Iterations(1));
+}
+
+const bool added = [] {
+  for (const bool fast : {false, true}) {
+    const machine::Machine machine = fast ? fast_mill() : machine::mill3();
+    const std::string on = fast ? ", ten times as fast" : "";
+    add("line" + on, machine, lines_with_stops());
+    add("small arcs" + on, machine, small_arcs());
+    add("corners" + on, machine, path_of(squares()));
+    add("zigzag" + on, machine, path_of(zigzag()));
+    add("engraving" + on, machine, path_of(wandering(200, 0.05, 0.5, 0.6)));
+    add("random lines" + on, machine, path_of(wandering(40, 0.2, 4, 3)));
+  }
+  testing_support::CurveInSixAxes curve(50);
+  const geometry::Point at = curve.start();
+  Path path;
+  while (path.size() < 300) path.emplace_back(curve.next());
+  add("windows of a curve in six axes", testing_support::mill_of_six_axes(), path, at);
+  return true;
+}();
 
 }  // namespace

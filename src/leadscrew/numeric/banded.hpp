@@ -32,13 +32,14 @@ class BandedMatrix {
       Row& a = rows_[i];
       const double diagonal = a[0];
       const std::size_t width = std::min(half_bandwidth, i);
-      // L(i, j) = (A(i, j) − Σ_m L(i, m) D(m) L(j, m)) / D(j), from the left.
-      for (std::size_t k = width; k > 0; --k) {
-        for (std::size_t m = width; m > k; --m) a[k] -= a[m] / inverse(i - m) * rows_[i - k][m - k];
-        a[k] *= inverse(i - k);
-      }
+      // W(i, j) = L(i, j) D(j) = A(i, j) − Σ_m W(i, m) L(j, m), from the left.
+      Row w = a;
       double pivot = diagonal;
-      for (std::size_t k = 1; k <= width; ++k) pivot -= a[k] * a[k] / inverse(i - k);
+      for (std::size_t k = width; k > 0; --k) {
+        for (std::size_t m = width; m > k; --m) w[k] -= w[m] * rows_[i - k][m - k];
+        a[k] = w[k] * inverse(i - k);
+        pivot -= w[k] * a[k];
+      }
       pivot = std::max(pivot, pivot_floor * diagonal);
       a[0] = 1 / pivot;
     }

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/barrier.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <limits>
@@ -46,42 +48,107 @@ BarrierSolver::BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bou
     : problem_(problem),
       bounds_(bounds),
       goal_(goal),
+      kernel_(barrier_kernel()),
       iterate_(iterate),
       floors_(goal.floors),
       inequalities_(static_cast<double>(problem.inequalities())) {
-  floors_.resize(iterate.coefficients().size(), 0.0);
+  const std::size_t n = problem.intervals();
+  floors_.resize(n + 3, 0.0);
+  first_free_ = problem.starts_at_rest() ? 0 : 3;
+  first_single_ = 3;
+  end_single_ = n + 3;
+  while (end_single_ > first_single_ && problem.variable(end_single_ - 1) == problem.variable(n + 2)) --end_single_;
+  terms_.places = problem.places();
+  terms_.basis = problem.basis();
+  terms_.sites = problem.sites();
+  terms_.blocks = problem.blocks();
+  std::copy(numeric::gauss_3_weights.begin(), numeric::gauss_3_weights.end(), terms_.time_weights.begin());
+  terms_.inverse_caps.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    terms_.inverse_caps[k][SpeedProblem::middle_place] = 1 / bounds.caps().middles[k];
+    terms_.inverse_caps[k][SpeedProblem::end_place] = 1 / bounds.caps().knots[k + 1];
+  }
+  for (BarrierValues* const values : {&values_, &trial_values_}) {
+    values->rows.resize(terms_.blocks.size());
+    values->squares.resize(terms_.sites.size());
+    values->places.resize(n);
+  }
+  duals_.rows.resize(terms_.blocks.size());
+  duals_.places.resize(n);
+  cap_duals_.resize(n + 3);
+  models_.resize(n);
+  terms_.factors.resize(terms_.sites.size());
+}
+
+/// Rows may have been relaxed less since.
+void BarrierSolver::find_factors() {
+  for (std::size_t i = 0; i < terms_.sites.size(); ++i) terms_.factors[i] = squared(bounds_.factor(terms_.sites[i], i));
+}
+
+/// t for a gap, with the multipliers of a centre.
+double BarrierSolver::begin(double gap) {
+  find_factors();
+  const Step at = measure(iterate_.coefficients(), 1, values_);
+  center_duals();
+  is_first_ = true;
+  return inequalities_ / (gap * at.objective);
+}
+
+/// For the next stage, with the multipliers.
+double BarrierSolver::grown(double t, double most) {
+  const double factor = std::min(tuning::barrier::growth, most);
+  is_first_ = false;
+  for (std::vector<Lanes>* const part : {&duals_.rows, &duals_.places}) {
+    for (Lanes& lanes : *part) {
+      for (double& dual : lanes) dual *= factor;
+    }
+  }
+  for (double& dual : cap_duals_) dual *= factor;
+  creep_dual_ *= factor;
+  return t * factor;
 }
 
 /// Newton steps until they help little; the objective then.
 double BarrierSolver::follow(double t) {
-  Step at = measure(iterate_.coefficients(), t);
+  find_factors();
+  Step at = measure(iterate_.coefficients(), t, values_);
   for (int step = 0; step < 25; ++step) {
     double decrement = 0;
-    if (!newton(t, at, decrement) || decrement < 1e-4 * inequalities_ + 0.3) break;
+    if (!newton(t, at, decrement) || decrement < tuning::barrier::negligible * inequalities_) break;
   }
   return at.objective;
 }
 
 bool BarrierSolver::newton(double t, Step& at, double& decrement) {
   ++newton_steps_;
-  assemble(t);
-  direction_ = gradient_;
-  hessian_.factor(1e-13);
-  hessian_.solve(direction_);
+  find_direction(t);
   decrement = 0;
   for (std::size_t i = 0; i < direction_.size(); ++i) decrement += gradient_[i] * direction_[i];
   if (!(decrement > 0)) return false;
   double length = 1;
-  for (int halving = 0; halving < 30; ++halving, length /= 2) {
+  for (int attempt = 0; attempt < most_attempts; ++attempt, length *= tuning::barrier::shorter) {
     iterate_.step_back(problem_, direction_, length, trial_);
-    const Step there = measure(trial_.coefficients(), t);
+    const Step there = measure(trial_.coefficients(), t, trial_values_);
     if (there.value <= at.value - 0.05 * length * decrement) {
       at = there;
+      if (!is_first_) step_duals(trial_.coefficients(), trial_values_, length);
       std::swap(iterate_, trial_);
+      std::swap(values_, trial_values_);
+      if (is_first_) center_duals();
       return true;
     }
   }
   return false;
+}
+
+/// Out of a creep, Newton's method goes up by two thirds of x a step where time alone counts, and doubles x where its
+/// logarithm does: with less curvature of both, the line search permitting, a few steps are enough.
+void BarrierSolver::find_direction(double t) {
+  terms_.time_curvature = is_first_ ? tuning::barrier::first_time_curvature : 0.75;
+  assemble(t);
+  direction_ = gradient_;
+  hessian_.factor(1e-13);
+  hessian_.solve(direction_);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -98,194 +165,92 @@ class BarrierSolver::Product {
     }
     return factor > 0;
   }
-  /// t·objective with the barrier.
-  double with(double weighted_objective) const { return weighted_objective + sum_ - std::log(product_); }
+  double logarithm() const { return sum_ - std::log(product_); }
 
  private:
   double sum_ = 0, product_ = 1;
 };
 
-BarrierSolver::Step BarrierSolver::measure(const std::vector<double>& c, double t) const {
+/// T by three-point Gauss, and on ramps of constant path jerk 3s₁/√x₁.
+BarrierSolver::Step BarrierSolver::measure(std::span<const double> c, double t, BarrierValues& values) const {
   const Step outside{infinity, infinity};
   if (!(c.front() > 0 && c.back() > 0)) return outside;
-  double objective = 0;
   Product barrier;
-  if (!measure_caps(c, barrier) || !measure_objective(c, objective) || !measure_rows(c, barrier) ||
-      !measure_places(c, barrier)) {
-    return outside;
-  }
-  return {barrier.with(t * objective), objective};
+  if (!measure_coefficients(c, barrier) || !kernel_.measure(terms_, c, values)) return outside;
+  const Knots& knots = problem_.knots();
+  double objective = values.time + 3 * (knots.start_ramp / std::sqrt(c.front()) + knots.end_ramp / std::sqrt(c.back()));
+  if (!goal_.wanted.empty()) objective += measure_excess(values);
+  return {t * objective + (values.barrier + barrier.logarithm()), objective};
 }
 
-bool BarrierSolver::measure_caps(const std::vector<double>& c, Product& barrier) const {
+bool BarrierSolver::measure_coefficients(std::span<const double> c, Product& barrier) const {
   const std::vector<double>& caps = bounds_.caps().coefficients;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    if (problem_.is_free(i) && !(barrier.take(1 - c[i] / caps[i]) && barrier.take((c[i] - floors_[i]) / caps[i])))
-      return false;
+  for (std::size_t i = first_free_; i < c.size(); ++i) {
+    const double inverse = 1 / caps[i];
+    if (!(barrier.take(1 - c[i] * inverse) && barrier.take((c[i] - floors_[i]) * inverse))) return false;
   }
   return problem_.ends_at_rest() || barrier.take(1 - c.back() / problem_.creep().back());
 }
 
-/// T by three-point Gauss, and on ramps of constant path jerk 3s₁/√x₁.
-bool BarrierSolver::measure_objective(const std::vector<double>& c, double& objective) const {
-  const Knots& knots = problem_.knots();
-  double sum = 3 * (knots.start_ramp / std::sqrt(c.front()) + knots.end_ramp / std::sqrt(c.back()));
+double BarrierSolver::measure_excess(const BarrierValues& values) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < problem_.intervals(); ++k) {
+    const double h = problem_.basis()[k].h;
+    for (std::size_t q = 0; q < 3; ++q)
+      sum += excess(values.places[k][q], goal_.wanted[3 * k + q]).value * h * numeric::gauss_3_weights[q];
+  }
+  return sum;
+}
+
+void BarrierSolver::find_excess(double t) {
+  terms_.excess.resize(problem_.intervals());
   for (std::size_t k = 0; k < problem_.intervals(); ++k) {
     const double h = problem_.basis()[k].h;
     for (std::size_t q = 0; q < 3; ++q) {
-      const double x = dot(problem_.gauss()[3 * k + q], &c[k]);
-      if (!(x > 0)) return false;
-      sum += h * numeric::gauss_3_weights[q] / std::sqrt(x);
-      if (!goal_.wanted.empty()) sum += excess(x, goal_.wanted[3 * k + q]).value * h * numeric::gauss_3_weights[q];
+      const Excess above = excess(values_.places[k][q], goal_.wanted[3 * k + q]);
+      const double weight = t * h * numeric::gauss_3_weights[q];
+      terms_.excess[k].slope[q] = weight * above.slope;
+      terms_.excess[k].curvature[q] = weight * above.curvature;
     }
   }
-  objective = sum;
-  return true;
-}
-
-bool BarrierSolver::measure_rows(const std::vector<double>& c, Product& barrier) const {
-  const std::span<const SpeedProblem::Site> sites = problem_.sites();
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    const SpeedProblem::Site& site = sites[i];
-    const double* at = &c[site.interval];
-    const double x = dot(site.x, at), f = squared(bounds_.factor(site, i));
-    if (!(x > 0)) return false;
-    double factor = 1;
-    for (const SpeedProblem::CoefficientRow& row : problem_.rows(site)) {
-      const double a = 1 - f * squared(dot(row.acceleration, at));
-      const double u = 1 - f * squared(dot(row.jerk, at)) * x;
-      if (!(a > 0 && u > 0)) return false;
-      factor *= a * u;
-    }
-    if (!barrier.take(factor)) return false;
-  }
-  return true;
-}
-
-/// x in the middle and at the end of the intervals.
-bool BarrierSolver::measure_places(const std::vector<double>& c, Product& barrier) const {
-  const SquareCaps& caps = bounds_.caps();
-  for (std::size_t k = 0; k < problem_.intervals(); ++k) {
-    const double middle = dot(problem_.gauss()[3 * k + 1], &c[k]), end = dot(problem_.basis()[k].value(1), &c[k]);
-    if (!(barrier.take(1 - middle / caps.middles[k]) && barrier.take(1 - end / caps.knots[k + 1]))) return false;
-  }
-  return true;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-namespace {
-
-/// Gradient and Hessian, its lower triangle by rows, in the four coefficients of one interval.
-struct LocalModel {
-  const double* c = nullptr;
-  Four gradient{};
-  std::array<double, 10> hessian{};
-
-  void along(const Four& p, double factor) {
-    for (std::size_t i = 0; i < 4; ++i) gradient[i] += factor * p[i];
-  }
-  void rank_one(const Four& p, double factor) {
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double scaled = factor * p[i];
-      for (std::size_t j = 0; j <= i; ++j) hessian[at++] += scaled * p[j];
-    }
-  }
-  /// (p qᵀ + q pᵀ)/2
-  void outer(const Four& p, const Four& q) {
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) hessian[at++] += 0.5 * (p[i] * q[j] + q[i] * p[j]);
-    }
-  }
-  /// −log(greatest − x)
-  void stay_below(const Four& place, double greatest) {
-    const double inverse = 1 / (greatest - dot(place, c));
-    along(place, inverse);
-    rank_one(place, inverse * inverse);
-  }
-};
-
-void add_objective(const SpeedProblem& problem, const SpeedGoal& goal, std::size_t k, double t, LocalModel& model) {
-  const double h = problem.basis()[k].h;
-  for (std::size_t q = 0; q < 3; ++q) {
-    const Four& e = problem.gauss()[3 * k + q];
-    const double x = dot(e, model.c), part = t * h * numeric::gauss_3_weights[q] / (x * std::sqrt(x));
-    model.along(e, -0.5 * part);
-    model.rank_one(e, 0.75 * part / x);
-    if (goal.wanted.empty()) continue;
-    const Excess above = excess(x, goal.wanted[3 * k + q]);
-    model.along(e, t * h * numeric::gauss_3_weights[q] * above.slope);
-    model.rank_one(e, t * h * numeric::gauss_3_weights[q] * above.curvature);
-  }
-}
-
-/// Of u = g²x, with p = ∇g and e = ∇x: ∇u = 2gx p + g² e; the Hessian is modelled by U Uᵀ + Z Zᵀ, U = ∇u/(1 − u),
-/// Z = √(2x/(1 − u)) (p + (g/x) e), which is never indefinite.
-void add_site(const SpeedProblem& problem, const SpeedBounds& bounds, std::size_t index, LocalModel& model) {
-  const SpeedProblem::Site& site = problem.sites()[index];
-  const double* c = model.c;
-  const double x = dot(site.x, c), inverse_x = 1 / x, ff = squared(bounds.factor(site, index));
-  double by_x = 0, by_xx = 0;
-  Four with_x{};
-  for (const SpeedProblem::CoefficientRow& row : problem.rows(site)) {
-    const double a = dot(row.acceleration, c), g = dot(row.jerk, c);
-    const double free_a = 1 - ff * a * a, free_j = 1 - ff * g * g * x, both = 1 / (free_a * free_j);
-    const double of_a = free_j * both, of_j = free_a * both;  // 1/(1 − A²) and 1/(1 − u)
-    model.along(row.acceleration, 2 * ff * a * of_a);
-    model.rank_one(row.acceleration, 2 * ff * of_a * (1 + 2 * ff * a * a * of_a));
-    const double u_p = 2 * ff * g * x * of_j, u_e = ff * g * g * of_j, z = 2 * ff * x * of_j;
-    model.along(row.jerk, u_p);
-    by_x += u_e;
-    model.rank_one(row.jerk, u_p * u_p + z);
-    const double mixed = 2 * (u_p * u_e + z * g * inverse_x);
-    for (std::size_t i = 0; i < 4; ++i) with_x[i] += mixed * row.jerk[i];
-    by_xx += u_e * u_e + z * squared(g * inverse_x);
-  }
-  model.along(site.x, by_x);
-  model.rank_one(site.x, by_xx);
-  model.outer(with_x, site.x);
-}
-
-/// From coefficients to variables.
-void add_to_variables(const SpeedProblem& problem, std::size_t k, const LocalModel& model,
-                      numeric::BandedMatrix<3>& hessian, std::vector<double>& gradient) {
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!problem.is_free(k + i)) {
-      at += i + 1;
-      continue;
-    }
-    const std::size_t vi = problem.variable(k + i);
-    const double wi = problem.weight(k + i);
-    gradient[vi] += wi * model.gradient[i];
-    for (std::size_t j = 0; j <= i; ++j, ++at) {
-      if (!problem.is_free(k + j)) continue;
-      const std::size_t vj = problem.variable(k + j);
-      const double value = wi * problem.weight(k + j) * model.hessian[at];
-      hessian.add(vi, vj, i != j && vi == vj ? 2 * value : value);
-    }
-  }
-}
-
-}  // namespace
-
 void BarrierSolver::assemble(double t) {
   hessian_.reset(iterate_.variables().size());
   gradient_.assign(iterate_.variables().size(), 0.0);
+  if (!goal_.wanted.empty()) find_excess(t);
   assemble_coefficients(t);
-  const std::span<const SpeedProblem::Site> sites = problem_.sites();
-  const SquareCaps& caps = bounds_.caps();
-  std::size_t next_site = 0;
-  for (std::size_t k = 0; k < problem_.intervals(); ++k) {
-    LocalModel model{&iterate_.coefficients()[k]};
-    add_objective(problem_, goal_, k, t, model);
-    model.stay_below(problem_.gauss()[3 * k + 1], caps.middles[k]);
-    model.stay_below(problem_.basis()[k].value(1), caps.knots[k + 1]);
-    for (; next_site < sites.size() && sites[next_site].interval == k; ++next_site)
-      add_site(problem_, bounds_, next_site, model);
-    add_to_variables(problem_, k, model, hessian_, gradient_);
+  kernel_.assemble(terms_, t, values_, duals_, models_);
+  for (std::size_t k = 0; k < problem_.intervals(); ++k) add_to_variables(k, models_[k]);
+}
+
+/// From coefficients to variables.
+void BarrierSolver::add_to_variables(std::size_t k, const LocalModel& model) {
+  std::size_t at = 0;
+  if (k >= first_single_ && k + 4 <= end_single_) {
+    const std::size_t first = problem_.variable(k);
+    for (std::size_t i = 0; i < 4; ++i) {
+      gradient_[first + i] += model.gradient[i];
+      for (std::size_t j = 0; j <= i; ++j) hessian_.row(first + i)[i - j] += model.hessian[at++];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!problem_.is_free(k + i)) {
+      at += i + 1;
+      continue;
+    }
+    const std::size_t vi = problem_.variable(k + i);
+    const double wi = problem_.weight(k + i);
+    gradient_[vi] += wi * model.gradient[i];
+    for (std::size_t j = 0; j <= i; ++j, ++at) {
+      if (!problem_.is_free(k + j)) continue;
+      const std::size_t vj = problem_.variable(k + j);
+      const double value = wi * problem_.weight(k + j) * model.hessian[at];
+      hessian_.add(vi, vj, i != j && vi == vj ? 2 * value : value);
+    }
   }
 }
 
@@ -296,9 +261,9 @@ void BarrierSolver::add_single(std::size_t coefficient, double slope, double cur
   hessian_.add(v, v, w * w * curvature);
 }
 
-void BarrierSolver::keep_below(std::size_t coefficient, double greatest) {
+void BarrierSolver::keep_below(std::size_t coefficient, double greatest, double dual) {
   const double inverse = 1 / (greatest - iterate_.coefficients()[coefficient]);
-  add_single(coefficient, inverse, inverse * inverse);
+  add_single(coefficient, inverse, dual * inverse / greatest);
 }
 
 void BarrierSolver::spend_on_ramp(std::size_t coefficient, double ramp, double t) {
@@ -309,18 +274,39 @@ void BarrierSolver::spend_on_ramp(std::size_t coefficient, double ramp, double t
 /// Caps, floors and ramps.
 void BarrierSolver::assemble_coefficients(double t) {
   const std::vector<double>& c = iterate_.coefficients();
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    if (!problem_.is_free(i)) continue;
-    keep_below(i, bounds_.caps().coefficients[i]);
+  const double of_floors = is_first_ ? tuning::barrier::first_floor_curvature : 1;
+  for (std::size_t i = first_free_; i < c.size(); ++i) {
+    keep_below(i, bounds_.caps().coefficients[i], cap_duals_[i]);
     const double above = 1 / (c[i] - floors_[i]);
-    add_single(i, -above, above * above);
+    add_single(i, -above, of_floors * above * above);
   }
   if (problem_.starts_at_rest()) spend_on_ramp(0, problem_.knots().start_ramp, t);
   if (problem_.ends_at_rest()) {
     spend_on_ramp(c.size() - 1, problem_.knots().end_ramp, t);
   } else {
-    keep_below(c.size() - 1, problem_.creep().back());
+    keep_below(c.size() - 1, problem_.creep().back(), creep_dual_);
   }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+void BarrierSolver::center_duals() {
+  const std::vector<double>&c = iterate_.coefficients(), &caps = bounds_.caps().coefficients;
+  kernel_.center_duals(terms_, values_, duals_);
+  for (std::size_t i = first_free_; i < c.size(); ++i) cap_duals_[i] = 1 / (1 - c[i] / caps[i]);
+  creep_dual_ = 1 / (1 - c.back() / problem_.creep().back());
+}
+
+/// From the iterate to `there`, a share of Newton's step.
+void BarrierSolver::step_duals(std::span<const double> there, const BarrierValues& values, double share) {
+  const std::vector<double>&c = iterate_.coefficients(), &caps = bounds_.caps().coefficients;
+  kernel_.step_duals(terms_, values_, values, share, duals_);
+  const auto stepped = [&](double& dual, std::size_t i, double greatest) {
+    const double free = 1 - c[i] / greatest, change = (there[i] - c[i]) / (greatest * share);
+    dual = near_center((1 + dual * change) / free, 1 - there[i] / greatest);
+  };
+  for (std::size_t i = first_free_; i < c.size(); ++i) stepped(cap_duals_[i], i, caps[i]);
+  if (!problem_.ends_at_rest()) stepped(creep_dual_, c.size() - 1, problem_.creep().back());
 }
 
 }  // namespace leadscrew::planner

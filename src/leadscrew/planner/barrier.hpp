@@ -4,12 +4,13 @@
 //
 //     minimise  t·(T + E) − Σ log(1 − ratio)        T = ∫ x^(−1/2) ds, ratios of caps c/C, of rows A² and g²x
 //
-// for t that grows eightfold until the distance from the optimum, at most the number of inequalities over t, is small
-// enough. E is 0 but where a speed is wanted that lies below the present one: what is above it costs more than time.
+// for t that grows until the distance from the optimum, at most the number of inequalities over t, is small enough. The
+// Hessian is that of the primal-dual method (ibid., 11.7): a limit that is to be approached pulls by its multiplier, not
+// by how near it is, and t may grow faster. Every step is still one down the barrier's value, inside every limit. E is 0 but where a speed is wanted that lies below the present one: what is above it costs more than time.
 
-#include <array>
 #include <cstddef>
 #include <leadscrew/numeric/banded.hpp>
+#include <leadscrew/planner/barrier_kernels.hpp>
 #include <leadscrew/planner/speed_bounds.hpp>
 #include <leadscrew/planner/speed_problem.hpp>
 #include <span>
@@ -48,16 +49,16 @@ class BarrierSolver {
   /// stage that is at least a tenth of the objective from it.
   template <typename FarInside>
   void optimize(double first_gap, double gap, const FarInside& far_inside) {
-    double t = weight_of(first_gap);
-    for (int stage = 0; stage < 30; ++stage) {
+    double t = begin(first_gap);
+    for (int stage = 0; stage < most_stages; ++stage) {
       const double left = inequalities_ / t / follow(t);
       if (left > 0.1) far_inside();
       if (left < gap) break;
-      t *= 8;
+      t = grown(t, 1.01 * left / gap);
     }
   }
   /// As deep inside the bounds as the optimum within `gap` is.
-  void center(double gap) { follow(weight_of(gap)); }
+  void center(double gap) { follow(begin(gap)); }
 
   int newton_steps() const { return newton_steps_; }
 
@@ -67,28 +68,43 @@ class BarrierSolver {
     double objective = 0;  ///< T + E
   };
   class Product;
+  static constexpr int most_stages = 40, most_attempts = 60;
 
-  double weight_of(double gap) const { return inequalities_ / (gap * measure(iterate_.coefficients(), 1).objective); }
+  double begin(double gap);
+  double grown(double t, double most);
   double follow(double t);
   bool newton(double t, Step& at, double& decrement);
-  Step measure(const std::vector<double>& c, double t) const;
-  bool measure_caps(const std::vector<double>& c, Product& barrier) const;
-  bool measure_objective(const std::vector<double>& c, double& objective) const;
-  bool measure_rows(const std::vector<double>& c, Product& barrier) const;
-  bool measure_places(const std::vector<double>& c, Product& barrier) const;
+  void find_direction(double t);
+  Step measure(std::span<const double> c, double t, BarrierValues& values) const;
+  bool measure_coefficients(std::span<const double> c, Product& barrier) const;
+  double measure_excess(const BarrierValues& values) const;
+  void find_excess(double t);
+  void find_factors();
   void assemble(double t);
+  void add_to_variables(std::size_t interval, const LocalModel& model);
   void assemble_coefficients(double t);
   void add_single(std::size_t coefficient, double slope, double curvature);
-  void keep_below(std::size_t coefficient, double greatest);
+  void keep_below(std::size_t coefficient, double greatest, double dual);
   void spend_on_ramp(std::size_t coefficient, double ramp, double t);
+  void center_duals();
+  void step_duals(std::span<const double> before, const BarrierValues& values, double share);
 
   const SpeedProblem& problem_;
   const SpeedBounds& bounds_;
   const SpeedGoal& goal_;
+  const BarrierKernel& kernel_;
   SpeedIterate& iterate_;
   SpeedIterate trial_;
   std::vector<double> floors_;
   double inequalities_;
+  std::size_t first_free_, first_single_, end_single_;  ///< coefficients: the first free one; those that are a variable
+  BarrierTerms terms_;
+  BarrierValues values_, trial_values_;
+  BarrierDuals duals_;
+  std::vector<double> cap_duals_;  ///< of the coefficients
+  double creep_dual_ = 1;
+  bool is_first_ = true;  ///< stage: its multipliers are those of centres
+  std::vector<LocalModel> models_;
   numeric::BandedMatrix<3> hessian_;
   std::vector<double> gradient_, direction_;
   int newton_steps_ = 0;

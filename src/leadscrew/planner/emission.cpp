@@ -212,12 +212,16 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
   const std::size_t last = section.piece_at(end, Side::left);
   const double on_curves = borders > most_borders ? dense_steps : has_table(first) || has_table(last) ? map_steps : 1;
-  const auto place = [&](const geometry::PointJet& jet, double s, Side side) {
-    return constraints::Place{jet, feed_factor * section.greatest_speed(s, side, jet)};
+  const auto look_at = [&](std::size_t piece, double s, Side side) {
+    return one_sided_jets(section.piece(piece).axes(), s - section.offset(piece), side);
+  };
+  const auto place = [&](std::size_t piece, const geometry::PointJet& jet) {
+    return constraints::Place{jet, feed_factor * section.piece(piece).greatest_speed(jet)};
   };
   Peaks peaks;
   double fastest = 0, slowest = infinity;
   PathState before;
+  std::size_t piece = first;
   const double duration = segment.duration.value();
   for (int k = 0; k <= looks; ++k) {
     const PathState at = evaluate(segment, duration * k / looks);
@@ -226,9 +230,9 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
     if (k > 0 && before.acceleration < 0 && at.acceleration > 0)
       slowest = std::min(slowest, least_speed(segment, duration * (k - 1) / looks, duration * k / looks));
     before = at;
-    const Side side = k == 0 ? Side::right : Side::left;
-    const geometry::PointJet jet = section.jets(at.s, side);
-    peaks.look(constraints, place(jet, at.s, side), at, turns(jet) ? between_looks : 1);
+    while (piece < last && section.offset(piece + 1) < at.s) ++piece;
+    const geometry::PointJet jet = look_at(piece, at.s, k == 0 ? Side::right : Side::left);
+    peaks.look(constraints, place(piece, jet), at, turns(jet) ? between_looks : 1);
   }
   // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
   LimitRatios ratios = peaks.greatest();
@@ -236,8 +240,9 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
     const double s = section.offset(p);
     const PathState at = evaluate(segment, time_at(segment, s));
     for (const Side side : {Side::left, Side::right}) {
-      const geometry::PointJet jet = section.jets(s, side);
-      constraints.raise(place(jet, s, side), rates(at), ratios);
+      const std::size_t on = side == Side::left ? p - 1 : p;
+      const geometry::PointJet jet = look_at(on, s, side);
+      constraints.raise(place(on, jet), rates(at), ratios);
     }
   }
   const machine::Derivatives greatest = ratios.by_derivative();

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/speed_problem.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <limits>
@@ -91,10 +92,17 @@ class SpeedProblem::Builder {
     const std::vector<double>& s = problem_.knots_.s;
     const std::size_t n = problem_.intervals();
     problem_.basis_.reserve(n);
-    problem_.gauss_.reserve(3 * n);
+    problem_.places_.reserve(n);
+    const auto [first, second, third] = numeric::gauss_3_places;
     for (std::size_t k = 0; k < n; ++k) {
-      problem_.basis_.emplace_back(around(s, k));
-      for (const double u : numeric::gauss_3_places) problem_.gauss_.push_back(problem_.basis_[k].value(u));
+      const CubicBasis& basis = problem_.basis_.emplace_back(around(s, k));
+      SpeedProblem::Places& places = problem_.places_.emplace_back();
+      std::size_t lane = 0;
+      for (const double u : {first, second, third, 1.0}) {
+        const Four value = basis.value(u);
+        for (std::size_t i = 0; i < 4; ++i) places[i][lane] = value[i];
+        ++lane;
+      }
     }
     if (problem_.starts_at_rest()) problem_.start_tie_ = rest_tie(problem_.knots_.start_ramp, s[1] - s[0], s[2] - s[1]);
     if (problem_.ends_at_rest())
@@ -113,7 +121,7 @@ class SpeedProblem::Builder {
     std::size_t moving = 0;
     for (std::size_t i = 0; i < RowPairs::size; ++i)
       moving += first.pairs[i].bounds() || middle.pairs[i].bounds() || last.pairs[i].bounds();
-    problem_.rows_.reserve(sites * moving);
+    problem_.blocks_.reserve(sites * ((moving + 1) / 2));
   }
 
   void add_interval(std::size_t k) {
@@ -144,25 +152,34 @@ class SpeedProblem::Builder {
   }
 
   Site& begin_site(std::size_t interval, const Four& x) {
-    const auto row = static_cast<std::uint32_t>(problem_.rows_.size());
-    return problem_.sites_.emplace_back(Site{static_cast<std::uint32_t>(interval), row, row, false, x});
+    pairs_ = 0;
+    const auto block = static_cast<std::uint32_t>(problem_.blocks_.size());
+    return problem_.sites_.emplace_back(Site{static_cast<std::uint32_t>(interval), block, block, false, -1, x});
   }
+  /// A pair of rows more of the site that was begun last: its block, and the lane of A; that of g is the next.
+  std::pair<Block&, std::size_t> begin_pair() {
+    if (pairs_ % 2 == 0) problem_.blocks_.emplace_back();
+    ++problem_.pairs_;
+    return {problem_.blocks_.back(), 2 * (pairs_++ % 2)};
+  }
+  void end_site(Site& site) const { site.end_block = static_cast<std::uint32_t>(problem_.blocks_.size()); }
 
   void add_site(std::size_t interval, double u, const RowPairs& at) {
     const CubicBasis& basis = problem_.basis_[interval];
     const Four x = basis.value(u), slope = basis.slope(u), bend = basis.bend(u);
     Site& site = begin_site(interval, x);
+    if (u == 1) site.place = end_place;
     for (const RowPairs::Pair& pair : at.pairs) {
       if (!pair.bounds()) continue;
       const auto& [acceleration, jerk] = pair;
       const double a = 1 / (limit_margin * acceleration.limit), j = 1 / (limit_margin * jerk.limit);
-      CoefficientRow& row = problem_.rows_.emplace_back();
+      const auto [block, lane] = begin_pair();
       for (std::size_t k = 0; k < 4; ++k) {
-        row.acceleration[k] = a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
-        row.jerk[k] = j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
+        block.by[k][lane] = a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
+        block.by[k][lane + 1] = j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
       }
     }
-    site.end_row = static_cast<std::uint32_t>(problem_.rows_.size());
+    end_site(site);
   }
 
   /// Where widths of neighbours differ, the parabola is told less well: jerk is taken a little greater.
@@ -182,21 +199,23 @@ class SpeedProblem::Builder {
     const std::array<double, 3> places = {0, 0.5, 1}, parts = {-0.5, 2, -0.5};
     Site& site = begin_site(interval, basis.value(0.5));
     site.hull = true;
+    site.place = middle_place;
     for (std::size_t i = 0; i < RowPairs::size; ++i) {
       const auto bounds = [&](const RowPairs* rows) { return rows->pairs[i].bounds(); };
       if (std::none_of(at.begin(), at.end(), bounds)) continue;
-      CoefficientRow& row = problem_.rows_.emplace_back();
+      const auto [block, lane] = begin_pair();
       for (std::size_t p = 0; p < 3; ++p) {
         const auto& [acceleration, jerk] = at[p]->pairs[i];
         const double a = 1 / (limit_margin * acceleration.limit), j = of_jerk / (limit_margin * jerk.limit);
         const Four x = basis.value(places[p]), slope = basis.slope(places[p]), bend = basis.bend(places[p]);
         for (std::size_t k = 0; k < 4; ++k) {
-          row.acceleration[k] += parts[p] * a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
-          row.jerk[k] += parts[p] * j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
+          block.by[k][lane] += parts[p] * a * (acceleration.by_x * x[k] + acceleration.by_b * slope[k] / 2);
+          block.by[k][lane + 1] +=
+              parts[p] * j * (jerk.by_x * x[k] + jerk.by_b * slope[k] / 2 + jerk.by_c * bend[k] / 2);
         }
       }
     }
-    site.end_row = static_cast<std::uint32_t>(problem_.rows_.size());
+    end_site(site);
   }
 
   /// A coefficient is no greater than the greatest x over the two intervals in the middle of its reach; the spline lies
@@ -226,7 +245,8 @@ class SpeedProblem::Builder {
   const Section& section_;
   const constraints::Constraints& constraints_;
   double feed_factor_;
-  Look left_;  ///< at the knot that has been reached, looking on
+  std::size_t pairs_ = 0;  ///< of rows, of the site that was begun last
+  Look left_;              ///< at the knot that has been reached, looking on
 };
 
 SpeedProblem::SpeedProblem(const Section& section, const constraints::Constraints& constraints, Knots knots,
@@ -241,16 +261,18 @@ SpeedProblem::SpeedProblem(const Section& section, const constraints::Constraint
 /// it: the bound for which each row alone is kept with a margin.
 double SpeedProblem::bound_of_rows(const Site& site) const {
   double bound = infinity;
-  for (const CoefficientRow& row : rows(site)) {
-    double by_a = 0, by_j = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      by_a += std::abs(row.acceleration[j]);
-      by_j += std::abs(row.jerk[j]);
+  double greatest_by_j = 0;
+  for (const Block& block : blocks(site)) {
+    Lanes by{};
+    for (const Lanes& row : block.by) {
+      for (std::size_t lane = 0; lane < 4; ++lane) by[lane] += std::abs(row[lane]);
     }
-    if (by_a > 0) bound = std::min(bound, 0.3 / by_a);
-    if (by_j > 0) bound = std::min(bound, std::pow(0.3 / by_j, 2.0 / 3));
+    for (const std::size_t a : {0, 2}) {
+      if (by[a] > 0) bound = std::min(bound, 0.3 / by[a]);
+      greatest_by_j = std::max(greatest_by_j, by[a + 1]);
+    }
   }
-  return bound;
+  return greatest_by_j > 0 ? std::min(bound, std::pow(0.3 / greatest_by_j, 2.0 / 3)) : bound;
 }
 
 /// At most half of the caps, inside every row, and from coefficient to coefficient no steeper than 1.5.
@@ -303,11 +325,17 @@ double SpeedProblem::greatest_ratio(const Site& site, std::span<const double> c)
   const double* at = &c[site.interval];
   const double x = dot(site.x, at);
   if (!(x > 0)) return infinity;
-  double greatest = 0;
-  for (const CoefficientRow& row : rows(site)) {
-    greatest = std::max({greatest, std::abs(dot(row.acceleration, at)), std::abs(dot(row.jerk, at)) * std::sqrt(x)});
+  double of_a = 0, of_g = 0;
+  for (const Block& block : blocks(site)) {
+    Lanes y;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      y[lane] = std::abs(block.by[0][lane] * at[0] + block.by[1][lane] * at[1] + block.by[2][lane] * at[2] +
+                         block.by[3][lane] * at[3]);
+    }
+    of_a = std::max({of_a, y[0], y[2]});
+    of_g = std::max({of_g, y[1], y[3]});
   }
-  return greatest;
+  return std::max(of_a, of_g * std::sqrt(x));
 }
 
 void SpeedProblem::shift(double by) {
@@ -315,11 +343,11 @@ void SpeedProblem::shift(double by) {
 }
 
 void SpeedProblem::settle() {
-  gauss_ = {};
+  places_ = {};
   weight_ = {};
   caps_ = {};
   sites_.shrink_to_fit();
-  rows_.shrink_to_fit();
+  blocks_.shrink_to_fit();
 }
 
 }  // namespace leadscrew::planner

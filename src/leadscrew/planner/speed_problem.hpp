@@ -14,9 +14,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/constraints/constraints.hpp>
-#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/cubic_basis.hpp>
 #include <leadscrew/planner/knots.hpp>
+#include <leadscrew/planner/lanes.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <span>
 #include <vector>
@@ -30,16 +30,22 @@ struct SquareCaps {
 
 class SpeedProblem {
  public:
-  /// Two limits as functions of the four coefficients of the interval, by their limits.
-  struct CoefficientRow {
-    Four acceleration{}, jerk{};
+  /// Rows of two pairs of limits as functions of the four coefficients of the interval, by their limits: for each
+  /// coefficient A and g of the one pair, then of the other. What is missing is 0.
+  struct Block {
+    std::array<Lanes, 4> by{};
   };
   /// A place of an interval where rows are kept; `x` is what g² is multiplied by.
   struct Site {
-    std::uint32_t interval = 0, first_row = 0, end_row = 0;
+    std::uint32_t interval = 0, first_block = 0, end_block = 0;
     bool hull = false;
+    std::int8_t place = -1;  ///< which of the interval's places it is; −1: none of them
     Four x{};
   };
+  /// Values of the basis at four places of an interval, for each coefficient: those of numeric::gauss_3_places, the
+  /// second of which is the middle, and the end.
+  using Places = std::array<Lanes, 4>;
+  static constexpr std::int8_t middle_place = 1, end_place = 3;
 
   /// Programmed feed is multiplied by `feed_factor`.
   SpeedProblem(const Section& section, const constraints::Constraints& constraints, Knots knots, double feed_factor);
@@ -49,19 +55,17 @@ class SpeedProblem {
   bool starts_at_rest() const { return knots_.start_ramp > 0; }
   bool ends_at_rest() const { return knots_.end_ramp > 0; }
   std::span<const CubicBasis> basis() const { return basis_; }
-  /// Values of the basis at numeric::gauss_3_places of every interval.
-  std::span<const Four> gauss() const { return gauss_; }
+  /// Of every interval.
+  std::span<const Places> places() const { return places_; }
   std::span<const Site> sites() const { return sites_; }
-  std::span<const CoefficientRow> rows(const Site& site) const {
-    return {rows_.data() + site.first_row, rows_.data() + site.end_row};
-  }
+  std::span<const Block> blocks() const { return blocks_; }
   /// As asked by feed and every other limit of speed.
   const SquareCaps& caps() const { return caps_; }
   /// Coefficients of the creep profile; any between 0 and these are inside every row, those tied kept in proportion.
   std::span<const double> creep() const { return creep_; }
 
   /// How many inequalities the barrier keeps.
-  std::size_t inequalities() const { return 2 * (rows_.size() + caps_.coefficients.size() + intervals()) + 1; }
+  std::size_t inequalities() const { return 2 * (pairs_ + caps_.coefficients.size() + intervals()) + 1; }
 
   // Coefficients that are one variable: three at a rest, in the ratio of x ∝ s^(4/3); all in the creep before an end in
   // motion. Three are given where the window begins in motion.
@@ -87,12 +91,16 @@ class SpeedProblem {
   void tie_creep();
   void tie_variables();
   double bound_of_rows(const Site& site) const;
+  std::span<const Block> blocks(const Site& site) const {
+    return {blocks_.data() + site.first_block, blocks_.data() + site.end_block};
+  }
 
   Knots knots_;
   std::vector<CubicBasis> basis_;
-  std::vector<Four> gauss_;
+  std::vector<Places> places_;
   std::vector<Site> sites_;
-  std::vector<CoefficientRow> rows_;
+  std::vector<Block> blocks_;
+  std::size_t pairs_ = 0;  ///< of rows
   SquareCaps caps_;
   std::array<double, 3> start_tie_{}, end_tie_{};
   std::vector<double> creep_;

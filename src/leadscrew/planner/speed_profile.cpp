@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/speed_profile.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <utility>
@@ -41,9 +42,9 @@ SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraint
   for (std::size_t i = 0; i < before.c.size() && i < c.size(); ++i)
     c[i] = i < before.creeping ? before.c[i] : std::min(before.c[i], c[i]);
   set(c);
-  far_inside_ = std::move(c);
   too_fast_ = bounds_.relax_caps(problem_, this->c(), tuning::descent::too_fast_margin);
   bounds_.relax_rows(problem_, this->c());
+  far_inside_ = this->c();
 }
 
 void SpeedProfile::set(std::vector<double> coefficients) {
@@ -105,8 +106,8 @@ void SpeedProfile::descend_to_creep() {
   const double least = 2e-3 * c()[0];
   goal_ = {};
   for (std::size_t k = 0; k < intervals(); ++k) {
-    for (std::size_t q = 0; q < numeric::gauss_3_places.size(); ++q)
-      goal_.wanted.push_back(std::max(0.5 * dot(problem_.gauss()[3 * k + q], &problem_.creep()[k]), least));
+    for (const double u : numeric::gauss_3_places)
+      goal_.wanted.push_back(std::max(0.5 * dot(problem_.basis()[k].value(u), &problem_.creep()[k]), least));
   }
   optimize(goal_, tuning::descent::cold_gap, tuning::descent::last_gap);
 }

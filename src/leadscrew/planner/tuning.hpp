@@ -11,7 +11,7 @@ namespace leadscrew::planner::tuning {
 /// Where knots lie. Closer: nearer to the least time (a row of `study limits` each), and fewer repairs by the proof.
 /// Wider: fewer unknowns, and planning takes in proportion to them.
 namespace knots {
-inline constexpr double per_ramp = 40;         // knots while speed rises from rest or falls to it
+inline constexpr double per_ramp = 34;         // knots while speed rises from rest or falls to it
 inline constexpr double cruise_knots = 8;      // of a cruise, while speed could rise from rest
 inline constexpr double cruise_time = 0.02;    // s between knots of a cruise that need not lie closer
 inline constexpr double cruise_grading = 0.1;  // of the distance from where the cruise begins or ends
@@ -62,6 +62,16 @@ inline constexpr std::size_t least_ahead = 16;  // intervals
 inline constexpr double effort_of_proof = 3;    // units, of a segment
 }  // namespace window
 
+/// The barrier method. Faster growth: fewer stages, of more steps each. More that is negligible: fewer steps a stage, until
+/// the next begins too far from its centre. Shorter steps at the next attempt: fewer attempts; longer: fewer steps.
+namespace barrier {
+inline constexpr double growth = 20;        // of t, from stage to stage
+inline constexpr double negligible = 0.06;  // decrement of a step, of the number of inequalities
+inline constexpr double shorter = 0.7;      // each attempt at a step
+inline constexpr double first_time_curvature = 0.2,
+                        first_floor_curvature = 0.1;  // of the first stage; 0.75 and 1 are exact
+}  // namespace barrier
+
 /// How far windows reach, and how much of one is committed. Longer: less of a stop's influence in what is committed
 /// (LookAhead.LosesNothingToTheNumberOfPieces), fewer windows. Shorter: no window takes longer than a few milliseconds to plan.
 namespace look_ahead {
@@ -73,7 +83,7 @@ inline constexpr double stops_committed = 3, stops_ahead = 4.5;
 inline constexpr double least_reach = 0.25;  // s
 /// Intervals times axes that move: so long does a window take to plan.
 inline constexpr std::size_t rows_of_a_window = 960;
-inline constexpr std::size_t least_intervals = 200, greatest_intervals = 320;
+inline constexpr std::size_t least_intervals = 200, greatest_intervals = 360;
 inline constexpr double few_share = 0.6;           // of the intervals that a window may have
 inline constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 inline constexpr std::size_t most_pieces = 900;
@@ -125,7 +135,7 @@ inline constexpr int first_looks = 8;   // most attempts are seen to fail by the
 /// The proof. More looks find more of what lies between them: what random programs showed beyond 1.0005 of a limit, seen
 /// by the referee, set these. Each look is an evaluation of a curve.
 namespace proof {
-inline constexpr int looks_per_polynomial = 6;
+inline constexpr int looks_per_polynomial = 3;
 inline constexpr std::size_t most_borders = 60;    // that are looked at so closely
 inline constexpr int stop_looks = 32;              // of the proof that a stop keeps its limits
 inline constexpr double between_looks = 1 + 1e-5;  // of what is no parabola

@@ -42,7 +42,10 @@ std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
   std::vector<CorridorLeg<3>> legs;
   if (is_line(curve)) return {line_leg<3>(at(0), at(length), margin_of(leg), leg.feed)};
   const auto* const arc = std::get_if<geometry::Arc>(&curve);
-  if (arc && arc->first() < 3 && arc->second() < 3 && geometry::moving(curve).size() == 2) {
+  // About a center nearer than that the nearest place of an arc says little of where motion is on it.
+  constexpr double far_from_center = 4;  // margins
+  if (arc && arc->first() < 3 && arc->second() < 3 && geometry::moving(curve).size() == 2 &&
+      arc->radius() > far_from_center * margin_of(leg)) {
     const geometry::Arc::Turn turn = arc->turn();
     Vector<3> center = at(0);
     center[arc->first()] = turn.center_first;
