@@ -12,6 +12,7 @@ MotionSource::MotionSource(gcode::ByteSource source, const machine::Machine& mac
     : machine_(machine),
       start_(options.start),
       reader_(watched(std::move(source)), machine, tools, options, watched(std::move(diagnostics))),
+      builder_(toolpath::Sampling(machine)),
       planner_(machine, options.start) {}
 
 gcode::ByteSource MotionSource::watched(gcode::ByteSource source) {

@@ -54,7 +54,7 @@ void Builder::move_along(const gcode::Move& move) {
   if (!blends || pieces.empty()) {
     for (Piece& piece : pieces) settled_.emplace_back(std::move(piece));
   } else {
-    if (!smoother_) smoother_.emplace();
+    if (!smoother_) smoother_.emplace(sampling_);
     const Allowance allowance{move.tolerance, move.naive_cam_tolerance};
     for (Piece& piece : pieces) {
       const auto events = events_of(piece);

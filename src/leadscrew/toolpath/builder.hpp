@@ -18,6 +18,9 @@ namespace leadscrew::toolpath {
 
 class Builder {
  public:
+  /// sampling: what is kept of tolerances for chords between words.
+  explicit Builder(const Sampling& sampling = {}) : sampling_(sampling) {}
+
   void push(const gcode::Move& move);
   /// No more moves will come.
   void finish();
@@ -29,6 +32,7 @@ class Builder {
   void flush();
   void settle_events(bool motion_follows);
 
+  Sampling sampling_;
   std::optional<Smoother> smoother_;
   std::vector<EventMark> passed_;  ///< events where the next move begins
   std::deque<Element> settled_;

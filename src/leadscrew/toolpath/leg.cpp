@@ -50,7 +50,11 @@ double spent_by(const Leg& leg) {
 }
 
 double margin_about(const Leg& leg) {
-  return kept_share * tolerance_of(leg) - spent_by(leg);
+  return std::min(kept_share * tolerance_of(leg), kept_share * leg.allowance.tolerance - leg.kept) - spent_by(leg);
+}
+
+double margin_of_words(const Leg& leg) {
+  return kept_share * leg.allowance.tolerance - spent_by(leg);
 }
 
 double margin_beside(double tolerance, double spent) {
