@@ -45,6 +45,7 @@ class TimedPlanning {
   TimedPlanning(const PartProgram& program, const machine::Machine& machine, const Host& host)
       : host_(host),
         reader_(gcode::text_source(program.text), machine, tools_, options_of(program), nullptr),
+        builder_(toolpath::Sampling(machine)),
         planner_(machine, program.start) {}
 
   std::vector<planner::Chunk> chunks() {

@@ -81,8 +81,8 @@ double margin_about(const Leg& leg);
 /// How far chords between words may be from that polyline, mm.
 double margin_of_words(const Leg& leg);
 
-/// How far chords between words may be off at a blend within the tolerance P, mm, where no leg has spent more than `spent` and none
-/// more than most_spent of its own P.
+/// How far chords between words may be off at a blend within the tolerance P, mm, where no leg has spent more than
+/// `spent` and none more than most_spent of its own P.
 double margin_beside(double tolerance, double spent);
 
 /// Would a curve through both lose time? Where much of a move is rotary, what the curve takes of its neighbour's travel

@@ -4,8 +4,9 @@
 //
 //     ε + ε_s ≤ P,     ε_s = A T²/8,
 //
-// T the servo period, A the acceleration across the path. The wider the curve, the faster motion may pass, and the
-// greater A; at the limit of jerk j both obey the same law whatever the shape,
+// T the servo period, A the acceleration across the path (chord_error.hpp; braking before a corner and behind it adds to
+// that where T is longer than its blend takes, no more than at a stop). The wider the curve, the faster motion may pass,
+// and the greater A; at the limit of jerk j both obey the same law whatever the shape,
 //
 //     A = k ε^(1/3) j^(2/3),     time saved beside a stop ~ ε^(1/3).
 //
@@ -13,7 +14,7 @@
 // slowly for the chords' sake, a narrower one leaves some of P unused. A is no more than what acceleration allows, nor
 // than the programmed feed needs on the curve, whose bend is as C/ε: A = C F²/ε. k and C of
 //
-//   a blend that swings wide     q″ = c p″(½)(t_B − t_A) in its middle, c = ε/(p(½) Δ), Δ = |t_B − t_A|, passed in the time
+//   a blend that swings wide     q″ = c p″(½)(t_B − t_A) in its middle, c = ε/(p(½) Δ), Δ = |t_B − t_A|, passed in
 //     (swing.hpp)                (6c/j)^(1/3):  k = p″(½) p(½)^(−1/3) (Δ/6)^(2/3),  C = p″(½) p(½) Δ²/(p′(½)²(4 − Δ²))
 //   a blend that only cuts       q″ = 3c(t_B − t_A), c = 8ε/Δ, passed in (6c/j)^(1/3):  k = 24 (Δ/48)^(2/3),
 //                                C = ⅔ Δ²/(4 − Δ²)
