@@ -47,10 +47,10 @@ inline Outcome run(const std::string& text, gcode::ReaderOptions options = {}, b
   return run_on(machine, text, options);
 }
 
-inline Outcome run_with_stops(const std::string& text) {
+inline Outcome run_with_stops(const std::string& text, base::Period period = {1'000'000}) {
   gcode::ReaderOptions options;
   options.path_mode = gcode::PathMode::exact_stop;
-  return run(text, options);
+  return run(text, options, period);
 }
 
 inline std::string word(char letter, double value, int decimals) {

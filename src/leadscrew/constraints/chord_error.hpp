@@ -1,8 +1,10 @@
 #pragma once
 // The chord between two words departs from the path by ε = (VT)²/8ρ (Lin and Koren, eq. 3), V the speed, T the servo
-// period, ρ the radius of curvature: x ≤ 8ερ/T². A demand on the words, not on the machine: it is kept where speed is
-// planned, but neither proven between knots nor counted by what bounds time.
+// period, ρ the radius of curvature: x ≤ 8ερ/T². ε is the machine's chord error; along a curve that stands for what was
+// programmed within a tolerance, what the curve leaves of it, if that is more. A demand on the words, not on the machine:
+// it is kept where speed is planned, but neither proven between knots nor counted by what bounds time.
 
+#include <algorithm>
 #include <cstddef>
 #include <leadscrew/constraints/row.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -22,7 +24,8 @@ class ChordError {
   template <typename Take>
   void rows(const Place& at, const Take& take) const {
     const double bend = geometry::tip_curvature(at.jet);
-    take(0, SquareRow{8 * chord_error_ / (bend * period_ * period_)});  // infinite where the path is straight
+    const double allowed = std::max(chord_error_, at.sagitta);
+    take(0, SquareRow{8 * allowed / (bend * period_ * period_)});  // infinite where the path is straight
   }
 
  private:

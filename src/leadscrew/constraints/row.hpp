@@ -23,6 +23,7 @@ namespace leadscrew::constraints {
 struct Place {
   const geometry::PointJet& jet;  ///< axis positions and derivatives by path length, mm or degrees
   double feed = 0;                ///< greatest speed by the programmed feed, units of path length per second; > 0
+  double sagitta = 0;             ///< that the tolerance leaves for chords between words, mm; ≥ 0
 };
 
 /// How the path is travelled at one instant: ṡ, s̈, s⃛, units of path length and seconds.

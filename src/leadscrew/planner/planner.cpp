@@ -188,8 +188,9 @@ bool Planner::take(const toolpath::Piece& piece) {
   if (last_) {
     const geometry::PointJet leaving = last_->axes().jets(last_->axes().length());
     const geometry::PointJet entering = piece.axes().jets(0);
-    const double square = std::min(constraints_.greatest_square({leaving, last_->greatest_speed(leaving)}),
-                                   squared(piece.greatest_speed(entering)));
+    const double square =
+        std::min(constraints_.greatest_square({leaving, last_->greatest_speed(leaving), last_->sagitta}),
+                 squared(piece.greatest_speed(entering)));
     if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
       look_ahead_.close();
       return false;

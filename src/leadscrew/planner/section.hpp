@@ -44,6 +44,8 @@ class Section {
   double greatest_speed(double s, Side side, const geometry::PointJet& jet) const {
     return pieces_[piece_at(s, side)].greatest_speed(jet);
   }
+  /// That is left for chords between words, mm.
+  double sagitta(double s, Side side) const { return pieces_[piece_at(s, side)].sagitta; }
 
  private:
   std::deque<toolpath::Piece> pieces_;

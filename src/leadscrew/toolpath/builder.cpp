@@ -75,7 +75,7 @@ void Builder::blend(Leg leg) {
     racing_line_->push(std::move(leg));
   } else {
     settle(racing_line_);
-    if (!smoother_) smoother_.emplace();
+    if (!smoother_) smoother_.emplace(sampling_);
     smoother_->push(std::move(leg));
   }
 }

@@ -22,8 +22,9 @@ class Builder {
  public:
   /// By blends and fits.
   Builder() = default;
-  /// As the machine asks for (machine::Smoothing). It must outlive the builder.
-  explicit Builder(const machine::Machine& machine) : machine_(&machine) {}
+  /// As the machine asks for (machine::Smoothing), with what its period keeps of tolerances for chords between words. It
+  /// must outlive the builder.
+  explicit Builder(const machine::Machine& machine) : machine_(&machine), sampling_(machine) {}
 
   void push(const gcode::Move& move);
   /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
@@ -46,6 +47,7 @@ class Builder {
 
   const machine::Machine* machine_ = nullptr;
   std::optional<RacingLine> racing_line_;
+  Sampling sampling_;
   std::optional<Smoother> smoother_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event

@@ -162,12 +162,12 @@ bool is_inside(const Corner& corner, const ControlPoints& blend, double before, 
 
 /// What takes the place of these lengths; none if it is not smooth or a detour.
 std::optional<Blend> blend_of(const geometry::NurbsForm& form, double before, double behind, double taken_before,
-                              double taken_behind) {
+                              double taken_behind, double deviation) {
   std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
   if (pieces.size() != 1) return std::nullopt;
   if (pieces.front().length() > most_lengthened * (taken_before + taken_behind)) return std::nullopt;
   const double middle = pieces.front().length() * taken_before / (taken_before + taken_behind);
-  return Blend{std::move(pieces.front()), before, behind, middle};
+  return Blend{std::move(pieces.front()), before, behind, middle, deviation};
 }
 
 /// Of two lines, with the tangents by their lengths; none where there is too little room for one worth it.
@@ -196,7 +196,7 @@ std::optional<Blend> swing_wide(const Corner& corner, const PointJet& leaving, c
     for (std::size_t i = 0; i < leaving.size(); ++i)
       form.points[k][i] = entering[i].value - a * leaving[i].first + b * entering[i].first;
   }
-  return blend_of(form, before, behind, before * rate_before, behind * rate_behind);
+  return blend_of(form, before, behind, before * rate_before, behind * rate_behind, scale * swing.deviation());
 }
 
 }  // namespace
@@ -212,7 +212,7 @@ std::optional<Blend> blend(const Corner& corner, double margin) {
   const bool lines =
       std::holds_alternative<geometry::Line>(corner.before) && std::holds_alternative<geometry::Line>(corner.behind);
   if (!(apart < turned_back) || (lines && !(apart > 0))) return std::nullopt;
-  if (lines) {
+  if (lines && corner.may_swing) {
     if (std::optional<Blend> found = swing_wide(corner, before_corner, behind_corner, apart, margin)) return found;
   }
   const double provable = lines ? margin : (1 - 2.5 * polyline_share) * margin;
@@ -230,7 +230,9 @@ std::optional<Blend> blend(const Corner& corner, double margin) {
       const ControlPoints points = control_points(form);
       if (turns_back(shape_of(points)) || !is_inside(corner, points, before, behind, margin)) continue;
     }
-    std::optional<Blend> found = blend_of(form, before, behind, before * rate_before, behind * rate_behind);
+    const double taken_before = before * rate_before, taken_behind = behind * rate_behind;
+    const double deviation = lines ? std::max(taken_before, taken_behind) * apart / 8 : margin;
+    std::optional<Blend> found = blend_of(form, before, behind, taken_before, taken_behind, deviation);
     if (found) return found;
   }
   return std::nullopt;

@@ -24,12 +24,14 @@ struct Corner {
   /// Nurbs); empty where the curve itself was.
   std::span<const Vertex> programmed_before, programmed_behind;
   double most_before = 0, most_behind = 0;  ///< of each curve's length that the blend may take; > 0
+  bool may_swing = true;                    ///< wide, between lines
 };
 
 struct Blend {
   geometry::Nurbs curve;
   double before = 0, behind = 0;  ///< lengths that it takes the place of
   double corner = 0;              ///< of the curve's length: the share of the one before
+  double deviation = 0;           ///< Fréchet distance from what was programmed, at most, mm
 };
 
 /// The longest blend found whose Fréchet distance from what was programmed is within `margin`, mm. None where the path

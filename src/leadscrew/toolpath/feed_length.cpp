@@ -1,4 +1,5 @@
 #include <cmath>
+#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 
@@ -132,6 +133,13 @@ double rate(const geometry::PointJet& jet, FeedAxes axes) {
   if (axes == FeedAxes::none) return 1;
   const std::size_t first = first_of(axes);
   return std::hypot(jet[first].first, jet[first + 1].first, jet[first + 2].first);
+}
+
+double time_by_feed(const Piece& piece, double from, double to) {
+  if (piece.feed_axes == FeedAxes::none || !std::isfinite(piece.feed)) return (to - from) / piece.feed;
+  const auto per_length = [&](double s) { return rate(geometry::jets(piece.curve, s), piece.feed_axes) / piece.feed; };
+  const double middle = (from + to) / 2;
+  return numeric::integrate_gauss_8(per_length, from, middle) + numeric::integrate_gauss_8(per_length, middle, to);
 }
 
 }  // namespace leadscrew::toolpath

@@ -25,6 +25,10 @@ double line_length(const geometry::Point& start, const geometry::Point& end);
 /// 0 for what is no motion, or for motion to where one is.
 double feed_length(const gcode::Move& move);
 
+/// How long a part of a piece takes by feed alone, s: where feed is counted by some of the axes that move, a blend of
+/// two moves may have more of them than either.
+double time_by_feed(const Piece& piece, double from, double to);
+
 /// The move as smooth pieces, each beginning where the one before ends, without their feed; none where it does not
 /// move. A curve is cut where feed comes to be counted by other axes.
 std::vector<Piece> pieces_of(const gcode::Move& move);

@@ -54,7 +54,11 @@ double margin_about(const Leg& leg) {
 }
 
 double margin_about(const Leg& leg, double share) {
-  return share * tolerance_of(leg) - spent_by(leg);
+  return std::min(share * tolerance_of(leg), share * leg.allowance.tolerance - leg.kept) - spent_by(leg);
+}
+
+double margin_of_words(const Leg& leg) {
+  return kept_share * leg.allowance.tolerance - spent_by(leg);
 }
 
 double margin_beside(double tolerance, double spent) {

@@ -37,6 +37,7 @@ struct Leg {
   FeedAxes feed_axes = FeedAxes::none;  ///< as a Piece's
   Allowance allowance{};
   std::vector<EventMark> events{};  ///< that are passed on it, by path length, its end included
+  double kept = 0;                  ///< of P, for chords between words where a spline is fitted (sampling.hpp), mm
 };
 
 inline constexpr double most_spent = 0.25;  // of P, by what stands for what was programmed
@@ -82,8 +83,11 @@ double margin_about(const Leg& leg);
 /// The same with another share of the tolerance kept than splines keep.
 double margin_about(const Leg& leg, double share);
 
-/// How far a blend may be off within the tolerance P, mm, where no leg has spent more than `spent` and none more than
-/// most_spent of its own P.
+/// How far chords between words may be from that polyline, mm.
+double margin_of_words(const Leg& leg);
+
+/// How far chords between words may be off at a blend within the tolerance P, mm, where no leg has spent more than
+/// `spent` and none more than most_spent of its own P.
 double margin_beside(double tolerance, double spent);
 
 /// Would a curve through both lose time? Where much of a move is rotary, what the curve takes of its neighbour's travel

@@ -67,6 +67,9 @@ struct Piece {
   TravelMark travel{};
   /// That are passed on it: not descending by s; none otherwise.
   std::shared_ptr<const std::vector<EventMark>> events{};
+  /// That the tolerance leaves for chords between words, mm: what the curve itself has not spent of it; 0 where the
+  /// curve is what was programmed.
+  double sagitta = 0;
 
   /// How axes travel it.
   AxisPath axes() const { return AxisPath(curve); }

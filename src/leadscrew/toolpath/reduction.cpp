@@ -58,6 +58,7 @@ bool Reduction::join(const Leg& leg) {
   open_->allowance = allowance;
   seconds_ = seconds;
   open_->spent = spent;
+  open_->kept = std::max(open_->kept, leg.kept);
   radius_ = radius;
   end_ = end;
   return true;

@@ -56,7 +56,7 @@ Run::Run(const Leg& leg, double from, bool pinned, bool corner_before)
 TubeSpline Run::spline_from(const Leg& leg, double from, bool pinned) {
   State state = state_at(leg.curve, from, false);
   if (!pinned) state.count = 1;
-  const Vertex vertex{state.derivative[0], 0, margin_about(leg), 0, leg.allowance.tolerance};
+  const Vertex vertex{state.derivative[0], 0, margin_about(leg), 0, leg.allowance.tolerance, margin_of_words(leg)};
   return {state, vertex, longest_smoothing * span_length(leg)};
 }
 
@@ -80,7 +80,8 @@ void Run::extend(const Leg& leg, double from, double to) {
   if (std::exchange(allowance_, leg.allowance) != leg.allowance) spline_.lengthen(longest_smoothing * span_length(leg));
   for (double s = from; s < to;) {
     s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, off);
-    spline_.append({position(leg.curve, s), first + (s - from) * rate, margin, 1 / speed, leg.allowance.tolerance});
+    spline_.append({position(leg.curve, s), first + (s - from) * rate, margin, 1 / speed, leg.allowance.tolerance,
+                    margin_of_words(leg)});
   }
   u_ = first + (to - from) * rate;
   settle();
@@ -215,6 +216,7 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
                       .spent = spent_};
       const double end = fed_until(curve, begin, stretch.piece.feed, u);
       stretch.piece.feed_axes = to_be_named(axes_, curve.moving());
+      stretch.piece.sagitta = spline_.sagitta();
       std::vector<LineMark> lines;
       while (mark + 1 < marks.size() && marks[mark + 1].u < u) {
         const double s = length_at(curve, marks[++mark].u);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/toolpath/corner.hpp>
 #include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
@@ -47,14 +46,6 @@ bool is_much_wider(double margin, double narrow) {
   return margin >= much_wider * narrow;
 }
 
-/// How long a part of a piece takes by feed alone, s: where feed is counted by some of the axes that move, a blend of
-/// two moves may have more of them than either.
-double time_by_feed(const Piece& piece, double from, double to) {
-  if (piece.feed_axes == FeedAxes::none || !std::isfinite(piece.feed)) return (to - from) / piece.feed;
-  const auto per_length = [&](double s) { return rate(geometry::jets(piece.curve, s), piece.feed_axes) / piece.feed; };
-  const double middle = (from + to) / 2;
-  return numeric::integrate_gauss_8(per_length, from, middle) + numeric::integrate_gauss_8(per_length, middle, to);
-}
 double time_by_feed(const std::vector<Piece>& pieces) {
   double time = 0;
   for (const Piece& piece : pieces) time += time_by_feed(piece, 0, geometry::length(piece.curve));
@@ -101,14 +92,19 @@ struct Cut {
 
 /// The blend of a corner within a tolerance, which takes at most these lengths of its neighbours.
 std::optional<Cut> cut_within(double tolerance, const Stretch& before, double most_before, const Stretch& behind,
-                              double most_behind) {
+                              double most_behind, const Sampling& sampling) {
   Corner corner{before.piece.curve, behind.piece.curve, before.programmed, behind.programmed, most_before, most_behind};
-  const double margin = margin_beside(tolerance, std::max(before.spent, behind.spent));
+  const double spent = std::max(before.spent, behind.spent);
+  const Division division = sampling.at_corner(before.piece, behind.piece, tolerance);
+  if (division.rounding == Rounding::none) return std::nullopt;
+  corner.may_swing = division.rounding == Rounding::wide;
+  const double of_words = margin_beside(tolerance, spent), margin = of_words - division.kept;
   const double length = geometry::length(before.piece.curve);
   for (int k = 0; k <= most_shortened; ++k) {
     std::optional<Blend> found = blend(corner, margin);
     if (!found) return std::nullopt;
     std::vector<Piece> pieces = pieces_of(*found, before, behind);
+    for (Piece& piece : pieces) piece.sagitta = of_words - found->deviation;
     const double costs = time_by_feed(pieces) - time_by_feed(before.piece, length - found->before, length) -
                          time_by_feed(behind.piece, 0, found->behind);
     if (costs <= allowed_time) return Cut{std::move(*found), std::move(pieces)};
@@ -123,6 +119,7 @@ std::optional<Cut> cut_within(double tolerance, const Stretch& before, double mo
 }  // namespace
 
 void Smoother::push(Leg leg) {
+  leg.kept = sampling_.kept_beside_spline(leg);
   if (std::optional<Leg> reduced = reduction_.push(std::move(leg))) take(std::move(*reduced));
 }
 
@@ -190,7 +187,10 @@ std::optional<double> Smoother::wanted_at(std::size_t joint) const {
   const double turn = turn_between(derivative(geometry::jets(before.curve, 0), &numeric::Jet<>::first),
                                    derivative(geometry::jets(behind.curve, 0), &numeric::Jet<>::first));
   if (!(turn > 0 && turn < sharp_swing)) return std::nullopt;
-  return Swing(turn).reach_within(margin_beside(tolerance_at(joint), std::max(before.spent, behind.spent)));
+  const double tolerance = tolerance_at(joint);
+  const Division division = sampling_.at_joint(before, behind, tolerance);
+  if (division.rounding != Rounding::wide) return std::nullopt;
+  return Swing(turn).reach_within(margin_beside(tolerance, std::max(before.spent, behind.spent)) - division.kept);
 }
 
 /// Are both lines so long that their corner is passed sooner by a blend that swings wide than by a spline?
@@ -240,6 +240,7 @@ Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
   if (swings_wide(joint)) return Joint::wide;
   const double window = turn_window * tolerance_at(joint), turn = turns_[joint];
   if (is_beside_wide(joint)) return Joint::corner;
+  if (!sampling_.suits_spline(before, turn) || !sampling_.suits_spline(behind, turn)) return Joint::corner;
   if (turn < corner_turn) return Joint::smooth;
   for (std::size_t i = joint; i > 0 && ends_[joint + 1] - ends_[i] <= window; --i) {
     if (turns_[i - 1] > turn) return Joint::smooth;
@@ -366,7 +367,7 @@ void Smoother::cut_corner(Stretch& behind) {
   for (int k = 0; k < most_tolerances && tolerance > 0; ++k) {
     const Reach before = reach_within(*last_, StretchEnd::last, tolerance, most),
                 beyond = reach_within(behind, StretchEnd::first, tolerance, most_behind);
-    std::optional<Cut> found = cut_within(tolerance, *last_, before.length, behind, beyond.length);
+    std::optional<Cut> found = cut_within(tolerance, *last_, before.length, behind, beyond.length, sampling_);
     if (found && (!cut || found->blend.curve.length() > cut->blend.curve.length())) cut = std::move(found);
     tolerance = std::max(before.beyond, beyond.beyond);
   }

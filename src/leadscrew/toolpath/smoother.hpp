@@ -9,11 +9,13 @@
 //   - Short legs that are joined smoothly, and the nearest parts of long ones, are a run: a spline through the tube
 //     around them (TubeSpline). The rest of the long ones stays what it is.
 //   - Corners are blended (corner.hpp); where none is worth it, and where the path turns back, the motion stops.
+//   - Where words are far apart, the tolerance is theirs as well (Sampling).
 
 #include <deque>
 #include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/reduction.hpp>
 #include <leadscrew/toolpath/run.hpp>
+#include <leadscrew/toolpath/sampling.hpp>
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,9 @@ namespace leadscrew::toolpath {
 
 class Smoother {
  public:
+  /// sampling: what is kept of P for chords between words.
+  explicit Smoother(const Sampling& sampling = {}) : sampling_(sampling) {}
+
   /// Of the leg's allowance, P of G64 > 0, mm: no point of the path lies farther from what was programmed there, and no
   /// point of that farther from the path; where legs meet, no farther than both allow. Q of G64 ≥ 0, mm (the naive-CAM
   /// tolerance): where short moves are fitted, no farther than this either; below 0.2 µm none are.
@@ -66,6 +71,7 @@ class Smoother {
   void emit(Piece piece);
   void release();
 
+  Sampling sampling_;
   Reduction reduction_;
   std::deque<Leg> legs_;          ///< that are not done
   std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins

@@ -294,15 +294,19 @@ bool TubeSpline::check() {
   const std::optional<bool> detour = is_detour(judged);
   turns_back_ = !detour;
   if (turns_back_) return false;
-  double worst = 1, greatest = 0;
+  double worst = 1, greatest = 0, left = std::numeric_limits<double>::infinity();
   bool inside = true;
   std::vector<Apex> found;
   for (std::size_t i = 1; i < samples_.size(); ++i) {
     const Sample &a = samples_[i - 1], &b = samples_[i];
     if (a.span >= judged) break;
     const double apart = b.u - a.u, bent = std::max(greatest_bend(a.span), greatest_bend(b.span));
-    double share = (std::max(a.distance, b.distance) + apart * apart / 8 * bent) / vertices_[b.vertex].margin;
-    if (a.span < settled_spans()) greatest = std::max(greatest, share);
+    const double off = std::max(a.distance, b.distance) + apart * apart / 8 * bent;
+    double share = off / vertices_[b.vertex].margin;
+    if (a.span < settled_spans()) {
+      greatest = std::max(greatest, share);
+      left = std::min(left, vertices_[b.vertex].words - off);
+    }
     if (*detour && b.lengthened > 1) share = std::max(share, b.lengthened);
     if (share <= 1) continue;  // NaN counts as outside
     inside = false;
@@ -319,6 +323,7 @@ bool TubeSpline::check() {
     if (apex.length < smoothing_length(apex.u)) shorten(apex.u, apex.length);
   }
   if (inside) greatest_share_ = std::max(greatest_share_, greatest);
+  sagitta_ = std::max(left, 0.0);
   return inside;
 }
 

@@ -30,6 +30,7 @@ struct Vertex {
   double margin = 0;           ///< allowed distance here and on the chord that ends here, mm; > 0
   double pace = 0;             ///< that feed asks for on that chord, s/mm; ≥ 0
   double tolerance = 0;        ///< P on that chord, mm: a smoothing length of less than half is not worth it
+  double words = 0;            ///< how far chords between words may be from it, mm
 };
 
 class TubeSpline {
@@ -67,6 +68,8 @@ class TubeSpline {
   std::size_t worst() const { return worst_; }
   /// Largest proven distance of all that has been settled, over the margin there; ≤ 1.
   double greatest_share() const { return greatest_share_; }
+  /// What the stretch leaves for chords between words, mm.
+  double sagitta() const { return sagitta_; }
 
   /// How much of the polyline must be known, in u, for another stretch to be settled.
   double reach() const { return window_spans * longest_ / spans_per_length; }
@@ -116,6 +119,7 @@ class TubeSpline {
 
   // The window.
   QuinticSpline stretch_;
+  double sagitta_ = 0;
   bool whole_ = false;  ///< does the window reach the end?
   std::vector<Sample> samples_;
 };

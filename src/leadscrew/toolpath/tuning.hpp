@@ -45,6 +45,13 @@ inline constexpr double table_of_length = 1e-7;      // what a curve's length ma
 inline constexpr double most_lengthened = 1.02;      // of the lengths a blend takes the place of: more is a detour
 }  // namespace corner
 
+/// How a tolerance is divided between curves and the chords between words (sampling.hpp), where the law that holds at
+/// short periods would leave little to curves. A larger share: longer, gentler curves, passed more slowly for the chords'
+/// sake. Below that of blends that swing wide, those that only cut are as fast: corners of 45° … 135°, P 3 … 50 µm, 20 ms.
+namespace sampling {
+inline constexpr double least_share_of_swing = 0.25, least_share_of_cut = 0.15, least_share_of_spline = 0.5;
+}  // namespace sampling
+
 /// Lines of the program in one leg. More of the tolerance spent here: fewer pieces. Less: more is left to smooth by.
 namespace reduction {
 inline constexpr std::size_t most_lines = 4096;  // of the program in one leg
