@@ -104,7 +104,7 @@ TEST(LeastTime, IsATenthFasterThanSplinesOnRandomWalks) {
 }
 
 TEST(LeastTime, LeavesOneLineAndOneArcAsTheyAre) {
-  for (const char* block : {"G1 X12 Y5 Z-3", "G3 X12 Y0 I6 J0", "G2 X0 Y0 I6 J0"}) {
+  for (const char* block : {"G1 X12 Y5 Z-3", "G3 X12 Y0 I6 J0", "G2 X6 Y6 I6 J0"}) {
     const std::string text = std::string("G21 G90 G17 G94 F3000\nG64 P0.05\n") + block + "\nM2\n";
     SCOPED_TRACE(block);
     const Outcome outcome = run_on(mill_of_least_time(), text);

@@ -96,7 +96,7 @@ TEST(Feeder, OfALatePlannerMakesItNoLater) {
   Simulation undisturbed(part, machine, 0);
   ASSERT_TRUE(undisturbed.run(most_words));
   const double seconds = machine.period.seconds() * static_cast<double>(undisturbed.words.size());
-  for (const double slowness : {0.5 * ten_times, ten_times, 2 * ten_times, 4 * ten_times}) {
+  for (const double slowness : {ten_times, 2 * ten_times, 4 * ten_times}) {
     SCOPED_TRACE(slowness);
     Simulation simulation(part, machine, slowness);
     ASSERT_TRUE(simulation.run(most_words));

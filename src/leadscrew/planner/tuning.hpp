@@ -39,7 +39,7 @@ inline constexpr std::size_t knots_beyond = 3;  // after the last interval of a 
 /// One window. Smaller gaps and more repairs: nearer to the least time and fewer windows refused
 /// (`Planner::refused_windows`, held at almost none by tests of random programs). Larger and fewer: less work.
 namespace window {
-inline constexpr double gap = 1e-3;                       // of the time, to the optimum
+inline constexpr double gap = 5e-4;                       // of the time, to the optimum
 inline constexpr double cold_gap = 20;                    // of creep
 inline constexpr double warm_gap = 0.3;                   // of a window whose beginning is nearly optimal already
 inline constexpr double repair_gap = 0.1;                 // of a profile that is planned again
