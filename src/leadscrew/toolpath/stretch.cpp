@@ -77,12 +77,14 @@ Reach reach_within(const Stretch& stretch, StretchEnd end, double tolerance, dou
   std::size_t chord = chord_from(vertices, end, parameter_at(*nurbs, end));
   if (end == StretchEnd::first) {
     while (vertices[chord].tolerance >= tolerance) {
-      if (vertices[chord].u >= farthest || ++chord == vertices.size()) return {most, 0};
+      if (vertices[chord].u >= farthest) return {most, 0};
+      if (++chord == vertices.size()) return {most, 0};
     }
     return {length_at(*nurbs, std::max(vertices[chord - 1].u, nurbs->first_parameter())), vertices[chord].tolerance};
   }
   while (vertices[chord].tolerance >= tolerance) {
-    if (vertices[chord - 1].u <= farthest || --chord == 0) return {most, 0};
+    if (vertices[chord - 1].u <= farthest) return {most, 0};
+    if (--chord == 0) return {most, 0};
   }
   return {length - length_at(*nurbs, std::min(vertices[chord].u, nurbs->last_parameter())), vertices[chord].tolerance};
 }
