@@ -50,7 +50,8 @@ std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
     Vector<3> center = at(0);
     center[arc->first()] = turn.center_first;
     center[arc->second()] = turn.center_second;
-    const double sweep = arc->angle_rate() * length, parts = std::ceil(std::abs(sweep) / (std::numbers::pi * (1 + 1e-9)));
+    const double sweep = arc->angle_rate() * length,
+                 parts = std::ceil(std::abs(sweep) / (std::numbers::pi * (1 + 1e-9)));
     for (double k = 0; k < parts; ++k) {
       legs.push_back(arc_leg<3>(at(length * k / parts), at(length * (k + 1) / parts), arc->first(), arc->second(),
                                 center, sweep / parts, margin_of(leg) + sagitta(leg), leg.feed));
