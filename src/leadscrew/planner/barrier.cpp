@@ -123,7 +123,7 @@ bool BarrierSolver::measure_caps(const std::vector<double>& c, Product& barrier)
     if (problem_.is_free(i) && !(barrier.take(1 - c[i] / caps[i]) && barrier.take((c[i] - floors_[i]) / caps[i])))
       return false;
   }
-  return problem_.ends_at_rest() || barrier.take(1 - c.back() / problem_.creep().back());
+  return !problem_.ends_in_creep() || barrier.take(1 - c.back() / problem_.creep().back());
 }
 
 /// T by three-point Gauss, and on ramps of constant path jerk 3s₁/√x₁.
@@ -318,7 +318,7 @@ void BarrierSolver::assemble_coefficients(double t) {
   if (problem_.starts_at_rest()) spend_on_ramp(0, problem_.knots().start_ramp, t);
   if (problem_.ends_at_rest()) {
     spend_on_ramp(c.size() - 1, problem_.knots().end_ramp, t);
-  } else {
+  } else if (problem_.ends_in_creep()) {
     keep_below(c.size() - 1, problem_.creep().back());
   }
 }
