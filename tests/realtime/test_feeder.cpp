@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <leadscrew/planner/effort.hpp>
 #include <leadscrew/realtime/feeder.hpp>
 
@@ -22,9 +23,12 @@ constexpr double look_ahead = 0.32, slice = 0.02;  // s, as drive has them
 
 class Simulation {
  public:
-  /// slowness: s that a million units of work take.
-  Simulation(const std::string& text, const machine::Machine& machine, double slowness)
-      : machine_(machine), slowness_(slowness), source_(gcode::text_source(text), machine, tools_, {}, nullptr) {
+  /// slow: s that a million units of work take. It looks ahead as far at all times, unless `least` s may be enough.
+  Simulation(const std::string& text, const machine::Machine& machine, double slow, double least = look_ahead)
+      : slowness(slow),
+        machine_(machine),
+        source_(gcode::text_source(text), machine, tools_, {}, nullptr),
+        feeder(planning_, controller_, look_ahead, least) {
     source_.planner().slice(slice);
   }
 
@@ -43,6 +47,7 @@ class Simulation {
   }
 
   std::vector<base::Word> words;
+  double slowness;
   double factor = 1;
   bool stops = false;
   std::function<void(std::size_t)> before_word;
@@ -57,24 +62,24 @@ class Simulation {
     std::optional<planner::Chunk> chunk = source_.next();
     const double units = source_.planner().effort() - before + units_of_a_chunk;
     work += units;
-    busy_ += slowness_ * 1e-6 * units / machine_.period.seconds();
+    busy_ += slowness * 1e-6 * units / machine_.period.seconds();
     for (; has_begun_ && busy_ >= 1; --busy_) make_word();
     return chunk;
   }
 
   const machine::Machine& machine_;
-  const double slowness_;
   machine::ToolTable tools_;
   pipeline::MotionSource source_;
   interpolator::Controller controller_{machine_.period, {}, 800};
   realtime::Planning planning_{.next = [this] { return plan(); },
                                .refuse = [this] { source_.planner().refuse(); },
-                               .override_feed = [this](double to) { source_.planner().override_feed(to); }};
+                               .override_feed = [this](double to) { source_.planner().override_feed(to); },
+                               .slice = [this](double seconds) { source_.planner().slice(seconds); }};
   double busy_ = 0;  ///< periods
   bool has_begun_ = false;
 
  public:
-  realtime::Feeder feeder{planning_, controller_, look_ahead};
+  realtime::Feeder feeder;
 };
 
 constexpr double ten_times = 10;  // s for a million units: as fast as real time where ordinary motion takes 50'000/s
@@ -132,6 +137,70 @@ TEST(Feeder, HoldsAndGoesOnWhateverIsLate) {
   simulation.before_word = [&](std::size_t word) { simulation.factor = word % 3000 < 1000 ? 0 : 1; };
   ASSERT_TRUE(simulation.run(most_words));
   EXPECT_FALSE(judge(part, machine, simulation.words).objects());
+}
+
+/// Waves of short lines, rounded: windows follow windows, 6 s of motion.
+std::string waves() {
+  std::string text = "G21 G90 G94 G17 F6000\nG64 P0.02\n";
+  for (int k = 1; k <= 850; ++k) {
+    const double x = 0.5 * k, y = 4 * std::sin(0.15 * k);
+    text += "G1 X" + std::to_string(x) + " Y" + std::to_string(y) + "\n";
+  }
+  return text + "M2\n";
+}
+
+constexpr double least_look_ahead = 0.02, as_usual = 0.5;  // s; s for a million units: a third of a core or less
+
+/// The words from the request to the first that differs from what it would have been.
+std::size_t words_until_change(const std::vector<base::Word>& undisturbed, std::size_t request, double factor,
+                               const std::string& text, const machine::Machine& machine) {
+  Simulation simulation(text, machine, as_usual, least_look_ahead);
+  simulation.before_word = [&](std::size_t word) {
+    simulation.factor = word >= request && word < request + 500 ? factor : 1;
+  };
+  EXPECT_TRUE(simulation.run(most_words));
+  EXPECT_EQ(simulation.feeder.late_chunks(), 0);
+  EXPECT_FALSE(judge(text, machine, simulation.words).objects());
+  std::size_t k = 0;
+  while (k < undisturbed.size() && simulation.words[k].position == undisturbed[k].position) ++k;
+  EXPECT_GE(k, request);
+  return k - request;
+}
+
+/// Once the planner has been in time for some seconds; a word a millisecond.
+TEST(Feeder, LetsAChangeOfFeedActWithin50Milliseconds) {
+  machine::Machine machine = machine::mill3();
+  machine.period = {1'000'000};
+  machine.axes[0]->travel_max = 1000;
+  const std::string text = waves();
+  const std::vector<base::Word> undisturbed = words_of(text, machine);
+  ASSERT_GT(undisturbed.size(), 5600U);
+  for (const std::size_t request : {4000U, 4411U, 5077U}) {
+    SCOPED_TRACE(request);
+    EXPECT_LE(words_until_change(undisturbed, request, 0.5, text, machine), 50U);
+  }
+  EXPECT_LE(words_until_change(undisturbed, 4700, 0, text, machine), 50U);
+}
+
+/// It is late once, and then plans as far ahead as it may.
+TEST(Feeder, LooksFarAheadAgainWhereThePlannerBecomesSlow) {
+  machine::Machine machine = machine::mill3();
+  machine.period = {1'000'000};
+  machine.axes[0]->travel_max = 1000;
+  const std::string text = waves();
+  Simulation simulation(text, machine, as_usual, least_look_ahead);
+  double nearest = look_ahead, at_end = 0;
+  simulation.before_word = [&](std::size_t word) {
+    nearest = std::min(nearest, simulation.feeder.look_ahead());
+    at_end = simulation.feeder.look_ahead();
+    if (word >= 3500) simulation.slowness = ten_times;
+  };
+  ASSERT_TRUE(simulation.run(most_words));
+  EXPECT_LE(nearest, 0.04);
+  EXPECT_EQ(at_end, look_ahead);
+  EXPECT_GE(simulation.feeder.late_chunks(), 1);
+  EXPECT_LE(simulation.feeder.late_chunks(), 6);
+  EXPECT_FALSE(judge(text, machine, simulation.words).objects());
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ void describe_drive(Command& command, Arguments& arguments) {
   command.text("--sink", "FILE", "Words go on time to this file or pipe, as CSV, and to no drives", drive.sink);
   command.text("--state", "FILE", "Keep on disk how far it has come, for --resume", drive.state);
   command.text("--resume", "FILE", "Go on from where a drive was stopped or killed; FILE is kept up", drive.resume);
-  command.value("--look-ahead", "TIME", "Planned ahead of the words (default 300ms)", drive.look_ahead,
-                [](std::string_view text) { return parse_seconds(text, 0.01, 60); });
+  command.value("--look-ahead", "TIME", "Planned ahead of the words (default 300ms, less where that is enough)",
+                drive.look_ahead, [](std::string_view text) { return parse_seconds(text, 0.01, 60); });
   command.value("--lead", "TIME", "Words made ahead of their time, so that late ones harm nothing (default 100ms)",
                 drive.lead, [](std::string_view text) { return parse_seconds(text, 0, 2); });
   command.check([&command, &drive] { return settle(command, drive); });

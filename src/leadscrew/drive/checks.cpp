@@ -24,7 +24,8 @@ base::Result<void> check_stops(const Setup& setup) {
     brake = std::max(brake, limits->velocity / limits->acceleration);
     release = std::max(release, limits->acceleration / limits->jerk);
   }
-  const double periods = (on_curves * (brake + release) + 2 * slice_duration) / setup.machine.period.seconds();
+  const double periods =
+      (on_curves * (brake + release) + slice_duration + longest_chunk) / setup.machine.period.seconds();
   if (periods <= Link::longest_stop_path) return {};
   return base::failure(base::problem(
       "stop-too-long",

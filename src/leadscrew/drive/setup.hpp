@@ -9,16 +9,17 @@
 
 namespace leadscrew::drive {
 
-/// Motion that is handed over at a time, s.
-inline constexpr double slice_duration = 0.02;
+/// Words that are handed over at a time, s, and motion that is planned at a time, at most.
+inline constexpr double slice_duration = 0.01, longest_chunk = 0.02;
 
 struct Options {
   std::optional<std::string> trace, axes;    ///< files of the simulated drives: words taken, where the axes went
   std::optional<std::string> events;         ///< file of the events of the words that were taken
   std::optional<std::string> state, resume;  ///< files: kept while it moves, and where it goes on from
   std::optional<std::string> sink;           ///< file or pipe that gets the words in the place of drives
-  double look_ahead = 0.3;                   ///< s planned ahead of the words, 0.01 … 60
-  double lead = 0.1;                         ///< s that words are made ahead of their time, 0 … 2
+  /// s planned ahead of the words, 0.01 … 60; none: 0.3, or as little as 0.02 where planner and words are in time.
+  std::optional<double> look_ahead;
+  double lead = 0.1;  ///< s that words are made ahead of their time, 0 … 2
 };
 
 struct Setup {

@@ -8,7 +8,9 @@ namespace leadscrew::drive {
 
 namespace {
 
-constexpr double least_spare = 0.1;  // s planned behind the words that are made ahead
+constexpr double least_spare = 0.1;       // s planned behind the words that are made ahead
+constexpr double usual_look_ahead = 0.3;  // s, where nothing else is asked for
+constexpr double least_look_ahead = 0.02;
 
 std::int64_t words_in(double seconds, const Setup& setup) {
   return std::llround(seconds / setup.machine.period.seconds());
@@ -31,7 +33,7 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
       sink_(link, setup.machine, first.position, most_waiting(setup)) {
   source_.unchanged = [this] { return program_.unchanged(); };
   source_.stop_when(files::interrupted);
-  source_.planner().slice(slice_duration);
+  source_.planner().slice(longest_chunk);
   source_.planner().start_at(first.path_length, first.line);
   const Options& options = setup.options;
   const std::int64_t slice = words_of_slice(setup);
@@ -40,8 +42,9 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
       .position = first.position,
       .path_length = first.path_length,
       .line = first.line,
-      .look_ahead = std::max(options.look_ahead, options.lead + least_spare) +
+      .look_ahead = std::max(options.look_ahead.value_or(usual_look_ahead), options.lead + least_spare) +
                     static_cast<double>(slice) * setup.machine.period.seconds(),
+      .least_look_ahead = options.look_ahead ? std::nullopt : std::optional(least_look_ahead),
       .lead = words_in(options.lead, setup),
       .slice = slice};
   runner_.emplace(runner_options, planning(std::move(may_start)), sink_.sink());
@@ -76,7 +79,8 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
   return {.next = [this] { return next_chunk(); },
           .refuse = [this] { source_.planner().refuse(); },
           .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
-          .lets = std::move(may_start)};
+          .lets = std::move(may_start),
+          .slice = [this](double seconds) { source_.planner().slice(seconds); }};
 }
 
 std::optional<planner::Chunk> WordMaker::next_chunk() {

@@ -189,7 +189,7 @@ bool BarrierSolver::measure_coefficients(std::span<const double> c, Product& bar
     const double inverse = 1 / caps[i];
     if (!(barrier.take(1 - c[i] * inverse) && barrier.take((c[i] - floors_[i]) * inverse))) return false;
   }
-  return problem_.ends_at_rest() || barrier.take(1 - c.back() / problem_.creep().back());
+  return !problem_.ends_in_creep() || barrier.take(1 - c.back() / problem_.creep().back());
 }
 
 double BarrierSolver::measure_excess(const BarrierValues& values) const {
@@ -283,7 +283,7 @@ void BarrierSolver::assemble_coefficients(double t) {
   if (problem_.starts_at_rest()) spend_on_ramp(0, problem_.knots().start_ramp, t);
   if (problem_.ends_at_rest()) {
     spend_on_ramp(c.size() - 1, problem_.knots().end_ramp, t);
-  } else {
+  } else if (problem_.ends_in_creep()) {
     keep_below(c.size() - 1, problem_.creep().back(), creep_dual_);
   }
 }
@@ -306,7 +306,7 @@ void BarrierSolver::step_duals(std::span<const double> there, const BarrierValue
     dual = near_center((1 + dual * change) / free, 1 - there[i] / greatest);
   };
   for (std::size_t i = first_free_; i < c.size(); ++i) stepped(cap_duals_[i], i, caps[i]);
-  if (!problem_.ends_at_rest()) stepped(creep_dual_, c.size() - 1, problem_.creep().back());
+  if (problem_.ends_in_creep()) stepped(creep_dual_, c.size() - 1, problem_.creep().back());
 }
 
 }  // namespace leadscrew::planner

@@ -3,20 +3,16 @@
 //
 //   speed  ----.         .-----.         So a stop by one cubic (emission.hpp) is looked for, from the slice's end or
 //               \ '.___.'       '.       from one of the next places where segments meet; the motion up to there stays
-//                \.              '--.    as it is. Each place is tried once a window, a few a slice.
+//                \.              '--.    as it is. Each place is tried once a window, a few a slice. Where none of
+// them comes to rest near enough, the stop has several segments (braking.hpp).
 
 #include <cstddef>
 #include <leadscrew/constraints/constraints.hpp>
+#include <leadscrew/planner/braking.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/window.hpp>
-#include <vector>
 
 namespace leadscrew::planner {
-
-struct Tail {
-  std::vector<Segment> segments;  ///< on the section
-  double end = 0;                 ///< where they come to rest
-};
 
 /// From segment `after` of the window on, to rest as early as is known: within every limit, and within `feed_factor`
 /// times the programmed feed, or as much more as there is.

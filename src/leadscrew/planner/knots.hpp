@@ -17,6 +17,7 @@ struct Knots {
   std::size_t intervals = 0;  ///< between the first `intervals` + 1 knots
   double start_ramp = 0;      ///< length travelled at constant path jerk from rest before the first knot; 0 in motion
   double end_ramp = 0;        ///< after the last; 0 if the window ends in motion
+  bool free_end = false;      ///< in motion, at any speed: the window's motion at its end is never travelled
 };
 
 /// Path limits at one place, from the axes that its direction moves: a ≤ min a_i/|q′_i|, j ≤ min j_i/|q′_i|. Feed is

@@ -22,7 +22,7 @@ SpeedBounds::SpeedBounds(const SpeedProblem& problem, const Continuation& before
   tightened_.assign(before.tightened.begin(), before.tightened.begin() + static_cast<std::ptrdiff_t>(known));
   tightened_.resize(n, 1.0);
   relaxed_.assign(problem.sites().size(), 1.0);
-  if (problem.ends_at_rest()) return;
+  if (!problem.ends_in_creep()) return;
   // Knots that lie well for a motion that goes on lie far apart for one that stops so soon.
   const std::size_t from = n > stopping_tail ? n - stopping_tail : 0;
   for (std::size_t k = std::max(from, before.loose); k < n; ++k)

@@ -311,12 +311,12 @@ void SpeedProblem::tie_variables() {
   variable_.assign(n + 3, -1);
   weight_.assign(n + 3, 1.0);
   const std::size_t first = starts_at_rest() ? 2 : 3;  // the first free coefficient, or the last that is tied to it
-  const std::size_t last = ends_at_rest() ? n : n - creep_tail;
+  const std::size_t last = ends_at_rest() ? n : ends_in_creep() ? n - creep_tail : n + 2;
   for (std::size_t i = starts_at_rest() ? 0 : 3; i < n + 3; ++i) {
     variable_[i] = static_cast<std::int32_t>(std::clamp(i, first, last) - first);
     if (i <= 2) weight_[i] = start_tie_[i];
     if (ends_at_rest() && i >= n) weight_[i] = end_tie_[n + 2 - i];
-    if (!ends_at_rest() && i >= last) weight_[i] = creep_[i] / creep_[last];
+    if (ends_in_creep() && i >= last) weight_[i] = creep_[i] / creep_[last];
   }
   variable_count_ = last - first + 1;
 }

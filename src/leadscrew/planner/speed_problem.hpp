@@ -54,6 +54,7 @@ class SpeedProblem {
   std::size_t intervals() const { return knots_.intervals; }
   bool starts_at_rest() const { return knots_.start_ramp > 0; }
   bool ends_at_rest() const { return knots_.end_ramp > 0; }
+  bool ends_in_creep() const { return !ends_at_rest() && !knots_.free_end; }
   std::span<const CubicBasis> basis() const { return basis_; }
   /// Of every interval.
   std::span<const Places> places() const { return places_; }

@@ -102,14 +102,14 @@ void SpeedProfile::descend() {
   bounds_.restore_caps(problem_, c(), tuning::descent::descended_margin);
 }
 
-void SpeedProfile::descend_to_creep() {
+void SpeedProfile::descend_to_creep(double first_gap, double last_gap) {
   const double least = 2e-3 * c()[0];
   goal_ = {};
   for (std::size_t k = 0; k < intervals(); ++k) {
     for (const double u : numeric::gauss_3_places)
       goal_.wanted.push_back(std::max(0.5 * dot(problem_.basis()[k].value(u), &problem_.creep()[k]), least));
   }
-  optimize(goal_, tuning::descent::cold_gap, tuning::descent::last_gap);
+  optimize(goal_, first_gap, last_gap);
 }
 
 void SpeedProfile::settle() {

@@ -55,7 +55,8 @@ class SpeedProfile {
   /// From the present profile down to the greatest speed, or to a creep, as fast as the limits allow; where it cannot
   /// be slower than that, limits are relaxed from then on.
   void descend();
-  void descend_to_creep();
+  /// From `first_gap` to within `last_gap` of the cost of that, relative.
+  void descend_to_creep(double first_gap, double last_gap);
 
   /// From the present profile, which must be strictly inside, to the optimum within `gap` of its time, relative.
   /// `first_gap` says how far from the optimum the present profile is.

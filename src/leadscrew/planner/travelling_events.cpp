@@ -49,7 +49,7 @@ void TravellingEvents::begin_at(double path_length, std::int64_t number) {
   next_ = rest_ = rest_before_ = {path_length, number};
 }
 
-void TravellingEvents::place(Chunk& chunk, std::vector<base::Event> before) {
+void TravellingEvents::place(Chunk& chunk, const std::vector<base::Event>& before) {
   for (const base::Event& event : before)
     chunk.events.push_back(placed(event, 0, -std::numeric_limits<double>::infinity(), next_.path_length));
   rest_before_ = rest_;

@@ -16,7 +16,7 @@ class TravellingEvents {
   /// Motion begins so far from the program's start, behind the events before this number.
   void begin_at(double path_length, std::int64_t number);
   /// Those on the chunk's pieces that no chunk before has handed out. `before`: to happen before it begins.
-  void place(Chunk& chunk, std::vector<base::Event> before);
+  void place(Chunk& chunk, const std::vector<base::Event>& before);
   /// Motion has come to rest by the tail of the chunk before the last.
   void refuse();
 

@@ -127,10 +127,25 @@ inline constexpr double softness = 0.004;  // of the wanted x
 /// Stops of slices. More attempts: shorter stops (tests of `early_stop`). Fewer: less of each slice's time.
 namespace early_stop {
 inline constexpr double first_wait = 0.005, later = 1.4;  // s after the slice, and each time so many times later
+inline constexpr double last_brake = 0.015;               // s after the slice, where a stop of several segments begins
 inline constexpr int attempts = 14;
-inline constexpr double longer = 1.12;  // each than the last
-inline constexpr int first_looks = 8;   // most attempts are seen to fail by the first
+inline constexpr double longer = 1.12;           // each than the last
+inline constexpr std::size_t sparse_knots = 20;  // before the end of a window in motion: they lie far apart for a stop
 }  // namespace early_stop
+
+/// Stops of slices by several segments. A greater reach and smaller gaps: tails nearer to the shortest
+/// (Tails.AreAsShortAsTheLimitsAllow). Smaller and greater: Newton's method takes less of each slice's time.
+namespace braking {
+inline constexpr double reach = 1.3;  // of the shortest stop along the tangent
+inline constexpr double first_gap = 3, last_gap = 0.1, deep_gap = 30;
+inline constexpr int most_parts = 3;  // each reaches twice as far as the last
+inline constexpr int repairs = 2;     // with rows tightened where the proof fails
+inline constexpr std::size_t fewest_intervals = 8;
+inline constexpr int attempts = 3;          // at a stop by one cubic, from each place
+inline constexpr double longer = 1.15;      // each than the last
+inline constexpr double worthwhile = 0.01;  // of the tail, by which a later place must end it sooner
+inline constexpr int first_looks = 8;       // most attempts are seen to fail by the first
+}  // namespace braking
 
 /// The proof. More looks find more of what lies between them: what random programs showed beyond 1.0005 of a limit, seen
 /// by the referee, set these. Each look is an evaluation of a curve.

@@ -250,7 +250,8 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
   for (int round = 0; round <= rounds; ++round) {
     const bool last_round = round == rounds;
     const auto find_optimum = [&] {
-      aim_ == Aim::rest ? profile.descend_to_creep() : profile.optimize(first_gap, gap_of_round(round, rounds));
+      aim_ == Aim::rest ? profile.descend_to_creep(tuning::descent::cold_gap, tuning::descent::last_gap)
+                        : profile.optimize(first_gap, gap_of_round(round, rounds));
     };
     if (!last_round && !spend_on(profile, find_optimum)) return false;
     if (aim_ == Aim::fastest) profile.level_cruises();

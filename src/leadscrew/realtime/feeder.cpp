@@ -23,13 +23,26 @@ bool Feeder::step() {
 
 /// Motion that is held is planned to its rest, and no further.
 bool Feeder::wants_more() const {
-  return (factor_ > 0 || in_motion_) && controller_.seconds_ahead() < std::max(look_ahead_, patience_);
+  return (factor_ > 0 || in_motion_) && controller_.seconds_ahead() < std::max(look_ahead_.seconds(), patience_);
+}
+
+/// A quarter of what is planned ahead, so that a change waits for no long chunk; longer ones take less work.
+void Feeder::set_slice() {
+  constexpr double shortest = 0.01, longest = 0.02;  // s
+  const double wanted = std::clamp(look_ahead_.seconds() / 4, shortest, longest);
+  if (!planning_.slice || wanted == slice_) return;
+  slice_ = wanted;
+  planning_.slice(wanted);
 }
 
 /// Takes a chunk. False where there is none.
 bool Feeder::take_next() {
   std::optional<planner::Chunk> chunk = std::exchange(after_, std::nullopt);
-  if (!chunk) chunk = planning_.next();
+  if (!chunk) {
+    if (!ahead_before_) ahead_before_ = controller_.seconds_ahead();
+    set_slice();
+    chunk = planning_.next();
+  }
   if (!chunk) {
     if (!held_.empty()) return has_ended_ = true;
     in_motion_ = false;
@@ -50,19 +63,23 @@ bool Feeder::take_next() {
 bool Feeder::hand_over() {
   if (planning_.lets && held_.front().begins_at_rest() && !planning_.lets(held_.front())) return false;
   const bool ends_in_motion = !held_.back().stop_tail.empty();
+  const bool goes_on = !held_.front().begins_at_rest();
   const auto count = static_cast<std::int64_t>(held_.size());
+  const double ahead_after = controller_.seconds_ahead();
   switch (controller_.offer(held_)) {
     case Offer::accepted:
       accepted_ += count;
       in_motion_ = ends_in_motion;
       since_late_ += held_seconds_;
+      if (goes_on && ahead_before_) look_ahead_.accepted(held_seconds_, *ahead_before_, ahead_after);
       break;
     case Offer::late:
       ++late_chunks_;
+      look_ahead_.late();
       planning_.refuse();
       in_motion_ = false;
       since_late_ = 0;
-      patience_ = std::min(std::max(look_ahead_, 2 * patience_), farthest);
+      patience_ = std::min(std::max(farthest_look_ahead_, 2 * patience_), farthest);
       break;
     case Offer::full:
       return false;
@@ -74,6 +91,7 @@ bool Feeder::hand_over() {
   }
   held_.clear();
   held_seconds_ = 0;
+  ahead_before_.reset();
   has_ended_ = false;
   settle_patience();
   return true;
@@ -83,7 +101,7 @@ bool Feeder::hand_over() {
 void Feeder::settle_patience() {
   constexpr double times = 8;
   if (patience_ == 0 || since_late_ < times * patience_) return;
-  patience_ = patience_ > look_ahead_ ? patience_ / 2 : 0;
+  patience_ = patience_ > farthest_look_ahead_ ? patience_ / 2 : 0;
   since_late_ = 0;
 }
 

@@ -10,12 +10,16 @@
 //   late            late                          handed over together
 //    │▁▁▁▁▁┌─┐▁▁▁▁▁▁│▁▁▁▁▁▁▁▁▁▁▁▁▁▁┌──────┐▁ ···   ┌─┬─┬─┬─┬─┬─┐
 //    planning 0.3 s  planning 0.6 s of motion      held: never late, for it begins at rest
+//
+// Nor must it be so far ahead that nobody can intervene: where it is in time, it plans less far (look_ahead.hpp), in
+// shorter slices.
 
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/interpolator/controller.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <leadscrew/realtime/look_ahead.hpp>
 #include <optional>
 #include <vector>
 
@@ -28,6 +32,8 @@ struct Planning {
   std::function<void(double)> override_feed;            ///< 0 … 2
   /// May motion go on with this chunk, which begins at rest? While not, it waits there. Absent: always.
   std::function<bool(const planner::Chunk&)> lets = {};
+  /// From now on chunks are to be about so long, s. Absent: they are as they come.
+  std::function<void(double)> slice = {};
 };
 
 class Feeder {
@@ -35,12 +41,20 @@ class Feeder {
   /// So far it looks ahead after chunks that were late, s.
   static constexpr double farthest = 4;
 
-  /// look_ahead: s of motion that the cycle has not begun. Both must outlive it; one thread calls everything.
+  /// look_ahead: s of motion that the cycle has not begun; where the planner is in time as little as
+  /// `least_look_ahead`. Both must outlive it; one thread calls everything.
+  Feeder(const Planning& planning, interpolator::Controller& controller, double look_ahead, double least_look_ahead)
+      : planning_(planning),
+        controller_(controller),
+        farthest_look_ahead_(look_ahead),
+        look_ahead_(least_look_ahead, look_ahead) {}
   Feeder(const Planning& planning, interpolator::Controller& controller, double look_ahead)
-      : planning_(planning), controller_(controller), look_ahead_(look_ahead) {}
+      : Feeder(planning, controller, look_ahead, look_ahead) {}
 
   /// What is asked for from now on: the feed's factor, 0 … 2, or to come to rest and end.
   void request(double factor, bool stop);
+  /// By so many seconds the cycle woke up late, at most.
+  void cycle_was_late(double by) { look_ahead_.cycle_was_late(by); }
   /// Takes a chunk or hands some over. False where nothing can be done but wait.
   bool step();
 
@@ -50,9 +64,12 @@ class Feeder {
   const std::optional<base::Diagnostic>& failure() const { return failure_; }
   /// Chunks that came after the motion they continue had been stopped.
   std::int64_t late_chunks() const { return late_chunks_; }
+  /// s of motion that is to be planned and not begun.
+  double look_ahead() const { return look_ahead_.seconds(); }
 
  private:
   bool wants_more() const;
+  void set_slice();
   bool is_held_back() const { return patience_ > 0 && !in_motion_; }
   bool take_next();
   bool hand_over();
@@ -60,8 +77,11 @@ class Feeder {
 
   const Planning& planning_;
   interpolator::Controller& controller_;
-  const double look_ahead_;
-  std::vector<planner::Chunk> held_;  ///< taken, not yet accepted: one, or from rest on what is handed over together
+  const double farthest_look_ahead_;
+  LookAhead look_ahead_;
+  std::optional<double> ahead_before_;  ///< s planned and not begun, when the next chunk was asked for
+  double slice_ = 0;                    ///< s, asked for
+  std::vector<planner::Chunk> held_;    ///< taken, not yet accepted: one, or from rest on what is handed over together
   double held_seconds_ = 0;
   std::optional<planner::Chunk> after_;  ///< begins at rest behind those
   double patience_ = 0;                  ///< s of motion that are held back at rest

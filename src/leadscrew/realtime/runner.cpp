@@ -27,7 +27,7 @@ Runner::Runner(const RunnerOptions& options, Planning planning, WordSink sink)
       sink_(std::move(sink)),
       controller_(options.period, options.position, chunks_within(std::max(options.look_ahead, Feeder::farthest)),
                   options.path_length, options.line),
-      feeder_(planning_, controller_, options.look_ahead) {}
+      feeder_(planning_, controller_, options.look_ahead, options.least_look_ahead.value_or(options.look_ahead)) {}
 
 Runner::~Runner() {
   halt();
@@ -70,6 +70,7 @@ Counters Runner::counters() const {
 void Runner::plan() {
   while (!halted_.load(std::memory_order_acquire) && !has_ended()) {
     feeder_.request(asked_.load(std::memory_order_relaxed), stop_asked_.load(std::memory_order_relaxed));
+    feeder_.cycle_was_late(1e-9 * static_cast<double>(latencies_.longest()));
     const bool has_gone_on = feeder_.step();
     if (feeder_.last_chunk()) last_chunk_.store(*feeder_.last_chunk(), std::memory_order_release);
     late_chunks_.store(feeder_.late_chunks(), std::memory_order_relaxed);

@@ -49,8 +49,10 @@ struct RunnerOptions {
   double path_length = 0;       ///< behind it
   base::Line line{};            ///< of the program, there
   double look_ahead = 0.2;      ///< s of motion planned ahead of the cycle; a change of feed takes as long
-  std::int64_t lead = 0;        ///< periods that words are made ahead of their time
-  std::int64_t slice = 1;       ///< words that are published together, at most; at rest each for itself
+  /// s that are enough where planner and cycle are in time (look_ahead.hpp); none: as far at all times.
+  std::optional<double> least_look_ahead = {};
+  std::int64_t lead = 0;   ///< periods that words are made ahead of their time
+  std::int64_t slice = 1;  ///< words that are published together, at most; at rest each for itself
 };
 
 /// What has happened so far.
