@@ -40,10 +40,14 @@ class Descent {
     for (int k = 1; k <= most_steps; ++k) {
       barrier_.assemble(t, at_, passing_, model_);
       double w_step = 0;
-      const double decrement = model_.solve(step_, w_step);
-      if (!std::isfinite(decrement)) return;
-      const double after = descend(t, w_step, decrement, before);
-      if (!(after < before)) return;
+      const double decrement = model_.solve(damping_, step_, w_step);
+      const bool is_descent = std::isfinite(decrement) && decrement > 0;
+      const double after = is_descent ? descend(t, w_step, decrement, before) : before;
+      if (!(after < before)) {
+        if (damping_ >= most_damping) return;
+        damping_ = std::min(change_of_damping * change_of_damping * damping_, most_damping);
+        continue;
+      }
       before = after;
       if (decrement < enough_decrement) return;
       if (k % patience == 0 && std::exchange(last_looked, after) - after < least_fall) return;
@@ -70,9 +74,17 @@ class Descent {
       if (!falls(after, length)) continue;
       std::swap(at_, trial_);
       std::swap(passing_, followed_);
+      adapt_damping(length);
       return after;
     }
     return before;
+  }
+
+  /// As a step of that length says of the model.
+  void adapt_damping(double length) {
+    constexpr double long_step = 0.5, short_step = 0.1;
+    if (length >= long_step) damping_ = std::max(damping_ / change_of_damping, least_damping);
+    if (length < short_step) damping_ = std::min(damping_ * change_of_damping, most_damping);
   }
 
   CorridorBarrier<D> barrier_;
@@ -80,6 +92,7 @@ class Descent {
   Passing passing_, followed_;
   NewtonModel<D> model_;
   std::vector<Vector<D>> step_;
+  double damping_ = least_damping;
 };
 
 }  // namespace

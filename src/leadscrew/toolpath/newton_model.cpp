@@ -29,8 +29,9 @@ void NewtonModel<D>::fix_ends() {
 }
 
 template <std::size_t D>
-double NewtonModel<D>::solve(std::vector<Vector<D>>& step, double& w_step) {
+double NewtonModel<D>::solve(double damping, std::vector<Vector<D>>& step, double& w_step) {
   // [H b; bᵀ d] (Δc, Δw) = −(g, γ) by the Schur complement d − bᵀH⁻¹b.
+  for (std::size_t i = 0; i < hessian.size(); ++i) hessian.row(i)[0] *= 1 + damping;
   hessian.factor(1e-14);
   along_slope = slope;
   along_border = border;

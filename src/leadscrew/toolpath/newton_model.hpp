@@ -20,8 +20,10 @@ struct NewtonModel {
   void reset(std::size_t points);
   /// The first three points and the last three do not move.
   void fix_ends();
-  /// Of every point, and of w; returns the decrement, not finite where the model could not be solved.
-  double solve(std::vector<Vector<D>>& step, double& w_step);
+  /// Of every point, and of w, with every diagonal element made greater by `damping` times itself: along a line of many
+  /// intervals only its ends say where points are, and the model is as good as singular. Returns the decrement, not finite
+  /// where the model could not be solved.
+  double solve(double damping, std::vector<Vector<D>>& step, double& w_step);
 };
 
 }  // namespace leadscrew::toolpath

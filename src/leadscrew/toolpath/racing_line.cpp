@@ -166,11 +166,12 @@ double RacingLine::speed_along(const CorridorLeg<3>& leg) const {
   return speed;
 }
 
-/// What it takes to come to that speed from rest, mm: farther away a corner has no influence.
+/// What it takes to come to that speed from rest and to go across the corridor, mm: farther away a corner has no influence.
 double RacingLine::reach_of(const CorridorLeg<3>& leg) const {
   const double speed = speed_along(leg);
-  return speed *
-         std::max(speed / least_.acceleration + least_.acceleration / least_.jerk, 2 * std::sqrt(speed / least_.jerk));
+  const double seconds =
+      std::max(speed / least_.acceleration + least_.acceleration / least_.jerk, 2 * std::sqrt(speed / least_.jerk));
+  return std::max(speed * seconds, reach_in_margins * leg.margin);
 }
 
 /// So long that its middle stays what it is.

@@ -97,11 +97,13 @@ inline constexpr double start_step = 2;            // margins by |t⁺ − t⁻|
 /// The barrier. Smaller gaps and decrements: nearer to the least time. Larger: less work.
 inline constexpr double first_gap = 2, last_gap = 0.01, growth_of_weight = 8;
 inline constexpr double enough_decrement = 0.5;
+/// Of the diagonal of the barrier's Hessian. Random programs of lines up to 50 mm at a tolerance of a micrometre set these.
+inline constexpr double least_damping = 1e-12, most_damping = 1e-3, change_of_damping = 3;
 /// Windows, in times to stop from the greatest speed: that one is planned ahead of what is kept of it, and that is kept.
 /// Longer: less of the end's influence. Shorter: the path is known sooner.
 inline constexpr double stops_ahead = 2.5, stops_planned = 12;
 inline constexpr std::size_t most_legs = 400;
-inline constexpr double reaches_of_long = 2.5;
+inline constexpr double reaches_of_long = 2.5, reach_in_margins = 10;
 inline constexpr double nearly_all = 0.95;        // of what an arc's curvature allows, where its middle is travelled
 inline constexpr double merged_share = 0.15;      // of the margin, that short lines may take for being made one
 inline constexpr int most_plans = 3;              // with smaller margins
