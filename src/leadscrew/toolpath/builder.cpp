@@ -24,6 +24,12 @@ double feed_of(const gcode::Move& move) {
 
 }  // namespace
 
+/// A racing line uses all of the tolerance, and acceleration: it leaves nothing for chords between words.
+Builder::Builder(const machine::Machine& machine)
+    : machine_(&machine),
+      sampling_(machine),
+      seeks_least_time_(machine.smoothing == machine::Smoothing::least_time && !sampling_.needs_share()) {}
+
 void Builder::push(const gcode::Move& move) {
   switch (move.kind) {
     case gcode::Move::Kind::dwell:
@@ -67,10 +73,9 @@ void Builder::move_along(const gcode::Move& move) {
   std::get<Piece>(settled_.back()).stop = true;
 }
 
-/// Motion comes to rest between legs of one kind and of the other.
+/// Motion comes to rest between legs of one kind and of the other: behind one that no racing line takes, splines go on.
 void Builder::blend(Leg leg) {
-  if (machine_ != nullptr && machine_->smoothing == machine::Smoothing::least_time && RacingLine::takes(leg)) {
-    settle(smoother_);
+  if (seeks_least_time_ && !smoother_ && RacingLine::takes(leg)) {
     if (!racing_line_) racing_line_.emplace(*machine_);
     racing_line_->push(std::move(leg));
   } else {

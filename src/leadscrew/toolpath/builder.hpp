@@ -24,7 +24,7 @@ class Builder {
   Builder() = default;
   /// As the machine asks for (machine::Smoothing), with what its period keeps of tolerances for chords between words. It
   /// must outlive the builder.
-  explicit Builder(const machine::Machine& machine) : machine_(&machine), sampling_(machine) {}
+  explicit Builder(const machine::Machine& machine);
 
   void push(const gcode::Move& move);
   /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
@@ -48,6 +48,7 @@ class Builder {
   const machine::Machine* machine_ = nullptr;
   std::optional<RacingLine> racing_line_;
   Sampling sampling_;
+  bool seeks_least_time_ = false;  ///< by racing lines
   std::optional<Smoother> smoother_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event

@@ -35,6 +35,15 @@ Sampling::Sampling(const machine::Machine& machine)
   }
 }
 
+bool Sampling::needs_share() const {
+  double square = 0;
+  for (const base::Axis axis : tip_axes) {
+    const double acceleration = acceleration_[base::index(axis)];
+    if (acceleration < infinity) square += acceleration * acceleration;
+  }
+  return per_acceleration_ * std::sqrt(square) > chord_error_;
+}
+
 machine::Derivatives Sampling::limits_along(const Leg& leg) const {
   Point directions{};
   const base::AxisSet moving = geometry::moving(leg.curve);

@@ -48,6 +48,8 @@ class Sampling {
   /// Words at the machine's period.
   explicit Sampling(const machine::Machine& machine);
 
+  /// May chords ever need a share of P? Where A T²/8 at the machine's acceleration is no more than its chord error, never.
+  bool needs_share() const;
   /// Of P for chords, mm, where a spline is fitted to the leg; 0 where the machine's chord error is enough.
   double kept_beside_spline(const Leg& leg) const;
   /// Is motion through a spline at a joint at the end of the leg, |t⁺ − t⁻| its turn, no slower than one that slows down
