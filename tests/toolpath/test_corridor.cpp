@@ -82,7 +82,7 @@ TEST(CorridorBarriers, HaveTheDerivativesThatTheyAssemble) {
   barrier.assemble(t, at, passing, model);
   std::vector<Vector<2>> step;
   double w_step = 0;
-  const double decrement = model.solve(step, w_step);
+  const double decrement = model.solve(0, step, w_step);
   ASSERT_GT(decrement, 0);
   const auto value_along = [&](double length) {
     CorridorPoint<2> moved = at;
