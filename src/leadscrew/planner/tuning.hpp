@@ -151,7 +151,7 @@ inline constexpr int first_looks = 8;       // most attempts are seen to fail by
 /// by the referee, set these. Each look is an evaluation of a curve.
 namespace proof {
 inline constexpr int looks_per_polynomial = 3;
-inline constexpr std::size_t most_borders = 60;    // that are looked at so closely
+inline constexpr std::size_t most_borders = 600;   // that are looked at so closely
 inline constexpr int stop_looks = 32;              // of the proof that a stop keeps its limits
 inline constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
 inline constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
