@@ -19,7 +19,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/interpolator/controller.hpp>
 #include <leadscrew/planner/motion.hpp>
-#include <leadscrew/realtime/look_ahead.hpp>
+#include <leadscrew/realtime/look_ahead_time.hpp>
 #include <optional>
 #include <vector>
 
@@ -78,7 +78,7 @@ class Feeder {
   const Planning& planning_;
   interpolator::Controller& controller_;
   const double farthest_look_ahead_;
-  LookAhead look_ahead_;
+  LookAheadTime look_ahead_;
   std::optional<double> ahead_before_;  ///< s planned and not begun, when the next chunk was asked for
   double slice_ = 0;                    ///< s, asked for
   std::vector<planner::Chunk> held_;    ///< taken, not yet accepted: one, or from rest on what is handed over together

@@ -13,10 +13,11 @@
 
 namespace leadscrew::realtime {
 
-class LookAhead {
+class LookAheadTime {
  public:
   /// Between these, s. Begins with the greatest.
-  LookAhead(double least, double greatest) : least_(std::min(least, greatest)), greatest_(greatest), ahead_(greatest) {}
+  LookAheadTime(double least, double greatest)
+      : least_(std::min(least, greatest)), greatest_(greatest), ahead_(greatest) {}
 
   /// s of motion that is to be planned and not begun.
   double seconds() const { return ahead_; }
