@@ -1,4 +1,5 @@
 #include <leadscrew/toolpath/corridor_plan.hpp>
+#include <leadscrew/toolpath/corridor_stops.hpp>
 #include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
@@ -188,6 +189,14 @@ double RacingLine::speed_at(std::size_t joint) const {
   return std::min({speed_along(before), speed_along(behind), start_step * margin / (std::max(turn, 1e-9) * interval)});
 }
 
+/// From so far that it is fast before. Then motion rests there: a path that passes as near to a cusp as the corridor asks
+/// is travelled more slowly than with a stop.
+bool RacingLine::turns_back(std::size_t joint) const {
+  const CorridorLeg<3>&before = legs_[joint], &behind = legs_[joint + 1];
+  if (std::min(before.length, behind.length) < far_back * reach_of(before)) return false;
+  return size(along(before.tangent(before.length), 1, behind.tangent(0))) < least_angle_back;
+}
+
 /// About, s.
 double RacingLine::seconds_along(std::size_t leg) const {
   const double length = legs_[leg].length, a = start_acceleration * least_.acceleration;
@@ -202,6 +211,9 @@ double RacingLine::stop_time() const {
 
 std::optional<RacingLine::Window> RacingLine::choose(bool all) const {
   const std::size_t last = legs_.size() - 1;
+  for (std::size_t joint = 0; joint < last; ++joint) {
+    if (turns_back(joint)) return Window{joint + 1, CorridorEnd::rest, legs_[joint].length, false};
+  }
   if (last > 0 && is_long(last)) return Window{last + 1, CorridorEnd::moving, reach_of(legs_[last]), false};
   if (all) return Window{last + 1, CorridorEnd::rest, legs_[last].length, false};
   // The last leg may still grow.
@@ -239,12 +251,16 @@ std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
     CorridorEnds<3> ends{is_moving_ ? begin_ : 0, window.finish, given_, {}};
     if (window.end == CorridorEnd::moving) ends.points_at_end = points_at(corridor.legs.back(), window.finish, wanted);
     std::optional<TimeSpline<3>> motion = plan_in(corridor, ends, wanted / interval_ratio_);
-    if (!motion) return found;
+    if (!motion) break;
     const double off = motion->interval / wanted;
     found = Plan{std::move(*motion), window.count};
     if (goes_on ? std::abs(off - 1) < allowed_interval : off < coarse_interval) break;
     interval_ratio_ = std::clamp(interval_ratio_ * off, 0.25, 4.0);
   }
+  // Where motion goes on, its speed there and with it the time is only about right.
+  const double allowed = goes_on ? 1 + allowed_interval : 1;
+  const double stopping = time_with_stops(corridor, is_moving_ ? begin_ : 0, window.finish);
+  if (found && found->motion.seconds() > allowed * stopping) return std::nullopt;
   return found;
 }
 

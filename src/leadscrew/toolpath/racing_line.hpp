@@ -74,6 +74,7 @@ class RacingLine {
   double seconds_along(std::size_t leg) const;
   double stop_time() const;
   double speed_at(std::size_t joint) const;
+  bool turns_back(std::size_t joint) const;
   double speed_along(const CorridorLeg<3>& leg) const;
   double reach_of(const CorridorLeg<3>& leg) const;
   bool is_long(std::size_t leg) const;

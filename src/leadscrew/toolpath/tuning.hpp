@@ -104,6 +104,7 @@ inline constexpr double least_damping = 1e-12, most_damping = 1e-3, change_of_da
 inline constexpr double stops_ahead = 2.5, stops_planned = 12;
 inline constexpr std::size_t most_legs = 400;
 inline constexpr double reaches_of_long = 2.5, reach_in_margins = 10;
+inline constexpr double far_back = 0.3, least_angle_back = 0.01;  // reaches, rad: reversals of 3 to 25 mm
 inline constexpr double nearly_all = 0.95;        // of what an arc's curvature allows, where its middle is travelled
 inline constexpr double merged_share = 0.15;      // of the margin, that short lines may take for being made one
 inline constexpr int most_plans = 3;              // with smaller margins
