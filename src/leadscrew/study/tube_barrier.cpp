@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <leadscrew/numeric/log_sum.hpp>
 #include <leadscrew/study/tube_barrier.hpp>
 #include <limits>
 
@@ -30,25 +31,6 @@ PlaneVector position_at(const std::vector<PlaneVector>& points, double time) {
   const SplineWeights at = position_weights(time, points.size() - 3);
   return sum_of(points, at.first, at.weights);
 }
-
-/// Σ log of many factors, few logarithms taken.
-class LogSum {
- public:
-  /// Returns false where the factor is too small.
-  bool add(double factor) {
-    if (!(factor > least_slack)) return false;
-    product_ *= factor;
-    if (product_ < 1e-200 || product_ > 1e200) {
-      sum_ += std::log(product_);
-      product_ = 1;
-    }
-    return true;
-  }
-  double value() const { return sum_ + std::log(product_); }
-
- private:
-  double sum_ = 0, product_ = 1;
-};
 
 /// From the nearest place of a line to x; and whether that place is one of its ends.
 struct FromLine {
@@ -107,7 +89,7 @@ void add_arc(TubeModel& model, const TubeLeg& leg, double tolerance, PlaneVector
             {});
 }
 
-bool add_slack(LogSum& sum, const TubeLeg& leg, double tolerance, PlaneVector outward, PlaneVector x) {
+bool add_slack(numeric::LogSum& sum, const TubeLeg& leg, double tolerance, PlaneVector outward, PlaneVector x) {
   if (leg.is_arc) {
     const PlaneVector from = x - leg.center;
     return sum.add((leg.radius + tolerance - norm(from)) / tolerance) &&
@@ -192,7 +174,7 @@ double TubeBarrier::value(double t, const TubeIterate& at, const TubeAssignment&
   const Bounds most = bounds(at.w);
   const std::vector<PlaneVector>& c = at.points;
   const std::size_t n = c.size() - 3;
-  LogSum sum;
+  numeric::LogSum sum(least_slack);
   const auto both = [&](PlaneVector u, double g) {
     return sum.add(1 - u.x * u.x / (g * g)) && sum.add(1 - u.y * u.y / (g * g));
   };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <leadscrew/numeric/log_sum.hpp>
 #include <leadscrew/toolpath/corridor_barrier.hpp>
 
 namespace leadscrew::toolpath {
@@ -26,25 +27,6 @@ Vector<D> sum_of(const Vector<D>* points, const std::array<double, count>& facto
   }
   return sum;
 }
-
-/// Σ log of many factors, few logarithms taken.
-class LogSum {
- public:
-  /// False where the factor is too small.
-  bool add(double factor) {
-    if (!(factor > least_slack)) return false;
-    product_ *= factor;
-    if (product_ < 1e-200 || product_ > 1e200) {
-      sum_ += std::log(product_);
-      product_ = 1;
-    }
-    return true;
-  }
-  double value() const { return sum_ + std::log(product_); }
-
- private:
-  double sum_ = 0, product_ = 1;
-};
 
 /// −log(g² − u²), g ∝ w^power: all its derivatives.
 struct TwoSided {
@@ -243,7 +225,7 @@ double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Pas
   if (!(at.w > 0)) return unlimited;
   const Bounds<D> most(corridor_.limits, start_interval_ * std::cbrt(at.w));
   const std::vector<Vector<D>>& c = at.points;
-  LogSum sum;
+  numeric::LogSum sum(least_slack);
   for (std::size_t k = 0; k < intervals_; ++k) {
     const double more = relaxed(k);
     const Vector<D> jerk = sum_of(&c[k], third_difference);
