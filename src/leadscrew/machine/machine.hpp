@@ -32,8 +32,10 @@ struct AxisLimits {
 
 /// How moves in X, Y and Z are smoothed within their tolerance (G64).
 enum class Smoothing : std::uint8_t {
-  splines,     ///< by blends of corners and splines along short lines, whatever the machine
-  least_time,  ///< along the path that the machine travels in the least time: faster, and more to plan
+  splines,  ///< by blends of corners and splines along short lines, whatever the machine
+  /// Along the path that the machine travels in the least time: faster, and more to plan. Only at periods so short that
+  /// chords between words keep the chord error whatever the acceleration; else splines.
+  least_time,
 };
 
 struct Machine {
