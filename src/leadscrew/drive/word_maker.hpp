@@ -44,7 +44,7 @@ class WordMaker {
   const std::optional<base::Diagnostic>& notice() const { return notice_; }
   /// Of a motion that is slower than it need be (pipeline::MotionSource::warning).
   std::optional<base::Diagnostic> warning() const { return source_.warning(); }
-  std::int64_t blocks() const { return source_.reader().blocks(); }
+  std::int64_t blocks() const { return source_.blocks(); }
   /// Why motion ended before the program: `program-changed`, an error that was not there when the program was checked,
   /// `word-refused`, `travel-unchecked`, `planning-failed`.
   std::optional<base::Diagnostic> failure() const;

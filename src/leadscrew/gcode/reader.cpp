@@ -139,10 +139,10 @@ class Reader::Implementation {
   bool done_ = false;
 };
 
-Reader::Reader(ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+Reader::Reader(ByteSource source, base::Borrowed<machine::Machine> machine, base::Borrowed<machine::ToolTable> tools,
                ReaderOptions options, DiagnosticSink sink)
     : implementation_(
-          std::make_unique<Implementation>(std::move(source), machine, tools, std::move(options), std::move(sink))) {}
+          std::make_unique<Implementation>(std::move(source), *machine, *tools, std::move(options), std::move(sink))) {}
 Reader::~Reader() = default;
 Reader::Reader(Reader&&) noexcept = default;
 Reader& Reader::operator=(Reader&&) noexcept = default;

@@ -41,6 +41,7 @@
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/sink.hpp>
@@ -76,8 +77,8 @@ struct ReaderOptions {
 /// the reader.
 class Reader {
  public:
-  Reader(ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools, ReaderOptions options,
-         DiagnosticSink sink);
+  Reader(ByteSource source, base::Borrowed<machine::Machine> machine, base::Borrowed<machine::ToolTable> tools,
+         ReaderOptions options, DiagnosticSink sink);
   ~Reader();
   Reader(Reader&&) noexcept;
   Reader& operator=(Reader&&) noexcept;

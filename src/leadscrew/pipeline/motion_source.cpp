@@ -7,14 +7,22 @@
 
 namespace leadscrew::pipeline {
 
-MotionSource::MotionSource(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-                           const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics)
-    : machine_(machine),
-      start_(options.start),
-      reader_(watched(std::move(source)), machine, tools, options, watched(std::move(diagnostics))),
-      builder_(machine),
-      planner_(machine, options.start) {
-  if (machine.laser && machine.laser->follow_feed) builder_.tell_feed();
+MotionSource::MotionSource(MoveInput moves, base::Borrowed<machine::Machine> machine, const geometry::Point& start)
+    : machine_(machine), start_(start), moves_(std::move(moves)), builder_(*machine), planner_(*machine, start) {
+  if (machine->laser && machine->laser->follow_feed) builder_.tell_feed();
+}
+
+MotionSource::MotionSource(gcode::ByteSource source, base::Borrowed<machine::Machine> machine,
+                           base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
+                           gcode::DiagnosticSink diagnostics)
+    : MotionSource([this](gcode::Move& move) { return read(move); }, machine, options.start) {
+  reader_.emplace(watched(std::move(source)), *machine, *tools, options, watched(std::move(diagnostics)));
+}
+
+Supply MotionSource::read(gcode::Move& move) {
+  const bool has_move = reader_->next(move);
+  if (!failure_) failure_ = reader_->source_failure();
+  return has_move ? Supply::move : Supply::end;
 }
 
 gcode::ByteSource MotionSource::watched(gcode::ByteSource source) {
@@ -35,12 +43,13 @@ gcode::DiagnosticSink MotionSource::watched(gcode::DiagnosticSink diagnostics) {
 }
 
 std::optional<planner::Chunk> MotionSource::next() {
-  if (failure_) return std::nullopt;
+  if (is_cut_short()) return std::nullopt;
   if (unchanged) {
     if (auto same = unchanged(); !same) failure_ = same.error();
   }
   std::optional<planner::Chunk> chunk;
-  while (!failure_ && !(chunk = pop()) && reading_) reading_ = read_move();
+  wants_moves_ = false;
+  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_) reading_ = read_move();
   return chunk;
 }
 
@@ -66,25 +75,33 @@ std::optional<base::Diagnostic> MotionSource::warning() const {
       {}};
 }
 
-/// Reads on by one move and gives the planner what path it settles. False at the program's end, or on a failure.
+/// Reads on by one move, if one is known, and gives the planner what path it settles. False at the end of all moves, or
+/// on a failure.
 bool MotionSource::read_move() {
   gcode::Move move;
-  const bool has_move = reader_.next(move);
-  if (!failure_) failure_ = reader_.source_failure();
+  const Supply supply = moves_(move);
   // A move behind an error may begin where the error would have moved to, not where motion is.
   if (failure_) return false;
-  if (has_move) {
+  wants_moves_ = supply == Supply::later;
+  if (wants_moves_) return true;
+  if (supply == Supply::move) {
     if (move.path_mode == gcode::PathMode::blend) tolerance_ = std::max(tolerance_, move.tolerance);
     if (on_move) on_move(move);
     builder_.push(move);
   } else {
     builder_.finish();
   }
+  if (!settle()) return false;
+  if (supply == Supply::end) planner_.finish();
+  return supply == Supply::move;
+}
+
+/// Gives the planner what path is settled; false if that fails.
+bool MotionSource::settle() {
   while (std::optional<toolpath::Element> element = builder_.pop()) {
     if (!push(std::move(*element))) return false;
   }
-  if (!has_move) planner_.finish();
-  return has_move;
+  return true;
 }
 
 /// To the planner. False where it leaves the travel of an axis: that fails.

@@ -1,14 +1,17 @@
 #pragma once
-// From text to motion: reader, tool path and planner joined, a chunk a call, in constant memory.
+// From text, or from moves that a host gives, to motion: reader, tool path and planner joined, a chunk a call, in
+// constant memory.
 //
 // Whoever moves a machine has read the whole program before and found no error in it. It is read again to move, and
 // that second reading must find the same: motion ends, at rest on the path, as soon as it reports an error, the source
 // fails, or `unchanged` says that the program is another by now.
 
 #include <functional>
+#include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
+#include <leadscrew/pipeline/move_input.hpp>
 #include <leadscrew/planner/planner.hpp>
 #include <leadscrew/toolpath/builder.hpp>
 #include <optional>
@@ -21,8 +24,11 @@ namespace leadscrew::pipeline {
 class MotionSource {
  public:
   /// diagnostics: gets every diagnostic of this reading; may be empty.
-  MotionSource(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-               const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics);
+  MotionSource(gcode::ByteSource source, base::Borrowed<machine::Machine> machine,
+               base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
+               gcode::DiagnosticSink diagnostics);
+  /// Of moves, from `start`, mm or degrees. The machine must outlive this.
+  MotionSource(MoveInput moves, base::Borrowed<machine::Machine> machine, const geometry::Point& start);
   MotionSource(const MotionSource&) = delete;  // the reader tells this one what it finds
   MotionSource& operator=(const MotionSource&) = delete;
 
@@ -33,8 +39,8 @@ class MotionSource {
   /// made of it, and before each chunk. An error it returns ends the motion. Absent: it cannot change.
   std::function<base::Result<void>()> unchanged;
 
-  /// Reads and plans as far as the next chunk needs; none at the program's end, while motion is held, and from then on
-  /// when the motion has failed. What was handed out stays good: a cycle that gets no chunk runs the stop tail of the
+  /// Reads and plans as far as the next chunk needs; none at the program's end, while motion is held, while it
+  /// wants_moves(), and from then on when the motion has failed or was aborted. What was handed out stays good: a cycle that gets no chunk runs the stop tail of the
   /// last, and rests on the path of the program that was checked.
   std::optional<planner::Chunk> next();
 
@@ -50,7 +56,14 @@ class MotionSource {
   /// machine's own limits would have taken too much work (planner::Planner::simplified_sections).
   std::optional<base::Diagnostic> warning() const;
 
-  const gcode::Reader& reader() const { return reader_; }
+  /// Blocks of the program read so far.
+  std::int64_t blocks() const { return reader_ ? reader_->blocks() : 0; }
+  /// Was there no chunk for want of moves that are not known yet?
+  bool wants_moves() const { return wants_moves_; }
+  /// No chunk comes any more.
+  void abort() { aborted_ = true; }
+  /// Has the motion failed, or been aborted?
+  bool is_cut_short() const { return failure_ || aborted_; }
   /// To change what is planned, between two chunks.
   planner::Planner& planner() { return planner_; }
   /// Has the whole program been read?
@@ -59,7 +72,9 @@ class MotionSource {
  private:
   gcode::ByteSource watched(gcode::ByteSource source);
   gcode::DiagnosticSink watched(gcode::DiagnosticSink diagnostics);
+  Supply read(gcode::Move& move);
   bool read_move();
+  bool settle();
   bool push(toolpath::Element element);
   std::optional<planner::Chunk> pop();
 
@@ -67,10 +82,13 @@ class MotionSource {
   geometry::Point start_;
   double tolerance_ = 0;  ///< the greatest so far, mm
   std::optional<base::Diagnostic> failure_;
-  gcode::Reader reader_;
+  std::optional<gcode::Reader> reader_;
+  MoveInput moves_;
   toolpath::Builder builder_;
   planner::Planner planner_;
   bool reading_ = true;
+  bool wants_moves_ = false;
+  bool aborted_ = false;
 };
 
 }  // namespace leadscrew::pipeline

@@ -8,30 +8,53 @@ namespace leadscrew::pipeline {
 
 using base::MotionState;
 
-Program::Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
-                 const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics)
+Program::Program(gcode::ByteSource source, base::Borrowed<machine::Machine> machine,
+                 base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
+                 gcode::DiagnosticSink diagnostics)
     : machine_(machine),
-      constraints_(machine),
+      constraints_(machine_),
       source_(std::move(source), machine, tools, options, std::move(diagnostics)),
       bound_(constraints_),
-      interpolator_(machine.period, options.start) {
+      interpolator_(machine_.period, options.start) {
+  watch_path();
+}
+
+Program::Program(MoveInput moves, base::Borrowed<machine::Machine> machine, const geometry::Point& start)
+    : machine_(machine),
+      constraints_(machine_),
+      source_(std::move(moves), machine, start),
+      bound_(constraints_),
+      interpolator_(machine_.period, start) {
+  watch_path();
+}
+
+void Program::watch_path() {
   source_.on_move = [this](const gcode::Move& move) { account(move); };
   source_.on_element = [this](const toolpath::Element& element) { bound_.push(element); };
 }
 
 bool Program::prepare() {
-  if (ended_) return false;
+  progress_ = find_word();
+  return progress_ == Progress::moving;
+}
+
+Progress Program::find_word() {
+  if (ended_) return Progress::ended;
   while (interpolator_.wants_chunk()) {
     if (plan_next()) continue;
-    if (interpolator_.has_stop_tail_left()) {  // the motion has failed
+    if (!source_.is_cut_short()) {
+      if (source_.wants_moves()) return Progress::wants_moves;
+      if (source_.planner().is_held()) return Progress::held;
+    }
+    if (interpolator_.has_stop_tail_left()) {  // the motion has failed, or was aborted
       stop();
       continue;
     }
     // The plan has ended: the word at its end, at rest, is the last.
     ended_ = true;
-    return true;
+    break;
   }
-  return true;
+  return Progress::moving;
 }
 
 base::Word Program::cycle() {
@@ -68,7 +91,7 @@ void Program::stop() {
 
 bool Program::plan_next() {
   std::optional<planner::Chunk> chunk = source_.next();
-  summary_.blocks = source_.reader().blocks();
+  summary_.blocks = source_.blocks();
   if (source_.has_read_all() && !bound_is_known_) {
     bound_is_known_ = true;
     bound_.finish();

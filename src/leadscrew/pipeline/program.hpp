@@ -1,11 +1,13 @@
 #pragma once
-// The rooms joined into one: the text of a part program goes in, words come out, one a call, in constant memory.
+// The rooms joined into one: the text of a part program, or moves, go in, words come out, one a call, in constant
+// memory.
 //
 //        gcode::Reader    toolpath::Builder    planner::Planner    interpolator::Interpolator
 //   text ─────────────▶ moves ─────────────▶ path ──────────────▶ motion ─────────────▶ words
 
 #include <cstdint>
 #include <functional>
+#include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/constraints/constraints.hpp>
@@ -14,6 +16,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
+#include <leadscrew/pipeline/move_input.hpp>
 #include <leadscrew/planner/time_bound.hpp>
 #include <optional>
 #include <span>
@@ -38,14 +41,24 @@ struct Summary {
 /// Called for each event once, in order: with the word in whose period motion passes its place, before that is returned.
 using EventSink = std::function<void(const base::PassedEvent&)>;
 
+/// Why there is a word, or none.
+enum class Progress : std::uint8_t {
+  moving,       ///< there is one
+  wants_moves,  ///< what is known of the path has been planned as far as it can be; more moves may come
+  held,         ///< at rest, until the feed override is above 0
+  ended,        ///< the last word, at rest, has been made
+};
+
 /// A program that has an error must not be moved: read it whole first (gcode::Reader), then run it. The machine and the
 /// tool table must outlive the program.
 ///
 ///     while (program.prepare()) send(program.cycle());
 class Program {
  public:
-  Program(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+  Program(gcode::ByteSource source, base::Borrowed<machine::Machine> machine, base::Borrowed<machine::ToolTable> tools,
           const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics);
+  /// Of moves, from `start`, mm or degrees. The machine must outlive this.
+  Program(MoveInput moves, base::Borrowed<machine::Machine> machine, const geometry::Point& start);
 
   Program(const Program&) = delete;  // the interpolator looks into the chunk that is kept here
   Program& operator=(const Program&) = delete;
@@ -54,7 +67,7 @@ class Program {
   void step_by(interpolator::StepRule rule) { interpolator_.step_by(rule); }
 
   /// As of planner::Planner: chunks from now on are about so long, s > 0, and programmed feed is multiplied by a
-  /// factor, above 0 … 2, from the next chunk on.
+  /// factor, 0 … 2, from the next chunk on; 0 holds.
   void slice(double seconds) { source_.planner().slice(seconds); }
   void override_feed(double factor) { source_.planner().override_feed(factor); }
 
@@ -63,10 +76,15 @@ class Program {
   /// (MotionSource::unchanged).
   void watch(std::function<base::Result<void>()> unchanged) { source_.unchanged = std::move(unchanged); }
 
-  /// Reads and plans as far as the next word needs; false when the last word (at rest, at the end) has been made. The
-  /// first word is that of t = 0, at rest at the start; a program that moves nothing has that one word. Motion that
-  /// fails goes through its stop tail to a last word at rest on the path.
+  /// Reads and plans as far as the next word needs; false when the last word (at rest, at the end) has been made, and
+  /// while there is none for another reason (progress()). The first word is that of t = 0, at rest at the start; a
+  /// program that moves nothing has that one word. Motion that fails goes through its stop tail to a last word at rest
+  /// on the path.
   bool prepare();
+  /// What the last prepare() found.
+  Progress progress() const { return progress_; }
+  /// Motion ends by the stop tail of what has been handed out: no later than that of the chunk in motion.
+  void abort() { source_.abort(); }
 
   /// Before the first word: whether to end now, asked while planning takes long (MotionSource::stop_when).
   void stop_when(std::function<bool()> asked) { source_.stop_when(std::move(asked)); }
@@ -87,6 +105,8 @@ class Program {
   std::optional<base::Diagnostic> warning() const { return source_.warning(); }
 
  private:
+  void watch_path();
+  Progress find_word();
   bool plan_next();
   void stop();
   void tell_events(std::size_t count, base::Tick tick);
@@ -102,7 +122,8 @@ class Program {
   EventSink events_;
   std::size_t told_ = 0;  ///< events of the chunk
   bool bound_is_known_ = false;
-  bool ended_ = false;
+  Progress progress_ = Progress::moving;
+  bool ended_ = false;  ///< but for the last word
   std::optional<base::Word> before_;
   Summary summary_;
 };

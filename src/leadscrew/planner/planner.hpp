@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/planner/closed_form.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
@@ -29,8 +30,8 @@ namespace leadscrew::planner {
 class Planner {
  public:
   /// Stands at `start`, mm or degrees.
-  Planner(const machine::Machine& machine, const geometry::Point& start)
-      : machine_(machine), constraints_(machine), look_ahead_(machine), position_(start) {}
+  Planner(base::Borrowed<machine::Machine> machine, const geometry::Point& start)
+      : machine_(machine), constraints_(*machine), look_ahead_(*machine), position_(start) {}
 
   void push(const toolpath::Element& element) {
     waiting_.push_back(element);
@@ -58,6 +59,8 @@ class Planner {
   /// Feed override, 0 … 2: programmed feed (not rapid motion) is multiplied by it from the next chunk on, as soon as
   /// the limits allow. 0 holds: motion comes to rest and no chunk comes until the factor is greater.
   void override_feed(double factor);
+  /// Did the last pop() give no chunk because motion is held?
+  bool is_held() const { return feed_factor_ == 0 && (last_ || !waiting_.empty()); }
   /// The chunk that was popped last was not taken in time: motion has come to rest by the stop tail of the chunk
   /// before. The next chunk goes on from there.
   void refuse();

@@ -25,10 +25,10 @@ double feed_of(const gcode::Move& move) {
 }  // namespace
 
 /// A racing line uses all of the tolerance, and acceleration: it leaves nothing for chords between words.
-Builder::Builder(const machine::Machine& machine)
-    : machine_(&machine),
-      sampling_(machine),
-      seeks_least_time_(machine.smoothing == machine::Smoothing::least_time && !sampling_.needs_share()) {}
+Builder::Builder(base::Borrowed<machine::Machine> machine)
+    : machine_(&*machine),
+      sampling_(*machine),
+      seeks_least_time_(machine->smoothing == machine::Smoothing::least_time && !sampling_.needs_share()) {}
 
 void Builder::push(const gcode::Move& move) {
   switch (move.kind) {

@@ -8,6 +8,7 @@
 // the move begins that follows them, or stand by themselves where motion rests before there is one.
 
 #include <deque>
+#include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/path.hpp>
@@ -24,7 +25,7 @@ class Builder {
   Builder() = default;
   /// As the machine asks for (machine::Smoothing), with what its period keeps of tolerances for chords between words. It
   /// must outlive the builder.
-  explicit Builder(const machine::Machine& machine);
+  explicit Builder(base::Borrowed<machine::Machine> machine);
 
   void push(const gcode::Move& move);
   /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
