@@ -1,0 +1,98 @@
+#pragma once
+// Motion for a host, a controller or a program of its own: it owns all that it is made of.
+//
+//   auto motion = host::Motion::of_program(machine, text);            host::Motion motion(machine);
+//   if (!motion) …                                                    motion.push(host::line({10, 0, 0}, 50));
+//                                                                     motion.finish();
+//                    while (std::size_t count = motion.next(words)) send(words first count);
+//
+// One thread at a time. Words are those of `leadscrew run`, bit for bit.
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <leadscrew/base/event.hpp>
+#include <leadscrew/base/result.hpp>
+#include <leadscrew/base/word.hpp>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/host/moves.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/machine/tool_table.hpp>
+#include <leadscrew/pipeline/program.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace leadscrew::host {
+
+struct MotionOptions {
+  base::AxisVector start{};  ///< mm or degrees, where motion begins
+  /// No more than about this is settled ahead, s > 0: a change of feed, a hold and an abort act within it and what
+  /// the limits need. Words are the same for any.
+  double slice = 0.05;
+  pipeline::EventSink on_event;  ///< of a program; with the word in whose period it happens
+  // Of programs alone.
+  std::string file;  ///< for places in diagnostics
+  machine::ToolTable tools;
+};
+
+class Motion {
+ public:
+  /// Along moves that push() gives, from options.start, smoothed within the machine's tolerance. The machine is sound
+  /// (machine::validate), and the start is inside its travel.
+  explicit Motion(machine::Machine machine, MotionOptions options = {});
+  /// Of the text of a part program, which is read whole first; diagnostics get what is found, once. Errors: the first of
+  /// these that is one.
+  static base::Result<std::unique_ptr<Motion>> of_program(machine::Machine machine, std::string text,
+                                                          MotionOptions options = {},
+                                                          const gcode::DiagnosticSink& diagnostics = {});
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+
+  /// How moves from now on are joined: within so many mm of them (0.0002 or more smooth), or as they are, without a
+  /// needless stop (0). Errors: `tolerance`, where it is below 0 or not finite.
+  base::Result<void> smooth(double tolerance);
+  /// The next move, behind the one before (put_behind()). Codes: those of put_behind(), `motion-ended` behind finish() and
+  /// of a program. A move that is refused changes nothing.
+  base::Result<void> push(gcode::Move move);
+  /// Motion comes to rest where the moves so far end; more may follow.
+  void end_for_now();
+  /// No more moves will come.
+  void finish() { finished_ = true; }
+
+  /// The next words, as many as there are room and motion for: fewer than asked only where progress() says why.
+  std::size_t next(std::span<base::Word> words);
+  pipeline::Progress progress() const { return program_->progress(); }
+  /// Why motion ended before its path did.
+  const std::optional<base::Diagnostic>& failure() const { return program_->failure(); }
+
+  /// Programmed feed (not rapids) is multiplied by this, 0 … 2; 0 holds. Errors: `override`.
+  base::Result<void> override_feed(double factor);
+  /// Motion ends, at rest on its path, within a slice and what the limits need; what was pushed behind is forgotten.
+  void abort();
+  /// After its last word: stands here, mm or degrees, and waits for moves; words count from 0 again. Errors:
+  /// `motion-moves` before that, `move-finite`, `travel`.
+  base::Result<void> reset(const base::AxisVector& position);
+
+  /// Of all words so far.
+  const pipeline::Summary& summary() const { return program_->summary(); }
+  /// Where the moves that were pushed end.
+  const base::AxisVector& end() const { return end_; }
+
+ private:
+  Motion(machine::Machine machine, MotionOptions options, std::string text);
+  void begin();
+  pipeline::Supply give(gcode::Move& move);
+
+  const machine::Machine machine_;
+  MotionOptions options_;
+  std::optional<std::string> text_;  ///< of a program
+  std::deque<gcode::Move> moves_;
+  base::AxisVector end_{};
+  double tolerance_;
+  bool finished_ = false;
+  std::optional<pipeline::Program> program_;
+};
+
+}  // namespace leadscrew::host

@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <leadscrew/host/motion.hpp>
+#include <string>
+#include <vector>
+
+// A host's motion has the words of the pipeline, whoever gives its moves, and whenever.
+
+namespace {
+
+using namespace leadscrew;
+
+std::vector<base::Word> words_of(host::Motion& motion, std::size_t capacity = 256) {
+  std::vector<base::Word> all, some(capacity);
+  while (const std::size_t count = motion.next(some))
+    all.insert(all.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
+  return all;
+}
+
+std::unique_ptr<host::Motion> program(const std::string& text, host::MotionOptions options = {}) {
+  auto motion = host::Motion::of_program(machine::mill3(), text, std::move(options));
+  EXPECT_TRUE(motion);
+  return motion ? std::move(*motion) : nullptr;
+}
+
+std::vector<gcode::Move> moves_of(const std::string& text) {
+  std::vector<gcode::Move> moves;
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable tools;
+  gcode::Reader reader(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) {});
+  for (gcode::Move move; reader.next(move);) {
+    if (move.kind != gcode::Move::Kind::event) moves.push_back(move);
+  }
+  return moves;
+}
+
+/// The end of a program has a line of its own, which its last word has.
+bool same(const std::vector<base::Word>& a, const std::vector<base::Word>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].tick != b[i].tick || (i + 1 < a.size() && a[i].line != b[i].line) || a[i].state != b[i].state)
+      return false;
+    if (std::memcmp(&a[i].position, &b[i].position, sizeof a[i].position) != 0) return false;
+  }
+  return true;
+}
+
+/// Lines, half circles and rests.
+std::string random_path() {
+  std::string text = "G21 G90 G17 G64 P0.01 F" + std::to_string(*rc::gen::inRange(300, 9000)) + "\n";
+  double x = 0;
+  const int blocks = *rc::gen::inRange(1, 20);
+  for (int i = 0; i < blocks; ++i) {
+    const double step = *rc::gen::inRange(1, 400) / 20.0 * (x > 0 ? -1 : 1);
+    x += step;
+    switch (*rc::gen::inRange(0, 8)) {
+      case 0:
+        text += "G4 P0.01\n";
+        [[fallthrough]];
+      case 1:
+        text += "G3 X" + std::to_string(x) + " I" + std::to_string(step / 2) + " J0\n";
+        break;
+      default:
+        text += "G1 X" + std::to_string(x) + " Y" + std::to_string(*rc::gen::inRange(-200, 200) / 10.0) + "\n";
+        if (*rc::gen::inRange(0, 2)) text += "G0 X" + std::to_string(x) + " Y0\n";
+        text += "G1 X" + std::to_string(x) + " Y0\n";
+    }
+  }
+  return text;
+}
+
+RC_GTEST_PROP(HostMotion, OfMovesHasTheWordsOfTheirProgram, ()) {
+  const std::string text = random_path();
+  RC_LOG() << text;
+  const std::vector<gcode::Move> moves = moves_of(text);
+  const std::vector<base::Word> expected = words_of(*program(text));
+  host::Motion motion(machine::mill3());
+  RC_ASSERT(motion.smooth(0.01).has_value());
+  std::vector<base::Word> words;
+  for (const gcode::Move& move : moves) {
+    RC_ASSERT(motion.push(move).has_value());
+    if (*rc::gen::inRange(0, 3) == 0) {  // what is known by now
+      const auto some = words_of(motion, static_cast<std::size_t>(*rc::gen::inRange(1, 50)));
+      words.insert(words.end(), some.begin(), some.end());
+      RC_ASSERT(motion.progress() == pipeline::Progress::wants_moves);
+    }
+  }
+  motion.finish();
+  const auto rest = words_of(motion);
+  words.insert(words.end(), rest.begin(), rest.end());
+  RC_ASSERT(motion.progress() == pipeline::Progress::ended);
+  RC_ASSERT(same(words, expected));
+}
+
+TEST(HostMotion, RefusesAProgramWithAnError) {
+  std::vector<std::string> codes;
+  const auto motion = host::Motion::of_program(machine::mill3(), "G1 X5000 F100\nG77\nM2\n", {},
+                                               [&](const base::Diagnostic& found) { codes.emplace_back(found.code); });
+  ASSERT_FALSE(motion);
+  EXPECT_EQ(motion.error().code, "travel");
+  EXPECT_EQ(codes.size(), 2U);
+}
+
+TEST(HostMotion, TellsEventsWithTheirWords) {
+  std::vector<std::string> codes;
+  host::MotionOptions options;
+  options.on_event = [&](const base::PassedEvent& event) { codes.emplace_back(base::code_of(event.kind)); };
+  words_of(*program("G21 G90\nG1 X5 F3000\nM8\nX10\nM3 S100\nX0\nM2\n", options));
+  EXPECT_EQ(codes, (std::vector<std::string>{"M8", "S", "M3", "M2"}));
+}
+
+TEST(HostMotion, RestsWhereItEndsForNowAndIsResetAtItsEnd) {
+  host::Motion motion(machine::mill3());
+  ASSERT_TRUE(motion.push(host::line({10}, 50)));
+  ASSERT_TRUE(motion.push(host::line({10, 10}, host::rapid)));
+  motion.end_for_now();
+  const auto first = words_of(motion);
+  ASSERT_FALSE(first.empty());
+  EXPECT_EQ(motion.progress(), pipeline::Progress::wants_moves);
+  EXPECT_FALSE(motion.reset({}));
+  ASSERT_TRUE(motion.push(host::dwell(0.1)));
+  motion.finish();
+  EXPECT_EQ(motion.push(host::line({}, 50)).error().code, "motion-ended");
+  const auto second = words_of(motion);
+  ASSERT_FALSE(second.empty());
+  EXPECT_EQ(second.back().position, (base::AxisVector{10, 10}));
+  EXPECT_GE(second.size(), 100U);
+  EXPECT_EQ(motion.reset({1e9}).error().code, "travel");
+  ASSERT_TRUE(motion.reset({10, 10}));
+  ASSERT_TRUE(motion.push(host::line({}, 50)));
+  motion.finish();
+  const auto third = words_of(motion);
+  EXPECT_EQ(base::count(third.front().tick), 0);
+  EXPECT_EQ(third.back().position, base::AxisVector{});
+}
+
+TEST(HostMotion, LeavesNothingChangedByAMoveThatIsRefused) {
+  host::Motion motion(machine::mill3());
+  EXPECT_EQ(motion.push(host::line({0, 0, 0, 5}, 50)).error().code, "move-axis");
+  EXPECT_EQ(motion.push(host::line({NAN}, 50)).error().code, "move-finite");
+  EXPECT_EQ(motion.push(host::arc({}, gcode::Plane::XY, 0, 500, 1, 50)).error().code, "travel");
+  EXPECT_EQ(motion.push(host::dwell(-1)).error().code, "move-time");
+  EXPECT_EQ(motion.smooth(NAN).error().code, "tolerance");
+  EXPECT_EQ(motion.override_feed(-0.1).error().code, "override");
+  EXPECT_EQ(motion.end(), base::AxisVector{});
+  motion.finish();
+  EXPECT_TRUE(words_of(motion).size() <= 1);
+}
+
+}  // namespace
