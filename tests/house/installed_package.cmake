@@ -11,7 +11,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-foreach(folder ${EXAMPLES}/controller ${EXAMPLES}/controller-on-time ${CMAKE_CURRENT_LIST_DIR}/machine_file)
+foreach(folder ${EXAMPLES}/controller ${EXAMPLES}/controller-on-time ${EXAMPLES}/c ${CMAKE_CURRENT_LIST_DIR}/machine_file)
   get_filename_component(example ${folder} NAME)
   run(${CMAKE_COMMAND} -S ${folder} -B ${SCRATCH}/${example} -G Ninja -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)

@@ -1,0 +1,165 @@
+/* Leadscrew for C, and for whatever calls C: part programs or moves in, reference words out.
+ *
+ *   leadscrew_machine *machine;  leadscrew_motion *motion;  leadscrew_error error = {sizeof error};
+ *   if (leadscrew_machine_builtin("mill3", &machine, &error)) …
+ *   if (leadscrew_motion_of_program(machine, text, length, NULL, &motion, &error)) …
+ *   while (!leadscrew_motion_next(motion, words, sizeof *words, 1000, &count, &error) && count > 0) …
+ *   leadscrew_motion_free(motion);  leadscrew_machine_free(machine);
+ *
+ * Lengths are mm, angles degrees, times seconds. Axes stand in the order X Y Z A B C U V W.
+ *
+ * Every function that can fail returns 0, or a code below; then nothing else has changed, and `error`, unless it is NULL,
+ * says what was found. Structures begin with their size, `sizeof` as the caller was compiled with: those of later
+ * versions, which are longer, are understood, and so are those of every earlier one. Handles are used by one thread at a
+ * time, and not by the functions that they call; a machine may be shared. A NULL handle or pointer, where it is not said
+ * that it may be NULL, is LEADSCREW_MISUSE, and so is a size that no version had. Functions that are called must not throw.
+ * Text is UTF-8.
+ */
+#ifndef LEADSCREW_H
+#define LEADSCREW_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define LEADSCREW_API __attribute__((visibility("default")))
+#else
+#define LEADSCREW_API
+#endif
+
+#define LEADSCREW_AXES 9
+
+typedef struct leadscrew_machine leadscrew_machine; /* limits and period; never changes */
+typedef struct leadscrew_motion leadscrew_motion;   /* along one program, or along moves */
+
+enum {
+  LEADSCREW_OK = 0,
+  LEADSCREW_REJECTED = 1, /* a machine, a program or a move is not sound: error.code says how */
+  LEADSCREW_MISUSE = 2,   /* of this interface */
+  LEADSCREW_INPUT = 3,    /* a file cannot be read */
+  LEADSCREW_FAILED = 4,   /* motion has ended, at rest, before its path */
+  LEADSCREW_OUT_OF_MEMORY = 5
+};
+
+/* What went wrong, as a diagnostic of the command has it. */
+typedef struct leadscrew_error {
+  size_t size;
+  int32_t severity; /* 0 note, 1 warning, 2 error */
+  int32_t reserved;
+  int64_t line, column; /* from 1; 0: none */
+  char code[48];        /* stable, such as "arc-radius" */
+  char message[512];
+  char hint[256]; /* what would be right; may be empty */
+} leadscrew_error;
+
+/* One servo period. */
+typedef struct leadscrew_word {
+  int64_t tick;                    /* number of the period, from 0 */
+  double position[LEADSCREW_AXES]; /* of the axes */
+  double path_length;              /* travelled since the start */
+  double speed;                    /* along the path, units of path_length per second */
+  double feed;                     /* by the axes that feed is counted by */
+  int64_t line;                    /* of the program, or of the move */
+  uint8_t state;                   /* 0 at rest, 1 speed changes, 2 speed is constant */
+  uint8_t reserved[7];
+} leadscrew_word;
+
+/* What a program asks of the machine besides motion: "M3", "S", "T", "M6", "M8", "M67" … */
+typedef struct leadscrew_event {
+  size_t size;
+  int64_t tick;       /* of the word in whose period it happens */
+  double path_length; /* where */
+  double value;       /* speed of the spindle, number of the tool, … */
+  int64_t line;
+  int32_t output; /* number of an output */
+  int32_t waits;  /* does motion rest for it? */
+  char code[8];
+} leadscrew_event;
+
+typedef void (*leadscrew_event_function)(const leadscrew_event* event, void* user);
+typedef void (*leadscrew_error_function)(const leadscrew_error* error, void* user);
+
+typedef struct leadscrew_options {
+  size_t size;
+  double start[LEADSCREW_AXES];           /* where motion begins */
+  double slice;                           /* no more than about so long is settled ahead; 0: 0.05 s */
+  leadscrew_event_function on_event;      /* from within leadscrew_motion_next(); may be NULL */
+  leadscrew_error_function on_diagnostic; /* of the program: notes, warnings, errors; may be NULL */
+  void* user;                             /* for both */
+  const char* file;                       /* the program's name, for messages; may be NULL */
+} leadscrew_options;
+
+enum { LEADSCREW_LINE = 0, LEADSCREW_ARC = 1, LEADSCREW_CURVE = 2, LEADSCREW_DWELL = 3 };
+enum { LEADSCREW_XY = 0, LEADSCREW_ZX = 1, LEADSCREW_YZ = 2 };
+
+/* From where the move before ends. Fields that a kind does not name are not read. */
+typedef struct leadscrew_move {
+  size_t size;
+  int32_t kind;
+  int32_t plane;              /* of an arc */
+  int64_t line;               /* words along it have this number; >= 0 */
+  double end[LEADSCREW_AXES]; /* of a line or an arc */
+  double feed;                /* mm/s, > 0; HUGE_VAL: as fast as the axes allow */
+  double center[2];           /* of an arc, along the first and second axis of its plane */
+  int32_t turns;              /* of an arc: 1 counterclockwise, -1 clockwise; 2, -2, … a whole turn more */
+  int32_t degree;             /* of a curve, 1 … 5 */
+  size_t points;              /* of a curve: how many control points; the first is where the move before ends */
+  const double* positions;    /* points * LEADSCREW_AXES */
+  const double* weights;      /* points; NULL: all 1 */
+  const double* knots;        /* points + degree + 1; NULL: uniform, clamped */
+  double seconds;             /* of a dwell, 0 … 1e6 */
+} leadscrew_move;
+
+/* Why leadscrew_motion_next() gave less than it was asked for. */
+enum { LEADSCREW_MOVING = 0, LEADSCREW_WANTS_MOVES = 1, LEADSCREW_HELD = 2, LEADSCREW_ENDED = 3 };
+
+/* "0.1.0" */
+LEADSCREW_API const char* leadscrew_version(void);
+
+/* Machine files are TOML, as `leadscrew run --machine` reads them. The only built-in machine is "mill3". */
+LEADSCREW_API int leadscrew_machine_builtin(const char* name, leadscrew_machine** machine, leadscrew_error* error);
+LEADSCREW_API int leadscrew_machine_of_text(const char* text, size_t length, leadscrew_machine** machine,
+                                            leadscrew_error* error);
+LEADSCREW_API int leadscrew_machine_of_file(const char* path, leadscrew_machine** machine, leadscrew_error* error);
+LEADSCREW_API double leadscrew_machine_period(const leadscrew_machine* machine); /* s; 0 of NULL */
+LEADSCREW_API void leadscrew_machine_free(leadscrew_machine* machine);           /* motions go on without it */
+
+/* The program is read whole first: one with an error is LEADSCREW_REJECTED and makes no motion. `options` may be NULL. */
+LEADSCREW_API int leadscrew_motion_of_program(const leadscrew_machine* machine, const char* text, size_t length,
+                                              const leadscrew_options* options, leadscrew_motion** motion,
+                                              leadscrew_error* error);
+/* Along moves, which leadscrew_motion_push() gives; smoothed within the machine's tolerance. */
+LEADSCREW_API int leadscrew_motion_of_moves(const leadscrew_machine* machine, const leadscrew_options* options,
+                                            leadscrew_motion** motion, leadscrew_error* error);
+LEADSCREW_API void leadscrew_motion_free(leadscrew_motion* motion);
+
+/* How moves from now on are joined: within so many mm of them, or exactly (0). */
+LEADSCREW_API int leadscrew_motion_smooth(leadscrew_motion* motion, double tolerance, leadscrew_error* error);
+LEADSCREW_API int leadscrew_motion_push(leadscrew_motion* motion, const leadscrew_move* move, leadscrew_error* error);
+/* Motion comes to rest where the moves so far end; more may follow. */
+LEADSCREW_API int leadscrew_motion_end_for_now(leadscrew_motion* motion);
+/* No more moves will come. */
+LEADSCREW_API int leadscrew_motion_finish(leadscrew_motion* motion);
+
+/* The next words, at most `capacity`; `word_size` is sizeof(leadscrew_word). Fewer come only where
+ * leadscrew_motion_progress() says why. LEADSCREW_FAILED once motion has failed and its last words, down to rest, have
+ * been given. Time is not bounded: it plans. */
+LEADSCREW_API int leadscrew_motion_next(leadscrew_motion* motion, leadscrew_word* words, size_t word_size,
+                                        size_t capacity, size_t* count, leadscrew_error* error);
+LEADSCREW_API int leadscrew_motion_progress(const leadscrew_motion* motion); /* LEADSCREW_ENDED of NULL */
+
+/* Feed, but that of rapids, is multiplied by 0 … 2; 0 holds, until it is more. */
+LEADSCREW_API int leadscrew_motion_override(leadscrew_motion* motion, double factor, leadscrew_error* error);
+/* Motion ends, at rest on its path, as soon as limits and slice allow; moves behind that are forgotten. */
+LEADSCREW_API int leadscrew_motion_abort(leadscrew_motion* motion);
+/* At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */
+LEADSCREW_API int leadscrew_motion_reset(leadscrew_motion* motion, const double* position, leadscrew_error* error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

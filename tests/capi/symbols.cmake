@@ -1,0 +1,11 @@
+cmake_minimum_required(VERSION 3.25)
+# The functions that the shared library shows are those of the list, and no others.
+execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL " [TDBRV] [A-Za-z0-9_@.]+" shown "${lines}")
+list(TRANSFORM shown REPLACE "^ [A-Z] " "")
+list(SORT shown)
+file(STRINGS ${LIST} listed)
+list(SORT listed)
+if(NOT shown STREQUAL listed)
+  message(FATAL_ERROR "shown: ${shown}\nlisted: ${listed}")
+endif()

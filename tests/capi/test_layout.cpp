@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+#include <leadscrew.h>
+
+#include <cstddef>
+
+// What a program that was compiled with an earlier version relies on: sizes may grow at the end, nothing moves.
+
+namespace {
+
+TEST(Layout, OfErrors) {
+  EXPECT_EQ(sizeof(leadscrew_error), 848U);
+  EXPECT_EQ(offsetof(leadscrew_error, size), 0U);
+  EXPECT_EQ(offsetof(leadscrew_error, severity), 8U);
+  EXPECT_EQ(offsetof(leadscrew_error, line), 16U);
+  EXPECT_EQ(offsetof(leadscrew_error, column), 24U);
+  EXPECT_EQ(offsetof(leadscrew_error, code), 32U);
+  EXPECT_EQ(offsetof(leadscrew_error, message), 80U);
+  EXPECT_EQ(offsetof(leadscrew_error, hint), 592U);
+}
+
+TEST(Layout, OfWords) {
+  EXPECT_EQ(sizeof(leadscrew_word), 120U);
+  EXPECT_EQ(offsetof(leadscrew_word, tick), 0U);
+  EXPECT_EQ(offsetof(leadscrew_word, position), 8U);
+  EXPECT_EQ(offsetof(leadscrew_word, path_length), 80U);
+  EXPECT_EQ(offsetof(leadscrew_word, speed), 88U);
+  EXPECT_EQ(offsetof(leadscrew_word, feed), 96U);
+  EXPECT_EQ(offsetof(leadscrew_word, line), 104U);
+  EXPECT_EQ(offsetof(leadscrew_word, state), 112U);
+}
+
+TEST(Layout, OfEvents) {
+  EXPECT_EQ(sizeof(leadscrew_event), 56U);
+  EXPECT_EQ(offsetof(leadscrew_event, tick), 8U);
+  EXPECT_EQ(offsetof(leadscrew_event, path_length), 16U);
+  EXPECT_EQ(offsetof(leadscrew_event, value), 24U);
+  EXPECT_EQ(offsetof(leadscrew_event, line), 32U);
+  EXPECT_EQ(offsetof(leadscrew_event, output), 40U);
+  EXPECT_EQ(offsetof(leadscrew_event, waits), 44U);
+  EXPECT_EQ(offsetof(leadscrew_event, code), 48U);
+}
+
+TEST(Layout, OfOptions) {
+  EXPECT_EQ(sizeof(leadscrew_options), 120U);
+  EXPECT_EQ(offsetof(leadscrew_options, start), 8U);
+  EXPECT_EQ(offsetof(leadscrew_options, slice), 80U);
+  EXPECT_EQ(offsetof(leadscrew_options, on_event), 88U);
+  EXPECT_EQ(offsetof(leadscrew_options, on_diagnostic), 96U);
+  EXPECT_EQ(offsetof(leadscrew_options, user), 104U);
+  EXPECT_EQ(offsetof(leadscrew_options, file), 112U);
+}
+
+TEST(Layout, OfMoves) {
+  EXPECT_EQ(sizeof(leadscrew_move), 168U);
+  EXPECT_EQ(offsetof(leadscrew_move, kind), 8U);
+  EXPECT_EQ(offsetof(leadscrew_move, plane), 12U);
+  EXPECT_EQ(offsetof(leadscrew_move, line), 16U);
+  EXPECT_EQ(offsetof(leadscrew_move, end), 24U);
+  EXPECT_EQ(offsetof(leadscrew_move, feed), 96U);
+  EXPECT_EQ(offsetof(leadscrew_move, center), 104U);
+  EXPECT_EQ(offsetof(leadscrew_move, turns), 120U);
+  EXPECT_EQ(offsetof(leadscrew_move, degree), 124U);
+  EXPECT_EQ(offsetof(leadscrew_move, points), 128U);
+  EXPECT_EQ(offsetof(leadscrew_move, positions), 136U);
+  EXPECT_EQ(offsetof(leadscrew_move, weights), 144U);
+  EXPECT_EQ(offsetof(leadscrew_move, knots), 152U);
+  EXPECT_EQ(offsetof(leadscrew_move, seconds), 160U);
+}
+
+}  // namespace

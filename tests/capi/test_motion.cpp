@@ -1,0 +1,173 @@
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "called.hpp"
+
+// The C interface gives the words of the pipeline, bit for bit.
+
+using namespace leadscrew;
+using namespace leadscrew::capi_tests;
+
+namespace {
+
+const std::string two_lines_and_an_arc = "G21 G90 G17\nG1 X10 F3000\nG3 X10 Y10 I0 J5\nG1 X0 Y10 Z2\nM2\n";
+
+TEST(Capi, GivesTheWordsOfAProgram) {
+  for (const std::size_t capacity : {1U, 7U, 100U, 5000U})
+    expect_same(words_of(program(plate).get(), capacity), pipeline_words(plate));
+}
+
+TEST(Capi, GivesTheWordsOfMoves) {
+  const Motion motion = moves();
+  for (const leadscrew_move& move : {line(10, 0, 0, 50), arc(10, 10, 10, 5, 1, 50), line(0, 10, 2, 50)})
+    ASSERT_EQ(leadscrew_motion_push(motion.get(), &move, nullptr), LEADSCREW_OK);
+  leadscrew_motion_finish(motion.get());
+  expect_same(words_of(motion.get()), pipeline_words(two_lines_and_an_arc), false);
+  EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_ENDED);
+}
+
+TEST(Capi, GivesTheWordsOfACurve) {
+  const double positions[] = {0,  0,   0, 0, 0, 0, 0, 0, 0, 5,  10, 0, 0, 0, 0, 0, 0, 0,
+                              15, -10, 0, 0, 0, 0, 0, 0, 0, 20, 0,  0, 0, 0, 0, 0, 0, 0};
+  leadscrew_move curve{};
+  curve.size = sizeof curve;
+  curve.kind = LEADSCREW_CURVE;
+  curve.degree = 3;
+  curve.points = 4;
+  curve.positions = positions;
+  curve.feed = 100;
+  const Motion motion = moves();
+  ASSERT_EQ(leadscrew_motion_push(motion.get(), &curve, nullptr), LEADSCREW_OK);
+  leadscrew_motion_finish(motion.get());
+  expect_same(words_of(motion.get()), pipeline_words("G17 G5 X20 Y0 I5 J10 P-5 Q-10 F6000\nM2\n"), false);
+}
+
+std::string output_of(const std::string& command) {
+  std::string output;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  for (std::array<char, 4096> part; const std::size_t count = std::fread(part.data(), 1, part.size(), pipe);)
+    output.append(part.data(), count);
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return output;
+}
+
+void expect_printed(const std::string& output, const std::vector<base::Word>& words) {
+  std::istringstream lines(output);
+  for (const base::Word& word : words) {
+    long long tick = -1;
+    std::string x, y, z;
+    lines >> tick >> x >> y >> z;
+    ASSERT_EQ(tick, base::count(word.tick));
+    ASSERT_EQ(std::stod(x), word.position[0]);
+    ASSERT_EQ(std::stod(y), word.position[1]);
+    ASSERT_EQ(std::stod(z), word.position[2]);
+  }
+  std::string more;
+  EXPECT_FALSE(lines >> more);
+}
+
+TEST(Capi, ExampleInCPrintsTheWords) {
+  expect_printed(output_of(LEADSCREW_WORDS_BY_C " " LEADSCREW_SOURCE_DIR "/examples/01-plate.ngc"),
+                 pipeline_words(plate));
+  expect_printed(output_of(LEADSCREW_WORDS_BY_C), pipeline_words(two_lines_and_an_arc));
+}
+
+TEST(Capi, TellsEventsInOrder) {
+  const std::string text = "G21 G90\nG1 X5 F3000\nM8\nX10\nS500 M3\nX20\nM2\n";
+  std::vector<std::string> codes;
+  leadscrew_options options = no_options();
+  options.user = &codes;
+  options.on_event = [](const leadscrew_event* event, void* user) {
+    EXPECT_EQ(event->size, sizeof *event);
+    static_cast<std::vector<std::string>*>(user)->emplace_back(event->code);
+  };
+  words_of(program(text, options).get());
+  EXPECT_EQ(codes, (std::vector<std::string>{"M8", "S", "M3", "M2"}));
+}
+
+TEST(Capi, WaitsForMovesAndGoesOn) {
+  const Motion motion = moves();
+  EXPECT_EQ(words_of(motion.get()).size(), 0U);
+  EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_WANTS_MOVES);
+  const leadscrew_move there = line(10, 0, 0, 50), back = line(0, 0, 0, inf);
+  leadscrew_motion_push(motion.get(), &there, nullptr);
+  leadscrew_motion_end_for_now(motion.get());
+  const auto first = words_of(motion.get());
+  EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_WANTS_MOVES);
+  ASSERT_FALSE(first.empty());
+  EXPECT_NEAR(first.back().position[0], 10, 0.01);  // the word at the end itself belongs to what follows
+  leadscrew_motion_push(motion.get(), &back, nullptr);
+  leadscrew_motion_finish(motion.get());
+  const auto second = words_of(motion.get());
+  ASSERT_FALSE(second.empty());
+  EXPECT_EQ(second.front().tick, first.back().tick + 1);
+  EXPECT_EQ(second.back().position[0], 0);
+  EXPECT_EQ(second.back().state, 0);
+}
+
+/// Largest third difference of X, mm/s³, over words of 1 ms.
+double greatest_jerk(const std::vector<leadscrew_word>& words) {
+  double greatest = 0;
+  for (std::size_t i = 3; i < words.size(); ++i) {
+    const double difference =
+        words[i].position[0] - 3 * words[i - 1].position[0] + 3 * words[i - 2].position[0] - words[i - 3].position[0];
+    greatest = std::max(greatest, std::abs(difference) * 1e9);
+  }
+  return greatest;
+}
+
+TEST(Capi, HoldsAndGoesOnWithinLimits) {
+  const Motion motion = moves();
+  const leadscrew_move far = line(300, 0, 0, 50);
+  leadscrew_motion_push(motion.get(), &far, nullptr);
+  leadscrew_motion_finish(motion.get());
+  std::vector<leadscrew_word> words(1000);
+  std::size_t count = 0;
+  ASSERT_EQ(leadscrew_motion_next(motion.get(), words.data(), sizeof words[0], 1000, &count, nullptr), LEADSCREW_OK);
+  ASSERT_EQ(count, 1000U);
+  ASSERT_EQ(leadscrew_motion_override(motion.get(), 0, nullptr), LEADSCREW_OK);
+  auto more = words_of(motion.get());
+  EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_HELD);
+  words.insert(words.end(), more.begin(), more.end());
+  EXPECT_LT(words.size(), 1400U);
+  EXPECT_LT(words.back().position[0], 75);
+  ASSERT_EQ(leadscrew_motion_override(motion.get(), 2, nullptr), LEADSCREW_OK);
+  more = words_of(motion.get());
+  words.insert(words.end(), more.begin(), more.end());
+  EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_ENDED);
+  EXPECT_EQ(words.back().position[0], 300);
+  EXPECT_LE(greatest_jerk(words), 1.001 * machine::mill3().limits(base::Axis::X).jerk);
+}
+
+TEST(Capi, AbortsAtRestAndStartsAnew) {
+  for (const bool held : {false, true}) {
+    const Motion motion = moves();
+    const leadscrew_move far = line(300, 0, 0, 50), late = line(300, 10, 0, 50);
+    leadscrew_motion_push(motion.get(), &far, nullptr);
+    std::vector<leadscrew_word> words(1000);
+    std::size_t count = 0;
+    leadscrew_motion_end_for_now(motion.get());
+    leadscrew_motion_next(motion.get(), words.data(), sizeof words[0], 1000, &count, nullptr);
+    const double nowhere[LEADSCREW_AXES] = {1, 2, 3};
+    EXPECT_EQ(leadscrew_motion_reset(motion.get(), nowhere, nullptr), LEADSCREW_REJECTED);
+    if (held) leadscrew_motion_override(motion.get(), 0, nullptr);
+    ASSERT_EQ(leadscrew_motion_abort(motion.get()), LEADSCREW_OK);
+    EXPECT_EQ(leadscrew_motion_push(motion.get(), &late, nullptr), LEADSCREW_REJECTED);
+    const auto more = words_of(motion.get());
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_ENDED);
+    EXPECT_EQ(words.back().state, 0);
+    EXPECT_LT(words.back().position[0], 75);
+    EXPECT_LE(greatest_jerk(words), 1.001 * machine::mill3().limits(base::Axis::X).jerk);
+    ASSERT_EQ(leadscrew_motion_reset(motion.get(), words.back().position, nullptr), LEADSCREW_OK);
+    ASSERT_EQ(leadscrew_motion_push(motion.get(), &late, nullptr), LEADSCREW_OK);
+    leadscrew_motion_finish(motion.get());
+    const auto last = words_of(motion.get());
+    EXPECT_EQ(last.front().position[0], words.back().position[0]);
+    EXPECT_EQ(last.back().position[1], 10);
+  }
+}
+
+}  // namespace
