@@ -30,6 +30,12 @@ inline std::optional<double> published(const Row& row) {
   return row.published ? std::optional(row.published->value) : std::nullopt;
 }
 
+/// What is expected of these rows is of no paper.
+inline void expect_none_published(const Rows& rows) {
+  EXPECT_FALSE(rows.empty());
+  for (const Row& row : rows) EXPECT_FALSE(row.published.has_value()) << row.group << ": " << row.what;
+}
+
 inline std::string_view verdict(const Rows& rows, std::string_view group, std::string_view what) {
   return name(found(rows, group, what).verdict);
 }

@@ -73,7 +73,8 @@ void effort_is_told_by_the_clock_that_was_lent(const std::string& group) {
   EXPECT_NEAR(ours(rows(), group, "cycle, median"), 1000, 1e-3);
 }
 
-TEST(ExpectedTimes, AreReachedWithinTheLimits) {
+TEST(ExpectedTimes, AreOfNoPaperAndReachedWithinTheLimits) {
+  expect_none_published(rows());
   for (const std::string& group : groups()) {
     SCOPED_TRACE(group);
     bound_is_t2(group);

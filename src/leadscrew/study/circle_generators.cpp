@@ -148,13 +148,11 @@ Rows half_circle_rows(const Host&) {
   variant("eq. 27, remainders empty", Order::x_first, Accumulation::sign_magnitude, 0);
   variant("eq. 27, remainders half full", Order::x_first, Accumulation::sign_magnitude, 5000);
   variant("eq. 27, two's complement", Order::x_first, Accumulation::floor, 0);
-  for (const auto& [group, preload] : {std::pair{"eq. 27, signed remainders, empty", 0},
-                                       {"eq. 27, signed remainders, half full", 5000},
-                                       {"eq. 27, signed remainders, full", 9999}}) {
-    append(rows, under(group, {because(fitted_row(what, blu, published,
-                                                  half_circle(Order::x_first, Accumulation::symmetric, preload)),
-                                       "the paper does not say that remainders are signed: chosen for this figure")}));
-  }
+  append(rows, under("eq. 27, signed remainders, empty",
+                     {because(fitted_row(what, blu, published, half_circle(Order::x_first, Accumulation::symmetric, 0)),
+                              "the paper does not say that remainders are signed: chosen for this figure")}));
+  variant("eq. 27, signed remainders, half full", Order::x_first, Accumulation::symmetric, 5000);
+  variant("eq. 27, signed remainders, full", Order::x_first, Accumulation::symmetric, 9999);
   variant("as in hardware, remainders empty", Order::parallel, Accumulation::sign_magnitude, 0);
   variant("as in hardware, remainders half full", Order::parallel, Accumulation::sign_magnitude, 5000);
   variant("as in hardware, two's complement, half full", Order::parallel, Accumulation::floor, 5000);
