@@ -16,7 +16,7 @@ TEST(Study, ListNamesWhatThereIs) {
   const Outcome text = leadscrew(folder, {"study", "list"});
   EXPECT_EQ(text.status, 0);
   const Json object = leadscrew(folder, {"study", "list", "--json"}).json();
-  EXPECT_EQ(object["schema"], "leadscrew.study/1");
+  EXPECT_EQ(object["schema"], "leadscrew.study/2");
   ASSERT_TRUE(object["studies"].is_array());
   Names names;
   for (const Json& study : object["studies"]) {
@@ -43,7 +43,7 @@ TEST(Study, RowsAreWhatTheContractSays) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
   const Json object = outcome.json();
-  EXPECT_EQ(object["schema"], "leadscrew.study/1");
+  EXPECT_EQ(object["schema"], "leadscrew.study/2");
   EXPECT_EQ(object["name"], "feed-fluctuation");
   ASSERT_GT(object["rows"].size(), 100u);
   Names whats;
@@ -52,10 +52,13 @@ TEST(Study, RowsAreWhatTheContractSays) {
     EXPECT_TRUE(row["published"].is_number() || row["published"].is_null()) << row;
     EXPECT_TRUE(row["ours"].is_number() || row["ours"].is_null()) << row;
     EXPECT_TRUE(row["unit"].is_string()) << row;
-    EXPECT_EQ(row["published"].is_null(), row["verdict"] == "measured") << row;
+    EXPECT_TRUE(row["expected"].is_number() || row["expected"].is_null()) << row;
+    EXPECT_EQ(row["published"].is_null(), row["source"].is_null()) << row;
+    EXPECT_TRUE(row["source"].is_null() || (row["source"]["paper"].is_string() && row["source"]["where"].is_string()));
+    EXPECT_EQ(row["published"].is_null() && row["expected"].is_null(), row["verdict"] == "measured") << row;
     EXPECT_TRUE(whats.insert(row["what"]).second) << "twice: " << row["what"];
   }
-  EXPECT_TRUE(whats.contains("published: plane cubic, V 10 mm/s: length"));
+  EXPECT_TRUE(whats.contains("expected: plane cubic, V 10 mm/s: length"));
 }
 
 TEST(Study, TableHasColoursOnlyWhenAskedFor) {
@@ -85,7 +88,8 @@ TEST(Study, ColumnsAreAligned) {
   EXPECT_EQ(column(table, "exact"), verdicts);
   EXPECT_EQ(column(table, "reproduced"), verdicts);
   EXPECT_EQ(column(table, "differs"), verdicts);  // behind a µ, of two bytes
-  EXPECT_EQ(column(table, "by eq. (3)"), column(table, "why"));
+  EXPECT_EQ(column(table, "Lin and Koren, section 4"), column(table, "why"));
+  EXPECT_EQ(column(table, "29.8413  "), column(table, "expected") + 1);
 }
 
 TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {

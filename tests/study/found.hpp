@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/study/row.hpp>
+#include <optional>
 #include <string_view>
 
 namespace leadscrew::study::testing {
@@ -22,6 +23,17 @@ inline double ours(const Rows& rows, std::string_view group, std::string_view wh
   const Row row = found(rows, group, what);
   EXPECT_TRUE(row.ours.has_value()) << group << ": " << what << ": " << row.why;
   return row.ours.value_or(NAN);
+}
+
+/// The value alone.
+inline std::optional<double> published(const Row& row) {
+  return row.published ? std::optional(row.published->value) : std::nullopt;
+}
+
+/// What is expected of these rows is of no paper.
+inline void expect_none_published(const Rows& rows) {
+  EXPECT_FALSE(rows.empty());
+  for (const Row& row : rows) EXPECT_FALSE(row.published.has_value()) << row.group << ": " << row.what;
 }
 
 inline std::string_view verdict(const Rows& rows, std::string_view group, std::string_view what) {

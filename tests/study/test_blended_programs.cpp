@@ -33,6 +33,7 @@ void limits_are_kept(const Rows& rows, const std::string& group) {
 double time_within(double deviation, const BlendedProgram& program) {
   const std::string group = circumstances(program);
   const Rows rows = blended_rows(program, {});
+  expect_none_published(rows);
   limits_are_kept(rows, group);
   EXPECT_LE(ours(rows, group, "deviation from the program"), deviation * 1e3);
   EXPECT_EQ(verdict(rows, group, "deviation from the program"), "kept");

@@ -21,7 +21,7 @@ const Rows& quick_bounds() {
   return rows;
 }
 
-/// Published of arcs of which is not told which they are.
+/// Expected of arcs of which is not told which they are.
 bool is_share(const Row& row) {
   return row.what.ends_with(": share");
 }
@@ -39,8 +39,8 @@ TEST(BoundsStudy, KeepsEveryBoundAndCountsEveryEndlessArc) {
                          : is_count               ? Verdict::exact
                          : is_mean                ? Verdict::reproduced
                                                   : Verdict::kept;
-    EXPECT_EQ(row.verdict, row.published.has_value() ? told : Verdict::measured) << row.group << ": " << row.what;
-    EXPECT_TRUE(row.published.has_value() || !row.what.starts_with("greatest error") || !row.why.empty()) << row.group;
+    EXPECT_EQ(row.verdict, row.expected.has_value() ? told : Verdict::measured) << row.group << ": " << row.what;
+    EXPECT_TRUE(row.expected.has_value() || !row.what.starts_with("greatest error") || !row.why.empty()) << row.group;
     EXPECT_TRUE(whats.insert(row.group + row.what).second) << "twice: " << row.group << ": " << row.what;
   }
   EXPECT_EQ(rows.size(), 339u);

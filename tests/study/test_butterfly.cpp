@@ -72,6 +72,10 @@ TEST(ButterflyCurve, HasTheReferenceLengthAndSharpestBend) {
   EXPECT_EQ(verdict(rows(), curve, "smallest radius of curvature"), "exact");
 }
 
+TEST(ButterflyStudy, TakesNoFigureFromThePapers) {
+  expect_none_published(rows());
+}
+
 TEST(ButterflyMap, KeepsTheSpeedFluctuationItWasMadeFor) {
   for (const auto& [bound, ppm] : {std::pair("1e-4", 100.0), {"1e-5", 10.0}, {"1e-6", 1.0}}) {
     const Row row = found(rows(), curve, std::string("measured for speed fluctuation below ") + bound);

@@ -4,11 +4,41 @@
 
 #include <cmath>
 #include <leadscrew/study/row.hpp>
+#include <optional>
+#include <type_traits>
 
 namespace leadscrew::study {
 namespace {
 
-TEST(Verdicts, ExactMeansEveryPublishedDigit) {
+constexpr Source somewhere = {Paper::fpga_interpolation, "Table 1"};
+
+// No figure is published without its source.
+static_assert(!std::is_default_constructible_v<Source> && !std::is_constructible_v<Source, Paper>);
+static_assert(!std::is_constructible_v<Published, double>);
+static_assert(!std::is_assignable_v<std::optional<Published>&, double>);
+static_assert(std::is_assignable_v<std::optional<Published>&, Published>);
+
+TEST(Rows, HoldAPublishedFigureWithItsSourceAndABareOneAsExpected) {
+  const Row printed = exact_row("", {}, Published(7, somewhere), 7), bare = exact_row("", {}, 7, 7);
+  ASSERT_TRUE(printed.published.has_value());
+  EXPECT_EQ(printed.published->value, 7);
+  EXPECT_EQ(printed.published->source.paper, Paper::fpga_interpolation);
+  EXPECT_EQ(printed.published->source.where, "Table 1");
+  EXPECT_FALSE(printed.expected.has_value());
+  EXPECT_FALSE(bare.published.has_value());
+  EXPECT_EQ(bare.expected, 7);
+  EXPECT_EQ(expecting(printed, 8).expected, 8);
+  EXPECT_EQ(expecting(printed, 8).published->value, 7);
+}
+
+TEST(Verdicts, FittedMeansEveryDigitOfAFigureSolvedFor) {
+  EXPECT_EQ(fitted_row("", {"s", 1}, {10.1, somewhere}, 10.06).verdict, Verdict::fitted);
+  EXPECT_EQ(fitted_row("", {"s", 1}, {10.1, somewhere}, 10.2).verdict, Verdict::differs);
+  EXPECT_EQ(fitted_row("", {"s", 1}, {10.1, somewhere}, NAN).verdict, Verdict::differs);
+  EXPECT_EQ(name(Verdict::fitted), "fitted");
+}
+
+TEST(Verdicts, ExactMeansEveryDigit) {
   const Scale seconds = {"s", 3};
   EXPECT_EQ(exact_row("", seconds, 2.994, 2.9944).verdict, Verdict::exact);
   EXPECT_EQ(exact_row("", seconds, 2.994, 2.9946).verdict, Verdict::differs);

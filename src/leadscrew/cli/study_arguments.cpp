@@ -16,7 +16,7 @@ constexpr std::string_view study_examples =
     "Examples:\n"
     "  leadscrew study list                       what there is\n"
     "  leadscrew study butterfly\n"
-    "  leadscrew study feed-fluctuation --json    rows of what, published, ours, unit, verdict and why\n"
+    "  leadscrew study feed-fluctuation --json    rows of what, published, source, expected, ours, …\n"
     "  leadscrew study real-time-vs-offline --picture feeds.svg\n"
     "  leadscrew study tube --words tube          then: leadscrew verify tube/square.csv tube/square.ngc\n";
 

@@ -7,7 +7,7 @@ namespace leadscrew::results {
 
 namespace {
 
-constexpr std::string_view schema = "leadscrew.study/1";
+constexpr std::string_view schema = "leadscrew.study/2";
 
 /// Characters of a UTF-8 text, each one column wide.
 std::size_t columns(std::string_view text) {
@@ -57,6 +57,7 @@ Tone tone_of(study::Verdict verdict) {
       return Tone::warning;
     case study::Verdict::exceeded:
       return Tone::error;
+    case study::Verdict::fitted:
     case study::Verdict::measured:
     case study::Verdict::not_reproducible:
       return Tone::faint;
@@ -70,27 +71,48 @@ std::string figure(const std::optional<double>& value, const study::Scale& scale
 
 /// The texts of a row's columns; what and why are the outer ones.
 struct Cells {
-  std::string what, published, ours;
+  std::string what, published, expected, ours;
   std::string_view unit, verdict;
+  std::string why;
 };
 
+std::optional<double> value_of(const std::optional<study::Published>& published) {
+  return published ? std::optional(published->value) : std::nullopt;
+}
+
+/// The source before what else is to be said.
+std::string why_of(const study::Row& row) {
+  if (!row.published) return row.why;
+  const study::Source& source = row.published->source;
+  const std::string text = std::string(study::citation(source.paper).authors) + ", " + std::string(source.where);
+  return row.why.empty() ? text : text + ": " + row.why;
+}
+
 Cells cells_of(const study::Row& row) {
-  return {row.what, figure(row.published, row.scale), figure(row.ours, row.scale), row.scale.unit,
-          study::name(row.verdict)};
+  return {row.what,
+          figure(value_of(row.published), row.scale),
+          figure(row.expected, row.scale),
+          figure(row.ours, row.scale),
+          row.scale.unit,
+          study::name(row.verdict),
+          why_of(row)};
 }
 
 struct Widths {
-  std::size_t what = 4, published = 9, ours = 4, unit = 0, verdict = 7;
+  std::size_t what = 4, published = 9, expected = 8, ours = 4, unit = 0, verdict = 7;
 
   void fit(const Cells& cells) {
     what = std::max(what, columns(cells.what));
     published = std::max(published, columns(cells.published));
+    expected = std::max(expected, columns(cells.expected));
     ours = std::max(ours, columns(cells.ours));
     unit = std::max(unit, columns(cells.unit));
     verdict = std::max(verdict, columns(cells.verdict));
   }
   /// Column in which `why` begins.
-  std::size_t before_why() const { return 2 + what + 2 + published + 2 + ours + 1 + unit + 2 + verdict + 2; }
+  std::size_t before_why() const {
+    return 2 + what + 2 + published + 2 + expected + 2 + ours + 1 + unit + 2 + verdict + 2;
+  }
 };
 
 std::string without_end_blanks(std::string line) {
@@ -100,8 +122,8 @@ std::string without_end_blanks(std::string line) {
 
 std::string heading(const Widths& widths, const Style& style) {
   const std::string line = "  " + left("what", widths.what) + "  " + right("published", widths.published) + "  " +
-                           right("ours", widths.ours) + blanks(widths.unit + 1, 0) + "  " +
-                           left("verdict", widths.verdict) + "  why";
+                           right("expected", widths.expected) + "  " + right("ours", widths.ours) +
+                           blanks(widths.unit + 1, 0) + "  " + left("verdict", widths.verdict) + "  why";
   return style(Tone::faint, line) + "\n";
 }
 
@@ -122,17 +144,26 @@ std::string why_lines(std::string_view why, const Widths& widths, std::optional<
 std::string line_of(const study::Row& row, const Widths& widths, std::optional<int> width, const Style& style) {
   const Cells cells = cells_of(row);
   const std::string figures = "  " + left(cells.what, widths.what) + "  " + right(cells.published, widths.published) +
-                              "  " + right(cells.ours, widths.ours) + " " + left(cells.unit, widths.unit) + "  ";
+                              "  " + right(cells.expected, widths.expected) + "  " + right(cells.ours, widths.ours) +
+                              " " + left(cells.unit, widths.unit) + "  ";
   const std::string verdict = style(tone_of(row.verdict), cells.verdict);
-  if (row.why.empty()) return figures + verdict + "\n";
+  if (cells.why.empty()) return figures + verdict + "\n";
   return without_end_blanks(figures + verdict + blanks(widths.verdict + 2, columns(cells.verdict)) +
-                            why_lines(row.why, widths, width, style)) +
+                            why_lines(cells.why, widths, width, style)) +
          "\n";
+}
+
+Json json_of(const study::Source& source) {
+  const study::Citation citation = study::citation(source.paper);
+  return Json::object(
+      {{"paper", std::string(citation.authors) + ", " + std::string(citation.title)}, {"where", source.where}});
 }
 
 Json json_of(const study::Row& row) {
   return Json::object({{"what", row.group.empty() ? row.what : row.group + ": " + row.what},
-                       {"published", row.published},
+                       {"published", value_of(row.published)},
+                       {"source", row.published ? json_of(row.published->source) : Json{}},
+                       {"expected", row.expected},
                        {"ours", row.ours},
                        {"unit", row.scale.unit},
                        {"verdict", study::name(row.verdict)},

@@ -93,10 +93,10 @@ Row error_row(std::string what, double bound, double error) {
   return row;
 }
 
-Row endless_row(const std::string& kind, int published, const Arcs::Kind& found) {
+Row endless_row(const std::string& kind, int expected, const Arcs::Kind& found) {
   const std::string what = "endless without the drain rule, " + kind;
   const auto count = static_cast<double>(found.endless);
-  Row row = published < 0 ? measured_row(what, {"arcs", 0}, count) : exact_row(what, {"arcs", 0}, published, count);
+  Row row = expected < 0 ? measured_row(what, {"arcs", 0}, count) : exact_row(what, {"arcs", 0}, expected, count);
   row.why = "of " + std::to_string(found.arcs);
   return row;
 }

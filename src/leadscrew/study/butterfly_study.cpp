@@ -10,11 +10,11 @@ namespace leadscrew::study {
 namespace {
 
 /// A map from arc length to parameter by quintic Hermite pieces, as fine as a speed fluctuation asks.
-struct PublishedMap {
+struct ExpectedMap {
   double fluctuation;
   std::size_t pieces;
 };
-constexpr std::array<PublishedMap, 3> published_maps = {{{1e-4, 336}, {1e-5, 534}, {1e-6, 844}}};
+constexpr std::array<ExpectedMap, 3> expected_maps = {{{1e-4, 336}, {1e-5, 534}, {1e-6, 844}}};
 
 double total_length(const std::vector<geometry::Nurbs>& pieces) {
   double length = 0;
@@ -39,16 +39,16 @@ std::string power_of_ten(double value) {
   return "1e" + decimal(std::log10(value), 0);
 }
 
-Rows map_rows(const PublishedMap& published) {
-  const auto pieces = geometry::smooth_pieces(butterfly(), {published.fluctuation, INFINITY, INFINITY});
+Rows map_rows(const ExpectedMap& expected) {
+  const auto pieces = geometry::smooth_pieces(butterfly(), {expected.fluctuation, INFINITY, INFINITY});
   std::size_t count = 0;
   for (const geometry::Nurbs& piece : pieces) count += piece.map_pieces();
-  const std::string asked = " for speed fluctuation below " + power_of_ten(published.fluctuation);
-  Row map = exact_row("pieces of the map" + asked, {"", 0}, static_cast<double>(published.pieces),
-                      static_cast<double>(count));
-  map.why = "published: quintic Hermite pieces of a prototype; here every span is halved at least once";
+  const std::string asked = " for speed fluctuation below " + power_of_ten(expected.fluctuation);
+  Row map =
+      exact_row("pieces of the map" + asked, {"", 0}, static_cast<double>(expected.pieces), static_cast<double>(count));
+  map.why = "expected: quintic Hermite pieces of a prototype; here every span is halved at least once";
   const Row measured =
-      limit_row("measured" + asked, {"ppm", 3}, 1e6 * published.fluctuation, 1e6 * speed_fluctuation(pieces));
+      limit_row("measured" + asked, {"ppm", 3}, 1e6 * expected.fluctuation, 1e6 * speed_fluctuation(pieces));
   return {map, measured};
 }
 
@@ -58,7 +58,7 @@ Rows curve_rows() {
   for (const geometry::Nurbs& piece : pieces) radius = std::min(radius, min_radius(piece));
   Rows rows = {exact_row("length", {"mm", 4}, butterfly_length, total_length(pieces)),
                exact_row("smallest radius of curvature", {"mm", 4}, butterfly_min_radius, radius)};
-  for (const PublishedMap& published : published_maps) append(rows, map_rows(published));
+  for (const ExpectedMap& expected : expected_maps) append(rows, map_rows(expected));
   return rows;
 }
 

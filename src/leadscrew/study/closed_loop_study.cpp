@@ -69,22 +69,26 @@ class Observer {
 };
 
 /// 30 mm at 60 mm/min; a screw of 4 mm and an encoder of 200 holes: 1500 pulses of 0.02 mm, 3000 a minute.
-Rows pulse_rows(double gain, double settled) {
-  constexpr double rate = 3000.0 / 60;
-  constexpr std::int64_t pulses = 1500;
+constexpr double steady_pps = 3000.0 / 60;
+constexpr std::int64_t block_pulses = 1500;
+constexpr Published lecture_rate(steady_pps, {Paper::linear_interpolators, "problem 13.1, answer, by 3000 ppm"}),
+    lecture_pulses(block_pulses, {Paper::linear_interpolators, "problem 13.1, answer"});
+
+/// At rest after so many seconds, as expected.
+Rows pulse_rows(double gain, Reference encoder_rate, Reference encoder_pulses, double settled) {
   servo::PulseLoopOptions options{
       .converter = 10.0 / 256, .amplifier = 4, .holes = 200, .time_constant = time_constant};
   options.motor = gain / (options.converter * options.amplifier * options.holes);
   const std::string group = "pulse-driven axis, Kv " + decimal(gain, 0) + " 1/s, 3000 pulses/min, 1500 pulses";
   const base::Result<servo::PulseLoop> loop = servo::PulseLoop::create(options);
   if (!loop) return under(group, {not_run_row("run", loop.error().message)});
-  const Observed seen = Observer(*loop, rate).run(pulses);
+  const Observed seen = Observer(*loop, steady_pps).run(block_pulses);
   return under(group,
-               {because(reproduced_row("up-down counter", {"pulses", 2}, rate / gain, seen.mean, 0.005),
+               {because(reproduced_row("up-down counter", {"pulses", 2}, steady_pps / gain, seen.mean, 0.005),
                         "f/Kv; its mean over 20 s"),
-                because(reproduced_row("rate of the encoder", {"pps", 2}, rate, seen.rate, 0.05),
+                because(reproduced_row("rate of the encoder", {"pps", 2}, encoder_rate, seen.rate, 0.05),
                         "at steady state as many as the interpolator gives; one pulse in 20 s is 0.05"),
-                exact_row("pulses of the encoder", {"", 0}, pulses, static_cast<double>(seen.count)),
+                exact_row("pulses of the encoder", {"", 0}, encoder_pulses, static_cast<double>(seen.count)),
                 limit_row("pulses lost", {"", 0}, 0, static_cast<double>(seen.lost)),
                 because(exact_row("at rest after", {"s", 2}, settled, seen.settled),
                         "N/f and some times 1/Kv: no more to come, the counter 0, slower than a pulse a second")});
@@ -257,8 +261,9 @@ Rows contour_rows() {
 }  // namespace
 
 Rows closed_loop_rows(const Host&) {
-  Rows rows = pulse_rows(20, 30.13);
-  append(rows, pulse_rows(5, 30.56));
+  // The lecture tells no gain: figures of a second one are expected to be the same.
+  Rows rows = pulse_rows(20, lecture_rate, lecture_pulses, 30.13);
+  append(rows, pulse_rows(5, steady_pps, block_pulses, 30.56));
   append(rows, contour_rows());
   return rows;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/study/lattice_path.hpp>
 #include <leadscrew/study/studies.hpp>
@@ -40,6 +41,19 @@ Count ends_missed(Preload preload) {
   return count;
 }
 
+/// Of all coordinates of 8 bits, from an empty register: additions until the last pulse.
+std::int64_t most_cycles_to_end() {
+  constexpr std::int64_t capacity = 256;
+  std::int64_t most = 0;
+  for (std::int64_t end = 1; end < capacity; ++end) {
+    Integrator axis(capacity, 0);
+    std::int64_t cycles = 0;
+    for (std::int64_t pulses = 0; pulses < end; ++cycles) pulses += axis.add(end);
+    most = std::max(most, cycles);
+  }
+  return most;
+}
+
 Rows line_rows() {
   Rows rows;
   for (const auto& [what, preload] : {std::pair{"ends missed after 2ⁿ cycles, registers empty", Preload::none},
@@ -48,6 +62,10 @@ Rows line_rows() {
     rows.push_back(because(exact_row(what, plain, 0, static_cast<double>(missed.failed)),
                            "of " + std::to_string(missed.tried) + ": every coordinate, n = 1 … 8, k = 1/2ⁿ"));
   }
+  rows.push_back(because(exact_row("cycles to the end, n = 8, register empty", plain,
+                                   Published(256, {Paper::digital_integrals, "linear interpolation, m = 2ⁿ"}),
+                                   static_cast<double>(most_cycles_to_end())),
+                         "the most of any coordinate, 1 … 255"));
   return under("lines", std::move(rows));
 }
 
@@ -62,10 +80,12 @@ double share_of_overflows(std::int64_t integrand) {
 
 Rows speed_rows() {
   constexpr std::int64_t x = 3, y = 4;
+  constexpr Source said = {Paper::digital_integrals, "circular interpolation, v/R = vx/x = vy/y"};
   constexpr const char* misprint = "a misprint: v/R = vx/y = vy/x, as its next line has it";
-  return under("speeds on a circle, at (3, 4)",
-               {because(exact_row("vx/v", {"", 1}, 0.6, share_of_overflows(y)), misprint),
-                because(exact_row("vy/v", {"", 1}, 0.8, share_of_overflows(x)), misprint)});
+  return under(
+      "speeds on a circle, at (3, 4)",
+      {because(expecting(exact_row("vx/v", {"", 1}, Published(0.6, said), share_of_overflows(y)), 0.8), misprint),
+       because(expecting(exact_row("vy/v", {"", 1}, Published(0.8, said), share_of_overflows(x)), 0.6), misprint)});
 }
 
 /// Arcs inside a quadrant, in registers of n bits, that the counters |x0 − xe| and |ye − y0| do not stop at their end.
@@ -109,7 +129,8 @@ Rows arc_rows() {
     rows.push_back(because(exact_row(what, plain, 0, static_cast<double>(all.failed)),
                            "of " + std::to_string(all.tried) + ": all with coordinates below 2ⁿ, n = 1 … 5"));
   }
-  rows.push_back(not_reproducible_row("arcs in a quadrant tried", plain, 7680, "of which arcs is not told"));
+  rows.push_back(not_reproducible_row("arcs in a quadrant tried", plain, 7680,
+                                      "by another computation; of which arcs is not told"));
   return under("arcs", std::move(rows));
 }
 

@@ -73,7 +73,7 @@ Missed missed_by(std::int64_t radius, Order order, pulse::Preload preload) {
 }
 
 Row missed_row(const Host& host, const std::string& what, Order order, pulse::Preload preload,
-               std::optional<double> published) {
+               std::optional<double> expected) {
   std::vector<Missed> each(greatest);
   share_out(host, each.size(),
             [&](std::size_t i) { each[i] = missed_by(static_cast<std::int64_t>(i) + 1, order, preload); });
@@ -83,7 +83,7 @@ Row missed_row(const Host& host, const std::string& what, Order order, pulse::Pr
     all.endless += missed.endless;
   }
   const auto count = static_cast<double>(all.elsewhere + all.endless);
-  Row row = published ? exact_row(what, {"circles", 0}, *published, count) : measured_row(what, {"circles", 0}, count);
+  Row row = expected ? exact_row(what, {"circles", 0}, *expected, count) : measured_row(what, {"circles", 0}, count);
   return because(std::move(row), std::to_string(all.endless) + " of them endless, of 4000: R = 1 … 2000, both ways");
 }
 
@@ -148,10 +148,10 @@ Rows counted_arc_rows(const Host& host) {
   const Ended magnitudes = all_arcs(host, Order::x_first, Accumulation::sign_magnitude);
   const Ended floors = all_arcs(host, Order::x_first, Accumulation::floor);
   const Ended hardware = all_arcs(host, Order::parallel, Accumulation::floor);
-  const auto share = [&](std::string what, double published, const Ended& ended) {
+  const auto share = [&](std::string what, double expected, const Ended& ended) {
     return because(
-        exact_row(std::move(what), {"%", 0}, published, 100 * count(ended.missed) / static_cast<double>(ended.tried)),
-        "published of other arcs: which, is not told");
+        exact_row(std::move(what), {"%", 0}, expected, 100 * count(ended.missed) / static_cast<double>(ended.tried)),
+        "expected of other arcs: which, is not told");
   };
   const std::string of = "of " + std::to_string(magnitudes.tried) + ": R² ≤ 2500, both ways, full circles too";
   return under(

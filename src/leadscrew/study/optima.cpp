@@ -61,11 +61,11 @@ std::string circumstances(const OptimumPath& path, const Optimum& optimum) {
 Rows time_rows(const Optimum& optimum, double seconds, double bound_seconds) {
   Row time = at_most_row("time", {"s", optimum.optimum_decimals}, optimum.optimum, seconds,
                          optimum_accuracy * optimum.optimum);
-  time.why = "published: numerical optimum T3*, good to 0.2 %";
+  time.why = "expected: numerical optimum T3*, good to 0.2 %";
   const Row ratio = at_most_row("time over optimum", {"", 4}, 1, seconds / optimum.optimum, optimum_accuracy);
   Row bound = exact_row("least time without a limit of jerk", {"s", optimum.bound_decimals}, optimum.bound,
                         bound_seconds, bound_accuracy * optimum.bound);
-  bound.why = "published: T2" + std::string(optimum.bound_note);
+  bound.why = "expected: T2" + std::string(optimum.bound_note);
   return {time, ratio, bound};
 }
 

@@ -16,8 +16,8 @@ struct Optimum {
   LimitSet limits;
   double bound = 0;                              ///< T2, s
   double optimum = 0;                            ///< T3*, s
-  int bound_decimals = 0, optimum_decimals = 0;  ///< that were published
-  std::string_view bound_note = {};              ///< what is known of the published T2
+  int bound_decimals = 0, optimum_decimals = 0;  ///< that are known
+  std::string_view bound_note = {};              ///< what else is known of T2
 };
 
 inline constexpr double optimum_accuracy = 0.002;  ///< of T3*, relative

@@ -9,8 +9,14 @@ namespace leadscrew::study {
 
 namespace {
 
-Row row(std::string what, Scale scale, std::optional<double> published, double ours, Verdict verdict) {
-  return {{}, std::move(what), published, ours, scale, verdict, {}};
+Row row(std::string what, Scale scale, Reference figure, double ours, Verdict verdict) {
+  return {{}, std::move(what), figure.published, figure.expected, ours, scale, verdict, {}};
+}
+
+bool rounds_to(double figure, double ours, const Scale& scale, double accuracy) {
+  // The figure itself is a decimal fraction: half a unit of its last digit, and what binary makes of it.
+  const double half_digit = 0.5 * std::pow(10, -scale.decimals) * (1 + 1e-9);
+  return std::abs(ours - figure) <= half_digit + accuracy;
 }
 
 }  // namespace
@@ -23,6 +29,8 @@ std::string_view name(Verdict verdict) {
       return "reproduced";
     case Verdict::differs:
       return "differs";
+    case Verdict::fitted:
+      return "fitted";
     case Verdict::no_worse:
       return "no worse";
     case Verdict::worse:
@@ -41,42 +49,50 @@ std::string_view name(Verdict verdict) {
   return "";
 }
 
-Row exact_row(std::string what, Scale scale, double published, double ours, double accuracy) {
-  // The published figure itself is a decimal fraction: half a unit of its last digit, and what binary makes of it.
-  const double half_digit = 0.5 * std::pow(10, -scale.decimals) * (1 + 1e-9);
-  const bool equal = std::abs(ours - published) <= half_digit + accuracy;
-  return row(std::move(what), scale, published, ours, equal ? Verdict::exact : Verdict::differs);
+Row exact_row(std::string what, Scale scale, Reference figure, double ours, double accuracy) {
+  const bool equal = rounds_to(figure.value(), ours, scale, accuracy);
+  return row(std::move(what), scale, figure, ours, equal ? Verdict::exact : Verdict::differs);
 }
 
-Row reproduced_row(std::string what, Scale scale, double published, double ours, double accuracy) {
-  const bool near = std::abs(ours - published) <= accuracy;
-  return row(std::move(what), scale, published, ours, near ? Verdict::reproduced : Verdict::differs);
+Row reproduced_row(std::string what, Scale scale, Reference figure, double ours, double accuracy) {
+  const bool near = std::abs(ours - figure.value()) <= accuracy;
+  return row(std::move(what), scale, figure, ours, near ? Verdict::reproduced : Verdict::differs);
 }
 
-Row at_most_row(std::string what, Scale scale, double published, double ours, double accuracy) {
-  const Verdict verdict = ours <= published + accuracy ? Verdict::no_worse : Verdict::worse;
-  return row(std::move(what), scale, published, ours, verdict);
+Row fitted_row(std::string what, Scale scale, Published figure, double ours) {
+  const bool equal = rounds_to(figure.value, ours, scale, 0);
+  return row(std::move(what), scale, figure, ours, equal ? Verdict::fitted : Verdict::differs);
 }
 
-Row limit_row(std::string what, Scale scale, double limit, double ours, double accuracy) {
-  const Verdict verdict = ours <= limit + accuracy ? Verdict::kept : Verdict::exceeded;
+Row at_most_row(std::string what, Scale scale, Reference figure, double ours, double accuracy) {
+  const Verdict verdict = ours <= figure.value() + accuracy ? Verdict::no_worse : Verdict::worse;
+  return row(std::move(what), scale, figure, ours, verdict);
+}
+
+Row limit_row(std::string what, Scale scale, Reference limit, double ours, double accuracy) {
+  const Verdict verdict = ours <= limit.value() + accuracy ? Verdict::kept : Verdict::exceeded;
   return row(std::move(what), scale, limit, ours, verdict);
 }
 
 Row measured_row(std::string what, Scale scale, double ours) {
-  return row(std::move(what), scale, std::nullopt, ours, Verdict::measured);
+  return {{}, std::move(what), {}, {}, ours, scale, Verdict::measured, {}};
 }
 
 Row not_run_row(std::string what, std::string why) {
-  return {{}, std::move(what), {}, {}, {}, Verdict::not_run, std::move(why)};
+  return {{}, std::move(what), {}, {}, {}, {}, Verdict::not_run, std::move(why)};
 }
 
-Row not_reproducible_row(std::string what, Scale scale, double published, std::string why) {
-  return {{}, std::move(what), published, {}, scale, Verdict::not_reproducible, std::move(why)};
+Row not_reproducible_row(std::string what, Scale scale, Reference figure, std::string why) {
+  return {{}, std::move(what), figure.published, figure.expected, {}, scale, Verdict::not_reproducible, std::move(why)};
 }
 
 Row because(Row row, std::string why) {
   row.why = std::move(why);
+  return row;
+}
+
+Row expecting(Row row, double expected) {
+  row.expected = expected;
   return row;
 }
 
