@@ -50,8 +50,9 @@ Rows dda_rows() {
   constexpr std::string_view sizes = "DDA interpolator, bit sizes", line = "DDA interpolator, the particular case";
   Rows rows = {
       exact_row("bits of the axis DDAs", whole, lectured(16, sizes), design.axis_bits),
-      because(exact_row("2ⁿ − 1", whole, lectured(65536, "DDA interpolator, bit sizes, as spoken"),
-                        std::ldexp(1.0, design.axis_bits) - 1),
+      because(expecting(exact_row("2ⁿ − 1", whole, lectured(65536, "DDA interpolator, bit sizes, as spoken"),
+                                  std::ldexp(1.0, design.axis_bits) - 1),
+                        65535),
               "a misprint: 2¹⁶ itself"),
       exact_row("bits of the feed DDA", whole, lectured(12, sizes), design.feed_bits),
       exact_row("greatest feed word", whole, lectured(2400, sizes), static_cast<double>(design.feed_word_max)),

@@ -66,7 +66,8 @@ double eq27_invariant_error(double t) {
 
 Rows eq27_rows() {
   constexpr Published published(4, {Paper::software_interpolator, "below eq. 27"});
-  Row order = reproduced_row("exponent of T, greatest of a turn", {"", 2}, published, slope(eq27_error, 1e-3), 0.05);
+  Row order = expecting(
+      reproduced_row("exponent of T, greatest of a turn", {"", 2}, published, slope(eq27_error, 1e-3), 0.05), 1);
   order.why = "x² − Txy + y² stays what it is: an ellipse, T/4 off the circle, that never grows";
   constexpr double circle = 10000;  // BLU
   Row ellipse = exact_row("greatest error of a turn, T = 1/R", {"BLU", 2}, 0.25, circle * eq27_error(1 / circle));
