@@ -49,12 +49,6 @@ class Arc {
   }
   /// Below so many radians displacement is counted from the start, else from the centre.
   static constexpr double small_angle = 0.5;
-  struct Sines {
-    double sine = 0, cosine = 0;  ///< of a small angle, cosine less 1
-  };
-  /// By the functions of the library. Nobody else asks these, for whether a compiler takes them one by one or both at
-  /// once may change a bit.
-  static Sines sines(double angle);
 
   /// Length of a circular arc or a helix: √ of squares of radius·|sweep| in the plane and `rise` across it.
   static double helix_length(double radius, numeric::DoubleDouble sweep, double rise);

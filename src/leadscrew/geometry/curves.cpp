@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/numeric/sine.hpp>
 
 namespace leadscrew::geometry {
 
@@ -77,23 +78,15 @@ Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t se
   defect_second_ = (end[second] - at_end.second) / length;
 }
 
-[[gnu::noinline]] Arc::Sines Arc::sines(double angle) {
-  if (std::abs(angle) >= small_angle) return {std::sin(angle), std::cos(angle)};
-  const double half = std::sin(angle / 2);
-  return {std::sin(angle), -2 * half * half};
-}
-
 Arc::Turned Arc::turned(const SplitLength& s) const {
-  // θ = angle.hi + angle.lo. Sine and cosine of the greater part come from the library; what the smaller adds, and all
-  // that is below a unit in the last place of the products, is gathered in `small` and enters with the last rounding.
+  // What is below a unit in the last place of the products is gathered in `small` and enters with the last rounding.
   //
   // Through small angles a rounding error of cos θ would count R times over, however short the arc: there the
-  // displacement from the start is x(cos θ − 1) − y sin θ, with cos θ − 1 = −2 sin²(θ/2), whose errors are of the
-  // chord's size.
+  // displacement from the start is x(cos θ − 1) − y sin θ, whose errors are of the chord's size.
   const DoubleDouble angle = rate_.times(s);
   const bool is_small = std::abs(angle.hi) < small_angle;
-  const Sines sines_of_angle = sines(angle.hi);
-  const numeric::Split sine = sines_of_angle.sine, cosine = sines_of_angle.cosine;
+  const numeric::Sines sines = numeric::sines(angle);
+  const numeric::Split sine = sines.sine, cosine = is_small ? sines.cosine_less_one : sines.cosine;
   const double origin_first = is_small ? start_[first_] : center_first_;
   const double origin_second = is_small ? start_[second_] : center_second_;
   const auto sum = [](double origin, const DoubleDouble& a, const DoubleDouble& b, double small) {
@@ -103,9 +96,8 @@ Arc::Turned Arc::turned(const SplitLength& s) const {
   };
   const DoubleDouble x_cosine = numeric::two_product(x_.hi, cosine), x_sine = numeric::two_product(x_.hi, sine);
   const DoubleDouble y_cosine = numeric::two_product(y_.hi, cosine), y_sine = numeric::two_product(y_.hi, sine);
-  const double x = x_.hi.value, y = y_.hi.value, whole_cosine = is_small ? 1 + cosine.value : cosine.value;
-  const double small_first = x_.lo * cosine.value - y_.lo * sine.value - angle.lo * (x_sine.hi + y * whole_cosine);
-  const double small_second = x_.lo * sine.value + y_.lo * cosine.value + angle.lo * (x * whole_cosine - y_sine.hi);
+  const double small_first = x_.lo * cosine.value - y_.lo * sine.value;
+  const double small_second = x_.lo * sine.value + y_.lo * cosine.value;
   return {sum(origin_first, x_cosine, -y_sine, small_first + defect_first_ * s.hi.value),
           sum(origin_second, x_sine, y_cosine, small_second + defect_second_ * s.hi.value)};
 }
@@ -127,8 +119,9 @@ PointJet Arc::jets(double s) const {
   for (std::size_t i = 0; i < start_.size(); ++i) jet[i].value = start_[i];
   slopes_.add(jet, s);
   const double w = angle_rate();
-  const double sine = std::sin(w * s), cosine = std::cos(w * s);
-  const double x = x_.hi.value * cosine - y_.hi.value * sine, y = x_.hi.value * sine + y_.hi.value * cosine;
+  const numeric::Sines sines = numeric::sines(w * s);
+  const double x = x_.hi.value * sines.cosine - y_.hi.value * sines.sine;
+  const double y = x_.hi.value * sines.sine + y_.hi.value * sines.cosine;
   jet[first_] = {center_first_ + x + defect_first_ * s, -w * y + defect_first_, -w * w * x, w * w * w * y};
   jet[second_] = {center_second_ + y + defect_second_ * s, w * x + defect_second_, -w * w * y, -w * w * w * x};
   return jet;

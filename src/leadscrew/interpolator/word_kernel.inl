@@ -12,6 +12,8 @@ typedef long long Mask __attribute__((vector_size(8 * lanes)));
 
 static_assert(lanes <= most_lanes);
 
+#include <leadscrew/numeric/sine.inl>
+
 struct Pair {
   Vector hi, lo;
 };
@@ -233,28 +235,18 @@ LEADSCREW_LANEWISE Vector turned(Vector origin, Pair a, Pair b, Vector small) {
 
 LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, std::size_t count, Made& made, Slots& slots) {
   const geometry::Arc::Turn turn = arc.turn();
-  for (std::size_t i = 0; i < count; i += lanes) {
-    const Pair angle = times(turn.rate, {load(&made.s_hi[i]), load(&made.s_lo[i])});
-    store(&made.angle[i], angle.hi);
-    store(&made.angle_lo[i], angle.lo);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const geometry::Arc::Sines sines = geometry::Arc::sines(made.angle[i]);
-    made.sine[i] = sines.sine;
-    made.cosine[i] = sines.cosine;
-  }
-  for (std::size_t i = count; i % lanes != 0; ++i) made.sine[i] = made.cosine[i] = 0;
   auto &first = made.position[arc.first()], &second = made.position[arc.second()];
   const double x = turn.x.hi.value, y = turn.y.hi.value;
   for (std::size_t i = 0; i < count; i += lanes) {
-    const Vector angle = load(&made.angle[i]), angle_lo = load(&made.angle_lo[i]), s = load(&made.s_hi[i]);
-    const Vector sine = load(&made.sine[i]), cosine = load(&made.cosine[i]);
-    const Mask is_small = (angle < geometry::Arc::small_angle) & (angle > -geometry::Arc::small_angle);
+    const Vector s = load(&made.s_hi[i]);
+    const Pair angle = times(turn.rate, {s, load(&made.s_lo[i])});
+    const VectorSines sines = sines_of(reduce(angle.hi, angle.lo));
+    const Mask is_small = (angle.hi < geometry::Arc::small_angle) & (angle.hi > -geometry::Arc::small_angle);
+    const Vector sine = sines.sine, cosine = is_small ? sines.cosine_less_one : sines.cosine;
     const Pair x_cosine = two_product(all(x), cosine), x_sine = two_product(all(x), sine);
     const Pair y_cosine = two_product(all(y), cosine), y_sine = two_product(all(y), sine);
-    const Vector whole_cosine = is_small ? 1 + cosine : cosine;
-    const Vector small_first = turn.x.lo * cosine - turn.y.lo * sine - angle_lo * (x_sine.hi + y * whole_cosine);
-    const Vector small_second = turn.x.lo * sine + turn.y.lo * cosine + angle_lo * (x * whole_cosine - y_sine.hi);
+    const Vector small_first = turn.x.lo * cosine - turn.y.lo * sine;
+    const Vector small_second = turn.x.lo * sine + turn.y.lo * cosine;
     const Vector origin_first = is_small ? all(turn.start_first) : all(turn.center_first);
     const Vector origin_second = is_small ? all(turn.start_second) : all(turn.center_second);
     store(&first[i], turned(origin_first, x_cosine, {-y_sine.hi, -y_sine.lo}, small_first + turn.defect_first * s));
@@ -269,6 +261,7 @@ LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, std::size_t count, Ma
   Slots slots;
   const auto* const line = std::get_if<geometry::Line>(block.curve);
   const auto* const arc = std::get_if<geometry::Arc>(block.curve);
+  if (arc && !(std::abs(arc->angle_rate()) * arc->length() < numeric::greatest_near_angle)) return false;
   if (!go_along(block, line ? line->length() : arc->length(), made)) return false;
   const geometry::Point& start = line ? line->start() : arc->start();
   describe(block, start, made, slots);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <leadscrew/interpolator/tick_time.hpp>
 #include <leadscrew/interpolator/word_kernels.hpp>
+#include <leadscrew/numeric/sine.hpp>
 #include <type_traits>
 
 #if defined(__x86_64__)
@@ -27,7 +28,6 @@ struct Made {
   alignas(64) std::array<double, words_in_block + most_lanes> s_hi, s_lo, speed, state;
   alignas(64) std::array<double, words_in_block> tick, path_length, feed;
   alignas(64) std::array<std::array<double, words_in_block>, base::axis_count> position;
-  alignas(64) std::array<double, words_in_block> angle, angle_lo, sine, cosine;
 };
 
 // A word as slots of eight bytes, in its order.
