@@ -106,6 +106,20 @@ TEST(Simulate, SendsStepsThroughPulseDrivenLoops) {
   }
 }
 
+/// Around a circle of 5 mm each axis goes 20 mm, and back where it was: 20 000 steps, net none.
+TEST(Simulate, CountsPulsesOfBothDirections) {
+  const Folder folder;
+  const Json circle = simulated(folder, "G21 G90\nG2 X0 Y0 I5 J0 F600\nM2\n", {"--pulses"});
+  for (const int axis : {0, 1}) {
+    const Json& counts = circle["pulses"][axis];
+    EXPECT_EQ(counts["commanded"], 0);
+    EXPECT_EQ(counts["commanded_gross"], 20'000);
+    EXPECT_EQ(counts["encoder"], 0);
+    EXPECT_NEAR(counts["encoder_gross"].get<double>(), 20'000, 10);  // the slides lag, so their turns are rounder
+    EXPECT_EQ(counts["overflows"], 0);
+  }
+}
+
 TEST(Simulate, SaysWhatIsWrongWithItsOptions) {
   const Folder folder;
   folder.write("part.ngc", square);

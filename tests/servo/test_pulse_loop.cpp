@@ -244,6 +244,8 @@ TEST(PulseLoop, ReportsEveryPulseItsCounterHasNoRoomFor) {
     loop.run_through(10);
     EXPECT_EQ(loop.encoder_count(), direction * room);
     EXPECT_EQ(loop.commanded(), direction * 20);
+    EXPECT_EQ(loop.commanded_gross(), 20);
+    EXPECT_EQ(loop.encoder_gross(), room);
   }
 }
 

@@ -20,9 +20,12 @@ struct ContourFigures {
 
 /// Of a pulse-driven loop, at the end.
 struct PulseCounts {
-  std::int64_t commanded = 0;  ///< steps up less steps down
-  std::int64_t encoder = 0;    ///< pulses forward less pulses backward
-  std::int64_t lost = 0;       ///< that the up-down counter could not hold
+  std::int64_t commanded = 0;        ///< steps up less steps down
+  std::int64_t commanded_gross = 0;  ///< steps up and steps down
+  std::int64_t encoder = 0;          ///< pulses forward less pulses backward
+  std::int64_t encoder_gross = 0;    ///< pulses forward and pulses backward
+  std::int64_t overflows = 0;        ///< pulses that the up-down counter had no room for
+  std::int64_t lost = 0;             ///< what is missing for them: those up less those down
 };
 
 using TrackedAxes = std::vector<std::pair<base::Axis, servo::AxisTracking>>;

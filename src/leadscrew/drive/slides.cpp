@@ -140,7 +140,8 @@ std::vector<std::pair<base::Axis, PulseCounts>> Slides::pulses() const {
   if (servo == nullptr) return counts;
   for (const base::Axis axis : base::all_axes) {
     if (const servo::PulseLoop* loop = servo->loop(axis))
-      counts.emplace_back(axis, PulseCounts{loop->commanded(), loop->encoder_count(), loop->lost()});
+      counts.emplace_back(axis, PulseCounts{loop->commanded(), loop->commanded_gross(), loop->encoder_count(),
+                                            loop->encoder_gross(), loop->overflows(), loop->lost()});
   }
   return counts;
 }

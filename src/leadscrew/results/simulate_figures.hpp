@@ -30,9 +30,9 @@ struct SimulateFigures : drive::SlideFigures {
   bool held_force() const { return !adaptive || adaptive->cut.held(adaptive->turn); }
   bool within_tolerance() const { return verdict.deviation_mm <= tolerance; }
   bool kept_pulses() const {
-    return std::all_of(pulses.begin(), pulses.end(), [](const auto& axis) { return axis.second.lost == 0; });
+    return std::all_of(pulses.begin(), pulses.end(), [](const auto& axis) { return axis.second.overflows == 0; });
   }
-  /// Did the slides keep the tolerance, and come to rest? Was the force held, and no pulse lost?
+  /// Did the slides keep the tolerance, and come to rest? Was the force held, and room for every pulse?
   bool kept() const { return settling && within_tolerance() && held_force() && kept_pulses(); }
 };
 

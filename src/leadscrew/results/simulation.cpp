@@ -61,8 +61,9 @@ std::string time_text(const SimulateFigures& figures) {
 }
 
 std::string pulse_row(base::Axis axis, const drive::PulseCounts& counts) {
-  return row("pulses", fmt::format("{}: {} commanded, {} of the encoder, {} lost", base::letter(axis), counts.commanded,
-                                   counts.encoder, counts.lost));
+  return row("pulses", fmt::format("{}: {} commanded, {} net; {} of the encoder, {} net; {} overflows, {} lost",
+                                   base::letter(axis), counts.commanded_gross, counts.commanded, counts.encoder_gross,
+                                   counts.encoder, counts.overflows, counts.lost));
 }
 
 std::string verdict_text(const SimulateFigures& figures, const Style& style) {
@@ -121,7 +122,10 @@ Json json_of_simulation(const std::string& program, const machine::Machine& mach
   for (const auto& [axis, counts] : figures.pulses) {
     json["pulses"].push_back(Json::object({{"name", std::string(1, base::letter(axis))},
                                            {"commanded", counts.commanded},
+                                           {"commanded_gross", counts.commanded_gross},
                                            {"encoder", counts.encoder},
+                                           {"encoder_gross", counts.encoder_gross},
+                                           {"overflows", counts.overflows},
                                            {"lost", counts.lost}}));
   }
   if (figures.adaptive) json["adaptive"] = json_of_cut(*figures.adaptive, summary.time_s);

@@ -51,6 +51,7 @@ bool PulseLoop::pulse(int direction) {
   if (to_come_ <= 0) return false;
   --to_come_;
   commanded_ += direction;
+  ++passed_;
   count(direction);
   return true;
 }
@@ -87,6 +88,7 @@ PulseLoop::Passed PulseLoop::run_one_direction(double at_most) {
   // On the edge, seen from the pulse that begins there.
   motion_ = {1 - edge, after(motion_, pull, seconds).velocity};
   count_ += direction;
+  ++edges_;
   count(-direction);
   return {seconds, direction};
 }

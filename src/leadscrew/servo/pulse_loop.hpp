@@ -66,7 +66,9 @@ class PulseLoop {
   std::int64_t to_come() const { return to_come_; }             ///< PDC
   std::int64_t following_error() const { return difference_; }  ///< UDC
   std::int64_t commanded() const { return commanded_; }         ///< passed the gate, + less −
-  std::int64_t encoder_count() const { return count_; }
+  std::int64_t commanded_gross() const { return passed_; }      ///< passed the gate, of either sign
+  std::int64_t encoder_count() const { return count_; }         ///< pulses of the encoder, forward + backward −
+  std::int64_t encoder_gross() const { return edges_; }         ///< pulses of the encoder, of either sign
 
   /// Pulses that would have taken UDC out of its range, since the beginning; above 0, gain, bits or rate do not fit.
   /// UDC stays at its end meanwhile, and from then on position and command differ for good.
@@ -88,7 +90,7 @@ class PulseLoop {
 
   double gain_, damping_;      // Kv and 1/τ
   std::int64_t least_, most_;  // of UDC
-  std::int64_t to_come_ = 0, difference_ = 0, commanded_ = 0, count_ = 0, overflows_ = 0;
+  std::int64_t to_come_ = 0, difference_ = 0, commanded_ = 0, passed_ = 0, count_ = 0, edges_ = 0, overflows_ = 0;
   Motion motion_;  // position past the edge that was counted last, 0 … 1: as exact after 10⁹ pulses as after one
 };
 
