@@ -50,8 +50,8 @@ std::string stem_of(const std::string& program) {
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
-  OutputPaths paths{arguments.run.trace, arguments.run.report, arguments.run.picture, arguments.run.pulses,
-                    arguments.run.events};
+  OutputPaths paths{arguments.run.trace,  arguments.run.report, arguments.run.picture,
+                    arguments.run.pulses, arguments.run.events, arguments.run.blocks};
   if (!arguments.run.out) return paths;
   const std::string base = (std::filesystem::path(*arguments.run.out) / stem_of(program)).string();
   if (!paths.trace) paths.trace = base + ".csv";
@@ -105,11 +105,12 @@ base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile&
   if (auto sound = check_written(written, program, arguments); !sound) return sound;
   if (auto trace = check_ending("--trace", paths.trace, trace::endings()); !trace) return trace;
   if (auto events = check_ending("--events", paths.events, {".csv"}); !events) return events;
+  if (auto blocks = check_ending("--blocks", paths.blocks, {".csv"}); !blocks) return blocks;
   return check_ending("--pulses", paths.pulses, {".vcd", ".csv"});
 }
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
-  Outputs outputs(job);
+  Outputs outputs(paths, job);
   const bool follows = job.arguments.verb == Arguments::Verb::simulate;
   if (job.arguments.run.out) {
     if (auto made = make_folder(*job.arguments.run.out); !made) return base::failure(made.error());
@@ -154,6 +155,20 @@ void Outputs::write(const base::PassedEvent& event) {
   static_cast<void>(events_.write(event));
 }
 
+base::Result<void> Outputs::open_blocks(const files::InputFile& program) {
+  if (!blocks_path_) return {};
+  auto file = create(*blocks_path_, files::OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  blocks_file_ = std::move(*file);
+  blocks_ = std::make_unique<results::BlockWriter>(blocks_file_->sink(), program.source(), job_->machine);
+  return {};
+}
+
+pipeline::LostTime::Sink Outputs::blocks() {
+  if (!blocks_) return {};
+  return [writer = blocks_.get()](const pipeline::BlockTime& block) { writer->write(block); };
+}
+
 base::Result<void> Outputs::write_pages(const report::Report& report) {
   if (report_) {
     auto written =
@@ -172,8 +187,11 @@ std::optional<results::StepFigures> Outputs::step_figures() const {
 base::Result<std::vector<std::string>> Outputs::publish() {
   if (auto finished = trace_.finish(); !finished) return base::failure(finished.error());
   if (auto finished = events_.finish(); !finished) return base::failure(finished.error());
+  if (blocks_) {
+    if (auto finished = blocks_->finish(); !finished) return base::failure(finished.error());
+  }
   files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
-  const auto written = {trace_.file(), report_.get(), picture_.get(), steps, events_.file()};
+  const auto written = {trace_.file(), report_.get(), picture_.get(), steps, events_.file(), blocks_file_.get()};
   if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
   for (const files::OutputFile* file : written) {

@@ -8,8 +8,10 @@
 #include <leadscrew/files/event_file.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/files/word_file.hpp>
+#include <leadscrew/pipeline/lost_time.hpp>
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
+#include <leadscrew/results/block_writer.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,9 +21,9 @@ namespace leadscrew::cli {
 
 /// Which files a run was asked to write.
 struct OutputPaths {
-  std::optional<std::string> trace, report, picture, pulses, events;
+  std::optional<std::string> trace, report, picture, pulses, events, blocks;
 
-  std::array<std::optional<std::string>, 5> all() const { return {trace, report, picture, pulses, events}; }
+  std::array<std::optional<std::string>, 6> all() const { return {trace, report, picture, pulses, events, blocks}; }
 };
 
 /// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them, and
@@ -53,6 +55,11 @@ class Outputs {
   /// Of the word that is written next. Errors are told by publish().
   void write(const base::PassedEvent& event);
 
+  /// Makes the file of --blocks, with the texts of this program, where it was asked for; before the first word.
+  base::Result<void> open_blocks(const files::InputFile& program);
+  /// Writes a row of it; empty where it was not asked for.
+  pipeline::LostTime::Sink blocks();
+
   /// What a report and a picture are made of; null where neither was asked for.
   const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
@@ -69,12 +76,15 @@ class Outputs {
   base::Result<std::vector<std::string>> publish();
 
  private:
-  explicit Outputs(const Job& job) : job_(&job) {}
+  Outputs(const OutputPaths& paths, const Job& job) : job_(&job), blocks_path_(paths.blocks) {}
 
   const Job* job_;
   files::WordFile trace_;
   files::EventFile events_;
   std::unique_ptr<files::OutputFile> report_, picture_;  ///< their sinks refer to them
+  std::optional<std::string> blocks_path_;
+  std::unique_ptr<files::OutputFile> blocks_file_;
+  std::unique_ptr<results::BlockWriter> blocks_;
   std::unique_ptr<StepOutput> steps_;
   std::optional<report::Recording> recording_;
   std::optional<report::FollowedRecording> followed_;

@@ -70,6 +70,9 @@ class ProgramRun {
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
+    if (auto opened = outputs.open_blocks(file); !opened) return base::failure(opened.error());
+    pipeline::LostTime lost(job_.machine, outputs.blocks());
+    program.on_move([&](const gcode::Move& move) { lost.observe(move); });
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
@@ -79,6 +82,7 @@ class ProgramRun {
     while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
       for (const base::Word& word : next_words(program, watch)) {
         referee.observe(word.position);
+        lost.observe(word);
         if (auto written = outputs.write(word); !written) return base::failure(written.error());
         if (base::count(word.tick) % words_between_checks != 0) continue;
         if (files::interrupted()) return base::failure(files::interruption());
@@ -89,11 +93,15 @@ class ProgramRun {
     }
     if (program.failure()) return base::failure(*program.failure());
     if (const auto warning = program.warning()) log_.add(*warning);
+    lost.finish();
     referee::Verdict verdict = referee.conclude();
     if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
-    return results::RunFigures{
-        program.summary(), std::move(verdict), {reading.seconds, watch.preparing(), watch.cycling(), watch.samples()}};
+    return results::RunFigures{program.summary(),
+                               std::move(verdict),
+                               {reading.seconds, watch.preparing(), watch.cycling(), watch.samples()},
+                               lost.by_cause(),
+                               results::extents_of(job_.machine, lost)};
   }
 
   /// Many together, but for those that are timed one by one.

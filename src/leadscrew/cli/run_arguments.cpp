@@ -53,6 +53,15 @@ void add_step_times(Command& command, RunArguments& run) {
   }
 }
 
+void add_blocks(Command& command, Arguments& arguments) {
+  command.output("--blocks", "FILE.csv", "Write what each block took and lost, and what it waited for",
+                 arguments.run.blocks);
+  command.check([&command, &arguments]() -> Parsed<void> {
+    if (arguments.programs.size() < 2 || !command.given("--blocks")) return {};
+    return wrong("--blocks is for one program");
+  });
+}
+
 void add_pulses(Command& command, RunArguments& run) {
   command.output("--pulses", "FILE",
                  "Write steps and directions: .vcd or .csv; beside --out vcd or csv, for DIR/NAME.steps.vcd",
@@ -100,6 +109,7 @@ void describe_run(Command& command, Arguments& arguments) {
   command.output("--trace", "FILE", "Write the words: " + trace::endings_text(), run.trace);
   add_pulses(command, run);
   add_pages(command, arguments);
+  add_blocks(command, arguments);
   add_threads(command, arguments);
   command.check([&arguments] { return check_pulses(arguments); });
   command.only_with("--pulses", {"--pulse-method", "--step-clock", "--step-length", "--step-space", "--direction-setup",

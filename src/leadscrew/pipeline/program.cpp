@@ -108,6 +108,7 @@ bool Program::plan_next() {
 }
 
 void Program::account(const gcode::Move& move) {
+  if (moves_) moves_(move);
   if (move.kind == gcode::Move::Kind::dwell) summary_.dwell_s += move.dwell_seconds;
   if (move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event) return;
   ++summary_.moves;

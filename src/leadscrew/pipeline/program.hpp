@@ -72,6 +72,8 @@ class Program {
   void override_feed(double factor) { source_.planner().override_feed(factor); }
 
   void on_event(EventSink sink) { events_ = std::move(sink); }
+  /// Called for each move before it is planned.
+  void on_move(std::function<void(const gcode::Move&)> sink) { moves_ = std::move(sink); }
   /// Before the first word: how to ask whether the program is still the one that was checked
   /// (MotionSource::unchanged).
   void watch(std::function<base::Result<void>()> unchanged) { source_.unchanged = std::move(unchanged); }
@@ -120,6 +122,7 @@ class Program {
   interpolator::Interpolator interpolator_;
   planner::Chunk chunk_;
   EventSink events_;
+  std::function<void(const gcode::Move&)> moves_;
   std::size_t told_ = 0;  ///< events of the chunk
   bool bound_is_known_ = false;
   Progress progress_ = Progress::moving;

@@ -18,4 +18,14 @@ bool RunFigures::kept() const {
   return !verdict.objects() && summary.plan.greatest() <= largest_ratio;
 }
 
+std::vector<Extent> extents_of(const machine::Machine& machine, const pipeline::LostTime& words) {
+  std::vector<Extent> extents;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    if (!machine.has(axis)) continue;
+    extents.push_back({axis, words.least_position()[i], words.greatest_position()[i]});
+  }
+  return extents;
+}
+
 }  // namespace leadscrew::results

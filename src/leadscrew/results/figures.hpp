@@ -6,6 +6,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/pipeline/lost_time.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/realtime/histogram.hpp>
 #include <leadscrew/referee/referee.hpp>
@@ -52,10 +53,20 @@ struct CheckFigures {
   std::int64_t moves = 0;  ///< lines and arcs
 };
 
+/// What words of an axis reach.
+struct Extent {
+  base::Axis axis{};
+  double least = 0, greatest = 0;  ///< mm or degrees, machine coordinates
+};
+
+std::vector<Extent> extents_of(const machine::Machine& machine, const pipeline::LostTime& words);
+
 struct RunFigures {
   pipeline::Summary summary;
   referee::Verdict verdict;
   ComputingTime effort;
+  pipeline::LostByCause lost{};  ///< where time is lost against feed words
+  std::vector<Extent> extents{};
   std::vector<std::string> files{};    ///< written
   std::optional<StepFigures> steps{};  ///< where they were asked for
 

@@ -28,6 +28,22 @@ Json axis_object(base::Axis axis, double velocity, double acceleration, double j
                        {"jerk_ratio", jerk}});
 }
 
+Json extents_of(const std::vector<Extent>& extents) {
+  Json list = Json::list();
+  for (const Extent& extent : extents) {
+    list.push_back(Json::object(
+        {{"name", std::string(1, base::letter(extent.axis))}, {"least", extent.least}, {"greatest", extent.greatest}}));
+  }
+  return list;
+}
+
+Json losses_of(const pipeline::LostByCause& lost) {
+  Json list = Json::list();
+  for (const auto& [cause, seconds] : pipeline::ranked(lost))
+    list.push_back(Json::object({{"cause", pipeline::name(cause)}, {"s", seconds}}));
+  return list;
+}
+
 Json axes_of(const referee::Verdict& verdict) {
   Json list = Json::list();
   for (const referee::AxisVerdict& axis : verdict.axes) {
@@ -126,6 +142,8 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                                                      {"ripple", summary.ripple}})},
                               {"axes", axes_of(verdict)},
                               {"plan", plan_of(summary.plan, machine)},
+                              {"extents", extents_of(figures.extents)},
+                              {"losses", losses_of(figures.lost)},
                               {"violation_count", verdict.violation_count},
                               {"cpu", cpu_of(figures.effort)},
                               {"diagnostics", list_of(diagnostics)}});

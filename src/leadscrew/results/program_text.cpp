@@ -92,6 +92,29 @@ std::string corrections_text(const std::vector<Correction>& corrections) {
   return text;
 }
 
+/// The dearest causes of what is lost against feed words, each above a hundredth of the time.
+std::string lost_text(const pipeline::LostByCause& lost, double time) {
+  constexpr std::size_t most_causes = 4;
+  std::string text;
+  double all = 0;
+  for (const auto& [cause, seconds] : lost) all += seconds;
+  std::size_t shown = 0;
+  for (const auto& [cause, seconds] : pipeline::ranked(lost)) {
+    if (shown == most_causes || seconds < 0.01 * time) break;
+    text += fmt::format("{} {} {}", shown++ == 0 ? ":" : ",", pipeline::name(cause), seconds_text(seconds));
+  }
+  return fmt::format("{} against feed words{}", seconds_text(all), text);
+}
+
+std::string extents_text(const std::vector<Extent>& extents) {
+  std::string text;
+  for (const Extent& extent : extents) {
+    text += fmt::format("{}{} {:.3f} to {:.3f}", text.empty() ? "" : ", ", base::letter(extent.axis), extent.least,
+                        extent.greatest);
+  }
+  return text;
+}
+
 std::string verdict_text(bool kept, const Style& style) {
   return "  " +
          (kept ? style(Tone::good, "kept: every limit and the tolerance")
@@ -136,6 +159,8 @@ std::string run_summary(const std::string& program, const machine::Machine& mach
   time += fmt::format("; at least {} without a limit of jerk", seconds_text(summary.bound_s));
   std::string text = heading(program, machine.name, machine.period, style);
   text += row("time", time);
+  text += row("lost", lost_text(figures.lost, summary.time_s));
+  text += row("extents", extents_text(figures.extents));
   text += row("length", fmt::format("{:.3f} mm: {}, {}", summary.length_mm, counted(summary.blocks, "block"),
                                     counted(summary.moves, "move")));
   text += row("words", fmt::format("{}", summary.words));

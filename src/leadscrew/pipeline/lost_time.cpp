@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/pipeline/lost_time.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
+#include <limits>
+
+namespace leadscrew::pipeline {
+
+namespace {
+
+/// A limit is at work where words come so near to it; of several the one of highest order that is named first below.
+constexpr double at_work = 0.97;
+
+double feed_asked(const gcode::Move& move, double length) {
+  switch (move.feed.mode) {
+    case gcode::Feed::Mode::units_per_second:
+      return move.feed.value;
+    case gcode::Feed::Mode::per_second:
+      return move.feed.value * length;
+    case gcode::Feed::Mode::rapid:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::string name(const Cause& cause) {
+  const std::string axis = std::string(" ") + base::letter(cause.axis);
+  switch (cause.kind) {
+    case Cause::Kind::velocity:
+      return "velocity" + axis;
+    case Cause::Kind::acceleration:
+      return "acceleration" + axis;
+    case Cause::Kind::jerk:
+      return "jerk" + axis;
+    case Cause::Kind::chord_error:
+      return "chord";
+    case Cause::Kind::stop:
+      return "stop";
+    case Cause::Kind::dwell:
+      return "dwell";
+  }
+  return "";
+}
+
+std::vector<std::pair<Cause, double>> ranked(const LostByCause& lost) {
+  std::vector<std::pair<Cause, double>> list(lost.begin(), lost.end());
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  return list;
+}
+
+LostTime::LostTime(const machine::Machine& machine, Sink block) : machine_(machine), sink_(std::move(block)) {}
+
+void LostTime::observe(const gcode::Move& move) {
+  if (move.kind == gcode::Move::Kind::event) return;
+  Asked asked;
+  asked.is_dwell = move.kind == gcode::Move::Kind::dwell;
+  asked.length = asked.is_dwell ? 0 : toolpath::feed_length(move);
+  if (!asked.is_dwell && asked.length == 0) return;
+  asked.block.line = move.line;
+  asked.block.from = move.start;
+  asked.block.to = move.end;
+  asked.block.feed_asked = asked.is_dwell ? 0 : feed_asked(move, asked.length);
+  moves_.push_back(asked);
+}
+
+void LostTime::observe(const base::Word& word) {
+  if (count_ == 0) {
+    words_.fill(word);
+    least_ = greatest_ = word.position;
+  }
+  std::rotate(words_.begin(), words_.begin() + 1, words_.end());
+  words_.back() = word;
+  for (std::size_t i = 0; i < base::axis_count; ++i) {
+    least_[i] = std::min(least_[i], word.position[i]);
+    greatest_[i] = std::max(greatest_[i], word.position[i]);
+  }
+  // The period in the middle of four words, the first of which is that before t = 0, at rest too.
+  if (++count_ >= 3) account();
+}
+
+void LostTime::finish() {
+  if (count_ > 1) observe(base::Word(words_.back()));  // at rest it stays where it is
+  while (!moves_.empty()) close_block();
+}
+
+/// The limit that the four words are nearest to.
+LostTime::Held LostTime::held() const {
+  const double period = machine_.period.seconds();
+  Held held;
+  double velocity = 0, acceleration = 0, jerk = 0, bend = 0;
+  base::Axis velocity_axis{}, acceleration_axis{}, jerk_axis{};
+  const auto raise = [](double& greatest, base::Axis& of, double ratio, base::Axis axis) {
+    if (ratio > greatest) greatest = ratio, of = axis;
+  };
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine_.has(axis)) continue;
+    const machine::AxisLimits& limits = machine_.limits(axis);
+    const std::size_t i = base::index(axis);
+    const double first = words_[1].position[i] - words_[0].position[i];
+    const double middle = words_[2].position[i] - words_[1].position[i];
+    const double last = words_[3].position[i] - words_[2].position[i];
+    raise(velocity, velocity_axis, std::abs(middle) / period / limits.velocity, axis);
+    const double second = std::max(std::abs(middle - first), std::abs(last - middle)) / (period * period);
+    raise(acceleration, acceleration_axis, second / limits.acceleration, axis);
+    raise(jerk, jerk_axis, std::abs(last - 2 * middle + first) / (period * period * period) / limits.jerk, axis);
+    if (!base::is_rotary(axis)) bend += (last - middle) * (last - middle);
+  }
+  held.velocity_ratio = velocity;
+  const double chord = std::sqrt(bend) / 8 / machine_.chord_error;
+  const std::pair<double, Cause> limits[] = {{acceleration, {Cause::Kind::acceleration, acceleration_axis}},
+                                             {jerk, {Cause::Kind::jerk, jerk_axis}},
+                                             {velocity, {Cause::Kind::velocity, velocity_axis}},
+                                             {chord, {Cause::Kind::chord_error, base::Axis::X}}};
+  const auto* const at_limit =
+      std::find_if(std::begin(limits), std::end(limits), [](const auto& limit) { return limit.first >= at_work; });
+  held.cause = at_limit != std::end(limits)
+                   ? at_limit->second
+                   : std::max_element(std::begin(limits), std::end(limits), [](const auto& a, const auto& b) {
+                       return a.first < b.first;
+                     })->second;
+  return held;
+}
+
+/// Of the period between the second and the third word.
+void LostTime::account() {
+  const base::Word &before = words_[1], &word = words_[2];
+  go_to(word);
+  const double period = machine_.period.seconds(), length = word.path_length - before.path_length;
+  const base::Word& faster = word.speed > before.speed ? word : before;
+  const double feed_length = faster.speed > 0 ? length * (faster.feed / faster.speed) : length;
+  Asked* const asked = moves_.empty() ? nullptr : &moves_.front();
+  Held held = this->held();
+  double least = 0;
+  if (length == 0) {
+    held.cause = {asked != nullptr && asked->is_dwell ? Cause::Kind::dwell : Cause::Kind::stop, base::Axis::X};
+  } else if (asked != nullptr && std::isfinite(asked->block.feed_asked) && asked->block.feed_asked > 0) {
+    least = feed_length / asked->block.feed_asked;
+  } else {
+    least = period * std::min(1.0, held.velocity_ratio);
+  }
+  lost_[held.cause] += period - least;
+  if (asked == nullptr) return;
+  travelled_ += feed_length;
+  asked->block.length += feed_length;
+  asked->block.feed_reached = std::max(asked->block.feed_reached, word.feed);
+  asked->block.seconds += period;
+  asked->block.least_seconds += least;
+  lost_in_block_[held.cause] += period - least;
+}
+
+/// To the move that the word is of: by its line, and where several have one, by how far it is along them.
+void LostTime::go_to(const base::Word& word) {
+  while (moves_.size() > 1) {
+    const Asked& now = moves_.front();
+    const Asked& next = moves_[1];
+    const bool has_passed = now.block.line == word.line
+                                ? next.block.line == word.line &&
+                                      (now.is_dwell ? word.speed > 0 : travelled_ >= now.length * (1 - 1e-6) - 1e-6)
+                                : base::number(next.block.line) <= base::number(word.line);
+    if (!has_passed) return;
+    close_block();
+  }
+}
+
+void LostTime::close_block() {
+  BlockTime& block = moves_.front().block;
+  const auto most = std::max_element(lost_in_block_.begin(), lost_in_block_.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most != lost_in_block_.end()) block.cause = most->first;
+  if (sink_) sink_(block);
+  lost_in_block_.clear();
+  travelled_ = 0;
+  moves_.pop_front();
+}
+
+}  // namespace leadscrew::pipeline

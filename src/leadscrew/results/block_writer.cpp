@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <leadscrew/base/digits.hpp>
+#include <leadscrew/results/block_writer.hpp>
+
+namespace leadscrew::results {
+
+namespace {
+
+void put(std::string& text, double value) {
+  char digits[base::digits_room];
+  text.append(digits, static_cast<std::size_t>(base::write_digits(digits, value) - digits));
+}
+
+void put_quoted(std::string& text, std::string_view block) {
+  text += '"';
+  for (const char c : block) text.append(c == '"' ? 2 : 1, c);
+  text += '"';
+}
+
+}  // namespace
+
+BlockWriter::BlockWriter(base::ByteSink sink, base::ByteSource program, const machine::Machine& machine)
+    : rows_(std::move(sink), 1024), program_(std::move(program)) {
+  for (const base::Axis axis : base::all_axes) {
+    if (machine.has(axis)) axes_.push_back(axis);
+  }
+  std::string& text = rows_.text();
+  text = "line,text";
+  for (const char* end : {",from ", ",to "}) {
+    for (const base::Axis axis : axes_) text += end + std::string(1, base::letter(axis));
+  }
+  text += ",length,feed_asked,feed_reached,time,least_time,time_lost,cause\n";
+}
+
+void BlockWriter::write(const pipeline::BlockTime& block) {
+  if (!rows_.state()) return;
+  std::string& text = rows_.text();
+  text += std::to_string(base::number(block.line)) + ',';
+  put_quoted(text, text_of(base::number(block.line)));
+  for (const base::AxisVector* end : {&block.from, &block.to}) {
+    for (const base::Axis axis : axes_) text += ',', put(text, (*end)[base::index(axis)]);
+  }
+  text += ',', put(text, block.length);
+  text += ',';
+  if (std::isinf(block.feed_asked)) {
+    text += "rapid";
+  } else if (block.feed_asked > 0) {
+    put(text, block.feed_asked);
+  }
+  for (const double figure : {block.feed_reached, block.seconds, block.least_seconds, block.lost()})
+    text += ',', put(text, figure);
+  text += ',';
+  if (block.lost() > 0) text += pipeline::name(block.cause);
+  text += '\n';
+  static_cast<void>(rows_.flush_if_full());
+}
+
+const std::string& BlockWriter::text_of(std::int64_t line) {
+  while (line_ < line && read_line()) ++line_;
+  return text_;
+}
+
+/// The next line into text_, without its end; false behind the last.
+bool BlockWriter::read_line() {
+  std::size_t end = 0;
+  while ((end = read_.find('\n', next_)) == std::string::npos && !has_ended_) {
+    read_.erase(0, next_);
+    next_ = 0;
+    std::array<char, 65536> bytes;
+    const auto count = program_(bytes);
+    has_ended_ = !count || *count == 0;
+    if (!has_ended_) read_.append(bytes.data(), *count);
+  }
+  end = std::min(end, read_.size());
+  if (next_ >= end && next_ >= read_.size()) return false;
+  text_ = read_.substr(next_, end - next_);
+  if (!text_.empty() && text_.back() == '\r') text_.pop_back();
+  next_ = end + 1;
+  return true;
+}
+
+}  // namespace leadscrew::results

@@ -1,0 +1,63 @@
+// Where the time of a run goes: by block as a file, by cause in the summary and as JSON.
+
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace leadscrew::cli::testing {
+namespace {
+
+/// The last cells of a row, behind its quoted text.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream rest(line.substr(line.rfind('"') + 2) + ',');
+  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+TEST(Blocks, AreWrittenWithWhatTheyTookAndLost) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G61 F6000\nG0 Z5\nG1 X10 (a \"quoted\" word)\n\nG4 P0.25\nG1 X30 F600\nM2\n");
+  const Outcome run = leadscrew(folder, {"run", "part.ngc", "--blocks", "b.csv", "--json"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  std::istringstream lines(folder.read("b.csv"));
+  std::string header, line;
+  std::getline(lines, header);
+  EXPECT_EQ(
+      header,
+      "line,text,from X,from Y,from Z,to X,to Y,to Z,length,feed_asked,feed_reached,time,least_time,time_lost,cause");
+  const std::vector<std::string> begins = {"2,\"G0 Z5\",", "3,\"G1 X10 (a \"\"quoted\"\" word)\",", "5,\"G4 P0.25\",",
+                                           "6,\"G1 X30 F600\","};
+  double seconds = 0, lost = 0;
+  for (const std::string& begin : begins) {
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(line.substr(0, begin.size()), begin);
+    const auto cells = cells_of(line);
+    ASSERT_EQ(cells.size(), 13u) << line;
+    seconds += std::stod(cells[9]);
+    lost += std::stod(cells[11]);
+    EXPECT_NEAR(std::stod(cells[9]) - std::stod(cells[10]), std::stod(cells[11]), 1e-12);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+  const Json object = run.json();
+  EXPECT_NEAR(object["time_s"].get<double>(), seconds, 1e-9);
+  double by_cause = 0, before = 1e300;
+  for (const Json& loss : object["losses"]) {
+    const double cost = loss["s"].get<double>();
+    EXPECT_LE(cost, before);
+    by_cause += before = cost;
+  }
+  EXPECT_NEAR(by_cause, lost, 1e-9);
+  EXPECT_NEAR(object["extents"][0]["greatest"].get<double>(), 30, 1e-9);
+  EXPECT_EQ(object["extents"][2]["name"], "Z");
+}
+
+TEST(Blocks, AreOfOneProgram) {
+  const Folder folder;
+  folder.write("a.ngc", "G0 X1\nM2\n");
+  EXPECT_EQ(leadscrew(folder, {"run", "a.ngc", "a.ngc", "--blocks", "b.csv"}).status, 2);
+  EXPECT_EQ(leadscrew(folder, {"run", "a.ngc", "--blocks", "b.txt"}).status, 2);
+}
+
+}  // namespace
+}  // namespace leadscrew::cli::testing
