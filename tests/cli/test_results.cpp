@@ -86,9 +86,10 @@ TEST(RunJson, HasTheKeysAndTypesOfTheContract) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.errors, "");
   const Json object = run.json();
-  EXPECT_EQ(keys(object), (Names{"schema", "program", "machine", "period_s", "words", "blocks", "moves", "length_mm",
-                                 "time_s", "dwell_s", "bound_s", "deviation_mm", "tolerance_mm", "feed", "axes", "plan",
-                                 "cpu", "diagnostics", "violation_count"}));
+  EXPECT_EQ(keys(object),
+            (Names{"schema",    "program", "machine", "period_s",    "words",           "blocks",       "moves",
+                   "length_mm", "time_s",  "dwell_s", "bound_s",     "deviation_mm",    "tolerance_mm", "feed",
+                   "axes",      "plan",    "cpu",     "diagnostics", "violation_count", "extents",      "losses"}));
   EXPECT_EQ(object["schema"], "leadscrew.run/1");
   EXPECT_EQ(object["program"], "part.ngc");
   EXPECT_EQ(object["machine"], "mill3");

@@ -115,7 +115,7 @@ TEST(Simulate, CountsPulsesOfBothDirections) {
     EXPECT_EQ(counts["commanded"], 0);
     EXPECT_EQ(counts["commanded_gross"], 20'000);
     EXPECT_EQ(counts["encoder"], 0);
-    EXPECT_NEAR(counts["encoder_gross"].get<double>(), 20'000, 10);  // the slides lag, so their turns are rounder
+    EXPECT_NEAR(counts["encoder_gross"].get<double>(), 20'000, 40);  // slides that lag turn within R
     EXPECT_EQ(counts["overflows"], 0);
   }
 }

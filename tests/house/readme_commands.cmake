@@ -29,9 +29,11 @@ if(count LESS 10)
 endif()
 # What it links to is there.
 file(READ ${SOURCE}/README.md text)
-string(REGEX MATCHALL "\\]\\([^)#]+" links "${text}")
+string(REPLACE "](" "@" text "${text}")  # brackets would join what a list parts
+string(REGEX REPLACE "[][;]" "" text "${text}")
+string(REGEX MATCHALL "@[^)# ]+" links "${text}")
 foreach(link IN LISTS links)
-  string(SUBSTRING "${link}" 2 -1 link)
+  string(SUBSTRING "${link}" 1 -1 link)
   if(NOT link MATCHES "^https?:" AND NOT EXISTS ${SOURCE}/${link})
     message(SEND_ERROR "README.md links to ${link}, which is not there")
   endif()
