@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -114,6 +115,8 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
   leadscrew_move short_move = line(1, 0, 0, 50), strange = short_move;
   short_move.size = 0;
   strange.kind = 9;
+  leadscrew_move before_all = line(1, 0, 0, 50);
+  before_all.line = -1;
   const double position[LEADSCREW_AXES] = {};
   const Motion motion = moves();
   const int codes[] = {
@@ -130,6 +133,7 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
       leadscrew_motion_push(motion.get(), nullptr, nullptr),
       leadscrew_motion_push(motion.get(), &short_move, nullptr),
       leadscrew_motion_push(motion.get(), &strange, nullptr),
+      leadscrew_motion_push(motion.get(), &before_all, nullptr),
       leadscrew_motion_end_for_now(nullptr),
       leadscrew_motion_finish(nullptr),
       leadscrew_motion_next(nullptr, &word, sizeof word, 1, &count, nullptr),
@@ -142,6 +146,7 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
       leadscrew_motion_reset(motion.get(), nullptr, nullptr),
   };
   for (const int code : codes) EXPECT_EQ(code, LEADSCREW_MISUSE) << &code - codes;
+  EXPECT_EQ(leadscrew_motion_of_program(machine.get(), "", SIZE_MAX, nullptr, &made, nullptr), LEADSCREW_OUT_OF_MEMORY);
   EXPECT_EQ(leadscrew_motion_override(motion.get(), 2.5, nullptr), LEADSCREW_REJECTED);
   EXPECT_EQ(leadscrew_motion_smooth(motion.get(), -1, nullptr), LEADSCREW_REJECTED);
   EXPECT_EQ(leadscrew_machine_builtin("lathe", &other, nullptr), LEADSCREW_REJECTED);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,9 +83,10 @@ int guarded(leadscrew_error* error, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    tell(error, base::problem("memory", "out of memory", {}));
-    return LEADSCREW_OUT_OF_MEMORY;
+  } catch (const std::length_error&) {  // more than any memory holds
   }
+  tell(error, base::problem("memory", "out of memory", {}));
+  return LEADSCREW_OUT_OF_MEMORY;
 }
 
 /// The same of a motion, while nobody else is in it.
@@ -200,6 +202,7 @@ gcode::NurbsCurve curve_of(const leadscrew_move& move) {
 /// Empty where a field is out of its range.
 std::optional<gcode::Move> move_of(const leadscrew_move& given) {
   std::optional<gcode::Move> move;
+  if (given.line < 0) return move;
   switch (given.kind) {
     case LEADSCREW_LINE:
       move = host::line(axes_of(given.end), given.feed);
@@ -305,7 +308,7 @@ int leadscrew_motion_push(leadscrew_motion* motion, const leadscrew_move* move, 
   if (!given) return misuse(error, "the move is NULL, or its size is none that a version had");
   return within(motion, error, [&](host::Motion& m) {
     auto made = move_of(*given);
-    if (!made) return misuse(error, "the kind of the move, its plane, degree or points are out of their range");
+    if (!made) return misuse(error, "the kind of the move, its line, plane, degree or points are out of their range");
     return code_of(m.push(std::move(*made)), error);
   });
 }

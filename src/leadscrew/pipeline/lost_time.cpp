@@ -8,7 +8,7 @@ namespace leadscrew::pipeline {
 
 namespace {
 
-/// A limit is at work where words come so near to it; of several the one of highest order that is named first below.
+/// A limit is at work where words come so near to it, as a ratio; of several the first in the order of held().
 constexpr double at_work = 0.97;
 
 double feed_asked(const gcode::Move& move, double length) {
