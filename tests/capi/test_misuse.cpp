@@ -127,6 +127,8 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
       leadscrew_motion_of_program(nullptr, "", 0, nullptr, &made, nullptr),
       leadscrew_motion_of_program(machine.get(), nullptr, 0, nullptr, &made, nullptr),
       leadscrew_motion_of_program(machine.get(), "", 0, &short_options, &made, nullptr),
+      leadscrew_motion_of_program(machine.get(), "", SIZE_MAX, nullptr, &made, nullptr),
+      leadscrew_machine_of_text("", SIZE_MAX, &other, nullptr),
       leadscrew_motion_of_moves(machine.get(), nullptr, nullptr, nullptr),
       leadscrew_motion_smooth(nullptr, 0, nullptr),
       leadscrew_motion_push(nullptr, &strange, nullptr),
@@ -146,7 +148,6 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
       leadscrew_motion_reset(motion.get(), nullptr, nullptr),
   };
   for (const int code : codes) EXPECT_EQ(code, LEADSCREW_MISUSE) << &code - codes;
-  EXPECT_EQ(leadscrew_motion_of_program(machine.get(), "", SIZE_MAX, nullptr, &made, nullptr), LEADSCREW_OUT_OF_MEMORY);
   EXPECT_EQ(leadscrew_motion_override(motion.get(), 2.5, nullptr), LEADSCREW_REJECTED);
   EXPECT_EQ(leadscrew_motion_smooth(motion.get(), -1, nullptr), LEADSCREW_REJECTED);
   EXPECT_EQ(leadscrew_machine_builtin("lathe", &other, nullptr), LEADSCREW_REJECTED);

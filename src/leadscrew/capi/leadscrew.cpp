@@ -10,7 +10,6 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -68,6 +67,11 @@ int misuse(leadscrew_error* error, const char* message) {
   return LEADSCREW_MISUSE;
 }
 
+/// Can memory hold so long a text?
+bool is_text(const char* text, std::size_t length) {
+  return text != nullptr && length <= std::string().max_size();
+}
+
 int rejected(leadscrew_error* error, const base::Diagnostic& diagnostic) {
   tell(error, diagnostic);
   return LEADSCREW_REJECTED;
@@ -83,10 +87,9 @@ int guarded(leadscrew_error* error, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-  } catch (const std::length_error&) {  // more than any memory holds
+    tell(error, base::problem("memory", "out of memory", {}));
+    return LEADSCREW_OUT_OF_MEMORY;
   }
-  tell(error, base::problem("memory", "out of memory", {}));
-  return LEADSCREW_OUT_OF_MEMORY;
 }
 
 /// The same of a motion, while nobody else is in it.
@@ -261,7 +264,8 @@ int leadscrew_machine_builtin(const char* name, leadscrew_machine** machine, lea
 }
 
 int leadscrew_machine_of_text(const char* text, size_t length, leadscrew_machine** machine, leadscrew_error* error) {
-  if (text == nullptr || machine == nullptr) return misuse(error, "the text or the place for the machine is NULL");
+  if (!is_text(text, length) || machine == nullptr)
+    return misuse(error, "the text or the place for the machine is NULL, or the length is none that memory holds");
   return guarded(error, [&] { return give_machine(config::read_machine({text, length}, {}), machine, error); });
 }
 
@@ -280,7 +284,7 @@ void leadscrew_machine_free(leadscrew_machine* machine) {
 
 int leadscrew_motion_of_program(const leadscrew_machine* machine, const char* text, size_t length,
                                 const leadscrew_options* options, leadscrew_motion** motion, leadscrew_error* error) {
-  if (text == nullptr) return misuse(error, "the text is NULL");
+  if (!is_text(text, length)) return misuse(error, "the text is NULL, or its length is none that memory holds");
   return make_motion(machine, options, motion, error, [&](const auto& limits, auto asked, const auto& given) {
     return host::Motion::of_program(limits, std::string(text, length), std::move(asked), sink_of(given));
   });
