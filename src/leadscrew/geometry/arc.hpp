@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <leadscrew/geometry/point.hpp>
+#include <vector>
 
 namespace leadscrew::geometry {
 
@@ -27,6 +28,8 @@ class Arc {
 
   Point evaluate(numeric::DoubleDouble s) const;
   PointJet jets(double s) const;
+  /// As geometry::append_shape() has it.
+  void append_shape(std::vector<double>& numbers) const;
   /// What lies between two path lengths, 0 ≤ from < to ≤ length.
   Arc part(double from, double to) const;
 

@@ -60,6 +60,9 @@ inline std::size_t borders(const Curve& curve, double from, double to) {
   const auto* nurbs = std::get_if<Nurbs>(&curve);
   return nurbs ? nurbs->map_borders(from, to) : 0;
 }
+/// Appends all numbers that derivatives by arc length are computed from, the curve's length and kind among them: curves
+/// with the same numbers have the same length, derivatives, breaks and borders to the last bit, wherever they lie.
+void append_shape(const Curve& curve, std::vector<double>& numbers);
 /// What lies between two path lengths, 0 ≤ from < to ≤ length, by the same length.
 Curve part(const Curve& curve, double from, double to);
 

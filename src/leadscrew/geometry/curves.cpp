@@ -30,6 +30,22 @@ Arc Arc::part(double from, double to) const {
   return {evaluate(from), evaluate(to), first_, second_, center_first_, center_second_, sweep, to - from};
 }
 
+void Line::append_shape(std::vector<double>& numbers) const {
+  numbers.push_back(length_);
+  slopes_.append_shape(numbers);
+}
+
+void Arc::append_shape(std::vector<double>& numbers) const {
+  numbers.insert(numbers.end(), {static_cast<double>(first_), static_cast<double>(second_), x_.hi.value, y_.hi.value,
+                                 radius_, length_, angle_rate(), defect_first_, defect_second_});
+  slopes_.append_shape(numbers);
+}
+
+void append_shape(const Curve& curve, std::vector<double>& numbers) {
+  numbers.push_back(static_cast<double>(curve.index()));
+  geometry::visit([&](const auto& kind) { kind.append_shape(numbers); }, curve);
+}
+
 Curve part(const Curve& curve, double from, double to) {
   return geometry::visit([&](const auto& kind) { return Curve(kind.part(from, to)); }, curve);
 }

@@ -2,6 +2,7 @@
 // The straight segment.
 
 #include <leadscrew/geometry/point.hpp>
+#include <vector>
 
 namespace leadscrew::geometry {
 
@@ -18,6 +19,8 @@ class Line {
 
   Point evaluate(numeric::DoubleDouble s) const;
   PointJet jets(double s) const;
+  /// As geometry::append_shape() has it.
+  void append_shape(std::vector<double>& numbers) const;
   /// What lies between two path lengths, 0 ≤ from < to ≤ length.
   Line part(double from, double to) const;
 

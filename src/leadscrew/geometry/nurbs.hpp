@@ -80,6 +80,8 @@ class Nurbs {
   /// Arc lengths inside (0, length), ascending, where q‴ has a step or a bend: knots at which the B-spline is only C2
   /// or C3.
   std::vector<double> breaks() const;
+  /// As geometry::append_shape() has it.
+  void append_shape(std::vector<double>& numbers) const;
   /// What lies between two arc lengths, 0 ≤ from < to ≤ length. There its table is exact, as it is where its pieces
   /// meet: whatever goes on with the curve's own direction and curvature joins it without a step.
   Nurbs part(double from, double to) const;

@@ -7,6 +7,7 @@
 #include <leadscrew/numeric/double_double.hpp>
 #include <leadscrew/numeric/jet.hpp>
 #include <span>
+#include <vector>
 
 namespace leadscrew::geometry {
 
@@ -71,6 +72,14 @@ class Slopes {
       const std::size_t i = rates_[k].coordinate;
       jet[i].value += rates_[k].rate.hi.value * s;
       jet[i].first += rates_[k].rate.hi.value;
+    }
+  }
+  /// As geometry::append_shape() has it.
+  void append_shape(std::vector<double>& numbers) const {
+    numbers.push_back(static_cast<double>(count_));
+    for (const Coordinate& each : coordinates()) {
+      numbers.push_back(static_cast<double>(each.coordinate));
+      numbers.push_back(each.rate.hi.value);
     }
   }
   /// Rate of one coordinate, per unit of length.

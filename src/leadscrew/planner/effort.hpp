@@ -33,6 +33,8 @@ class Effort {
   }
   /// False when the window must be given up: it has taken too much, or everything is to stop.
   bool spend(double units);
+  /// What the window has taken so far, units.
+  double of_window() const { return of_window_; }
   bool goes_on() const { return !stopped_ && of_window_ <= most_of_a_window; }
 
   /// The window that was planned last is paid for.

@@ -145,8 +145,25 @@ std::unique_ptr<Window> LookAhead::solve(Refinement refinement) {
   if (continuation_ && refinement == Refinement::where_speed_changes) {
     range.changes_from = continuation_->c[0];
   }
-  return settled(plan_window(section_, limits(), range, continuation_, factor_ > 0 ? Aim::fastest : Aim::rest,
-                             most_intervals(), effort_));
+  return remembered_or_planned(range);
+}
+
+std::unique_ptr<Window> LookAhead::remembered_or_planned(const PlannedRange& range) {
+  const Aim aim = factor_ > 0 ? Aim::fastest : Aim::rest;
+  const auto plan = [&] {
+    return settled(plan_window(section_, limits(), range, continuation_, aim, most_intervals(), effort_));
+  };
+  if (gentle_ || effort_.of_window() > 0) return plan();
+  WindowKey key(section_, range, continuation_, aim, most_intervals());
+  if (const PlanMemory::Plan* known = memory_.find(key)) {
+    ++remembered_;
+    effort_.spend(known->effort);
+    planned_factor_ = factor_;
+    return std::make_unique<Window>(known->window);
+  }
+  std::unique_ptr<Window> window = plan();
+  if (window && effort_.goes_on()) memory_.keep(std::move(key), *window, effort_.of_window());
+  return window;
 }
 
 /// As it is kept, if there is one: planned for the factor asked for, in no more memory than it takes to read it.

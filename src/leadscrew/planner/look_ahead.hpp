@@ -22,6 +22,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/planner/effort.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <leadscrew/planner/plan_memory.hpp>
 #include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/window.hpp>
 #include <limits>
@@ -77,6 +78,8 @@ class LookAhead {
   /// Sections, or rests of sections, that would have taken more effort than their motion allows: planned with lower
   /// limits.
   std::int64_t simplified() const { return simplified_; }
+  /// Windows that had been planned before of the very same numbers.
+  std::int64_t remembered() const { return remembered_; }
   /// Does a change of the feed wait for the next slice, or because no motion was found at once? It is tried again two
   /// segments later, then four, … sixteen. Shortly before motion comes to rest none can begin, and none waits.
   bool change_waits() const { return window_ && factor_ != planned_factor_ && may_change(); }
@@ -87,6 +90,7 @@ class LookAhead {
   PlannedRange next_range() const;
   enum class Refinement : std::uint8_t { none, where_speed_changes };
   std::unique_ptr<Window> solve(Refinement refinement);
+  std::unique_ptr<Window> remembered_or_planned(const PlannedRange& range);
   std::unique_ptr<Window> settled(std::unique_ptr<Window> window);
   void solve_to_rest();
   void plan_from_rest();
@@ -110,6 +114,7 @@ class LookAhead {
   int lowerings_ = 0;         ///< how many times limits have been lowered on this section
   double least_balance_ = 0;  ///< of the effort: below it they are lowered
   Effort effort_;
+  PlanMemory memory_;  ///< of windows with the limits of constraints_
   Section section_;
   bool closed_ = false;
   bool untouched_ = true;
@@ -121,7 +126,7 @@ class LookAhead {
   std::optional<Continuation> continuation_;  ///< without a window: in motion; from rest without
   double slice_ = std::numeric_limits<double>::infinity();
   double factor_ = 1, planned_factor_ = 1;  ///< of the feed: asked for, and planned with
-  std::int64_t refused_ = 0, simplified_ = 0;
+  std::int64_t refused_ = 0, simplified_ = 0, remembered_ = 0;
   double reach_ = 0;                      ///< how far a window looks
   double fastest_ = 0;                    ///< greatest speed of the pieces so far
   double slowest_stop_ = 0;               ///< longest time to stop from it

@@ -79,6 +79,8 @@ class Planner {
   double effort() const { return look_ahead_.effort().total(); }
   /// Windows for which no motion was found: there it stopped where it need not.
   std::int64_t refused_windows() const { return look_ahead_.refused(); }
+  /// Windows that were not planned, because one was that is the same to the last bit (plan_memory.hpp).
+  std::int64_t remembered_windows() const { return look_ahead_.remembered(); }
   /// Has a change of the feed not been planned yet? None waits shortly before motion comes to rest.
   bool change_waits() const { return look_ahead_.change_waits(); }
 

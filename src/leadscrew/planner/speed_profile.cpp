@@ -119,6 +119,12 @@ void SpeedProfile::settle() {
   far_inside_ = {};
 }
 
+std::size_t SpeedProfile::bytes() const {
+  const std::size_t an_interval = sizeof(CubicBasis) + 7 * sizeof(double);
+  return an_interval * problem_.basis().size() + problem_.sites().size_bytes() + problem_.blocks().size_bytes() +
+         sizeof(double) * problem_.sites().size();
+}
+
 void SpeedProfile::slow_down(double factor) {
   const auto slower = [&](std::vector<double> coefficients) {
     for (double& value : coefficients) value *= squared(factor);

@@ -81,6 +81,8 @@ class SpeedProfile {
 
   /// Gives back the memory that only planning takes: from then on it can be read and gone on from.
   void settle();
+  /// Of memory, about, once it is settled.
+  std::size_t bytes() const;
 
   /// To go on from u ∈ [0, 1) of an interval. None where fewer than three knots are left, or if a levelled cruise
   /// there cannot be left as it must be; unlevel() then.
