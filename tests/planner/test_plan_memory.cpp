@@ -94,40 +94,31 @@ TEST(PlanMemory, ForgetsTheOldest) {
   EXPECT_EQ(other.remembered_windows(), 1);
 }
 
-TEST(PlanMemory, KeyHasEveryNumberOfRangeAndContinuation) {
-  const planner::Section section = testing_support::section_of({arc_piece({1}, 0, 0, 3, 100)});
+TEST(PlanMemory, KeyHasEveryNumberOfAWholeSection) {
+  toolpath::Piece piece = arc_piece({1}, 0, 0, 3, 100);
   planner::PlannedRange range;
-  range.end = 3;
-  std::optional<planner::Continuation> going_on(std::in_place);
-  going_on->s = {0, 1, 2};
-  going_on->breaks = {false, false, false};
-  going_on->c = {1, 2, 3};
-  going_on->tightened = {1, 1};
-  range.kept = going_on->s;
-  range.kept_breaks = going_on->breaks;
+  range.end = geometry::length(piece.curve);
   const auto key = [&](planner::Aim aim = planner::Aim::fastest, std::size_t most = 100) {
-    return WindowKey(section, range, going_on, aim, most);
+    return WindowKey::of(testing_support::section_of({piece}), range, aim, most);
   };
-  const WindowKey first = key();
-  EXPECT_TRUE(key() == first);
-  EXPECT_FALSE(key(planner::Aim::rest) == first);
-  EXPECT_FALSE(key(planner::Aim::fastest, 101) == first);
-  const auto tells = [&](auto& number, auto other) {
-    const auto before = number;
-    number = other;
-    EXPECT_FALSE(key() == first);
-    number = before;
-  };
-  for (double* number :
-       {&range.begin, &range.end, &range.feed_factor, &range.kept_end_ramp, &range.changes_from, &range.kept[1],
-        &going_on->s[1], &going_on->c[1], &going_on->tightened[1], &going_on->end_ramp, &going_on->share})
-    tells(*number, std::nextafter(*number, 9));
-  for (bool* flag : {&range.starts_at_rest, &range.ends_at_rest}) tells(*flag, !*flag);
-  for (std::size_t* count : {&going_on->creeping, &going_on->loose}) tells(*count, *count + 1);
-  tells(range.kept_breaks, std::vector<bool>{false, true, false});
-  tells(going_on->breaks, std::vector<bool>{false, true, false});
-  going_on.reset();
-  EXPECT_FALSE(key() == first);
+  const std::optional<WindowKey> first = key();
+  ASSERT_TRUE(first);
+  EXPECT_TRUE(*key() == *first);
+  EXPECT_FALSE(*key(planner::Aim::rest) == *first);
+  EXPECT_FALSE(*key(planner::Aim::fastest, 101) == *first);
+  for (double* number : {&range.feed_factor, &piece.feed, &piece.sagitta}) {
+    const double before = *number;
+    *number = std::nextafter(before, 9);
+    EXPECT_FALSE(*key() == *first);
+    *number = before;
+  }
+  piece.feed_axes = toolpath::FeedAxes::abc;
+  EXPECT_FALSE(*key() == *first);
+  range.ends_at_rest = false;
+  EXPECT_FALSE(key());
+  range.ends_at_rest = true;
+  range.end /= 2;
+  EXPECT_FALSE(key());
 }
 
 /// Of what was planned before, nothing is left in what is planned: neither in windows that come again nor in others.

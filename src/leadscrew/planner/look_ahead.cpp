@@ -154,15 +154,16 @@ std::unique_ptr<Window> LookAhead::remembered_or_planned(const PlannedRange& ran
     return settled(plan_window(section_, limits(), range, continuation_, aim, most_intervals(), effort_));
   };
   if (gentle_ || effort_.of_window() > 0) return plan();
-  WindowKey key(section_, range, continuation_, aim, most_intervals());
-  if (const PlanMemory::Plan* known = memory_.find(key)) {
+  std::optional<WindowKey> key = WindowKey::of(section_, range, aim, most_intervals());
+  if (!key) return plan();
+  if (const PlanMemory::Plan* known = memory_.find(*key)) {
     ++remembered_;
     effort_.spend(known->effort);
     planned_factor_ = factor_;
     return std::make_unique<Window>(known->window);
   }
   std::unique_ptr<Window> window = plan();
-  if (window && effort_.goes_on()) memory_.keep(std::move(key), *window, effort_.of_window());
+  if (window && effort_.goes_on()) memory_.keep(std::move(*key), *window, effort_.of_window());
   return window;
 }
 

@@ -6,59 +6,20 @@
 
 namespace leadscrew::planner {
 
-namespace {
-
-class KeyWriter {
- public:
-  explicit KeyWriter(std::vector<double>& numbers) : numbers_(numbers) {}
-
-  void add(double number) { numbers_.push_back(number); }
-  void add_count(std::size_t count) { add(static_cast<double>(count)); }
-  template <class Numbers>
-  void add_list(const Numbers& list) {
-    add_count(list.size());
-    numbers_.insert(numbers_.end(), list.begin(), list.end());
+std::optional<WindowKey> WindowKey::of(const Section& section, const PlannedRange& range, Aim aim,
+                                       std::size_t most_intervals) {
+  using namespace tuning::look_ahead;
+  const bool is_whole = range.begin == 0 && range.end == section.length();
+  if (!is_whole || !range.starts_at_rest || !range.ends_at_rest || range.changes_from > 0) return std::nullopt;
+  if (section.size() > most_remembered_pieces) return std::nullopt;
+  WindowKey key;
+  key.numbers = {range.feed_factor, aim == Aim::rest ? 1.0 : 0.0, static_cast<double>(most_intervals)};
+  for (const toolpath::Piece& piece : section.pieces()) {
+    key.numbers.insert(key.numbers.end(), {piece.feed, static_cast<double>(piece.feed_axes), piece.sagitta});
+    geometry::append_shape(piece.curve, key.numbers);
+    if (key.numbers.size() > most_remembered_numbers) return std::nullopt;
   }
-  void add_piece(const toolpath::Piece& piece) {
-    add(piece.feed);
-    add_count(static_cast<std::size_t>(piece.feed_axes));
-    add(piece.sagitta);
-    geometry::append_shape(piece.curve, numbers_);
-  }
-
- private:
-  std::vector<double>& numbers_;
-};
-
-}  // namespace
-
-WindowKey::WindowKey(const Section& section, const PlannedRange& range, const std::optional<Continuation>& continuation,
-                     Aim aim, std::size_t most_intervals) {
-  KeyWriter key(numbers);
-  for (const double number : {range.begin, range.end, range.feed_factor, range.kept_end_ramp, range.changes_from})
-    key.add(number);
-  key.add_count(range.starts_at_rest + 2 * range.ends_at_rest + 4 * (aim == Aim::rest));
-  key.add_count(most_intervals);
-  key.add_list(range.kept);
-  key.add_list(range.kept_breaks);
-  key.add_count(continuation.has_value());
-  if (continuation) {
-    key.add_list(continuation->s);
-    key.add_list(continuation->breaks);
-    key.add_list(continuation->c);
-    key.add_list(continuation->tightened);
-    key.add(continuation->end_ramp);
-    key.add(continuation->share);
-    key.add_count(continuation->creeping);
-    key.add_count(continuation->loose);
-  }
-  const std::size_t first = section.piece_at(range.begin, Side::left);
-  const std::size_t last = section.piece_at(range.end, Side::right);
-  key.add_count(section.size() == last + 1);  // does the section go on?
-  for (std::size_t index = first; index <= last; ++index) {
-    key.add(section.offset(index));
-    key.add_piece(section.piece(index));
-  }
+  return key;
 }
 
 bool WindowKey::operator==(const WindowKey& other) const {

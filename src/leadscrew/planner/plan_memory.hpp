@@ -1,6 +1,6 @@
 #pragma once
-// Windows that were planned last, for those that are planned of the very same numbers again: bores, patterns, passes of
-// a contour at one depth after another. Where on the machine a path lies does not count, only its derivatives.
+// Short sections that were planned last, for those that are planned of the very same numbers again: bores, arcs of a
+// pattern. Where on the machine a path lies does not count, only its derivatives.
 //
 // Planning depends on nothing but the key, so a window that is found here is, to the last bit, the one that would be
 // planned: words do not depend on what is remembered.
@@ -14,10 +14,12 @@
 
 namespace leadscrew::planner {
 
-/// All that a window is planned of on one machine, number by number.
+/// All that a window from rest to rest is planned of on one machine, number by number.
 struct WindowKey {
-  WindowKey(const Section& section, const PlannedRange& range, const std::optional<Continuation>& continuation, Aim aim,
-            std::size_t most_intervals);
+  /// Of a whole section; none of one that goes on, that begins or ends in motion, or that has so many numbers (curves of
+  /// many polynomials) that it is not worth it.
+  static std::optional<WindowKey> of(const Section& section, const PlannedRange& range, Aim aim,
+                                     std::size_t most_intervals);
   bool operator==(const WindowKey& other) const;
 
   std::vector<double> numbers;

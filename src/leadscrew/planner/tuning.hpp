@@ -88,8 +88,9 @@ inline constexpr double few_share = 0.6;           // of the intervals that a wi
 inline constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 inline constexpr std::size_t most_pieces = 900;
 inline constexpr std::size_t most_patience = 16;  // segments
-/// Of windows that may come again. More: more of a contour that is passed over again. The planner stays below 2 MB.
+/// Of sections that may come again. More: patterns of more shapes. The planner stays below 2 MB.
 inline constexpr std::size_t remembered_bytes = 500'000;
+inline constexpr std::size_t most_remembered_pieces = 8, most_remembered_numbers = 1000;
 inline constexpr double hardly_moves = 1e-3;  // |q′| of an axis whose velocity does not count yet
 }  // namespace look_ahead
 
