@@ -64,9 +64,15 @@ class Peak {
 /// finds.
 class Peaks {
  public:
+  /// moving: axes; rows of others are 0 at every place.
+  explicit Peaks(base::AxisSet moving) : moving_(moving) {}
+
   void look(const Constraints& constraints, const constraints::Place& place, const PathState& at, double on_speed) {
     constraints.each_row(place, [&](auto kind, std::size_t index, const auto& row) {
       using Kind = constraints::KindAt<kind>;
+      if constexpr (Kind::is_of_axes) {
+        if (!moving_.contains(base::all_axes[index])) return;
+      }
       if constexpr (Kind::is_proven) {
         const std::size_t i = LimitRatios::offset<kind> + index;
         const double ratio = row.ratio(rates(at));
@@ -85,6 +91,7 @@ class Peaks {
   }
 
  private:
+  base::AxisSet moving_;
   std::array<Peak, LimitRatios::size> peaks_;
   LimitRatios jumping_;  ///< of what does not run smoothly
 };
@@ -218,7 +225,9 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
   const auto place = [&](std::size_t piece, const geometry::PointJet& jet) {
     return constraints::Place{jet, feed_factor * section.piece(piece).greatest_speed(jet)};
   };
-  Peaks peaks;
+  base::AxisSet moving;
+  for (std::size_t p = first; p <= last; ++p) moving.insert(section.piece(p).axes().moving());
+  Peaks peaks(moving);
   double fastest = 0, slowest = infinity;
   PathState before;
   std::size_t piece = first;

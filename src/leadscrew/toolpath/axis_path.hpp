@@ -31,6 +31,8 @@ class AxisPath {
   /// How many polynomials there are from one path length to another, 0 ≤ from ≤ to ≤ length, less one: between two of
   /// them derivatives may have peaks anywhere.
   std::size_t borders(double from, double to) const { return geometry::borders(curve_, from, to); }
+  /// Axes that move somewhere on the path; derivatives of the others are 0.
+  base::AxisSet moving() const { return geometry::moving(curve_); }
   /// Are derivatives those of a table of arc length, exact only to its tolerance?
   bool has_table() const { return std::holds_alternative<geometry::Nurbs>(curve_); }
 
