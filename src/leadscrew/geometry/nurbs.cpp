@@ -4,6 +4,7 @@
 #include <leadscrew/geometry/nurbs_table.hpp>
 #include <leadscrew/geometry/rational.hpp>
 #include <leadscrew/numeric/bisection.hpp>
+#include <type_traits>
 
 namespace leadscrew::geometry {
 
@@ -42,19 +43,81 @@ void evaluate_record(const NurbsTable& table, const double* record, double sigma
   }
 }
 
-/// Position and derivatives by x.
-PointJet record_jets(const NurbsTable& table, const double* record, double x, const Point& rest) {
-  PointJet jets;
-  for (std::size_t i = 0; i < rest.size(); ++i) jets[i] = Jet<>(rest[i]);
-  const double* numbers = record + NurbsTable::polynomials;
-  Jet<> scale = 1;
+/// Two coordinates that are worked on together, as any vector unit holds them.
+using Pair = double __attribute__((vector_size(16)));
+
+/// A number of a coordinate's, or of two whose numbers lie `stride` apart.
+template <typename T>
+T load(const double* number, [[maybe_unused]] std::size_t stride) {
+  if constexpr (std::is_same_v<T, Pair>) {
+    return Pair{number[0], number[stride]};
+  } else {
+    return *number;
+  }
+}
+inline double lane(double value, std::size_t) {
+  return value;
+}
+inline double lane(Pair values, std::size_t k) {
+  return values[k];
+}
+
+/// What a record's coordinates are made of: the denominator's reciprocal with its derivatives by x, 1 unless the curve
+/// is rational; and x itself, with derivatives by what is asked for.
+struct RecordPlace {
+  Jet<> scale = 1, x;
+};
+
+/// One coordinate or two beside one another, from their first number on, with derivatives as those of place.x.
+/// Operations are those of Jet: a coordinate gives the same bits alone and beside another.
+template <typename T>
+Jet<3, T> coordinate_jets(const NurbsTable& table, const double* numbers, const RecordPlace& place) {
+  const std::size_t stride = table.degree + 2;
+  const double x = place.x.value;
+  T value{}, first{}, half{}, sixth{};
+  for (std::size_t k = table.degree + 1; k-- > 0;) {
+    sixth = sixth * x + half;
+    half = half * x + first;
+    first = first * x + value;
+    value = value * x + load<T>(numbers + 1 + k, stride);
+  }
+  T second = 2.0 * half, third = 6.0 * sixth;
   if (table.rational) {
-    scale = numeric::reciprocal(Jet<>(1) + polynomial_jet(numbers, table.degree - 1, x) * Jet<>::parameter(x));
+    const Jet<>& w = place.scale;
+    third = third * w.value + 3.0 * second * w.first + 3.0 * first * w.second + value * w.third;
+    second = second * w.value + 2.0 * first * w.first + value * w.second;
+    first = first * w.value + value * w.first;
+    value = value * w.value;
+  }
+  const Jet<>& u = place.x;  // Faà di Bruno's formula
+  return {load<T>(numbers, stride) + value, first * u.first, second * u.first * u.first + first * u.second,
+          third * u.first * u.first * u.first + 3.0 * second * u.first * u.second + first * u.third};
+}
+
+template <typename T>
+void set_coordinates(const NurbsTable& table, const double* numbers, const RecordPlace& place, std::size_t k,
+                     PointJet& jets) {
+  const Jet<3, T> both = coordinate_jets<T>(table, numbers, place);
+  for (std::size_t i = 0; i < sizeof(T) / sizeof(double); ++i) {
+    jets[table.moving[k + i]] = {lane(both.value, i), lane(both.first, i), lane(both.second, i), lane(both.third, i)};
+  }
+}
+
+/// Position, with derivatives by whatever those of x are by.
+PointJet record_jets(const NurbsTable& table, const double* record, const Jet<>& x, const Point& rest) {
+  PointJet jets;
+  for (std::size_t i = 0; i < rest.size(); ++i) jets[i].value = rest[i];
+  const double* numbers = record + NurbsTable::polynomials;
+  RecordPlace place{1, x};
+  if (table.rational) {
+    place.scale =
+        numeric::reciprocal(Jet<>(1) + polynomial_jet(numbers, table.degree - 1, x.value) * Jet<>::parameter(x.value));
     numbers += table.degree;
   }
-  for (std::size_t k = 0; k < table.moving_count; ++k, numbers += table.degree + 2) {
-    jets[table.moving[k]] = Jet<>(numbers[0]) + polynomial_jet(numbers + 1, table.degree, x) * scale;
-  }
+  std::size_t k = 0;
+  for (; k + 1 < table.moving_count; k += 2, numbers += 2 * (table.degree + 2))
+    set_coordinates<Pair>(table, numbers, place, k, jets);
+  if (k < table.moving_count) set_coordinates<double>(table, numbers, place, k, jets);
   return jets;
 }
 
@@ -80,7 +143,7 @@ void add_polynomials(const NurbsTable& table, const double* numbers, double x, s
 
 /// Where the table is to be exact: x′ = 1/v and x″ = −v₁/v³ (arc_length_map.hpp).
 MapEnd exact_end(const NurbsTable& table, const double* record, double x, const Point& weights, const Point& rest) {
-  const PointJet jets = record_jets(table, record, x, rest);
+  const PointJet jets = record_jets(table, record, Jet<>::parameter(x), rest);
   double c11 = 0, c12 = 0;
   for (std::size_t i = 0; i < jets.size(); ++i) {
     const double square = weights[i] * weights[i];
@@ -160,12 +223,7 @@ Nurbs::Located Nurbs::locate(double s) const {
 
 PointJet Nurbs::jets(double s) const {
   const Located at = locate(s);
-  PointJet jets = record_jets(*table_, at.record, at.x.value, start_);
-  for (std::size_t k = 0; k < table_->moving_count; ++k) {
-    Jet<>& jet = jets[table_->moving[k]];
-    jet = numeric::compose(jet, at.x);
-  }
-  return jets;
+  return record_jets(*table_, at.record, at.x, start_);
 }
 
 double Nurbs::parameter(double s) const {
@@ -182,12 +240,7 @@ PointJet Nurbs::jets_at(double u) const {
   const double* const record = table_->record(index);
   const double width = record[NurbsTable::width];
   const Jet<> x((u - record[NurbsTable::parameter]) / width, 1 / width, 0, 0);
-  PointJet jets = record_jets(*table_, record, x.value, start_);
-  for (std::size_t k = 0; k < table_->moving_count; ++k) {
-    Jet<>& jet = jets[table_->moving[k]];
-    jet = numeric::compose(jet, x);
-  }
-  return jets;
+  return record_jets(*table_, record, x, start_);
 }
 
 std::vector<double> Nurbs::breaks() const {
