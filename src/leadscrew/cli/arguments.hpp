@@ -7,10 +7,8 @@
 #include <leadscrew/cli/drive_arguments.hpp>
 #include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
-#include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
-#include <leadscrew/cli/status.hpp>
 #include <leadscrew/cli/study_arguments.hpp>
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/gcode/move.hpp>

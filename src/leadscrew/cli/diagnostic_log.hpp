@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/status.hpp>
+#include <leadscrew/cli/options.hpp>
 #include <vector>
 
 namespace leadscrew::cli {

@@ -1,7 +1,7 @@
 #pragma once
 // What the command line asks `leadscrew pulse` for.
 
-#include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/nc/pulse_method.hpp>
 #include <optional>
 #include <string>
@@ -21,7 +21,6 @@ struct PulseArguments {
 };
 
 struct Arguments;
-class Command;
 
 /// The options of pulse, which put their values into the arguments.
 void describe_pulse(Command& command, Arguments& arguments);

@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <leadscrew/base/nearest.hpp>
-#include <leadscrew/cli/options.hpp>
+#include <leadscrew/options/options.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::options {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::variant<std::size_t, Answer> parse_command_line(std::deque<Command>& comman
   return place();
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::options
