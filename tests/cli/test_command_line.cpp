@@ -20,6 +20,10 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
   folder.write("t.csv", "t,X\n0,0\n");
   folder.write("mill.toml", machine_text());
   folder.write("tools.tbl", "T1 P1 D6\n");
+  folder.write("tools.csv", "T1 P1 D6\n");
+  folder.write("mill.svg", machine_text());
+  folder.write("part.csv", square);
+  folder.write("part.html", square);
   const Names before = folder.names();
   for (const auto& [arguments, said] : {
            Misuse{{}, "no command"},
@@ -50,14 +54,14 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{{"run", "part.ngc", "--tolerance", "nan"}, "--tolerance"},
            Misuse{{"run", "part.ngc", "--mode", "fast"}, "exact-stop"},
            Misuse{{"run", "part.ngc", "--color", "blue"}, "always"},
-           Misuse{{"run", "part.ngc", "--report", "made", "--picture", "made"}, "name the same file"},
-           Misuse{{"run", "part.ngc", "--trace", "made.csv", "--report", "made.csv"}, "name the same file"},
+           Misuse{{"run", "part.ngc", "--trace", "made.csv", "--blocks", "made.csv"}, "name the same file"},
+           Misuse{{"run", "part.ngc", "--trace", "made.csv", "--events", "./made.csv"}, "name the same file"},
            Misuse{{"run", "part.ngc", "--trace", "made.txt"}, ".csv"},
-           Misuse{{"run", "part.ngc", "--trace", "part.ngc"}, "is the program itself"},
-           Misuse{{"run", "part.ngc", "--report", "./part.ngc"}, "is the program itself"},
-           Misuse{{"run", "part.ngc", "--machine", "mill.toml", "--report", "./mill.toml"}, "is the machine file"},
-           Misuse{{"run", "part.ngc", "--tools", "tools.tbl", "--picture", "tools.tbl"}, "is the tool table"},
-           Misuse{{"simulate", "part.ngc", "--tools", "tools.tbl", "--report", "tools.tbl"}, "is the tool table"},
+           Misuse{{"run", "part.csv", "--trace", "part.csv"}, "is the program itself"},
+           Misuse{{"run", "part.html", "--report", "./part.html"}, "is the program itself"},
+           Misuse{{"run", "part.ngc", "--machine", "mill.svg", "--picture", "./mill.svg"}, "is the machine file"},
+           Misuse{{"run", "part.ngc", "--tools", "tools.csv", "--blocks", "tools.csv"}, "is the tool table"},
+           Misuse{{"simulate", "part.ngc", "--tools", "tools.csv", "--events", "tools.csv"}, "is the tool table"},
            Misuse{{"drive", "part.ngc", "--state", "part.ngc"}, "is the program itself"},
            Misuse{{"drive", "part.ngc", "--machine", "mill.toml", "--state", "mill.toml"}, "is the machine file"},
            Misuse{{"drive", "part.ngc", "--tools", "tools.tbl", "--resume", "tools.tbl"}, "is the tool table"},
@@ -83,7 +87,7 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
 TEST(Usage, SeesThatTwoNamesAreOneFile) {
   const Folder folder;
   folder.write("part.ngc", square);
-  const auto run = leadscrew(folder, {"run", "part.ngc", "--report", "made.html", "--picture", "./made.html"});
+  const auto run = leadscrew(folder, {"run", "part.ngc", "--trace", "made.csv", "--events", "./made.csv"});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }

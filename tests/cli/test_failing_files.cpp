@@ -184,13 +184,81 @@ TEST(FullDisk, LeavesTheFileThatWouldHaveBeenReplaced) {
   EXPECT_EQ(folder.names(), (Names{"part.ngc", "t.csv"}));
 }
 
-TEST(Outputs, InFoldersThatDoNotExistAreInputOutput) {
+/// Every option that writes a file, with a command for it and an ending that it has.
+struct Output {
+  std::vector<std::string> command;
+  std::string option, ending;
+};
+
+std::vector<Output> every_output() {
+  std::vector<Output> outputs;
+  const std::vector<std::string> run = {"run", "part.ngc"}, drive = {"drive", "part.ngc", "--quiet"},
+                                 simulate = {"simulate", "part.ngc"}, pulse = {"pulse", "--line", "--end", "3,4"};
+  for (const auto& command : {run, simulate}) {
+    outputs.insert(outputs.end(), {{command, "--trace", ".npy"},
+                                   {command, "--report", ".html"},
+                                   {command, "--report", ".htm"},
+                                   {command, "--picture", ".svg"},
+                                   {command, "--events", ".csv"}});
+  }
+  for (const char* option : {"--trace", "--axes", "--events", "--sink"}) outputs.push_back({drive, option, ".csv"});
+  outputs.insert(outputs.end(), {{run, "--pulses", ".vcd"},
+                                 {run, "--blocks", ".csv"},
+                                 {pulse, "--vcd", ".vcd"},
+                                 {pulse, "--svg", ".svg"},
+                                 {{"study", "real-time-vs-offline"}, "--picture", ".svg"}});
+  return outputs;
+}
+
+TEST(Outputs, AppearInFoldersThatAreMade) {
+  const std::string short_line = "G21 G90 G61.1\nG1 X0.5 F6000\nM2\n";
+  for (Output& output : every_output()) {
+    const Folder folder;
+    folder.write("part.ngc", short_line);
+    const std::string name = "a/new folder/made" + output.ending;
+    output.command.insert(output.command.end(), {output.option, name});
+    const auto made = leadscrew(folder, output.command);
+    EXPECT_EQ(made.status, 0) << output.command.front() << output.option << made.errors;
+    EXPECT_GT(folder.read(name).size(), 0U);
+  }
+  const Folder folder;
+  folder.write("part.ngc", short_line);
+  EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--quiet", "--state", "a/new folder/state"}).status, 0);
+  EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--quiet", "--out", "one/more"}).status, 0);
+  EXPECT_GT(folder.read("one/more/part.html").size(), 0U);
+}
+
+TEST(Outputs, OfAnEndingThatCannotBeWrittenAreMisuse) {
+  for (const Output& output : every_output()) {
+    const Folder folder;
+    folder.write("part.ngc", square);
+    for (const std::string name : {"made.pdf", "made", "made/", "html", ".html", "made.html.txt"}) {
+      auto words = output.command;
+      words.insert(words.end(), {output.option, name});
+      const auto refused = leadscrew(folder, words);
+      EXPECT_EQ(refused.status, 2) << output.command.front() << output.option << name;
+      EXPECT_TRUE(contains(refused.errors, "error: " + output.option + " " + name + ": ")) << refused.errors;
+      EXPECT_TRUE(contains(refused.errors, output.ending)) << refused.errors;
+      EXPECT_EQ(folder.names(), Names{"part.ngc"});
+    }
+  }
   const Folder folder;
   folder.write("part.ngc", square);
-  for (const char* option : {"--trace", "--report", "--picture"}) {
-    const auto run = leadscrew(folder, {"run", "part.ngc", option, "none/made.csv"});
+  const auto pdf = leadscrew(folder, {"run", "part.ngc", "--report", "x.pdf"});
+  EXPECT_EQ(pdf.errors,
+            "leadscrew run: error: --report x.pdf: ends in neither .html nor .htm; the ending says the format\n"
+            "    hint: leadscrew run --help\n");
+  const auto picture = leadscrew(folder, {"run", "part.ngc", "--report", "x.SVG"});
+  EXPECT_TRUE(contains(picture.errors, "; --picture is for .svg\n")) << picture.errors;
+}
+
+TEST(Outputs, BehindAFileAreInputOutput) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  for (const auto& [option, name] : {std::pair("--trace", "made.csv"), {"--report", "made.html"}}) {
+    const auto run = leadscrew(folder, {"run", "part.ngc", option, std::string("part.ngc/") + name});
     EXPECT_EQ(run.status, 4);
-    EXPECT_TRUE(contains(run.errors, "none/made.csv: error: cannot write: ")) << run.errors;
+    EXPECT_TRUE(contains(run.errors, "part.ngc: error: cannot make the folder: ")) << run.errors;
     EXPECT_EQ(folder.names(), Names{"part.ngc"});
   }
 }

@@ -10,6 +10,7 @@ namespace leadscrew::cli {
 using options::Answer;
 using options::AxisValue;
 using options::Command;
+using options::file;
 using options::parse_axis_values;
 using options::parse_frequency;
 using options::parse_number;
@@ -18,9 +19,9 @@ using options::parse_period;
 using options::parse_step_time;
 using options::parse_tolerance;
 using options::Parsed;
-using options::ProgramHelp;
 using options::Status;
 using options::status_of;
+using options::Values;
 using options::worse;
 using options::wrong;
 

@@ -28,7 +28,8 @@ void describe_pulse(Command& command, Arguments& arguments);
 /// One of their names; what is wrong follows "--option TEXT: ".
 Parsed<nc::PulseMethod> parse_pulse_method(std::string_view text);
 
-/// "point-comparison, dda, …": every method there is.
+/// Every method there is, and "point-comparison, dda, …".
+std::vector<std::string> pulse_method_names();
 std::string names_of_pulse_methods();
 
 }  // namespace leadscrew::cli

@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <leadscrew/base/nearest.hpp>
 #include <leadscrew/options/options.hpp>
 
@@ -12,9 +14,8 @@ namespace leadscrew::options {
 
 namespace {
 
-/// The command as CLI11 has it; texts go to its options.
-CLI::App* add_command(CLI::App& app, Command& command) {
-  CLI::App* added = app.add_subcommand(command.name(), command.what());
+/// The options as CLI11 has them; texts go to ours.
+void add_options(CLI::App& app, Command& command) {
   for (Option& option : command.options()) {
     const auto take_flag = [&option](std::int64_t) { option.given = {""}; };
     const auto take_texts = [&option](const CLI::results_t& texts) {
@@ -22,20 +23,32 @@ CLI::App* add_command(CLI::App& app, Command& command) {
       return true;
     };
     if (option.kind == Option::Kind::flag) {
-      added->add_flag_function(option.name, take_flag, option.what);
+      app.add_flag_function(option.name, take_flag, option.what);
       continue;
     }
-    CLI::Option* made = added->add_option(option.name, take_texts, option.what)->type_name(option.value_name);
-    const bool is_word = option.kind == Option::Kind::word || option.kind == Option::Kind::words;
-    if (is_word) made->required();
+    CLI::Option* made = app.add_option(option.name, take_texts, option.what)->type_name(option.value_name);
+    if (option.is_word() && option.kind != Option::Kind::optional_word) made->required();
     if (option.kind == Option::Kind::words) made->expected(CLI::detail::expected_max_vector_size);
   }
-  added->footer(command.help());
-  return added;
+  app.set_help_flag(fmt::format("{},{}", HelpOption::short_name, HelpOption::name), std::string(HelpOption::what));
+  app.footer(command.help());
 }
 
-Answer usage_answer(const std::string& where, const std::string& message) {
-  return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// A pipe, /dev/null; and /dev/stdout, which may lead to a file of any name.
+bool is_special(std::string_view path) {
+  std::error_code error;
+  return path.starts_with("/dev/") || std::filesystem::is_other(std::filesystem::status(path, error));
+}
+
+/// "does not end in .html", "ends in neither .csv nor .npy".
+std::string missing_ending(std::span<const std::string> endings) {
+  if (endings.size() == 1) return fmt::format("does not end in {}", endings.front());
+  return fmt::format("ends in neither {} nor {}", fmt::join(endings.first(endings.size() - 1), ", "), endings.back());
 }
 
 /// What CLI11 could not place: options nobody knows, or words too many.
@@ -69,68 +82,116 @@ std::string mismatch(const CLI::App& command, const std::string& last, const std
   return said;
 }
 
-/// The first word must be a command; CLI11 would say less.
-std::optional<Answer> check_command(const std::deque<Command>& commands, const ProgramHelp& program, int count,
-                                    const char* const* values) {
-  if (count < 2) return usage_answer(program.name, fmt::format("no command{}", program.commands));
-  const std::string word = values[1];
-  if (word.empty() || word[0] != '-') {
-    std::vector<std::string_view> known;
-    for (const Command& command : commands) known.push_back(command.name());
-    if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
-    const std::string meant = base::did_you_mean(word, known);
-    return usage_answer(program.name,
-                        fmt::format("no command \"{}\"{}", word, meant.empty() ? program.commands : meant));
+/// A word that must be there; otherwise what CLI11 said.
+std::string missing_word(const CLI::App& command, const std::string& said) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_required() && option->count() == 0)
+      return fmt::format("{} is missing: {}", option->get_name(), option->get_description());
   }
-  const std::array<std::string_view, 2> known = {"--help", "--version"};
-  if (word == "-h" || std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
-  return usage_answer(program.name,
+  return said;
+}
+
+/// The first word must be a command, or an option of the program; CLI11 would say less.
+std::optional<Answer> check_command(const Program& program, int count, const char* const* values) {
+  if (count < 2) return usage_answer(program.name(), fmt::format("no command{}", program.known_commands));
+  const std::string_view word = values[1];
+  if (word.empty() || word[0] != '-') {
+    const auto found = program.find(word);
+    if (!found) return usage_answer(program.name(), found.error());
+    return std::nullopt;
+  }
+  std::vector<std::string_view> known = {HelpOption::name};
+  for (const Option& option : program.itself.options()) known.push_back(option.name);
+  if (word == HelpOption::short_name || std::ranges::find(known, word) != known.end()) return std::nullopt;
+  return usage_answer(program.name(),
                       fmt::format("no option {} before the command{}", word, base::did_you_mean(word, known)));
 }
 
 }  // namespace
 
-void Command::word(std::string name, std::string what, std::string& target) {
-  add({Option::Kind::word, std::move(name), "", std::move(what), [&target](const std::string& text) -> Parsed<void> {
+Answer usage_answer(const std::string& where, const std::string& message) {
+  return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
+}
+
+void Command::word(std::string name, std::string what, std::string& target, Values values) {
+  add({Option::Kind::word, std::move(name), "", std::move(what), std::move(values),
+       [&target](const std::string& text) -> Parsed<void> {
          target = text;
          return {};
        }});
 }
 
-void Command::word(std::string name, std::string what, std::vector<std::string>& targets) {
-  add_words(Option::Kind::word, std::move(name), std::move(what), targets);
+void Command::word(std::string name, std::string what, std::vector<std::string>& targets, Values values) {
+  add_words(Option::Kind::word, std::move(name), std::move(what), targets, std::move(values));
 }
 
-void Command::words(std::string name, std::string what, std::vector<std::string>& targets) {
-  add_words(Option::Kind::words, std::move(name), std::move(what), targets);
+void Command::words(std::string name, std::string what, std::vector<std::string>& targets, Values values) {
+  add_words(Option::Kind::words, std::move(name), std::move(what), targets, std::move(values));
 }
 
-void Command::add_words(Option::Kind kind, std::string name, std::string what, std::vector<std::string>& targets) {
-  add({kind, std::move(name), "", std::move(what), [&targets](const std::string& text) -> Parsed<void> {
+void Command::add_words(Option::Kind kind, std::string name, std::string what, std::vector<std::string>& targets,
+                        Values values) {
+  add({kind, std::move(name), "", std::move(what), std::move(values),
+       [&targets](const std::string& text) -> Parsed<void> {
          targets.push_back(text);
          return {};
        }});
 }
 
+void Command::optional_word(std::string name, std::string what, std::optional<std::string>& target, Values values) {
+  add({Option::Kind::optional_word, std::move(name), "", std::move(what), std::move(values),
+       [&target](const std::string& text) -> Parsed<void> {
+         target = text;
+         return {};
+       }});
+}
+
 void Command::flag(std::string name, std::string what, bool& target) {
-  add({Option::Kind::flag, std::move(name), "", std::move(what), [&target](const std::string&) -> Parsed<void> {
+  add({Option::Kind::flag, std::move(name), "", std::move(what), {}, [&target](const std::string&) -> Parsed<void> {
          target = true;
          return {};
        }});
 }
 
-void Command::text(std::string name, std::string value_name, std::string what, std::optional<std::string>& target) {
-  value(std::move(name), std::move(value_name), std::move(what), target,
-        [](std::string_view text) { return Parsed<std::string>(text); });
+void Command::text(std::string name, std::string value_name, std::string what, std::optional<std::string>& target,
+                   Values values) {
+  const auto parse = [](std::string_view text) { return Parsed<std::string>(text); };
+  value(std::move(name), std::move(value_name), std::move(what), target, parse, std::move(values));
 }
 
-void Command::output(std::string name, std::string value_name, std::string what, std::optional<std::string>& target) {
-  value(std::move(name), std::move(value_name), std::move(what), target,
-        [](std::string_view text) -> Parsed<std::string> {
-          if (text.empty()) return wrong("the name of the file is empty");
-          if (text.front() == '-') return wrong("is no file's name; one that begins with - is given as ./{}", text);
-          return std::string(text);
-        });
+void Command::output(std::string name, std::string value_name, std::string what, std::optional<std::string>& target,
+                     std::vector<std::string> endings, std::vector<std::string> words) {
+  const Values values = file(std::move(endings), std::move(words));
+  const auto parse = [this, values](std::string_view text) -> Parsed<std::string> {
+    if (text.empty()) return wrong("the name of the file is empty");
+    if (text.front() == '-') return wrong("is no file's name; one that begins with - is given as ./{}", text);
+    if (auto sound = check_ending(text, values); !sound) return tl::unexpected(std::move(sound.error()));
+    return std::string(text);
+  };
+  value(std::move(name), std::move(value_name), std::move(what), target, parse, values);
+}
+
+/// What the file holds is said by how its name ends: any other would hold what nobody expects.
+Parsed<void> Command::check_ending(std::string_view text, const Values& values) const {
+  const std::string ending = in_small_letters(std::filesystem::path(text).extension());
+  const auto writes_it = [&](const Option& option) {
+    return !option.is_word() && std::ranges::find(option.values.endings, ending) != option.values.endings.end();
+  };
+  if (values.endings.empty() || std::ranges::find(values.endings, ending) != values.endings.end()) return {};
+  const bool is_word = std::ranges::find(values.words, in_small_letters(std::string(text))) != values.words.end();
+  if (is_word || is_special(text)) return {};
+  const auto other = std::ranges::find_if(options_, writes_it);
+  return wrong("{}; {}", missing_ending(values.endings),
+               other == options_.end() ? "the ending says the format" : other->name + " is for " + ending);
+}
+
+void Command::folder(std::string name, std::string value_name, std::string what, std::optional<std::string>& target) {
+  const auto parse = [](std::string_view text) -> Parsed<std::string> {
+    if (text.empty()) return wrong("the name of the folder is empty");
+    if (text.front() == '-') return wrong("is no folder's name; one that begins with - is given as ./{}", text);
+    return std::string(text);
+  };
+  value(std::move(name), std::move(value_name), std::move(what), target, parse, {.folders = true});
 }
 
 void Command::number(std::string name, std::string value_name, std::string what, double& target, double least,
@@ -188,38 +249,58 @@ Parsed<void> Command::take() const {
   return {};
 }
 
-std::variant<std::size_t, Answer> parse_command_line(std::deque<Command>& commands, const ProgramHelp& program,
-                                                     int count, const char* const* values) {
-  if (auto answer = check_command(commands, program, count, values)) return std::move(*answer);
-  CLI::App app(program.what, program.name);
-  app.set_version_flag("--version", program.version);
-  app.set_help_flag("-h,--help", "This text");
-  app.require_subcommand(1);
-  app.footer(program.help);
+Parsed<const Command*> Program::find(std::string_view command) const {
+  const auto found = std::ranges::find(commands, command, &Command::name);
+  if (found != commands.end()) return &*found;
+  std::vector<std::string_view> known;
+  for (const Command& each : commands) known.push_back(each.name());
+  const std::string meant = base::did_you_mean(command, known);
+  return wrong("no command \"{}\"{}", command, meant.empty() ? known_commands : meant);
+}
+
+std::variant<const Command*, Answer> parse_command_line(Program& program, int count, const char* const* values) {
+  if (auto answer = check_command(program, count, values)) return std::move(*answer);
+  CLI::App app(program.itself.what(), program.name());
+  add_options(app, program.itself);
+  app.footer(fmt::format("{}\nExit status: {}", program.itself.help(), program.exit_statuses));
+  app.require_subcommand(0, 1);  // a second word that is a command's name is a word
   std::vector<CLI::App*> added;
-  for (Command& command : commands) added.push_back(add_command(app, command));
+  for (Command& command : program.commands) {
+    added.push_back(app.add_subcommand(command.name(), command.what()));
+    add_options(*added.back(), command);
+  }
   const auto place = [&] {
     const auto parsed = std::ranges::find_if(added, [](const CLI::App* command) { return command->parsed(); });
     return static_cast<std::size_t>(parsed - added.begin());
   };
   const auto asked = [&]() -> const CLI::App& { return place() < added.size() ? *added[place()] : app; };
-  const auto name = [&] { return place() < added.size() ? program.name + " " + asked().get_name() : program.name; };
+  const auto name = [&] { return place() < added.size() ? program.name() + " " + asked().get_name() : program.name(); };
   try {
     app.parse(count, values);
   } catch (const CLI::CallForHelp&) {
-    return Answer{Status::done, asked().help()};
-  } catch (const CLI::CallForVersion&) {
-    return Answer{Status::done, app.version() + "\n"};
+    return Answer{Status::done, asked().help(place() < added.size() ? program.name() : std::string())};
   } catch (const CLI::ExtrasError&) {
     return usage_answer(name(), unexpected(asked()));
   } catch (const CLI::ArgumentMismatch& error) {
     return usage_answer(name(), mismatch(asked(), values[count - 1], error.what()));
+  } catch (const CLI::RequiredError& error) {
+    return usage_answer(name(), missing_word(asked(), error.what()));
   } catch (const CLI::ParseError& error) {
     return usage_answer(name(), error.what());
   }
-  const auto taken = commands[place()].take();
+  const bool is_of_command = place() < added.size();
+  const Command& command = is_of_command ? program.commands[place()] : program.itself;
+  const auto taken = command.take();
   if (!taken) return usage_answer(name(), taken.error());
-  return place();
+  return is_of_command ? &command : nullptr;
+}
+
+std::string help_text(Program& program, const Command* command) {
+  std::vector<const char*> line = {program.name().c_str()};
+  if (command != nullptr) line.push_back(command->name().c_str());
+  line.push_back(HelpOption::name.data());
+  const auto parsed = parse_command_line(program, static_cast<int>(line.size()), line.data());
+  return std::get<Answer>(parsed).text;
 }
 
 }  // namespace leadscrew::options
