@@ -7,7 +7,8 @@ _@NAME@_files() {
   shift
   (( $# )) && compadd -- "$@"
   if [[ -n $endings ]]; then
-    _files -g "*.(#i)($endings)"
+    # The qualifiers at the end: one ending alone would be taken for such.
+    _files -g "*.(#i)($endings)(-.)"
   else
     _files
   fi
