@@ -252,6 +252,48 @@ TEST(Outputs, OfAnEndingThatCannotBeWrittenAreMisuse) {
   EXPECT_TRUE(contains(picture.errors, "; --picture is for .svg\n")) << picture.errors;
 }
 
+TEST(Outputs, OfWhomNobodyReadsOnEndInSilence) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  folder.write("wrong.ngc", "G1 X\n");
+  folder.write("short.ngc", "G21 G90 G61.1\nG1 X0.5 F6000\nM2\n");
+  using Line = std::vector<std::string>;
+  const Line line = {"pulse", "--line", "--end", "300,40"};
+  std::vector<Line> lines = {{"--help"},
+                             {"--version", "--json"},
+                             {"help", "--man", "run"},
+                             {"completion", "bash"},
+                             {"study", "list"},
+                             {"study", "list", "--json"},
+                             {"run", "part.ngc"},
+                             {"run", "part.ngc", "part.ngc", "--json"},
+                             {"run", "part.ngc", "part.ngc", "--threads", "2"},
+                             {"check", "part.ngc", "--json"},
+                             {"verify", "part.csv", "part.ngc"},
+                             {"simulate", "part.ngc", "--json"},
+                             {"drive", "short.ngc"},
+                             {"design", "--timer", "--clock", "1024", "--delays", "2,4,8"}};
+  for (const Line& more : {Line{"--path", "--json"}, {"--table"}, {"--vcd", "/dev/stdout", "--quiet"}}) {
+    lines.push_back(line);
+    lines.back().insert(lines.back().end(), more.begin(), more.end());
+  }
+  for (const std::string option : {"--trace", "--report", "--picture", "--events", "--blocks"})
+    lines.push_back({"run", "part.ngc", "--quiet", option, "/dev/stdout"});
+  lines.push_back({"drive", "short.ngc", "--quiet", "--sink", "/dev/stdout"});
+  ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--trace", "part.csv", "--quiet"}).status, 0);
+  const Names before = folder.names();
+  for (const Line& words : lines) {
+    std::string shown;
+    for (const std::string& word : words) shown += word + " ";
+    const auto outcome = leadscrew(folder, words, {.output_is_closed = true});
+    EXPECT_EQ(outcome.errors, "") << shown;
+    EXPECT_EQ(outcome.status, 4) << shown;
+    EXPECT_EQ(folder.names(), before) << shown;
+  }
+  // What is wrong with the program is told all the same.
+  EXPECT_TRUE(contains(leadscrew(folder, {"check", "wrong.ngc"}, {.output_is_closed = true}).errors, "bad-number"));
+}
+
 TEST(Outputs, BehindAFileAreInputOutput) {
   const Folder folder;
   folder.write("part.ngc", square);

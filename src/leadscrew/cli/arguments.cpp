@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view exit_statuses =
     "0 done, 1 a limit or tolerance was not kept or the referee objects, 2 usage,\n"
-    "3 program or machine file rejected, 4 input/output, 130 interrupted; of several programs the greatest.";
+    "3 program or machine file rejected, 4 input/output, 130 interrupted; of several programs the greatest.\n"
+    "A reader that closes the pipe of standard output, as head does, is 4 without a message.";
 
 constexpr std::string_view main_examples =
     "Examples:\n"

@@ -97,6 +97,10 @@ std::optional<Answer> check_command(const Program& program, int count, const cha
   const std::string_view word = values[1];
   if (word.empty() || word[0] != '-') {
     const auto found = program.find(word);
+    std::error_code ignored;
+    if (!found && std::filesystem::is_regular_file(word, ignored))
+      return usage_answer(program.name(), fmt::format("no command before {0}; did you mean {1} {0}?", word,
+                                                      program.commands.front().name()));
     if (!found) return usage_answer(program.name(), found.error());
     return std::nullopt;
   }
