@@ -82,8 +82,10 @@ std::string mismatch(const CLI::App& command, const std::string& last, const std
   return said;
 }
 
-/// A word that must be there; otherwise what CLI11 said.
+/// A word that must be there, unless an option is what was misspelt; otherwise what CLI11 said.
 std::string missing_word(const CLI::App& command, const std::string& said) {
+  const bool has_option = std::ranges::any_of(command.remaining(), [](auto& word) { return word.starts_with("--"); });
+  if (has_option) return unexpected(command);
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_required() && option->count() == 0)
       return fmt::format("{} is missing: {}", option->get_name(), option->get_description());
@@ -91,24 +93,34 @@ std::string missing_word(const CLI::App& command, const std::string& said) {
   return said;
 }
 
-/// The first word must be a command, or an option of the program; CLI11 would say less.
-std::optional<Answer> check_command(const Program& program, int count, const char* const* values) {
-  if (count < 2) return usage_answer(program.name(), fmt::format("no command{}", program.known_commands));
-  const std::string_view word = values[1];
+/// Of a word that is no command: the file, or the option of the program, that it is.
+std::optional<std::string> other_meaning(const Program& program, std::string_view word) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(word, ignored))
+    return fmt::format("no command before {0}; did you mean {1} {0}?", word, program.commands.front().name());
+  const std::string option = fmt::format("--{}", word);
+  if (std::ranges::find(program.itself.options(), option, &Option::name) == program.itself.options().end()) return {};
+  return fmt::format("no command \"{}\"; did you mean {}?", word, option);
+}
+
+/// The first word must be a command, or an option of the program, which no command follows; CLI11 would say less.
+std::optional<Answer> check_command(const Program& program, std::span<const char* const> words) {
+  if (words.empty()) return usage_answer(program.name(), fmt::format("no command{}", program.known_commands));
+  const std::string_view word = words.front();
   if (word.empty() || word[0] != '-') {
     const auto found = program.find(word);
-    std::error_code ignored;
-    if (!found && std::filesystem::is_regular_file(word, ignored))
-      return usage_answer(program.name(), fmt::format("no command before {0}; did you mean {1} {0}?", word,
-                                                      program.commands.front().name()));
-    if (!found) return usage_answer(program.name(), found.error());
-    return std::nullopt;
+    if (found) return std::nullopt;
+    return usage_answer(program.name(), other_meaning(program, word).value_or(found.error()));
   }
+  if (word == HelpOption::short_name || word == HelpOption::name) return std::nullopt;
   std::vector<std::string_view> known = {HelpOption::name};
   for (const Option& option : program.itself.options()) known.push_back(option.name);
-  if (word == HelpOption::short_name || std::ranges::find(known, word) != known.end()) return std::nullopt;
-  return usage_answer(program.name(),
-                      fmt::format("no option {} before the command{}", word, base::did_you_mean(word, known)));
+  if (std::ranges::find(known, word) == known.end())
+    return usage_answer(program.name(),
+                        fmt::format("no option {} before the command{}", word, base::did_you_mean(word, known)));
+  const auto other = std::ranges::find_if(words, [](const char* each) { return each[0] != '-'; });
+  if (other == words.end()) return std::nullopt;
+  return usage_answer(program.name(), fmt::format("\"{}\" is one word too many behind {}", *other, word));
 }
 
 }  // namespace
@@ -263,7 +275,9 @@ Parsed<const Command*> Program::find(std::string_view command) const {
 }
 
 std::variant<const Command*, Answer> parse_command_line(Program& program, int count, const char* const* values) {
-  if (auto answer = check_command(program, count, values)) return std::move(*answer);
+  if (auto answer =
+          check_command(program, std::span(values, static_cast<std::size_t>(count)).subspan(std::min(count, 1))))
+    return std::move(*answer);
   CLI::App app(program.itself.what(), program.name());
   add_options(app, program.itself);
   app.footer(fmt::format("{}\nExit status: {}", program.itself.help(), program.exit_statuses));
