@@ -126,13 +126,12 @@ TEST(Inputs, ThatGrowWhileTheyAreReadAreInputOutput) {
 TEST(FullDisk, EndsARunThatWritesToIt) {
   const Folder folder;
   folder.write("part.ngc", square);
-  for (const char* option : {"--trace", "--report", "--picture"}) {
-    std::vector<std::string> arguments = {"run", "part.ngc", option, "/dev/full"};
-    for (const char* other : {"--trace", "--report", "--picture"}) {
-      if (std::string_view(other) == option) continue;
-      arguments.emplace_back(other);
-      arguments.emplace_back(std::string_view(other) == "--trace" ? "other.csv" : std::string("other") + other);
-    }
+  const std::map<std::string, std::string> outputs = {
+      {"--trace", "other.csv"}, {"--report", "other.html"}, {"--picture", "other.svg"}};
+  for (const auto& [option, unused] : outputs) {
+    std::vector<std::string> arguments = {"run", "part.ngc"};
+    for (const auto& [other, name] : outputs)
+      arguments.insert(arguments.end(), {other, other == option ? "/dev/full" : name});
     const auto run = leadscrew(folder, arguments);
     EXPECT_EQ(run.status, 4) << option;
     EXPECT_EQ(run.output, "") << option;
