@@ -20,6 +20,10 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
   folder.write("t.csv", "t,X\n0,0\n");
   folder.write("mill.toml", machine_text());
   folder.write("tools.tbl", "T1 P1 D6\n");
+  folder.write("tools.csv", "T1 P1 D6\n");
+  folder.write("mill.svg", machine_text());
+  folder.write("part.csv", square);
+  folder.write("part.html", square);
   const Names before = folder.names();
   for (const auto& [arguments, said] : {
            Misuse{{}, "no command"},
@@ -27,12 +31,20 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{{"vreify"}, "did you mean verify?"},
            Misuse{{"zzzzzz"}, "there are run, check, verify"},
            Misuse{{"--verison"}, "did you mean --version?"},
-           Misuse{{"run"}, "PROGRAM"},
+           Misuse{{"version"}, "no command \"version\"; did you mean --version?"},
+           Misuse{{"part.ngc"}, "no command before part.ngc; did you mean run part.ngc?"},
+           Misuse{{"--version", "run"}, "\"run\" is one word too many behind --version"},
+           Misuse{{"run"}, "PROGRAM is missing: Part programs"},
+           Misuse{{"run", "--vresion"}, "no option --vresion"},
+           Misuse{{"help", "run", "check"}, "\"check\" is one word too many"},
+           Misuse{{"completion"}, "SHELL is missing: bash, zsh or fish"},
            Misuse{{"run", "part.ngc", "--tarce", "made.csv"}, "no option --tarce; did you mean --trace?"},
            Misuse{{"run", "part.ngc", "--tarce=made.csv"}, "no option --tarce; did you mean --trace?"},
            Misuse{{"check", "part.ngc", "--jsn"}, "did you mean --json?"},
            Misuse{{"check", "part.ngc", "--trace", "made.csv"}, "no option --trace"},
-           Misuse{{"verify", "t.csv"}, "PROGRAM"},
+           Misuse{{"verify", "t.csv"}, "PROGRAM is missing"},
+           Misuse{{"verify", "part.ngc", "t.csv"}, "t.csv is the trace, part.ngc is not: the two are swapped"},
+           Misuse{{"verify", "-", "t.csv"}, "t.csv is the trace, - is not: the two are swapped"},
            Misuse{{"verify", "t.csv", "part.ngc", "more"}, "\"more\" is one word too many"},
            Misuse{{"run", "part.ngc", "--period", "1"}, "such as 1ms or 250us"},
            Misuse{{"run", "part.ngc", "--period", "fast"}, "such as 1ms or 250us"},
@@ -50,14 +62,14 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{{"run", "part.ngc", "--tolerance", "nan"}, "--tolerance"},
            Misuse{{"run", "part.ngc", "--mode", "fast"}, "exact-stop"},
            Misuse{{"run", "part.ngc", "--color", "blue"}, "always"},
-           Misuse{{"run", "part.ngc", "--report", "made", "--picture", "made"}, "name the same file"},
-           Misuse{{"run", "part.ngc", "--trace", "made.csv", "--report", "made.csv"}, "name the same file"},
+           Misuse{{"run", "part.ngc", "--trace", "made.csv", "--blocks", "made.csv"}, "name the same file"},
+           Misuse{{"run", "part.ngc", "--trace", "made.csv", "--events", "./made.csv"}, "name the same file"},
            Misuse{{"run", "part.ngc", "--trace", "made.txt"}, ".csv"},
-           Misuse{{"run", "part.ngc", "--trace", "part.ngc"}, "is the program itself"},
-           Misuse{{"run", "part.ngc", "--report", "./part.ngc"}, "is the program itself"},
-           Misuse{{"run", "part.ngc", "--machine", "mill.toml", "--report", "./mill.toml"}, "is the machine file"},
-           Misuse{{"run", "part.ngc", "--tools", "tools.tbl", "--picture", "tools.tbl"}, "is the tool table"},
-           Misuse{{"simulate", "part.ngc", "--tools", "tools.tbl", "--report", "tools.tbl"}, "is the tool table"},
+           Misuse{{"run", "part.csv", "--trace", "part.csv"}, "is the program itself"},
+           Misuse{{"run", "part.html", "--report", "./part.html"}, "is the program itself"},
+           Misuse{{"run", "part.ngc", "--machine", "mill.svg", "--picture", "./mill.svg"}, "is the machine file"},
+           Misuse{{"run", "part.ngc", "--tools", "tools.csv", "--blocks", "tools.csv"}, "is the tool table"},
+           Misuse{{"simulate", "part.ngc", "--tools", "tools.csv", "--events", "tools.csv"}, "is the tool table"},
            Misuse{{"drive", "part.ngc", "--state", "part.ngc"}, "is the program itself"},
            Misuse{{"drive", "part.ngc", "--machine", "mill.toml", "--state", "mill.toml"}, "is the machine file"},
            Misuse{{"drive", "part.ngc", "--tools", "tools.tbl", "--resume", "tools.tbl"}, "is the tool table"},
@@ -83,7 +95,7 @@ TEST(Usage, ErrorsSayWhatWasMeantAndDoNothing) {
 TEST(Usage, SeesThatTwoNamesAreOneFile) {
   const Folder folder;
   folder.write("part.ngc", square);
-  const auto run = leadscrew(folder, {"run", "part.ngc", "--report", "made.html", "--picture", "./made.html"});
+  const auto run = leadscrew(folder, {"run", "part.ngc", "--trace", "made.csv", "--events", "./made.csv"});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }

@@ -126,13 +126,12 @@ TEST(Inputs, ThatGrowWhileTheyAreReadAreInputOutput) {
 TEST(FullDisk, EndsARunThatWritesToIt) {
   const Folder folder;
   folder.write("part.ngc", square);
-  for (const char* option : {"--trace", "--report", "--picture"}) {
-    std::vector<std::string> arguments = {"run", "part.ngc", option, "/dev/full"};
-    for (const char* other : {"--trace", "--report", "--picture"}) {
-      if (std::string_view(other) == option) continue;
-      arguments.emplace_back(other);
-      arguments.emplace_back(std::string_view(other) == "--trace" ? "other.csv" : std::string("other") + other);
-    }
+  const std::map<std::string, std::string> outputs = {
+      {"--trace", "other.csv"}, {"--report", "other.html"}, {"--picture", "other.svg"}};
+  for (const auto& [option, unused] : outputs) {
+    std::vector<std::string> arguments = {"run", "part.ngc"};
+    for (const auto& [other, name] : outputs)
+      arguments.insert(arguments.end(), {other, other == option ? "/dev/full" : name});
     const auto run = leadscrew(folder, arguments);
     EXPECT_EQ(run.status, 4) << option;
     EXPECT_EQ(run.output, "") << option;
@@ -184,13 +183,123 @@ TEST(FullDisk, LeavesTheFileThatWouldHaveBeenReplaced) {
   EXPECT_EQ(folder.names(), (Names{"part.ngc", "t.csv"}));
 }
 
-TEST(Outputs, InFoldersThatDoNotExistAreInputOutput) {
+/// Every option that writes a file, with a command for it and an ending that it has.
+struct Output {
+  std::vector<std::string> command;
+  std::string option, ending;
+};
+
+std::vector<Output> every_output() {
+  std::vector<Output> outputs;
+  const std::vector<std::string> run = {"run", "part.ngc"}, drive = {"drive", "part.ngc", "--quiet"},
+                                 simulate = {"simulate", "part.ngc"}, pulse = {"pulse", "--line", "--end", "3,4"};
+  for (const auto& command : {run, simulate}) {
+    outputs.insert(outputs.end(), {{command, "--trace", ".npy"},
+                                   {command, "--report", ".html"},
+                                   {command, "--report", ".htm"},
+                                   {command, "--picture", ".svg"},
+                                   {command, "--events", ".csv"}});
+  }
+  for (const char* option : {"--trace", "--axes", "--events", "--sink"}) outputs.push_back({drive, option, ".csv"});
+  outputs.insert(outputs.end(), {{run, "--pulses", ".vcd"},
+                                 {run, "--blocks", ".csv"},
+                                 {pulse, "--vcd", ".vcd"},
+                                 {pulse, "--svg", ".svg"},
+                                 {{"study", "real-time-vs-offline"}, "--picture", ".svg"}});
+  return outputs;
+}
+
+TEST(Outputs, AppearInFoldersThatAreMade) {
+  const std::string short_line = "G21 G90 G61.1\nG1 X0.5 F6000\nM2\n";
+  for (Output& output : every_output()) {
+    const Folder folder;
+    folder.write("part.ngc", short_line);
+    const std::string name = "a/new folder/made" + output.ending;
+    output.command.insert(output.command.end(), {output.option, name});
+    const auto made = leadscrew(folder, output.command);
+    EXPECT_EQ(made.status, 0) << output.command.front() << output.option << made.errors;
+    EXPECT_GT(folder.read(name).size(), 0U);
+  }
+  const Folder folder;
+  folder.write("part.ngc", short_line);
+  EXPECT_EQ(leadscrew(folder, {"drive", "part.ngc", "--quiet", "--state", "a/new folder/state"}).status, 0);
+  EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--quiet", "--out", "one/more"}).status, 0);
+  EXPECT_GT(folder.read("one/more/part.html").size(), 0U);
+}
+
+TEST(Outputs, OfAnEndingThatCannotBeWrittenAreMisuse) {
+  for (const Output& output : every_output()) {
+    const Folder folder;
+    folder.write("part.ngc", square);
+    for (const std::string name : {"made.pdf", "made", "made/", "html", ".html", "made.html.txt"}) {
+      auto words = output.command;
+      words.insert(words.end(), {output.option, name});
+      const auto refused = leadscrew(folder, words);
+      EXPECT_EQ(refused.status, 2) << output.command.front() << output.option << name;
+      EXPECT_TRUE(contains(refused.errors, "error: " + output.option + " " + name + ": ")) << refused.errors;
+      EXPECT_TRUE(contains(refused.errors, output.ending)) << refused.errors;
+      EXPECT_EQ(folder.names(), Names{"part.ngc"});
+    }
+  }
   const Folder folder;
   folder.write("part.ngc", square);
-  for (const char* option : {"--trace", "--report", "--picture"}) {
-    const auto run = leadscrew(folder, {"run", "part.ngc", option, "none/made.csv"});
+  const auto pdf = leadscrew(folder, {"run", "part.ngc", "--report", "x.pdf"});
+  EXPECT_EQ(pdf.errors,
+            "leadscrew run: error: --report x.pdf: ends in neither .html nor .htm; the ending says the format\n"
+            "    hint: leadscrew run --help\n");
+  const auto picture = leadscrew(folder, {"run", "part.ngc", "--report", "x.SVG"});
+  EXPECT_TRUE(contains(picture.errors, "; --picture is for .svg\n")) << picture.errors;
+}
+
+TEST(Outputs, OfWhomNobodyReadsOnEndInSilence) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  folder.write("wrong.ngc", "G1 X\n");
+  folder.write("short.ngc", "G21 G90 G61.1\nG1 X0.5 F6000\nM2\n");
+  using Line = std::vector<std::string>;
+  const Line line = {"pulse", "--line", "--end", "300,40"};
+  std::vector<Line> lines = {{"--help"},
+                             {"--version", "--json"},
+                             {"help", "--man", "run"},
+                             {"completion", "bash"},
+                             {"study", "list"},
+                             {"study", "list", "--json"},
+                             {"run", "part.ngc"},
+                             {"run", "part.ngc", "part.ngc", "--json"},
+                             {"run", "part.ngc", "part.ngc", "--threads", "2"},
+                             {"check", "part.ngc", "--json"},
+                             {"verify", "part.csv", "part.ngc"},
+                             {"simulate", "part.ngc", "--json"},
+                             {"drive", "short.ngc"},
+                             {"design", "--timer", "--clock", "1024", "--delays", "2,4,8"}};
+  for (const Line& more : {Line{"--path", "--json"}, {"--table"}, {"--vcd", "/dev/stdout", "--quiet"}}) {
+    lines.push_back(line);
+    lines.back().insert(lines.back().end(), more.begin(), more.end());
+  }
+  for (const std::string option : {"--trace", "--report", "--picture", "--events", "--blocks"})
+    lines.push_back({"run", "part.ngc", "--quiet", option, "/dev/stdout"});
+  lines.push_back({"drive", "short.ngc", "--quiet", "--sink", "/dev/stdout"});
+  ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--trace", "part.csv", "--quiet"}).status, 0);
+  const Names before = folder.names();
+  for (const Line& words : lines) {
+    std::string shown;
+    for (const std::string& word : words) shown += word + " ";
+    const auto outcome = leadscrew(folder, words, {.output_is_closed = true});
+    EXPECT_EQ(outcome.errors, "") << shown;
+    EXPECT_EQ(outcome.status, 4) << shown;
+    EXPECT_EQ(folder.names(), before) << shown;
+  }
+  // What is wrong with the program is told all the same.
+  EXPECT_TRUE(contains(leadscrew(folder, {"check", "wrong.ngc"}, {.output_is_closed = true}).errors, "bad-number"));
+}
+
+TEST(Outputs, BehindAFileAreInputOutput) {
+  const Folder folder;
+  folder.write("part.ngc", square);
+  for (const auto& [option, name] : {std::pair("--trace", "made.csv"), {"--report", "made.html"}}) {
+    const auto run = leadscrew(folder, {"run", "part.ngc", option, std::string("part.ngc/") + name});
     EXPECT_EQ(run.status, 4);
-    EXPECT_TRUE(contains(run.errors, "none/made.csv: error: cannot write: ")) << run.errors;
+    EXPECT_TRUE(contains(run.errors, "part.ngc: error: cannot make the folder: ")) << run.errors;
     EXPECT_EQ(folder.names(), Names{"part.ngc"});
   }
 }

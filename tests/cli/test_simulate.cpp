@@ -131,7 +131,7 @@ TEST(Simulate, SaysWhatIsWrongWithItsOptions) {
   };
   EXPECT_TRUE(contains(errors({"--gains", "2,2"}), "three gains"));
   EXPECT_TRUE(contains(errors({"--gains", "2,x,2"}), "is not a number"));
-  EXPECT_TRUE(contains(errors({"--feed-forward", "yes"}), "neither on nor off"));
+  EXPECT_TRUE(contains(errors({"--feed-forward", "yes"}), "is none of on, off"));
   EXPECT_TRUE(contains(errors({"--gain", "2,2,2"}), "--gains"));
   EXPECT_TRUE(contains(errors({"--pulses", "--gains", "2,2,2"}), "position_gain_per_s"));
   EXPECT_EQ(leadscrew(folder, {"simulate", "nothing.ngc"}).status, 4);

@@ -257,9 +257,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"--pulses", "steps.txt"}, 2, "ends in neither .vcd nor .csv"},
         Refused{{"--pulse-method", "dda"}, 2, "--pulses FILE"},
         Refused{{"--pulses", "--quiet"}, 2, "--pulses --quiet: is no file's name"},
-        Refused{{"--pulses", "none/steps.vcd"}, 4, "hint: make the folder first"},
+        Refused{{"--pulses", "part.ngc/steps.vcd"}, 4, "part.ngc: error: cannot make the folder"},
         Refused{{"--report", "--json"}, 2, "--report --json: is no file's name"},
-        Refused{{"--pulses", "vcd"}, 2, "--pulses vcd: ends in neither .vcd nor .csv"},
+        Refused{{"--pulses", "vcd"}, 2, "--pulses vcd: names a format beside --out DIR"},
         Refused{{"other.ngc", "--pulses", "steps.vcd"}, 2, "--out DIR --pulses vcd, or csv, writes"},
         Refused{{"other.ngc", "--pulses", "steps.vcd", "--out", "made"}, 2, "is for one program"},
         Refused{

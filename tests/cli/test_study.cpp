@@ -167,7 +167,7 @@ TEST(Study, DrawsTheFeedsThatItMeasured) {
   const auto none = leadscrew(folder, {"study", "butterfly", "--picture", "none.svg"});
   EXPECT_EQ(none.status, 2);
   EXPECT_TRUE(contains(none.errors, "there is none of butterfly; there is of real-time-vs-offline")) << none.errors;
-  const auto nowhere = leadscrew(folder, {"study", "real-time-vs-offline", "--picture", "no/folder.svg"});
+  const auto nowhere = leadscrew(folder, {"study", "real-time-vs-offline", "--picture", "feeds.svg/more.svg"});
   EXPECT_EQ(nowhere.status, 4);
   EXPECT_EQ(folder.names(), Names{"feeds.svg"});
 }

@@ -109,6 +109,7 @@ struct Surroundings {
   std::string input = {};                     ///< on a pipe to standard input
   bool input_stays_open = false;              ///< the pipe does not end
   std::string output = {};                    ///< file for standard output; empty: it is caught
+  bool output_is_closed = false;              ///< standard output is a pipe whose reader has gone
   std::optional<rlim_t> largest_file = {};    ///< bytes
   std::vector<std::string> environment = {};  ///< NAME=value, besides ours without NO_COLOR
 };
@@ -151,7 +152,12 @@ class Running {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, pipe[0], STDIN_FILENO);
-    if (surroundings.output.empty()) {
+    int closed[2] = {-1, -1};
+    if (surroundings.output_is_closed) {
+      if (::pipe2(closed, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+      ::close(closed[0]);
+      posix_spawn_file_actions_adddup2(&actions, closed[1], STDOUT_FILENO);
+    } else if (surroundings.output.empty()) {
       posix_spawn_file_actions_adddup2(&actions, output_, STDOUT_FILENO);
     } else {
       posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, surroundings.output.c_str(), O_WRONLY, 0);
@@ -174,6 +180,7 @@ class Running {
     ::setrlimit(RLIMIT_FSIZE, &before);
     posix_spawn_file_actions_destroy(&actions);
     ::close(pipe[0]);
+    if (closed[1] >= 0) ::close(closed[1]);
     if (failed != 0) throw std::runtime_error("cannot start " LEADSCREW_COMMAND);
   }
 

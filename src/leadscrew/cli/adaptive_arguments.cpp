@@ -1,4 +1,3 @@
-#include <array>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
@@ -8,13 +7,6 @@ namespace leadscrew::cli {
 
 namespace {
 
-struct Material {
-  std::string_view name;
-  double cutting_coefficient;  ///< Kt, N/mm²: specific cutting force, as handbooks have it
-};
-constexpr std::array<Material, 4> materials = {
-    {{"aluminium", 800}, {"cast-iron", 1200}, {"steel", 2000}, {"titanium", 1700}}};
-
 /// As they are given; what of them depends on another is settled at the end.
 struct GivenCut {
   bool asked_for = false;
@@ -23,13 +15,6 @@ struct GivenCut {
   double depth = 2, teeth = 4, spindle = 3000, seed = 1, noise = 5, limit = 0, width = 0;
   std::vector<servo::DepthStep> depths;
 };
-
-Parsed<double> material_of(std::string_view text) {
-  for (const Material& material : materials) {
-    if (text == material.name) return material.cutting_coefficient;
-  }
-  return wrong("is none of aluminium, cast-iron, steel, titanium");
-}
 
 Parsed<std::vector<servo::DepthStep>> steps_of(std::string_view text) {
   std::vector<servo::DepthStep> steps;
@@ -86,8 +71,10 @@ void add_adaptive(Command& command, Arguments& arguments) {
   const auto given = std::make_shared<GivenCut>();
   servo::AdaptiveCutOptions& cut = given->adaptive.cut;
   command.flag("--adaptive", "Hold the cutting force at a limit by the feed override; the cut is:", given->asked_for);
-  command.value("--material", "NAME", "aluminium, cast-iron, steel (default) or titanium", given->cutting_coefficient,
-                material_of);
+  // Kt, N/mm²: specific cutting force, as handbooks have it.
+  command.choice<double>("--material", "NAME", "aluminium, cast-iron, steel (default) or titanium",
+                         given->cutting_coefficient,
+                         {{"aluminium", 800}, {"cast-iron", 1200}, {"steel", 2000}, {"titanium", 1700}});
   command.number("--depth", "MM", "Along the cutter's axis (default: 2)", given->depth, 0, 1000);
   command.value("--depth-steps", "S:MM,...", "Depths from places along the path on, in place of --depth", given->depths,
                 steps_of);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <leadscrew/cli/about.hpp>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
@@ -15,8 +16,9 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::string_view exit_statuses =
-    "Exit status: 0 done, 1 a limit or tolerance was not kept or the referee objects, 2 usage,\n"
-    "  3 program or machine file rejected, 4 input/output, 130 interrupted; of several programs the greatest.";
+    "0 done, 1 a limit or tolerance was not kept or the referee objects, 2 usage,\n"
+    "3 program or machine file rejected, 4 input/output, 130 interrupted; of several programs the greatest.\n"
+    "A reader that closes the pipe of standard output, as head does, is 4 without a message.";
 
 constexpr std::string_view main_examples =
     "Examples:\n"
@@ -25,7 +27,7 @@ constexpr std::string_view main_examples =
     "  leadscrew drive part.ngc                   run it on time, with simulated drives\n"
     "  leadscrew pulse --line --end 11,7          a line in single steps, by every method\n"
     "  leadscrew design --help                    size digital integrators\n"
-    "  leadscrew run --help                       every option of run\n";
+    "  leadscrew help run                         every option of run\n";
 
 constexpr std::string_view check_examples =
     "Examples:\n"
@@ -89,16 +91,17 @@ Parsed<void> check_names(const Arguments& arguments) {
 }
 
 void describe_check(Command& command, Arguments& arguments) {
-  command.words("PROGRAM", programs_help, arguments.programs);
+  command.words("PROGRAM", programs_help, arguments.programs, program_values());
   add_common(command, arguments);
   add_threads(command, arguments);
   command.help(std::string(check_examples) + curves_text());
 }
 
 void describe_verify(Command& command, Arguments& arguments) {
-  command.word("TRACE", "Trace, " + trace::endings_text() + "; - is standard input", arguments.judged_trace);
+  command.word("TRACE", "Trace, " + trace::endings_text() + "; - is standard input", arguments.judged_trace,
+               file(trace_endings()));
   command.word("PROGRAM", "Its part program; - is standard input, curve:NAME a curve of the studies",
-               arguments.programs);
+               arguments.programs, program_values());
   add_common(command, arguments);
   command.value("--period", "TIME", "Time between rows, such as 1ms, in place of what t says", arguments.period,
                 parse_period);
@@ -112,8 +115,8 @@ struct Described {
   void (*describe)(Command&, Arguments&);
 };
 
-/// In the order of Arguments::Verb.
-constexpr std::array<Described, 8> verbs = {
+/// Those of Arguments::Verb, in its order; then those that are answered at once.
+constexpr std::array<Described, 10> verbs = {
     {{"run", "Plan and interpolate; summary, report, picture, traces, steps", describe_run},
      {"check", "Read only: diagnostics", describe_check},
      {"verify", "The referee: any trace against its program and machine", describe_verify},
@@ -121,19 +124,27 @@ constexpr std::array<Described, 8> verbs = {
      {"study", "Published tables and figures made again, ours beside them", describe_study},
      {"design", "Size digital integrators: bits, clock, feed word, rates", describe_design},
      {"simulate", "Words through simulated loops of all axes: errors of the slides", describe_simulate},
-     {"drive", "Run on time: the real-time controller, with simulated drives or a file", describe_drive}}};
+     {"drive", "Run on time: the real-time controller, with simulated drives or a file", describe_drive},
+     {"help", "What a command does, its options and examples; manual pages", describe_help},
+     {"completion", "A script by which a shell completes this command's words", describe_completion}}};
 
 }  // namespace
 
-std::variant<Arguments, Answer> parse_arguments(int count, const char* const* values) {
-  const ProgramHelp program{
-      "leadscrew", "CNC part programs into motion.", std::string("leadscrew ") + LEADSCREW_VERSION,
-      std::string(main_examples) + "\n" + std::string(exit_statuses),
-      "; there are run, check, verify and simulate for programs, drive to run them on time, pulse, study and design"};
-  Arguments arguments;
-  std::deque<Command> commands;
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Described& verb : verbs) names.emplace_back(verb.name);
+  return names;
+}
+
+void describe_program(options::Program& program, Arguments& arguments) {
+  program.exit_statuses = exit_statuses;
+  program.known_commands =
+      "; there are run, check, verify and simulate for programs, drive to run them on time, pulse, study and design; "
+      "help says more";
+  describe_itself(program.itself, arguments);
+  program.itself.help(std::string(main_examples));
   for (const Described& verb : verbs) {
-    Command& command = commands.emplace_back(verb.name, verb.what);
+    Command& command = program.commands.emplace_back(verb.name, verb.what);
     verb.describe(command, arguments);
     command.check([&arguments] {
       return check_standard_input(arguments).and_then([&] { return check_curves(arguments); }).and_then([&] {
@@ -141,9 +152,18 @@ std::variant<Arguments, Answer> parse_arguments(int count, const char* const* va
       });
     });
   }
-  const auto parsed = parse_command_line(commands, program, count, values);
+}
+
+std::variant<Arguments, Answer> parse_arguments(int count, const char* const* values) {
+  Arguments arguments;
+  options::Program program("leadscrew", "CNC part programs into motion.", LEADSCREW_VERSION);
+  describe_program(program, arguments);
+  const auto parsed = options::parse_command_line(program, count, values);
   if (const auto* answer = std::get_if<Answer>(&parsed)) return *answer;
-  arguments.verb = static_cast<Arguments::Verb>(std::get<std::size_t>(parsed));
+  const Command* const command = std::get<const Command*>(parsed);
+  if (auto answer = answer_about(program, command, arguments)) return std::move(*answer);
+  const auto verb = std::ranges::find(verbs, command->name(), &Described::name);
+  arguments.verb = static_cast<Arguments::Verb>(verb - verbs.begin());
   arguments.command_line = command_line(count, values);
   return arguments;
 }

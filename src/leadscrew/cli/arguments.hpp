@@ -2,15 +2,14 @@
 // What the command line asks for.
 
 #include <leadscrew/base/time.hpp>
+#include <leadscrew/cli/about.hpp>
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/design_arguments.hpp>
 #include <leadscrew/cli/drive_arguments.hpp>
 #include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
-#include <leadscrew/cli/quantity.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
-#include <leadscrew/cli/status.hpp>
 #include <leadscrew/cli/study_arguments.hpp>
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/gcode/move.hpp>
@@ -33,6 +32,7 @@ struct Arguments {
   PulseArguments pulse;                ///< of pulse
   results::SizingQuestion design;      ///< of design
   drive::Options drive;                ///< of drive
+  AboutArguments about;                ///< of help, completion and --version
   StudyArguments study;                ///< of study
   std::optional<std::string> machine;  ///< file, or the name of a built-in machine
   std::optional<std::string> tools;    ///< file
@@ -47,6 +47,12 @@ struct Arguments {
   ColorChoice color = ColorChoice::automatic;
   std::string command_line;  ///< as a shell would take it
 };
+
+/// "run", "check" and all others.
+std::vector<std::string> command_names();
+
+/// Describes every command, whose values will go to the arguments; these must outlive the program.
+void describe_program(options::Program& program, Arguments& arguments);
 
 std::variant<Arguments, Answer> parse_arguments(int count, const char* const* values);
 

@@ -2,7 +2,7 @@
 // Curves of the studies in place of files: curve:NAME, or curve:NAME@FEED with a feed in mm/s. A file whose name begins
 // like that is given as ./curve:…
 
-#include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/study/curves.hpp>
 #include <string>
 #include <string_view>

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/status.hpp>
+#include <leadscrew/cli/option_hints.hpp>
+#include <leadscrew/cli/options.hpp>
+#include <leadscrew/files/output_file.hpp>
 #include <vector>
 
 namespace leadscrew::cli {
@@ -12,10 +14,11 @@ class DiagnosticLog {
  public:
   explicit DiagnosticLog(Console& console) : console_(console) {}
 
-  void add(const base::Diagnostic& diagnostic) {
-    // Whoever pressed ^C knows.
-    const bool silent = diagnostic.code == "interrupted";
-    if (!silent) console_.diagnostic(diagnostic);
+  void add(const base::Diagnostic& problem) {
+    const base::Diagnostic diagnostic = with_options(problem);
+    // Whoever pressed ^C knows, and whoever has closed the pipe, with `| head`, wants no more.
+    const bool is_closed = diagnostic.code == "io-pipe" && files::is_standard_output(diagnostic.place.file);
+    if (diagnostic.code != "interrupted" && !is_closed) console_.diagnostic(diagnostic);
     errors_ += diagnostic.severity == base::Severity::error ? 1 : 0;
     warnings_ += diagnostic.severity == base::Severity::warning ? 1 : 0;
     status_ = worse(status_, status_of(diagnostic));

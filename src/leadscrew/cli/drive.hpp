@@ -3,7 +3,7 @@
 
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/status.hpp>
+#include <leadscrew/cli/options.hpp>
 
 namespace leadscrew::cli {
 

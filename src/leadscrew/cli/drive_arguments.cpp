@@ -49,17 +49,22 @@ Parsed<void> settle(const Command& command, drive::Options& drive) {
 
 void describe_drive(Command& command, Arguments& arguments) {
   drive::Options& drive = arguments.drive;
-  command.word("PROGRAM", "Part program; - is standard input, curve:NAME a curve of the studies", arguments.programs);
+  command.word("PROGRAM", "Part program; - is standard input, curve:NAME a curve of the studies", arguments.programs,
+               program_values());
   add_common(command, arguments);
   add_period(command, arguments);
   add_motion(command, arguments);
-  command.text("--trace", "FILE", "Write the words that the drives took: " + trace::endings_text(), drive.trace);
-  command.text("--axes", "FILE", "Write where the axes went, period by period: " + trace::endings_text(), drive.axes);
-  command.text("--events", "FILE", "Write when and where spindle, coolant, tools and outputs were asked for, as CSV",
-               drive.events);
-  command.text("--sink", "FILE", "Words go on time to this file or pipe, as CSV, and to no drives", drive.sink);
-  command.text("--state", "FILE", "Keep on disk how far it has come, for --resume", drive.state);
-  command.text("--resume", "FILE", "Go on from where a drive was stopped or killed; FILE is kept up", drive.resume);
+  command.output("--trace", "FILE", "Write the words that the drives took: " + trace::endings_text(), drive.trace,
+                 trace_endings());
+  command.output("--axes", "FILE", "Write where the axes went, period by period: " + trace::endings_text(), drive.axes,
+                 trace_endings());
+  command.output("--events", "FILE", "Write when and where spindle, coolant, tools and outputs were asked for, as CSV",
+                 drive.events, {".csv"});
+  command.output("--sink", "FILE", "Words go on time to this file or pipe, as CSV, and to no drives", drive.sink,
+                 {".csv"});
+  command.output("--state", "FILE", "Keep on disk how far it has come, for --resume", drive.state, {});
+  command.output("--resume", "FILE", "Go on from where a drive was stopped or killed; FILE is kept up", drive.resume,
+                 {});
   command.value("--look-ahead", "TIME", "Planned ahead of the words (default 300ms, less where that is enough)",
                 drive.look_ahead, [](std::string_view text) { return parse_seconds(text, 0.01, 60); });
   command.value("--lead", "TIME", "Words made ahead of their time, so that late ones harm nothing (default 100ms)",

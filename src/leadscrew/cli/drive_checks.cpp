@@ -19,7 +19,6 @@ base::Result<void> check_sink(const Job& job) {
     return base::failure(base::problem("usage", fmt::format("--sink {}: is standard output, where results go", *sink),
                                        "with --quiet it is left to the words"));
   }
-  if (auto ending = check_ending("--sink", sink, {".csv"}); !ending) return ending;
   std::error_code error;
   const bool holds_words =
       std::filesystem::is_regular_file(*sink, error) && std::filesystem::file_size(*sink, error) > 0;
@@ -42,10 +41,7 @@ base::Result<void> check_drive_files(const files::InputFile& program, const Job&
   if (arguments.state && arguments.state != arguments.resume) {
     if (auto sound = drive::check_replaceable(*arguments.state); !sound) return sound;
   }
-  if (auto trace = check_ending("--trace", arguments.trace, trace::endings()); !trace) return trace;
-  if (auto events = check_ending("--events", arguments.events, {".csv"}); !events) return events;
-  if (auto sink = check_sink(job); !sink) return sink;
-  return check_ending("--axes", arguments.axes, trace::endings());
+  return check_sink(job);
 }
 
 }  // namespace leadscrew::cli

@@ -2,6 +2,7 @@
 
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
+#include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
@@ -129,6 +130,15 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
   constexpr std::int64_t moves_between_checks = 4096;
+  if (is_trace(file, job.machine.axis_set())) {
+    log.add({base::Severity::error,
+             "not-a-program",
+             "is a trace, not a part program",
+             "leadscrew verify TRACE PROGRAM judges one",
+             {.file = file.name()},
+             {}});
+    return {};
+  }
   const double begin = realtime::SystemClocks::processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();

@@ -1,141 +1,28 @@
 #pragma once
-// The options of a command, as data: what they are called, what --help says of them, and where their values go. Behind
-// this stands CLI11, which options.cpp alone includes, since it takes ten seconds to compile.
-//
-//   Command run("run", "Plan and interpolate");
-//   run.value("--period", "TIME", "Servo period, such as 1ms", arguments.period, parse_period);
-//   parse_command_line(…)  ─▶  text of every option  ─▶  values, in the order of description  ─▶  checks of the whole
+// What the sources here say of options, by its name alone.
 
-#include <fmt/core.h>
-
-#include <deque>
-#include <functional>
-#include <initializer_list>
-#include <leadscrew/cli/quantity.hpp>
-#include <leadscrew/cli/status.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <variant>
-#include <vector>
+#include <leadscrew/options/options.hpp>
+#include <leadscrew/options/quantity.hpp>
+#include <leadscrew/options/status.hpp>
 
 namespace leadscrew::cli {
 
-/// What a user did wrong, in words.
-template <class... Values>
-tl::unexpected<std::string> wrong(fmt::format_string<Values...> text, Values&&... values) {
-  return tl::unexpected<std::string>(fmt::format(text, std::forward<Values>(values)...));
-}
-
-/// An option, a flag or a word by its place.
-struct Option {
-  enum class Kind { flag, value, word, words };
-
-  Kind kind = Kind::value;
-  std::string name;        ///< "--period"; of words "PROGRAM"
-  std::string value_name;  ///< "TIME"
-  std::string what;
-  /// Called with each text that was given, of a flag with none: puts the value where it goes, or says what is wrong
-  /// with it in words that follow "--period TEXT: ".
-  std::function<Parsed<void>(const std::string&)> take;
-  std::vector<std::string> given = {};
-};
-
-class Command {
- public:
-  Command(std::string name, std::string what) : name_(std::move(name)), what_(std::move(what)) {}
-  Command(const Command&) = delete;
-  Command& operator=(const Command&) = delete;
-
-  /// Words that must be there: one, one that is added to a list, or one or more of those.
-  void word(std::string name, std::string what, std::string& target);
-  void word(std::string name, std::string what, std::vector<std::string>& targets);
-  void words(std::string name, std::string what, std::vector<std::string>& targets);
-
-  void flag(std::string name, std::string what, bool& target);
-  void text(std::string name, std::string value_name, std::string what, std::optional<std::string>& target);
-  /// The name of a file to be written: not empty, and no option that was taken for it.
-  void output(std::string name, std::string value_name, std::string what, std::optional<std::string>& target);
-  /// A number from `least` to `most`.
-  void number(std::string name, std::string value_name, std::string what, double& target, double least, double most);
-
-  /// What `parse` makes of the text: a function of std::string_view that returns a Parsed.
-  template <class Target, class Parse>
-  void value(std::string name, std::string value_name, std::string what, Target& target, Parse parse) {
-    add({Option::Kind::value, std::move(name), std::move(value_name), std::move(what),
-         [&target, parse](const std::string& given) -> Parsed<void> {
-           auto parsed = parse(std::string_view(given));
-           if (!parsed) return tl::unexpected(std::move(parsed.error()));
-           target = std::move(*parsed);
-           return {};
-         }});
-  }
-
-  /// One of some words.
-  template <class Chosen, class Target>
-  void choice(std::string name, std::string value_name, std::string what, Target& target,
-              std::vector<std::pair<std::string_view, Chosen>> choices) {
-    value(std::move(name), std::move(value_name), std::move(what), target,
-          [choices = std::move(choices)](std::string_view text) -> Parsed<Chosen> {
-            std::vector<std::string_view> words;
-            for (const auto& [word, chosen] : choices) {
-              if (word == text) return chosen;
-              words.push_back(word);
-            }
-            return tl::unexpected(none_of(text, words));
-          });
-  }
-
-  /// Examples and the like, below the options.
-  void help(std::string text) { help_ = std::move(text); }
-
-  /// Looks at the values together, once all are taken; says in a whole sentence what is wrong.
-  void check(std::function<Parsed<void>()> check) { checks_.push_back(std::move(check)); }
-  /// Each of the options would be ignored without the first.
-  void only_with(std::string_view needed, std::vector<std::string_view> options);
-
-  /// Was the option given?
-  bool given(std::string_view name) const;
-  /// As it was given last; empty where it was not.
-  std::string_view text_of(std::string_view name) const;
-  /// The first of them that was given; empty for none.
-  std::string_view first_given(std::initializer_list<std::string_view> names) const;
-
-  const std::string& name() const { return name_; }
-  const std::string& what() const { return what_; }
-  const std::string& help() const { return help_; }
-  std::span<Option> options() { return options_; }
-  std::span<const Option> options() const { return options_; }
-
-  /// Hands every text that was given to its option, then checks the whole. What is wrong is a whole sentence.
-  Parsed<void> take() const;
-
- private:
-  void add_words(Option::Kind kind, std::string name, std::string what, std::vector<std::string>& targets);
-  void add(Option option) { options_.push_back(std::move(option)); }
-  static std::string none_of(std::string_view text, std::span<const std::string_view> words);
-
-  std::string name_, what_, help_;
-  std::vector<Option> options_;
-  std::vector<std::function<Parsed<void>()>> checks_;
-};
-
-/// Instead of arguments: a text for standard output (help, version), or for standard error when the status is usage.
-struct Answer {
-  Status status = Status::done;
-  std::string text;
-};
-
-/// What the program itself says of its commands.
-struct ProgramHelp {
-  std::string name, what, version, help;
-  std::string commands;  ///< "; there are …", for a word that is no command
-};
-
-/// The place of the command that the line asks for; its values are where they go.
-std::variant<std::size_t, Answer> parse_command_line(std::deque<Command>& commands, const ProgramHelp& program,
-                                                     int count, const char* const* values);
+using options::Answer;
+using options::AxisValue;
+using options::Command;
+using options::file;
+using options::parse_axis_values;
+using options::parse_frequency;
+using options::parse_number;
+using options::parse_numbers;
+using options::parse_period;
+using options::parse_step_time;
+using options::parse_tolerance;
+using options::Parsed;
+using options::Status;
+using options::status_of;
+using options::Values;
+using options::worse;
+using options::wrong;
 
 }  // namespace leadscrew::cli

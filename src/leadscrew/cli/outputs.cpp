@@ -21,13 +21,6 @@ tl::unexpected<base::Diagnostic> usage_problem(std::string message, std::string 
   return base::failure({base::Severity::error, "usage", std::move(message), std::move(hint), {}, {}});
 }
 
-base::Result<void> make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return base::failure(files::system_failure("io-open", "cannot make the folder", folder, error.value()));
-  return {};
-}
-
 base::Result<std::unique_ptr<files::OutputFile>> create(const std::string& path, files::OutputFile::Access access) {
   auto file = files::OutputFile::create(path, access);
   if (!file) return base::failure(file.error());
@@ -86,35 +79,17 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
   return {};
 }
 
-base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path,
-                                const std::vector<std::string_view>& endings) {
-  if (!path || is_special(*path)) return {};
-  if (std::find(endings.begin(), endings.end(), files::extension(*path)) != endings.end()) return {};
-  const std::vector<std::string_view> all_but_last(endings.begin(), endings.end() - 1);
-  const std::string what =
-      all_but_last.empty() ? fmt::format("does not end in {}", endings.back())
-                           : fmt::format("ends in neither {} nor {}", fmt::join(all_but_last, ", "), endings.back());
-  return usage_problem(fmt::format("{} {}: {}", option, *path, what), "the ending says the format");
-}
-
 base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments) {
   std::vector<std::string> written;
   for (const auto& path : paths.all()) {
     if (path) written.push_back(*path);
   }
-  if (auto sound = check_written(written, program, arguments); !sound) return sound;
-  if (auto trace = check_ending("--trace", paths.trace, trace::endings()); !trace) return trace;
-  if (auto events = check_ending("--events", paths.events, {".csv"}); !events) return events;
-  if (auto blocks = check_ending("--blocks", paths.blocks, {".csv"}); !blocks) return blocks;
-  return check_ending("--pulses", paths.pulses, {".vcd", ".csv"});
+  return check_written(written, program, arguments);
 }
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   Outputs outputs(paths, job);
   const bool follows = job.arguments.verb == Arguments::Verb::simulate;
-  if (job.arguments.run.out) {
-    if (auto made = make_folder(*job.arguments.run.out); !made) return base::failure(made.error());
-  }
   if (paths.trace) {
     const trace::MoreColumns columns{.actual = follows, .power = job.machine.laser.has_value()};
     if (auto opened = outputs.trace_.open(*paths.trace, job.machine, columns); !opened)

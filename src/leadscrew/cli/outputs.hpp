@@ -37,15 +37,12 @@ bool is_same_output(const std::string& path, const std::string& other);
 /// the same.
 base::Result<void> check_written(const std::vector<std::string>& paths, const files::InputFile& program,
                                  const Arguments& arguments);
-/// Of an option that may be absent: does its ending say one of the formats? Error: `usage`.
-base::Result<void> check_ending(std::string_view option, const std::optional<std::string>& path,
-                                const std::vector<std::string_view>& endings);
-/// Both, of these paths.
+/// The same of these paths.
 base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments);
 
 class Outputs {
  public:
-  /// Opens what was asked for; makes the folder of --out. The job must outlive the outputs.
+  /// Opens what was asked for, in folders that are made where they are missing. The job must outlive the outputs.
   static base::Result<Outputs> open(const OutputPaths& paths, const Job& job);
 
   base::Result<void> write(const base::Word& word) { return write(word, {}, 0); }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/status.hpp>
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/json/json.hpp>
 #include <memory>
 #include <string>

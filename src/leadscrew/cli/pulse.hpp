@@ -3,7 +3,7 @@
 
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/status.hpp>
+#include <leadscrew/cli/options.hpp>
 
 namespace leadscrew::cli {
 

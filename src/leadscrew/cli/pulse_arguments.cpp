@@ -7,7 +7,6 @@
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
-#include <leadscrew/files/output_file.hpp>
 #include <limits>
 #include <memory>
 #include <span>
@@ -145,14 +144,10 @@ Parsed<void> check_use(const PulseArguments& arguments) {
       .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); });
 }
 
-/// Of what is written: each ending belongs to one option.
+/// Of what is told on standard output.
 Parsed<void> check_outputs(const PulseArguments& pulse, bool json) {
   if (pulse.path && !json) return wrong("--path is for --json; --table is the same as text");
   if (pulse.table && json) return wrong("--table is text; with --json, --path gives every place");
-  if (pulse.vcd && files::extension(*pulse.vcd) == ".svg")
-    return wrong("--vcd {}: would write registers; --svg writes the picture", *pulse.vcd);
-  if (pulse.svg && files::extension(*pulse.svg) == ".vcd")
-    return wrong("--svg {}: would write the picture; --vcd writes registers", *pulse.svg);
   return {};
 }
 
@@ -173,7 +168,7 @@ void add_curve(Command& command, PulseArguments& pulse, GivenCurve& given) {
 void add_methods(Command& command, PulseArguments& pulse) {
   nc::MethodOptions& options = pulse.options;
   command.value("--method", "LIST", "Some of " + names_of_pulse_methods() + " (default: all)", pulse.methods,
-                parse_methods);
+                parse_methods, {.words = pulse_method_names(), .is_list = true});
   command.value("--bits", "N", "Width of the registers; the capacity of dda is then 2^N", options.bits, parse_bits);
   command.choice("--preload", "LOAD", "Of the remainders: zero, half, half-lagging or full", options.preload,
                  named(nc::all_preloads));
@@ -189,16 +184,19 @@ Parsed<PulseMethod> parse_pulse_method(std::string_view text) {
   for (const PulseMethod method : nc::all_pulse_methods) {
     if (text == nc::name(method)) return method;
   }
-  std::vector<std::string_view> names;
-  for (const PulseMethod method : nc::all_pulse_methods) names.push_back(nc::name(method));
-  return wrong("is none of {}{}", names_of_pulse_methods(), base::did_you_mean(text, names));
+  const auto names = pulse_method_names();
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return wrong("is none of {}{}", names_of_pulse_methods(), base::did_you_mean(text, known));
+}
+
+std::vector<std::string> pulse_method_names() {
+  std::vector<std::string> names;
+  for (const PulseMethod method : nc::all_pulse_methods) names.emplace_back(nc::name(method));
+  return names;
 }
 
 std::string names_of_pulse_methods() {
-  std::string names;
-  for (const PulseMethod method : nc::all_pulse_methods)
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", nc::name(method));
-  return names;
+  return fmt::format("{}", fmt::join(pulse_method_names(), ", "));
 }
 
 void describe_pulse(Command& command, Arguments& arguments) {
@@ -210,8 +208,8 @@ void describe_pulse(Command& command, Arguments& arguments) {
   add_methods(command, pulse);
   command.flag("--table", "Every register at every clock, as text", pulse.table);
   command.flag("--path", "Every place, in JSON", pulse.path);
-  command.output("--vcd", "FILE.vcd", "Write every register at every clock", pulse.vcd);
-  command.output("--svg", "FILE.svg", "Write the steps over the true curve", pulse.svg);
+  command.output("--vcd", "FILE.vcd", "Write every register at every clock", pulse.vcd, {".vcd"});
+  command.output("--svg", "FILE.svg", "Write the steps over the true curve", pulse.svg, {".svg"});
   add_output(command, arguments);
   command.check([&command, &arguments, given]() -> Parsed<void> {
     using Shape = nc::PulseCurve::Shape;

@@ -1,7 +1,7 @@
 #pragma once
 // What the command line asks `leadscrew pulse` for.
 
-#include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/nc/pulse_method.hpp>
 #include <optional>
 #include <string>
@@ -21,7 +21,6 @@ struct PulseArguments {
 };
 
 struct Arguments;
-class Command;
 
 /// The options of pulse, which put their values into the arguments.
 void describe_pulse(Command& command, Arguments& arguments);
@@ -29,7 +28,8 @@ void describe_pulse(Command& command, Arguments& arguments);
 /// One of their names; what is wrong follows "--option TEXT: ".
 Parsed<nc::PulseMethod> parse_pulse_method(std::string_view text);
 
-/// "point-comparison, dda, …": every method there is.
+/// Every method there is, and "point-comparison, dda, …".
+std::vector<std::string> pulse_method_names();
 std::string names_of_pulse_methods();
 
 }  // namespace leadscrew::cli

@@ -55,7 +55,7 @@ void add_step_times(Command& command, RunArguments& run) {
 
 void add_blocks(Command& command, Arguments& arguments) {
   command.output("--blocks", "FILE.csv", "Write what each block took and lost, and what it waited for",
-                 arguments.run.blocks);
+                 arguments.run.blocks, {".csv"});
   command.check([&command, &arguments]() -> Parsed<void> {
     if (arguments.programs.size() < 2 || !command.given("--blocks")) return {};
     return wrong("--blocks is for one program");
@@ -65,11 +65,11 @@ void add_blocks(Command& command, Arguments& arguments) {
 void add_pulses(Command& command, RunArguments& run) {
   command.output("--pulses", "FILE",
                  "Write steps and directions: .vcd or .csv; beside --out vcd or csv, for DIR/NAME.steps.vcd",
-                 run.pulses);
+                 run.pulses, {".vcd", ".csv"}, {"vcd", "csv"});
   command.value("--pulse-method", "NAME",
                 "Of --pulses: by an interpolator of the papers, not steps that follow the words: " +
                     names_of_pulse_methods() + "; here dda too has capacity R or L and begins half full",
-                run.pulse_method, parse_pulse_method);
+                run.pulse_method, parse_pulse_method, {.words = pulse_method_names()});
   command.flag("--accelerate",
                "Of --pulse-method: feed rises and falls as the axes can; else one that an axis cannot make is refused",
                run.accelerate);
@@ -82,6 +82,9 @@ Parsed<void> check_pulses(const Arguments& arguments) {
   const RunArguments& run = arguments.run;
   if (run.accelerate && !run.pulse_method)
     return wrong("--accelerate is of --pulse-method; steps that follow the words have the words' acceleration");
+  if (run.pulses && !run.out && step_format(*run.pulses))
+    return wrong("--pulses {0}: names a format beside --out DIR; alone it is a file's name, such as steps.{0}",
+                 *run.pulses);
   if (arguments.programs.size() < 2 || !run.pulses || (run.out && step_format(*run.pulses))) return {};
   return wrong(
       "--pulses {}: is for one program; with several, --out DIR --pulses vcd, or csv, writes the steps of each",
@@ -99,14 +102,14 @@ std::optional<std::string> step_format(std::string_view text) {
 
 void describe_run(Command& command, Arguments& arguments) {
   RunArguments& run = arguments.run;
-  command.words("PROGRAM", programs_help, arguments.programs);
+  command.words("PROGRAM", programs_help, arguments.programs, program_values());
   add_common(command, arguments);
   add_period(command, arguments);
   add_motion(command, arguments);
   command.choice("--interpolator", "RULE",
                  "Parameter steps along curves: arc-length (default), taylor1, taylor2, newton or uniform",
                  run.interpolator, step_rules());
-  command.output("--trace", "FILE", "Write the words: " + trace::endings_text(), run.trace);
+  command.output("--trace", "FILE", "Write the words: " + trace::endings_text(), run.trace, trace_endings());
   add_pulses(command, run);
   add_pages(command, arguments);
   add_blocks(command, arguments);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/interpolator/parameter_steps.hpp>
 #include <leadscrew/nc/pulse_method.hpp>
 #include <optional>
@@ -30,7 +31,6 @@ inline constexpr std::array<const char*, 4> step_time_options = {"--step-length"
 std::optional<std::string> step_format(std::string_view text);
 
 struct Arguments;
-class Command;
 
 /// The options of run, which put their values into the arguments.
 void describe_run(Command& command, Arguments& arguments);

@@ -1,8 +1,23 @@
 #include <cmath>
 #include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
+#include <leadscrew/study/named_curves.hpp>
+#include <leadscrew/trace/word_writer.hpp>
 
 namespace leadscrew::cli {
+
+Values program_values() {
+  Values values = file({".ngc", ".nc", ".tap", ".gcode", ".cnc"});
+  for (const study::NamedCurve& curve : study::named_curves())
+    values.words.push_back(std::string(curve_prefix) + std::string(curve.name));
+  return values;
+}
+
+std::vector<std::string> trace_endings() {
+  const auto endings = trace::endings();
+  return {endings.begin(), endings.end()};
+}
 
 void add_output(Command& command, Arguments& arguments) {
   command.flag("--json", "One JSON object on standard output, nothing else there", arguments.json);
@@ -13,8 +28,9 @@ void add_output(Command& command, Arguments& arguments) {
 }
 
 void add_common(Command& command, Arguments& arguments) {
-  command.text("--machine", "FILE", "Machine file (TOML), or the built-in mill3 (default)", arguments.machine);
-  command.text("--tools", "FILE", "Tool table, in LinuxCNC's format", arguments.tools);
+  command.text("--machine", "FILE", "Machine file (TOML), or the built-in mill3 (default)", arguments.machine,
+               file({".toml"}, {"mill3"}));
+  command.text("--tools", "FILE", "Tool table, in LinuxCNC's format", arguments.tools, file({".tbl"}));
   command.value("--start", "X0,Y0,...",
                 "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)", arguments.start,
                 parse_axis_values);
@@ -51,11 +67,11 @@ void add_motion(Command& command, Arguments& arguments) {
 
 void add_pages(Command& command, Arguments& arguments) {
   RunArguments& run = arguments.run;
-  command.output("--report", "FILE.html", "Write one self-contained page", run.report);
-  command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed", run.picture);
+  command.output("--report", "FILE.html", "Write one self-contained page", run.report, {".html", ".htm"});
+  command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed", run.picture, {".svg"});
   command.output("--events", "FILE.csv", "Write when and where spindle, coolant, tools and outputs were asked for",
-                 run.events);
-  command.output("--out", "DIR", "Write DIR/NAME.csv, .html and .svg of each program", run.out);
+                 run.events, {".csv"});
+  command.folder("--out", "DIR", "Write DIR/NAME.csv, .html and .svg of each program", run.out);
   command.check([&command, &arguments]() -> Parsed<void> {
     const std::string_view option = command.first_given({"--trace", "--report", "--picture", "--events"});
     if (arguments.programs.size() < 2 || option.empty()) return {};

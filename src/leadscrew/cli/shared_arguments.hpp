@@ -2,10 +2,18 @@
 // Options that several commands have.
 
 #include <leadscrew/cli/options.hpp>
+#include <string>
+#include <vector>
 
 namespace leadscrew::cli {
 
 struct Arguments;
+
+/// What a part program is, for the completion of shells.
+Values program_values();
+
+/// Of traces: those of trace::endings().
+std::vector<std::string> trace_endings();
 
 /// --json, --quiet, --color.
 void add_output(Command& command, Arguments& arguments);

@@ -39,27 +39,23 @@ Parsed<servo::PidGains> parse_gains(std::string_view text) {
   return servo::PidGains{(*values)[0], (*values)[1], (*values)[2]};
 }
 
-Parsed<bool> parse_switch(std::string_view text) {
-  if (text == "on" || text == "off") return text == "on";
-  return wrong("is neither on nor off");
-}
-
 }  // namespace
 
 void describe_simulate(Command& command, Arguments& arguments) {
   SimulateArguments& simulate = arguments.simulate;
-  command.words("PROGRAM", programs_help, arguments.programs);
+  command.words("PROGRAM", programs_help, arguments.programs, program_values());
   add_common(command, arguments);
   add_period(command, arguments);
   add_motion(command, arguments);
   command.value("--gains", "P,I,D",
                 "PID in every axis: u = P e + I T sum(e) + D (e - last e), in place of the machine's controllers",
                 simulate.gains, parse_gains);
-  command.value("--feed-forward", "WHETHER", "on or off, of velocity and acceleration", simulate.feed_forward,
-                parse_switch);
+  command.choice<bool>("--feed-forward", "WHETHER", "on or off, of velocity and acceleration", simulate.feed_forward,
+                       {{"on", true}, {"off", false}});
   command.flag("--pulses", "Steps through pulse-driven loops, in place of words", simulate.pulses);
   add_adaptive(command, arguments);
-  command.output("--trace", "FILE", "Write words and slides: " + trace::endings_text(), arguments.run.trace);
+  command.output("--trace", "FILE", "Write words and slides: " + trace::endings_text(), arguments.run.trace,
+                 trace_endings());
   add_pages(command, arguments);
   add_threads(command, arguments);
   command.check([&command, &simulate]() -> Parsed<void> {

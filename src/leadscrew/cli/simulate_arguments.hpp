@@ -1,6 +1,7 @@
 #pragma once
 // What the command line asks `leadscrew simulate` for, beside what other commands are asked for too.
 
+#include <leadscrew/cli/options.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/servo/adaptive_cut.hpp>
 #include <leadscrew/servo/pid.hpp>
@@ -29,7 +30,6 @@ struct SimulateArguments {
 };
 
 struct Arguments;
-class Command;
 
 /// The options of simulate, which put their values into the arguments.
 void describe_simulate(Command& command, Arguments& arguments);

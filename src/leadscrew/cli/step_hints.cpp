@@ -55,10 +55,6 @@ std::string hint_of_step_times(const Job& job) {
 
 base::Diagnostic in_options(base::Diagnostic problem, const Job& job) {
   if (problem.code == "pulse-step-length") problem.hint = hint_of_step_times(job);
-  if (problem.code == "pulse-velocity")
-    problem.hint = "program a lower feed, or give --accelerate: the feed then keeps to what the axes can do";
-  if (problem.code == "pulse-feed-word") problem.hint = "program a higher feed, or give a slower --step-clock";
-  if (problem.code == "pulse-rate") problem.hint = "program a lower feed, or give a faster --step-clock, up to 10MHz";
   return problem;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <leadscrew/cli/diagnostic_log.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
@@ -37,8 +36,6 @@ base::Result<void> draw(const study::Study& study, const std::string& path) {
 }
 
 base::Result<void> write_words(const std::vector<study::StudyFile>& texts, const std::string& folder) {
-  std::error_code ignored;  // writing says what is wrong
-  std::filesystem::create_directories(folder, ignored);
   for (const study::StudyFile& each : texts) {
     auto file = files::OutputFile::create(folder + "/" + each.name, files::OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());

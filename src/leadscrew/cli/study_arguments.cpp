@@ -39,9 +39,14 @@ Parsed<void> check_outputs(const StudyArguments& asked) {
   });
 }
 
+std::vector<std::string_view> study_names() {
+  std::vector<std::string_view> names = {"list"};
+  for (const study::Study& study : study::studies()) names.push_back(study.name);
+  return names;
+}
+
 Parsed<void> check_name(std::string_view name) {
-  std::vector<std::string_view> known = {"list"};
-  for (const study::Study& study : study::studies()) known.push_back(study.name);
+  const std::vector<std::string_view> known = study_names();
   if (std::ranges::find(known, name) != known.end()) return {};
   const std::string meant = base::did_you_mean(name, known);
   return wrong("no study \"{}\"{}", name,
@@ -52,10 +57,12 @@ Parsed<void> check_name(std::string_view name) {
 
 void describe_study(Command& command, Arguments& arguments) {
   StudyArguments& study = arguments.study;
-  command.word("NAME", "Which; list says what there is", study.name);
-  command.text("--picture", "FILE", "Its quantities over time, where it has any, as an SVG", study.picture);
-  command.text("--words", "FOLDER", "Its programs and their words, where it has any, as files in a folder",
-               study.words);
+  const auto names = study_names();
+  command.word("NAME", "Which; list says what there is", study.name, {.words = {names.begin(), names.end()}});
+  command.output("--picture", "FILE.svg", "Its quantities over time, where it has any, as an SVG", study.picture,
+                 {".svg"});
+  command.folder("--words", "FOLDER", "Its programs and their words, where it has any, as files in a folder",
+                 study.words);
   add_output(command, arguments);
   command.check([&study] { return check_name(study.name).and_then([&] { return check_outputs(study); }); });
   command.help(std::string(study_examples));

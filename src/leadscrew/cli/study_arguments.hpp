@@ -1,6 +1,7 @@
 #pragma once
 // What the command line asks `leadscrew study` for.
 
+#include <leadscrew/cli/options.hpp>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,6 @@ struct StudyArguments {
 };
 
 struct Arguments;
-class Command;
 
 /// The options of study, which put their values into the arguments.
 void describe_study(Command& command, Arguments& arguments);

@@ -37,7 +37,7 @@ base::Result<base::Period> trace_period(const files::InputFile& file, base::Axis
       return trace_problem("trace-period", file,
                            fmt::format("row {} is at t = {}, the row before at {}, and the first two are {} apart",
                                        rows, t, before, spacing),
-                           "give --period to take rows as evenly spaced");
+                           "rows evenly spaced");
     }
     before = t;
   }
@@ -47,6 +47,10 @@ base::Result<base::Period> trace_period(const files::InputFile& file, base::Axis
   if (mean >= shortest && mean <= longest) return base::Period{std::llround(mean * 1e9)};
   return trace_problem("trace-period", file, fmt::format("rows are {} s apart", mean),
                        "between 1 us and 1 s; t is in seconds");
+}
+
+bool is_trace(const files::InputFile& file, base::AxisSet axes) {
+  return trace::TraceReader::open(file.source(), file.name(), axes).has_value();
 }
 
 }  // namespace leadscrew::cli

@@ -13,4 +13,7 @@ namespace leadscrew::cli {
 /// the first row that is out of step, `trace-empty`, and those of trace::TraceReader.
 base::Result<base::Period> trace_period(const files::InputFile& file, base::AxisSet axes, base::Period otherwise);
 
+/// Does it begin as a trace does? No part program can.
+bool is_trace(const files::InputFile& file, base::AxisSet axes);
+
 }  // namespace leadscrew::cli

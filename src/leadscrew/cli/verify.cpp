@@ -27,6 +27,11 @@ class Verification {
     const auto program_file = open_program(program);
     if (!program_file) log_.add(program_file.error());
     if (log_.errors() > 0) return std::nullopt;
+    if (is_trace(*program_file, machine_.axis_set()) && !is_trace(*trace_file, machine_.axis_set())) {
+      log_.add(base::problem("usage", fmt::format("{} is the trace, {} is not: the two are swapped", program, trace),
+                             fmt::format("leadscrew verify {} {}", program, trace)));
+      return std::nullopt;
+    }
     read_program(*program_file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
     auto figures = judge(*trace_file, *program_file);
@@ -89,7 +94,7 @@ class Verification {
       log_.add({base::Severity::note,
                 "trace-axis",
                 fmt::format("no column {}", base::letter(axis)),
-                "taken to stand still where the program begins",
+                "taken to stand still where the program begins, which --start says",
                 {.file = trace},
                 {}});
     }

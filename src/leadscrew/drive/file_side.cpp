@@ -29,6 +29,7 @@ FileSide::FileSide(Link& link, const Setup& setup, const State& begin)
 
 base::Result<void> FileSide::open(const Setup& setup) {
   if (auto opened = open_events(setup); !opened) return opened;
+  if (auto made = files::make_folder_of(path_); !made) return made;
   // A pipe without a reader cannot be opened so: ENXIO.
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC;
   struct stat status = {};

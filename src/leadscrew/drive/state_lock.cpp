@@ -55,6 +55,7 @@ base::Result<Attempt> try_to_hold(const std::string& path, files::Descriptor& de
 base::Result<StateLock> StateLock::hold(const std::string& state) {
   StateLock lock;
   if (needs_no_lock(state)) return lock;
+  if (auto made = files::make_folder_of(state); !made) return base::failure(made.error());
   const std::string path = lock_path(state);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     if (files::interruptions() > 0) return base::failure(files::interruption());

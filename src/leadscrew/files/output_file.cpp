@@ -61,6 +61,14 @@ std::string target_of(const std::string& path) {
   return target.string();
 }
 
+base::Result<void> make_folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(target_of(path)).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) return base::failure(system_failure("io-open", "cannot make the folder", folder, error.value()));
+  return {};
+}
+
 bool is_standard_output(const std::string& path) {
   struct stat file = {};
   return ::stat(path.c_str(), &file) == 0 && is_standard_output(file);
@@ -92,6 +100,7 @@ base::Result<OutputFile> OutputFile::create(const std::string& path, Access acce
   if (exists && is_standard_output(existing)) {
     return base::failure(system_failure("io-open", "cannot write to the file of standard output", path, EBUSY));
   }
+  if (auto made = make_folder_of(path); !made) return base::failure(made.error());
   file.target_ = target_of(path);
   if (auto opened = file.open_temporary(); !opened) return base::failure(opened.error());
   if (exists) ::fchmod(file.descriptor_.number(), existing.st_mode & 0777);
@@ -109,11 +118,8 @@ base::Result<void> OutputFile::open_temporary() {
       return {};
     }
     if (interrupted()) return base::failure(interruption());
-    if (errno != EINTR && errno != EEXIST) {
-      base::Diagnostic problem = system_failure("io-open", "cannot write", path_, errno);
-      if (errno == ENOENT) problem.hint = "make the folder first";
-      return base::failure(std::move(problem));
-    }
+    if (errno != EINTR && errno != EEXIST)
+      return base::failure(system_failure("io-open", "cannot write", path_, errno));
   }
 }
 

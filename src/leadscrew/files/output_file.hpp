@@ -20,6 +20,9 @@ std::string extension(const std::string& path);
 /// Where links lead: the file that is made or replaced when this one is written.
 std::string target_of(const std::string& path);
 
+/// Makes the folders that lead to the file, those that are missing. Error: `io-open`.
+base::Result<void> make_folder_of(const std::string& path);
+
 /// Does standard output go there?
 bool is_standard_output(const std::string& path);
 
@@ -30,7 +33,7 @@ class OutputFile {
  public:
   enum class Access { sequential, rewritable };  ///< rewritable: rewrite_start() will be called
 
-  /// Errors: `io-open`; a pipe cannot be rewritable.
+  /// Makes missing folders. Errors: `io-open`; a pipe cannot be rewritable.
   static base::Result<OutputFile> create(const std::string& path, Access access);
 
   OutputFile(OutputFile&& other) noexcept;

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::options {
 
 /// A value, or what is wrong with the text in words that follow "--option TEXT: ".
 template <class T>
@@ -38,4 +38,4 @@ using AxisValue = std::pair<base::Axis, double>;
 /// X0,Y-1.5,A90: letters of axes with numbers.
 Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text);
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::options

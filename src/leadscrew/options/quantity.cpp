@@ -4,10 +4,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <leadscrew/cli/quantity.hpp>
+#include <leadscrew/options/quantity.hpp>
 #include <optional>
 
-namespace leadscrew::cli {
+namespace leadscrew::options {
 
 namespace {
 
@@ -135,4 +135,4 @@ Parsed<std::vector<AxisValue>> parse_axis_values(std::string_view text) {
   }
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::options

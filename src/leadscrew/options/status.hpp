@@ -3,7 +3,7 @@
 
 #include <leadscrew/base/diagnostic.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::options {
 
 /// Exit status. Of several programs the greatest counts.
 enum class Status : int {
@@ -30,4 +30,4 @@ inline Status status_of(const base::Diagnostic& diagnostic) {
   return is_of_files ? Status::input_output : Status::rejected;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::options
