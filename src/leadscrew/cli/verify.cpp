@@ -63,7 +63,7 @@ class Verification {
       const auto row = rows->next();
       if (!row) return base::failure(row.error());
       if (!*row) break;
-      referee.observe(completed((*row)->position, rows->axes()));
+      referee.observe(completed((*row)->position, rows->axes()), (*row)->feed);
       if (++progress.words % rows_between_checks != 0) continue;
       if (files::interrupted()) return base::failure(files::interruption());
       progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();

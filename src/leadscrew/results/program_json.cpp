@@ -52,6 +52,12 @@ Json axes_of(const referee::Verdict& verdict) {
   return list;
 }
 
+Json feed_of(double programmed_max, const referee::Verdict& verdict) {
+  return Json::object({{"programmed_max_mm_s", programmed_max},
+                       {"max_ratio", verdict.feed_max_ratio},
+                       {"ripple", verdict.feed_ripple}});
+}
+
 Json plan_of(const constraints::LimitRatios& plan, const machine::Machine& machine) {
   Json list = Json::list();
   for (const base::Axis axis : base::all_axes) {
@@ -137,9 +143,7 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                              {{"bound_s", summary.bound_s},
                               {"deviation_mm", verdict.deviation_mm},
                               {"tolerance_mm", summary.tolerance_mm},
-                              {"feed", Json::object({{"programmed_max_mm_s", summary.feed_programmed_max},
-                                                     {"max_ratio", verdict.feed_max_ratio},
-                                                     {"ripple", summary.ripple}})},
+                              {"feed", feed_of(summary.feed_programmed_max, verdict)},
                               {"axes", axes_of(verdict)},
                               {"plan", plan_of(summary.plan, machine)},
                               {"extents", extents_of(figures.extents)},
@@ -177,9 +181,7 @@ Json json_of_verify(const std::string& program, const machine::Machine& machine,
                        {"start_error_mm", verdict.start_error_mm},
                        {"end_error_mm", verdict.end_error_mm},
                        {"axes", axes_of(verdict)},
-                       {"feed", Json::object({{"programmed_max_mm_s", verdict.feed_programmed_max},
-                                              {"max_ratio", verdict.feed_max_ratio},
-                                              {"ripple", nullptr}})},
+                       {"feed", feed_of(verdict.feed_programmed_max, verdict)},
                        {"violations", violations_of(verdict)},
                        {"violation_count", verdict.violation_count},
                        {"diagnostics", list_of(diagnostics)}});
