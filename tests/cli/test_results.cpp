@@ -158,7 +158,9 @@ TEST(CheckJson, HasItsKeys) {
   EXPECT_EQ(check.status, 0);
   EXPECT_EQ(check.errors, "");
   EXPECT_EQ(check.json(), Json::parse(R"({"schema": "leadscrew.check/1", "program": "part.ngc", "machine": "mill3",
-      "blocks": 6, "moves": 4, "errors": 0, "warnings": 0, "diagnostics": []})"));
+      "blocks": 6, "moves": 4, "extents": [{"name": "X", "least": 0.0, "greatest": 10.0},
+      {"name": "Y", "least": 0.0, "greatest": 10.0}, {"name": "Z", "least": 0.0, "greatest": 0.0}],
+      "bound_s": 4.04, "errors": 0, "warnings": 0, "diagnostics": []})"));
 }
 
 struct Timing {

@@ -101,7 +101,7 @@ class ProgramRun {
                                std::move(verdict),
                                {reading.seconds, watch.preparing(), watch.cycling(), watch.samples()},
                                lost.by_cause(),
-                               results::extents_of(job_.machine, lost)};
+                               results::extents_of(job_.machine, lost.least_position(), lost.greatest_position())};
   }
 
   /// Many together, but for those that are timed one by one.

@@ -28,7 +28,7 @@ Json axis_object(base::Axis axis, double velocity, double acceleration, double j
                        {"jerk_ratio", jerk}});
 }
 
-Json extents_of(const std::vector<Extent>& extents) {
+Json list_of(const std::vector<Extent>& extents) {
   Json list = Json::list();
   for (const Extent& extent : extents) {
     list.push_back(Json::object(
@@ -146,7 +146,7 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                               {"feed", feed_of(summary.feed_programmed_max, verdict)},
                               {"axes", axes_of(verdict)},
                               {"plan", plan_of(summary.plan, machine)},
-                              {"extents", extents_of(figures.extents)},
+                              {"extents", list_of(figures.extents)},
                               {"losses", losses_of(figures.lost)},
                               {"violation_count", verdict.violation_count},
                               {"cpu", cpu_of(figures.effort)},
@@ -162,6 +162,8 @@ Json json_of_check(const std::string& program, const machine::Machine& machine, 
                        {"machine", machine.name},
                        {"blocks", reading.blocks},
                        {"moves", reading.moves},
+                       {"extents", list_of(reading.extents)},
+                       {"bound_s", reading.bound_s},
                        {"errors", count(diagnostics, base::Severity::error)},
                        {"warnings", count(diagnostics, base::Severity::warning)},
                        {"diagnostics", list_of(diagnostics)}});
