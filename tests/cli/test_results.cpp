@@ -145,7 +145,7 @@ TEST(RunJson, HoldsSeveralProgramsInOneObject) {
   folder.write("a.ngc", square);
   folder.write("b.ngc", with_feed(square, "6000"));
   const Json both = leadscrew(folder, {"run", "a.ngc", "b.ngc", "--json"}).json();
-  EXPECT_EQ(both["schema"], "leadscrew.run/1");
+  EXPECT_EQ(both["schema"], "leadscrew.runs/1");
   ASSERT_EQ(both["programs"].size(), 2u);
   EXPECT_EQ(both["programs"][0]["words"], 4179);
   EXPECT_EQ(both["programs"][1]["program"], "b.ngc");

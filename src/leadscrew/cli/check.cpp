@@ -29,7 +29,7 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
 }  // namespace
 
 Status check(const Job& job, Console& console) {
-  return for_each_program(job, console, results::check_schema, check_program);
+  return for_each_program(job, console, check_program);
 }
 
 }  // namespace leadscrew::cli

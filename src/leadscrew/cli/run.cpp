@@ -132,7 +132,7 @@ ProgramResult run_program(const std::string& program, const Job& job, Console& c
 }  // namespace
 
 Status run(const Job& job, Console& console) {
-  return for_each_program(job, console, results::run_schema, run_program);
+  return for_each_program(job, console, run_program);
 }
 
 }  // namespace leadscrew::cli

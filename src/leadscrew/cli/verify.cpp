@@ -114,7 +114,7 @@ ProgramResult verify_program(const std::string& program, const Job& job, Console
 }  // namespace
 
 Status verify(const Job& job, Console& console) {
-  return for_each_program(job, console, results::verify_schema, verify_program);
+  return for_each_program(job, console, verify_program);
 }
 
 }  // namespace leadscrew::cli
