@@ -130,7 +130,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
                      pipeline::PathSurvey* survey) {
-  constexpr std::int64_t moves_between_checks = 4096;
+  const std::int64_t moves_between_checks = survey ? 64 : 4096;  // a survey makes the tool path as well
   const double begin = realtime::SystemClocks::processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();

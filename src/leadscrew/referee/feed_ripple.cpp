@@ -19,15 +19,15 @@ Vector step_between(const base::AxisVector& from, const base::AxisVector& to, Fe
 }
 
 double length_of(const Vector& v) {
-  return std::hypot(v[0], v[1], v[2]);
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
 /// Of the circle through the ends of two steps; 0 where one of them is none.
 double curvature_of(const Vector& first, const Vector& second) {
   const Vector across = {first[1] * second[2] - first[2] * second[1], first[2] * second[0] - first[0] * second[2],
                          first[0] * second[1] - first[1] * second[0]};
-  const double sides = length_of(first) * length_of(second) *
-                       std::hypot(first[0] + second[0], first[1] + second[1], first[2] + second[2]);
+  const Vector both = {first[0] + second[0], first[1] + second[1], first[2] + second[2]};
+  const double sides = length_of(first) * length_of(second) * length_of(both);
   return sides > 0 ? 2 * length_of(across) / sides : 0;
 }
 
