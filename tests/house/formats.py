@@ -119,6 +119,10 @@ class Schemas:
         for known in self.keys.values():
             for key, count in known.values():
                 check(count > 0, f"no output has {key}")
+        told = {schema.get("properties", {}).get("schema", {}).get("const") for schema in self.files.values()}
+        for path in (source / "src").rglob("*.?pp"):
+            for name in re.findall(r'"(leadscrew\.[a-z-]+/\d+)"', path.read_text(encoding="utf-8")):
+                check(name in told, f"{path.name} writes {name}, which has no file in docs/schemas")
 
 
 def json_of(schemas, name, *words, status=0):
