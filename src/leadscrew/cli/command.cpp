@@ -62,7 +62,7 @@ Status end_without_job(const Arguments& arguments, const DiagnosticLog& log, Con
   for (const std::string& program : arguments.programs) {
     objects.push_back(results::json_of_rejected(schema_of(arguments.verb), program, {}, log.all()));
   }
-  return worse(log.status(), write_output(console, results::json_text(schema_of(arguments.verb), std::move(objects))));
+  return worse(log.status(), write_output(console, results::json_text(results::runs_schema, std::move(objects))));
 }
 
 Status perform(const Arguments& arguments) {

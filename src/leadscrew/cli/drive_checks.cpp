@@ -5,6 +5,7 @@
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/drive/state.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/files/word_file.hpp>
 #include <vector>
 
 namespace leadscrew::cli {
@@ -32,7 +33,8 @@ base::Result<void> check_sink(const Job& job) {
 base::Result<void> check_drive_files(const files::InputFile& program, const Job& job) {
   const drive::Options& arguments = job.arguments.drive;
   std::vector<std::string> written;
-  for (const auto& path : {arguments.trace, arguments.axes, arguments.events, arguments.state, arguments.sink}) {
+  for (const auto& path : {arguments.trace, files::side_of(arguments.trace), arguments.axes,
+                           files::side_of(arguments.axes), arguments.events, arguments.state, arguments.sink}) {
     if (path) written.push_back(*path);
   }
   // A state that goes on may be kept in another file or in the same.

@@ -7,6 +7,7 @@
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>
+#include <leadscrew/results/figures.hpp>
 
 namespace leadscrew::cli {
 
@@ -128,8 +129,9 @@ base::Result<files::InputFile> open_program(const std::string& program) {
   return files::InputFile::of_text(curve->text, program);
 }
 
-Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
-  constexpr std::int64_t moves_between_checks = 4096;
+Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
+                      pipeline::PathSurvey* survey) {
+  const std::int64_t moves_between_checks = survey ? 64 : 4096;  // a survey makes the tool path as well
   if (is_trace(file, job.machine.axis_set())) {
     log.add({base::Severity::error,
              "not-a-program",
@@ -147,6 +149,8 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   Reading reading;
   gcode::Move move;
   for (std::int64_t count = 1; reader.next(move); ++count) {
+    const auto excess = survey && log.errors() == 0 ? survey->observe(move) : std::nullopt;
+    if (excess) reader.warn_of_feed(move, results::warning_of(*excess));
     if (is_motion(move)) ++reading.moves;
     if (is_pause(move)) ++reading.pauses;
     if (count % moves_between_checks != 0) continue;

@@ -7,6 +7,7 @@
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
+#include <leadscrew/pipeline/path_survey.hpp>
 #include <optional>
 #include <string>
 
@@ -43,8 +44,10 @@ struct Reading {
   double seconds = 0;       ///< that reading took
 };
 
-/// Reads the program whole; its problems, and those of its file, go to the log.
-Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log);
+/// Reads the program whole; its problems, and those of its file, go to the log, and feeds beyond the machine with a
+/// survey, which gets all moves up to the first error.
+Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
+                     pipeline::PathSurvey* survey = nullptr);
 
 /// A reader over the file that says nothing: for programs that have been read whole.
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job);

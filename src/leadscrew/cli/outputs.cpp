@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/cli/programs.hpp>
 
 namespace leadscrew::cli {
 
@@ -45,6 +46,7 @@ std::string stem_of(const std::string& program) {
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
   OutputPaths paths{arguments.run.trace,  arguments.run.report, arguments.run.picture,
                     arguments.run.pulses, arguments.run.events, arguments.run.blocks};
+  paths.program = shown_name(program);
   if (!arguments.run.out) return paths;
   const std::string base = (std::filesystem::path(*arguments.run.out) / stem_of(program)).string();
   if (!paths.trace) paths.trace = base + ".csv";
@@ -92,7 +94,7 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   const bool follows = job.arguments.verb == Arguments::Verb::simulate;
   if (paths.trace) {
     const trace::MoreColumns columns{.actual = follows, .power = job.machine.laser.has_value()};
-    if (auto opened = outputs.trace_.open(*paths.trace, job.machine, columns); !opened)
+    if (auto opened = outputs.trace_.open(*paths.trace, paths.program, job.machine, columns); !opened)
       return base::failure(opened.error());
   }
   if (paths.pulses) {
@@ -166,7 +168,8 @@ base::Result<std::vector<std::string>> Outputs::publish() {
     if (auto finished = blocks_->finish(); !finished) return base::failure(finished.error());
   }
   files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
-  const auto written = {trace_.file(), report_.get(), picture_.get(), steps, events_.file(), blocks_file_.get()};
+  const auto written = {trace_.file(), trace_.side(),  report_.get(),     picture_.get(),
+                        steps,         events_.file(), blocks_file_.get()};
   if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
   for (const files::OutputFile* file : written) {

@@ -22,8 +22,11 @@ namespace leadscrew::cli {
 /// Which files a run was asked to write.
 struct OutputPaths {
   std::optional<std::string> trace, report, picture, pulses, events, blocks;
+  std::string program = {};  ///< its name, as results have it
 
-  std::array<std::optional<std::string>, 6> all() const { return {trace, report, picture, pulses, events, blocks}; }
+  std::array<std::optional<std::string>, 7> all() const {
+    return {trace, files::side_of(trace), report, picture, pulses, events, blocks};
+  }
 };
 
 /// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them, and

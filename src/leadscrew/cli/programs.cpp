@@ -94,7 +94,7 @@ ProgramResult rejected(std::string_view schema, const std::string& name, const J
   return {log.status(), results::json_of_rejected(schema, name, job.machine.name, log.all()), {}};
 }
 
-Status for_each_program(const Job& job, Console& console, std::string_view schema, const ProgramWork& work) {
+Status for_each_program(const Job& job, Console& console, const ProgramWork& work) {
   const Arguments& arguments = job.arguments;
   std::optional<ProgramThreads> threads;
   if (const std::size_t count = threads_for(arguments); count > 1) threads.emplace(job, console, work, count);
@@ -115,7 +115,9 @@ Status for_each_program(const Job& job, Console& console, std::string_view schem
       if (written != Status::done) return worse(worst, written);
     }
   }
-  return arguments.json ? worse(worst, write_output(console, results::json_text(schema, std::move(objects)))) : worst;
+  return arguments.json
+             ? worse(worst, write_output(console, results::json_text(results::runs_schema, std::move(objects))))
+             : worst;
 }
 
 }  // namespace leadscrew::cli

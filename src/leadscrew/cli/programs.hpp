@@ -29,7 +29,7 @@ using ProgramWork = std::function<ProgramResult(const std::string& program, cons
 /// Works on each program with a job of its own (job_of), on --threads of them at a time, whatever becomes of the
 /// others; what came of them is told in their order. Only an interruption, or a standard output that cannot be written,
 /// ends the row. Returns the greatest status.
-Status for_each_program(const Job& job, Console& console, std::string_view schema, const ProgramWork& work);
+Status for_each_program(const Job& job, Console& console, const ProgramWork& work);
 
 /// Writes to standard output. Says why if it cannot, but keeps silent where a reader has closed the pipe.
 Status write_output(Console& console, std::string_view text);

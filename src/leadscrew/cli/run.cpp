@@ -81,7 +81,7 @@ class ProgramRun {
     console_.begin_progress();
     while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
       for (const base::Word& word : next_words(program, watch)) {
-        referee.observe(word.position);
+        referee.observe(word.position, word.feed);
         lost.observe(word);
         if (auto written = outputs.write(word); !written) return base::failure(written.error());
         if (base::count(word.tick) % words_between_checks != 0) continue;
@@ -101,7 +101,7 @@ class ProgramRun {
                                std::move(verdict),
                                {reading.seconds, watch.preparing(), watch.cycling(), watch.samples()},
                                lost.by_cause(),
-                               results::extents_of(job_.machine, lost)};
+                               results::extents_of(job_.machine, lost.least_position(), lost.greatest_position())};
   }
 
   /// Many together, but for those that are timed one by one.
@@ -132,7 +132,7 @@ ProgramResult run_program(const std::string& program, const Job& job, Console& c
 }  // namespace
 
 Status run(const Job& job, Console& console) {
-  return for_each_program(job, console, results::run_schema, run_program);
+  return for_each_program(job, console, run_program);
 }
 
 }  // namespace leadscrew::cli

@@ -181,7 +181,7 @@ ProgramResult simulate_program(const std::string& program, const Job& job, Conso
 Status simulate(const Job& given, Console& console) {
   Job job = given;
   job.arguments.simulate.put_into(job.machine);
-  return for_each_program(job, console, results::simulate_schema, simulate_program);
+  return for_each_program(job, console, simulate_program);
 }
 
 }  // namespace leadscrew::cli

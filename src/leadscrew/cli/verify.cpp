@@ -68,7 +68,7 @@ class Verification {
       const auto row = rows->next();
       if (!row) return base::failure(row.error());
       if (!*row) break;
-      referee.observe(completed((*row)->position, rows->axes()));
+      referee.observe(completed((*row)->position, rows->axes()), (*row)->feed);
       if (++progress.words % rows_between_checks != 0) continue;
       if (files::interrupted()) return base::failure(files::interruption());
       progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
@@ -119,7 +119,7 @@ ProgramResult verify_program(const std::string& program, const Job& job, Console
 }  // namespace
 
 Status verify(const Job& job, Console& console) {
-  return for_each_program(job, console, results::verify_schema, verify_program);
+  return for_each_program(job, console, verify_program);
 }
 
 }  // namespace leadscrew::cli

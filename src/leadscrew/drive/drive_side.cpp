@@ -41,6 +41,7 @@ class DriveSide : public WordSide {
  public:
   DriveSide(Link& link, const Setup& setup, const State& begin)
       : WordSide(link, setup, begin),
+        program_(begin.program),
         period_(setup.machine.period),
         machine_(setup.machine),
         axes_(begin.axes),
@@ -51,11 +52,12 @@ class DriveSide : public WordSide {
     const Options& options = setup.options;
     if (auto opened = open_events(setup); !opened) return opened;
     if (options.trace) {
-      if (auto opened = trace_file_.open(*options.trace, setup.machine, {.power = setup.machine.laser.has_value()});
+      if (auto opened =
+              trace_file_.open(*options.trace, program_, setup.machine, {.power = setup.machine.laser.has_value()});
           !opened)
         return opened;
     }
-    if (options.axes) return axes_file_.open(*options.axes, setup.machine);
+    if (options.axes) return axes_file_.open(*options.axes, program_, setup.machine);
     return {};
   }
 
@@ -167,6 +169,7 @@ class DriveSide : public WordSide {
     return axes_file_.write(word);
   }
 
+  const std::string program_;  ///< its name
   const base::Period period_;
   const machine::Machine& machine_;
   Axes axes_;

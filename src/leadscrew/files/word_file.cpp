@@ -1,8 +1,15 @@
+#include <filesystem>
 #include <leadscrew/files/word_file.hpp>
+#include <leadscrew/json/json.hpp>
+#include <leadscrew/trace/named_columns.hpp>
 
 namespace leadscrew::files {
 
-base::Result<void> WordFile::open(const std::string& path, const machine::Machine& machine,
+std::optional<std::string> side_of(const std::optional<std::string>& trace) {
+  return trace && trace::is_nameless(extension(*trace)) ? std::optional(*trace + ".json") : std::nullopt;
+}
+
+base::Result<void> WordFile::open(const std::string& path, const std::string& program, const machine::Machine& machine,
                                   trace::MoreColumns columns) {
   const std::string ending = extension(path);
   const auto access = trace::has_header_last(ending) ? OutputFile::Access::rewritable : OutputFile::Access::sequential;
@@ -11,7 +18,27 @@ base::Result<void> WordFile::open(const std::string& path, const machine::Machin
   file_ = std::make_unique<OutputFile>(std::move(*file));
   writer_.emplace(ending, file_->sink(), machine.axis_set(), machine.period, columns);
   if (columns.power) laser_.emplace(*machine.laser);
-  return {};
+  return write_side(path, program, machine, columns);
+}
+
+base::Result<void> WordFile::write_side(const std::string& path, const std::string& program,
+                                        const machine::Machine& machine, const trace::MoreColumns& columns) {
+  const auto side = side_of(path);
+  if (!side) return {};
+  auto file = OutputFile::create(*side, OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  side_ = std::make_unique<OutputFile>(std::move(*file));
+  using json::Json;
+  Json named = Json::list();
+  for (const trace::NamedColumn& column : trace::named_columns(machine.axis_set(), columns))
+    named.push_back(Json::object({{"name", column.name}, {"unit", column.unit}}));
+  const Json object = Json::object({{"schema", trace_schema},
+                                    {"trace", std::filesystem::path(path).filename().string()},
+                                    {"program", program},
+                                    {"machine", machine.name},
+                                    {"period_s", machine.period.seconds()},
+                                    {"columns", std::move(named)}});
+  return side_->write(object.written() + "\n");
 }
 
 base::Result<void> WordFile::write(const base::Word& word, const base::AxisVector& actual) {
@@ -29,7 +56,7 @@ base::Result<void> WordFile::finish() {
 
 base::Result<void> WordFile::publish() {
   if (auto finished = finish(); !finished) return finished;
-  return publish_together({file_.get()});
+  return publish_together({file_.get(), side_.get()});
 }
 
 }  // namespace leadscrew::files

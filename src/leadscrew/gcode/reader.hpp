@@ -90,6 +90,9 @@ class Reader {
   /// of its block, of a curve's first block, and is counted among the reader's own.
   void reject(const Move& move, base::Diagnostic problem);
 
+  /// The same of a warning, and at the F word of the block where it has one.
+  void warn_of_feed(const Move& move, base::Diagnostic problem);
+
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far
   /// Set when the source failed; the diagnostic is the source's.

@@ -116,9 +116,17 @@ bool Reporter::error_at(const base::Place& place, std::string_view text, std::st
 }
 
 void Reporter::warning(std::string_view code, std::int64_t column, std::string message, std::string hint) {
+  warning_at({file_, line_.number, column}, text(), code, std::move(message), std::move(hint));
+}
+
+void Reporter::warning_where_kept(std::string_view code, std::string message, std::string hint) {
+  warning_at({file_, kept_line_, kept_column_}, kept_text_, code, std::move(message), std::move(hint));
+}
+
+void Reporter::warning_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
+                          std::string hint) {
   if (muted_ || full_ || ++warnings_ > most_warnings) return;
-  send(base::Severity::warning, code, {file_, line_.number, column}, std::move(message), std::move(hint),
-       source_of(text(), column));
+  send(base::Severity::warning, code, place, std::move(message), std::move(hint), source_of(text, place.column));
 }
 
 }  // namespace leadscrew::gcode

@@ -34,6 +34,7 @@ class Reporter {
   /// Reports an error there.
   [[gnu::cold]] bool error_where_kept(std::string_view code, std::string message, std::string hint,
                                       base::Subject subject = {});
+  [[gnu::cold]] void warning_where_kept(std::string_view code, std::string message, std::string hint);
 
   /// Makes the block fail for a cause that has been reported before, and returns false.
   bool fail() {
@@ -56,6 +57,8 @@ class Reporter {
             std::string source, base::Subject subject = {});
   bool error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
                 std::string hint, base::Subject subject);
+  void warning_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
+                  std::string hint);
   std::string_view text() const { return {line_.begin, static_cast<std::size_t>(line_.end - line_.begin)}; }
 
   std::string file_;

@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <utility>
 
 namespace leadscrew::pipeline {
-
-using base::MotionState;
 
 Program::Program(gcode::ByteSource source, base::Borrowed<machine::Machine> machine,
                  base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
@@ -129,12 +126,6 @@ void Program::account(const gcode::Move& move) {
 void Program::account(const base::Word& word) {
   summary_.words = base::count(word.tick);
   summary_.time_s = base::seconds(word.tick, machine_.period);
-  const bool both_constant = before_ && before_->state == MotionState::constant && word.state == MotionState::constant;
-  if (both_constant && before_->line == word.line && before_->speed == word.speed) {
-    const double speed = (word.path_length - before_->path_length) / machine_.period.seconds();
-    summary_.ripple = std::max(summary_.ripple, std::abs(speed / word.speed - 1));
-  }
-  before_ = word;
 }
 
 }  // namespace leadscrew::pipeline

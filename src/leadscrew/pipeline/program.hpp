@@ -30,11 +30,10 @@ struct Summary {
   std::int64_t words = 0;   ///< servo periods
   double time_s = 0;        ///< words · period
   double dwell_s = 0;
-  double bound_s = 0;              ///< the least time without a jerk limit (planner::TimeBound); known at the end
-  double length_mm = 0;            ///< of the tool path, as Word::path_length
-  double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
-  double tolerance_mm = 0;         ///< the largest that applied
-  double ripple = 0;  ///< largest relative departure of path length per period where the plan says constant speed
+  double bound_s = 0;               ///< the least time without a jerk limit (planner::TimeBound); known at the end
+  double length_mm = 0;             ///< of the tool path, as Word::path_length
+  double feed_programmed_max = 0;   ///< mm/s; 0 if the program has only rapids
+  double tolerance_mm = 0;          ///< the largest that applied
   constraints::LimitRatios plan{};  ///< analytically, from the motion
 };
 
@@ -127,7 +126,6 @@ class Program {
   bool bound_is_known_ = false;
   Progress progress_ = Progress::moving;
   bool ended_ = false;  ///< but for the last word
-  std::optional<base::Word> before_;
   Summary summary_;
 };
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <leadscrew/referee/derivative_check.hpp>
 #include <leadscrew/referee/feed_check.hpp>
+#include <leadscrew/referee/feed_ripple.hpp>
 #include <leadscrew/referee/matcher.hpp>
 #include <leadscrew/referee/metric.hpp>
 #include <leadscrew/referee/piece_source.hpp>
@@ -24,16 +25,17 @@ class Referee::Implementation {
         allowance_(metric_, period.seconds()),
         derivatives_(machine, period),
         feed_(metric_, period),
+        ripple_(period),
         stops_(metric_, period.seconds()) {}
 
-  void observe(const base::AxisVector& position) {
+  void observe(const base::AxisVector& position, std::optional<double> planned_feed) {
     if (cancellation_.requested()) return;
     if (!std::all_of(position.begin(), position.end(), [](double q) { return std::isfinite(q); })) {
       log_.add(time(), line_, "not a number", 0, 0);
-      observe_finite(position_);
+      observe_finite(position_, planned_feed);
       return;
     }
-    observe_finite(position);
+    observe_finite(position, planned_feed);
   }
 
   Verdict conclude() {
@@ -56,6 +58,7 @@ class Referee::Implementation {
     verdict.tolerance_mm = source_.largest_tolerance();
     verdict.feed_programmed_max = source_.greatest_feed();
     verdict.feed_max_ratio = feed_.greatest_ratio();
+    verdict.feed_ripple = ripple_.greatest();
     derivatives_.conclude(line_, verdict, log_);
     log_.conclude(verdict);
     return verdict;
@@ -69,7 +72,7 @@ class Referee::Implementation {
     log_.add_rare(t, finding.line, what, finding.value, finding.limit);
   }
 
-  void observe_finite(const base::AxisVector& position) {
+  void observe_finite(const base::AxisVector& position, std::optional<double> planned_feed) {
     const Point point = metric_.point(position);
     const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point, allowance_.observe(point));
     line_ = passage.line;
@@ -81,6 +84,7 @@ class Referee::Implementation {
     stops_.observe(point);
     derivatives_.observe(position, line_);
     feed_.observe(position, passage, time(), log_);
+    ripple_.observe(position, planned_feed, passage.feed);
     position_ = position;
     ++words_;
   }
@@ -103,6 +107,7 @@ class Referee::Implementation {
   SamplingAllowance allowance_;
   DerivativeCheck derivatives_;
   FeedCheck feed_;
+  FeedRipple ripple_;
   StopCheck stops_;
   ViolationLog log_;
   std::int64_t words_ = 0;
@@ -118,8 +123,8 @@ Referee::~Referee() = default;
 Referee::Referee(Referee&&) noexcept = default;
 Referee& Referee::operator=(Referee&&) noexcept = default;
 
-void Referee::observe(const base::AxisVector& position) {
-  implementation_->observe(position);
+void Referee::observe(const base::AxisVector& position, std::optional<double> planned_feed) {
+  implementation_->observe(position, planned_feed);
 }
 
 Verdict Referee::conclude() {

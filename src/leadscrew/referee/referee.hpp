@@ -14,7 +14,8 @@
 //
 // Rest: where the program asks for it between two moves (stop_check.hpp).
 //
-// Feed: the travel from word to word against the programmed feed (feed_check.hpp).
+// Feed: the travel from word to word against the programmed feed (feed_check.hpp), and against the planned one where that
+// is constant (feed_ripple.hpp).
 //
 //     words    ●──●──●──●         ●──●     the word at ▲ is too far from the path: "deviation"
 //                        ╲  ●  ╱
@@ -59,12 +60,13 @@ struct Verdict {
   double time_s = 0;
   double deviation_mm =
       0;  ///< largest distance between words and programmed geometry, matched monotonically, of either from the other
-  double tolerance_mm = 0;         ///< the largest tolerance that applied
-  double start_error_mm = 0;       ///< distance of the first word from the program's start
-  double end_error_mm = 0;         ///< distance of the last word from the program's end
-  double feed_programmed_max = 0;  ///< mm/s
-  double feed_max_ratio = 0;       ///< speed over programmed feed, largest
-  std::vector<AxisVerdict> axes;   ///< for each axis the machine has
+  double tolerance_mm = 0;            ///< the largest tolerance that applied
+  double start_error_mm = 0;          ///< distance of the first word from the program's start
+  double end_error_mm = 0;            ///< distance of the last word from the program's end
+  double feed_programmed_max = 0;     ///< mm/s
+  double feed_max_ratio = 0;          ///< speed over programmed feed, largest
+  std::optional<double> feed_ripple;  ///< FeedRipple::greatest()
+  std::vector<AxisVerdict> axes;      ///< for each axis the machine has
   std::int64_t violation_count = 0;
   std::vector<Violation> violations;  ///< the first 1000: beyond 0.1 % of a limit, or beyond the tolerance and 1 nm
 
@@ -84,8 +86,9 @@ class Referee {
   Referee(Referee&&) noexcept;
   Referee& operator=(Referee&&) noexcept;
 
-  /// The next word: axis positions one period after the word before.
-  void observe(const base::AxisVector& position);
+  /// The next word: axis positions one period after the word before. `planned_feed`: base::Word::feed, where the trace
+  /// tells it.
+  void observe(const base::AxisVector& position, std::optional<double> planned_feed = {});
 
   /// After the last word: what remains of the program has not been visited.
   Verdict conclude();

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <leadscrew/results/figures.hpp>
 
@@ -18,14 +20,25 @@ bool RunFigures::kept() const {
   return !verdict.objects() && summary.plan.greatest() <= largest_ratio;
 }
 
-std::vector<Extent> extents_of(const machine::Machine& machine, const pipeline::LostTime& words) {
+std::vector<Extent> extents_of(const machine::Machine& machine, const base::AxisVector& least,
+                               const base::AxisVector& greatest) {
   std::vector<Extent> extents;
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    if (!machine.has(axis)) continue;
-    extents.push_back({axis, words.least_position()[i], words.greatest_position()[i]});
+    if (machine.has(axis)) extents.push_back({axis, least[i], greatest[i]});
   }
   return extents;
+}
+
+base::Diagnostic warning_of(const pipeline::FeedExcess& excess) {
+  const char* const unit = excess.is_rotary ? "degrees/min" : "mm/min";
+  return {base::Severity::warning,
+          "feed-beyond-axis",
+          fmt::format("a feed of {:.6g} {} is more than the velocity of axis {} allows here", excess.asked * 60, unit,
+                      base::letter(excess.axis)),
+          fmt::format("no more than {:.6g} {} can be kept throughout this block", excess.possible * 60, unit),
+          {},
+          {}};
 }
 
 }  // namespace leadscrew::results

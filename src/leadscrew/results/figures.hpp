@@ -7,6 +7,7 @@
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
+#include <leadscrew/pipeline/path_survey.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/realtime/histogram.hpp>
 #include <leadscrew/referee/referee.hpp>
@@ -47,19 +48,27 @@ struct StepFigures {
   std::vector<Correction> corrections;  ///< of axes whose screws have errors
 };
 
-/// Of a program that was only read.
-struct CheckFigures {
-  std::int64_t blocks = 0;
-  std::int64_t moves = 0;  ///< lines and arcs
-};
-
-/// What words of an axis reach.
+/// What an axis reaches.
 struct Extent {
   base::Axis axis{};
   double least = 0, greatest = 0;  ///< mm or degrees, machine coordinates
 };
 
-std::vector<Extent> extents_of(const machine::Machine& machine, const pipeline::LostTime& words);
+/// Of the axes of the machine, from these coordinates to those.
+std::vector<Extent> extents_of(const machine::Machine& machine, const base::AxisVector& least,
+                               const base::AxisVector& greatest);
+
+/// Of a program that was only read.
+struct CheckFigures {
+  std::int64_t blocks = 0;
+  std::int64_t moves = 0;  ///< lines and arcs
+  /// Of a program without errors.
+  std::vector<Extent> extents{};
+  std::optional<double> bound_s{};  ///< as pipeline::Summary has it
+};
+
+/// Of an F word; the reader knows its place.
+base::Diagnostic warning_of(const pipeline::FeedExcess& excess);
 
 struct RunFigures {
   pipeline::Summary summary;

@@ -28,7 +28,7 @@ Json axis_object(base::Axis axis, double velocity, double acceleration, double j
                        {"jerk_ratio", jerk}});
 }
 
-Json extents_of(const std::vector<Extent>& extents) {
+Json list_of(const std::vector<Extent>& extents) {
   Json list = Json::list();
   for (const Extent& extent : extents) {
     list.push_back(Json::object(
@@ -50,6 +50,12 @@ Json axes_of(const referee::Verdict& verdict) {
     list.push_back(axis_object(axis.axis, axis.velocity_ratio, axis.acceleration_ratio, axis.jerk_ratio));
   }
   return list;
+}
+
+Json feed_of(double programmed_max, const referee::Verdict& verdict) {
+  return Json::object({{"programmed_max_mm_s", programmed_max},
+                       {"max_ratio", verdict.feed_max_ratio},
+                       {"ripple", verdict.feed_ripple}});
 }
 
 Json plan_of(const constraints::LimitRatios& plan, const machine::Machine& machine) {
@@ -137,12 +143,10 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                              {{"bound_s", summary.bound_s},
                               {"deviation_mm", verdict.deviation_mm},
                               {"tolerance_mm", summary.tolerance_mm},
-                              {"feed", Json::object({{"programmed_max_mm_s", summary.feed_programmed_max},
-                                                     {"max_ratio", verdict.feed_max_ratio},
-                                                     {"ripple", summary.ripple}})},
+                              {"feed", feed_of(summary.feed_programmed_max, verdict)},
                               {"axes", axes_of(verdict)},
                               {"plan", plan_of(summary.plan, machine)},
-                              {"extents", extents_of(figures.extents)},
+                              {"extents", list_of(figures.extents)},
                               {"losses", losses_of(figures.lost)},
                               {"violation_count", verdict.violation_count},
                               {"cpu", cpu_of(figures.effort)},
@@ -158,6 +162,8 @@ Json json_of_check(const std::string& program, const machine::Machine& machine, 
                        {"machine", machine.name},
                        {"blocks", reading.blocks},
                        {"moves", reading.moves},
+                       {"extents", list_of(reading.extents)},
+                       {"bound_s", reading.bound_s},
                        {"errors", count(diagnostics, base::Severity::error)},
                        {"warnings", count(diagnostics, base::Severity::warning)},
                        {"diagnostics", list_of(diagnostics)}});
@@ -177,9 +183,7 @@ Json json_of_verify(const std::string& program, const machine::Machine& machine,
                        {"start_error_mm", verdict.start_error_mm},
                        {"end_error_mm", verdict.end_error_mm},
                        {"axes", axes_of(verdict)},
-                       {"feed", Json::object({{"programmed_max_mm_s", verdict.feed_programmed_max},
-                                              {"max_ratio", verdict.feed_max_ratio},
-                                              {"ripple", nullptr}})},
+                       {"feed", feed_of(verdict.feed_programmed_max, verdict)},
                        {"violations", violations_of(verdict)},
                        {"violation_count", verdict.violation_count},
                        {"diagnostics", list_of(diagnostics)}});

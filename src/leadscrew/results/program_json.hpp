@@ -15,6 +15,7 @@ namespace leadscrew::results {
 using json::Json;
 
 inline constexpr std::string_view run_schema = "leadscrew.run/1";
+inline constexpr std::string_view runs_schema = "leadscrew.runs/1";  ///< of several programs, whatever the verb
 inline constexpr std::string_view check_schema = "leadscrew.check/1";
 inline constexpr std::string_view verify_schema = "leadscrew.verify/1";
 inline constexpr std::string_view drive_schema = "leadscrew.drive/1";
@@ -36,7 +37,8 @@ Json json_of_check(const std::string& program, const machine::Machine& machine, 
 Json json_of_verify(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,
                     const Diagnostics& diagnostics);
 
-/// The one object that goes to standard output: that of the program, or of several {schema, programs: […]}.
+/// The one object that goes to standard output: that of the program, or of several, by a schema of their own, {schema,
+/// programs: […]}.
 std::string json_text(std::string_view schema, std::vector<Json> objects);
 
 }  // namespace leadscrew::results

@@ -107,10 +107,11 @@ std::string lost_text(const pipeline::LostByCause& lost, double time) {
 }
 
 std::string extents_text(const std::vector<Extent>& extents) {
+  const auto rounded = [](double place) { return std::abs(place) < 5e-4 ? 0.0 : place; };  // without a sign of zero
   std::string text;
   for (const Extent& extent : extents) {
-    text += fmt::format("{}{} {:.3f} to {:.3f}", text.empty() ? "" : ", ", base::letter(extent.axis), extent.least,
-                        extent.greatest);
+    text += fmt::format("{}{} {:.3f} to {:.3f}", text.empty() ? "" : ", ", base::letter(extent.axis),
+                        rounded(extent.least), rounded(extent.greatest));
   }
   return text;
 }
@@ -185,8 +186,11 @@ std::string check_summary(const std::string& program, const CheckFigures& readin
       : count(diagnostics, base::Severity::warning) > 0
           ? style(Tone::warning, counted(count(diagnostics, base::Severity::warning), "warning"))
           : style(Tone::good, "no problem");
-  return fmt::format("{}: {}, {}: {}\n", style(Tone::strong, printable(program)), counted(reading.blocks, "block"),
-                     counted(reading.moves, "move"), problems);
+  std::string text = fmt::format("{}: {}, {}: {}\n", style(Tone::strong, printable(program)),
+                                 counted(reading.blocks, "block"), counted(reading.moves, "move"), problems);
+  if (!reading.bound_s) return text;
+  text += row("time", fmt::format("at least {} without a limit of jerk", seconds_text(*reading.bound_s)));
+  return text + row("extents", extents_text(reading.extents));
 }
 
 std::string verify_summary(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,

@@ -60,9 +60,11 @@ class Samples {
 
   static std::size_t parts_of(const AxisPath& axes) {
     constexpr double least = 32, most = 4096, angle = 0.2;  // rad
+    constexpr double of_polynomial = 4;
     if (axes.line()) return 1;
     const geometry::Arc* arc = axes.arc();
-    const double parts = arc ? std::abs(arc->angle_rate()) * arc->length() / angle : least;
+    const double parts = arc ? std::abs(arc->angle_rate()) * arc->length() / angle
+                             : of_polynomial * static_cast<double>(axes.breaks().size() + 1);
     return static_cast<std::size_t>(std::clamp(parts, least, most));
   }
 
@@ -102,6 +104,18 @@ std::optional<TravelExcess> check_travel(Piece& piece, const machine::Machine& m
   }
   piece.travel.passed_ = true;
   return std::nullopt;
+}
+
+void widen(const Piece& piece, base::AxisSet axes, geometry::Point& least, geometry::Point& greatest) {
+  const AxisPath path = piece.axes();
+  std::optional<Samples> samples;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    if (!axes.contains(axis) || is_far_inside(path, i, least[i], greatest[i])) continue;
+    if (!samples) samples.emplace(path);
+    greatest[i] = std::max(greatest[i], samples->greatest(i, 1, greatest[i]));
+    least[i] = std::min(least[i], -samples->greatest(i, -1, -least[i]));
+  }
 }
 
 }  // namespace leadscrew::toolpath

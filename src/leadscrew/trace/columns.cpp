@@ -34,6 +34,12 @@ Column column_named(std::string_view name) {
   return {};
 }
 
+std::optional<std::size_t> feed_column(std::span<const std::string> names) {
+  const auto feed = std::ranges::find(names, "feed");
+  if (feed == names.end() || std::ranges::find(names, "s") == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(feed - names.begin());
+}
+
 base::Diagnostic problem(std::string_view code, std::string message, std::string hint, std::string_view file,
                          std::int64_t line, std::int64_t column, std::string_view source) {
   base::Diagnostic diagnostic;

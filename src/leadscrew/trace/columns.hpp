@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/diagnostic.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,6 +22,10 @@ struct Column {
 
 /// By the column's name, in any case: `t`, `line`, an axis letter, or another.
 Column column_named(std::string_view name);
+
+/// Which of these columns tells the planned feed, mm/s or degrees/s: `feed`, where path length `s` stands beside it, as in
+/// our traces. What other controllers call so may be anything.
+std::optional<std::size_t> feed_column(std::span<const std::string> names);
 
 /// Whole numbers up to here are exact as float64: the range of a line number.
 inline constexpr double greatest_line = 9007199254740992.0;

@@ -113,6 +113,7 @@ base::Result<void> CsvRows::read_header(std::string_view text) {
     has_time = has_time || column.kind == Column::Kind::time;
     if (column.kind == Column::Kind::axis) axes_.insert(column.axis);
   }
+  feed_column_ = feed_column(names_);
   if (!has_time) {
     return base::failure(at("trace-header", "the header line has no column t",
                             "name the columns in the first line, separated by commas, such as t,X,Y,Z; t is in seconds",
@@ -155,6 +156,7 @@ base::Result<std::optional<TraceRow>> CsvRows::next(Input& input) {
                               text));
     }
     const Column column = columns_[count];
+    if (count == feed_column_) row.feed = number(text, fields.offset(), field).value_or(0);
     if (column.kind == Column::Kind::other || (column.kind == Column::Kind::line && field.empty())) continue;
     const auto value = number(text, fields.offset(), field);
     if (!value) return base::failure(value.error());

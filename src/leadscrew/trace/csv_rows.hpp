@@ -29,6 +29,7 @@ class CsvRows {
   std::int64_t line_ = 0;  ///< of the text
   std::vector<Column> columns_;
   std::vector<std::string> names_;
+  std::optional<std::size_t> feed_column_;
   base::AxisSet axes_;
 };
 static_assert(Rows<CsvRows>);

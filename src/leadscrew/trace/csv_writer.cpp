@@ -1,5 +1,6 @@
 #include <leadscrew/base/digits.hpp>
 #include <leadscrew/trace/csv_writer.hpp>
+#include <leadscrew/trace/named_columns.hpp>
 
 namespace leadscrew::trace {
 namespace {
@@ -11,18 +12,10 @@ constexpr std::size_t longest_row = (5 + 2 * base::axis_count) * (base::digits_r
 CsvWriter::CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns)
     : rows_(std::move(sink), longest_row), axes_(axes), period_(period), columns_(columns) {
   std::string& header = rows_.text();
-  header = "t,line,s,feed";
-  for (const base::Axis axis : base::all_axes) {
-    if (!axes_.contains(axis)) continue;
-    header += ',';
-    header += base::letter(axis);
+  for (const NamedColumn& column : named_columns(axes_, columns_)) {
+    if (!header.empty()) header += ',';
+    header += column.name;
   }
-  for (const base::Axis axis : base::all_axes) {
-    if (!columns_.actual || !axes_.contains(axis)) continue;
-    header += ",actual_";
-    header += base::letter(axis);
-  }
-  if (columns_.power) header += ",power";
   header += '\n';
 }
 

@@ -204,7 +204,13 @@ base::Result<void> NpyRows::read_header(std::string_view text, base::AxisSet mac
                                "C order: numpy.ascontiguousarray before numpy.save"));
   }
   rows_ = header->shape[0];
-  return header->structured ? take_named_columns() : take_plain_columns(header->shape[1], machine_axes);
+  if (auto taken = header->structured ? take_named_columns() : take_plain_columns(header->shape[1], machine_axes);
+      !taken)
+    return taken;
+  std::vector<std::string> names;
+  for (const Field& field : fields_) names.push_back(field.name);
+  feed_column_ = feed_column(names);
+  return {};
 }
 
 base::Result<void> NpyRows::take_plain_columns(std::int64_t columns, base::AxisSet machine_axes) {
@@ -276,6 +282,7 @@ base::Result<std::optional<TraceRow>> NpyRows::next(Input& input) {
   TraceRow row;
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const Field& field = fields_[i];
+    if (i == feed_column_) row.feed = value(field, bytes->data() + 8 * i).value_or(0);
     if (field.column.kind == Column::Kind::other) continue;
     const auto found = value(field, bytes->data() + 8 * i);
     if (!found) return base::failure(found.error());

@@ -33,6 +33,7 @@ class NpyRows {
 
   std::string file_;
   std::vector<Field> fields_;
+  std::optional<std::size_t> feed_column_;
   std::int64_t rows_ = 0;
   std::int64_t row_ = 0;  ///< the next one, counted from 0
   base::AxisSet axes_;

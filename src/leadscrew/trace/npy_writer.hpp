@@ -1,6 +1,7 @@
 #pragma once
 // Words as a NumPy array file (format 1.0), for numerical programs: a two-dimensional little-endian float64 array, one
-// row a word. The number of rows stands in the header and is known only at the end.
+// row a word. The number of rows stands in the header and is known only at the end. What the columns are, a side file says
+// (files::WordFile).
 
 #include <leadscrew/base/block_sink.hpp>
 #include <leadscrew/trace/writer.hpp>
@@ -9,6 +10,8 @@ namespace leadscrew::trace {
 
 class NpyWriter {
  public:
+  static constexpr bool is_nameless = true;
+
   NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns = {});
   base::Result<void> write(const base::Word& word, const BesideWord& beside = {});
   base::Result<void> finish() { return rows_.flush(); }
@@ -22,6 +25,6 @@ class NpyWriter {
   MoreColumns columns_;
   std::int64_t rows_written_ = 0;
 };
-static_assert(HeaderLast<NpyWriter>);
+static_assert(HeaderLast<NpyWriter> && Nameless<NpyWriter>);
 
 }  // namespace leadscrew::trace

@@ -16,6 +16,7 @@ struct TraceRow {
   double t = 0;                      ///< seconds
   base::AxisVector position{};       ///< mm or degrees; 0 for axes the trace does not have
   std::optional<std::int64_t> line;  ///< source line, where the trace has a column for it
+  std::optional<double> feed;        ///< mm/s or degrees/s, as planned, where the trace tells it (feed_column)
 };
 
 /// Of a format that is told from others by the first bytes of a text, opened at its header and read row

@@ -31,6 +31,12 @@ bool has_header_last(std::string_view ending) {
   return is_last;
 }
 
+bool is_nameless(std::string_view ending) {
+  bool is = false;
+  with_format(ending, [&]<class F>(const F&) { is = Nameless<typename F::Writer>; });
+  return is;
+}
+
 WordWriter::AnyWriter WordWriter::made(std::string_view ending, const base::ByteSink& sink, base::AxisSet axes,
                                        base::Period period, MoreColumns columns) {
   std::optional<AnyWriter> writer;

@@ -16,6 +16,9 @@ std::string endings_text();
 /// Will header() have to be written over the beginning of such a file?
 bool has_header_last(std::string_view ending);
 
+/// Does a file of such an ending not say what its columns are?
+bool is_nameless(std::string_view ending);
+
 class WordWriter {
  public:
   /// `ending`: of the file's name, in small letters, with its point.

@@ -42,4 +42,8 @@ concept HeaderLast = Writer<T> && requires(const T writer) {
   { writer.header() } -> std::same_as<std::string>;
 };
 
+/// Its file does not say what its columns are.
+template <class T>
+concept Nameless = Writer<T> && requires { requires T::is_nameless; };
+
 }  // namespace leadscrew::trace

@@ -1,0 +1,425 @@
+"""docs/formats.md and docs/schemas say what the command writes: real output of every verb is held against them.
+
+    formats.py COMMAND SOURCE SCRATCH
+
+Every schema must fit some output, and every key of every schema must occur in one. That a schema would object is seen
+each time: to a key that is missing, and to one that it does not know.
+"""
+import copy
+import csv
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import jsonschema
+import numpy
+
+command, source, scratch = pathlib.Path(sys.argv[1]).resolve(), *(pathlib.Path(word).resolve() for word in sys.argv[2:4])
+page = (source / "docs/formats.md").read_text(encoding="utf-8")
+problems = []
+statuses = set()
+
+SLOW_STUDIES = {"limits", "tube", "bounds"}  # tests/study has them
+AXES = "XYZABCUVW"
+
+
+def check(holds, message):
+    if not holds:
+        problems.append(message)
+
+
+def run(*words, status=0):
+    """What the command prints; its exit status must be this one."""
+    done = subprocess.run([command, *map(str, words)], cwd=scratch, capture_output=True, text=True)
+    statuses.add(done.returncode)
+    check(done.returncode == status, f"{' '.join(map(str, words))}: ended with {done.returncode}\n{done.stderr}")
+    return done.stdout
+
+
+# Schemas
+
+
+class Schemas:
+    def __init__(self, folder):
+        self.base = folder.as_uri() + "/"
+        self.files = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.json"))}
+        self.resolver = jsonschema.RefResolver(
+            self.base, {}, store={f"{self.base}{name}.json": schema for name, schema in self.files.items()})
+        self.keys = {}  # of every object of every file, by id: how often each occurred
+        for name, schema in self.files.items():
+            jsonschema.Draft202012Validator.check_schema(schema)
+            self.enter(name, schema)
+        self.fitted = set()
+
+    def enter(self, at, schema):
+        """Looks whether an object leaves nothing open, and counts none of its keys yet."""
+        if not isinstance(schema, dict):
+            return
+        if schema.get("type") == "object":
+            check(schema.get("additionalProperties") is False, f"{at} allows keys that it does not know")
+            check("required" in schema or "patternProperties" in schema, f"{at} does not say which keys are required")
+            self.keys[id(schema)] = {key: (f"{at}.{key}", 0) for key in schema.get("properties", {})}
+            for key, value in schema.get("properties", {}).items():
+                told = value.get("description") or self.resolved(value).get("description")
+                check(bool(told), f"{at}.{key} has no description")
+        for key, value in schema.items():
+            if key in ("properties", "patternProperties", "$defs"):
+                for name, each in value.items():
+                    self.enter(f"{at}.{name}", each)
+            elif key in ("items", "anyOf"):
+                for each in value if isinstance(value, list) else [value]:
+                    self.enter(at, each)
+
+    def resolved(self, schema):
+        while "$ref" in schema:
+            file, _, pointer = schema["$ref"].partition("#")
+            schema = self.files[file.removesuffix(".json")]
+            for step in filter(None, pointer.split("/")):
+                schema = schema[step]
+        return schema
+
+    def validator(self, schema):
+        return jsonschema.Draft202012Validator(schema, resolver=self.resolver)
+
+    def fit(self, name, value, what):
+        """Holds a value against a schema, and the schema against the value with a key too few and too many."""
+        self.fitted.add(name)
+        schema = self.files[name]
+        for error in self.validator(schema).iter_errors(value):
+            problems.append(f"{what} does not fit {name}.json: {error.json_path}: {error.message[:300]}")
+        self.count(schema, value)
+        for key in schema["required"]:
+            check(not self.accepts(schema, {k: v for k, v in value.items() if k != key}), f"{name}.json misses no {key}")
+        check(not self.accepts(schema, {**value, "no_key": 0}), f"{name}.json takes any key")
+
+    def accepts(self, schema, value):
+        return self.validator(schema).is_valid(value)
+
+    def count(self, schema, value):
+        schema = self.resolved(schema)
+        for each in schema.get("anyOf", []):
+            if self.accepts(each, value):
+                self.count(each, value)
+        if isinstance(value, list) and "items" in schema:
+            for item in value:
+                self.count(schema["items"], item)
+        if isinstance(value, dict) and schema.get("type") == "object":
+            known = self.keys[id(schema)]
+            for key, item in value.items():
+                if key in known:
+                    known[key] = (known[key][0], known[key][1] + 1)
+                    self.count(schema["properties"][key], item)
+
+    def conclude(self):
+        for name in self.files:
+            check(name in self.fitted or name in ("parts", "diagnostic"), f"no output was held against {name}.json")
+        for known in self.keys.values():
+            for key, count in known.values():
+                check(count > 0, f"no output has {key}")
+        told = {schema.get("properties", {}).get("schema", {}).get("const") for schema in self.files.values()}
+        for path in (source / "src").rglob("*.?pp"):
+            for name in re.findall(r'"(leadscrew\.[a-z-]+/\d+)"', path.read_text(encoding="utf-8")):
+                check(name in told, f"{path.name} writes {name}, which has no file in docs/schemas")
+
+
+def json_of(schemas, name, *words, status=0):
+    output = run(*words, "--json", status=status)
+    try:
+        value = json.loads(output)
+    except ValueError:
+        problems.append(f"{' '.join(map(str, words))} prints no JSON:\n{output[:300]}")
+        return {}
+    schemas.fit(name, value, "the output of " + " ".join(map(str, words)))
+    return value
+
+
+# Tables of the page
+
+
+def table(kind, name):
+    """The rows of a table behind <!-- kind: name -->, cell by cell, without the ticks of names."""
+    found = re.search(rf"<!-- {kind}: {name} -->\n(.*?)<!-- end -->", page, re.DOTALL)
+    if not found:
+        sys.exit(f"docs/formats.md has no table of {kind} {name}")
+    rows = [[cell.strip() for cell in line.strip("|").split(" |")] for line in found[1].splitlines() if line.startswith("|")]
+    return rows[2:]
+
+
+def columns(name, axes, verb="run", laser=False):
+    """Names and units that a file has by the page."""
+    found = []
+    for cell, unit, meaning in table("columns", name):
+        if ("`simulate` only" in meaning and verb != "simulate") or ("`[laser]` only" in meaning and not laser):
+            continue
+        column = cell.strip("`")
+        for axis in axes if "{axis}" in column else [""]:
+            units = unit.split(", ")
+            found.append((column.replace("{axis}", axis), units[-1] if axis in "ABC" and axis else units[0]))
+    return found
+
+
+def names(named):
+    return [name for name, _ in named]
+
+
+def rows_of(file):
+    with open(scratch / file, newline="", encoding="utf-8") as text:
+        return list(csv.reader(text))
+
+
+def check_header(file, expected):
+    header = rows_of(file)[0]
+    check(header == names(expected), f"{file} has the columns {header}, docs/formats.md has {names(expected)}")
+
+
+# What is run
+
+examples, machines = source / "examples", source / "machines"
+square = examples / "04-square.ngc"
+
+
+def prepare():
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
+    (scratch / "good.ngc").write_text("G21 G90\nS800 M3\nG1 X1 F600\nM8\nX2 M62 P3\nM67 E2 Q0.5\nG4 P0.01\nG0 X0\n")
+    (scratch / "bad.ngc").write_text("G21\nG1 X\nM2\n")
+    (scratch / "fast.ngc").write_text("G21 G90\nG1 X9 F30000\nM2\n")
+    (scratch / "turn.ngc").write_text("G21 G90\nG1 A30 X5 F600\nA0\nM2\n")
+    worn = (machines / "mill6.toml").read_text(encoding="utf-8")
+    worn = worn.replace("[axis.A]\n", "[axis.A]\nbacklash_deg = 0.01\n").replace("[axis.X]\n", "[axis.X]\nbacklash_mm = 0.01\n")
+    (scratch / "worn6.toml").write_text(worn)
+
+
+def check_runs(schemas):
+    json_of(schemas, "run", "run", "good.ngc")
+    json_of(schemas, "run", "run", square, "--machine", machines / "mill3-worn.toml", "--pulses", "steps.vcd")
+    json_of(schemas, "run", "run", square, "--pulses", "steps.csv", "--pulse-method", "dda", "--accelerate")
+    json_of(schemas, "run", "run", "turn.ngc", "--machine", "worn6.toml", "--pulses", "turn.csv")
+    json_of(schemas, "run", "run", examples / "09-butterfly.ngc", "--interpolator", "uniform", status=1)
+    json_of(schemas, "runs", "run", "good.ngc", square, "bad.ngc", status=3)
+    json_of(schemas, "runs", "check", "good.ngc", "bad.ngc", status=3)
+    json_of(schemas, "runs", "simulate", "good.ngc", square)
+    json_of(schemas, "runs", "run", "good.ngc", square, "--machine", "none.toml", status=4)
+    for words in (["run", "bad.ngc"], ["simulate", "bad.ngc"], ["drive", "bad.ngc"], ["verify", "steps.csv", "bad.ngc"]):
+        json_of(schemas, "rejected", *words, status=3)
+    json_of(schemas, "rejected", "run", "none.ngc", status=4)
+    json_of(schemas, "rejected", "check", square, "--machine", "none.toml", status=4)
+    json_of(schemas, "check", "check", "good.ngc")
+    json_of(schemas, "check", "check", "fast.ngc")
+    json_of(schemas, "check", "check", "bad.ngc", status=3)
+
+
+def check_traces(schemas):
+    run("run", square, "--trace", "words.csv", "--quiet")
+    run("run", square, "--trace", "words.npy", "--quiet")
+    json_of(schemas, "verify", "verify", "words.csv", square)
+    json_of(schemas, "verify", "verify", "words.csv", "good.ngc", status=1)
+    check_header("words.csv", columns("trace", "XYZ"))
+    check_array(schemas, "words", columns("trace", "XYZ"), square)
+
+    run("simulate", square, "--trace", "slides.csv", "--quiet")
+    run("simulate", square, "--trace", "slides.npy", "--quiet")
+    check_header("slides.csv", columns("trace", "XYZ", verb="simulate"))
+    check_array(schemas, "slides", columns("trace", "XYZ", verb="simulate"), square)
+
+    laser = machines / "laser.toml"
+    run("run", "good.ngc", "--machine", laser, "--trace", "laser.csv", "--quiet")
+    run("run", "good.ngc", "--machine", laser, "--trace", "laser.npy", "--quiet")
+    axes = [axis for axis in AXES if f"[axis.{axis}]" in laser.read_text(encoding="utf-8")]
+    check_header("laser.csv", columns("trace", axes, laser=True))
+    check_array(schemas, "laser", columns("trace", axes, laser=True), "good.ngc")
+
+    run("run", "turn.ngc", "--machine", "worn6.toml", "--trace", "turn.npy", "--quiet")
+    schemas.fit("trace", json.loads((scratch / "turn.npy.json").read_text()), "turn.npy.json")
+    foreign = numpy.zeros(9, dtype=[("t", "<f8"), ("x", "<f8"), ("Y", "<f8")])
+    foreign["t"] = numpy.arange(9) * 1e-3
+    numpy.save(scratch / "foreign.npy", foreign)
+    judged = json_of(schemas, "verify", "verify", "foreign.npy", square, status=1)
+    check(judged["feed"]["ripple"] is None, "a foreign trace has a ripple")
+
+
+def check_array(schemas, stem, expected, program):
+    """NPY against the page, against its side file, and against the CSV of the same words."""
+    side = json.loads((scratch / f"{stem}.npy.json").read_text(encoding="utf-8"))
+    schemas.fit("trace", side, f"{stem}.npy.json")
+    told = [(column["name"], column["unit"]) for column in side["columns"]]
+    check(told == expected, f"{stem}.npy.json has the columns {told}, docs/formats.md has {expected}")
+    check(side["program"] == str(program) and side["trace"] == f"{stem}.npy", f"{stem}.npy.json is of another program")
+    with open(scratch / f"{stem}.npy", "rb") as file:
+        version = numpy.lib.format.read_magic(file)
+        shape, fortran, dtype = numpy.lib.format.read_array_header_1_0(file)
+        check((version, fortran, dtype.str, file.tell()) == ((1, 0), False, "<f8", 128), f"{stem}.npy has another layout")
+    array = numpy.load(scratch / f"{stem}.npy")
+    rows = rows_of(f"{stem}.csv")
+    check(array.shape == shape == (len(rows) - 1, len(expected)), f"{stem}.npy has the shape {array.shape}")
+    check(numpy.array_equal(array, numpy.array(rows[1:], dtype=float)), f"{stem}.npy and {stem}.csv differ")
+    check(numpy.allclose(array[:, 0], numpy.arange(len(array)) * side["period_s"]), f"{stem}.npy has another period")
+
+
+def check_tables():
+    run("run", "good.ngc", "--events", "events.csv", "--blocks", "blocks.csv", "--quiet")
+    check_header("events.csv", columns("events", "XYZ"))
+    codes = [row[4] for row in rows_of("events.csv")[1:]]
+    check(codes == ["S", "M3", "M8", "M62", "M67", "M2"], f"events.csv has the codes {codes}")
+    check_header("blocks.csv", columns("blocks", "XYZ"))
+    check(rows_of("blocks.csv")[-1][1] == "G0 X0", "blocks.csv ends with another block")
+    check_header("steps.csv", columns("steps", "XYZ"))
+    signals = {(scope, name) for scope, name in signals_of("steps.vcd")}
+    told = {("steps", cells[0].strip("`").replace("{axis}", axis)) for cells in table("signals", "steps") for axis in "XYZ"}
+    check(signals == told, f"steps.vcd has the signals {signals}, docs/formats.md has {told}")
+    run("pulse", "--arc", "--start", "5,1", "--end", "1,5", "--center", "0,0", "--method", "dda,point-comparison", "--vcd",
+        "pulses.vcd", "--quiet")
+    signals = signals_of("pulses.vcd")
+    check({scope for scope, _ in signals} == {"common", "dda", "point_comparison"}, "pulses.vcd has other scopes")
+    for cell, scope, meaning in table("signals", "pulses"):
+        for name in re.findall(r"`(\w+)`", cell.split(" and ")[0]) + re.findall(r"`(\w+_\w+)`", meaning):
+            for each in ["common"] if scope == "common" else ["dda", "point_comparison"]:
+                is_shown = (each, name) in signals or name in "XY"  # only where registers count from elsewhere
+                check(is_shown, f"pulses.vcd has no {name} in {each}")
+    common = {name for scope, name in signals if scope == "common"}
+    for name in common:
+        check(f"`{name}`" in page, f"pulses.vcd has {name}, docs/formats.md has not")
+
+
+def signals_of(file):
+    scope, found = None, []
+    for line in (scratch / file).read_text(encoding="utf-8").splitlines():
+        words = line.split()
+        if line.startswith("$scope"):
+            scope = words[2]
+        elif line.startswith("$var"):
+            found.append((scope, words[4]))
+    return found
+
+
+def check_simulations(schemas):
+    json_of(schemas, "simulate", "simulate", square)
+    json_of(schemas, "simulate", "simulate", "turn.ngc", "--machine", "worn6.toml")
+    json_of(schemas, "simulate", "simulate", "curve:circle", "--pulses")
+    json_of(schemas, "simulate", "simulate", square, "--adaptive", "--sensor-fault", "nan@0.5")
+
+
+def check_drives(schemas):
+    json_of(schemas, "drive", "drive", "turn.ngc", "--machine", "worn6.toml")
+    json_of(schemas, "drive", "drive", "fast.ngc", "--state", "fast.state", "--trace", "taken.npy", "--axes", "went.csv")
+    schemas.fit("state", json.loads((scratch / "fast.state").read_text(encoding="utf-8")), "the state of a drive")
+    schemas.fit("trace", json.loads((scratch / "taken.npy.json").read_text(encoding="utf-8")), "taken.npy.json")
+    check_header("went.csv", columns("trace", "XYZ"))
+    json_of(schemas, "drive", "drive", "fast.ngc", "--sink", "sink.csv")
+    check_header("sink.csv", columns("trace", "XYZ"))
+
+
+def check_pulses(schemas):
+    arc = ["pulse", "--arc", "--start", "5,0", "--end", "0,5", "--center", "0,0", "--ccw"]
+    json_of(schemas, "pulse", *arc, "--path")
+    json_of(schemas, "pulse", *arc, "--method", "dda", "--bits", "4", "--order", "x-first", "--preload", "zero")
+    json_of(schemas, "pulse", "pulse", "--line", "--end", "11,-7", "--path")
+    json_of(schemas, "pulse", "pulse", "--arc", "--start", "5,0", "--end", "0,9", "--center", "0,0", status=3)
+
+
+def check_designs(schemas):
+    sizes = ["design", "--travel", "600", "--blu", "0.01", "--max-feed", "12000", "--min-distance", "50"]
+    json_of(schemas, "design-integrators", *sizes)
+    json_of(schemas, "design-integrators", *sizes, "--from", "20,10", "--to", "120,60", "--feed", "3000")
+    json_of(schemas, "design-timer", "design", "--timer", "--clock", "1024", "--delays", "2,4,8")
+    inverse = ["design", "--inverse-time", "--travel", "12", "--blu", "0.0001", "--max-feed", "30"]
+    json_of(schemas, "design-inverse-time", *inverse)
+    json_of(schemas, "design-inverse-time", *inverse, "--distance", "2", "--feed", "10")
+    json_of(schemas, "design-inverse-time", *inverse, "--radius", "2", "--feed", "10")
+    json_of(schemas, "design-rejected", "design", "--timer", "--clock", "1024", "--delays", "-2", status=3)
+
+
+def check_studies(schemas):
+    listed = json_of(schemas, "study-list", "study", "list")
+    for study in listed["studies"]:
+        if study["name"] not in SLOW_STUDIES:
+            json_of(schemas, "study", "study", study["name"])
+
+
+# What is read
+
+EXAMPLES = {
+    "name": '"mill"', "travel_mm": "[-500, 500]", "max_velocity_mm_s": "200",
+    "max_acceleration_mm_s2": "1000", "max_jerk_mm_s3": "20000", "blu_mm": "0.001",
+    "pitch_errors_mm": "[[-500, 0.02], [500, 0]]", "pitch_errors_backward_mm": "[[-500, 0.02], [500, 0]]",
+    "backlash_takeup_mm_s": "20", "position_gain_per_s": "40", "velocity_gain_per_s": "200",
+    "proportional_per_mm": "1.25", "command_limit": "24", "breakaway_mm_s2": "1",
+    "encoder_counts_per_mm": "1000"}
+
+
+def machine_text(rows, without=None, rotary=False):
+    text, last = "", ""
+    for place, key, default, _ in rows:
+        if (place, key) == without:
+            continue
+        if place != last:
+            text += place.strip("`").replace("X", "A" if rotary else "X") + "\n"
+            last = place
+        key = key.strip("`")
+        literal = default.strip("`")
+        value = EXAMPLES.get(key) or (literal if re.fullmatch(r'[\d.]+|".*"|true|false', literal) else None)
+        check(value is not None, f"there is no example of the machine file's {key}")
+        text += f"{key.replace('_mm', '_deg') if rotary and 'axis' in place else key} = {value}\n"
+    return text
+
+
+def check_machine_files():
+    rows = table("keys", "machine")
+    (scratch / "all.toml").write_text(machine_text(rows))
+    run("check", "fast.ngc", "--machine", "all.toml", "--quiet")
+    (scratch / "still.ngc").write_text("G21\nM2\n")
+    (scratch / "rotary.toml").write_text(machine_text(rows, rotary=True))
+    run("check", "still.ngc", "--machine", "rotary.toml", "--quiet")
+    for place, key, default, _ in rows:
+        if default != "needed":
+            continue
+        (scratch / "less.toml").write_text(machine_text(rows, without=(place, key)))
+        run("check", "fast.ngc", "--machine", "less.toml", "--quiet", status=3)
+    keys = (source / "src/leadscrew/config/machine_keys.hpp").read_text(encoding="utf-8")
+    known = set(re.findall(r'"([a-z_0-9]+)"', keys)) - {"axis", "drive", "laser", "splines"}
+    told = {key.strip("`") for _, key, _, _ in rows}
+    told |= {key.replace("_mm", "_deg") for key in told} & known
+    check(told == known, f"machine files: {sorted(told ^ known)} stands in docs/formats.md or in machine_keys.hpp alone")
+
+
+def check_tool_tables():
+    letters = []
+    for cell, _ in table("letters", "tools"):
+        letters += AXES if "{axis}" in cell else [cell.strip("`")]
+    (scratch / "tools.tbl").write_text(" ".join(f"{letter}1" for letter in letters) + " ;all of it\n")
+    run("check", "fast.ngc", "--tools", "tools.tbl", "--quiet")
+    for letter in set("ABCDEFGHIJKLMNOPQRSTUVWXYZ") - set(letters):
+        (scratch / "tools.tbl").write_text(f"T1 {letter}1\n")
+        run("check", "fast.ngc", "--tools", "tools.tbl", "--quiet", status=3)
+
+
+def check_statuses():
+    run("run", status=2)
+    told = {int(row[0]) for row in re.findall(r"^\| (\d+) \| (.*) \|$", page[page.index("## Exit status"):page.index("## JSON")], re.M)}
+    check(told == statuses | {130}, f"exit statuses are {sorted(statuses)} and 130, docs/formats.md has {sorted(told)}")
+
+
+def main():
+    prepare()
+    schemas = Schemas(source / "docs/schemas")
+    check_runs(schemas)
+    check_traces(schemas)
+    check_tables()
+    check_simulations(schemas)
+    check_drives(schemas)
+    check_pulses(schemas)
+    check_designs(schemas)
+    check_studies(schemas)
+    check_machine_files()
+    check_tool_tables()
+    check_statuses()
+    schemas.conclude()
+    formats = subprocess.run([source / "script/formats", "--check"], capture_output=True, text=True)
+    check(formats.returncode == 0, formats.stderr)
+    sys.exit("\n".join(problems) or 0)
+
+
+main()
