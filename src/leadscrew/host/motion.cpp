@@ -6,6 +6,32 @@
 
 namespace leadscrew::host {
 
+namespace {
+
+constexpr std::size_t bytes_between_questions = 4096;
+constexpr std::int64_t moves_between_questions = 4096;  // of one block that repeats itself
+
+base::Diagnostic interruption() {
+  return base::problem("interrupted", "interrupted", {});
+}
+
+/// The text in small pieces, `share` of it so far; before each it is asked whether to go on.
+gcode::ByteSource asking_source(std::string_view text, std::function<bool(double)> goes_on,
+                                std::shared_ptr<double> share) {
+  if (!goes_on) return gcode::text_source(text);
+  return [source = gcode::text_source(text), goes_on = std::move(goes_on), share = std::move(share),
+          whole = static_cast<double>(text.size()),
+          given = std::size_t{0}](std::span<char> buffer) mutable -> base::Result<std::size_t> {
+    *share = whole > 0 ? static_cast<double>(given) / whole : 1;
+    if (!goes_on(*share)) return base::failure(interruption());
+    const auto count = source(buffer.first(std::min(buffer.size(), bytes_between_questions)));
+    if (count) given += *count;
+    return count;
+  };
+}
+
+}  // namespace
+
 Motion::Motion(machine::Machine machine, MotionOptions options)
     : machine_(std::move(machine)), options_(std::move(options)), tolerance_(machine_.tolerance) {
   begin();
@@ -24,33 +50,64 @@ base::Result<std::unique_ptr<Motion>> Motion::of_program(machine::Machine machin
                                                          MotionOptions options,
                                                          const gcode::DiagnosticSink& diagnostics) {
   std::optional<base::Diagnostic> first;
-  gcode::Reader reader(gcode::text_source(text), machine, options.tools, {options.file, options.start},
-                       [&](const base::Diagnostic& diagnostic) {
+  const auto share = std::make_shared<double>(0);
+  gcode::Reader reader(asking_source(text, options.goes_on, share), machine, options.tools,
+                       {options.file, options.start}, [&](const base::Diagnostic& diagnostic) {
                          if (diagnostic.severity == base::Severity::error && !first) first = diagnostic;
                          if (diagnostics) diagnostics(diagnostic);
                        });
   gcode::Move move;
-  while (reader.next(move)) continue;
+  for (std::int64_t count = 1; reader.next(move); ++count) {
+    if (count % moves_between_questions == 0 && options.goes_on && !options.goes_on(*share))
+      return base::failure(interruption());
+  }
+  if (reader.source_failure()) return base::failure(*reader.source_failure());
   if (first) return base::failure(*first);
   return std::unique_ptr<Motion>(new Motion(std::move(machine), std::move(options), std::move(text)));
 }
 
+/// Makes what is made of a program or of moves: of this motion's program, or else of `moves`.
+template <class Joined>
+void Motion::join(std::optional<Joined>& joined, pipeline::MoveInput moves) const {
+  const auto share = std::make_shared<double>(0);
+  if (text_) {
+    joined.emplace(asking_source(*text_, options_.goes_on, share), machine_, options_.tools,
+                   gcode::ReaderOptions{options_.file, options_.start}, nullptr);
+  } else {
+    joined.emplace(std::move(moves), machine_, options_.start);
+  }
+  if (options_.goes_on) joined->stop_when([this, share] { return !options_.goes_on(*share); });
+}
+
 void Motion::begin() {
   end_ = options_.start;
-  if (text_) {
-    program_.emplace(gcode::text_source(*text_), machine_, options_.tools,
-                     gcode::ReaderOptions{options_.file, options_.start}, nullptr);
-  } else {
-    program_.emplace([this](gcode::Move& move) { return give(move); }, machine_, options_.start);
-  }
+  gave_ = false;
+  join(program_, [this](gcode::Move& move) { return give(move); });
   program_->slice(options_.slice);
   if (options_.on_event) program_->on_event(options_.on_event);
+}
+
+base::Result<Trajectory> Motion::plan() const {
+  if (gave_)
+    return base::failure(base::problem("motion-moves", "motion has taken moves already", "plan before the first word"));
+  std::optional<pipeline::MotionSource> source;
+  auto move = moves_.begin();
+  join(source, [&](gcode::Move& next) {
+    if (move == moves_.end()) return pipeline::Supply::end;
+    next = *move++;
+    return pipeline::Supply::move;
+  });
+  Trajectory trajectory(machine_.period, options_.start);
+  while (std::optional<planner::Chunk> chunk = source->next()) trajectory.append(std::move(*chunk));
+  if (source->failure()) return base::failure(*source->failure());
+  return trajectory;
 }
 
 pipeline::Supply Motion::give(gcode::Move& move) {
   if (moves_.empty()) return finished_ ? pipeline::Supply::end : pipeline::Supply::later;
   move = std::move(moves_.front());
   moves_.pop_front();
+  gave_ = true;
   return pipeline::Supply::move;
 }
 

@@ -6,6 +6,8 @@
 //                                                                     motion.finish();
 //                    while (std::size_t count = motion.next(words)) send(words first count);
 //
+//   auto planned = motion.plan();      all of it at once: planned->duration(), planned->at(0.25).velocity
+//
 // One thread at a time. Words are those of `leadscrew run`, bit for bit.
 
 #include <cstddef>
@@ -19,6 +21,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/pipeline/trajectory.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,7 +38,13 @@ struct MotionOptions {
   // Of programs alone.
   std::string file;  ///< for places in diagnostics
   machine::ToolTable tools;
+  /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
+  /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
+  /// `interrupted`; motion comes to rest.
+  std::function<bool(double share)> goes_on;
 };
+
+using pipeline::Trajectory, pipeline::TrajectoryState;
 
 class Motion {
  public:
@@ -61,6 +70,11 @@ class Motion {
   /// No more moves will come.
   void finish() { finished_ = true; }
 
+  /// All of it, planned from its beginning to its end as nobody intervenes: of a program, or of the moves that have been
+  /// pushed so far, with rest behind the last. Words stay those that they are; this plans beside them. Errors:
+  /// `motion-moves` where next() has taken some of the moves already; failure().
+  base::Result<Trajectory> plan() const;
+
   /// The next words, as many as there are room and motion for: fewer than asked only where progress() says why.
   std::size_t next(std::span<base::Word> words);
   pipeline::Progress progress() const { return program_->progress(); }
@@ -83,6 +97,8 @@ class Motion {
  private:
   Motion(machine::Machine machine, MotionOptions options, std::string text);
   void begin();
+  template <class Joined>
+  void join(std::optional<Joined>& joined, pipeline::MoveInput moves) const;
   pipeline::Supply give(gcode::Move& move);
 
   const machine::Machine machine_;
@@ -92,6 +108,7 @@ class Motion {
   base::AxisVector end_{};
   double tolerance_;
   bool finished_ = false;
+  bool gave_ = false;  ///< moves that are no longer among those above
   std::optional<pipeline::Program> program_;
 };
 
