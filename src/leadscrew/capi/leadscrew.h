@@ -6,14 +6,17 @@
  *   while (!leadscrew_motion_next(motion, words, sizeof *words, 1000, &count, &error) && count > 0) …
  *   leadscrew_motion_free(motion);  leadscrew_machine_free(machine);
  *
+ * or all of it planned at once, leadscrew_motion_plan(): its duration, and where its axes are at any time.
+ *
  * Lengths are mm, angles degrees, times seconds. Axes stand in the order X Y Z A B C U V W.
  *
  * Every function that can fail returns 0, or a code below; then nothing else has changed, and `error`, unless it is NULL,
- * says what was found. Structures begin with their size, `sizeof` as the caller was compiled with: those of later
- * versions, which are longer, are understood, and so are those of every earlier one. Handles are used by one thread at a
- * time, and not by the functions that they call; a machine may be shared. A NULL handle or pointer, where it is not said
- * that it may be NULL, is LEADSCREW_MISUSE, and so is a size that no version had. Functions that are called must not throw.
- * Text is UTF-8.
+ * says what was found. Structures begin with their size, `sizeof` as the caller was compiled with. One of an earlier
+ * version is shorter: what it lacks counts as 0. One of a later version is longer, and is understood as long as what this
+ * version does not know of it is 0; of a longer structure that is filled, only the known part is. Handles are used by one
+ * thread at a time, and not by the functions that they call; a machine and a trajectory never change and may be shared. A
+ * NULL handle or pointer, where it is not said that it may be NULL, is LEADSCREW_MISUSE, and so is a size that no version
+ * had. Functions that are called must not throw. Text is UTF-8.
  */
 #ifndef LEADSCREW_H
 #define LEADSCREW_H
@@ -33,8 +36,9 @@ extern "C" {
 
 #define LEADSCREW_AXES 9
 
-typedef struct leadscrew_machine leadscrew_machine; /* limits and period; never changes */
-typedef struct leadscrew_motion leadscrew_motion;   /* along one program, or along moves */
+typedef struct leadscrew_machine leadscrew_machine;       /* limits and period; never changes */
+typedef struct leadscrew_motion leadscrew_motion;         /* along one program, or along moves */
+typedef struct leadscrew_trajectory leadscrew_trajectory; /* a motion, planned to its end; never changes */
 
 enum {
   LEADSCREW_OK = 0,
@@ -42,7 +46,8 @@ enum {
   LEADSCREW_MISUSE = 2,   /* of this interface */
   LEADSCREW_INPUT = 3,    /* a file cannot be read */
   LEADSCREW_FAILED = 4,   /* motion has ended, at rest, before its path */
-  LEADSCREW_OUT_OF_MEMORY = 5
+  LEADSCREW_OUT_OF_MEMORY = 5,
+  LEADSCREW_INTERRUPTED = 6 /* on_progress said so */
 };
 
 /* What went wrong, as a diagnostic of the command has it. */
@@ -82,6 +87,9 @@ typedef struct leadscrew_event {
 
 typedef void (*leadscrew_event_function)(const leadscrew_event* event, void* user);
 typedef void (*leadscrew_error_function)(const leadscrew_error* error, void* user);
+/* `share`, 0 … 1: so much of the program has been read; 0 of moves. Returns 0 to go on; else work ends with
+ * LEADSCREW_INTERRUPTED, motion at rest on its path. */
+typedef int (*leadscrew_progress_function)(double share, void* user);
 
 typedef struct leadscrew_options {
   size_t size;
@@ -89,8 +97,14 @@ typedef struct leadscrew_options {
   double slice;                           /* no more than about so long is settled ahead; 0: 0.05 s */
   leadscrew_event_function on_event;      /* from within leadscrew_motion_next(); may be NULL */
   leadscrew_error_function on_diagnostic; /* of the program: notes, warnings, errors; may be NULL */
-  void* user;                             /* for both */
+  void* user;                             /* for all functions */
   const char* file;                       /* the program's name, for messages; may be NULL */
+  /* Here the options of the first version ended. Tools of the program, as LinuxCNC writes them ("T1 P1 D3.175 Z0.511"): a
+   * text of so many bytes, or the path of a file that holds it; both NULL: none. */
+  const char* tools;
+  size_t tools_length;
+  const char* tools_file;
+  leadscrew_progress_function on_progress; /* every few KiB of the program, and every few ms of planning; may be NULL */
 } leadscrew_options;
 
 enum { LEADSCREW_LINE = 0, LEADSCREW_ARC = 1, LEADSCREW_CURVE = 2, LEADSCREW_DWELL = 3 };
@@ -116,6 +130,19 @@ typedef struct leadscrew_move {
 
 /* Why leadscrew_motion_next() gave less than it was asked for. */
 enum { LEADSCREW_MOVING = 0, LEADSCREW_WANTS_MOVES = 1, LEADSCREW_HELD = 2, LEADSCREW_ENDED = 3 };
+
+/* Axes at one instant, mm or degrees and seconds. Where acceleration or jerk step, the value behind the step. */
+typedef struct leadscrew_state {
+  size_t size;
+  double position[LEADSCREW_AXES];
+  double velocity[LEADSCREW_AXES];
+  double acceleration[LEADSCREW_AXES];
+  double jerk[LEADSCREW_AXES];
+  double path_length, speed, feed; /* as in a word */
+  int64_t line;
+  int32_t state; /* as in a word */
+  int32_t reserved;
+} leadscrew_state;
 
 /* "0.1.0" */
 LEADSCREW_API const char* leadscrew_version(void);
@@ -158,6 +185,17 @@ LEADSCREW_API int leadscrew_motion_override(leadscrew_motion* motion, double fac
 LEADSCREW_API int leadscrew_motion_abort(leadscrew_motion* motion);
 /* At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */
 LEADSCREW_API int leadscrew_motion_reset(leadscrew_motion* motion, const double* position, leadscrew_error* error);
+
+/* All of a motion, planned from its beginning to its end as if nobody intervened: of its program, or of the moves that were
+ * pushed so far, before leadscrew_motion_next() has taken one. Its words stay those that they are. */
+LEADSCREW_API int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** trajectory,
+                                        leadscrew_error* error);
+LEADSCREW_API double leadscrew_trajectory_duration(const leadscrew_trajectory* trajectory); /* s; 0 of NULL */
+/* At `time`: before 0 as at 0, at rest behind the duration. Where it is n times the period, positions are those of word n,
+ * bit for bit. */
+LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory, double time, leadscrew_state* state,
+                                          leadscrew_error* error);
+LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
 
 #ifdef __cplusplus
 }
