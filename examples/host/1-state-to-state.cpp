@@ -1,7 +1,7 @@
 // From rest in one position to rest in another, in six axes, as fast as their limits allow: the slowest sets the time. It
 // is known before anything moves, and so is where each axis is at any time, and how fast.
 #include <cstdio>
-#include <leadscrew/host/motion.hpp>
+#include <leadscrew/motion.hpp>
 
 using namespace leadscrew;
 

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Installs the package into a scratch folder, builds the controllers of the examples and a reader of machine files against
-# it, and runs them.
+# Installs the package into a scratch folder, builds the examples, a reader of machine files and each public header against
+# it, and runs what runs.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -11,12 +11,29 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-foreach(folder ${EXAMPLES}/controller ${EXAMPLES}/controller-on-time ${EXAMPLES}/c ${EXAMPLES}/host ${CMAKE_CURRENT_LIST_DIR}/machine_file)
+foreach(folder ${EXAMPLES}/controller ${EXAMPLES}/controller-on-time ${EXAMPLES}/c ${EXAMPLES}/host ${CMAKE_CURRENT_LIST_DIR}/machine_file
+    ${CMAKE_CURRENT_LIST_DIR}/each_header)
   get_filename_component(example ${folder} NAME)
   run(${CMAKE_COMMAND} -S ${folder} -B ${SCRATCH}/${example} -G Ninja -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
   run(${CMAKE_COMMAND} --build ${SCRATCH}/${example})
 endforeach()
+# What the compiler has read for the public headers is what is installed, no more and no less.
+run(ninja -C ${SCRATCH}/each_header -t deps)
+string(REGEX MATCHALL "${SCRATCH}/prefix/include/leadscrew/[a-z_0-9/]+\\.hpp" read "${output}")
+list(REMOVE_DUPLICATES read)
+list(SORT read)
+file(GLOB_RECURSE installed ${SCRATCH}/prefix/include/leadscrew/*)
+list(SORT installed)
+if(NOT read STREQUAL installed)
+  list(REMOVE_ITEM installed ${read})
+  message(FATAL_ERROR "installed, but no public header leads there: ${installed}")
+endif()
+file(GLOB outside RELATIVE ${SCRATCH}/prefix/include/leadscrew ${SCRATCH}/prefix/include/leadscrew/*)
+list(FILTER outside EXCLUDE REGEX "^[a-z_]+\\.hpp$")
+if(NOT outside STREQUAL internal)
+  message(FATAL_ERROR "beside the public headers only those in internal/ are installed, not ${outside}")
+endif()
 run(${SCRATCH}/controller/controller ${PROGRAM})
 if(NOT output MATCHES "1\\.0250 s  X 0\\.0000  Y 0\\.0000  Z 0\\.0000\n$")
   message(FATAL_ERROR "the square should end at its start after 1025 periods; the last words are\n${output}")
@@ -41,7 +58,7 @@ if(NOT "${3-program-with-events}" MATCHES "M6\n.*M3\n.*held.*M8\n.*M9\n.*M5\n.*M
   message(FATAL_ERROR "${3-program-with-events}")
 endif()
 run(${SCRATCH}/c/plan)
-if(NOT output MATCHES "  0\\.857 s  X   0\\.000 mm .*\n0\\.857 s\n$")
+if(NOT output MATCHES " 0\\.857 s  X   0\\.000 mm .*\n0\\.857 s\n$")
   message(FATAL_ERROR "${output}")
 endif()
 run(${SCRATCH}/controller-on-time/controller-on-time ${PROGRAM} ${SCRATCH}/on-time.csv)
