@@ -3,4 +3,3 @@
 /// The cycle's half of it: chunks in, one word a call, without memory, locks, clocks or exceptions.
 
 #include <leadscrew/interpolator/controller.hpp>
-#include <leadscrew/interpolator/interpolator.hpp>

@@ -29,23 +29,25 @@
 
 namespace leadscrew::host {
 
+/// How a motion is made.
 struct MotionOptions {
   base::AxisVector start{};  ///< mm or degrees, where motion begins
   /// No more than about this is settled ahead, s > 0: a change of feed, a hold and an abort act within it and what
   /// the limits need. Words are the same for any.
   double slice = 0.05;
-  pipeline::EventSink on_event;  ///< of a program; with the word in whose period it happens
+  pipeline::EventSink on_event{};  ///< of a program; with the word in whose period it happens
   // Of programs alone.
-  std::string file;  ///< for places in diagnostics
-  machine::ToolTable tools;
+  std::string file{};          ///< for places in diagnostics
+  machine::ToolTable tools{};  ///< that it may ask for
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
   /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
   /// `interrupted`; motion comes to rest.
-  std::function<bool(double share)> goes_on;
+  std::function<bool(double share)> goes_on{};
 };
 
 using pipeline::Trajectory, pipeline::TrajectoryState;
 
+/// Along a program, which is checked whole before it moves, or along moves as they come.
 class Motion {
  public:
   /// Along moves that push() gives, from options.start, smoothed within the machine's tolerance. The machine is sound
@@ -77,6 +79,7 @@ class Motion {
 
   /// The next words, as many as there are room and motion for: fewer than asked only where progress() says why.
   std::size_t next(std::span<base::Word> words);
+  /// Why next() gave less than it was asked for.
   pipeline::Progress progress() const { return program_->progress(); }
   /// Why motion ended before its path did.
   const std::optional<base::Diagnostic>& failure() const { return program_->failure(); }

@@ -16,15 +16,15 @@ namespace leadscrew::pipeline {
 
 /// Axes at one instant. Where acceleration or jerk steps, the value behind the step.
 struct TrajectoryState {
-  base::AxisVector position{};      ///< mm or degrees
-  base::AxisVector velocity{};      ///< mm/s or degrees/s
-  base::AxisVector acceleration{};  ///< the same per s²
-  base::AxisVector jerk{};          ///< the same per s³
-  double path_length = 0;           ///< travelled, as base::Word::path_length
-  double speed = 0;                 ///< along the path, units of path_length per second
-  double feed = 0;                  ///< as base::Word::feed
-  base::Line line{};                ///< of the block in motion
-  base::MotionState state = base::MotionState::rest;
+  base::AxisVector position{};                        ///< mm or degrees
+  base::AxisVector velocity{};                        ///< mm/s or degrees/s
+  base::AxisVector acceleration{};                    ///< the same per s²
+  base::AxisVector jerk{};                            ///< the same per s³
+  double path_length = 0;                             ///< travelled, as base::Word::path_length
+  double speed = 0;                                   ///< along the path, units of path_length per second
+  double feed = 0;                                    ///< as base::Word::feed
+  base::Line line{};                                  ///< of the block in motion
+  base::MotionState state = base::MotionState::rest;  ///< of the plan
 };
 
 /// Memory grows with the path. Any number of threads may ask one at a time that nobody appends to.

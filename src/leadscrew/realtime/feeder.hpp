@@ -36,6 +36,7 @@ struct Planning {
   std::function<void(double)> slice = {};
 };
 
+/// Keeps the cycle supplied: plans as far ahead of it as look_ahead_time.hpp says, and hands chunks over.
 class Feeder {
  public:
   /// So far it looks ahead after chunks that were late, s.
@@ -48,6 +49,7 @@ class Feeder {
         controller_(controller),
         farthest_look_ahead_(look_ahead),
         look_ahead_(least_look_ahead, look_ahead) {}
+  /// The same, as far at all times.
   Feeder(const Planning& planning, interpolator::Controller& controller, double look_ahead)
       : Feeder(planning, controller, look_ahead, look_ahead) {}
 
