@@ -5,6 +5,7 @@
 
 #include <leadscrew/realtime/feeder.hpp>
 #include <leadscrew/realtime/histogram.hpp>
+#include <leadscrew/realtime/move_runner.hpp>
 #include <leadscrew/realtime/runner.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/realtime/waiting_sink.hpp>

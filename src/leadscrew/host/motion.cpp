@@ -33,7 +33,7 @@ gcode::ByteSource asking_source(std::string_view text, std::function<bool(double
 }  // namespace
 
 Motion::Motion(machine::Machine machine, MotionOptions options)
-    : machine_(std::move(machine)), options_(std::move(options)), tolerance_(machine_.tolerance) {
+    : machine_(std::move(machine)), options_(std::move(options)), moves_(machine_, options_.start) {
   begin();
 }
 
@@ -41,8 +41,8 @@ Motion::Motion(machine::Machine machine, MotionOptions options, std::string text
     : machine_(std::move(machine)),
       options_(std::move(options)),
       text_(std::move(text)),
-      tolerance_(machine_.tolerance),
-      finished_(true) {
+      moves_(machine_, options_.start) {
+  moves_.finish();
   begin();
 }
 
@@ -80,20 +80,18 @@ void Motion::join(std::optional<Joined>& joined, pipeline::MoveInput moves) cons
 }
 
 void Motion::begin() {
-  end_ = options_.start;
-  gave_ = false;
-  join(program_, [this](gcode::Move& move) { return give(move); });
+  join(program_, [this](gcode::Move& move) { return moves_.give(move); });
   program_->slice(options_.slice);
   if (options_.on_event) program_->on_event(options_.on_event);
 }
 
 base::Result<Trajectory> Motion::plan() const {
-  if (gave_)
+  if (moves_.has_given())
     return base::failure(base::problem("motion-moves", "motion has taken moves already", "plan before the first word"));
   std::optional<pipeline::MotionSource> source;
-  auto move = moves_.begin();
+  auto move = moves_.waiting().begin();
   join(source, [&](gcode::Move& next) {
-    if (move == moves_.end()) return pipeline::Supply::end;
+    if (move == moves_.waiting().end()) return pipeline::Supply::end;
     next = *move++;
     return pipeline::Supply::move;
   });
@@ -101,39 +99,6 @@ base::Result<Trajectory> Motion::plan() const {
   while (std::optional<planner::Chunk> chunk = source->next()) trajectory.append(std::move(*chunk));
   if (source->failure()) return base::failure(*source->failure());
   return trajectory;
-}
-
-pipeline::Supply Motion::give(gcode::Move& move) {
-  if (moves_.empty()) return finished_ ? pipeline::Supply::end : pipeline::Supply::later;
-  move = std::move(moves_.front());
-  moves_.pop_front();
-  gave_ = true;
-  return pipeline::Supply::move;
-}
-
-base::Result<void> Motion::smooth(double tolerance) {
-  if (!(tolerance >= 0 && std::isfinite(tolerance)))
-    return base::failure(base::problem("tolerance", "a tolerance of " + base::text(tolerance, 9) + " mm", "0 or more"));
-  tolerance_ = tolerance;
-  return {};
-}
-
-base::Result<void> Motion::push(gcode::Move move) {
-  if (finished_)
-    return base::failure(base::problem("motion-ended", "no move is taken any more", "reset it at its end"));
-  if (auto sound = put_behind(end_, machine_, move); !sound) return sound;
-  move.path_mode = tolerance_ > 0 ? gcode::PathMode::blend : gcode::PathMode::exact_path;
-  move.tolerance = move.naive_cam_tolerance = tolerance_;
-  end_ = move.end;
-  moves_.push_back(std::move(move));
-  return {};
-}
-
-/// A dwell of no time, for which motion rests.
-void Motion::end_for_now() {
-  gcode::Move rest = dwell(0);
-  rest.start = rest.end = end_;
-  if (!finished_) moves_.push_back(std::move(rest));
 }
 
 std::size_t Motion::next(std::span<base::Word> words) {
@@ -150,8 +115,7 @@ base::Result<void> Motion::override_feed(double factor) {
 }
 
 void Motion::abort() {
-  finished_ = true;
-  moves_.clear();
+  moves_.abandon();
   program_->abort();
 }
 
@@ -160,8 +124,7 @@ base::Result<void> Motion::reset(const base::AxisVector& position) {
     return base::failure(base::problem("motion-moves", "motion has not come to its end", "take words until it has"));
   if (auto inside = check_position(position, machine_); !inside) return inside;
   text_.reset();
-  moves_.clear();
-  finished_ = false;
+  moves_.restart(position);
   options_.start = position;
   begin();
   return {};

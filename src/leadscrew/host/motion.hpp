@@ -11,12 +11,12 @@
 // One thread at a time. Words are those of `leadscrew run`, bit for bit.
 
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/host/move_queue.hpp>
 #include <leadscrew/host/moves.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -61,16 +61,14 @@ class Motion {
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
-  /// How moves from now on are joined: within so many mm of them (0.0002 or more smooth), or as they are, without a
-  /// needless stop (0). Errors: `tolerance`, where it is below 0 or not finite.
-  base::Result<void> smooth(double tolerance);
-  /// The next move, behind the one before (put_behind()). Codes: those of put_behind(), `motion-ended` behind finish() and
-  /// of a program. A move that is refused changes nothing.
-  base::Result<void> push(gcode::Move move);
+  /// As MoveQueue::smooth().
+  base::Result<void> smooth(double tolerance) { return moves_.smooth(tolerance); }
+  /// As MoveQueue::push(). `motion-ended` of a program, too.
+  base::Result<void> push(gcode::Move move) { return moves_.push(std::move(move)); }
   /// Motion comes to rest where the moves so far end; more may follow.
-  void end_for_now();
+  void end_for_now() { moves_.end_for_now(); }
   /// No more moves will come.
-  void finish() { finished_ = true; }
+  void finish() { moves_.finish(); }
 
   /// All of it, planned from its beginning to its end as nobody intervenes: of a program, or of the moves that have been
   /// pushed so far, with rest behind the last. Words stay those that they are; this plans beside them. Errors:
@@ -95,23 +93,18 @@ class Motion {
   /// Of all words so far.
   const pipeline::Summary& summary() const { return program_->summary(); }
   /// Where the moves that were pushed end.
-  const base::AxisVector& end() const { return end_; }
+  const base::AxisVector& end() const { return moves_.end(); }
 
  private:
   Motion(machine::Machine machine, MotionOptions options, std::string text);
   void begin();
   template <class Joined>
   void join(std::optional<Joined>& joined, pipeline::MoveInput moves) const;
-  pipeline::Supply give(gcode::Move& move);
 
   const machine::Machine machine_;
   MotionOptions options_;
   std::optional<std::string> text_;  ///< of a program
-  std::deque<gcode::Move> moves_;
-  base::AxisVector end_{};
-  double tolerance_;
-  bool finished_ = false;
-  bool gave_ = false;  ///< moves that are no longer among those above
+  MoveQueue moves_;
   std::optional<pipeline::Program> program_;
 };
 
