@@ -1,18 +1,24 @@
-# `cmake --install`, and find_package(leadscrew) for those who build on the rooms of the core, or on those, realtime and config, and for those who
-# call leadscrew.h, with leadscrew::shared or, in a program of rooms, with leadscrew::capi.
+# `cmake --install`, and find_package(leadscrew): leadscrew::leadscrew for those who build on the library, with
+# leadscrew::realtime and leadscrew::config beside it, and for those who call leadscrew.h leadscrew::shared or, in a program
+# of rooms, leadscrew::capi. Headers: those of include/leadscrew, and what they need, as internal (install_headers.cmake).
 include(CMakePackageConfigHelpers)
 
-get_property(rooms GLOBAL PROPERTY LEADSCREW_CORE_ROOMS)
+set(rooms ${LEADSCREW_LIBRARY_ROOMS})
+file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/leadscrew/*.hpp)
 if(LEADSCREW_COMMAND)
   list(APPEND rooms realtime config)
   list(APPEND targets leadscrew_capi leadscrew_shared)
   install(FILES src/leadscrew/capi/leadscrew.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+else()
+  list(FILTER headers EXCLUDE REGEX "/(files|realtime)\\.hpp$")
 endif()
-foreach(room ${rooms})
-  list(APPEND targets leadscrew_${room})
-  install(DIRECTORY src/leadscrew/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/leadscrew FILES_MATCHING PATTERN "*.hpp")
-endforeach()
-install(TARGETS ${targets} leadscrew_all EXPORT leadscrew ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+list(TRANSFORM rooms PREPEND leadscrew_ OUTPUT_VARIABLE room_targets)
+install(CODE "set(PUBLIC \"${headers};${PROJECT_BINARY_DIR}/include/leadscrew/version.hpp\")
+set(SOURCES \"${PROJECT_SOURCE_DIR}/src\")
+set(STAGE \"${PROJECT_BINARY_DIR}/installed_headers\")
+set(DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
+install(SCRIPT cmake/install_headers.cmake)
+install(TARGETS ${targets} ${room_targets} leadscrew_all EXPORT leadscrew ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT leadscrew NAMESPACE leadscrew:: FILE leadscrew-targets.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/leadscrew)

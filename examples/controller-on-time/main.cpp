@@ -3,11 +3,9 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <leadscrew/pipeline/motion_source.hpp>
-#include <leadscrew/realtime/runner.hpp>
-#include <leadscrew/realtime/schedule.hpp>
-#include <leadscrew/realtime/waiting_sink.hpp>
-#include <leadscrew/trace/csv_writer.hpp>
+#include <leadscrew/motion_source.hpp>
+#include <leadscrew/realtime.hpp>
+#include <leadscrew/trace.hpp>
 
 using namespace leadscrew;
 

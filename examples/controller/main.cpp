@@ -1,6 +1,6 @@
 // The smallest controller: a part program in, one word a servo period out. Replace `send` by your drives.
 #include <cstdio>
-#include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/program.hpp>
 
 using namespace leadscrew;
 

@@ -1,6 +1,7 @@
-// From rest in one position to rest in another, in six axes, as fast as their limits allow: the slowest sets the time.
+// From rest in one position to rest in another, in six axes, as fast as their limits allow: the slowest sets the time. It
+// is known before anything moves, and so is where each axis is at any time, and how fast.
 #include <cstdio>
-#include <leadscrew/host/motion.hpp>
+#include <leadscrew/motion.hpp>
 
 using namespace leadscrew;
 
@@ -20,15 +21,17 @@ int main() {
   const base::AxisVector target = {400, 250, 90, 45, -60, 10};  // X Y Z A B C
   if (const auto pushed = motion.push(host::line(target, host::rapid)); !pushed)
     return std::fprintf(stderr, "%s\n", pushed.error().message.c_str()), 1;
-  motion.finish();
 
-  std::puts("    s       X       Y       Z       A       B       C");
-  std::array<base::Word, 100> words;
-  while (const std::size_t count = motion.next(words)) {
-    const base::Word& word = words[count - 1];
-    std::printf("%5.3f", base::seconds(word.tick, robot.period));
-    for (std::size_t axis = 0; axis < 6; ++axis) std::printf(" %7.2f", word.position[axis]);
-    std::puts("");
+  const auto planned = motion.plan();
+  if (!planned) return std::fprintf(stderr, "%s\n", planned.error().message.c_str()), 1;
+  std::puts("    s       X       Y       Z       A       B       C   X mm/s  X mm/s²  X mm/s³");
+  for (int i = 0; i <= 10; ++i) {
+    const double t = planned->duration() * i / 10;
+    const host::TrajectoryState at = planned->at(t);
+    std::printf("%5.3f", t);
+    for (std::size_t axis = 0; axis < 6; ++axis) std::printf(" %7.2f", at.position[axis]);
+    std::printf(" %8.2f %8.1f %8.0f\n", at.velocity[0], at.acceleration[0], at.jerk[0]);
   }
-  std::printf("%.3f s\n", motion.summary().time_s);
+  std::printf("%.3f s\n", planned->duration());
+  // The words of motion.next() are the same motion, a servo period apart.
 }

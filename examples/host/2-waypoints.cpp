@@ -2,7 +2,7 @@
 // a curve that they control.
 #include <array>
 #include <cstdio>
-#include <leadscrew/host/motion.hpp>
+#include <leadscrew/motion.hpp>
 
 using namespace leadscrew;
 

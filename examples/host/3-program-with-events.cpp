@@ -1,7 +1,7 @@
 // A part program for a controller: words to the drives, events to the machine, and a hold while the spindle gains speed.
 #include <array>
 #include <cstdio>
-#include <leadscrew/host/motion.hpp>
+#include <leadscrew/motion.hpp>
 
 using namespace leadscrew;
 

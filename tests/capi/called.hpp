@@ -23,7 +23,9 @@ inline constexpr double inf = HUGE_VAL;
 struct Free {
   void operator()(leadscrew_machine* machine) const { leadscrew_machine_free(machine); }
   void operator()(leadscrew_motion* motion) const { leadscrew_motion_free(motion); }
+  void operator()(leadscrew_trajectory* trajectory) const { leadscrew_trajectory_free(trajectory); }
 };
+using Trajectory = std::unique_ptr<leadscrew_trajectory, Free>;
 using Machine = std::unique_ptr<leadscrew_machine, Free>;
 using Motion = std::unique_ptr<leadscrew_motion, Free>;
 

@@ -41,13 +41,17 @@ TEST(Layout, OfEvents) {
 }
 
 TEST(Layout, OfOptions) {
-  EXPECT_EQ(sizeof(leadscrew_options), 120U);
+  EXPECT_EQ(sizeof(leadscrew_options), 152U);
   EXPECT_EQ(offsetof(leadscrew_options, start), 8U);
   EXPECT_EQ(offsetof(leadscrew_options, slice), 80U);
   EXPECT_EQ(offsetof(leadscrew_options, on_event), 88U);
   EXPECT_EQ(offsetof(leadscrew_options, on_diagnostic), 96U);
   EXPECT_EQ(offsetof(leadscrew_options, user), 104U);
   EXPECT_EQ(offsetof(leadscrew_options, file), 112U);
+  EXPECT_EQ(offsetof(leadscrew_options, tools), 120U);  // the first version's end
+  EXPECT_EQ(offsetof(leadscrew_options, tools_length), 128U);
+  EXPECT_EQ(offsetof(leadscrew_options, tools_file), 136U);
+  EXPECT_EQ(offsetof(leadscrew_options, on_progress), 144U);
 }
 
 TEST(Layout, OfMoves) {
@@ -65,6 +69,19 @@ TEST(Layout, OfMoves) {
   EXPECT_EQ(offsetof(leadscrew_move, weights), 144U);
   EXPECT_EQ(offsetof(leadscrew_move, knots), 152U);
   EXPECT_EQ(offsetof(leadscrew_move, seconds), 160U);
+}
+
+TEST(Layout, OfStates) {
+  EXPECT_EQ(sizeof(leadscrew_state), 336U);
+  EXPECT_EQ(offsetof(leadscrew_state, position), 8U);
+  EXPECT_EQ(offsetof(leadscrew_state, velocity), 80U);
+  EXPECT_EQ(offsetof(leadscrew_state, acceleration), 152U);
+  EXPECT_EQ(offsetof(leadscrew_state, jerk), 224U);
+  EXPECT_EQ(offsetof(leadscrew_state, path_length), 296U);
+  EXPECT_EQ(offsetof(leadscrew_state, speed), 304U);
+  EXPECT_EQ(offsetof(leadscrew_state, feed), 312U);
+  EXPECT_EQ(offsetof(leadscrew_state, line), 320U);
+  EXPECT_EQ(offsetof(leadscrew_state, state), 328U);
 }
 
 }  // namespace

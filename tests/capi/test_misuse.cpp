@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -117,8 +120,19 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
   strange.kind = 9;
   leadscrew_move before_all = line(1, 0, 0, 50);
   before_all.line = -1;
+  leadscrew_options long_options = no_options(), two_tables = no_options(), endless_tools = no_options();
+  long_options.size = SIZE_MAX;
+  two_tables.tools = two_tables.tools_file = "";
+  endless_tools.tools = "";
+  endless_tools.tools_length = SIZE_MAX;
   const double position[LEADSCREW_AXES] = {};
   const Motion motion = moves();
+  leadscrew_trajectory* planned = nullptr;
+  ASSERT_EQ(leadscrew_motion_plan(motion.get(), &planned, nullptr), LEADSCREW_OK);
+  const Trajectory trajectory(planned);
+  leadscrew_state state{}, short_state{};
+  state.size = sizeof state;
+  short_state.size = sizeof state - 1;
   const int codes[] = {
       leadscrew_machine_builtin(nullptr, &other, nullptr),
       leadscrew_machine_builtin("mill3", nullptr, nullptr),
@@ -146,6 +160,15 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
       leadscrew_motion_abort(nullptr),
       leadscrew_motion_reset(nullptr, position, nullptr),
       leadscrew_motion_reset(motion.get(), nullptr, nullptr),
+      leadscrew_motion_of_moves(machine.get(), &long_options, &made, nullptr),
+      leadscrew_motion_of_moves(machine.get(), &two_tables, &made, nullptr),
+      leadscrew_motion_of_moves(machine.get(), &endless_tools, &made, nullptr),
+      leadscrew_motion_plan(nullptr, &planned, nullptr),
+      leadscrew_motion_plan(motion.get(), nullptr, nullptr),
+      leadscrew_trajectory_at(nullptr, 0, &state, nullptr),
+      leadscrew_trajectory_at(trajectory.get(), 0, nullptr, nullptr),
+      leadscrew_trajectory_at(trajectory.get(), 0, &short_state, nullptr),
+      leadscrew_trajectory_at(trajectory.get(), std::numeric_limits<double>::quiet_NaN(), &state, nullptr),
   };
   for (const int code : codes) EXPECT_EQ(code, LEADSCREW_MISUSE) << &code - codes;
   EXPECT_EQ(leadscrew_motion_override(motion.get(), 2.5, nullptr), LEADSCREW_REJECTED);
@@ -157,8 +180,10 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
   EXPECT_EQ(made, nullptr);
   EXPECT_EQ(leadscrew_motion_progress(nullptr), LEADSCREW_ENDED);
   EXPECT_EQ(leadscrew_machine_period(nullptr), 0);
+  EXPECT_EQ(leadscrew_trajectory_duration(nullptr), 0);
   leadscrew_motion_free(nullptr);
   leadscrew_machine_free(nullptr);
+  leadscrew_trajectory_free(nullptr);
 }
 
 TEST(Capi, IsNotUsedFromWithinItself) {
@@ -204,6 +229,69 @@ TEST(Capi, LeavesLongerStructuresOfLaterVersionsAlone) {
   ASSERT_EQ(count, 10U);
   for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(words[i].word.tick, static_cast<std::int64_t>(i));
   for (const LaterWord& word : words) EXPECT_EQ(word.more, 3);
+}
+
+/// Memory of just so many bytes, which hold a structure that says so.
+template <class Struct>
+std::unique_ptr<char[]> of_size(Struct given, std::size_t size) {
+  given.size = size;
+  std::unique_ptr<char[]> bytes(new char[size]());
+  std::memcpy(bytes.get(), &given, std::min(size, sizeof given));
+  return bytes;
+}
+
+TEST(Capi, UnderstandsShorterStructuresOfEarlierVersions) {
+  constexpr std::size_t first = offsetof(leadscrew_options, tools);
+  leadscrew_options options = no_options();
+  options.start[0] = 3;
+  const auto earlier = of_size(options, first);
+  leadscrew_motion* made = nullptr;
+  ASSERT_EQ(leadscrew_motion_of_moves(mill().get(), reinterpret_cast<const leadscrew_options*>(earlier.get()), &made,
+                                      nullptr),
+            LEADSCREW_OK);
+  const Motion motion(made);
+  leadscrew_motion_finish(motion.get());
+  EXPECT_EQ(words_of(motion.get()).front().position[0], 3);
+  const auto shorter = of_size(options, first - 1);
+  EXPECT_EQ(leadscrew_motion_of_moves(mill().get(), reinterpret_cast<const leadscrew_options*>(shorter.get()), &made,
+                                      nullptr),
+            LEADSCREW_MISUSE);
+}
+
+TEST(Capi, UnderstandsLongerStructuresAsLongAsTheyAskForNothingNew) {
+  const auto options = of_size(no_options(), sizeof(leadscrew_options) + 24);
+  const auto move = of_size(line(1, 0, 0, 50), sizeof(leadscrew_move) + 8);
+  const auto* later_options = reinterpret_cast<const leadscrew_options*>(options.get());
+  const auto* later_move = reinterpret_cast<const leadscrew_move*>(move.get());
+  leadscrew_motion* made = nullptr;
+  ASSERT_EQ(leadscrew_motion_of_moves(mill().get(), later_options, &made, nullptr), LEADSCREW_OK);
+  const Motion motion(made);
+  EXPECT_EQ(leadscrew_motion_push(motion.get(), later_move, nullptr), LEADSCREW_OK);
+  options[sizeof(leadscrew_options) + 23] = 1;
+  move[sizeof(leadscrew_move)] = 1;
+  EXPECT_EQ(leadscrew_motion_of_moves(mill().get(), later_options, &made, nullptr), LEADSCREW_MISUSE);
+  EXPECT_EQ(leadscrew_motion_push(motion.get(), later_move, nullptr), LEADSCREW_MISUSE);
+}
+
+TEST(Capi, TellsWhatIsWrongWithTools) {
+  const std::string text = "G1 X1 F100\nM2\n";
+  const auto result = [&](const leadscrew_options& options, leadscrew_error& error) {
+    leadscrew_motion* motion = nullptr;
+    const int code = leadscrew_motion_of_program(mill().get(), text.data(), text.size(), &options, &motion, &error);
+    EXPECT_EQ(motion, nullptr);
+    return code;
+  };
+  leadscrew_error error = sized_error();
+  leadscrew_options options = no_options();
+  options.tools = "T1 P1 Z3\nT1 P2\n";
+  options.tools_length = std::strlen(options.tools);
+  EXPECT_EQ(result(options, error), LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "repeated-tool");
+  EXPECT_EQ(error.line, 2);
+  options = no_options();
+  options.tools_file = "/nowhere.tbl";
+  EXPECT_EQ(result(options, error), LEADSCREW_INPUT);
+  EXPECT_STREQ(error.code, "io-open");
 }
 
 TEST(Capi, OutlivesItsMachine) {

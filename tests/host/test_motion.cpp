@@ -1,30 +1,14 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 #include <cstring>
-#include <leadscrew/host/motion.hpp>
-#include <string>
-#include <vector>
+
+#include "paths.hpp"
 
 // A host's motion has the words of the pipeline, whoever gives its moves, and whenever.
 
 namespace {
 
 using namespace leadscrew;
-
-std::vector<base::Word> words_of(host::Motion& motion, std::size_t capacity = 256) {
-  std::vector<base::Word> all, some(capacity);
-  while (const std::size_t count = motion.next(some))
-    all.insert(all.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
-  return all;
-}
-
-std::unique_ptr<host::Motion> program(const std::string& text, host::MotionOptions options = {}) {
-  auto motion = host::Motion::of_program(machine::mill3(), text, std::move(options));
-  EXPECT_TRUE(motion);
-  return motion ? std::move(*motion) : nullptr;
-}
+using namespace leadscrew::host_tests;
 
 std::vector<gcode::Move> moves_of(const std::string& text) {
   std::vector<gcode::Move> moves;
@@ -46,30 +30,6 @@ bool same(const std::vector<base::Word>& a, const std::vector<base::Word>& b) {
     if (std::memcmp(&a[i].position, &b[i].position, sizeof a[i].position) != 0) return false;
   }
   return true;
-}
-
-/// Lines, half circles and rests.
-std::string random_path() {
-  std::string text = "G21 G90 G17 G64 P0.01 F" + std::to_string(*rc::gen::inRange(300, 9000)) + "\n";
-  double x = 0;
-  const int blocks = *rc::gen::inRange(1, 20);
-  for (int i = 0; i < blocks; ++i) {
-    const double step = *rc::gen::inRange(1, 400) / 20.0 * (x > 0 ? -1 : 1);
-    x += step;
-    switch (*rc::gen::inRange(0, 8)) {
-      case 0:
-        text += "G4 P0.01\n";
-        [[fallthrough]];
-      case 1:
-        text += "G3 X" + std::to_string(x) + " I" + std::to_string(step / 2) + " J0\n";
-        break;
-      default:
-        text += "G1 X" + std::to_string(x) + " Y" + std::to_string(*rc::gen::inRange(-200, 200) / 10.0) + "\n";
-        if (*rc::gen::inRange(0, 2)) text += "G0 X" + std::to_string(x) + " Y0\n";
-        text += "G1 X" + std::to_string(x) + " Y0\n";
-    }
-  }
-  return text;
 }
 
 RC_GTEST_PROP(HostMotion, OfMovesHasTheWordsOfTheirProgram, ()) {
@@ -102,6 +62,62 @@ TEST(HostMotion, RefusesAProgramWithAnError) {
   ASSERT_FALSE(motion);
   EXPECT_EQ(motion.error().code, "travel");
   EXPECT_EQ(codes.size(), 2U);
+}
+
+/// Lines enough that reading them asks several times.
+const std::string long_program = [] {
+  std::string text = "G21 G90 G64 P0.01 F3000\n";
+  for (int i = 0; i < 4000; ++i) text += "G1 X" + std::to_string(i % 7) + " Y" + std::to_string(i % 11) + "\n";
+  return text + "M2\n";
+}();
+
+TEST(HostMotion, TellsHowMuchOfAProgramItHasRead) {
+  std::vector<double> shares;
+  host::MotionOptions options;
+  options.goes_on = [&](double share) {
+    shares.push_back(share);
+    return true;
+  };
+  program(long_program, options);
+  ASSERT_GT(shares.size(), 5U);
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_GT(shares.back(), 0.9);
+  EXPECT_LE(shares.back(), 1);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+}
+
+TEST(HostMotion, ReadsNoFurtherThanItIsWanted) {
+  int asked = 0;
+  host::MotionOptions options;
+  options.goes_on = [&](double) { return ++asked < 5; };
+  const auto motion = host::Motion::of_program(machine::mill3(), long_program, options);
+  ASSERT_FALSE(motion);
+  EXPECT_EQ(motion.error().code, "interrupted");
+  EXPECT_EQ(asked, 5);
+  // One block of many moves.
+  asked = 0;
+  const auto repeated = host::Motion::of_program(machine::mill3(), "G91 G81 Z-1 R0 L100000 F3000\nM2\n", options);
+  ASSERT_FALSE(repeated);
+  EXPECT_EQ(repeated.error().code, "interrupted");
+}
+
+TEST(HostMotion, RestsOnItsPathWhenItsPlanningIsInterrupted) {
+  bool goes_on = true;
+  host::MotionOptions options;
+  options.goes_on = [&](double) { return goes_on; };
+  const auto motion = program(long_program, options);
+  ASSERT_TRUE(motion);
+  std::vector<base::Word> words(1000);
+  ASSERT_EQ(motion->next(words), words.size());
+  goes_on = false;
+  const auto rest = words_of(*motion);
+  ASSERT_FALSE(rest.empty());
+  EXPECT_LT(rest.size(), 2000U);
+  EXPECT_EQ(rest.back().state, base::MotionState::rest);
+  EXPECT_EQ(motion->progress(), pipeline::Progress::ended);
+  ASSERT_TRUE(motion->failure());
+  EXPECT_EQ(motion->failure()->code, "interrupted");
+  EXPECT_EQ(motion->plan().error().code, "interrupted");
 }
 
 TEST(HostMotion, TellsEventsWithTheirWords) {

@@ -38,12 +38,19 @@ class AxisSet {
  public:
   constexpr AxisSet() = default;
 
+  /// Is it one of them?
   constexpr bool contains(Axis axis) const { return (bits_ >> index(axis)) & 1u; }
+  /// Adds one, or all of others.
   constexpr void insert(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ | (1u << index(axis))); }
+  /// The same.
   constexpr void insert(AxisSet others) { bits_ = static_cast<std::uint16_t>(bits_ | others.bits_); }
+  /// Takes one out.
   constexpr void erase(Axis axis) { bits_ = static_cast<std::uint16_t>(bits_ & ~(1u << index(axis))); }
+  /// How many there are.
   constexpr int size() const { return std::popcount(bits_); }
+  /// Is there none?
   constexpr bool empty() const { return bits_ == 0; }
+  /// Bit index(axis) of each.
   constexpr std::uint16_t bits() const { return bits_; }
 
   friend constexpr bool operator==(AxisSet, AxisSet) = default;

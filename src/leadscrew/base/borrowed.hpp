@@ -7,11 +7,16 @@ namespace leadscrew::base {
 template <class T>
 class Borrowed {
  public:
+  /// Of a named object.
   Borrowed(const T& value) : value_(value) {}
+  /// Of no temporary.
   Borrowed(const T&&) = delete;
 
+  /// The object.
   operator const T&() const { return value_; }
+  /// The object.
   const T& operator*() const { return value_; }
+  /// The object.
   const T* operator->() const { return &value_; }
 
  private:

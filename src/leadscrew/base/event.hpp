@@ -11,7 +11,9 @@
 
 namespace leadscrew::base {
 
+/// What a block asks for.
 struct Event {
+  /// By code.
   enum class Kind : std::uint8_t {
     spindle_stop,              ///< M5
     spindle_clockwise,         ///< M3; value: revolutions per minute
@@ -36,11 +38,11 @@ struct Event {
     analog_output_with_motion,       ///< M67; output: its number; value: what it is set to
     analog_output,                   ///< M68; likewise
   };
-  Kind kind = Kind::program_end;
-  double value = 0;
-  Line line{};
-  std::int32_t output = 0;  ///< number of an output, 0 … most_outputs − 1
-  bool waits = true;        ///< motion rests for it
+  Kind kind = Kind::program_end;  ///< what
+  double value = 0;               ///< as Kind says; else 0
+  Line line{};                    ///< of the block
+  std::int32_t output = 0;        ///< number of an output, 0 … most_outputs − 1
+  bool waits = true;              ///< motion rests for it
 
   friend bool operator==(const Event&, const Event&) = default;
 };
@@ -98,7 +100,7 @@ constexpr std::string_view code_of(Event::Kind kind) {
 
 /// An event that has happened: in the period that ends with the word of `tick`.
 struct PassedEvent : Event {
-  Tick tick{};
+  Tick tick{};             ///< of the word in whose period it happens
   double path_length = 0;  ///< where, as Word::path_length
 };
 

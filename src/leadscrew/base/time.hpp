@@ -19,6 +19,7 @@ constexpr Tick next(Tick tick) {
 struct Period {
   std::int64_t nanoseconds = 1'000'000;  ///< 10 µs … 20 ms
 
+  /// The same in seconds.
   constexpr double seconds() const { return static_cast<double>(nanoseconds) / 1e9; }
   friend constexpr bool operator==(Period, Period) = default;
 };

@@ -17,7 +17,7 @@ enum class MotionState : std::uint8_t {
 
 /// One servo period.
 struct Word {
-  Tick tick{};
+  Tick tick{};            ///< number of the period
   AxisVector position{};  ///< axis positions, mm or degrees
   /// Travelled along the tool path since the program's start, mm; degrees where only rotary axes move. On a smoothed
   /// path (G64), where a rotary axis moves, a degree counts as its arc at a radius of 50 mm.
@@ -25,7 +25,7 @@ struct Word {
   double speed = 0;  ///< along the path, units of path_length per second
   double feed = 0;   ///< speed by the axes that feed is counted by, mm/s (degrees/s where only rotary axes move)
   Line line{};       ///< source line of the block in motion
-  MotionState state = MotionState::rest;
+  MotionState state = MotionState::rest;  ///< of the plan at this instant
 };
 
 /// Where axes are along the tool path.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <leadscrew/config/machine_file.hpp>
+#include <leadscrew/config/tool_file.hpp>
 #include <leadscrew/host/motion.hpp>
 #include <memory>
 #include <new>
@@ -14,7 +15,10 @@
 #include <string_view>
 #include <utility>
 
+#include "structures.hpp"
+
 using namespace leadscrew;
+using namespace leadscrew::capi;
 
 struct leadscrew_machine {
   machine::Machine machine;
@@ -25,41 +29,16 @@ struct leadscrew_motion {
   bool is_busy = false;  ///< one of its functions is running
 };
 
+struct leadscrew_trajectory {
+  host::Trajectory trajectory;
+};
+
 static_assert(LEADSCREW_AXES == base::axis_count);
 
 namespace {
 
-/// The structure as this version knows it; empty where its size is none that a version had.
-template <class Struct>
-std::optional<Struct> known(const Struct* given) {
-  if (given == nullptr || given->size < sizeof(Struct)) return std::nullopt;
-  return *given;
-}
-
-template <std::size_t size>
-void copy_text(char (&to)[size], std::string_view from) {
-  const std::size_t length = std::min(from.size(), size - 1);
-  std::copy_n(from.data(), length, to);
-  to[length] = '\0';
-}
-
-leadscrew_error error_of(const base::Diagnostic& diagnostic) {
-  leadscrew_error error{};
-  error.size = sizeof error;
-  error.severity = static_cast<std::int32_t>(diagnostic.severity);
-  error.line = diagnostic.place.line;
-  error.column = diagnostic.place.column;
-  copy_text(error.code, diagnostic.code);
-  copy_text(error.message, diagnostic.message);
-  copy_text(error.hint, diagnostic.hint);
-  return error;
-}
-
 void tell(leadscrew_error* error, const base::Diagnostic& diagnostic) {
-  if (!known(error)) return;
-  const std::size_t size = error->size;
-  *error = error_of(diagnostic);
-  error->size = size;
+  fill(error, error_of(diagnostic));
 }
 
 int misuse(leadscrew_error* error, const char* message) {
@@ -72,9 +51,11 @@ bool is_text(const char* text, std::size_t length) {
   return text != nullptr && length <= std::string().max_size();
 }
 
+/// Of what is wrong with what was given, or of work that somebody ended.
 int rejected(leadscrew_error* error, const base::Diagnostic& diagnostic) {
   tell(error, diagnostic);
-  return LEADSCREW_REJECTED;
+  if (diagnostic.code == "interrupted") return LEADSCREW_INTERRUPTED;
+  return diagnostic.code.substr(0, 3) == "io-" ? LEADSCREW_INPUT : LEADSCREW_REJECTED;
 }
 
 int code_of(const base::Result<void>& result, leadscrew_error* error) {
@@ -103,61 +84,24 @@ int within(leadscrew_motion* motion, leadscrew_error* error, const Work& work) {
   return code;
 }
 
-base::AxisVector axes_of(const double (&from)[LEADSCREW_AXES]) {
-  base::AxisVector position;
-  std::copy(std::begin(from), std::end(from), position.begin());
-  return position;
+/// The first problem, or what was read.
+template <class Read, class Use>
+int with_read(Read read, leadscrew_error* error, const Use& use) {
+  if (!read) return rejected(error, read.error().front());
+  use(std::move(*read));
+  return LEADSCREW_OK;
 }
 
-leadscrew_event event_of(const base::PassedEvent& from) {
-  leadscrew_event event{};
-  event.size = sizeof event;
-  event.tick = base::count(from.tick);
-  event.path_length = from.path_length;
-  event.value = from.value;
-  event.line = base::number(from.line);
-  event.output = from.output;
-  event.waits = from.waits ? 1 : 0;
-  copy_text(event.code, base::code_of(from.kind));
-  return event;
+int give_machine(config::MachineOrProblems read, leadscrew_machine** machine, leadscrew_error* error) {
+  return with_read(std::move(read), error,
+                   [&](machine::Machine made) { *machine = new leadscrew_machine{std::move(made)}; });
 }
 
-leadscrew_word word_of(const base::Word& from) {
-  leadscrew_word word{};
-  word.tick = base::count(from.tick);
-  std::copy(from.position.begin(), from.position.end(), word.position);
-  word.path_length = from.path_length;
-  word.speed = from.speed;
-  word.feed = from.feed;
-  word.line = base::number(from.line);
-  word.state = static_cast<std::uint8_t>(from.state);
-  return word;
-}
-
-/// What the options ask for; an error where the structure is none, or the slice or the start is not sound.
-base::Result<host::MotionOptions> options_of(const leadscrew_options& given, const machine::Machine& machine) {
-  host::MotionOptions options;
-  options.start = axes_of(given.start);
-  if (auto inside = host::check_position(options.start, machine); !inside) return base::failure(inside.error());
-  if (!(given.slice >= 0 && std::isfinite(given.slice)))
-    return base::failure(base::problem("slice", "a slice of less than nothing", "seconds, more than 0; 0 for 0.05"));
-  if (given.slice > 0) options.slice = given.slice;
-  if (given.file != nullptr) options.file = given.file;
-  if (given.on_event != nullptr) {
-    options.on_event = [function = given.on_event, user = given.user](const base::PassedEvent& passed) {
-      const leadscrew_event event = event_of(passed);
-      function(&event, user);
-    };
-  }
-  return options;
-}
-
-gcode::DiagnosticSink sink_of(const leadscrew_options& options) {
-  if (options.on_diagnostic == nullptr) return {};
-  return [function = options.on_diagnostic, user = options.user](const base::Diagnostic& diagnostic) {
-    const leadscrew_error error = error_of(diagnostic);
-    function(&error, user);
-  };
+int read_tools(const leadscrew_options& given, machine::ToolTable& tools, leadscrew_error* error) {
+  const auto take = [&](machine::ToolTable read) { tools = std::move(read); };
+  if (given.tools != nullptr) return with_read(config::read_tools({given.tools, given.tools_length}, {}), error, take);
+  if (given.tools_file != nullptr) return with_read(config::load_tools(given.tools_file), error, take);
+  return LEADSCREW_OK;
 }
 
 /// Makes a motion by `make`, which takes the machine, host::MotionOptions and the options as given.
@@ -168,67 +112,19 @@ int make_motion(const leadscrew_machine* machine, const leadscrew_options* given
   leadscrew_options none{};
   none.size = sizeof none;
   const auto asked = known(given == nullptr ? &none : given);
-  if (!asked) return misuse(error, "the size of the options is none that a version had");
+  if (!asked)
+    return misuse(error, "the size of the options is none that a version had, or they ask for what is not known");
+  if (asked->tools != nullptr && (asked->tools_file != nullptr || !is_text(asked->tools, asked->tools_length)))
+    return misuse(error, "tools are given twice, or the length of their text is none that memory holds");
   return guarded(error, [&] {
     auto options = options_of(*asked, machine->machine);
     if (!options) return rejected(error, options.error());
+    if (const int code = read_tools(*asked, options->tools, error); code != LEADSCREW_OK) return code;
     base::Result<std::unique_ptr<host::Motion>> made = make(machine->machine, std::move(*options), *asked);
     if (!made) return rejected(error, made.error());
     *motion = new leadscrew_motion{std::move(*made)};
     return static_cast<int>(LEADSCREW_OK);
   });
-}
-
-int give_machine(config::MachineOrProblems read, leadscrew_machine** machine, leadscrew_error* error) {
-  if (!read) {
-    const base::Diagnostic& first = read.error().front();
-    tell(error, first);
-    return first.code.substr(0, 3) == "io-" ? LEADSCREW_INPUT : LEADSCREW_REJECTED;
-  }
-  *machine = new leadscrew_machine{std::move(*read)};
-  return LEADSCREW_OK;
-}
-
-gcode::NurbsCurve curve_of(const leadscrew_move& move) {
-  gcode::NurbsCurve curve;
-  curve.degree = move.degree;
-  for (std::size_t i = 0; i < move.points; ++i) {
-    gcode::ControlPoint& point = curve.points.emplace_back();
-    std::copy_n(move.positions + i * LEADSCREW_AXES, LEADSCREW_AXES, point.position.begin());
-    if (move.weights != nullptr) point.weight = move.weights[i];
-  }
-  if (move.knots != nullptr)
-    curve.knots.assign(move.knots, move.knots + move.points + static_cast<std::size_t>(move.degree) + 1);
-  return curve;
-}
-
-/// Empty where a field is out of its range.
-std::optional<gcode::Move> move_of(const leadscrew_move& given) {
-  std::optional<gcode::Move> move;
-  if (given.line < 0) return move;
-  switch (given.kind) {
-    case LEADSCREW_LINE:
-      move = host::line(axes_of(given.end), given.feed);
-      break;
-    case LEADSCREW_ARC:
-      if (given.plane < LEADSCREW_XY || given.plane > LEADSCREW_YZ) return move;
-      move = host::arc(axes_of(given.end), static_cast<gcode::Plane>(given.plane), given.center[0], given.center[1],
-                       given.turns, given.feed);
-      break;
-    case LEADSCREW_CURVE:
-      if (given.degree < 1 || given.degree > gcode::highest_degree || given.positions == nullptr ||
-          given.points > gcode::most_control_points)
-        return move;
-      move = host::curve(curve_of(given), given.feed);
-      break;
-    case LEADSCREW_DWELL:
-      move = host::dwell(given.seconds);
-      break;
-    default:
-      return move;
-  }
-  move->line = base::Line{given.line};
-  return move;
 }
 
 int next_words(host::Motion& motion, leadscrew_word* words, std::size_t word_size, std::size_t capacity,
@@ -244,7 +140,8 @@ int next_words(host::Motion& motion, leadscrew_word* words, std::size_t word_siz
     count += some;
     if (motion.progress() != pipeline::Progress::moving) break;
   }
-  return count == 0 && capacity > 0 && motion.failure() ? LEADSCREW_FAILED : LEADSCREW_OK;
+  if (count > 0 || capacity == 0 || !motion.failure()) return LEADSCREW_OK;
+  return motion.failure()->code == "interrupted" ? LEADSCREW_INTERRUPTED : LEADSCREW_FAILED;
 }
 
 }  // namespace
@@ -309,7 +206,8 @@ int leadscrew_motion_smooth(leadscrew_motion* motion, double tolerance, leadscre
 
 int leadscrew_motion_push(leadscrew_motion* motion, const leadscrew_move* move, leadscrew_error* error) {
   const auto given = known(move);
-  if (!given) return misuse(error, "the move is NULL, or its size is none that a version had");
+  if (!given)
+    return misuse(error, "the move is NULL, its size is none that a version had, or it asks for what is not known");
   return within(motion, error, [&](host::Motion& m) {
     auto made = move_of(*given);
     if (!made) return misuse(error, "the kind of the move, its line, plane, degree or points are out of their range");
@@ -339,7 +237,7 @@ int leadscrew_motion_next(leadscrew_motion* motion, leadscrew_word* words, size_
     return misuse(error, "the words are NULL, or their size is none that a version had");
   return within(motion, error, [&](host::Motion& m) {
     const int code = next_words(m, words, word_size, capacity, *count);
-    if (code == LEADSCREW_FAILED) tell(error, *m.failure());
+    if (code != LEADSCREW_OK) tell(error, *m.failure());
     return code;
   });
 }
@@ -366,4 +264,31 @@ int leadscrew_motion_reset(leadscrew_motion* motion, const double* position, lea
     std::copy_n(position, LEADSCREW_AXES, there.begin());
     return code_of(m.reset(there), error);
   });
+}
+
+int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** trajectory, leadscrew_error* error) {
+  if (trajectory == nullptr) return misuse(error, "the place for the trajectory is NULL");
+  return within(motion, error, [&](host::Motion& m) {
+    base::Result<host::Trajectory> planned = m.plan();
+    if (!planned) return rejected(error, planned.error());
+    *trajectory = new leadscrew_trajectory{std::move(*planned)};
+    return static_cast<int>(LEADSCREW_OK);
+  });
+}
+
+double leadscrew_trajectory_duration(const leadscrew_trajectory* trajectory) {
+  return trajectory == nullptr ? 0 : trajectory->trajectory.duration();
+}
+
+int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory, double time, leadscrew_state* state,
+                            leadscrew_error* error) {
+  if (trajectory == nullptr) return misuse(error, "the trajectory is NULL");
+  if (std::isnan(time)) return misuse(error, "the time is no number");
+  if (!fill(state, state_of(trajectory->trajectory.at(time))))
+    return misuse(error, "the state is NULL, or its size is none that a version had");
+  return LEADSCREW_OK;
+}
+
+void leadscrew_trajectory_free(leadscrew_trajectory* trajectory) {
+  delete trajectory;
 }

@@ -1,4 +1,5 @@
-/* Leadscrew for C, and for whatever calls C: part programs or moves in, reference words out.
+/** \file
+ * Leadscrew for C, and for whatever calls C: part programs or moves in, reference words out.
  *
  *   leadscrew_machine *machine;  leadscrew_motion *motion;  leadscrew_error error = {sizeof error};
  *   if (leadscrew_machine_builtin("mill3", &machine, &error)) …
@@ -6,14 +7,17 @@
  *   while (!leadscrew_motion_next(motion, words, sizeof *words, 1000, &count, &error) && count > 0) …
  *   leadscrew_motion_free(motion);  leadscrew_machine_free(machine);
  *
+ * or all of it planned at once, leadscrew_motion_plan(): its duration, and where its axes are at any time.
+ *
  * Lengths are mm, angles degrees, times seconds. Axes stand in the order X Y Z A B C U V W.
  *
  * Every function that can fail returns 0, or a code below; then nothing else has changed, and `error`, unless it is NULL,
- * says what was found. Structures begin with their size, `sizeof` as the caller was compiled with: those of later
- * versions, which are longer, are understood, and so are those of every earlier one. Handles are used by one thread at a
- * time, and not by the functions that they call; a machine may be shared. A NULL handle or pointer, where it is not said
- * that it may be NULL, is LEADSCREW_MISUSE, and so is a size that no version had. Functions that are called must not throw.
- * Text is UTF-8.
+ * says what was found. Structures begin with their size, `sizeof` as the caller was compiled with. One of an earlier
+ * version is shorter: what it lacks counts as 0. One of a later version is longer, and is understood as long as what this
+ * version does not know of it is 0; of a longer structure that is filled, only the known part is. Handles are used by one
+ * thread at a time, and not by the functions that they call; a machine and a trajectory never change and may be shared. A
+ * NULL handle or pointer, where it is not said that it may be NULL, is LEADSCREW_MISUSE, and so is a size that no version
+ * had. Functions that are called must not throw. Text is UTF-8.
  */
 #ifndef LEADSCREW_H
 #define LEADSCREW_H
@@ -25,139 +29,193 @@
 extern "C" {
 #endif
 
+/** Of the functions that the shared library shows. */
 #if defined(__GNUC__)
 #define LEADSCREW_API __attribute__((visibility("default")))
 #else
 #define LEADSCREW_API
 #endif
 
+/** X Y Z A B C U V W */
 #define LEADSCREW_AXES 9
 
-typedef struct leadscrew_machine leadscrew_machine; /* limits and period; never changes */
-typedef struct leadscrew_motion leadscrew_motion;   /* along one program, or along moves */
+typedef struct leadscrew_machine leadscrew_machine;       /**< limits and period; never changes */
+typedef struct leadscrew_motion leadscrew_motion;         /**< along one program, or along moves */
+typedef struct leadscrew_trajectory leadscrew_trajectory; /**< a motion, planned to its end; never changes */
 
+/** What functions return. */
 enum {
   LEADSCREW_OK = 0,
-  LEADSCREW_REJECTED = 1, /* a machine, a program or a move is not sound: error.code says how */
-  LEADSCREW_MISUSE = 2,   /* of this interface */
-  LEADSCREW_INPUT = 3,    /* a file cannot be read */
-  LEADSCREW_FAILED = 4,   /* motion has ended, at rest, before its path */
-  LEADSCREW_OUT_OF_MEMORY = 5
+  LEADSCREW_REJECTED = 1, /**< a machine, a program or a move is not sound: error.code says how */
+  LEADSCREW_MISUSE = 2,   /**< of this interface */
+  LEADSCREW_INPUT = 3,    /**< a file cannot be read */
+  LEADSCREW_FAILED = 4,   /**< motion has ended, at rest, before its path */
+  LEADSCREW_OUT_OF_MEMORY = 5,
+  LEADSCREW_INTERRUPTED = 6 /**< on_progress said so */
 };
 
-/* What went wrong, as a diagnostic of the command has it. */
+/** What went wrong, as a diagnostic of the command has it. */
 typedef struct leadscrew_error {
-  size_t size;
-  int32_t severity; /* 0 note, 1 warning, 2 error */
-  int32_t reserved;
-  int64_t line, column; /* from 1; 0: none */
-  char code[48];        /* stable, such as "arc-radius" */
-  char message[512];
-  char hint[256]; /* what would be right; may be empty */
+  size_t size;       /**< of this structure, sizeof */
+  int32_t severity;  /**< 0 note, 1 warning, 2 error */
+  int32_t reserved;  /**< 0 */
+  int64_t line;      /**< of the text, from 1; 0: none */
+  int64_t column;    /**< of the line, in bytes, from 1; 0: none */
+  char code[48];     /**< stable, such as "arc-radius" */
+  char message[512]; /**< what was found */
+  char hint[256];    /**< what would be right; may be empty */
 } leadscrew_error;
 
-/* One servo period. */
+/** One servo period. */
 typedef struct leadscrew_word {
-  int64_t tick;                    /* number of the period, from 0 */
-  double position[LEADSCREW_AXES]; /* of the axes */
-  double path_length;              /* travelled since the start */
-  double speed;                    /* along the path, units of path_length per second */
-  double feed;                     /* by the axes that feed is counted by */
-  int64_t line;                    /* of the program, or of the move */
-  uint8_t state;                   /* 0 at rest, 1 speed changes, 2 speed is constant */
-  uint8_t reserved[7];
+  int64_t tick;                    /**< number of the period, from 0 */
+  double position[LEADSCREW_AXES]; /**< of the axes */
+  double path_length;              /**< travelled since the start */
+  double speed;                    /**< along the path, units of path_length per second */
+  double feed;                     /**< by the axes that feed is counted by */
+  int64_t line;                    /**< of the program, or of the move */
+  uint8_t state;                   /**< 0 at rest, 1 speed changes, 2 speed is constant */
+  uint8_t reserved[7];             /**< 0 */
 } leadscrew_word;
 
-/* What a program asks of the machine besides motion: "M3", "S", "T", "M6", "M8", "M67" … */
+/** What a program asks of the machine besides motion: "M3", "S", "T", "M6", "M8", "M67" … */
 typedef struct leadscrew_event {
-  size_t size;
-  int64_t tick;       /* of the word in whose period it happens */
-  double path_length; /* where */
-  double value;       /* speed of the spindle, number of the tool, … */
-  int64_t line;
-  int32_t output; /* number of an output */
-  int32_t waits;  /* does motion rest for it? */
-  char code[8];
+  size_t size;        /**< of this structure, sizeof */
+  int64_t tick;       /**< of the word in whose period it happens */
+  double path_length; /**< where */
+  double value;       /**< speed of the spindle, number of the tool, … */
+  int64_t line;       /**< of the program */
+  int32_t output;     /**< number of an output */
+  int32_t waits;      /**< does motion rest for it? */
+  char code[8];       /**< as the program has it */
 } leadscrew_event;
 
+/** Called once for each event, in order. `user` is that of the options. */
 typedef void (*leadscrew_event_function)(const leadscrew_event* event, void* user);
+/** Called once for each diagnostic, in the order of the text. */
 typedef void (*leadscrew_error_function)(const leadscrew_error* error, void* user);
+/** `share`, 0 … 1: so much of the program has been read; 0 of moves. Returns 0 to go on; else work ends with
+ * LEADSCREW_INTERRUPTED, motion at rest on its path. */
+typedef int (*leadscrew_progress_function)(double share, void* user);
 
+/** How a motion is made. All 0 but its size, it is as if none were given. */
 typedef struct leadscrew_options {
-  size_t size;
-  double start[LEADSCREW_AXES];           /* where motion begins */
-  double slice;                           /* no more than about so long is settled ahead; 0: 0.05 s */
-  leadscrew_event_function on_event;      /* from within leadscrew_motion_next(); may be NULL */
-  leadscrew_error_function on_diagnostic; /* of the program: notes, warnings, errors; may be NULL */
-  void* user;                             /* for both */
-  const char* file;                       /* the program's name, for messages; may be NULL */
+  size_t size;                            /**< of this structure, sizeof */
+  double start[LEADSCREW_AXES];           /**< where motion begins */
+  double slice;                           /**< no more than about so long is settled ahead; 0: 0.05 s */
+  leadscrew_event_function on_event;      /**< from within leadscrew_motion_next(); may be NULL */
+  leadscrew_error_function on_diagnostic; /**< of the program: notes, warnings, errors; may be NULL */
+  void* user;                             /**< for all functions */
+  const char* file;                       /**< the program's name, for messages; may be NULL */
+  /* Here the options of the first version ended. */
+  const char* tools;      /**< the tool table of a program, as LinuxCNC writes it ("T1 P1 D3.175 Z0.511"); NULL: none */
+  size_t tools_length;    /**< bytes of it */
+  const char* tools_file; /**< in its place, the path of a file that holds it; NULL: none */
+  leadscrew_progress_function on_progress; /**< asked every few KiB read, every few ms of planning; may be NULL */
 } leadscrew_options;
 
+/** Kinds of moves. */
 enum { LEADSCREW_LINE = 0, LEADSCREW_ARC = 1, LEADSCREW_CURVE = 2, LEADSCREW_DWELL = 3 };
+/** Planes of arcs. */
 enum { LEADSCREW_XY = 0, LEADSCREW_ZX = 1, LEADSCREW_YZ = 2 };
 
-/* From where the move before ends. Fields that a kind does not name are not read. */
+/** From where the move before ends. Fields that a kind does not name are not read. */
 typedef struct leadscrew_move {
-  size_t size;
-  int32_t kind;
-  int32_t plane;              /* of an arc */
-  int64_t line;               /* words along it have this number; >= 0 */
-  double end[LEADSCREW_AXES]; /* of a line or an arc */
-  double feed;                /* mm/s, > 0; HUGE_VAL: as fast as the axes allow */
-  double center[2];           /* of an arc, along the first and second axis of its plane */
-  int32_t turns;              /* of an arc: 1 counterclockwise, -1 clockwise; 2, -2, … a whole turn more */
-  int32_t degree;             /* of a curve, 1 … 5 */
-  size_t points;              /* of a curve: how many control points; the first is where the move before ends */
-  const double* positions;    /* points * LEADSCREW_AXES */
-  const double* weights;      /* points; NULL: all 1 */
-  const double* knots;        /* points + degree + 1; NULL: uniform, clamped */
-  double seconds;             /* of a dwell, 0 … 1e6 */
+  size_t size;                /**< of this structure, sizeof */
+  int32_t kind;               /**< LEADSCREW_LINE … LEADSCREW_DWELL */
+  int32_t plane;              /**< of an arc: LEADSCREW_XY … LEADSCREW_YZ */
+  int64_t line;               /**< words along it have this number; >= 0 */
+  double end[LEADSCREW_AXES]; /**< of a line or an arc */
+  double feed;                /**< mm/s, > 0; HUGE_VAL: as fast as the axes allow */
+  double center[2];           /**< of an arc, along the first and second axis of its plane */
+  int32_t turns;              /**< of an arc: 1 counterclockwise, -1 clockwise; 2, -2, … a whole turn more */
+  int32_t degree;             /**< of a curve, 1 … 5 */
+  size_t points;              /**< of a curve: how many control points; the first is where the move before ends */
+  const double* positions;    /**< points * LEADSCREW_AXES */
+  const double* weights;      /**< points; NULL: all 1 */
+  const double* knots;        /**< points + degree + 1; NULL: uniform, clamped */
+  double seconds;             /**< of a dwell, 0 … 1e6 */
 } leadscrew_move;
 
-/* Why leadscrew_motion_next() gave less than it was asked for. */
+/** Why leadscrew_motion_next() gave less than it was asked for. */
 enum { LEADSCREW_MOVING = 0, LEADSCREW_WANTS_MOVES = 1, LEADSCREW_HELD = 2, LEADSCREW_ENDED = 3 };
 
-/* "0.1.0" */
+/** Axes at one instant, mm or degrees and seconds. Where acceleration or jerk step, the value behind the step. */
+typedef struct leadscrew_state {
+  size_t size;                         /**< of this structure, sizeof */
+  double position[LEADSCREW_AXES];     /**< mm or degrees */
+  double velocity[LEADSCREW_AXES];     /**< the same per s */
+  double acceleration[LEADSCREW_AXES]; /**< per s2 */
+  double jerk[LEADSCREW_AXES];         /**< per s3 */
+  double path_length;                  /**< this and what follows: as in a word */
+  double speed;                        /**< along the path */
+  double feed;                         /**< by the axes that feed is counted by */
+  int64_t line;                        /**< of the program, or of the move */
+  int32_t state;                       /**< 0 at rest, 1 speed changes, 2 speed is constant */
+  int32_t reserved;                    /**< 0 */
+} leadscrew_state;
+
+/** Such as "0.1.0". */
 LEADSCREW_API const char* leadscrew_version(void);
 
-/* Machine files are TOML, as `leadscrew run --machine` reads them. The only built-in machine is "mill3". */
+/** The only built-in machine is "mill3". */
 LEADSCREW_API int leadscrew_machine_builtin(const char* name, leadscrew_machine** machine, leadscrew_error* error);
+/** Of a machine file's text: TOML, as `leadscrew run --machine` reads it. */
 LEADSCREW_API int leadscrew_machine_of_text(const char* text, size_t length, leadscrew_machine** machine,
                                             leadscrew_error* error);
+/** The same of the file at a path. */
 LEADSCREW_API int leadscrew_machine_of_file(const char* path, leadscrew_machine** machine, leadscrew_error* error);
-LEADSCREW_API double leadscrew_machine_period(const leadscrew_machine* machine); /* s; 0 of NULL */
-LEADSCREW_API void leadscrew_machine_free(leadscrew_machine* machine);           /* motions go on without it */
+/** The servo period, s; 0 of NULL. */
+LEADSCREW_API double leadscrew_machine_period(const leadscrew_machine* machine);
+/** Motions go on without it. It may be NULL. */
+LEADSCREW_API void leadscrew_machine_free(leadscrew_machine* machine);
 
-/* The program is read whole first: one with an error is LEADSCREW_REJECTED and makes no motion. `options` may be NULL. */
+/** The program is read whole first: one with an error is LEADSCREW_REJECTED and makes no motion. `options` may be NULL. */
 LEADSCREW_API int leadscrew_motion_of_program(const leadscrew_machine* machine, const char* text, size_t length,
                                               const leadscrew_options* options, leadscrew_motion** motion,
                                               leadscrew_error* error);
-/* Along moves, which leadscrew_motion_push() gives; smoothed within the machine's tolerance. */
+/** Along moves, which leadscrew_motion_push() gives; smoothed within the machine's tolerance. */
 LEADSCREW_API int leadscrew_motion_of_moves(const leadscrew_machine* machine, const leadscrew_options* options,
                                             leadscrew_motion** motion, leadscrew_error* error);
+/** It may be NULL. From within its own functions it does nothing. */
 LEADSCREW_API void leadscrew_motion_free(leadscrew_motion* motion);
 
-/* How moves from now on are joined: within so many mm of them, or exactly (0). */
+/** How moves from now on are joined: within so many mm of them, or exactly (0). */
 LEADSCREW_API int leadscrew_motion_smooth(leadscrew_motion* motion, double tolerance, leadscrew_error* error);
+/** The next move, behind the one before. One that is refused changes nothing. */
 LEADSCREW_API int leadscrew_motion_push(leadscrew_motion* motion, const leadscrew_move* move, leadscrew_error* error);
-/* Motion comes to rest where the moves so far end; more may follow. */
+/** Motion comes to rest where the moves so far end; more may follow. */
 LEADSCREW_API int leadscrew_motion_end_for_now(leadscrew_motion* motion);
-/* No more moves will come. */
+/** No more moves will come. */
 LEADSCREW_API int leadscrew_motion_finish(leadscrew_motion* motion);
 
-/* The next words, at most `capacity`; `word_size` is sizeof(leadscrew_word). Fewer come only where
+/** The next words, at most `capacity`; `word_size` is sizeof(leadscrew_word). Fewer come only where
  * leadscrew_motion_progress() says why. LEADSCREW_FAILED once motion has failed and its last words, down to rest, have
  * been given. Time is not bounded: it plans. */
 LEADSCREW_API int leadscrew_motion_next(leadscrew_motion* motion, leadscrew_word* words, size_t word_size,
                                         size_t capacity, size_t* count, leadscrew_error* error);
-LEADSCREW_API int leadscrew_motion_progress(const leadscrew_motion* motion); /* LEADSCREW_ENDED of NULL */
+/** LEADSCREW_MOVING … LEADSCREW_ENDED; LEADSCREW_ENDED of NULL. */
+LEADSCREW_API int leadscrew_motion_progress(const leadscrew_motion* motion);
 
-/* Feed, but that of rapids, is multiplied by 0 … 2; 0 holds, until it is more. */
+/** Feed, but that of rapids, is multiplied by 0 … 2; 0 holds, until it is more. */
 LEADSCREW_API int leadscrew_motion_override(leadscrew_motion* motion, double factor, leadscrew_error* error);
-/* Motion ends, at rest on its path, as soon as limits and slice allow; moves behind that are forgotten. */
+/** Motion ends, at rest on its path, as soon as limits and slice allow; moves behind that are forgotten. */
 LEADSCREW_API int leadscrew_motion_abort(leadscrew_motion* motion);
-/* At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */
+/** At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */
 LEADSCREW_API int leadscrew_motion_reset(leadscrew_motion* motion, const double* position, leadscrew_error* error);
+
+/** All of a motion, planned from its beginning to its end as if nobody intervened: of its program, or of the moves that were
+ * pushed so far, before leadscrew_motion_next() has taken one. Its words stay those that they are. */
+LEADSCREW_API int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** trajectory,
+                                        leadscrew_error* error);
+/** From its first instant to rest at its end, s; 0 of NULL. */
+LEADSCREW_API double leadscrew_trajectory_duration(const leadscrew_trajectory* trajectory);
+/** At `time`: before 0 as at 0, at rest behind the duration. Where it is n times the period, positions are those of word n,
+ * bit for bit. */
+LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory, double time, leadscrew_state* state,
+                                          leadscrew_error* error);
+/** It may be NULL. */
+LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
 
 #ifdef __cplusplus
 }

@@ -34,13 +34,14 @@ enum class PathMode : std::uint8_t {
 /// How fast along the path. Path length is that of X Y Z together; of U V W where X Y Z stand still; of A B C (degrees)
 /// where all linear axes stand still (RS274/NGC 2.1.2.5, LinuxCNC "feed rate").
 struct Feed {
+  /// How it is said.
   enum class Mode : std::uint8_t {
     rapid,             ///< G0: axis limits only; value unused
     units_per_second,  ///< G94: value is mm/s or degrees/s; > 0
     per_second,        ///< G93: value is the reciprocal of the block's duration, 1/s; > 0
   };
-  Mode mode = Mode::rapid;
-  double value = 0;
+  Mode mode = Mode::rapid;  ///< by which the value counts
+  double value = 0;         ///< as Mode says
 };
 
 /// The curves there are: of degree 1 … highest_degree, with at most so many control points, so that memory is bounded.
@@ -75,7 +76,10 @@ struct NurbsCurve {
   friend bool operator==(const NurbsCurve&, const NurbsCurve&) = default;
 };
 
+/// What one block, or one pass of a canned cycle, asks of the axes: from the end of the move before. Fields that a kind
+/// does not name are not read.
 struct Move {
+  /// Its shape.
   enum class Kind : std::uint8_t {
     line,   ///< straight in all axes, from start to end
     arc,    ///< circular in the plane's axes, straight in all others (a helix where the normal axis moves)
@@ -84,21 +88,21 @@ struct Move {
     event,  ///< `event` happens here
   };
 
-  Kind kind = Kind::line;
-  PathMode path_mode = PathMode::blend;
-  Plane plane = Plane::XY;   ///< of an arc
-  base::Line line{};         ///< source line
-  base::AxisVector start{};  ///< machine coordinates, mm or degrees; the end of the move before
-  base::AxisVector end{};    ///< machine coordinates, mm or degrees
-  Feed feed;
-  double tolerance = 0;            ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
-  double naive_cam_tolerance = 0;  ///< mm; Q of G64, or P where Q was not given; 0 unless path_mode is blend
+  Kind kind = Kind::line;                ///< its shape
+  PathMode path_mode = PathMode::blend;  ///< how it is joined to the next
+  Plane plane = Plane::XY;               ///< of an arc
+  base::Line line{};                     ///< source line
+  base::AxisVector start{};              ///< machine coordinates, mm or degrees; the end of the move before
+  base::AxisVector end{};                ///< machine coordinates, mm or degrees
+  Feed feed;                             ///< how fast, along it
+  double tolerance = 0;                  ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
+  double naive_cam_tolerance = 0;        ///< mm; Q of G64, or P where Q was not given; 0 unless path_mode is blend
 
   /// Arc: machine coordinates of the centre along first_axis and second_axis, mm. Both ends lie on the circle around it
   /// to within a few units in the last place: a programmed centre that is off by less than the tolerance has been moved
   /// to the perpendicular bisector of the ends by the reader.
   double center_first = 0;
-  double center_second = 0;
+  double center_second = 0;  ///< the second of them
   /// Arc: number of turns begun, counterclockwise (G3) positive: ±1 for an arc of up to one turn, ±n for n − 1 whole
   /// turns and an arc of up to one turn, P words of LinuxCNC. An arc whose ends coincide in the plane makes |turns|
   /// whole turns.
@@ -107,7 +111,7 @@ struct Move {
   NurbsCurve curve;  ///< of a nurbs: its first control point is at start, its last at end, and not all are at start
 
   double dwell_seconds = 0;  ///< ≥ 0
-  base::Event event;
+  base::Event event;         ///< of an event
 };
 
 }  // namespace leadscrew::gcode

@@ -63,12 +63,13 @@ ByteSource text_source(std::string_view text);
 /// Called once for each problem, in the order of the text.
 using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
 
+/// How a program is read.
 struct ReaderOptions {
-  std::string file;                   ///< name for diagnostics
-  base::AxisVector start{};           ///< machine coordinates, mm or degrees, where the program begins
-  bool block_delete = true;           ///< skip blocks that begin with '/'
-  std::optional<PathMode> path_mode;  ///< overrides G61, G61.1 and G64
-  std::optional<double> tolerance;    ///< mm; overrides P of G64; ≥ 0
+  std::string file{};                   ///< name for diagnostics
+  base::AxisVector start{};             ///< machine coordinates, mm or degrees, where the program begins
+  bool block_delete = true;             ///< skip blocks that begin with '/'
+  std::optional<PathMode> path_mode{};  ///< overrides G61, G61.1 and G64
+  std::optional<double> tolerance{};    ///< mm; overrides P of G64; ≥ 0
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
@@ -77,11 +78,12 @@ struct ReaderOptions {
 /// the reader.
 class Reader {
  public:
+  /// Of a text, from its beginning. `sink` gets each problem; it may be empty.
   Reader(ByteSource source, base::Borrowed<machine::Machine> machine, base::Borrowed<machine::ToolTable> tools,
          ReaderOptions options, DiagnosticSink sink);
   ~Reader();
-  Reader(Reader&&) noexcept;
-  Reader& operator=(Reader&&) noexcept;
+  Reader(Reader&&) noexcept;             ///< what is moved from may only be assigned to
+  Reader& operator=(Reader&&) noexcept;  ///< the same
 
   /// The next move; false at the program's end (M2, M30, the closing %, the end of the text, or a source that failed).
   bool next(Move& move);

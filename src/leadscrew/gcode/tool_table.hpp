@@ -8,8 +8,9 @@
 
 namespace leadscrew::gcode {
 
+/// What a text holds.
 struct ToolTableText {
-  machine::ToolTable table;
+  machine::ToolTable table;                   ///< its tools
   std::vector<base::Diagnostic> diagnostics;  ///< every problem of the text; errors make the table unusable
 };
 

@@ -6,19 +6,22 @@
 //                                                                     motion.finish();
 //                    while (std::size_t count = motion.next(words)) send(words first count);
 //
+//   auto planned = motion.plan();      all of it at once: planned->duration(), planned->at(0.25).velocity
+//
 // One thread at a time. Words are those of `leadscrew run`, bit for bit.
 
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/host/move_queue.hpp>
 #include <leadscrew/host/moves.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/pipeline/trajectory.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,17 +29,25 @@
 
 namespace leadscrew::host {
 
+/// How a motion is made.
 struct MotionOptions {
   base::AxisVector start{};  ///< mm or degrees, where motion begins
   /// No more than about this is settled ahead, s > 0: a change of feed, a hold and an abort act within it and what
   /// the limits need. Words are the same for any.
   double slice = 0.05;
-  pipeline::EventSink on_event;  ///< of a program; with the word in whose period it happens
+  pipeline::EventSink on_event{};  ///< of a program; with the word in whose period it happens
   // Of programs alone.
-  std::string file;  ///< for places in diagnostics
-  machine::ToolTable tools;
+  std::string file{};          ///< for places in diagnostics
+  machine::ToolTable tools{};  ///< that it may ask for
+  /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
+  /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
+  /// `interrupted`; motion comes to rest.
+  std::function<bool(double share)> goes_on{};
 };
 
+using pipeline::Trajectory, pipeline::TrajectoryState;
+
+/// Along a program, which is checked whole before it moves, or along moves as they come.
 class Motion {
  public:
   /// Along moves that push() gives, from options.start, smoothed within the machine's tolerance. The machine is sound
@@ -50,19 +61,23 @@ class Motion {
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
-  /// How moves from now on are joined: within so many mm of them (0.0002 or more smooth), or as they are, without a
-  /// needless stop (0). Errors: `tolerance`, where it is below 0 or not finite.
-  base::Result<void> smooth(double tolerance);
-  /// The next move, behind the one before (put_behind()). Codes: those of put_behind(), `motion-ended` behind finish() and
-  /// of a program. A move that is refused changes nothing.
-  base::Result<void> push(gcode::Move move);
+  /// As MoveQueue::smooth().
+  base::Result<void> smooth(double tolerance) { return moves_.smooth(tolerance); }
+  /// As MoveQueue::push(). `motion-ended` of a program, too.
+  base::Result<void> push(gcode::Move move) { return moves_.push(std::move(move)); }
   /// Motion comes to rest where the moves so far end; more may follow.
-  void end_for_now();
+  void end_for_now() { moves_.end_for_now(); }
   /// No more moves will come.
-  void finish() { finished_ = true; }
+  void finish() { moves_.finish(); }
+
+  /// All of it, planned from its beginning to its end as nobody intervenes: of a program, or of the moves that have been
+  /// pushed so far, with rest behind the last. Words stay those that they are; this plans beside them. Errors:
+  /// `motion-moves` where next() has taken some of the moves already; failure().
+  base::Result<Trajectory> plan() const;
 
   /// The next words, as many as there are room and motion for: fewer than asked only where progress() says why.
   std::size_t next(std::span<base::Word> words);
+  /// Why next() gave less than it was asked for.
   pipeline::Progress progress() const { return program_->progress(); }
   /// Why motion ended before its path did.
   const std::optional<base::Diagnostic>& failure() const { return program_->failure(); }
@@ -78,20 +93,18 @@ class Motion {
   /// Of all words so far.
   const pipeline::Summary& summary() const { return program_->summary(); }
   /// Where the moves that were pushed end.
-  const base::AxisVector& end() const { return end_; }
+  const base::AxisVector& end() const { return moves_.end(); }
 
  private:
   Motion(machine::Machine machine, MotionOptions options, std::string text);
   void begin();
-  pipeline::Supply give(gcode::Move& move);
+  template <class Joined>
+  void join(std::optional<Joined>& joined, pipeline::MoveInput moves) const;
 
   const machine::Machine machine_;
   MotionOptions options_;
   std::optional<std::string> text_;  ///< of a program
-  std::deque<gcode::Move> moves_;
-  base::AxisVector end_{};
-  double tolerance_;
-  bool finished_ = false;
+  MoveQueue moves_;
   std::optional<pipeline::Program> program_;
 };
 

@@ -56,6 +56,7 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   /// next call of next().
   Interpolator onward() const noexcept { return interpolator_; }
 
+  /// What became of a chunk.
   enum class Offer : std::uint8_t {
     accepted,
     full,       ///< all links are in use: offer it again when the cycle has moved on
@@ -70,6 +71,7 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   /// one before. At least one.
   Offer offer(std::span<planner::Chunk> chunks);
 
+  /// Chunks that it holds at most.
   std::size_t capacity() const { return capacity_; }
 
   /// Committed motion, dwells included, that was accepted and that the cycle has not begun, seconds; nothing of the

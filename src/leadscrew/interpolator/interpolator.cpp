@@ -147,6 +147,13 @@ base::Word Interpolator::next() {
   return word;
 }
 
+std::optional<Interpolator::OnPath> Interpolator::on_path() {
+  if (wants_chunk()) return std::nullopt;
+  const planner::Segment& segment = segment_at(now_);
+  if (segment.state == base::MotionState::rest) return std::nullopt;
+  return OnPath{chunk_->pieces[segment.piece], planner::evaluate(segment, (now_ - segment_begin_).value())};
+}
+
 /// Those that lie before a place of the chunk, or there: found by halving, as there may be many.
 void Interpolator::pass_events(std::size_t piece, double s) {
   std::size_t end = events_of_part();

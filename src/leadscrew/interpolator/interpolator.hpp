@@ -13,6 +13,7 @@
 #include <leadscrew/interpolator/parameter_steps.hpp>
 #include <leadscrew/interpolator/word_kernels.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <optional>
 #include <span>
 
 namespace leadscrew::interpolator {
@@ -64,6 +65,19 @@ class Interpolator {
 
   /// The tick of the next word.
   base::Tick tick() const { return tick_; }
+
+  // For whoever asks about times of their own, in copies (pipeline::Trajectory).
+
+  /// When the loaded chunk's committed part ends, seconds since the first word's time.
+  numeric::DoubleDouble end() const { return end_; }
+  /// Right behind load(): the next word is that of this time, not before the chunk begins. Its tick is left as it is.
+  void seek(numeric::DoubleDouble time) { now_ = time; }
+  struct OnPath {
+    const toolpath::Piece& piece;
+    planner::PathState along;
+  };
+  /// Where the next word lies; none where it rests.
+  std::optional<OnPath> on_path();
 
  private:
   base::AxisVector position(const toolpath::Piece& piece, std::size_t index, numeric::DoubleDouble s);

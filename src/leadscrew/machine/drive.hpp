@@ -14,14 +14,16 @@ namespace leadscrew::machine {
 
 /// Lengths in mm; in degrees for a rotary axis. A unit is one unit of the controller's command.
 struct AxisDrive {
+  /// What closes the loop.
   enum class Controller : std::uint8_t {
     cascade,  ///< position and velocity loop around a motor that is fed with a current
     pid,      ///< one PID loop around a drive with a velocity loop of its own
   };
+  /// Where position is measured.
   enum class Encoder : std::uint8_t { screw, slide };
 
-  Controller controller = Controller::cascade;
-  Encoder encoder = Encoder::screw;
+  Controller controller = Controller::cascade;  ///< which fields below count
+  Encoder encoder = Encoder::screw;             ///< on the slide it sees the errors of the screw
 
   // Of the cascade.
   std::optional<double> position_gain;      ///< Kv, 1/s; > 0
@@ -50,11 +52,12 @@ struct AxisDrive {
 
 /// One of the numbers above: what it is called, and which are sound.
 struct DriveNumber {
+  /// Which values are sound; a share is 0 … 1.
   enum class Range : std::uint8_t { positive, not_negative, share };
 
-  std::string_view name;
-  std::optional<double> AxisDrive::* value;
-  Range range;
+  std::string_view name;                     ///< as problems have it
+  std::optional<double> AxisDrive::* value;  ///< which field
+  Range range;                               ///< that it must be in
 };
 
 inline constexpr std::array<DriveNumber, 16> drive_numbers = {

@@ -16,14 +16,16 @@
 
 namespace leadscrew::machine {
 
+/// What says how strong the beam is.
 struct Laser {
+  /// What a program asks for power by.
   enum class Power : std::uint8_t {
     analog_output,  ///< of M67 and M68
     spindle_speed,  ///< S, while the spindle is on
   };
-  Power power = Power::analog_output;
-  std::int64_t output = 0;  ///< of Power::analog_output: its number, 0 … base::most_outputs − 1
-  bool follow_feed = true;
+  Power power = Power::analog_output;  ///< by which it is asked for
+  std::int64_t output = 0;             ///< of Power::analog_output: its number, 0 … base::most_outputs − 1
+  bool follow_feed = true;             ///< is power in proportion to speed over programmed feed?
 
   friend bool operator==(const Laser&, const Laser&) = default;
 };
@@ -34,10 +36,12 @@ void check_laser(const Laser& laser, std::vector<base::Diagnostic>& problems);
 /// The power of word after word, in the unit of S or of the output. Neither allocates nor waits: the cycle may ask.
 class LaserPower {
  public:
+  /// Off until events switch it on.
   explicit LaserPower(const Laser& laser) : laser_(laser) {}
 
   /// Before the word in whose period it happens. Of a laser that follows feed, programmed_feed must be among the events.
   void observe(const base::Event& event);
+  /// At this word, in the unit of S or of the output.
   double at(const base::Word& word) const {
     if (!is_on_) return 0;
     if (!laser_.follow_feed) return asked_;

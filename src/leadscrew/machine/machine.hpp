@@ -25,7 +25,7 @@ struct AxisLimits {
   double acceleration = 0;  ///< mm/s² or degrees/s²; > 0
   double jerk = 0;          ///< mm/s³ or degrees/s³; > 0
   double blu = 0;           ///< basic length unit, mm or degrees; > 0
-  StepTimes step_times;     ///< of its signals, where it is moved by steps
+  StepTimes step_times{};   ///< of its signals, where it is moved by steps
 
   friend bool operator==(const AxisLimits&, const AxisLimits&) = default;
 };
@@ -38,22 +38,25 @@ enum class Smoothing : std::uint8_t {
   least_time,
 };
 
+/// What it can do. Sound where validate() finds nothing.
 struct Machine {
-  std::string name;
+  std::string name;                      ///< for people
   std::string kinematics = "cartesian";  ///< "cartesian": each axis is one coordinate of the program
-  base::Period period;
-  double tolerance = 0.01;                                       ///< mm; of G64 without P; ≥ 0
-  double chord_error = 0.001;                                    ///< mm; > 0
+  base::Period period;                   ///< a word each
+  double tolerance = 0.01;               ///< mm; of G64 without P; ≥ 0
+  double chord_error = 0.001;            ///< mm; > 0
   std::array<std::optional<AxisLimits>, base::axis_count> axes;  ///< an axis the machine lacks is empty
   std::array<ScrewErrors, base::axis_count> screws;  ///< no motion knows of them; steps::Compensation makes them good
   std::array<AxisDrive, base::axis_count> drives;    ///< for simulation
 
-  Smoothing smoothing = Smoothing::splines;
+  Smoothing smoothing = Smoothing::splines;  ///< under G64
   /// Does motion rest for M3, M4 and M5?
   bool spindle_waits = true;
-  std::optional<Laser> laser;
+  std::optional<Laser> laser;  ///< empty where there is none
 
+  /// Is there this axis?
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
+  /// All there are.
   base::AxisSet axis_set() const {
     base::AxisSet set;
     for (const base::Axis axis : base::all_axes) {
@@ -63,7 +66,9 @@ struct Machine {
   }
   /// Limits of an axis the machine has.
   const AxisLimits& limits(base::Axis axis) const { return *axes[base::index(axis)]; }
+  /// Errors of its screw.
   const ScrewErrors& screw(base::Axis axis) const { return screws[base::index(axis)]; }
+  /// What drives it, in simulation.
   const AxisDrive& drive(base::Axis axis) const { return drives[base::index(axis)]; }
 };
 

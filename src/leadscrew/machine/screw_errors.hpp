@@ -16,8 +16,8 @@ namespace leadscrew::machine {
 
 /// One line of a table: commanded to `position`, the axis is at position + error. mm or degrees.
 struct PitchError {
-  double position = 0;
-  double error = 0;
+  double position = 0;  ///< commanded
+  double error = 0;     ///< what is added to it
 };
 
 /// Of one axis. Beyond its ends a table goes on with its first and last errors; an empty one has none.
@@ -29,6 +29,7 @@ struct ScrewErrors {
   double backlash = 0;         ///< mm or degrees; ≥ 0
   double takeup_velocity = 0;  ///< mm/s or degrees/s, at most, for taking it up; ≥ 0, and 0: the axis' greatest
 
+  /// Is it a screw without errors?
   bool none() const { return table.empty() && backward_table.empty() && backlash == 0; }
 };
 

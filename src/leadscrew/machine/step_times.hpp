@@ -28,9 +28,9 @@ struct StepTimes {
 
 /// One of them: as problems name it, and the least it may be.
 struct StepTime {
-  std::string_view name;
-  std::int64_t StepTimes::* value;
-  std::int64_t least;  ///< ns
+  std::string_view name;            ///< as problems have it
+  std::int64_t StepTimes::* value;  ///< which field
+  std::int64_t least;               ///< ns
 };
 
 inline constexpr std::array<StepTime, 4> all_step_times = {{{"step length", &StepTimes::step_length, 1},

@@ -8,19 +8,22 @@
 
 namespace leadscrew::machine {
 
+/// One tool.
 struct Tool {
   int number = 0;             ///< T; > 0
   int pocket = 0;             ///< P; ≥ 0
   base::AxisVector offset{};  ///< tool length offset of each axis, mm or degrees
   double diameter = 0;        ///< D, mm; ≥ 0
-  std::string remark;
+  std::string remark;         ///< for people
 
   friend bool operator==(const Tool&, const Tool&) = default;
 };
 
+/// All there are, in the order of the table.
 class ToolTable {
  public:
   ToolTable() = default;
+  /// Of tools with different numbers.
   explicit ToolTable(std::vector<Tool> tools) : tools_(std::move(tools)) {}
 
   /// The tool of this number, or nullptr.
@@ -28,6 +31,7 @@ class ToolTable {
     const auto tool = std::find_if(tools_.begin(), tools_.end(), [&](const Tool& t) { return t.number == number; });
     return tool == tools_.end() ? nullptr : &*tool;
   }
+  /// All of them.
   const std::vector<Tool>& tools() const { return tools_; }
 
  private:

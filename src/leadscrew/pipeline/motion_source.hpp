@@ -34,7 +34,7 @@ class MotionSource {
 
   /// Called with what passes on its way to the planner.
   std::function<void(const gcode::Move&)> on_move;
-  std::function<void(const toolpath::Element&)> on_element;
+  std::function<void(const toolpath::Element&)> on_element;  ///< the same
   /// Is the program still the one that was checked? Asked after each piece of text that is read, before anything is
   /// made of it, and before each chunk. An error it returns ends the motion. Absent: it cannot change.
   std::function<base::Result<void>()> unchanged;

@@ -25,15 +25,15 @@ namespace leadscrew::pipeline {
 
 /// What the motion was, up to the last word made.
 struct Summary {
-  std::int64_t blocks = 0;  ///< read
-  std::int64_t moves = 0;   ///< travelled: lines and arcs
-  std::int64_t words = 0;   ///< servo periods
-  double time_s = 0;        ///< words · period
-  double dwell_s = 0;
-  double bound_s = 0;               ///< the least time without a jerk limit (planner::TimeBound); known at the end
-  double length_mm = 0;             ///< of the tool path, as Word::path_length
-  double feed_programmed_max = 0;   ///< mm/s; 0 if the program has only rapids
-  double tolerance_mm = 0;          ///< the largest that applied
+  std::int64_t blocks = 0;         ///< read
+  std::int64_t moves = 0;          ///< travelled: lines and arcs
+  std::int64_t words = 0;          ///< servo periods
+  double time_s = 0;               ///< words · period
+  double dwell_s = 0;              ///< asked for by G4 and the like
+  double bound_s = 0;              ///< the least time without a jerk limit (planner::TimeBound); known at the end
+  double length_mm = 0;            ///< of the tool path, as Word::path_length
+  double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
+  double tolerance_mm = 0;         ///< the largest that applied
   constraints::LimitRatios plan{};  ///< analytically, from the motion
 };
 
@@ -54,6 +54,7 @@ enum class Progress : std::uint8_t {
 ///     while (program.prepare()) send(program.cycle());
 class Program {
  public:
+  /// Of a text, from its beginning. `diagnostics` gets those of this reading; it may be empty.
   Program(gcode::ByteSource source, base::Borrowed<machine::Machine> machine, base::Borrowed<machine::ToolTable> tools,
           const gcode::ReaderOptions& options, gcode::DiagnosticSink diagnostics);
   /// Of moves, from `start`, mm or degrees. The machine must outlive this.
@@ -68,8 +69,10 @@ class Program {
   /// As of planner::Planner: chunks from now on are about so long, s > 0, and programmed feed is multiplied by a
   /// factor, 0 … 2, from the next chunk on; 0 holds.
   void slice(double seconds) { source_.planner().slice(seconds); }
+  /// The same.
   void override_feed(double factor) { source_.planner().override_feed(factor); }
 
+  /// Before the first word: who is told of events.
   void on_event(EventSink sink) { events_ = std::move(sink); }
   /// Called for each move before it is planned.
   void on_move(std::function<void(const gcode::Move&)> sink) { moves_ = std::move(sink); }
@@ -99,6 +102,7 @@ class Program {
   /// Will the next prepare() read or plan, or is the motion of the next word there already?
   bool will_plan() const { return !ended_ && interpolator_.wants_chunk(); }
 
+  /// Of all words so far.
   const Summary& summary() const { return summary_; }
   /// Why motion ends before the program does (MotionSource::failure).
   const std::optional<base::Diagnostic>& failure() const { return source_.failure(); }

@@ -24,19 +24,26 @@ namespace leadscrew::planner {
 /// s(τ) = s0 + τ(v0 + τ(c2 + τ(c3 + τ(c4 + τ c5)))) along one piece, τ the time since the segment began, 0 ≤ τ ≤
 /// duration.
 struct Segment {
-  numeric::DoubleDouble begin;     ///< seconds since the motion began
-  numeric::DoubleDouble duration;  ///< seconds, ≥ 0
-  numeric::DoubleDouble s0;        ///< path length on the piece, units of the piece's length
-  numeric::DoubleDouble v0;        ///< speed, units/s
-  double c2 = 0, c3 = 0, c4 = 0, c5 = 0;
-  std::uint32_t piece = 0;  ///< index into Chunk::pieces
-  base::MotionState state = base::MotionState::changing;
+  numeric::DoubleDouble begin;                            ///< seconds since the motion began
+  numeric::DoubleDouble duration;                         ///< seconds, ≥ 0
+  numeric::DoubleDouble s0;                               ///< path length on the piece, units of the piece's length
+  numeric::DoubleDouble v0;                               ///< speed, units/s
+  double c2 = 0;                                          ///< units/s²
+  double c3 = 0;                                          ///< units/s³
+  double c4 = 0;                                          ///< units/s⁴
+  double c5 = 0;                                          ///< units/s⁵
+  std::uint32_t piece = 0;                                ///< index into Chunk::pieces
+  base::MotionState state = base::MotionState::changing;  ///< of the words in it
 };
 
 /// Speed, acceleration and jerk along the path at a time within a segment.
 struct PathState {
-  double s = 0, speed = 0, acceleration = 0, jerk = 0;  ///< units of length and seconds
+  double s = 0;             ///< path length on the piece, its units
+  double speed = 0;         ///< units/s
+  double acceleration = 0;  ///< units/s²
+  double jerk = 0;          ///< units/s³
 };
+/// At τ, seconds.
 PathState evaluate(const Segment& segment, double tau);
 
 /// Speed and acceleration that count as rest, units/s and units/s²: any usual jerk leads beyond them within
@@ -53,6 +60,7 @@ struct PlacedEvent : base::Event {
 /// The same, passed in the period that ends with this word.
 base::PassedEvent passed_at(base::Tick tick, const PlacedEvent& event);
 
+/// A part of a motion, with the stop that ends it if nothing follows.
 struct Chunk {
   /// To happen before this chunk begins, and then where its committed part passes their places; in order.
   std::vector<PlacedEvent> events;
@@ -70,8 +78,8 @@ struct Chunk {
   /// From the committed part's end to rest. The first is the last of the committed part where that is cut. Empty where
   /// the committed part ends at rest.
   std::vector<Segment> stop_tail;
-  geometry::Point rest{};  ///< where the chunk comes to rest: at the end of the tail, if it has one
-  base::Line rest_line{};
+  geometry::Point rest{};          ///< where the chunk comes to rest: at the end of the tail, if it has one
+  base::Line rest_line{};          ///< of the program, there
   numeric::DoubleDouble duration;  ///< seconds, of the committed part
   double length = 0;               ///< travelled by the committed part
   double tail_length = 0;          ///< travelled by the tail
@@ -82,6 +90,7 @@ struct Chunk {
   PathState first_state() const;
   /// Events before the chunk begins and on its committed part; if the tail is run, on that too.
   std::size_t event_count(bool with_tail) const { return events.size() + (with_tail ? tail_events.size() : 0); }
+  /// Those of the committed part come first.
   const PlacedEvent& event(std::size_t index) const {
     return index < events.size() ? events[index] : tail_events[index - events.size()];
   }

@@ -33,6 +33,7 @@ class Planner {
   Planner(base::Borrowed<machine::Machine> machine, const geometry::Point& start)
       : machine_(machine), constraints_(*machine), look_ahead_(*machine), position_(start) {}
 
+  /// The path's next element.
   void push(const toolpath::Element& element) {
     waiting_.push_back(element);
     if (auto* piece = std::get_if<toolpath::Piece>(&waiting_.back())) travelling_.enter(*piece);
@@ -68,6 +69,7 @@ class Planner {
   /// Asked every few milliseconds while planning takes long: once it says true no chunk comes any more, and
   /// is_stopped().
   void stop_when(std::function<bool()> asked) { look_ahead_.effort().should_stop = std::move(asked); }
+  /// Has it been told to stop?
   bool is_stopped() const { return look_ahead_.effort().is_stopped(); }
   /// Was no motion found along what follows, however short? No chunk comes any more: a defect of the planner.
   bool has_failed() const { return look_ahead_.has_failed(); }

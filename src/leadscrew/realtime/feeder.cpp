@@ -6,6 +6,14 @@ namespace leadscrew::realtime {
 
 using Offer = interpolator::Controller::Offer;
 
+namespace {
+
+constexpr double enough_to_begin = 2;     // s of motion, where moves may be slow to come
+constexpr double quiet_to_begin = 0.1;    // s
+constexpr double least_in_motion = 0.03;  // s of motion, in which the way to rest is planned
+
+}  // namespace
+
 void Feeder::request(double factor, bool stop) {
   stopping_ = stop;
   const double asked = stop ? 0 : factor;
@@ -17,13 +25,27 @@ void Feeder::request(double factor, bool stop) {
 bool Feeder::step() {
   if (stopping_ && !in_motion_) last_ = accepted_;
   if (last_ || !wants_more()) return false;
-  if (!held_.empty() && (!is_held_back() || has_ended_ || held_seconds_ >= patience_)) return hand_over();
+  if (!held_.empty() && (!is_held_back() || has_ended_ || held_seconds_ >= held_back())) return hand_over();
   return take_next();
 }
 
 /// Motion that is held is planned to its rest, and no further.
 bool Feeder::wants_more() const {
   return (factor_ > 0 || in_motion_) && controller_.seconds_ahead() < std::max(look_ahead_.seconds(), patience_);
+}
+
+/// s of motion that are planned before any of it begins, from rest.
+double Feeder::held_back() const {
+  return planning_.drought ? std::max(patience_, enough_to_begin) : patience_;
+}
+
+/// False where it must go on waiting.
+bool Feeder::wait_for_moves(const Drought& drought) {
+  ahead_before_.reset();  // it is not the planner that is slow
+  const bool waits = in_motion_ ? controller_.seconds_ahead() >= least_in_motion : drought.quiet < quiet_to_begin;
+  if (!drought.is_open || waits) return false;
+  planning_.end_for_now();
+  return true;
 }
 
 /// A quarter of what is planned ahead, so that a change waits for no long chunk; longer ones take less work.
@@ -44,7 +66,10 @@ bool Feeder::take_next() {
     chunk = planning_.next();
   }
   if (!chunk) {
+    const std::optional<Drought> drought = planning_.drought ? planning_.drought() : std::nullopt;
+    if (drought && drought->is_open) return wait_for_moves(*drought);
     if (!held_.empty()) return has_ended_ = true;
+    if (drought) return false;
     in_motion_ = false;
     if (factor_ > 0) last_ = accepted_;
     return false;

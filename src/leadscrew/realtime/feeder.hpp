@@ -13,6 +13,11 @@
 //
 // Nor must it be so far ahead that nobody can intervene: where it is in time, it plans less far (look_ahead.hpp), in
 // shorter slices.
+//
+// Where moves come from somebody who may be slow, motion must neither be cut up for want of the next move, nor wait for
+// ever for one that does not come. It begins once 2 s of motion are planned, or nothing came for 0.1 s. On the way it waits
+// for the next move as long as it can: only when less than 30 ms of motion are left is the end of the last move made a
+// place of rest.
 
 #include <cstdint>
 #include <functional>
@@ -25,6 +30,12 @@
 
 namespace leadscrew::realtime {
 
+/// There is no chunk as it is not known yet what follows.
+struct Drought {
+  bool is_open = false;  ///< are there moves behind the last place of rest that was asked for?
+  double quiet = 0;      ///< s since the last move came
+};
+
 /// Where motion comes from; called by the planner's thread alone.
 struct Planning {
   std::function<std::optional<planner::Chunk>()> next;  ///< none: the motion is held, or it has ended
@@ -34,8 +45,13 @@ struct Planning {
   std::function<bool(const planner::Chunk&)> lets = {};
   /// From now on chunks are to be about so long, s. Absent: they are as they come.
   std::function<void(double)> slice = {};
+  /// Of moves that somebody gives: was there no chunk for want of them? Absent, or none: motion is held, or has ended.
+  std::function<std::optional<Drought>()> drought = {};
+  /// Motion is to rest where the moves end that are known by now. Goes with `drought`.
+  std::function<void()> end_for_now = {};
 };
 
+/// Keeps the cycle supplied: plans as far ahead of it as look_ahead_time.hpp says, and hands chunks over.
 class Feeder {
  public:
   /// So far it looks ahead after chunks that were late, s.
@@ -48,6 +64,7 @@ class Feeder {
         controller_(controller),
         farthest_look_ahead_(look_ahead),
         look_ahead_(least_look_ahead, look_ahead) {}
+  /// The same, as far at all times.
   Feeder(const Planning& planning, interpolator::Controller& controller, double look_ahead)
       : Feeder(planning, controller, look_ahead, look_ahead) {}
 
@@ -70,7 +87,9 @@ class Feeder {
  private:
   bool wants_more() const;
   void set_slice();
-  bool is_held_back() const { return patience_ > 0 && !in_motion_; }
+  bool is_held_back() const { return held_back() > 0 && !in_motion_; }
+  double held_back() const;
+  bool wait_for_moves(const Drought& drought);
   bool take_next();
   bool hand_over();
   void settle_patience();

@@ -12,10 +12,13 @@
 
 namespace leadscrew::realtime {
 
+/// How long things took. One thread observes, any other reads.
 class Histogram {
  public:
   Histogram() = default;
+  /// What it holds now.
   Histogram(const Histogram& other) { *this = other; }
+  /// The same.
   Histogram& operator=(const Histogram& other) {
     if (this == &other) return *this;
     for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) set(buckets_[bucket], other.buckets_[bucket]);
@@ -44,6 +47,7 @@ class Histogram {
     return get(longest_);
   }
 
+  /// Times up to a power of two.
   struct Octave {
     std::uint64_t end = 0;    ///< ns: as long as this or longer is in the next
     std::uint64_t count = 0;  ///< of times from half of it on
@@ -60,7 +64,9 @@ class Histogram {
     return octaves;
   }
 
+  /// Times so far.
   std::uint64_t count() const { return get(count_); }
+  /// The longest of them, ns.
   std::uint64_t longest() const { return get(longest_); }
 
  private:

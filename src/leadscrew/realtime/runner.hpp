@@ -43,8 +43,9 @@ struct WordSink {
   std::function<bool(const base::PassedEvent&)> event = {};
 };
 
+/// How a motion is run.
 struct RunnerOptions {
-  base::Period period;
+  base::Period period{};        ///< of the cyclic thread
   base::AxisVector position{};  ///< where motion begins, mm or degrees
   double path_length = 0;       ///< behind it
   base::Line line{};            ///< of the program, there
@@ -68,8 +69,10 @@ struct Counters {
   bool too_long_to_rest = false;  ///< a stop path was longer than the sink can hold: it was cut off
 };
 
+/// Plans in one thread and makes words on time in another.
 class Runner {
  public:
+  /// Nothing happens before start(). What the functions refer to must outlive this.
   Runner(const RunnerOptions& options, Planning planning, WordSink sink);
   ~Runner();  ///< stops at once
   Runner(const Runner&) = delete;
@@ -84,6 +87,7 @@ class Runner {
   /// Makes no more words, whatever moves.
   void halt();
 
+  /// Of now; any thread may ask.
   Counters counters() const;
   /// By how much the cyclic thread woke up late, ns.
   const Histogram& latencies() const { return latencies_; }
@@ -91,7 +95,9 @@ class Runner {
   const std::optional<base::Diagnostic>& notice() const { return notice_; }
   /// Why motion ended although more would have come (Feeder::failure), once it has.
   const std::optional<base::Diagnostic>& failure() const { return feeder_.failure(); }
+  /// Has the first word been made?
   bool has_begun() const { return begun_.load(std::memory_order_acquire); }
+  /// Has the last, or does nobody want it?
   bool has_ended() const { return ended_.load(std::memory_order_acquire); }
 
  private:

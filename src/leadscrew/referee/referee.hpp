@@ -42,22 +42,24 @@ namespace leadscrew::referee {
 
 /// Largest value over limit, from differences of words less their rounding bound 8·ulp(max |q|)/Tᵏ.
 struct AxisVerdict {
-  base::Axis axis{};
-  double velocity_ratio = 0;
-  double acceleration_ratio = 0;
-  double jerk_ratio = 0;
+  base::Axis axis{};              ///< whose
+  double velocity_ratio = 0;      ///< of the first differences
+  double acceleration_ratio = 0;  ///< of the second
+  double jerk_ratio = 0;          ///< of the third
 };
 
+/// A limit or a tolerance that was not kept.
 struct Violation {
   double t = 0;       ///< seconds
   base::Line line{};  ///< source line of the block the word was matched to
   std::string what;   ///< such as "X jerk", "deviation", "feed"
   double value = 0;   ///< mm, degrees and seconds
-  double limit = 0;
+  double limit = 0;   ///< the same
 };
 
+/// What all words were.
 struct Verdict {
-  double time_s = 0;
+  double time_s = 0;  ///< words · period
   double deviation_mm =
       0;  ///< largest distance between words and programmed geometry, matched monotonically, of either from the other
   double tolerance_mm = 0;            ///< the largest tolerance that applied
@@ -67,9 +69,10 @@ struct Verdict {
   double feed_max_ratio = 0;          ///< speed over programmed feed, largest
   std::optional<double> feed_ripple;  ///< FeedRipple::greatest()
   std::vector<AxisVerdict> axes;      ///< for each axis the machine has
-  std::int64_t violation_count = 0;
+  std::int64_t violation_count = 0;   ///< all there are
   std::vector<Violation> violations;  ///< the first 1000: beyond 0.1 % of a limit, or beyond the tolerance and 1 nm
 
+  /// Was anything not kept?
   bool objects() const { return violation_count > 0; }
 };
 
@@ -83,8 +86,8 @@ class Referee {
   /// verdict is of no use. May be empty.
   Referee(MoveSource moves, const machine::Machine& machine, base::Period period, std::function<bool()> cancelled = {});
   ~Referee();
-  Referee(Referee&&) noexcept;
-  Referee& operator=(Referee&&) noexcept;
+  Referee(Referee&&) noexcept;             ///< what is moved from may only be assigned to
+  Referee& operator=(Referee&&) noexcept;  ///< the same
 
   /// The next word: axis positions one period after the word before. `planned_feed`: base::Word::feed, where the trace
   /// tells it.

@@ -11,12 +11,13 @@ namespace leadscrew::steps {
 class StepEvent {
  public:
   constexpr StepEvent() = default;
+  /// direction: 1 or −1.
   constexpr StepEvent(std::int64_t tick, base::Axis axis, int direction)
       : bits_(tick * 256 + static_cast<std::int64_t>(base::index(axis)) * 2 + (direction > 0 ? 1 : 0)) {}
 
   constexpr std::int64_t tick() const { return bits_ >> 8; }  ///< of the step's leading edge
-  constexpr base::Axis axis() const { return static_cast<base::Axis>((bits_ >> 1) & 127); }
-  constexpr int direction() const { return (bits_ & 1) != 0 ? 1 : -1; }
+  constexpr base::Axis axis() const { return static_cast<base::Axis>((bits_ >> 1) & 127); }  ///< that steps
+  constexpr int direction() const { return (bits_ & 1) != 0 ? 1 : -1; }                      ///< 1 or −1
   /// The same so many ticks later.
   constexpr StepEvent later(std::int64_t ticks) const {
     StepEvent event = *this;

@@ -30,7 +30,7 @@ namespace leadscrew::steps {
 
 /// What was made so far.
 struct StepReport {
-  std::int64_t steps = 0;
+  std::int64_t steps = 0;            ///< of all axes
   std::int64_t postponed = 0;        ///< steps that were due before the one before, or the direction, allowed them
   std::int64_t greatest_delay = 0;   ///< of those, ticks
   double greatest_error = 0;         ///< largest distance between a word and the steps made until it, BLU
@@ -61,6 +61,7 @@ class StepGenerator {
   }
 
   std::int64_t count(base::Axis axis) const { return steps_[base::index(axis)].count(); }  ///< where steps lead, BLU
+  /// Of all steps so far.
   StepReport report() const;
   /// What the report says of steps that left their words by a BLU or more; nothing where none did. Code: `step-late`.
   std::optional<base::Diagnostic> complaint() const;

@@ -7,10 +7,14 @@
 
 namespace leadscrew::trace {
 
+/// A trace::Writer.
 class CsvWriter {
  public:
+  /// Columns: t, line, s, feed, those of the axes, and more.
   CsvWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns = {});
+  /// The next word. Errors: those of the sink.
   base::Result<void> write(const base::Word& word, const BesideWord& beside = {});
+  /// All words have been written. Errors: those of the sink.
   base::Result<void> finish() { return rows_.flush(); }
 
  private:

@@ -9,11 +9,12 @@
 
 namespace leadscrew::trace {
 
+/// Who writes and who reads files of one ending.
 template <class W, class R>
   requires Writer<W> && Rows<R>
 struct Format {
-  using Writer = W;
-  using Rows = R;
+  using Writer = W;         ///< of words
+  using Rows = R;           ///< of what was written
   std::string_view ending;  ///< in small letters
 };
 

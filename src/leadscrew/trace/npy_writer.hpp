@@ -8,12 +8,16 @@
 
 namespace leadscrew::trace {
 
+/// A trace::HeaderLast.
 class NpyWriter {
  public:
   static constexpr bool is_nameless = true;
 
+  /// Columns: t, line, s, feed, those of the axes, and more.
   NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns = {});
+  /// The next word. Errors: those of the sink.
   base::Result<void> write(const base::Word& word, const BesideWord& beside = {});
+  /// All words have been written. Errors: those of the sink.
   base::Result<void> finish() { return rows_.flush(); }
   /// For the rows written so far; always of the same size.
   std::string header() const;

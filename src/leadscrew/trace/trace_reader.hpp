@@ -22,8 +22,8 @@ class TraceReader {
   base::AxisSet axes() const;  ///< axes the trace has
 
   ~TraceReader();
-  TraceReader(TraceReader&&) noexcept;
-  TraceReader& operator=(TraceReader&&) noexcept;
+  TraceReader(TraceReader&&) noexcept;             ///< what is moved from may only be assigned to
+  TraceReader& operator=(TraceReader&&) noexcept;  ///< the same
 
  private:
   class Implementation;

@@ -1,7 +1,7 @@
 // Loads machine files by the installed package: the name and the limit of X of each, or its problems with their places.
 
 #include <cstdio>
-#include <leadscrew/config/machine_file.hpp>
+#include <leadscrew/files.hpp>
 
 int main(int count, char** paths) {
   for (int i = 1; i < count; ++i) {

@@ -1,0 +1,148 @@
+#include "structures.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace leadscrew::capi {
+
+namespace {
+
+template <std::size_t size>
+void copy_text(char (&to)[size], std::string_view from) {
+  const std::size_t length = std::min(from.size(), size - 1);
+  std::copy_n(from.data(), length, to);
+  to[length] = '\0';
+}
+
+gcode::NurbsCurve curve_of(const leadscrew_move& move) {
+  gcode::NurbsCurve curve;
+  curve.degree = move.degree;
+  for (std::size_t i = 0; i < move.points; ++i) {
+    gcode::ControlPoint& point = curve.points.emplace_back();
+    std::copy_n(move.positions + i * LEADSCREW_AXES, LEADSCREW_AXES, point.position.begin());
+    if (move.weights != nullptr) point.weight = move.weights[i];
+  }
+  if (move.knots != nullptr)
+    curve.knots.assign(move.knots, move.knots + move.points + static_cast<std::size_t>(move.degree) + 1);
+  return curve;
+}
+
+}  // namespace
+
+leadscrew_error error_of(const base::Diagnostic& diagnostic) {
+  leadscrew_error error{};
+  error.size = sizeof error;
+  error.severity = static_cast<std::int32_t>(diagnostic.severity);
+  error.line = diagnostic.place.line;
+  error.column = diagnostic.place.column;
+  copy_text(error.code, diagnostic.code);
+  copy_text(error.message, diagnostic.message);
+  copy_text(error.hint, diagnostic.hint);
+  return error;
+}
+
+leadscrew_event event_of(const base::PassedEvent& from) {
+  leadscrew_event event{};
+  event.size = sizeof event;
+  event.tick = base::count(from.tick);
+  event.path_length = from.path_length;
+  event.value = from.value;
+  event.line = base::number(from.line);
+  event.output = from.output;
+  event.waits = from.waits ? 1 : 0;
+  copy_text(event.code, base::code_of(from.kind));
+  return event;
+}
+
+leadscrew_word word_of(const base::Word& from) {
+  leadscrew_word word{};
+  word.tick = base::count(from.tick);
+  std::copy(from.position.begin(), from.position.end(), word.position);
+  word.path_length = from.path_length;
+  word.speed = from.speed;
+  word.feed = from.feed;
+  word.line = base::number(from.line);
+  word.state = static_cast<std::uint8_t>(from.state);
+  return word;
+}
+
+leadscrew_state state_of(const host::TrajectoryState& from) {
+  leadscrew_state state{};
+  state.size = sizeof state;
+  std::copy(from.position.begin(), from.position.end(), state.position);
+  std::copy(from.velocity.begin(), from.velocity.end(), state.velocity);
+  std::copy(from.acceleration.begin(), from.acceleration.end(), state.acceleration);
+  std::copy(from.jerk.begin(), from.jerk.end(), state.jerk);
+  state.path_length = from.path_length;
+  state.speed = from.speed;
+  state.feed = from.feed;
+  state.line = base::number(from.line);
+  state.state = static_cast<std::int32_t>(from.state);
+  return state;
+}
+
+base::AxisVector axes_of(const double* from) {
+  base::AxisVector position;
+  std::copy_n(from, LEADSCREW_AXES, position.begin());
+  return position;
+}
+
+std::optional<gcode::Move> move_of(const leadscrew_move& given) {
+  std::optional<gcode::Move> move;
+  if (given.line < 0) return move;
+  switch (given.kind) {
+    case LEADSCREW_LINE:
+      move = host::line(axes_of(given.end), given.feed);
+      break;
+    case LEADSCREW_ARC:
+      if (given.plane < LEADSCREW_XY || given.plane > LEADSCREW_YZ) return move;
+      move = host::arc(axes_of(given.end), static_cast<gcode::Plane>(given.plane), given.center[0], given.center[1],
+                       given.turns, given.feed);
+      break;
+    case LEADSCREW_CURVE:
+      if (given.degree < 1 || given.degree > gcode::highest_degree || given.positions == nullptr ||
+          given.points > gcode::most_control_points)
+        return move;
+      move = host::curve(curve_of(given), given.feed);
+      break;
+    case LEADSCREW_DWELL:
+      move = host::dwell(given.seconds);
+      break;
+    default:
+      return move;
+  }
+  move->line = base::Line{given.line};
+  return move;
+}
+
+base::Result<host::MotionOptions> options_of(const leadscrew_options& given, const machine::Machine& machine) {
+  host::MotionOptions options;
+  options.start = axes_of(given.start);
+  if (auto inside = host::check_position(options.start, machine); !inside) return base::failure(inside.error());
+  if (!(given.slice >= 0 && std::isfinite(given.slice)))
+    return base::failure(base::problem("slice", "a slice of less than nothing", "seconds, more than 0; 0 for 0.05"));
+  if (given.slice > 0) options.slice = given.slice;
+  if (given.file != nullptr) options.file = given.file;
+  if (given.on_event != nullptr) {
+    options.on_event = [function = given.on_event, user = given.user](const base::PassedEvent& passed) {
+      const leadscrew_event event = event_of(passed);
+      function(&event, user);
+    };
+  }
+  if (given.on_progress != nullptr) {
+    options.goes_on = [function = given.on_progress, user = given.user](double share) {
+      return function(share, user) == 0;
+    };
+  }
+  return options;
+}
+
+gcode::DiagnosticSink sink_of(const leadscrew_options& options) {
+  if (options.on_diagnostic == nullptr) return {};
+  return [function = options.on_diagnostic, user = options.user](const base::Diagnostic& diagnostic) {
+    const leadscrew_error error = error_of(diagnostic);
+    function(&error, user);
+  };
+}
+
+}  // namespace leadscrew::capi

@@ -1,0 +1,55 @@
+#pragma once
+// Moves that a host gives one by one: each checked and joined to the one before when it is pushed, in their order when
+// they are planned.
+
+#include <deque>
+#include <leadscrew/base/borrowed.hpp>
+#include <leadscrew/base/result.hpp>
+#include <leadscrew/gcode/move.hpp>
+#include <leadscrew/machine/machine.hpp>
+#include <leadscrew/pipeline/move_input.hpp>
+
+namespace leadscrew::host {
+
+/// One thread at a time. The machine must outlive it.
+class MoveQueue {
+ public:
+  /// From `start`, mm or degrees; smoothed within the machine's tolerance.
+  MoveQueue(base::Borrowed<machine::Machine> machine, const base::AxisVector& start)
+      : machine_(machine), end_(start), tolerance_(machine->tolerance) {}
+
+  /// How moves from now on are joined: within so many mm of them (0.0002 or more smooth), or as they are, without a
+  /// needless stop (0). Errors: `tolerance`, where it is below 0 or not finite.
+  base::Result<void> smooth(double tolerance);
+  /// The next move, behind the one before (put_behind()). Codes: those of put_behind(), `motion-ended` behind finish(). A
+  /// move that is refused changes nothing.
+  base::Result<void> push(gcode::Move move);
+  /// Motion comes to rest where the moves so far end; more may follow.
+  void end_for_now();
+  /// No more moves will come.
+  void finish() { finished_ = true; }
+  /// Forgets the moves that have not been given, and takes no more.
+  void abandon();
+  /// Empty and open again, from `start`; joined as before.
+  void restart(const base::AxisVector& start);
+
+  /// The next of them, to be planned.
+  pipeline::Supply give(gcode::Move& move);
+
+  /// Those that have not been given.
+  const std::deque<gcode::Move>& waiting() const { return moves_; }
+  /// Have any been given?
+  bool has_given() const { return has_given_; }
+  /// Where the last one that was pushed ends.
+  const base::AxisVector& end() const { return end_; }
+
+ private:
+  const machine::Machine& machine_;
+  std::deque<gcode::Move> moves_;
+  base::AxisVector end_;
+  double tolerance_;
+  bool finished_ = false;
+  bool has_given_ = false;
+};
+
+}  // namespace leadscrew::host

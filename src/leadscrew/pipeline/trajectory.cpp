@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/interpolator/tick_time.hpp>
+#include <leadscrew/pipeline/trajectory.hpp>
+#include <leadscrew/planner/section.hpp>
+#include <limits>
+#include <utility>
+
+namespace leadscrew::pipeline {
+
+using numeric::DoubleDouble;
+
+namespace {
+
+/// Of q(s(t)), by the chain rule.
+void set_rates(TrajectoryState& state, const geometry::PointJet& q, const planner::PathState& s) {
+  const double v = s.speed, a = s.acceleration, j = s.jerk;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    state.velocity[i] = q[i].first * v;
+    state.acceleration[i] = q[i].second * v * v + q[i].first * a;
+    state.jerk[i] = q[i].third * v * v * v + 3 * q[i].second * v * a + q[i].first * j;
+  }
+}
+
+}  // namespace
+
+void Trajectory::append(planner::Chunk chunk) {
+  chunk.stop_tail.clear();  // nobody stops on the way
+  chunk.tail_events.clear();
+  Part& part = parts_.emplace_back(Part{std::move(chunk), last_});
+  part.cycle.load(part.chunk);
+  last_ = part.cycle;
+}
+
+/// The tick that t is, or else t. Ticks are multiples of 10 µs at least: no other double is so near to one by chance that
+/// axes would move between the two.
+DoubleDouble Trajectory::exact(double t) const {
+  if (!(t > 0)) return DoubleDouble(0);
+  if (t > duration() + period_.seconds()) return last_.end() + DoubleDouble(period_.seconds());
+  const auto tick = static_cast<base::Tick>(std::llround(t / period_.seconds()));
+  const double rounding = t * std::numeric_limits<double>::epsilon();
+  return std::abs(t - base::seconds(tick, period_)) <= rounding ? interpolator::time_of(tick, period_)
+                                                                : DoubleDouble(t);
+}
+
+/// One whose next word is that of this time.
+interpolator::Interpolator Trajectory::cycle_at(DoubleDouble time) const {
+  const auto part = std::upper_bound(parts_.begin(), parts_.end(), time,
+                                     [](DoubleDouble t, const Part& p) { return t < p.cycle.end(); });
+  interpolator::Interpolator cycle = part == parts_.end() ? last_ : part->cycle;
+  cycle.seek(time);
+  return cycle;
+}
+
+TrajectoryState Trajectory::at(double t) const {
+  interpolator::Interpolator cycle = cycle_at(exact(t));
+  TrajectoryState state;
+  if (const auto on_path = cycle.on_path()) {
+    const planner::PathState& along = on_path->along;
+    set_rates(state, planner::one_sided_jets(on_path->piece.axes(), along.s, planner::Side::right), along);
+  }
+  const base::Word word = cycle.next();
+  state.position = word.position;
+  state.path_length = word.path_length;
+  state.speed = word.speed;
+  state.feed = word.feed;
+  state.line = word.line;
+  state.state = word.state;
+  return state;
+}
+
+base::Word Trajectory::word(base::Tick tick) const {
+  base::Word word = cycle_at(interpolator::time_of(tick, period_)).next();
+  word.tick = tick;
+  return word;
+}
+
+base::Tick Trajectory::last_tick() const {
+  auto tick = static_cast<base::Tick>(std::llround(duration() / period_.seconds()));
+  while (base::count(tick) > 0 && last_.end() <= interpolator::time_of(base::Tick{base::count(tick) - 1}, period_))
+    tick = base::Tick{base::count(tick) - 1};
+  while (interpolator::time_of(tick, period_) < last_.end()) tick = base::next(tick);
+  return tick;
+}
+
+}  // namespace leadscrew::pipeline

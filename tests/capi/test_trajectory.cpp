@@ -1,0 +1,152 @@
+#include <string>
+#include <vector>
+
+#include "called.hpp"
+
+// Tools, progress, and motion that is planned at once.
+
+using namespace leadscrew;
+using namespace leadscrew::capi_tests;
+
+namespace {
+
+leadscrew_state at(const leadscrew_trajectory* trajectory, double time) {
+  leadscrew_state state{};
+  state.size = sizeof state;
+  EXPECT_EQ(leadscrew_trajectory_at(trajectory, time, &state, nullptr), LEADSCREW_OK);
+  return state;
+}
+
+Trajectory plan(leadscrew_motion* motion) {
+  leadscrew_trajectory* planned = nullptr;
+  EXPECT_EQ(leadscrew_motion_plan(motion, &planned, nullptr), LEADSCREW_OK);
+  return Trajectory(planned);
+}
+
+TEST(Capi, PlansAProgramWithItsWords) {
+  const Motion motion = program(plate);
+  const Trajectory planned = plan(motion.get());
+  const auto words = words_of(motion.get());
+  for (const leadscrew_word& word : words) {
+    const leadscrew_state state = at(planned.get(), static_cast<double>(word.tick) * 1e-3);
+    ASSERT_EQ(std::memcmp(state.position, word.position, sizeof word.position), 0) << word.tick;
+    ASSERT_EQ(state.path_length, word.path_length);
+    ASSERT_EQ(state.speed, word.speed);
+    ASSERT_EQ(state.feed, word.feed);
+    ASSERT_EQ(state.line, word.line);
+    ASSERT_EQ(state.state, word.state);
+  }
+  const double end = static_cast<double>(words.back().tick) * 1e-3,
+               duration = leadscrew_trajectory_duration(planned.get());
+  EXPECT_LE(duration, end);
+  EXPECT_GT(duration, end - 1e-3);
+}
+
+TEST(Capi, PlansMovesBeforeTheyGo) {
+  const Motion motion = moves();
+  const leadscrew_move there = line(100, 0, 0, 40);
+  ASSERT_EQ(leadscrew_motion_push(motion.get(), &there, nullptr), LEADSCREW_OK);
+  const Trajectory planned = plan(motion.get());
+  const double jerk = machine::mill3().limits(base::Axis::X).jerk, ramp = std::sqrt(40 / jerk);
+  EXPECT_NEAR(leadscrew_trajectory_duration(planned.get()), 2.5 + 2 * ramp, 1e-9);
+  EXPECT_NEAR(at(planned.get(), 1).velocity[0], 40, 1e-9);
+  EXPECT_NEAR(at(planned.get(), ramp / 2).acceleration[0], jerk * ramp / 2, 1e-6);
+  EXPECT_NEAR(at(planned.get(), ramp / 2).jerk[0], jerk, 1e-6);
+  EXPECT_EQ(at(planned.get(), 10).position[0], 100);
+  words_of(motion.get());
+  leadscrew_error error = sized_error();
+  leadscrew_trajectory* late = nullptr;
+  EXPECT_EQ(leadscrew_motion_plan(motion.get(), &late, &error), LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "motion-moves");
+  EXPECT_EQ(late, nullptr);
+}
+
+TEST(Capi, OutlivesTheMotionThatWasPlanned) {
+  Motion motion = program(plate);
+  const Trajectory planned = plan(motion.get());
+  motion.reset();
+  EXPECT_GT(at(planned.get(), 1).path_length, 0);
+}
+
+TEST(Capi, TakesToolsAsTextAndFromAFile) {
+  const std::string text = "G21 G90\nT3 M6\nG43\nG1 X1 Z-1 F600\nM2\n";
+  const std::string table = "T3 P3 Z12.5 ;drill\n", path = testing::TempDir() + "capi-tools.tbl";
+  std::ofstream(path) << table;
+  leadscrew_options by_text = no_options(), by_file = no_options();
+  by_text.tools = table.data();
+  by_text.tools_length = table.size();
+  by_file.tools_file = path.c_str();
+  for (const leadscrew_options& options : {by_text, by_file})
+    EXPECT_EQ(words_of(program(text, options).get()).back().position[2], 11.5);
+  leadscrew_motion* none = nullptr;
+  EXPECT_EQ(leadscrew_motion_of_program(mill().get(), text.data(), text.size(), nullptr, &none, nullptr),
+            LEADSCREW_REJECTED);
+}
+
+/// Says no when it has been asked so often.
+struct Asked {
+  int times = 0, most = 0;
+  std::vector<double> shares;
+
+  leadscrew_options options() {
+    leadscrew_options options = no_options();
+    options.user = this;
+    options.on_progress = [](double share, void* user) {
+      auto* const self = static_cast<Asked*>(user);
+      self->shares.push_back(share);
+      return ++self->times > self->most ? 1 : 0;
+    };
+    return options;
+  }
+};
+
+const std::string many_lines = [] {
+  std::string text = "G21 G90 G64 P0.01 F3000\n";
+  for (int i = 0; i < 4000; ++i) text += "G1 X" + std::to_string(i % 7) + " Y" + std::to_string(i % 11) + "\n";
+  return text + "M2\n";
+}();
+
+TEST(Capi, IsInterruptedWhileItReads) {
+  Asked asked{.most = 3};
+  const leadscrew_options options = asked.options();
+  leadscrew_motion* motion = nullptr;
+  leadscrew_error error = sized_error();
+  EXPECT_EQ(leadscrew_motion_of_program(mill().get(), many_lines.data(), many_lines.size(), &options, &motion, &error),
+            LEADSCREW_INTERRUPTED);
+  EXPECT_EQ(motion, nullptr);
+  EXPECT_STREQ(error.code, "interrupted");
+  EXPECT_EQ(asked.times, 4);
+  EXPECT_EQ(asked.shares.front(), 0);
+  EXPECT_GT(asked.shares.back(), 0);
+  EXPECT_LT(asked.shares.back(), 1);
+}
+
+TEST(Capi, IsInterruptedWhileItPlans) {
+  Asked asked{.most = 1 << 20};
+  const Motion motion = program(many_lines, asked.options());
+  asked.most = 0;
+  leadscrew_trajectory* planned = nullptr;
+  EXPECT_EQ(leadscrew_motion_plan(motion.get(), &planned, nullptr), LEADSCREW_INTERRUPTED);
+  EXPECT_EQ(planned, nullptr);
+  asked.most = 1 << 20;
+  std::vector<leadscrew_word> words(1000);
+  std::size_t count = 0;
+  ASSERT_EQ(leadscrew_motion_next(motion.get(), words.data(), sizeof words[0], words.size(), &count, nullptr),
+            LEADSCREW_OK);
+  ASSERT_EQ(count, words.size());
+  asked.most = 0;
+  std::int64_t before = words.back().tick;
+  leadscrew_error error = sized_error();
+  int code = LEADSCREW_OK;
+  while ((code = leadscrew_motion_next(motion.get(), words.data(), sizeof words[0], words.size(), &count, &error)) ==
+             LEADSCREW_OK &&
+         count > 0) {
+    EXPECT_EQ(words[0].tick, before + 1);
+    before = words[count - 1].tick;
+    EXPECT_EQ(words[count - 1].state == 0, count < words.size());
+  }
+  EXPECT_EQ(code, LEADSCREW_INTERRUPTED);
+  EXPECT_STREQ(error.code, "interrupted");
+}
+
+}  // namespace
