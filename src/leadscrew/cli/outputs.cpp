@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/results/report_form.hpp>
 
 namespace leadscrew::cli {
 
@@ -151,7 +152,7 @@ base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector
 
 void Outputs::write(const base::PassedEvent& event) {
   trace_.observe(event);
-  if (recording_ && base::is_of_program(event.kind)) recording_->observe(event);
+  if (recording_) recording_->observe(event);
   static_cast<void>(events_.write(event));
 }
 
@@ -165,8 +166,11 @@ base::Result<void> Outputs::open_blocks(const files::InputFile& program) {
 }
 
 pipeline::LostTime::Sink Outputs::blocks() {
-  if (!blocks_) return {};
-  return [writer = blocks_.get()](const pipeline::BlockTime& block) { writer->write(block); };
+  if (!blocks_ && !recording_) return {};
+  return [this](const pipeline::BlockTime& block) {
+    if (blocks_) blocks_->write(block);
+    if (recording_) recording_->observe(results::lost_block(block));
+  };
 }
 
 base::Result<void> Outputs::write_pages(const report::Report& report) {

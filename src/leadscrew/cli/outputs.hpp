@@ -57,7 +57,7 @@ class Outputs {
 
   /// Makes the file of --blocks, with the texts of this program, where it was asked for; before the first word.
   base::Result<void> open_blocks(const files::InputFile& program);
-  /// Writes a row of it; empty where it was not asked for.
+  /// Writes a row of it, and tells the recording; empty where neither was asked for. Of these outputs, where they are.
   pipeline::LostTime::Sink blocks();
 
   /// What a report and a picture are made of; null where neither was asked for.

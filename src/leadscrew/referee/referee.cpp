@@ -36,6 +36,8 @@ class Referee::Implementation {
     observe_finite(position);
   }
 
+  MatchedBlock matched() const { return {line_, is_rapid_}; }
+
   Verdict conclude() {
     Verdict verdict;
     if (words_ == 0) {
@@ -73,6 +75,7 @@ class Referee::Implementation {
     const Point point = metric_.point(position);
     const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point, allowance_.observe(point));
     line_ = passage.line;
+    is_rapid_ = passage.is_rapid;
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
     if (const auto& departed = passage.deviation) {
       log_.add(time(), departed->line, "deviation", departed->value, departed->limit);
@@ -108,6 +111,7 @@ class Referee::Implementation {
   std::int64_t words_ = 0;
   base::AxisVector position_{};
   base::Line line_{};
+  bool is_rapid_ = false;
   double start_error_ = 0;
 };
 
@@ -120,6 +124,10 @@ Referee& Referee::operator=(Referee&&) noexcept = default;
 
 void Referee::observe(const base::AxisVector& position) {
   implementation_->observe(position);
+}
+
+MatchedBlock Referee::matched() const {
+  return implementation_->matched();
 }
 
 Verdict Referee::conclude() {

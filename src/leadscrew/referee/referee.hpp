@@ -55,6 +55,12 @@ struct Violation {
   double limit = 0;
 };
 
+/// The block that a word was matched to.
+struct MatchedBlock {
+  base::Line line{};
+  bool is_rapid = false;
+};
+
 struct Verdict {
   double time_s = 0;
   double deviation_mm =
@@ -86,6 +92,9 @@ class Referee {
 
   /// The next word: axis positions one period after the word before.
   void observe(const base::AxisVector& position);
+
+  /// Of the word observed last; while several blocks are as near, of one of them.
+  MatchedBlock matched() const;
 
   /// After the last word: what remains of the program has not been visited.
   Verdict conclude();

@@ -56,7 +56,7 @@ SpeedScale speed_scale(std::span<const PathPoint> path) {
   double length = 0, feed_by_length = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (std::isfinite(path[i].feed)) scale.greatest = std::max(scale.greatest, path[i].feed);
-    if (i == 0) continue;
+    if (i == 0 || path[i].is_rapid) continue;
     const auto& a = path[i - 1].position;
     const auto& b = path[i].position;
     const double step = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
