@@ -78,6 +78,8 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
     if (program.is_same(path)) return is_read("the program itself");
     if (arguments.machine && is_same_output(path, *arguments.machine)) return is_read("the machine file");
     if (arguments.tools && is_same_output(path, *arguments.tools)) return is_read("the tool table");
+    const std::string& trace = arguments.judged_trace;
+    if (!trace.empty() && is_same_output(path, trace)) return is_read("the trace itself");
     for (std::size_t k = 0; k < i; ++k) {
       if (!is_same_output(path, paths[k])) continue;
       return usage_problem(fmt::format("{} and {} name the same file", paths[k], path),

@@ -49,10 +49,15 @@ void add_motion(Command& command, Arguments& arguments) {
                 parse_tolerance);
 }
 
+void add_report(Command& command, Arguments& arguments) {
+  command.output("--report", "FILE.html", "Write one self-contained page", arguments.run.report);
+  command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed, rapids dashed",
+                 arguments.run.picture);
+}
+
 void add_pages(Command& command, Arguments& arguments) {
   RunArguments& run = arguments.run;
-  command.output("--report", "FILE.html", "Write one self-contained page", run.report);
-  command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed", run.picture);
+  add_report(command, arguments);
   command.output("--events", "FILE.csv", "Write when and where spindle, coolant, tools and outputs were asked for",
                  run.events);
   command.output("--out", "DIR", "Write DIR/NAME.csv, .html and .svg of each program", run.out);

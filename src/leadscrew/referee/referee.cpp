@@ -36,7 +36,7 @@ class Referee::Implementation {
     observe_finite(position);
   }
 
-  MatchedBlock matched() const { return {line_, is_rapid_}; }
+  MatchedBlock matched() const { return {line_, block_feed_}; }
 
   Verdict conclude() {
     Verdict verdict;
@@ -75,7 +75,7 @@ class Referee::Implementation {
     const Point point = metric_.point(position);
     const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point, allowance_.observe(point));
     line_ = passage.line;
-    is_rapid_ = passage.is_rapid;
+    block_feed_ = passage.block_feed;
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
     if (const auto& departed = passage.deviation) {
       log_.add(time(), departed->line, "deviation", departed->value, departed->limit);
@@ -111,7 +111,7 @@ class Referee::Implementation {
   std::int64_t words_ = 0;
   base::AxisVector position_{};
   base::Line line_{};
-  bool is_rapid_ = false;
+  double block_feed_ = 0;
   double start_error_ = 0;
 };
 

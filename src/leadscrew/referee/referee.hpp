@@ -58,7 +58,7 @@ struct Violation {
 /// The block that a word was matched to.
 struct MatchedBlock {
   base::Line line{};
-  bool is_rapid = false;
+  double feed = 0;  ///< programmed, mm/s or degrees/s; infinite for a rapid
 };
 
 struct Verdict {

@@ -67,7 +67,7 @@ void put_verdict(std::string& page, const PageContent& content) {
   } else if (!broken.empty() || report.violation_count > 0) {
     put(page, "<div class=\"verdict bad\"><strong>▲ Exceeds what was asked</strong>");
     if (report.violation_count > 0)
-      put(page, "<a href=\"#violations\">The referee objects in ", counted(report.violation_count, "place", "places"),
+      put(page, "<a href=\"#violations\">The referee objects in ", counted(report.violation_count, "word", "words"),
           ".</a>");
   } else if (content.recording.words() < 2) {
     put(page, "<div class=\"verdict idle\"><strong>Nothing moves</strong>The program asks for no motion.");

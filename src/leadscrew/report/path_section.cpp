@@ -207,9 +207,9 @@ void put_path_section(std::string& page, const PageContent& content) {
         "</p></section>\n");
     return;
   }
-  const std::vector<PathPoint> path = thinned_to(content.recording.path(), axes, most_points,
-                                                 {0.001, 0.01 * speed_scale(content.recording.path()).greatest});
-  const SpeedScale speeds = speed_scale(path);
+  const std::vector<PathPoint> path =
+      thinned_to(content.recording.path(), axes, most_points, {0.001, 0.01 * content.recording.greatest_feed()});
+  const SpeedScale speeds = speed_scale(path, content.recording.greatest_feed());
   const Scales scales = scales_of(path);
   const std::vector<LostBlock> lost = content.recording.dearest_blocks();
   put_color_bar(page, speeds, has_rapids(path));

@@ -74,8 +74,8 @@ void put_scale_bar(std::string& out, double scale, double right, double y) {
 
 base::Result<void> write_path_svg(const std::string& title, const Recording& recording, const base::ByteSink& sink) {
   const std::vector<PathPoint> path =
-      thinned_to(recording.path(), linear_axes(), most_points, {0.001, 0.01 * speed_scale(recording.path()).greatest});
-  const SpeedScale speeds = speed_scale(path);
+      thinned_to(recording.path(), linear_axes(), most_points, {0.001, 0.01 * recording.greatest_feed()});
+  const SpeedScale speeds = speed_scale(path, recording.greatest_feed());
   const ViewSide side = is_flat(path) ? ViewSide::top : ViewSide::isometric;
   const SeenExtent extent = extent_of(path, side);
 

@@ -28,14 +28,16 @@ struct Loss {
   double seconds = 0;
 };
 
-/// What the referee objects to.
+/// What the referee objects to in one block.
 struct Violation {
-  double t = 0;  ///< s
   base::Line line{};
-  std::string what;             ///< "X jerk", "deviation", "feed"
-  double value = 0, limit = 0;  ///< mm, degrees and seconds
+  std::string what;            ///< "X jerk", "deviation", "feed"
+  std::int64_t count = 0;      ///< of words
+  double first = 0, last = 0;  ///< s
+  double value = 0;            ///< the worst; mm, degrees and seconds
+  double limit = 0;            ///< at the worst
 };
-inline constexpr std::size_t most_violations = 200;  ///< that a page shows
+inline constexpr std::size_t most_violations = 100;  ///< that a page shows
 
 /// What only whoever planned the motion knows.
 struct Plan {
@@ -57,9 +59,9 @@ struct Report {
   double feed_programmed_max = 0;  ///< mm/s
   double feed_max_ratio = 0;
   std::vector<AxisRatios> limits;     ///< without a plan, what is planned is 0
-  std::vector<Violation> violations;  ///< the first of them
-  std::int64_t violation_count = 0;
-  std::vector<Loss> losses;  ///< the dearest first; empty where they were not looked for
+  std::vector<Violation> violations;  ///< the first of them, in the order of time
+  std::int64_t violation_count = 0;   ///< of words, all
+  std::vector<Loss> losses;           ///< the dearest first; empty where they were not looked for
   std::vector<base::Diagnostic> diagnostics;
   std::vector<std::pair<base::Line, std::string>> source;  ///< text of the lines that the tables of blocks name
 };

@@ -29,6 +29,7 @@ struct SpeedScale {
   std::size_t level(double feed) const;
 };
 
-SpeedScale speed_scale(std::span<const PathPoint> path);
+/// greatest: speed of all feed moves, mm/s.
+SpeedScale speed_scale(std::span<const PathPoint> path, double greatest);
 
 }  // namespace leadscrew::report

@@ -130,18 +130,24 @@ void put_violation_section(std::string& page, const PageContent& content) {
   const Report& report = content.report;
   if (report.violation_count == 0) return;
   put(page,
-      "<section id=\"violations\"><h2>What the referee objects to</h2>\n<p class=\"note\">Values in mm, degrees and "
-      "seconds.</p>\n<div class=\"scroll\"><table><thead><tr><th>At</th><th>Line</th><th class=\"text\">Block</th>"
-      "<th class=\"text\">What</th><th>Is</th><th>Limit</th></tr></thead><tbody>\n");
+      "<section id=\"violations\"><h2>What the referee objects to</h2>\n<p class=\"note\">Block by block, with the "
+      "worst "
+      "of its words; mm, degrees and seconds.</p>\n<div class=\"scroll\"><table><thead><tr><th>Line</th><th "
+      "class=\"text\">Block</th><th class=\"text\">What</th><th>Worst</th><th>Limit</th><th>Words</th><th>From</th>"
+      "<th>To</th></tr></thead><tbody>\n");
+  std::int64_t shown = 0;
   for (const Violation& violation : report.violations) {
-    put(page, "<tr><td>", readable_time(violation.t), "</td>");
+    put(page, "<tr>");
     put_line_and_source(page, report, violation.line);
     put(page, "<td class=\"text\">", escaped(violation.what), "</td><td class=\"over-limit\">",
-        readable(violation.value, 6), "</td><td>", readable(violation.limit, 6), "</td></tr>\n");
+        readable(violation.value), "</td><td>", readable(violation.limit), "</td><td>",
+        readable(static_cast<double>(violation.count), 15), "</td><td>", readable_time(violation.first), "</td><td>",
+        readable_time(violation.last), "</td></tr>\n");
+    shown += violation.count;
   }
   put(page, "</tbody></table></div>\n");
-  const std::int64_t left = report.violation_count - static_cast<std::int64_t>(report.violations.size());
-  if (left > 0) put(page, "<p class=\"note\">And ", readable(static_cast<double>(left), 15), " more.</p>\n");
+  const std::int64_t left = report.violation_count - shown;
+  if (left > 0) put(page, "<p class=\"note\">And in ", readable(static_cast<double>(left), 15), " words more.</p>\n");
   put(page, "</section>\n");
 }
 

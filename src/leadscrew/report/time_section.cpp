@@ -103,11 +103,11 @@ void put_band(std::string& page, std::span<const Extent> extents, const TimeScal
   if (!upper.empty()) put(page, "<path class=\"band\" d=\"", upper, lower, "Z\"/>");
 }
 
-void put_limit(std::string& lines, std::string& labels, const Channel& channel, double limit, Range shown, bool upper) {
+void put_limit(std::string& lines, std::string& labels, const Channel& channel, double limit, Range shown, bool below) {
   const double place = (shown.greatest - limit) / shown.width();
   if (place < 0 || place > 1) return;
   put(lines, "<path class=\"limit\" d=\"M0 ", fixed(place * box_height, 2), "H1000\"/>");
-  put(labels, "<span class=\"lim ", upper ? "up" : "low", "\" style=\"top:", fixed(place * 100, 1), "%\">",
+  put(labels, "<span class=\"lim ", below ? "up" : "low", "\" style=\"top:", fixed(place * 100, 1), "%\">",
       channel.limit_name, " ", readable(limit * channel.per_unit), "</span>");
 }
 
@@ -171,8 +171,10 @@ class TimeCharts {
     const Range shown = shown_range(channel, data);
     std::string grid, lines, labels;
     put_value_ticks(grid, labels, channel, shown);
-    if (channel.upper) put_limit(lines, labels, channel, *channel.upper, shown, true);
-    if (channel.lower) put_limit(lines, labels, channel, *channel.lower, shown, false);
+    constexpr double room = 0.3;  // of the box, that two labels between the limits need
+    const bool inside = !channel.upper || !channel.lower || *channel.upper - *channel.lower > room * shown.width();
+    if (channel.upper) put_limit(lines, labels, channel, *channel.upper, shown, inside);
+    if (channel.lower) put_limit(lines, labels, channel, *channel.lower, shown, !inside);
     put(page_, "<figure class=\"chart ", kind, "\" data-low=\"", fixed(shown.least, 9), "\" data-high=\"",
         fixed(shown.greatest, 9), "\"><figcaption><b>", channel.name, "</b> <span>", channel.unit,
         "</span><output></output><span class=\"peak\">", peak(channel, data),

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/results/report_form.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
@@ -79,6 +81,26 @@ std::vector<report::AxisRatios> limits_of(const referee::Verdict& verdict, const
   return list;
 }
 
+/// Those of one kind in one block together, in the order of their first.
+std::vector<report::Violation> by_block(const std::vector<referee::Violation>& violations) {
+  std::vector<report::Violation> blocks;
+  for (const referee::Violation& violation : violations) {
+    auto block = std::ranges::find_if(blocks, [&](const report::Violation& other) {
+      return other.line == violation.line && other.what == violation.what;
+    });
+    if (block == blocks.end()) {
+      if (blocks.size() == report::most_violations) continue;
+      block = blocks.insert(blocks.end(), {.line = violation.line, .what = violation.what, .first = violation.t});
+    }
+    ++block->count;
+    block->last = violation.t;
+    if (block->count > 1 && std::fabs(violation.value) <= std::fabs(block->value)) continue;
+    block->value = violation.value;
+    block->limit = violation.limit;
+  }
+  return blocks;
+}
+
 base::Result<report::Report> report_of(const ReportParts& parts, const referee::Verdict& verdict) {
   report::Report report;
   report.title = parts.program.name();
@@ -92,9 +114,7 @@ base::Result<report::Report> report_of(const ReportParts& parts, const referee::
   report.words = parts.recording.words();
   report.diagnostics = parts.diagnostics;
   report.violation_count = verdict.violation_count;
-  const std::size_t shown = std::min(verdict.violations.size(), report::most_violations);
-  for (const referee::Violation& violation : std::span(verdict.violations).first(shown))
-    report.violations.push_back({violation.t, violation.line, violation.what, violation.value, violation.limit});
+  report.violations = by_block(verdict.violations);
   auto source = source_lines(parts.program, lines_named(parts.recording, report));
   if (!source) return base::failure(source.error());
   report.source = std::move(*source);
