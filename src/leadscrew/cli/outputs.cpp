@@ -143,13 +143,17 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   return outputs;
 }
 
-base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector& actual, double measured_feed) {
-  if (followed_) followed_->observe(word.position, actual, measured_feed);
+base::Result<void> Outputs::write(const servo::Followed& followed, double measured_feed) {
+  if (followed_) followed_->observe(results::followed_axes(followed), measured_feed);
+  return write(followed.word, {followed.position, followed.velocity, followed.control, followed.current});
+}
+
+base::Result<void> Outputs::write(const base::Word& word, const trace::BesideWord& beside) {
   if (recording_) recording_->observe(word);
   if (steps_) {
     if (auto written = steps_->write(word); !written) return written;
   }
-  return trace_.write(word, actual);
+  return trace_.write(word, beside);
 }
 
 void Outputs::write(const base::PassedEvent& event) {

@@ -12,6 +12,7 @@
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
 #include <leadscrew/results/block_writer.hpp>
+#include <leadscrew/servo/servo.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,9 +49,9 @@ class Outputs {
   /// Opens what was asked for; makes the folder of --out. The job must outlive the outputs.
   static base::Result<Outputs> open(const OutputPaths& paths, const Job& job);
 
-  base::Result<void> write(const base::Word& word) { return write(word, {}, 0); }
-  /// And where the slides were, with the feed that was measured, mm/s.
-  base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
+  base::Result<void> write(const base::Word& word, const trace::BesideWord& beside = {});
+  /// What slides made of it, with the feed that was measured, mm/s.
+  base::Result<void> write(const servo::Followed& followed, double measured_feed);
 
   /// Of the word that is written next. Errors are told by publish().
   void write(const base::PassedEvent& event);

@@ -110,7 +110,7 @@ class Simulation {
     auto followed = slides.follow(word);
     if (!followed) return followed;
     if (!*followed) return followed;
-    const auto written = outputs.write((*followed)->word, (*followed)->position, slides.measured_feed());
+    const auto written = outputs.write(**followed, slides.measured_feed());
     if (!written) return base::failure(written.error());
     record(slides.take_contour(), slides, outputs);
     return followed;

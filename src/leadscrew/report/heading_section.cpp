@@ -135,7 +135,7 @@ void put_heading(std::string& page, const PageContent& content) {
              report.plan ? counted(report.moves, "move", "moves") : "");
   put_figure(page, "Deviation", readable_distance(report.deviation_mm),
              "tolerance " + readable_distance(report.tolerance_mm));
-  put_figure(page, "Greatest feed", readable(content.recording.greatest_feed() * 60, 5) + " mm/min",
+  put_figure(page, "Greatest feed", readable(content.recording.greatest_feed() * 60) + " mm/min",
              more_of_feed(content));
   if (report.plan) put_figure(page, "Program", counted(report.plan->blocks, "block", "blocks"), "");
   put_figure(page, report.plan ? "Reference words" : "Rows of the trace",

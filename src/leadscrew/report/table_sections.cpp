@@ -43,7 +43,7 @@ void put_slowest(std::string& page, const PageContent& content) {
     put(page, "<tr>");
     put_line_and_source(page, content.report, block.line);
     put(page, "<td>", readable_time(block.t_begin), "</td><td>", readable_time(block.duration), "</td><td>",
-        readable(block.length), " mm</td></tr>\n");
+        readable(std::round(block.length * 1e4) / 1e4), " mm</td></tr>\n");
   }
   put(page, "</tbody></table></div></div>\n");
 }

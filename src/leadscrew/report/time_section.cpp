@@ -259,10 +259,17 @@ void put_axis(TimeCharts& charts, std::string& page, const PageContent& content,
   charts.put_chart({"position", std::string(u), bins(0), 1, limits.travel_max, limits.travel_min, "travel", false},
                    "small");
   if (content.followed != nullptr) {
-    const bool is_rotary = base::is_rotary(axis);
-    charts.put_chart({"following error", is_rotary ? "°/1000" : "µm", content.followed->error(axis), 1000, std::nullopt,
-                      std::nullopt, "", false},
-                     "small");
+    const auto of_slide = [&](double FollowedAxis::* value) { return content.followed->axis(axis, value); };
+    const auto put_plain = [&](std::string name, std::string shown_unit, double FollowedAxis::* value,
+                               double per_unit) {
+      charts.put_chart(
+          {std::move(name), std::move(shown_unit), of_slide(value), per_unit, std::nullopt, std::nullopt, "", false},
+          "small");
+    };
+    put_plain("following error", base::is_rotary(axis) ? "°/1000" : "µm", &FollowedAxis::error, 1000);
+    put_plain("tachometer", times(u, "/s"), &FollowedAxis::velocity, 1);
+    put_plain("control signal", "", &FollowedAxis::control, 1);
+    put_plain("motor current", "as " + times(u, "/s²"), &FollowedAxis::current, 1);
   }
   const struct {
     int order;

@@ -167,6 +167,15 @@ base::Result<report::Report> report_of(const ReportParts& parts, const VerifyFig
   return report;
 }
 
+std::array<report::FollowedAxis, base::axis_count> followed_axes(const servo::Followed& followed) {
+  std::array<report::FollowedAxis, base::axis_count> axes;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    axes[k] = {followed.word.position[k] - followed.position[k], followed.velocity[k], followed.control[k],
+               followed.current[k]};
+  }
+  return axes;
+}
+
 report::LostBlock lost_block(const pipeline::BlockTime& block) {
   return {block.line,  block.feed_asked, block.feed_reached, block.seconds, block.lost(), pipeline::name(block.cause),
           block.middle};

@@ -7,6 +7,7 @@
 #include <leadscrew/report/report.hpp>
 #include <leadscrew/results/figures.hpp>
 #include <leadscrew/results/simulate_figures.hpp>
+#include <leadscrew/servo/servo.hpp>
 
 namespace leadscrew::results {
 
@@ -25,6 +26,8 @@ base::Result<report::Report> report_of(const ReportParts& parts, const RunFigure
 base::Result<report::Report> report_of(const ReportParts& parts, const SimulateFigures& figures);
 /// Of a trace, whoever made it.
 base::Result<report::Report> report_of(const ReportParts& parts, const VerifyFigures& figures);
+
+std::array<report::FollowedAxis, base::axis_count> followed_axes(const servo::Followed& followed);
 
 /// As the table of blocks that lose time shows it.
 report::LostBlock lost_block(const pipeline::BlockTime& block);
