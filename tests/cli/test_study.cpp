@@ -155,7 +155,7 @@ TEST(Study, DrawsTheFeedsThatItMeasured) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   const std::string picture = folder.read("feeds.svg");
   std::size_t lines = 0, points = 0, ends_at_rest = 0;
-  for (std::size_t at = 0; (at = picture.find("class=\"line\"", at)) != std::string::npos; ++at) {
+  for (std::size_t at = 0; (at = picture.find("class=\"line c", at)) != std::string::npos; ++at) {
     ++lines;
     points += static_cast<std::size_t>(std::count(picture.begin() + static_cast<std::ptrdiff_t>(at),
                                                   picture.begin() + static_cast<std::ptrdiff_t>(picture.find("/>", at)),

@@ -57,14 +57,19 @@ TEST(VerifyReport, ShowsAnotherControllersTraceAndWhatIsWrongWithIt) {
 TEST(VerifyReport, FindsNothingWrongWithTheWordsOfRun) {
   const Folder folder;
   folder.write("part.ngc", there_and_back);
-  leadscrew(folder, {"run", "part.ngc", "--trace", "t.csv", "--picture", "words.svg"});
-  const auto outcome =
-      leadscrew(folder, {"verify", "t.csv", "part.ngc", "--json", "--report", "r.html", "--picture", "trace.svg"});
+  leadscrew(folder, {"run", "part.ngc", "--trace", "t.csv", "--picture", "words.svg", "--charts", "words.charts.svg"});
+  const auto outcome = leadscrew(folder, {"verify", "t.csv", "part.ngc", "--json", "--report", "r.html", "--picture",
+                                          "trace.svg", "--charts", "charts.svg"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_TRUE(contains(folder.read("r.html"), "Keeps every limit"));
   EXPECT_FALSE(contains(folder.read("r.html"), "What the referee objects to"));
   EXPECT_TRUE(contains(folder.read("trace.svg"), ">600 mm/min</text>"));
   EXPECT_EQ(outcome.json()["violation_count"], 0);
+  // The same words, under the name of the trace.
+  std::string words = folder.read("words.charts.svg"), trace = folder.read("charts.svg");
+  EXPECT_TRUE(contains(trace, "velocity, % of the limit"));
+  EXPECT_EQ(words.substr(words.find("<style>")).size(), trace.substr(trace.find("<style>")).size() + 3);
+  EXPECT_EQ(words.substr(words.find("class=\"name\"")), trace.substr(trace.find("class=\"name\"")));
 }
 
 TEST(VerifyReport, IsNotWrittenOverWhatIsRead) {

@@ -51,7 +51,7 @@ std::string stem_of(const std::string& program) {
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
-  OutputPaths paths{arguments.run.trace,  arguments.run.report, arguments.run.picture,
+  OutputPaths paths{arguments.run.trace,  arguments.run.report, arguments.run.picture, arguments.run.charts,
                     arguments.run.pulses, arguments.run.events, arguments.run.blocks};
   if (!arguments.run.out) return paths;
   const std::string base = (std::filesystem::path(*arguments.run.out) / stem_of(program)).string();
@@ -132,7 +132,9 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     if (auto opened = outputs.events_.open(*paths.events, job.machine.period); !opened)
       return base::failure(opened.error());
   }
-  for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_), {&paths.picture, &outputs.picture_}}) {
+  for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_),
+                                     {&paths.picture, &outputs.picture_},
+                                     {&paths.charts, &outputs.charts_}}) {
     if (!*path) continue;
     auto file = create(**path, files::OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());
@@ -185,8 +187,11 @@ base::Result<void> Outputs::write_pages(const report::Report& report) {
         report::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
     if (!written) return written;
   }
-  if (picture_) return report::write_path_svg(report.title, *recording_, picture_->sink());
-  return {};
+  if (picture_) {
+    if (auto written = report::write_path_svg(report.title, *recording_, picture_->sink()); !written) return written;
+  }
+  return charts_ ? report::write_motion_charts(report.title, *recording_, job_->machine, charts_->sink())
+                 : base::Result<void>();
 }
 
 std::optional<results::StepFigures> Outputs::step_figures() const {
@@ -201,7 +206,8 @@ base::Result<std::vector<std::string>> Outputs::publish() {
     if (auto finished = blocks_->finish(); !finished) return base::failure(finished.error());
   }
   files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
-  const auto written = {trace_.file(), report_.get(), picture_.get(), steps, events_.file(), blocks_file_.get()};
+  const auto written = {trace_.file(), report_.get(),  picture_.get(),    charts_.get(),
+                        steps,         events_.file(), blocks_file_.get()};
   if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
   for (const files::OutputFile* file : written) {

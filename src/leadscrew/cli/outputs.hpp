@@ -22,9 +22,11 @@ namespace leadscrew::cli {
 
 /// Which files a run was asked to write.
 struct OutputPaths {
-  std::optional<std::string> trace, report, picture, pulses, events, blocks;
+  std::optional<std::string> trace, report, picture, charts, pulses, events, blocks;
 
-  std::array<std::optional<std::string>, 6> all() const { return {trace, report, picture, pulses, events, blocks}; }
+  std::array<std::optional<std::string>, 7> all() const {
+    return {trace, report, picture, charts, pulses, events, blocks};
+  }
 };
 
 /// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them, and
@@ -65,7 +67,7 @@ class Outputs {
   const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
   report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
-  /// Writes the report and the picture, whichever was asked for.
+  /// Writes the report, the picture and the charts, whichever was asked for.
   base::Result<void> write_pages(const report::Report& report);
   /// Writes the steps that are left.
   base::Result<void> finish_steps(const files::InputFile& program) {
@@ -82,7 +84,7 @@ class Outputs {
   const Job* job_;
   files::WordFile trace_;
   files::EventFile events_;
-  std::unique_ptr<files::OutputFile> report_, picture_;  ///< their sinks refer to them
+  std::unique_ptr<files::OutputFile> report_, picture_, charts_;  ///< their sinks refer to them
   std::optional<std::string> blocks_path_;
   std::unique_ptr<files::OutputFile> blocks_file_;
   std::unique_ptr<results::BlockWriter> blocks_;

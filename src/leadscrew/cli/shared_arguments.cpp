@@ -53,6 +53,8 @@ void add_report(Command& command, Arguments& arguments) {
   command.output("--report", "FILE.html", "Write one self-contained page", arguments.run.report);
   command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed, rapids dashed",
                  arguments.run.picture);
+  command.output("--charts", "FILE.svg", "Write the axes over time alone, to jerk, against their limits",
+                 arguments.run.charts);
 }
 
 void add_pages(Command& command, Arguments& arguments) {
@@ -62,7 +64,7 @@ void add_pages(Command& command, Arguments& arguments) {
                  run.events);
   command.output("--out", "DIR", "Write DIR/NAME.csv, .html and .svg of each program", run.out);
   command.check([&command, &arguments]() -> Parsed<void> {
-    const std::string_view option = command.first_given({"--trace", "--report", "--picture", "--events"});
+    const std::string_view option = command.first_given({"--trace", "--report", "--picture", "--charts", "--events"});
     if (arguments.programs.size() < 2 || option.empty()) return {};
     return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
   });

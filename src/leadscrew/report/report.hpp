@@ -71,6 +71,10 @@ struct Report {
 base::Result<void> write_report(const Report& report, const Recording& recording, const machine::Machine& machine,
                                 base::Period period, const base::ByteSink& sink, FollowedRecording* followed = nullptr);
 
+/// Writes position, velocity, acceleration and jerk of the axes over time as an SVG picture, against their limits.
+base::Result<void> write_motion_charts(const std::string& title, const Recording& recording,
+                                       const machine::Machine& machine, const base::ByteSink& sink);
+
 /// Writes the path alone as an SVG picture (isometric view, coloured by speed), for light and dark pages.
 base::Result<void> write_path_svg(const std::string& title, const Recording& recording, const base::ByteSink& sink);
 

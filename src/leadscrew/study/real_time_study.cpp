@@ -247,7 +247,8 @@ std::vector<report::Chart> real_time_charts() {
         if (!feeds) continue;
         charts.push_back(
             {std::string(is_curve ? "one block" : "92 lines") + ", gains " + set.name + ", " + plant_text(plant),
-             std::move(*feeds), period, feed});
+             {report::evenly_spaced(*feeds, period)},
+             {feed}});
       }
     }
   }
