@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <map>
 
 #include "command.hpp"
 
@@ -175,7 +176,9 @@ TEST(Simulate, WritesWordsAndSlides) {
   std::string row, word;
   std::getline(rows, row);
   std::getline(words, word);
-  EXPECT_EQ(row, word + ",actual_X,actual_Y,actual_Z");
+  EXPECT_EQ(row, word +
+                     ",actual_X,actual_Y,actual_Z,velocity_X,velocity_Y,velocity_Z,control_X,control_Y,control_Z,"
+                     "current_X,current_Y,current_Z");
   double greatest = 0;
   int count = 0;
   for (; std::getline(rows, row); ++count) {
@@ -185,12 +188,74 @@ TEST(Simulate, WritesWordsAndSlides) {
     std::vector<double> cells;
     std::istringstream stream(row);
     for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(std::stod(cell));
-    ASSERT_EQ(cells.size(), 10u);
+    ASSERT_EQ(cells.size(), 19u);
     greatest = std::max(greatest, std::fabs(cells[4] - cells[7]));
   }
   EXPECT_EQ(greatest, figures["axes"][0]["following_max_mm"]);
   EXPECT_GT(count, figures["words"].get<int>() + 1);
   EXPECT_EQ(leadscrew(folder, {"verify", "t.csv", "part.ngc"}).status, 0);
+}
+
+using Row = std::map<std::string, double>;
+
+std::vector<Row> rows_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, cell;
+  std::vector<std::string> names;
+  std::getline(lines, line);
+  for (std::istringstream cells(line); std::getline(cells, cell, ',');) names.push_back(cell);
+  std::vector<Row> rows;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    Row& row = rows.emplace_back();
+    for (const std::string& name : names) {
+      std::getline(cells, cell, ',');
+      row[name] = std::stod(cell);
+    }
+  }
+  return rows;
+}
+
+/// A drive with a velocity loop of its own obeys v′ = (K·u − v)/τ, and its motor's current gives v′: for a millisecond under
+/// a constant u the velocity goes the share 1 − e^(−T/τ) of the way to K·u. On until it stands.
+TEST(Simulate, TracesTachometersControlSignalsAndCurrents) {
+  const Folder folder;
+  folder.write("m.toml", proportional_machine(20, 25));
+  simulated(folder, "G21 G90\nG1 X6 Y3 F1200\nM2\n", {"--machine", "m.toml", "--trace", "t.csv"}, 1);
+  const std::vector<Row> rows = rows_of(folder.read("t.csv"));
+  const double gain = 10, time_constant = 0.005, share = 1 - std::exp(-0.001 / time_constant);
+  double greatest = 0;
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    Row row = rows[k], next = rows[k + 1];
+    for (const std::string axis : {"X", "Y"}) {
+      const double v = row["velocity_" + axis], u = row["control_" + axis];
+      EXPECT_NEAR(next["velocity_" + axis], v + share * (gain * u - v), 1e-9);
+      EXPECT_NEAR(row["current_" + axis], (gain * u - v) / time_constant, 1e-6);
+    }
+    const double wanted = 20.0 / gain * (row["X"] - row["actual_X"]);
+    EXPECT_NEAR(row["control_X"], wanted, 2.0 * 1e-5);  // an encoder of 10 nm
+    greatest = std::max(greatest, row["velocity_X"]);
+  }
+  EXPECT_GT(greatest, 15);
+  EXPECT_LT(std::fabs(Row(rows.back())["velocity_X"]), 0.05);
+}
+
+/// Pulses: the counter drives the motor, v′ = (Kv·UDC − v)/τ with τ = 1/(4·Kv), of steps of 1 µm. In an array as well, which
+/// the referee reads.
+TEST(Simulate, TracesTheCountersOfPulseDrivenLoops) {
+  const Folder folder;
+  folder.write("m.toml", with_screw("drive.position_gain_per_s = 25\n"));
+  simulated(folder, "G21 G90\nG1 X5 F600\nM2\n", {"--pulses", "--machine", "m.toml", "--trace", "t.csv"});
+  double greatest = 0;
+  for (Row row : rows_of(folder.read("t.csv"))) {
+    const double count = row["control_X"];
+    EXPECT_EQ(count, std::round(count));
+    EXPECT_NEAR(row["current_X"], 4 * 25 * (25 * count * 1e-3 - row["velocity_X"]), 1e-9);
+    greatest = std::max(greatest, count);
+  }
+  EXPECT_NEAR(greatest, 10e3 / 25, 2);
+  simulated(folder, "G21 G90\nG1 X5 F600\nM2\n", {"--trace", "t.npy"});
+  EXPECT_EQ(leadscrew(folder, {"verify", "t.npy", "part.ngc"}).status, 0);
 }
 
 TEST(Simulate, ReportsSlides) {
@@ -199,6 +264,9 @@ TEST(Simulate, ReportsSlides) {
   const std::string page = folder.read("r.html");
   EXPECT_TRUE(contains(page, "The part as it is made"));
   EXPECT_TRUE(contains(page, "<b>contour error</b>"));
+  EXPECT_TRUE(contains(page, "<b>tachometer</b>"));
+  EXPECT_TRUE(contains(page, "<b>control signal</b>"));
+  EXPECT_TRUE(contains(page, "<b>motor current</b>"));
   EXPECT_TRUE(contains(page, "class=\"actual by2\""));
   EXPECT_TRUE(contains(page, "Keeps every limit"));
 }

@@ -154,16 +154,23 @@ TEST(Study, DrawsTheFeedsThatItMeasured) {
   const auto outcome = leadscrew(folder, {"study", "real-time-vs-offline", "--quiet", "--picture", "feeds.svg"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   const std::string picture = folder.read("feeds.svg");
-  std::size_t lines = 0, points = 0;
-  for (std::size_t at = 0; (at = picture.find("class=\"line\"", at)) != std::string::npos; ++at) {
+  std::size_t lines = 0, points = 0, ends_at_rest = 0;
+  for (std::size_t at = 0; (at = picture.find("class=\"line c", at)) != std::string::npos; ++at) {
     ++lines;
     points += static_cast<std::size_t>(std::count(picture.begin() + static_cast<std::ptrdiff_t>(at),
                                                   picture.begin() + static_cast<std::ptrdiff_t>(picture.find("/>", at)),
                                                   'L'));
+    // The last point is as low as the first, which is before anything moves: axes stand.
+    const std::string line = picture.substr(at, picture.find("\"/>", at) - at);
+    const double first = std::stod(line.substr(line.find(' ', line.find('M')))),
+                 last = std::stod(line.substr(line.rfind(' ')));
+    ends_at_rest += std::fabs(last - first) < 1.1 ? 1 : 0;  // of 170 units for 16 mm/s
   }
   EXPECT_EQ(lines, 8U);
-  // A point every 10 ms: twice two times 3.0 s and 10.4 s.
-  EXPECT_NEAR(static_cast<double>(points), 4 * (300 + 1040), 30);
+  EXPECT_EQ(ends_at_rest, 8U);
+  // A point every 10 ms: twice two times 3.0 s and 10.4 s, and on until axes stand.
+  EXPECT_GT(static_cast<double>(points), 4 * (300 + 1040));
+  EXPECT_LT(static_cast<double>(points), 4 * (300 + 1040) + 8 * 300);
   const auto none = leadscrew(folder, {"study", "butterfly", "--picture", "none.svg"});
   EXPECT_EQ(none.status, 2);
   EXPECT_TRUE(contains(none.errors, "there is none of butterfly; there is of real-time-vs-offline")) << none.errors;

@@ -27,7 +27,9 @@ struct Circle {
       const base::AxisVector actual = {share * word.position[0], share * word.position[1]};
       recording.observe(word);
       followed.observe_ideal(word.position);
-      followed.observe(word.position, actual, 3);
+      std::array<FollowedAxis, base::axis_count> axes;
+      for (std::size_t i = 0; i < 2; ++i) axes[i] = {word.position[i] - actual[i], 7.0, -8.0, 9.0};
+      followed.observe(axes, 3);
       followed.observe({actual, word.position, wrong}, 1);
     }
   }
@@ -48,9 +50,14 @@ struct Circle {
 TEST(FollowedRecording, HasTheBinsOfTheWords) {
   Circle circle(100'000, 0.02);
   EXPECT_EQ(circle.followed.contour().size(), circle.recording.feed().size());
-  EXPECT_EQ(circle.followed.error(base::Axis::Y).size(), circle.recording.feed().size());
-  EXPECT_TRUE(circle.followed.error(base::Axis::A).empty());
-  EXPECT_NEAR(circle.followed.error(base::Axis::X)[0].least, -0.02, 1e-4);
+  const auto axis = [&](base::Axis of, double FollowedAxis::* value) { return circle.followed.axis(of, value); };
+  EXPECT_EQ(axis(base::Axis::Y, &FollowedAxis::error).size(), circle.recording.feed().size());
+  EXPECT_TRUE(axis(base::Axis::A, &FollowedAxis::error).empty());
+  EXPECT_NEAR(axis(base::Axis::X, &FollowedAxis::error)[0].least, -0.02, 1e-4);
+  EXPECT_EQ(axis(base::Axis::Y, &FollowedAxis::velocity)[7].least, 7);
+  EXPECT_EQ(axis(base::Axis::Y, &FollowedAxis::control)[7].least, -8);
+  EXPECT_EQ(axis(base::Axis::Y, &FollowedAxis::current)[7].least, 9);
+  EXPECT_EQ(axis(base::Axis::Z, &FollowedAxis::current)[7].least, 0);
   EXPECT_EQ(circle.followed.contour()[7].greatest, 0.02);
   EXPECT_EQ(circle.followed.feed()[7].least, 3);
 }
@@ -59,7 +66,7 @@ TEST(FollowedRecording, HasTheBinsOfTheWords) {
 TEST(FollowedRecording, KeepsTheWorstPlacesInBoundedMemory) {
   FollowedRecording followed(machine::mill3().axis_set());
   for (int k = 0; k < 100'000; ++k) {
-    followed.observe({}, {}, 0);
+    followed.observe(std::array<FollowedAxis, base::axis_count>{}, 0);
     followed.observe({{1.0 * k}, {1.0 * k}, k == 77'777 ? 5.0 : 0.001 * (k % 3)}, 1);
     ASSERT_LE(followed.points().size(), FollowedRecording::most_points);
   }

@@ -219,6 +219,96 @@ TEST(Report, TenMillionWordsMakeLessThanFiveMegabytes) {
   EXPECT_EQ(wrong_markup(picture), "");
 }
 
+/// 0 to 100 mm: `feed` mm/s but for a rapid of 200 mm/s in the middle third, told by events if `tells`.
+Recorded with_rapid(double feed, bool tells) {
+  const auto enters = [](std::int64_t tick, double value) {
+    return base::PassedEvent{{base::Event::Kind::programmed_feed, value, base::Line{1}, 0, false}, base::Tick{tick}, 0};
+  };
+  Recorded run({});
+  for (std::int64_t i = 0; i < 100; ++i) {
+    if (tells && i == 0) run.recording.observe(enters(0, feed));
+    if (tells && i == 30) run.recording.observe(enters(33, 0));  // three words before it happens
+    if (tells && i == 60) run.recording.observe(enters(66, feed));
+    base::Word word;
+    word.tick = base::Tick{i};
+    word.position = {static_cast<double>(i), i < 50 ? 0.0 : 1.0, 0};
+    word.feed = 33 <= i && i < 66 ? 200 : feed;
+    run.recording.observe(word);
+  }
+  return run;
+}
+
+/// Thin and dashed, and the scale of colours is that of feed moves.
+TEST(Report, DrawsRapidsApart) {
+  const Recorded run = with_rapid(10, true);
+  EXPECT_EQ(run.recording.greatest_feed(), 10);
+  EXPECT_EQ(run.recording.greatest_rapid(), 200);
+  for (const PathPoint& point : run.recording.path())
+    EXPECT_EQ(point.is_rapid, 32.5 < point.position[0] && point.position[0] < 65.5) << point.position[0];
+  EXPECT_EQ(wrong_markup(run.page()), "");
+  EXPECT_TRUE(has(run.picture(), ">600 mm/min</text>"));
+  EXPECT_TRUE(has(run.picture(), ">rapids</text>"));
+  EXPECT_TRUE(has(run.picture(), "<path class=\"rapid\" stroke-width=\"8.4\""));
+  EXPECT_TRUE(has(run.page(), "Speed of feed moves"));
+  EXPECT_TRUE(has(run.page(), "peak 600; rapids up to 12\u202f000"));
+  const Recorded all = with_rapid(10, false);
+  EXPECT_FALSE(has(all.picture(), "rapid\" s"));
+  EXPECT_FALSE(has(all.picture(), ">rapids<"));
+  EXPECT_TRUE(has(all.picture(), ">12\u202f000 mm/min</text>"));
+}
+
+TEST(Report, OfRapidsAloneHasNoColours) {
+  const Recorded run = with_rapid(0, true);
+  EXPECT_FALSE(has(run.picture(), "mm/min"));
+  EXPECT_TRUE(has(run.picture(), ">rapids</text>"));
+  EXPECT_FALSE(has(run.page(), "<div class=\"bar\""));
+  EXPECT_EQ(wrong_markup(run.page()), "");
+}
+
+/// Causes as they are given, the eleven blocks by what they lose, ten of them marked in each of the four pictures.
+TEST(Report, ShowsWhereTimeIsLost) {
+  Recorded run(random_train(500, 2));
+  EXPECT_FALSE(has(run.page(), "Where time is lost"));
+  run.report.time_s = 100;
+  run.report.losses = {{"acceleration Z", 40}, {"jerk X", 10}, {"chord", 0.001}};
+  for (int i = 1; i <= 11; ++i) {
+    const double asked = i == 11 ? HUGE_VAL : 20;
+    run.recording.observe(LostBlock{base::Line{i}, asked, 5, 9, 1.0 * i, "acceleration Z", {1.0 * i, 0, 0}});
+  }
+  run.report.source = {{base::Line{11}, "G0 X99 (far)"}, {base::Line{2}, "G1 X2"}, {base::Line{1}, "G1 X1 (cheap)"}};
+  const std::string page = run.page();
+  EXPECT_EQ(wrong_markup(page), "");
+  EXPECT_TRUE(has(page, "50.001 s (50 %) are more than feed words ask"));
+  EXPECT_TRUE(has(page,
+                  "acceleration of Z</td><td class=\"share\"><i style=\"width:100%\"></i></td><td>40.000 s</td>"
+                  "<td>40 %</td>"));
+  EXPECT_TRUE(has(page, "width:25%\"></i></td><td>10.000 s</td><td>10 %</td>"));
+  EXPECT_FALSE(has(page, "chord error between"));  // a hundred thousandth
+  EXPECT_TRUE(
+      has(page, "<tr id=\"lost1\" data-place=\"1\"><td><a class=\"rank\" href=\"#path\">1</a></td><td>11</td>"));
+  EXPECT_TRUE(has(page, "G0 X99 (far)</td><td>rapid</td><td>300</td><td>9.000 s</td><td>11.000 s</td>"));
+  EXPECT_TRUE(has(page, "<tr id=\"lost10\" data-place=\"10\">"));
+  EXPECT_FALSE(has(page, "(cheap)"));
+  std::size_t marks = 0;
+  for (std::size_t at = 0; (at = page.find("<a class=\"place\"", at)) != std::string::npos; ++at) ++marks;
+  EXPECT_EQ(marks, 40u);
+}
+
+TEST(Report, ListsWhatTheRefereeObjectsTo) {
+  Recorded run(random_train(500, 2));
+  run.report.violation_count = 300;
+  run.report.violations = {{base::Line{7}, "X jerk", 280, 0.25, 0.75, 31000, 20000}};
+  run.report.source = {{base::Line{7}, "G1 X7"}};
+  const std::string page = run.page();
+  EXPECT_EQ(wrong_markup(page), "");
+  EXPECT_FALSE(has(page, "Keeps every limit"));
+  EXPECT_TRUE(has(page, "The referee objects in 300 words"));
+  EXPECT_TRUE(has(page,
+                  "X jerk</td><td class=\"over-limit\">31\u202f000</td><td>20\u202f000</td><td>280</td>"
+                  "<td>0.250 s</td><td>0.750 s</td>"));
+  EXPECT_TRUE(has(page, "And in 20 words more."));
+}
+
 TEST(Report, PassesOnWhatTheSinkSays) {
   const Recorded run(random_train(500, 2));
   for (const std::size_t room : {0, 1000}) {

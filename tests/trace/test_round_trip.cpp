@@ -177,9 +177,11 @@ TEST(WordWriter, HasAColumnOfPower) {
   }
   std::string text;
   CsvWriter writer(into(text), axes, millisecond, {.actual = true, .power = true});
-  ASSERT_TRUE(writer.write({}, {.actual = {1, 2, 3}, .power = 0.5}));
+  ASSERT_TRUE(writer.write({}, {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {-1, -2, -3}, 0.5}));
   ASSERT_TRUE(writer.finish());
-  EXPECT_EQ(text, "t,line,s,feed,X,Y,Z,actual_X,actual_Y,actual_Z,power\n0,0,0,0,0,0,0,1,2,3,0.5\n");
+  EXPECT_EQ(text,
+            "t,line,s,feed,X,Y,Z,actual_X,actual_Y,actual_Z,velocity_X,velocity_Y,velocity_Z,control_X,control_Y,"
+            "control_Z,current_X,current_Y,current_Z,power\n0,0,0,0,0,0,0,1,2,3,4,5,6,7,8,9,-1,-2,-3,0.5\n");
 }
 
 TEST(WordWriter, PassesOnWhatTheSinkSays) {

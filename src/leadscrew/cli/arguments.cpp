@@ -38,6 +38,7 @@ constexpr std::string_view verify_examples =
     "Examples:\n"
     "  leadscrew verify part.csv part.ngc\n"
     "  leadscrew verify other-controller.csv part.ngc --machine machines/heavy3.toml --period 1ms --json\n"
+    "  leadscrew verify other-controller.csv part.ngc --report judged.html\n"
     "\n"
     "TRACE is CSV with columns t and axis letters, or NPY. Without --period its rows must be evenly spaced in t.\n";
 
@@ -106,6 +107,7 @@ void describe_verify(Command& command, Arguments& arguments) {
   command.value("--period", "TIME", "Time between rows, such as 1ms, in place of what t says", arguments.period,
                 parse_period);
   add_motion(command, arguments);
+  add_report(command, arguments);
   command.help(std::string(verify_examples) + curves_text());
 }
 

@@ -7,6 +7,7 @@
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/results/report_form.hpp>
 
 namespace leadscrew::cli {
 
@@ -44,7 +45,7 @@ std::string stem_of(const std::string& program) {
 }  // namespace
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
-  OutputPaths paths{arguments.run.trace,  arguments.run.report, arguments.run.picture,
+  OutputPaths paths{arguments.run.trace,  arguments.run.report, arguments.run.picture, arguments.run.charts,
                     arguments.run.pulses, arguments.run.events, arguments.run.blocks};
   paths.program = shown_name(program);
   if (!arguments.run.out) return paths;
@@ -72,6 +73,8 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
     if (program.is_same(path)) return is_read("the program itself");
     if (arguments.machine && is_same_output(path, *arguments.machine)) return is_read("the machine file");
     if (arguments.tools && is_same_output(path, *arguments.tools)) return is_read("the tool table");
+    const std::string& trace = arguments.judged_trace;
+    if (!trace.empty() && is_same_output(path, trace)) return is_read("the trace itself");
     for (std::size_t k = 0; k < i; ++k) {
       if (!is_same_output(path, paths[k])) continue;
       return usage_problem(fmt::format("{} and {} name the same file", paths[k], path),
@@ -106,7 +109,9 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     if (auto opened = outputs.events_.open(*paths.events, job.machine.period); !opened)
       return base::failure(opened.error());
   }
-  for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_), {&paths.picture, &outputs.picture_}}) {
+  for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_),
+                                     {&paths.picture, &outputs.picture_},
+                                     {&paths.charts, &outputs.charts_}}) {
     if (!*path) continue;
     auto file = create(**path, files::OutputFile::Access::sequential);
     if (!file) return base::failure(file.error());
@@ -117,18 +122,22 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   return outputs;
 }
 
-base::Result<void> Outputs::write(const base::Word& word, const base::AxisVector& actual, double measured_feed) {
-  if (followed_) followed_->observe(word.position, actual, measured_feed);
+base::Result<void> Outputs::write(const servo::Followed& followed, double measured_feed) {
+  if (followed_) followed_->observe(results::followed_axes(followed), measured_feed);
+  return write(followed.word, {followed.position, followed.velocity, followed.control, followed.current});
+}
+
+base::Result<void> Outputs::write(const base::Word& word, const trace::BesideWord& beside) {
   if (recording_) recording_->observe(word);
   if (steps_) {
     if (auto written = steps_->write(word); !written) return written;
   }
-  return trace_.write(word, actual);
+  return trace_.write(word, beside);
 }
 
 void Outputs::write(const base::PassedEvent& event) {
   trace_.observe(event);
-  if (recording_ && base::is_of_program(event.kind)) recording_->observe(event);
+  if (recording_) recording_->observe(event);
   static_cast<void>(events_.write(event));
 }
 
@@ -142,8 +151,11 @@ base::Result<void> Outputs::open_blocks(const files::InputFile& program) {
 }
 
 pipeline::LostTime::Sink Outputs::blocks() {
-  if (!blocks_) return {};
-  return [writer = blocks_.get()](const pipeline::BlockTime& block) { writer->write(block); };
+  if (!blocks_ && !recording_) return {};
+  return [this](const pipeline::BlockTime& block) {
+    if (blocks_) blocks_->write(block);
+    if (recording_) recording_->observe(results::lost_block(block));
+  };
 }
 
 base::Result<void> Outputs::write_pages(const report::Report& report) {
@@ -152,8 +164,11 @@ base::Result<void> Outputs::write_pages(const report::Report& report) {
         report::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
     if (!written) return written;
   }
-  if (picture_) return report::write_path_svg(report.title, *recording_, picture_->sink());
-  return {};
+  if (picture_) {
+    if (auto written = report::write_path_svg(report.title, *recording_, picture_->sink()); !written) return written;
+  }
+  return charts_ ? report::write_motion_charts(report.title, *recording_, job_->machine, charts_->sink())
+                 : base::Result<void>();
 }
 
 std::optional<results::StepFigures> Outputs::step_figures() const {
@@ -168,8 +183,8 @@ base::Result<std::vector<std::string>> Outputs::publish() {
     if (auto finished = blocks_->finish(); !finished) return base::failure(finished.error());
   }
   files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
-  const auto written = {trace_.file(), trace_.side(),  report_.get(),     picture_.get(),
-                        steps,         events_.file(), blocks_file_.get()};
+  const auto written = {trace_.file(), trace_.side(), report_.get(),  picture_.get(),
+                        charts_.get(), steps,         events_.file(), blocks_file_.get()};
   if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
   for (const files::OutputFile* file : written) {

@@ -12,6 +12,7 @@
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
 #include <leadscrew/results/block_writer.hpp>
+#include <leadscrew/servo/servo.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,11 +22,11 @@ namespace leadscrew::cli {
 
 /// Which files a run was asked to write.
 struct OutputPaths {
-  std::optional<std::string> trace, report, picture, pulses, events, blocks;
+  std::optional<std::string> trace, report, picture, charts, pulses, events, blocks;
   std::string program = {};  ///< its name, as results have it
 
-  std::array<std::optional<std::string>, 7> all() const {
-    return {trace, files::side_of(trace), report, picture, pulses, events, blocks};
+  std::array<std::optional<std::string>, 8> all() const {
+    return {trace, files::side_of(trace), report, picture, charts, pulses, events, blocks};
   }
 };
 
@@ -48,23 +49,23 @@ class Outputs {
   /// Opens what was asked for, in folders that are made where they are missing. The job must outlive the outputs.
   static base::Result<Outputs> open(const OutputPaths& paths, const Job& job);
 
-  base::Result<void> write(const base::Word& word) { return write(word, {}, 0); }
-  /// And where the slides were, with the feed that was measured, mm/s.
-  base::Result<void> write(const base::Word& word, const base::AxisVector& actual, double measured_feed);
+  base::Result<void> write(const base::Word& word, const trace::BesideWord& beside = {});
+  /// What slides made of it, with the feed that was measured, mm/s.
+  base::Result<void> write(const servo::Followed& followed, double measured_feed);
 
   /// Of the word that is written next. Errors are told by publish().
   void write(const base::PassedEvent& event);
 
   /// Makes the file of --blocks, with the texts of this program, where it was asked for; before the first word.
   base::Result<void> open_blocks(const files::InputFile& program);
-  /// Writes a row of it; empty where it was not asked for.
+  /// Writes a row of it, and tells the recording; empty where neither was asked for. Of these outputs, where they are.
   pipeline::LostTime::Sink blocks();
 
   /// What a report and a picture are made of; null where neither was asked for.
   const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
   report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
-  /// Writes the report and the picture, whichever was asked for.
+  /// Writes the report, the picture and the charts, whichever was asked for.
   base::Result<void> write_pages(const report::Report& report);
   /// Writes the steps that are left.
   base::Result<void> finish_steps(const files::InputFile& program) {
@@ -81,7 +82,7 @@ class Outputs {
   const Job* job_;
   files::WordFile trace_;
   files::EventFile events_;
-  std::unique_ptr<files::OutputFile> report_, picture_;  ///< their sinks refer to them
+  std::unique_ptr<files::OutputFile> report_, picture_, charts_;  ///< their sinks refer to them
   std::optional<std::string> blocks_path_;
   std::unique_ptr<files::OutputFile> blocks_file_;
   std::unique_ptr<results::BlockWriter> blocks_;

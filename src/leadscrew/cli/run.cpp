@@ -2,7 +2,6 @@
 #include <array>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
@@ -10,6 +9,7 @@
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
+#include <leadscrew/results/report_form.hpp>
 #include <span>
 
 namespace leadscrew::cli {
@@ -52,7 +52,8 @@ class ProgramRun {
     figures->steps = outputs->step_figures();
     if (auto same = file.unchanged(); !same) return base::failure(same.error());
     if (outputs->recording() != nullptr) {
-      const auto report = report_of(file, job_, *figures, log_, *outputs->recording());
+      const auto report =
+          results::report_of({file, job_.arguments.command_line, log_.all(), *outputs->recording()}, *figures);
       if (!report) return base::failure(report.error());
       if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
     }
@@ -70,6 +71,7 @@ class ProgramRun {
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
+    if (outputs.recording() != nullptr) program.tell_feed();
     if (auto opened = outputs.open_blocks(file); !opened) return base::failure(opened.error());
     pipeline::LostTime lost(job_.machine, outputs.blocks());
     program.on_move([&](const gcode::Move& move) { lost.observe(move); });

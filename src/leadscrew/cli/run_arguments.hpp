@@ -14,7 +14,7 @@ namespace leadscrew::cli {
 
 struct RunArguments {
   interpolator::StepRule interpolator = interpolator::StepRule::arc_length;  ///< parameter steps along curves
-  std::optional<std::string> trace, report, picture, pulses, events, blocks,
+  std::optional<std::string> trace, report, picture, charts, pulses, events, blocks,
       out;                                      ///< pulses: beside out maybe a step format
   std::optional<nc::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
   bool accelerate = false;                      ///< of a pulse_method: keep the axes' acceleration

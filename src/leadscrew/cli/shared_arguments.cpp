@@ -65,15 +65,22 @@ void add_motion(Command& command, Arguments& arguments) {
                 parse_tolerance);
 }
 
+void add_report(Command& command, Arguments& arguments) {
+  command.output("--report", "FILE.html", "Write one self-contained page", arguments.run.report, {".html", ".htm"});
+  command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed, rapids dashed",
+                 arguments.run.picture, {".svg"});
+  command.output("--charts", "FILE.svg", "Write the axes over time alone, to jerk, against their limits",
+                 arguments.run.charts, {".svg"});
+}
+
 void add_pages(Command& command, Arguments& arguments) {
   RunArguments& run = arguments.run;
-  command.output("--report", "FILE.html", "Write one self-contained page", run.report, {".html", ".htm"});
-  command.output("--picture", "FILE.svg", "Write the path alone, coloured by speed", run.picture, {".svg"});
+  add_report(command, arguments);
   command.output("--events", "FILE.csv", "Write when and where spindle, coolant, tools and outputs were asked for",
                  run.events, {".csv"});
   command.folder("--out", "DIR", "Write DIR/NAME.csv, .html and .svg of each program", run.out);
   command.check([&command, &arguments]() -> Parsed<void> {
-    const std::string_view option = command.first_given({"--trace", "--report", "--picture", "--events"});
+    const std::string_view option = command.first_given({"--trace", "--report", "--picture", "--charts", "--events"});
     if (arguments.programs.size() < 2 || option.empty()) return {};
     return wrong("{} is for one program; with several, --out DIR writes the files of each", option);
   });

@@ -27,7 +27,10 @@ void add_period(Command& command, Arguments& arguments);
 /// --mode, --tolerance.
 void add_motion(Command& command, Arguments& arguments);
 
-/// What is made to look at: --report, --picture, --out; then, of the files of several programs, the check.
+/// What is made to look at: --report, --picture, --charts.
+void add_report(Command& command, Arguments& arguments);
+
+/// Those, --events and --out; then, of the files of several programs, the check.
 void add_pages(Command& command, Arguments& arguments);
 
 /// --threads, of commands that work on several programs.

@@ -4,12 +4,12 @@
 #include <leadscrew/cli/adaptive_run.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/report_form.hpp>
 #include <leadscrew/cli/simulate.hpp>
 #include <leadscrew/drive/slides.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/pipeline/programmed_feed.hpp>
+#include <leadscrew/results/report_form.hpp>
 #include <leadscrew/results/simulation.hpp>
 
 namespace leadscrew::cli {
@@ -47,8 +47,10 @@ class Simulation {
     if (!figures) return figures;
     if (auto same = file.unchanged(); !same) return base::failure(same.error());
     if (outputs->recording() != nullptr) {
-      if (outputs->followed() != nullptr) observe_ideal_path(file, job_, *outputs->followed());
-      const auto report = report_of(file, job_, *figures, log_, *outputs->recording());
+      if (outputs->followed() != nullptr)
+        results::observe_ideal_path(silent_reader(file, job_), job_.start, *outputs->followed());
+      const auto report =
+          results::report_of({file, job_.arguments.command_line, log_.all(), *outputs->recording()}, *figures);
       if (!report) return base::failure(report.error());
       if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
     }
@@ -66,6 +68,7 @@ class Simulation {
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
+    if (outputs.recording() != nullptr) program.tell_feed();
     gcode::Reader reader = silent_reader(file, job_);
     const drive::LoopKind kind = job_.arguments.simulate.pulses ? drive::LoopKind::pulses : drive::LoopKind::words;
     auto slides = drive::Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
@@ -107,7 +110,7 @@ class Simulation {
     auto followed = slides.follow(word);
     if (!followed) return followed;
     if (!*followed) return followed;
-    const auto written = outputs.write((*followed)->word, (*followed)->position, slides.measured_feed());
+    const auto written = outputs.write(**followed, slides.measured_feed());
     if (!written) return base::failure(written.error());
     record(slides.take_contour(), slides, outputs);
     return followed;

@@ -27,7 +27,14 @@ constexpr std::string_view simulate_examples =
     "and a warning, force-sensor, says so. A sensor is stuck when 20 samples are alike to the last bit. An ideal one,\n"
     "--noise 0, may well say the same for longer, in air or between teeth, and is never taken for stuck.\n"
     "Depths are from places along the path on, S:DEPTH in mm. Rapid motion does not cut.\n"
-    "A trace holds the words, and in columns actual_X, … where the slides were. Exit status 1: slides left the\n"
+    "A trace holds the words, on until the slides stand, and behind them for each axis, at the word's t:\n"
+    "  actual_X    where the slide was, mm\n"
+    "  velocity_X  of the screw, by its tachometer, mm/s\n"
+    "  control_X   what the controller gives the drive from then on: mm/s² of a cascade, units of a PID, with "
+    "--pulses\n"
+    "              counts of the up-down counter\n"
+    "  current_X   of the motor, as the acceleration that it gives, mm/s²; of a rotary axis all in degrees\n"
+    "Exit status 1: slides left the\n"
     "tolerance (the program's, the machine's where that is greater), do not come to rest, or the force is beyond 1.25\n"
     "limits for longer than two turns and 150 ms; 3: a loop is not stable.\n";
 

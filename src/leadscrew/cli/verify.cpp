@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
+#include <leadscrew/report/traced_words.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
+#include <leadscrew/results/report_form.hpp>
 #include <leadscrew/trace/trace_reader.hpp>
 
 namespace leadscrew::cli {
@@ -17,8 +21,7 @@ constexpr std::int64_t rows_between_checks = 1024;
 
 class Verification {
  public:
-  Verification(const Job& job, Console& console, DiagnosticLog& log)
-      : job_(job), machine_(job.machine), console_(console), log_(log) {}
+  Verification(const Job& job, Console& console, DiagnosticLog& log) : job_(job), console_(console), log_(log) {}
 
   /// Empty where the log says why.
   std::optional<results::VerifyFigures> execute(const std::string& trace, const std::string& program) {
@@ -34,7 +37,12 @@ class Verification {
     }
     read_program(*program_file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
-    auto figures = judge(*trace_file, *program_file);
+    const OutputPaths paths = output_paths(job_.arguments, program);
+    if (auto sound = check_paths(paths, *program_file, job_.arguments); !sound) {
+      log_.add(sound.error());
+      return std::nullopt;
+    }
+    auto figures = judge(*trace_file, *program_file, paths);
     console_.clear_progress();
     if (figures) return std::move(*figures);
     log_.add(figures.error());
@@ -42,42 +50,72 @@ class Verification {
   }
 
  private:
-  base::Result<results::VerifyFigures> judge(const files::InputFile& trace, const files::InputFile& program) {
+  base::Result<results::VerifyFigures> judge(const files::InputFile& trace, const files::InputFile& program,
+                                             const OutputPaths& paths) {
     const auto period = job_.arguments.period ? base::Result<base::Period>(*job_.arguments.period)
-                                              : trace_period(trace, machine_.axis_set(), machine_.period);
+                                              : trace_period(trace, job_.machine.axis_set(), job_.machine.period);
     if (!period) return base::failure(period.error());
-    machine_.period = *period;
-    auto verdict = verdict_on(trace, program);
-    if (!verdict) return base::failure(verdict.error());
+    job_.machine.period = *period;
+    auto outputs = Outputs::open(paths, job_);
+    if (!outputs) return base::failure(outputs.error());
+    results::VerifyFigures figures{trace.name(), *period, {}};
+    if (auto judged = judge_rows(trace, program, figures, *outputs); !judged) return base::failure(judged.error());
     for (const files::InputFile* file : {&trace, &program}) {
       if (auto same = file->unchanged(); !same) return base::failure(same.error());
     }
-    return results::VerifyFigures{trace.name(), *period, std::move(*verdict)};
+    if (outputs->recording() != nullptr) {
+      const auto report =
+          results::report_of({program, job_.arguments.command_line, log_.all(), *outputs->recording()}, figures);
+      if (!report) return base::failure(report.error());
+      if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
+    }
+    auto files = outputs->publish();
+    if (!files) return base::failure(files.error());
+    figures.files = std::move(*files);
+    return figures;
   }
 
-  base::Result<referee::Verdict> verdict_on(const files::InputFile& trace, const files::InputFile& program) {
+  /// Verdict and length.
+  base::Result<void> judge_rows(const files::InputFile& trace, const files::InputFile& program,
+                                results::VerifyFigures& figures, Outputs& outputs) {
     Progress progress{.work = "judging", .total = trace.size()};
-    auto rows = trace::TraceReader::open(trace.source(&progress.bytes), trace.name(), machine_.axis_set());
+    auto rows = trace::TraceReader::open(trace.source(&progress.bytes), trace.name(), job_.machine.axis_set());
     if (!rows) return base::failure(rows.error());
     note_absent_axes(rows->axes(), trace.name());
     gcode::Reader reader = silent_reader(program, job_);
-    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine_, machine_.period,
+    referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,
                              files::interrupted);
+    words_.emplace(job_.machine.period);
     console_.begin_progress();
     while (true) {
       const auto row = rows->next();
       if (!row) return base::failure(row.error());
       if (!*row) break;
-      referee.observe(completed((*row)->position, rows->axes()), (*row)->feed);
+      const base::AxisVector position = completed((*row)->position, rows->axes());
+      referee.observe(position, (*row)->feed);
+      if (auto shown = show(position, (*row)->line, referee.matched(), outputs); !shown) return shown;
       if (++progress.words % rows_between_checks != 0) continue;
       if (files::interrupted()) return base::failure(files::interruption());
-      progress.motion_seconds = static_cast<double>(progress.words) * machine_.period.seconds();
+      progress.motion_seconds = static_cast<double>(progress.words) * job_.machine.period.seconds();
       console_.progress(progress);
     }
-    referee::Verdict verdict = referee.conclude();
+    figures.verdict = referee.conclude();
+    figures.length_mm = words_->length();
     if (files::interrupted()) return base::failure(files::interruption());
     if (reader.source_failure()) return base::failure(*reader.source_failure());
-    return verdict;
+    return {};
+  }
+
+  /// Where a page or a picture was asked for. A block is the trace's own, or the one that the row was matched to.
+  base::Result<void> show(const base::AxisVector& position, std::optional<std::int64_t> line,
+                          const referee::MatchedBlock& block, Outputs& outputs) {
+    const base::Word word = words_->next(position, line ? base::Line{*line} : block.line);
+    if (feed_ != block.feed) {
+      const double told = std::isinf(block.feed) ? 0 : block.feed;
+      outputs.write({{base::Event::Kind::programmed_feed, told, word.line, 0, false}, word.tick, word.path_length});
+      feed_ = block.feed;
+    }
+    return outputs.write(word);
   }
 
   /// Axes without a column stand where the program begins.
@@ -90,7 +128,7 @@ class Verification {
 
   void note_absent_axes(base::AxisSet given, const std::string& trace) {
     for (const base::Axis axis : base::all_axes) {
-      if (!machine_.has(axis) || given.contains(axis)) continue;
+      if (!job_.machine.has(axis) || given.contains(axis)) continue;
       log_.add({base::Severity::note,
                 "trace-axis",
                 fmt::format("no column {}", base::letter(axis)),
@@ -100,10 +138,11 @@ class Verification {
     }
   }
 
-  const Job& job_;
-  machine::Machine machine_;  ///< with the trace's period
+  Job job_;  ///< with the trace's period
   Console& console_;
   DiagnosticLog& log_;
+  std::optional<report::TracedWords> words_;
+  double feed_ = -1;  ///< of the last row's block
 };
 
 ProgramResult verify_program(const std::string& program, const Job& job, Console& console) {

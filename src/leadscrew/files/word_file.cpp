@@ -41,10 +41,11 @@ base::Result<void> WordFile::write_side(const std::string& path, const std::stri
   return side_->write(object.written() + "\n");
 }
 
-base::Result<void> WordFile::write(const base::Word& word, const base::AxisVector& actual) {
+base::Result<void> WordFile::write(const base::Word& word, trace::BesideWord beside) {
   if (!writer_) return {};
   for (; !events_.empty() && events_.front().tick <= word.tick; events_.pop_front()) laser_->observe(events_.front());
-  return writer_->write(word, {actual, laser_ ? laser_->at(word) : 0});
+  beside.power = laser_ ? laser_->at(word) : 0;
+  return writer_->write(word, beside);
 }
 
 base::Result<void> WordFile::finish() {

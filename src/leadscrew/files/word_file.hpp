@@ -31,8 +31,8 @@ class WordFile {
   void observe(const base::PassedEvent& event) {
     if (laser_) events_.push_back(event);
   }
-  /// `actual`: mm or degrees. Words without a file are passed over.
-  base::Result<void> write(const base::Word& word, const base::AxisVector& actual = {});
+  /// `beside`: but the power. Words without a file are passed over.
+  base::Result<void> write(const base::Word& word, trace::BesideWord beside = {});
   /// Words have ended: all of them are in the file, which has no name yet.
   base::Result<void> finish();
   /// The same, and gives the file its name.

@@ -111,8 +111,9 @@ std::string readable_time(double seconds) {
   };
   const std::string thousandths = padded(total % 1000, 3);
   if (total < 60'000) return std::to_string(total / 1000) + "." + thousandths + " s";
-  return std::to_string(total / 3'600'000) + ":" + padded(total / 60'000 % 60, 2) + ":" + padded(total / 1000 % 60, 2) +
-         "." + thousandths;
+  const std::int64_t hours = total / 3'600'000, minutes = total / 60'000 % 60;
+  return (hours > 0 ? std::to_string(hours) + ":" + padded(minutes, 2) : std::to_string(minutes)) + ":" +
+         padded(total / 1000 % 60, 2) + "." + thousandths;
 }
 
 std::string readable_distance(double mm) {

@@ -24,7 +24,7 @@ std::string fixed(double value, int decimals);
 /// finite.
 std::string readable(double value, int digits = 4);
 
-/// "12.345 s", "1:02:03.456" from a minute on.
+/// "12.345 s", "2:03.456" from a minute on, "1:02:03.456" from an hour on.
 std::string readable_time(double seconds);
 
 /// A small distance in the unit that suits it: mm, µm or nm.

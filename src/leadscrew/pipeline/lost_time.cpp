@@ -61,6 +61,7 @@ void LostTime::observe(const gcode::Move& move) {
   asked.block.line = move.line;
   asked.block.from = move.start;
   asked.block.to = move.end;
+  asked.block.middle = move.end;
   asked.block.feed_asked = asked.is_dwell ? 0 : feed_asked(move, asked.length);
   moves_.push_back(asked);
 }
@@ -142,6 +143,7 @@ void LostTime::account() {
   }
   lost_[held.cause] += period - least;
   if (asked == nullptr) return;
+  if (travelled_ <= asked->length / 2) asked->block.middle = before.position;
   travelled_ += feed_length;
   asked->block.length += feed_length;
   asked->block.feed_reached = std::max(asked->block.feed_reached, word.feed);

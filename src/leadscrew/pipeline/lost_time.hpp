@@ -40,6 +40,7 @@ std::vector<std::pair<Cause, double>> ranked(const LostByCause& lost);
 struct BlockTime {
   base::Line line{};
   base::AxisVector from{}, to{};  ///< as programmed, mm or degrees
+  base::AxisVector middle{};      ///< of the words, halfway along it
   double length = 0;              ///< travelled, as feed is counted
   double feed_asked = 0;          ///< mm/s or degrees/s; infinite for a rapid; 0 of a dwell
   double feed_reached = 0;        ///< the greatest

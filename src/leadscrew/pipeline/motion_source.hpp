@@ -56,6 +56,10 @@ class MotionSource {
   /// machine's own limits would have taken too much work (planner::Planner::simplified_sections).
   std::optional<base::Diagnostic> warning() const;
 
+  /// Before the first chunk: events say where a move begins whose feed is not that of the one before
+  /// (base::Event::Kind::programmed_feed).
+  void tell_feed() { builder_.tell_feed(); }
+
   /// Blocks of the program read so far.
   std::int64_t blocks() const { return reader_ ? reader_->blocks() : 0; }
   /// Was there no chunk for want of moves that are not known yet?

@@ -74,6 +74,8 @@ class Program {
 
   /// Before the first word: who is told of events.
   void on_event(EventSink sink) { events_ = std::move(sink); }
+  /// Before the first word: events of programmed feed come too (MotionSource::tell_feed).
+  void tell_feed() { source_.tell_feed(); }
   /// Called for each move before it is planned.
   void on_move(std::function<void(const gcode::Move&)> sink) { moves_ = std::move(sink); }
   /// Before the first word: how to ask whether the program is still the one that was checked

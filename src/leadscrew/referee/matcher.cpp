@@ -174,6 +174,7 @@ Passage Matcher::passage(std::size_t last) {
   }
   const Slot& matched = slot(nearest);
   result.line = matched.piece.line;
+  result.block_feed = matched.piece.feed.value;
   const bool stays = one_block && matched.piece.block == matched_.block;
   const double angle = matched.piece.angle_before + matched.next.place;
   if (stays && matched.piece.kind == Piece::Kind::arc &&

@@ -38,6 +38,8 @@ class Referee::Implementation {
     observe_finite(position, planned_feed);
   }
 
+  MatchedBlock matched() const { return {line_, block_feed_}; }
+
   Verdict conclude() {
     Verdict verdict;
     if (words_ == 0) {
@@ -76,6 +78,7 @@ class Referee::Implementation {
     const Point point = metric_.point(position);
     const Passage passage = words_ == 0 ? begin(point) : matcher_.observe(point, allowance_.observe(point));
     line_ = passage.line;
+    block_feed_ = passage.block_feed;
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
     if (const auto& departed = passage.deviation) {
       log_.add(time(), departed->line, "deviation", departed->value, departed->limit);
@@ -113,6 +116,7 @@ class Referee::Implementation {
   std::int64_t words_ = 0;
   base::AxisVector position_{};
   base::Line line_{};
+  double block_feed_ = 0;
   double start_error_ = 0;
 };
 
@@ -125,6 +129,10 @@ Referee& Referee::operator=(Referee&&) noexcept = default;
 
 void Referee::observe(const base::AxisVector& position, std::optional<double> planned_feed) {
   implementation_->observe(position, planned_feed);
+}
+
+MatchedBlock Referee::matched() const {
+  return implementation_->matched();
 }
 
 Verdict Referee::conclude() {

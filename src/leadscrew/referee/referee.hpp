@@ -57,6 +57,12 @@ struct Violation {
   double limit = 0;   ///< the same
 };
 
+/// The block that a word was matched to.
+struct MatchedBlock {
+  base::Line line{};
+  double feed = 0;  ///< programmed, mm/s or degrees/s; infinite for a rapid
+};
+
 /// What all words were.
 struct Verdict {
   double time_s = 0;  ///< words · period
@@ -92,6 +98,9 @@ class Referee {
   /// The next word: axis positions one period after the word before. `planned_feed`: base::Word::feed, where the trace
   /// tells it.
   void observe(const base::AxisVector& position, std::optional<double> planned_feed = {});
+
+  /// Of the word observed last; while several blocks are as near, of one of them.
+  MatchedBlock matched() const;
 
   /// After the last word: what remains of the program has not been visited.
   Verdict conclude();

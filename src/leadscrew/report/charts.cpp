@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <leadscrew/markup/markup.hpp>
 #include <leadscrew/report/charts.hpp>
+#include <span>
+#include <utility>
 
 namespace leadscrew::report {
 namespace {
@@ -14,7 +17,7 @@ using markup::tick_decimals;
 using markup::tick_step;
 
 constexpr double box_width = 400, box_height = 170, left = 46, gap = 60, margin = 20;
-constexpr double title_height = 56, caption_height = 26, below = 48;
+constexpr double title_height = 56, caption_height = 26, below = 48, key_height = 22;
 constexpr std::size_t columns = 2;
 constexpr double air = 1.06;  // above the greatest value
 
@@ -22,47 +25,72 @@ constexpr double air = 1.06;  // above the greatest value
 constexpr std::string_view style =
     "<style>text{font:500 12px system-ui,-apple-system,'Segoe UI',sans-serif;fill:#6b747c}.title{font-size:16px;"
     "font-weight:600}.name{font-size:13px;font-weight:600}path{fill:none}.grid{stroke:#7d868e;stroke-width:.5;"
-    "opacity:.45}.wanted{stroke:#d2622f;stroke-width:1.5;stroke-dasharray:5 4}.line{stroke:#2481b5;stroke-width:1.3;"
+    "opacity:.45}.wanted{stroke:#d2622f;stroke-width:1.5;stroke-dasharray:5 4}.line{stroke-width:1.3;"
     "stroke-linejoin:round}.end{text-anchor:end}.middle{text-anchor:middle}@media(prefers-color-scheme:dark){text{"
-    "fill:#9aa5ad}.line{stroke:#5db6d4}.wanted{stroke:#ee8f66}}</style>\n";
+    "fill:#9aa5ad}.wanted{stroke:#ee8f66}}";
+constexpr std::array<std::pair<std::string_view, std::string_view>, curve_colors> colors = {{{"#2481b5", "#5db6d4"},
+                                                                                             {"#2f9360", "#6cc79a"},
+                                                                                             {"#8f5fc0", "#b995e6"},
+                                                                                             {"#c2417c", "#ea86b3"},
+                                                                                             {"#8a7a1c", "#cdbb52"},
+                                                                                             {"#1d9a9a", "#5fd0cf"},
+                                                                                             {"#9a5f45", "#cf9a80"},
+                                                                                             {"#5f7fa8", "#9cb6d8"},
+                                                                                             {"#6b747c", "#a9b3ba"}}};
 
-/// The scale of values that all charts share: from 0, or from the least.
+std::string style_of_sheet() {
+  std::string light, dark;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    put(light, ".c", std::to_string(i), "{stroke:", colors[i].first, "}");
+    put(dark, ".c", std::to_string(i), "{stroke:", colors[i].second, "}");
+  }
+  return std::string(style) + light + "@media(prefers-color-scheme:dark){" + dark + "}</style>\n";
+}
+
+/// A scale of values: from 0, or from the least.
 struct Scale {
   double least = 0, greatest = 0;
 };
 
-Scale scale_of(const std::vector<Chart>& charts) {
+Scale scale_of(std::span<const Chart> charts) {
   Scale scale;
+  const auto include = [&](double value) {
+    if (!std::isfinite(value)) return;
+    scale.least = std::min(scale.least, value);
+    scale.greatest = std::max(scale.greatest, value);
+  };
   for (const Chart& chart : charts) {
-    for (const double value : chart.values) {
-      scale.least = std::min(scale.least, value);
-      scale.greatest = std::max(scale.greatest, value);
+    for (const Curve& curve : chart.curves) {
+      for (const Curve::Sample& sample : curve.samples) include(sample.value);
     }
-    scale.greatest = std::max(scale.greatest, chart.wanted.value_or(0));
+    for (const double level : chart.levels) include(level);
   }
-  scale.greatest = scale.greatest > scale.least ? scale.least + air * (scale.greatest - scale.least) : scale.least + 1;
+  const double more = (air - 1) * (scale.greatest - scale.least);
+  if (scale.least < 0) scale.least -= more;
+  scale.greatest = scale.greatest > scale.least ? scale.greatest + more : scale.least + 1;
   return scale;
+}
+
+double last_time(const Chart& chart) {
+  double last = 0;
+  for (const Curve& curve : chart.curves) {
+    if (!curve.samples.empty()) last = std::max(last, curve.samples.back().time);
+  }
+  return last > 0 ? last : 1;
 }
 
 class Panel {
  public:
   Panel(const Chart& chart, const Scale& scale, double x, double y)
-      : chart_(chart),
-        scale_(scale),
-        x_(x),
-        y_(y),
-        seconds_(std::max(chart.interval, chart.interval * static_cast<double>(chart.values.size()))) {}
+      : chart_(chart), scale_(scale), x_(x), y_(y), seconds_(last_time(chart)) {}
 
   void put_all(std::string& out) const {
     put_text(out, "name", x_, y_ - 8, escaped(chart_.title));
     put_value_ticks(out);
     put_time_ticks(out);
-    if (chart_.wanted)
-      put(out, "<path class=\"wanted\" d=\"M", at(0, *chart_.wanted), "h", fixed(box_width, 0), "\"/>");
-    put(out, "<path class=\"line\" d=\"");
-    for (std::size_t k = 0; k < chart_.values.size(); ++k)
-      put(out, k == 0 ? "M" : "L", at(chart_.interval * static_cast<double>(k), chart_.values[k]));
-    out += "\"/>\n";
+    for (const double level : chart_.levels)
+      put(out, "<path class=\"wanted\" d=\"M", at(0, level), "h", fixed(box_width, 0), "\"/>");
+    for (std::size_t i = chart_.curves.size(); i-- > 0;) put_curve(out, chart_.curves[i]);
   }
 
  private:
@@ -71,6 +99,13 @@ class Panel {
     return y_ + box_height * (scale_.greatest - value) / (scale_.greatest - scale_.least);
   }
   std::string at(double time, double value) const { return fixed(across(time), 1) + " " + fixed(down(value), 1); }
+
+  void put_curve(std::string& out, const Curve& curve) const {
+    put(out, "<path class=\"line c", std::to_string(curve.color), "\" d=\"");
+    for (std::size_t k = 0; k < curve.samples.size(); ++k)
+      put(out, k == 0 ? "M" : "L", at(curve.samples[k].time, curve.samples[k].value));
+    out += "\"/>\n";
+  }
 
   static void put_text(std::string& out, std::string_view kind, double x, double y, const std::string& text) {
     put(out, "<text class=\"", kind, "\" x=\"", fixed(x, 1), "\" y=\"", fixed(y, 1), "\">", text, "</text>\n");
@@ -99,25 +134,43 @@ class Panel {
   double seconds_;
 };
 
+void put_keys(std::string& out, const std::vector<ChartKey>& keys) {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double x = margin + left + static_cast<double>(i % columns) * (box_width + gap);
+    const double y = title_height + key_height * static_cast<double>(i / columns);
+    put(out, "<path class=\"line c", std::to_string(keys[i].color), "\" d=\"M", fixed(x, 1), " ", fixed(y - 4, 1),
+        "h26\"/><text x=\"", fixed(x + 34, 1), "\" y=\"", fixed(y, 1), "\">", escaped(keys[i].name), "</text>\n");
+  }
+}
+
 }  // namespace
 
-base::Result<void> write_charts(const std::string& title, const std::string& unit, const std::vector<Chart>& charts,
-                                const base::ByteSink& sink) {
-  const Scale scale = scale_of(charts);
-  const std::size_t rows = (charts.size() + columns - 1) / columns;
+Curve evenly_spaced(const std::vector<double>& values, double interval) {
+  Curve curve;
+  for (const double value : values)
+    curve.samples.push_back({interval * static_cast<double>(curve.samples.size()), value});
+  return curve;
+}
+
+base::Result<void> write_charts(const ChartSheet& sheet, const base::ByteSink& sink) {
+  const std::vector<Chart>& charts = sheet.charts;
+  const auto rows_of = [](std::size_t count) { return static_cast<double>((count + columns - 1) / columns); };
   const double down = caption_height + box_height + below;
   const double width = 2 * margin + columns * (left + box_width) + gap - left;
-  const double height = title_height + static_cast<double>(rows) * down + 4;
+  const double above = title_height + key_height * rows_of(sheet.keys.size());
+  const double height = above + rows_of(charts.size()) * down + 4;
   std::string out;
   put(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ", fixed(width, 0), " ", fixed(height, 0),
-      "\" width=\"", fixed(width, 0), "\" height=\"", fixed(height, 0), "\" role=\"img\">\n<title>", escaped(title),
-      "</title>\n", style, "<text class=\"title\" x=\"", fixed(margin, 0), "\" y=\"30\">", escaped(title), ", ",
-      escaped(unit), "</text>\n");
+      "\" width=\"", fixed(width, 0), "\" height=\"", fixed(height, 0), "\" role=\"img\">\n<title>",
+      escaped(sheet.title), "</title>\n", style_of_sheet(), "<text class=\"title\" x=\"", fixed(margin, 0),
+      "\" y=\"30\">", escaped(sheet.title), "</text>\n");
+  put_keys(out, sheet.keys);
+  const Scale common = scale_of(charts);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::size_t row = i / columns, column = i % columns;
     const double x = margin + left + static_cast<double>(column) * (box_width + gap);
-    const double y = title_height + caption_height + static_cast<double>(row) * down;
-    Panel(charts[i], scale, x, y).put_all(out);
+    const double y = above + caption_height + static_cast<double>(row) * down;
+    Panel(charts[i], sheet.same_scale ? common : scale_of(std::span(charts).subspan(i, 1)), x, y).put_all(out);
     if (auto written = sink(out); !written) return written;
     out.clear();
   }

@@ -3,18 +3,29 @@
 
 namespace leadscrew::report {
 
+namespace {
+
+constexpr std::array values_of_axis = {&FollowedAxis::error, &FollowedAxis::velocity, &FollowedAxis::control,
+                                       &FollowedAxis::current};
+
+}  // namespace
+
 FollowedRecording::FollowedRecording(base::AxisSet axes)
-    : axes_(axes), errors_(1 + static_cast<std::size_t>(axes.size())), contour_(1), ideal_(axes) {
+    : axes_(axes),
+      axes_of_words_(1 + values_of_axis.size() * static_cast<std::size_t>(axes.size())),
+      contour_(1),
+      ideal_(axes) {
   points_.reserve(most_points);
 }
 
-void FollowedRecording::observe(const base::AxisVector& commanded, const base::AxisVector& actual, double feed) {
-  double* values = errors_.sample();
+void FollowedRecording::observe(const std::array<FollowedAxis, base::axis_count>& axes, double feed) {
+  double* values = axes_of_words_.sample();
   *values++ = feed;
   for (const base::Axis axis : base::all_axes) {
-    if (axes_.contains(axis)) *values++ = commanded[base::index(axis)] - actual[base::index(axis)];
+    if (!axes_.contains(axis)) continue;
+    for (const auto value : values_of_axis) *values++ = axes[base::index(axis)].*value;
   }
-  errors_.take();
+  axes_of_words_.take();
   ++words_;
 }
 
@@ -41,13 +52,15 @@ void FollowedRecording::thin_points() {
   each_ *= 2;
 }
 
-std::span<const Extent> FollowedRecording::error(base::Axis axis) {
+std::span<const Extent> FollowedRecording::axis(base::Axis axis, double FollowedAxis::* value) {
+  if (!axes_.contains(axis)) return {};
   std::size_t channel = 1;
   for (const base::Axis other : base::all_axes) {
     if (other == axis) break;
-    if (axes_.contains(other)) ++channel;
+    if (axes_.contains(other)) channel += values_of_axis.size();
   }
-  return axes_.contains(axis) ? errors_.channel(channel) : std::span<const Extent>();
+  return axes_of_words_.channel(
+      channel + static_cast<std::size_t>(std::ranges::find(values_of_axis, value) - values_of_axis.begin()));
 }
 
 }  // namespace leadscrew::report

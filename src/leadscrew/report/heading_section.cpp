@@ -52,6 +52,10 @@ void add_broken_travel(std::vector<std::string>& broken, const PageContent& cont
   }
 }
 
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+  return readable(static_cast<double>(count), 15) + " " + std::string(count == 1 ? one : many);
+}
+
 void put_verdict(std::string& page, const PageContent& content) {
   const Report& report = content.report;
   const std::vector<std::string> broken = broken_promises(content);
@@ -60,8 +64,11 @@ void put_verdict(std::string& page, const PageContent& content) {
     put(page, "<div class=\"verdict bad\"><strong>▲ Has ",
         errors == 1 ? std::string("an error") : std::to_string(errors) + " errors",
         "</strong><a href=\"#diagnostics\">See the diagnostics.</a>");
-  } else if (!broken.empty()) {
+  } else if (!broken.empty() || report.violation_count > 0) {
     put(page, "<div class=\"verdict bad\"><strong>▲ Exceeds what was asked</strong>");
+    if (report.violation_count > 0)
+      put(page, "<a href=\"#violations\">The referee objects in ", counted(report.violation_count, "word", "words"),
+          ".</a>");
   } else if (content.recording.words() < 2) {
     put(page, "<div class=\"verdict idle\"><strong>Nothing moves</strong>The program asks for no motion.");
   } else {
@@ -81,14 +88,13 @@ void put_figure(std::string& page, std::string_view name, const std::string& val
   put(page, "<div><dt>", name, "</dt><dd>", value, more.empty() ? "" : "<small>" + more + "</small>", "</dd></div>\n");
 }
 
-std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
-  return readable(static_cast<double>(count), 15) + " " + std::string(count == 1 ? one : many);
-}
-
-double greatest_feed(const Recording& recording) {
-  double greatest = 0;
-  for (const Extent& extent : recording.feed()) greatest = std::max(greatest, extent.greatest);
-  return greatest;
+/// Programmed feed, and what rapids reach.
+std::string more_of_feed(const PageContent& content) {
+  const double programmed = content.report.feed_programmed_max, rapid = content.recording.greatest_rapid();
+  std::string text;
+  if (programmed > 0) text = "programmed " + readable(programmed * 60, 5);
+  if (rapid > 0) text += (text.empty() ? "rapids " : "; rapids ") + readable(rapid * 60, 5);
+  return text;
 }
 
 }  // namespace
@@ -116,21 +122,24 @@ std::vector<std::string> broken_promises(const PageContent& content) {
 
 void put_heading(std::string& page, const PageContent& content) {
   const Report& report = content.report;
-  put(page, "<header><p class=\"over\">Motion report · machine ", escaped(content.machine.name), "</p>\n<h1>",
-      escaped(report.title), "</h1>\n");
+  put(page, "<header><p class=\"over\">", report.plan ? "Motion report" : "Judgement of a trace", " · machine ",
+      escaped(content.machine.name), "</p>\n<h1>", escaped(report.title), "</h1>\n");
+  if (!report.program.empty()) put(page, "<p>Judged by ", escaped(report.program), ".</p>\n");
   put_verdict(page, content);
-  const double feed = greatest_feed(content.recording);
   put(page, "<dl class=\"figures\">\n");
   put_figure(page, "Time", readable_time(report.time_s),
-             "dwell " + readable_time(report.dwell_s) + "; without jerk limit " + readable_time(report.bound_s));
-  put_figure(page, "Path length", readable(report.length_mm, 7) + " mm", counted(report.moves, "move", "moves"));
+             report.plan ? "dwell " + readable_time(report.dwell_s) + "; without jerk limit " +
+                               readable_time(report.plan->bound_s)
+                         : "");
+  put_figure(page, "Path length", readable(report.length_mm, 7) + " mm",
+             report.plan ? counted(report.moves, "move", "moves") : "");
   put_figure(page, "Deviation", readable_distance(report.deviation_mm),
              "tolerance " + readable_distance(report.tolerance_mm));
-  put_figure(
-      page, "Greatest feed", readable(feed * 60, 5) + " mm/min",
-      report.feed_programmed_max > 0 ? "programmed " + readable(report.feed_programmed_max * 60, 5) + " mm/min" : "");
-  put_figure(page, "Program", counted(report.blocks, "block", "blocks"), "");
-  put_figure(page, "Reference words", readable(static_cast<double>(report.words), 15),
+  put_figure(page, "Greatest feed", readable(content.recording.greatest_feed() * 60) + " mm/min",
+             more_of_feed(content));
+  if (report.plan) put_figure(page, "Program", counted(report.plan->blocks, "block", "blocks"), "");
+  put_figure(page, report.plan ? "Reference words" : "Rows of the trace",
+             readable(static_cast<double>(report.words), 15),
              "every " + readable(content.period.seconds() * 1e3) + " ms");
   put(page, "</dl></header>\n");
 }

@@ -1,4 +1,10 @@
 'use strict';
+// A block that loses time and its places in the pictures light up together.
+for (const one of document.querySelectorAll('[data-place]')) {
+  const all = document.querySelectorAll('[data-place="' + one.dataset.place + '"]');
+  one.addEventListener('pointerenter', () => all.forEach(place => place.classList.add('shown')));
+  one.addEventListener('pointerleave', () => all.forEach(place => place.classList.remove('shown')));
+}
 (() => {
   const holder = document.getElementById('channels');
   if (!holder) return;

@@ -22,6 +22,9 @@ inline constexpr double keeps_up_to = 1.001;
 /// "mm" or "°".
 std::string_view unit(base::Axis axis);
 
+/// The text of a line that a table of blocks names, where it is known.
+std::string_view source_of(const Report& report, base::Line line);
+
 /// The verdict in a sentence for each promise that is broken; empty when all are kept.
 std::vector<std::string> broken_promises(const PageContent& content);
 
@@ -29,15 +32,18 @@ void put_heading(std::string& page, const PageContent& content);       ///< titl
 void put_path_section(std::string& page, const PageContent& content);  ///< the path from all sides
 /// Ideal, commanded and actual path, errors magnified; nothing without slides.
 void put_followed_section(std::string& page, const PageContent& content);
-void put_time_section(std::string& page, const PageContent& content);   ///< feed and axes over time
-void put_limit_section(std::string& page, const PageContent& content);  ///< table of ratios
-void put_block_section(std::string& page, const PageContent& content);  ///< slowest, nearest to a limit
-void put_event_section(std::string& page, const PageContent& content);  ///< what the program asked for on its way
+/// What holds motion below its feed words, and the blocks that lose most; nothing where that was not asked.
+void put_loss_section(std::string& page, const PageContent& content);
+void put_time_section(std::string& page, const PageContent& content);       ///< feed and axes over time
+void put_limit_section(std::string& page, const PageContent& content);      ///< table of ratios
+void put_violation_section(std::string& page, const PageContent& content);  ///< nothing where there is none
+void put_block_section(std::string& page, const PageContent& content);      ///< slowest, nearest to a limit
+void put_event_section(std::string& page, const PageContent& content);      ///< what the program asked for on its way
 void put_diagnostics(std::string& page, const PageContent& content);
 void put_origin(std::string& page, const PageContent& content);  ///< how to make the page again
 
-/// The files page.css and page.js, embedded. The page is complete without the script, which adds the shared cursor and
-/// zoom to the charts over time: with every zoom the bands and the time ticks are drawn anew from the bins, which are
+/// The files page.css and page.js, embedded. The page is complete without the script, which lights up the places of
+/// blocks that lose time, and adds the shared cursor and zoom to the charts over time: with every zoom the bands and the time ticks are drawn anew from the bins, which are
 /// finer than what the page shows at first.
 extern const std::string_view page_css, page_js;
 

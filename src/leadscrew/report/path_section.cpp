@@ -135,8 +135,19 @@ void put_box(std::string& out, std::span<const PathPoint> path, const Placement&
       "\" text-anchor=\"middle\">Z</text>\n");
 }
 
+/// Where the blocks are that lose most time, by their numbers in the table; the first on top.
+void put_places(std::string& page, const View& view, std::span<const LostBlock> blocks, const Placement& placement) {
+  for (std::size_t i = blocks.size(); i-- > 0;) {
+    const Seen seen = seen_from(view.side, blocks[i].middle);
+    const std::string rank = std::to_string(i + 1);
+    put(page, "<a class=\"place\" data-place=\"", rank, "\" href=\"#lost", rank, "\"><circle cx=\"",
+        fixed(placement.x(seen.right), 1), "\" cy=\"", fixed(placement.y(seen.up), 1), "\" r=\"8\"/><text x=\"",
+        fixed(placement.x(seen.right), 1), "\" y=\"", fixed(placement.y(seen.up) + 4, 1), "\">", rank, "</text></a>");
+  }
+}
+
 void put_card(std::string& page, const View& view, std::span<const PathPoint> path, const Scales& scales,
-              const SpeedScale& speeds) {
+              const SpeedScale& speeds, std::span<const LostBlock> lost) {
   const SeenExtent extent = shown_extent(path, view.side);
   const Placement placement = centred(extent, scales.of(extent), left, above, plot_width, plot_height);
   put(page, "<figure class=\"card\"><figcaption><b>", view.name, "</b> ");
@@ -153,10 +164,14 @@ void put_card(std::string& page, const View& view, std::span<const PathPoint> pa
     put_ruler(page, view, placement);
   }
   put_strokes(page, path, view.side, placement, speeds, 1.5);
+  put_places(page, view, lost, placement);
   put(page, "</svg></figure>\n");
 }
 
-void put_color_bar(std::string& page, const SpeedScale& speeds) {
+void put_color_bar(std::string& page, const SpeedScale& speeds, bool has_rapids) {
+  const std::string_view rapids = has_rapids ? "<i class=\"rapid\"></i>rapids. " : "";
+  constexpr std::string_view marks_text = "Ring: start; square: end.";
+  if (!(speeds.greatest > 0)) return put(page, "<p class=\"note keys\">", rapids, marks_text, "</p>\n");
   put(page, "<div class=\"speeds\"><div class=\"bar\" aria-hidden=\"true\">");
   for (std::size_t i = 0; i < speed_levels; ++i) put(page, "<i class=\"v", std::to_string(i), "\"></i>");
   put(page, "</div><div class=\"marks\">");
@@ -175,8 +190,8 @@ void put_color_bar(std::string& page, const SpeedScale& speeds) {
     const char* edge = place > 0.99 ? " class=\"e\"" : place < 0.01 ? " class=\"b\"" : "";
     put(page, "<span", edge, " style=\"left:", fixed(place * 100, 1), "%\">", readable(mark, 3), "</span>");
   }
-  put(page, "</div><p class=\"note\">Speed along the path, mm/min",
-      speeds.square_root ? ", on a square-root scale. " : ". ", "Ring: start; square: end.</p></div>\n");
+  put(page, "</div><p class=\"note keys\">", has_rapids ? "Speed of feed moves" : "Speed along the path", ", mm/min",
+      speeds.square_root ? ", on a square-root scale. " : ". ", rapids, marks_text, "</p></div>\n");
 }
 
 }  // namespace
@@ -186,22 +201,23 @@ void put_path_section(std::string& page, const PageContent& content) {
   for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
     if (content.machine.has(axis)) axes.insert(axis);
   }
-  put(page, "<section><h2>Path</h2>\n");
+  put(page, "<section id=\"path\"><h2>Path</h2>\n");
   if (content.recording.path().empty() || axes.empty()) {
     put(page, "<p class=\"note\">", axes.empty() ? "The machine has none of the axes X Y Z." : "Nothing was recorded.",
         "</p></section>\n");
     return;
   }
-  const std::vector<PathPoint> path = thinned_to(content.recording.path(), axes, most_points,
-                                                 {0.001, 0.01 * speed_scale(content.recording.path()).greatest});
-  const SpeedScale speeds = speed_scale(path);
+  const std::vector<PathPoint> path =
+      thinned_to(content.recording.path(), axes, most_points, {0.001, 0.01 * content.recording.greatest_feed()});
+  const SpeedScale speeds = speed_scale(path, content.recording.greatest_feed());
   const Scales scales = scales_of(path);
-  put_color_bar(page, speeds);
+  const std::vector<LostBlock> lost = content.recording.dearest_blocks();
+  put_color_bar(page, speeds, has_rapids(path));
   put(page, "<div class=\"views\">\n");
-  for (const View& view : views) put_card(page, view, path, scales, speeds);
+  for (const View& view : views) put_card(page, view, path, scales, speeds, lost);
   put(page, "</div>\n<p class=\"note\">Positions of the axes. ",
       scales.differ ? "Each view has its own scale, equal in both directions." : "All views are at the same scale.",
-      "</p></section>\n");
+      lost.empty() ? "" : " Numbers: the blocks that <a href=\"#losses\">lose most time</a>.", "</p></section>\n");
 }
 
 }  // namespace leadscrew::report

@@ -37,13 +37,15 @@ bool is_flat(std::span<const PathPoint> path) {
 void put_style(std::string& out) {
   put(out,
       "<style>text{font:500 13px system-ui,-apple-system,'Segoe UI',sans-serif;fill:#6b747c}.title{font-size:16px;",
-      "font-weight:600}.mark{stroke:#7d868e;stroke-width:14}.rule{stroke:#7d868e;fill:none}",
+      "font-weight:600}.mark{stroke:#7d868e;stroke-width:14}.rule,.rapid{stroke:#7d868e;fill:none}",
       stroke_rules(Background::either), "@media(prefers-color-scheme:dark){text{fill:#9aa5ad}",
       stroke_rules(Background::dark), "}</style>\n");
 }
 
+constexpr double bar_width = 192;
+
 void put_color_bar(std::string& out, const SpeedScale& speeds, double x, double y) {
-  constexpr double bar_width = 192, step = bar_width / speed_levels;
+  constexpr double step = bar_width / speed_levels;
   out += "<g stroke-width=\"8\">";
   for (std::size_t i = 0; i < speed_levels; ++i) {
     const double left = x + step * static_cast<double>(i);
@@ -53,6 +55,11 @@ void put_color_bar(std::string& out, const SpeedScale& speeds, double x, double 
   put(out, "</g>\n<text x=\"", fixed(x, 1), "\" y=\"", fixed(y + 21, 1), "\">0</text><text x=\"",
       fixed(x + bar_width, 1), "\" y=\"", fixed(y + 21, 1), "\" text-anchor=\"end\">",
       readable(speeds.greatest * 60, 3), " mm/min</text>\n");
+}
+
+void put_rapid_key(std::string& out, double x, double y) {
+  put(out, "<path class=\"rapid\" stroke-dasharray=\"4.5 3.5\" d=\"M", fixed(x, 1), " ", fixed(y, 1),
+      "h44\"/><text x=\"", fixed(x, 1), "\" y=\"", fixed(y + 21, 1), "\">rapids</text>\n");
 }
 
 void put_scale_bar(std::string& out, double scale, double right, double y) {
@@ -67,8 +74,8 @@ void put_scale_bar(std::string& out, double scale, double right, double y) {
 
 base::Result<void> write_path_svg(const std::string& title, const Recording& recording, const base::ByteSink& sink) {
   const std::vector<PathPoint> path =
-      thinned_to(recording.path(), linear_axes(), most_points, {0.001, 0.01 * speed_scale(recording.path()).greatest});
-  const SpeedScale speeds = speed_scale(path);
+      thinned_to(recording.path(), linear_axes(), most_points, {0.001, 0.01 * recording.greatest_feed()});
+  const SpeedScale speeds = speed_scale(path, recording.greatest_feed());
   const ViewSide side = is_flat(path) ? ViewSide::top : ViewSide::isometric;
   const SeenExtent extent = extent_of(path, side);
 
@@ -88,7 +95,9 @@ base::Result<void> write_path_svg(const std::string& title, const Recording& rec
   put_style(out);
   put(out, "<text class=\"title\" x=\"", fixed(margin, 0), "\" y=\"28\">", escaped(title, 80), "</text>\n");
   put_strokes(out, path, side, placement, speeds, 1.4);
-  put_color_bar(out, speeds, margin, height - 32);
+  const bool has_colors = speeds.greatest > 0;
+  if (has_colors) put_color_bar(out, speeds, margin, height - 32);
+  if (has_rapids(path)) put_rapid_key(out, margin + (has_colors ? bar_width + 30 : 0), height - 32);
   put_scale_bar(out, scale, width - margin, height - 32);
   out += "</svg>\n";
   return sink(out);

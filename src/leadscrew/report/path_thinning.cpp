@@ -58,8 +58,9 @@ bool PathThinner::offer(const PathPoint& point) {
     step += std::fabs(point.position[axis] - last_.position[axis]);
   }
   if (step == 0) return false;  // standing still
+  const bool changes = distance_ > 0 && point.is_rapid != last_.is_rapid;
   distance_ += step;
-  const bool keeps = !within_bands(point);
+  const bool keeps = changes || !within_bands(point);
   if (keeps) {
     anchor_ = last_;
     open_bands();

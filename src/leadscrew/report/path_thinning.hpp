@@ -10,6 +10,8 @@
 //       anchor ●' · .                           the anchor. Work and memory per point are constant.
 //              └───────────────────▶ d
 //
+// Where a rapid and a feed move meet, the point between them is kept.
+//
 // After H. Elmeleegy et al., "Online piece-wise linear approximation of numerical streams with precision guarantees",
 // VLDB 2009.
 

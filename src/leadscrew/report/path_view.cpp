@@ -11,7 +11,8 @@ namespace {
 using markup::fixed;
 using markup::put;
 
-constexpr double per_unit = 10;  // strokes are drawn in tenths of a unit, so that coordinates are short integers
+constexpr double rapid_width = 0.6;  // of the strokes of feed moves
+constexpr double per_unit = 10;      // strokes are drawn in tenths of a unit, so that coordinates are short integers
 
 struct Pixel {
   long x = 0;
@@ -91,12 +92,14 @@ void put_strokes(std::string& out, std::span<const PathPoint> path, ViewSide sid
                  const SpeedScale& speeds, double stroke_width) {
   if (path.empty()) return;
   std::array<Level, speed_levels> levels;
+  Level rapids;
   Pixel from = pixel(seen_from(side, path[0].position), placement);
   const Pixel start = from;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Pixel to = pixel(seen_from(side, path[i].position), placement);
     if (to == from) continue;
-    Level& level = levels[speeds.level((path[i - 1].feed + path[i].feed) / 2)];
+    const double feed = path[i - 1].is_rapid ? path[i].feed : (path[i - 1].feed + path[i].feed) / 2;
+    Level& level = path[i].is_rapid ? rapids : levels[speeds.level(feed)];
     const bool goes_on = !level.data.empty() && level.pen == from;
     if (!goes_on) put_pair(level.data, 'M', from);
     put_pair(level.data, goes_on ? '\0' : 'l', {to.x - from.x, to.y - from.y});
@@ -105,12 +108,20 @@ void put_strokes(std::string& out, std::span<const PathPoint> path, ViewSide sid
   }
   put(out, "<g class=\"strokes\" transform=\"scale(.1)\" fill=\"none\" stroke-width=\"",
       fixed(stroke_width * per_unit, 1), "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">");
+  if (!rapids.data.empty()) {
+    put(out, "<path class=\"rapid\" stroke-width=\"", fixed(rapid_width * stroke_width * per_unit, 1),
+        "\" stroke-dasharray=\"45 35\" stroke-linecap=\"butt\" d=\"", rapids.data, "\"/>\n");
+  }
   for (std::size_t i = speed_levels; i-- > 0;) {
     if (!levels[i].data.empty()) put(out, "<path class=\"v", std::to_string(i), "\" d=\"", levels[i].data, "\"/>\n");
   }
   put_mark(out, "start", start);
   put_mark(out, "end", from);
   out += "</g>\n";
+}
+
+bool has_rapids(std::span<const PathPoint> path) {
+  return std::ranges::any_of(path, &PathPoint::is_rapid);
 }
 
 std::string stroke_rules(Background background) {

@@ -41,7 +41,10 @@ struct Placement {
 /// Puts the middle of the extent into the middle of a rectangle.
 Placement centred(const SeenExtent& extent, double scale, double x, double y, double width, double height);
 
-/// The strokes, with classes v0 … v23 by speed, slow ones above fast ones, and marks at start (ring) and end (square).
+bool has_rapids(std::span<const PathPoint> path);
+
+/// The strokes, with classes v0 … v23 by speed, slow ones above fast ones, all above those of rapids (class rapid: thin and
+/// dashed), and marks at start (ring) and end (square).
 void put_strokes(std::string& out, std::span<const PathPoint> path, ViewSide side, const Placement& placement,
                  const SpeedScale& speeds, double stroke_width);
 

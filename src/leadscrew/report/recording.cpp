@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 
 namespace leadscrew::report {
@@ -39,6 +40,10 @@ class Recording::Implementation {
   void observe(const base::Word& word) {
     if (envelope_.samples() == 0) begin(word);
     if (word.line != block_.line) begin_block(word.line);
+    for (; !feeds_.empty() && feeds_.front().tick <= word.tick; feeds_.pop_front())
+      is_rapid_ = feeds_.front().value == 0;
+    double& greatest = is_rapid_ ? greatest_rapid_ : greatest_feed_;
+    if (std::isfinite(word.feed)) greatest = std::max(greatest, word.feed);
     double* values = envelope_.sample();
     *values++ = word.feed;
     for (AxisDifferences& axis : axes_) {
@@ -47,7 +52,7 @@ class Recording::Implementation {
       values += orders;
     }
     envelope_.take();
-    path_.observe({word.position, word.feed});
+    path_.observe({word.position, is_rapid_ ? 0 : word.feed, is_rapid_});
     last_tick_ = word.tick;
     block_.duration = base::seconds(base::Tick{base::count(word.tick) - base::count(block_begins_)}, period_);
     block_.length = word.path_length - block_begins_at_;
@@ -70,11 +75,16 @@ class Recording::Implementation {
 
   std::span<const PathPoint> path() { return path_.points(); }
   void observe(const base::PassedEvent& event) {
+    if (!base::is_of_program(event.kind)) return feeds_.push_back(event);
     ++event_count_;
     if (events_.size() < most_events) events_.push_back(event);
   }
   std::int64_t event_count() const { return event_count_; }
   std::span<const base::PassedEvent> events() const { return events_; }
+  void observe(const LostBlock& block) { dearest_.offer(block); }
+  double greatest_feed() const { return greatest_feed_; }
+  double greatest_rapid() const { return greatest_rapid_; }
+  std::vector<LostBlock> dearest() const { return dearest_.list(); }
   std::vector<BlockFigures> slowest() const { return slowest_.with(block_); }
   std::vector<BlockFigures> nearest() const { return nearest_.with(block_); }
 
@@ -151,8 +161,12 @@ class Recording::Implementation {
   static constexpr std::size_t most_events = 200;
   std::int64_t event_count_ = 0;
   std::vector<base::PassedEvent> events_;
-  WorstBlocks<&BlockFigures::duration> slowest_;
-  WorstBlocks<&BlockFigures::worst_ratio> nearest_;
+  std::deque<base::PassedEvent> feeds_;  ///< of words that have not come
+  bool is_rapid_ = false;
+  double greatest_feed_ = 0, greatest_rapid_ = 0;
+  WorstBlocks<BlockFigures, &BlockFigures::duration> slowest_;
+  WorstBlocks<BlockFigures, &BlockFigures::worst_ratio> nearest_;
+  WorstBlocks<LostBlock, &LostBlock::lost> dearest_;
 };
 
 Recording::Recording(const machine::Machine& machine, base::Period period)
@@ -167,6 +181,9 @@ void Recording::observe(const base::Word& word) {
 void Recording::observe(const base::PassedEvent& event) {
   implementation_->observe(event);
 }
+void Recording::observe(const LostBlock& block) {
+  implementation_->observe(block);
+}
 std::int64_t Recording::words() const {
   return implementation_->words();
 }
@@ -179,6 +196,12 @@ double Recording::bin_seconds() const {
 std::span<const Extent> Recording::feed() const {
   return implementation_->feed();
 }
+double Recording::greatest_feed() const {
+  return implementation_->greatest_feed();
+}
+double Recording::greatest_rapid() const {
+  return implementation_->greatest_rapid();
+}
 std::span<const Extent> Recording::axis(base::Axis axis, int order) const {
   return implementation_->axis(axis, order);
 }
@@ -190,6 +213,9 @@ std::vector<BlockFigures> Recording::slowest_blocks() const {
 }
 std::vector<BlockFigures> Recording::nearest_to_limit() const {
   return implementation_->nearest();
+}
+std::vector<LostBlock> Recording::dearest_blocks() const {
+  return implementation_->dearest();
 }
 std::int64_t Recording::event_count() const {
   return implementation_->event_count();

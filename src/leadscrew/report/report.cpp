@@ -43,7 +43,9 @@ base::Result<void> write_report(const Report& report, const Recording& recording
       escaped(report.title), " – motion report</title>\n<style>", page_style(), "</style>\n</head>\n<body>\n<main>\n");
   put_heading(page, content);
   put_path_section(page, content);
+  put_loss_section(page, content);
   put_followed_section(page, content);
+  put_violation_section(page, content);
   put_time_section(page, content);
   put_limit_section(page, content);
   put_block_section(page, content);

@@ -8,6 +8,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/report/followed_recording.hpp>
 #include <leadscrew/report/recording.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,18 +22,46 @@ struct AxisRatios {
   double planned_velocity = 0, planned_acceleration = 0, planned_jerk = 0;  ///< analytically, from the plan
 };
 
+/// Time that motion takes beyond its feed words, by what holds it.
+struct Loss {
+  std::string cause;  ///< "acceleration Z", "stop"
+  double seconds = 0;
+};
+
+/// What the referee objects to in one block.
+struct Violation {
+  base::Line line{};
+  std::string what;            ///< "X jerk", "deviation", "feed"
+  std::int64_t count = 0;      ///< of words
+  double first = 0, last = 0;  ///< s
+  double value = 0;            ///< the worst; mm, degrees and seconds
+  double limit = 0;            ///< at the worst
+};
+inline constexpr std::size_t most_violations = 100;  ///< that a page shows
+
+/// What only whoever planned the motion knows.
+struct Plan {
+  /// The least time on this path within velocity, acceleration and feed, without a limit of jerk.
+  double bound_s = 0;
+  std::int64_t blocks = 0;  ///< read
+};
+
 struct Report {
-  std::string title;    ///< the program's name
+  std::string title;    ///< the program's name; the trace's, where it was judged
+  std::string program;  ///< that a trace was judged by; empty otherwise
   std::string version;  ///< of Leadscrew
   std::string command;  ///< the command line that makes this report again
   double time_s = 0, dwell_s = 0;
-  double bound_s = 0;  ///< the least time on this path within velocity, acceleration and feed, without a limit of jerk
   double length_mm = 0;
-  std::int64_t blocks = 0, moves = 0, words = 0;
+  std::int64_t moves = 0, words = 0;
+  std::optional<Plan> plan;  ///< none of a trace
   double deviation_mm = 0, tolerance_mm = 0;
   double feed_programmed_max = 0;  ///< mm/s
   double feed_max_ratio = 0;
-  std::vector<AxisRatios> limits;
+  std::vector<AxisRatios> limits;     ///< without a plan, what is planned is 0
+  std::vector<Violation> violations;  ///< the first of them, in the order of time
+  std::int64_t violation_count = 0;   ///< of words, all
+  std::vector<Loss> losses;           ///< the dearest first; empty where they were not looked for
   std::vector<base::Diagnostic> diagnostics;
   std::vector<std::pair<base::Line, std::string>> source;  ///< text of the lines that the tables of blocks name
 };
@@ -41,6 +70,10 @@ struct Report {
 /// null.
 base::Result<void> write_report(const Report& report, const Recording& recording, const machine::Machine& machine,
                                 base::Period period, const base::ByteSink& sink, FollowedRecording* followed = nullptr);
+
+/// Writes position, velocity, acceleration and jerk of the axes over time as an SVG picture, against their limits.
+base::Result<void> write_motion_charts(const std::string& title, const Recording& recording,
+                                       const machine::Machine& machine, const base::ByteSink& sink);
 
 /// Writes the path alone as an SVG picture (isometric view, coloured by speed), for light and dark pages.
 base::Result<void> write_path_svg(const std::string& title, const Recording& recording, const base::ByteSink& sink);

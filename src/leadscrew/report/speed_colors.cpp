@@ -51,12 +51,11 @@ std::size_t SpeedScale::level(double feed) const {
   return std::min(static_cast<std::size_t>(place(feed) * static_cast<double>(speed_levels)), speed_levels - 1);
 }
 
-SpeedScale speed_scale(std::span<const PathPoint> path) {
-  SpeedScale scale;
+SpeedScale speed_scale(std::span<const PathPoint> path, double greatest) {
+  SpeedScale scale{greatest};
   double length = 0, feed_by_length = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    if (std::isfinite(path[i].feed)) scale.greatest = std::max(scale.greatest, path[i].feed);
-    if (i == 0) continue;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (path[i].is_rapid) continue;
     const auto& a = path[i - 1].position;
     const auto& b = path[i].position;
     const double step = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);

@@ -18,8 +18,9 @@ enum class Background { light, dark, either };
 /// "#rrggbb" of a level in [0, speed_levels).
 std::string speed_color(std::size_t level, Background background);
 
-/// From speed to place on the ramp, 0 … 1. Where most of the path is much slower than its fastest part, as with rapids,
-/// the square root of the speed is shown instead of the speed, so that differences among slow parts can be seen.
+/// From the speed of feed moves to the place on the ramp, 0 … 1; rapids have no part in it. Where most of the path is much
+/// slower than its fastest part, the square root of the speed is shown instead of the speed, so that differences among
+/// slow parts can be seen.
 struct SpeedScale {
   double greatest = 0;  ///< mm/s
   bool square_root = false;
@@ -28,6 +29,7 @@ struct SpeedScale {
   std::size_t level(double feed) const;
 };
 
-SpeedScale speed_scale(std::span<const PathPoint> path);
+/// greatest: speed of all feed moves, mm/s.
+SpeedScale speed_scale(std::span<const PathPoint> path, double greatest);
 
 }  // namespace leadscrew::report

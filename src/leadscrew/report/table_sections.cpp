@@ -24,15 +24,10 @@ void put_ratio(std::string& page, double ratio) {
       "<span class=\"gauge\"><i style=\"width:", fixed(std::clamp(ratio, 0.0, 1.0) * 100, 1), "%\"></i></span></td>");
 }
 
-std::string_view source_of(const Report& report, base::Line line) {
-  const auto found = std::ranges::find(report.source, line, [](const auto& entry) { return entry.first; });
-  return found == report.source.end() ? std::string_view() : std::string_view(found->second);
-}
-
-void put_line_and_source(std::string& page, const Report& report, const BlockFigures& block) {
-  const std::string source = escaped(source_of(report, block.line), 120);
-  put(page, "<tr><td>", std::to_string(base::number(block.line)), "</td><td class=\"source\" title=\"", source, "\">",
-      source, "</td>");
+void put_line_and_source(std::string& page, const Report& report, base::Line line) {
+  const std::string source = escaped(source_of(report, line), 120);
+  put(page, "<td>", std::to_string(base::number(line)), "</td><td class=\"source\" title=\"", source, "\">", source,
+      "</td>");
 }
 
 std::string_view order_name(int order) {
@@ -45,9 +40,10 @@ void put_slowest(std::string& page, const PageContent& content) {
       "class=\"text\">Block</th>"
       "<th>From</th><th>Takes</th><th>Length</th></tr></thead><tbody>\n");
   for (const BlockFigures& block : content.recording.slowest_blocks()) {
-    put_line_and_source(page, content.report, block);
+    put(page, "<tr>");
+    put_line_and_source(page, content.report, block.line);
     put(page, "<td>", readable_time(block.t_begin), "</td><td>", readable_time(block.duration), "</td><td>",
-        readable(block.length), " mm</td></tr>\n");
+        readable(std::round(block.length * 1e4) / 1e4), " mm</td></tr>\n");
   }
   put(page, "</tbody></table></div></div>\n");
 }
@@ -57,7 +53,8 @@ void put_nearest(std::string& page, const PageContent& content) {
       "<div><h3>The blocks nearest to a limit</h3>\n<div class=\"scroll\"><table><thead><tr><th>Line</th>"
       "<th class=\"text\">Block</th><th>From</th><th class=\"text\">Limit</th><th>Reaches</th></tr></thead><tbody>\n");
   for (const BlockFigures& block : content.recording.nearest_to_limit()) {
-    put_line_and_source(page, content.report, block);
+    put(page, "<tr>");
+    put_line_and_source(page, content.report, block.line);
     put(page, "<td>", readable_time(block.t_begin), "</td><td class=\"text\">",
         std::string(1, base::letter(block.worst_axis)), " ", order_name(block.worst_order), "</td><td",
         block.worst_ratio > keeps_up_to ? " class=\"over-limit\"" : "", ">", percent(block.worst_ratio),
@@ -95,24 +92,63 @@ void put_diagnostic(std::string& page, const base::Diagnostic& diagnostic) {
 
 }  // namespace
 
+std::string_view source_of(const Report& report, base::Line line) {
+  const auto found = std::ranges::find(report.source, line, [](const auto& entry) { return entry.first; });
+  return found == report.source.end() ? std::string_view() : std::string_view(found->second);
+}
+
 void put_limit_section(std::string& page, const PageContent& content) {
   if (content.report.limits.empty()) return;
+  const bool has_plan = content.report.plan.has_value();
   put(page,
       "<section><h2>Limits</h2>\n<p class=\"note\">Greatest value over the machine’s limit. Measured: differences of "
-      "the reference words, less what rounding can add to them. Planned: evaluated from the plan itself.</p>\n"
-      "<div class=\"scroll\"><table><thead><tr><th rowspan=\"2\">Axis</th><th colspan=\"2\">Velocity</th>"
-      "<th colspan=\"2\">Acceleration</th><th colspan=\"2\">Jerk</th></tr><tr>");
-  for (int i = 0; i < 3; ++i) put(page, "<th>measured</th><th>planned</th>");
+      "the words, less what rounding can add to them. ",
+      has_plan ? "Planned: evaluated from the plan itself." : "", "</p>\n<div class=\"scroll\"><table><thead>");
+  if (has_plan) {
+    put(page,
+        "<tr><th rowspan=\"2\">Axis</th><th colspan=\"2\">Velocity</th><th colspan=\"2\">Acceleration</th>"
+        "<th colspan=\"2\">Jerk</th></tr><tr>");
+    for (int i = 0; i < 3; ++i) put(page, "<th>measured</th><th>planned</th>");
+  } else {
+    put(page, "<tr><th>Axis</th><th>Velocity</th><th>Acceleration</th><th>Jerk</th>");
+  }
   put(page, "</tr></thead><tbody>\n");
   for (const AxisRatios& ratios : content.report.limits) {
     put(page, "<tr><td>", std::string(1, base::letter(ratios.axis)), "</td>");
-    for (const double ratio : {ratios.velocity, ratios.planned_velocity, ratios.acceleration,
-                               ratios.planned_acceleration, ratios.jerk, ratios.planned_jerk}) {
-      put_ratio(page, ratio);
+    for (const auto& [measured, planned] : {std::pair(ratios.velocity, ratios.planned_velocity),
+                                            {ratios.acceleration, ratios.planned_acceleration},
+                                            {ratios.jerk, ratios.planned_jerk}}) {
+      put_ratio(page, measured);
+      if (has_plan) put_ratio(page, planned);
     }
     put(page, "</tr>\n");
   }
   put(page, "</tbody></table></div></section>\n");
+}
+
+void put_violation_section(std::string& page, const PageContent& content) {
+  const Report& report = content.report;
+  if (report.violation_count == 0) return;
+  put(page,
+      "<section id=\"violations\"><h2>What the referee objects to</h2>\n<p class=\"note\">Block by block, with the "
+      "worst "
+      "of its words; mm, degrees and seconds.</p>\n<div class=\"scroll\"><table><thead><tr><th>Line</th><th "
+      "class=\"text\">Block</th><th class=\"text\">What</th><th>Worst</th><th>Limit</th><th>Words</th><th>From</th>"
+      "<th>To</th></tr></thead><tbody>\n");
+  std::int64_t shown = 0;
+  for (const Violation& violation : report.violations) {
+    put(page, "<tr>");
+    put_line_and_source(page, report, violation.line);
+    put(page, "<td class=\"text\">", escaped(violation.what), "</td><td class=\"over-limit\">",
+        readable(violation.value), "</td><td>", readable(violation.limit), "</td><td>",
+        readable(static_cast<double>(violation.count), 15), "</td><td>", readable_time(violation.first), "</td><td>",
+        readable_time(violation.last), "</td></tr>\n");
+    shown += violation.count;
+  }
+  put(page, "</tbody></table></div>\n");
+  const std::int64_t left = report.violation_count - shown;
+  if (left > 0) put(page, "<p class=\"note\">And in ", readable(static_cast<double>(left), 15), " words more.</p>\n");
+  put(page, "</section>\n");
 }
 
 void put_block_section(std::string& page, const PageContent& content) {

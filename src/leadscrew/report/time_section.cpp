@@ -30,7 +30,12 @@ struct Channel {
   std::optional<double> upper, lower;  ///< limits, in recorded units
   std::string_view limit_name;
   bool always_show_limits = true;
-  bool limit_binds_rapids = true;  ///< false for the programmed feed
+  /// Of the feed: greatest of feed moves and of rapids. The limit binds the former alone, and where there are any, the
+  /// latter may leave the picture.
+  struct Parts {
+    double feed_moves = 0, rapids = 0;
+  };
+  std::optional<Parts> parts{};
 };
 
 struct Range {
@@ -54,6 +59,7 @@ Range range_of(std::span<const Extent> extents) {
 /// Data, and limits where they are to be seen, with some air.
 Range shown_range(const Channel& channel, Range data) {
   Range shown = data;
+  if (channel.parts && channel.parts->feed_moves > 0) shown.greatest = channel.parts->feed_moves;
   if (channel.always_show_limits) {
     if (channel.upper) shown.greatest = std::max(shown.greatest, *channel.upper);
     if (channel.lower) shown.least = std::min(shown.least, *channel.lower);
@@ -97,11 +103,11 @@ void put_band(std::string& page, std::span<const Extent> extents, const TimeScal
   if (!upper.empty()) put(page, "<path class=\"band\" d=\"", upper, lower, "Z\"/>");
 }
 
-void put_limit(std::string& lines, std::string& labels, const Channel& channel, double limit, Range shown, bool upper) {
+void put_limit(std::string& lines, std::string& labels, const Channel& channel, double limit, Range shown, bool below) {
   const double place = (shown.greatest - limit) / shown.width();
   if (place < 0 || place > 1) return;
   put(lines, "<path class=\"limit\" d=\"M0 ", fixed(place * box_height, 2), "H1000\"/>");
-  put(labels, "<span class=\"lim ", upper ? "up" : "low", "\" style=\"top:", fixed(place * 100, 1), "%\">",
+  put(labels, "<span class=\"lim ", below ? "up" : "low", "\" style=\"top:", fixed(place * 100, 1), "%\">",
       channel.limit_name, " ", readable(limit * channel.per_unit), "</span>");
 }
 
@@ -123,20 +129,26 @@ void put_value_ticks(std::string& lines, std::string& labels, const Channel& cha
 std::string peak(const Channel& channel, Range data) {
   if (channel.extents.empty()) return {};
   if (!channel.always_show_limits) {
-    const auto shown = [&](double value) { return readable(value * channel.per_unit, 5); };
+    // To a thousandth of the range: a slide that swings 10 µm beyond 0 in 60 mm has been at −0.01.
+    const double finest = std::pow(10.0, -tick_decimals(tick_step(data.width() * channel.per_unit, 1000)));
+    const auto shown = [&](double value) {
+      return readable(std::round(value * channel.per_unit / finest) * finest, 5);
+    };
     std::string text = shown(data.least) + " … " + shown(data.greatest);
     if (channel.upper) text += " of " + std::string(channel.limit_name) + ' ';
     if (channel.upper && channel.lower) text += shown(*channel.lower) + " … ";
     if (channel.upper) text += shown(*channel.upper);
     return text;
   }
-  const double greatest = std::max(std::fabs(data.least), std::fabs(data.greatest));
-  std::string text = "peak " + readable(greatest * channel.per_unit, 4);
-  if (channel.upper && *channel.upper > 0) {
-    const std::string limit = readable(*channel.upper * channel.per_unit, 4);
-    text += channel.limit_binds_rapids ? " of " + limit + " · " + percent(greatest / *channel.upper)
-                                       : ", rapids included; programmed up to " + limit;
-  }
+  const auto shown = [&](double value) { return readable(value * channel.per_unit, 4); };
+  const double greatest =
+      channel.parts ? channel.parts->feed_moves : std::max(std::fabs(data.least), std::fabs(data.greatest));
+  const bool rapids_only = channel.parts && !(greatest > 0);
+  std::string text = rapids_only ? "" : "peak " + shown(greatest);
+  if (channel.upper && *channel.upper > 0 && !rapids_only)
+    text += " of " + shown(*channel.upper) + " · " + percent(greatest / *channel.upper);
+  if (channel.parts && channel.parts->rapids > 0)
+    text += (rapids_only ? "rapids up to " : "; rapids up to ") + shown(channel.parts->rapids);
   return text;
 }
 
@@ -159,8 +171,10 @@ class TimeCharts {
     const Range shown = shown_range(channel, data);
     std::string grid, lines, labels;
     put_value_ticks(grid, labels, channel, shown);
-    if (channel.upper) put_limit(lines, labels, channel, *channel.upper, shown, true);
-    if (channel.lower) put_limit(lines, labels, channel, *channel.lower, shown, false);
+    constexpr double room = 0.3;  // of the box, that two labels between the limits need
+    const bool inside = !channel.upper || !channel.lower || *channel.upper - *channel.lower > room * shown.width();
+    if (channel.upper) put_limit(lines, labels, channel, *channel.upper, shown, inside);
+    if (channel.lower) put_limit(lines, labels, channel, *channel.lower, shown, !inside);
     put(page_, "<figure class=\"chart ", kind, "\" data-low=\"", fixed(shown.least, 9), "\" data-high=\"",
         fixed(shown.greatest, 9), "\"><figcaption><b>", channel.name, "</b> <span>", channel.unit,
         "</span><output></output><span class=\"peak\">", peak(channel, data),
@@ -245,10 +259,17 @@ void put_axis(TimeCharts& charts, std::string& page, const PageContent& content,
   charts.put_chart({"position", std::string(u), bins(0), 1, limits.travel_max, limits.travel_min, "travel", false},
                    "small");
   if (content.followed != nullptr) {
-    const bool is_rotary = base::is_rotary(axis);
-    charts.put_chart({"following error", is_rotary ? "°/1000" : "µm", content.followed->error(axis), 1000, std::nullopt,
-                      std::nullopt, "", false},
-                     "small");
+    const auto of_slide = [&](double FollowedAxis::* value) { return content.followed->axis(axis, value); };
+    const auto put_plain = [&](std::string name, std::string shown_unit, double FollowedAxis::* value,
+                               double per_unit) {
+      charts.put_chart(
+          {std::move(name), std::move(shown_unit), of_slide(value), per_unit, std::nullopt, std::nullopt, "", false},
+          "small");
+    };
+    put_plain("following error", base::is_rotary(axis) ? "°/1000" : "µm", &FollowedAxis::error, 1000);
+    put_plain("tachometer", times(u, "/s"), &FollowedAxis::velocity, 1);
+    put_plain("control signal", "", &FollowedAxis::control, 1);
+    put_plain("motor current", "as " + times(u, "/s²"), &FollowedAxis::current, 1);
   }
   const struct {
     int order;
@@ -285,10 +306,10 @@ void put_time_section(std::string& page, const PageContent& content) {
       "hidden>Show all</button></p>\n");
   TimeCharts charts(page, content);
   Channel feed{"feed", "mm/min", content.recording.feed(), 60, std::nullopt, std::nullopt, "", true};
+  feed.parts = {content.recording.greatest_feed(), content.recording.greatest_rapid()};
   if (content.report.feed_programmed_max > 0) {
     feed.upper = content.report.feed_programmed_max;
     feed.limit_name = "greatest F";
-    feed.limit_binds_rapids = false;
   }
   charts.put_chart(feed, "large");
   if (content.followed != nullptr) {

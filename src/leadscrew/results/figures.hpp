@@ -87,6 +87,8 @@ struct VerifyFigures {
   std::string trace;
   base::Period period;
   referee::Verdict verdict;
+  double length_mm = 0;              ///< from word to word, as feed is counted
+  std::vector<std::string> files{};  ///< written
 };
 
 }  // namespace leadscrew::results

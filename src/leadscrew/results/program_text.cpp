@@ -205,6 +205,7 @@ std::string verify_summary(const std::string& program, const machine::Machine& m
   text += axis_table(verdict, nullptr, style);
   text += violations_text(verdict, style);
   text += verdict_text(!verdict.objects(), style);
+  for (const std::string& file : figures.files) text += row("wrote", printable(file));
   return text;
 }
 

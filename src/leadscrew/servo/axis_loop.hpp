@@ -30,18 +30,21 @@ class AxisLoop {
     } else if (Cascade* const cascade = std::get_if<Cascade>(&controller_)) {
       command_ = cascade->command(setpoint, reading);
     }
+    current_ = axis_.current(command_);
     axis_.advance(command_, period_);
   }
 
   const SimulatedAxis& axis() const { return axis_; }
   /// That of the last period, units; what the axis' own limit leaves of it is the axis' affair.
   double command() const { return command_; }
+  /// Of the motor as that command was given (SimulatedAxis::current), mm/s².
+  double current() const { return current_; }
 
  private:
   SimulatedAxis axis_;
   Controller controller_;
   double period_;
-  double command_ = 0;
+  double command_ = 0, current_ = 0;
 };
 
 }  // namespace leadscrew::servo

@@ -7,14 +7,15 @@
 namespace leadscrew::servo {
 
 struct Drive {
-  double acceleration = 0;  ///< mm/s² at rest for one unit of command; > 0
-  double damping = 0;       ///< 1/s; ≥ 0
+  double acceleration = 0;          ///< mm/s² at rest for one unit of command; > 0
+  double damping = 0;               ///< 1/s; ≥ 0
+  bool regulates_velocity = false;  ///< damping is what a velocity loop of its own takes back, not friction
 };
 
 /// A drive with a velocity loop of its own (amplifier, motor, tachogenerator): v′ = (K·u − v)/τ, in the long run K·u.
 /// gain: K, mm/s for one unit of command; > 0. time_constant: τ, seconds; > 0.
 constexpr Drive velocity_drive(double gain, double time_constant) {
-  return {gain / time_constant, 1 / time_constant};
+  return {gain / time_constant, 1 / time_constant, true};
 }
 
 /// A motor fed with a current, and all that it turns: J·ω′ = Kt·Ka·u − b·ω.

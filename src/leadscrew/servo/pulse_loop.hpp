@@ -79,6 +79,8 @@ class PulseLoop {
   /// Of the screw, encoder pulses from the start's edge.
   double position() const { return static_cast<double>(count_) + motion_.position; }
   double velocity() const { return motion_.velocity; }  ///< pulses/s
+  /// pulses/s²: what the motor's current gives.
+  double acceleration() const { return damping_ * (gain_ * static_cast<double>(difference_) - motion_.velocity); }
 
   /// UDC is 0 and the screw runs out before the next edge: no more encoder pulses come, unless the interpolator's do.
   bool comes_to_rest() const;

@@ -46,13 +46,15 @@ std::optional<Followed> PulseServo::follow(const base::Word& word) {
   generator_.follow(word, [this](std::span<const steps::StepEvent> events) { take(events); });
   const std::optional<base::Word> due = std::exchange(before_, word);
   if (!due) return std::nullopt;
-  Followed followed{*due, due->position, {}};
+  Followed followed{*due, due->position};
   const double now = static_cast<double>(words_++) * period_;
   for (std::size_t k = 0; k < axes_.size(); ++k) {
     if (!axes_[k]) continue;
     run_until(*axes_[k], now);
     followed.position[k] = origin_[k] + (axes_[k]->loop.position() - start) * axes_[k]->blu;
     followed.velocity[k] = axes_[k]->loop.velocity() * axes_[k]->blu;
+    followed.control[k] = static_cast<double>(axes_[k]->loop.following_error());
+    followed.current[k] = axes_[k]->loop.acceleration() * axes_[k]->blu;
   }
   return followed;
 }

@@ -46,7 +46,7 @@ std::optional<Followed> Servo::follow(const base::Word& word) {
     (due_ ? next_ : due_) = word;
     return std::nullopt;
   }
-  Followed followed{*due_, due_->position, {}};
+  Followed followed{*due_, due_->position};
   for (std::size_t k = 0; k < base::axis_count; ++k) {
     Setpoint setpoint = setpoint_of(due_->position[k], next_->position[k], word.position[k], period_);
     followed.velocity[k] = setpoint.velocity;
@@ -55,6 +55,8 @@ std::optional<Followed> Servo::follow(const base::Word& word) {
     followed.velocity[k] = loops_[k]->axis().screw().velocity;
     setpoint.position -= origin_[k];
     loops_[k]->follow(setpoint);
+    followed.control[k] = loops_[k]->command();
+    followed.current[k] = loops_[k]->current();
   }
   due_ = next_;
   next_ = word;

@@ -27,6 +27,10 @@ struct Followed {
   base::Word word;
   base::AxisVector position{};  ///< of the slides, mm or degrees
   base::AxisVector velocity{};  ///< of the screws, as tachogenerators tell it, mm/s or degrees/s
+  /// What the controllers give the drives from there to the next tick: units of their converters (mm/s² of a cascade),
+  /// counts of the up-down counter of a pulse-driven loop.
+  base::AxisVector control{};
+  base::AxisVector current{};  ///< of the motors at its tick, as the acceleration that it gives, mm/s² or degrees/s²
 };
 
 class Servo {

@@ -41,6 +41,12 @@ double SimulatedAxis::travel(double pull, double at_most) {
   return stops ? rest : at_most;
 }
 
+double SimulatedAxis::current(double command) const {
+  const Drive& drive = options_.drive;
+  const double held = std::clamp(command, -options_.command_limit, options_.command_limit);
+  return drive.acceleration * held - (drive.regulates_velocity ? drive.damping * screw_.velocity : 0);
+}
+
 double SimulatedAxis::reading() const {
   const double position = options_.encoder_place == EncoderPlace::screw ? screw_.position : slide_;
   const double resolution = options_.encoder_resolution;

@@ -45,6 +45,9 @@ class SimulatedAxis {
   const Motion& screw() const { return screw_; }
   /// Where the slide is, mm.
   double slide() const { return slide_; }
+  /// What the motor's current gives now, under a command: the acceleration that its torque would give without friction,
+  /// mm/s². Amperes: times J/(Kt·travel per radian).
+  double current(double command) const;
   /// What the encoder says, mm. Its edges lie halfway between the multiples of its resolution.
   double reading() const;
 

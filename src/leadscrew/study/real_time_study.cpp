@@ -107,19 +107,30 @@ constexpr std::array<Gains, 2> sets = {
     {{"(2, 2, 15)", {2, 2, 15}, "published as a picture, of a plant it does not name: hardly any"},
      {"(6, 50, 25)", {6, 50, 25}, "published as a picture, of a plant it does not name: a large one"}}};
 
-/// √(Vx² + Vy²) at the tachogenerators, mm/s, a period apart.
+enum class Until : std::uint8_t { last_word, rest };
+constexpr double at_rest = 0.05;   // mm/s
+constexpr int quiet_periods = 10;  // that feed stays below it, at rest
+constexpr int most_periods = 500;  // behind the last word
+
+/// √(Vx² + Vy²) at the tachogenerators, mm/s, a period apart. To rest the last word is repeated.
 base::Result<std::vector<double>> measured_feed(const std::vector<Place>& words, const servo::PidGains& gains,
-                                                const Plant& plant) {
+                                                const Plant& plant, Until until) {
   const auto axis = servo::SimulatedAxis::create({.drive = servo::velocity_drive(plant.gain, plant.time_constant)});
   if (!axis) return base::failure(axis.error());
   const auto pid = servo::Pid::create({.gains = gains}, period);
   if (!pid) return base::failure(pid.error());
   servo::AxisLoop x(*axis, *pid, period), y = x;
   std::vector<double> feeds;
-  for (const Place& word : words) {
+  const auto follow = [&](const Place& word) {
     x.follow({word.x});
     y.follow({word.y});
     feeds.push_back(std::hypot(x.axis().screw().velocity, y.axis().screw().velocity));
+  };
+  for (const Place& word : words) follow(word);
+  int quiet = until == Until::rest ? 0 : quiet_periods;
+  for (int k = 0; quiet < quiet_periods && k < most_periods; ++k) {
+    follow(words.back());
+    quiet = feeds.back() < at_rest ? quiet + 1 : 0;
   }
   return feeds;
 }
@@ -146,7 +157,8 @@ Rows speed_rows(const std::vector<Place>& curve, const std::vector<Place>& stops
   for (const Plant& plant : plants) {
     for (const Gains& set : sets) {
       const std::string group = group_of(set, plant);
-      const auto on_curve = measured_feed(curve, set.gains, plant), on_lines = measured_feed(stops, set.gains, plant);
+      const auto on_curve = measured_feed(curve, set.gains, plant, Until::last_word);
+      const auto on_lines = measured_feed(stops, set.gains, plant, Until::last_word);
       if (!on_curve || !on_lines) {
         append(rows, under(group, {not_run_row("measured feed", (on_curve ? on_lines : on_curve).error().message)}));
         continue;
@@ -231,11 +243,12 @@ std::vector<report::Chart> real_time_charts() {
   for (const Plant& plant : plants) {
     for (const Gains& set : sets) {
       for (const bool is_curve : {true, false}) {
-        auto feeds = measured_feed(is_curve ? curve : stops, set.gains, plant);
+        auto feeds = measured_feed(is_curve ? curve : stops, set.gains, plant, Until::rest);
         if (!feeds) continue;
         charts.push_back(
             {std::string(is_curve ? "one block" : "92 lines") + ", gains " + set.name + ", " + plant_text(plant),
-             std::move(*feeds), period, feed});
+             {report::evenly_spaced(*feeds, period)},
+             {feed}});
       }
     }
   }

@@ -5,7 +5,7 @@
 namespace leadscrew::trace {
 namespace {
 
-constexpr std::size_t longest_row = (5 + 2 * base::axis_count) * (base::digits_room + 1);
+constexpr std::size_t longest_row = most_columns * (base::digits_room + 1);
 
 }  // namespace
 
@@ -34,10 +34,12 @@ base::Result<void> CsvWriter::write(const base::Word& word, const BesideWord& be
     *at++ = ',';
     at = base::write_digits(at, word.position[base::index(axis)]);
   }
-  for (const base::Axis axis : base::all_axes) {
-    if (!columns_.actual || !axes_.contains(axis)) continue;
-    *at++ = ',';
-    at = base::write_digits(at, beside.actual[base::index(axis)]);
+  for (const SlideColumn& column : slide_columns_of(columns_)) {
+    for (const base::Axis axis : base::all_axes) {
+      if (!axes_.contains(axis)) continue;
+      *at++ = ',';
+      at = base::write_digits(at, (beside.*column.values)[base::index(axis)]);
+    }
   }
   if (columns_.power) {
     *at++ = ',';

@@ -11,7 +11,7 @@ namespace leadscrew::trace {
 
 struct NamedColumn {
   std::string name;
-  std::string_view unit;  ///< "s", "mm", "deg", "mm/s" or "deg/s"; empty of a number
+  std::string_view unit;  ///< "s", "mm", "deg", "mm/s", "deg/s", "mm/s²" or "deg/s²"; empty of a number
 };
 
 /// In the order in which all formats have them. Path length and feed are in degrees where the machine has rotary axes

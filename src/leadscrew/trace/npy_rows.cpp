@@ -2,6 +2,7 @@
 // pairs), `fortran_order` and `shape`. NumPy Enhancement Proposal 1 fixes keys and types; their order is free.
 
 #include <leadscrew/trace/npy_rows.hpp>
+#include <leadscrew/trace/writer.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -224,11 +225,16 @@ base::Result<void> NpyRows::take_plain_columns(std::int64_t columns, base::AxisS
     }
   }
   axes_ = machine_axes;
-  if (columns == static_cast<std::int64_t>(fields_.size()) + 1) fields_.push_back({"power", Type::float64, {}});
-  if (columns == static_cast<std::int64_t>(fields_.size())) return {};
+  const std::size_t of_words = fields_.size(),
+                    of_slides = slide_columns.size() * static_cast<std::size_t>(machine_axes.size());
+  for (const std::size_t others : {std::size_t{0}, std::size_t{1}, of_slides, of_slides + 1}) {
+    if (columns != static_cast<std::int64_t>(of_words + others)) continue;
+    fields_.resize(of_words + others);  // their names are of no use here
+    return {};
+  }
   return base::failure(wrong("trace-column", "the array has " + std::to_string(columns) + " columns",
-                             "the " + std::to_string(fields_.size()) + " columns t line s feed " +
-                                 letters(machine_axes) + ", or a structured array that names its fields"));
+                             "the " + std::to_string(of_words) + " columns t line s feed " + letters(machine_axes) +
+                                 ", or a structured array that names its fields"));
 }
 
 base::Result<void> NpyRows::take_named_columns() {

@@ -26,13 +26,13 @@ void append_little_endian(std::string& bytes, double value) {
 }
 
 int column_count(base::AxisSet axes, const MoreColumns& columns) {
-  return 4 + axes.size() * (columns.actual ? 2 : 1) + (columns.power ? 1 : 0);
+  return 4 + axes.size() * (1 + static_cast<int>(slide_columns_of(columns).size())) + (columns.power ? 1 : 0);
 }
 
 }  // namespace
 
 NpyWriter::NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns)
-    : rows_(std::move(sink), 8 * (5 + 2 * base::axis_count)), axes_(axes), period_(period), columns_(columns) {
+    : rows_(std::move(sink), 8 * most_columns), axes_(axes), period_(period), columns_(columns) {
   rows_.text() = header();
 }
 
@@ -57,9 +57,10 @@ base::Result<void> NpyWriter::write(const base::Word& word, const BesideWord& be
   for (const base::Axis axis : base::all_axes) {
     if (axes_.contains(axis)) append_little_endian(rows, word.position[base::index(axis)]);
   }
-  for (const base::Axis axis : base::all_axes) {
-    if (!columns_.actual || !axes_.contains(axis)) continue;
-    append_little_endian(rows, beside.actual[base::index(axis)]);
+  for (const SlideColumn& column : slide_columns_of(columns_)) {
+    for (const base::Axis axis : base::all_axes) {
+      if (axes_.contains(axis)) append_little_endian(rows, (beside.*column.values)[base::index(axis)]);
+    }
   }
   if (columns_.power) append_little_endian(rows, beside.power);
   ++rows_written_;

@@ -4,27 +4,52 @@
 // Columns are `t line s feed X Y Z …`: seconds, source line, path length, feed, then the machine's axes; mm, degrees,
 // seconds. Others stand behind them.
 
+#include <array>
 #include <concepts>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/base/word.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace leadscrew::trace {
 
 /// Which columns a trace has behind those of the words, in this order.
 struct MoreColumns {
-  bool actual = false;  ///< actual_X, actual_Y, …: where the slides were
+  bool actual = false;  ///< of slides that followed the words: those of slide_columns
   bool power = false;   ///< power: of the laser
 };
 
 /// What they hold in the row of a word.
 struct BesideWord {
-  base::AxisVector actual{};  ///< mm or degrees
-  double power = 0;           ///< machine::LaserPower
+  base::AxisVector actual{};    ///< where the slides were, mm or degrees
+  base::AxisVector velocity{};  ///< of the screws, by the tachometers, mm/s or degrees/s
+  base::AxisVector control{};   ///< of the period that begins: what the controllers give their drives (servo::Followed)
+  base::AxisVector current{};   ///< of the motors, as the acceleration it gives, mm/s² or degrees/s²
+  double power = 0;             ///< machine::LaserPower
 };
+
+/// A column for each axis, of this name and the axis' letter: actual_X, actual_Y, …
+struct SlideColumn {
+  std::string_view name;
+  base::AxisVector BesideWord::* values;
+  std::string_view linear, rotary;  ///< units; empty where each controller has its own
+};
+inline constexpr std::array<SlideColumn, 4> slide_columns = {{{"actual_", &BesideWord::actual, "mm", "deg"},
+                                                              {"velocity_", &BesideWord::velocity, "mm/s", "deg/s"},
+                                                              {"control_", &BesideWord::control, "", ""},
+                                                              {"current_", &BesideWord::current, "mm/s²", "deg/s²"}}};
+
+/// Those that a trace has.
+constexpr std::span<const SlideColumn> slide_columns_of(const MoreColumns& columns) {
+  return std::span(slide_columns).first(columns.actual ? slide_columns.size() : 0);
+}
+
+/// Columns at most, of axes and all others.
+inline constexpr std::size_t most_columns = 5 + (1 + slide_columns.size()) * base::axis_count;
 
 /// Opens a trace by its constructor, takes a word a row, and finishes with what is still gathered. Once the sink has
 /// failed, every later call fails with the same diagnostic.

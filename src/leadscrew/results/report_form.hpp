@@ -1,0 +1,38 @@
+#pragma once
+// The report's contents, from what was found and the text of the blocks that its tables name.
+
+#include <leadscrew/files/input_file.hpp>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/report/recording.hpp>
+#include <leadscrew/report/report.hpp>
+#include <leadscrew/results/figures.hpp>
+#include <leadscrew/results/simulate_figures.hpp>
+#include <leadscrew/servo/servo.hpp>
+
+namespace leadscrew::results {
+
+/// What a report needs beside figures: the program, for its text, the command line that makes the report again, what was
+/// said of the program, and the recording.
+struct ReportParts {
+  const files::InputFile& program;
+  const std::string& command_line;
+  const Diagnostics& diagnostics;
+  const report::Recording& recording;
+};
+
+/// Errors: those of reading the program once more.
+base::Result<report::Report> report_of(const ReportParts& parts, const RunFigures& figures);
+/// Of slides: deviation and tolerance are theirs, limits those of the plan.
+base::Result<report::Report> report_of(const ReportParts& parts, const SimulateFigures& figures);
+/// Of a trace, whoever made it.
+base::Result<report::Report> report_of(const ReportParts& parts, const VerifyFigures& figures);
+
+std::array<report::FollowedAxis, base::axis_count> followed_axes(const servo::Followed& followed);
+
+/// As the table of blocks that lose time shows it.
+report::LostBlock lost_block(const pipeline::BlockTime& block);
+
+/// The programmed geometry from `start`, move by move, curves in 64 parts.
+void observe_ideal_path(gcode::Reader reader, const base::AxisVector& start, report::FollowedRecording& followed);
+
+}  // namespace leadscrew::results
