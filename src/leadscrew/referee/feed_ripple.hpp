@@ -30,18 +30,26 @@ class FeedRipple {
   std::optional<double> greatest() const { return greatest_; }
 
  private:
+  using Vector = std::array<double, 3>;
+  /// From one word to the next, in the axes of its feed.
   struct Step {
-    base::AxisVector position{};
-    std::optional<double> planned;
+    Vector along{};
+    double length = 0;
+    double bend = 0;  ///< curvature where it begins, 1/mm or 1/degree
     ProgrammedFeed programmed;
   };
 
-  void account();
+  static double curvature_of(const Step& first, const Step& second);
+  void account(const Step& step, double bend_behind);
+  void note(const base::AxisVector& position);
 
   double period_;
-  std::array<Step, 4> steps_{};  ///< of the last four words, the latest behind
-  int count_ = 0;                ///< of them, that there are
+  base::AxisVector position_{};  ///< of the last word
+  Step step_;                    ///< to it
+  double feed_ = 0;              ///< planned at it, and
+  int words_of_feed_ = 0;        ///< at so many words, the last of them it; no more than four are counted
   double largest_ = 0;           ///< |q| so far, mm or degrees
+  double rounding_ = 0;
   std::optional<double> greatest_;
 };
 
