@@ -74,14 +74,14 @@ TEST(VerifyReport, FindsNothingWrongWithTheWordsOfRun) {
 
 TEST(VerifyReport, IsNotWrittenOverWhatIsRead) {
   const Folder folder;
-  folder.write("part.ngc", there_and_back);
+  folder.write("part.html", there_and_back);
   folder.write("other.csv", hasty_trace(10));
-  const auto over = leadscrew(folder, {"verify", "other.csv", "part.ngc", "--report", "./other.csv"});
+  const auto over = leadscrew(folder, {"verify", "other.csv", "part.html", "--report", "./part.html"});
   EXPECT_EQ(over.status, 2);
-  EXPECT_TRUE(contains(over.errors, "./other.csv is the trace itself")) << over.errors;
-  EXPECT_EQ(leadscrew(folder, {"verify", "other.csv", "part.ngc", "--report", "no/r.html"}).status, 4);
-  EXPECT_EQ(folder.read("other.csv"), hasty_trace(10));
-  EXPECT_EQ(folder.names(), (Names{"part.ngc", "other.csv"}));
+  EXPECT_TRUE(contains(over.errors, "./part.html is the program itself")) << over.errors;
+  EXPECT_EQ(leadscrew(folder, {"verify", "other.csv", "part.html", "--report", "other.csv/r.html"}).status, 4);
+  EXPECT_EQ(folder.read("part.html"), there_and_back);
+  EXPECT_EQ(folder.names(), (Names{"part.html", "other.csv"}));
 }
 
 }  // namespace

@@ -194,6 +194,7 @@ def prepare():
 
 
 def check_runs(schemas):
+    json_of(schemas, "version", "--version")
     json_of(schemas, "run", "run", "good.ngc")
     json_of(schemas, "run", "run", square, "--machine", machines / "mill3-worn.toml", "--pulses", "steps.vcd")
     json_of(schemas, "run", "run", square, "--pulses", "steps.csv", "--pulse-method", "dda", "--accelerate")

@@ -219,6 +219,17 @@ class Running {
     return process_ == 0;
   }
 
+  /// More for standard input, which was left open.
+  void write(std::string_view text) const {
+    const auto written = ::write(input_, text.data(), text.size());
+    EXPECT_EQ(written, static_cast<ssize_t>(text.size()));
+  }
+  /// No more will come.
+  void close_input() {
+    if (input_ >= 0) ::close(input_);
+    input_ = -1;
+  }
+
   /// What was put into the pipe has been taken out of it: the command waits for more.
   bool is_reading() const {
     int left = 0;
@@ -259,11 +270,6 @@ class Running {
     for (ssize_t got = 0; (got = ::pread(descriptor, buffer, sizeof buffer, static_cast<off_t>(text.size()))) > 0;)
       text.append(buffer, static_cast<std::size_t>(got));
     return text;
-  }
-
-  void close_input() {
-    if (input_ >= 0) ::close(input_);
-    input_ = -1;
   }
 
   pid_t process_ = 0;

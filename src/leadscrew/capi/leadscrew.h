@@ -29,6 +29,8 @@
 extern "C" {
 #endif
 
+/* C has its own style of names, and its enumerations are int. NOLINTBEGIN(readability-identifier-naming,performance-enum-size) */
+
 /** Of the functions that the shared library shows. */
 #if defined(__GNUC__)
 #define LEADSCREW_API __attribute__((visibility("default")))
@@ -216,6 +218,8 @@ LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory
                                           leadscrew_error* error);
 /** It may be NULL. */
 LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
+
+/* NOLINTEND(readability-identifier-naming,performance-enum-size) */
 
 #ifdef __cplusplus
 }

@@ -10,7 +10,7 @@ namespace {
 template <std::size_t size>
 void copy_text(char (&to)[size], std::string_view from) {
   const std::size_t length = std::min(from.size(), size - 1);
-  std::copy_n(from.data(), length, to);
+  std::copy_n(from.begin(), length, to);
   to[length] = '\0';
 }
 

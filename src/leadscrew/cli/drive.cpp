@@ -10,22 +10,23 @@ namespace leadscrew::cli {
 
 namespace {
 
-drive::Setup setup_of(const Job& job) {
-  return {job.machine, job.tools, job.reader_options({}), job.text, job.arguments.drive};
+drive::Setup setup_of(const Job& job, const std::string& program) {
+  return {job.machine, job.tools, job.reader_options({}), job.text, job.arguments.drive, program};
 }
 
 class ProgramDrive {
  public:
   ProgramDrive(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
-      : program_(program), job_(job), setup_(setup_of(job)), console_(console), log_(log) {}
+      : program_(program), job_(job), setup_(setup_of(job, program)), console_(console), log_(log) {}
 
   /// Empty where the log says why.
   std::optional<drive::Figures> execute() {
-    const auto file = open_program(program_);
+    const bool live = setup_.options.live;  // then nothing is known of it yet
+    const auto file = live ? files::InputFile::of_text({}, shown_name(program_)) : open_program(program_);
     if (!file) return failed(file.error());
     if (auto sound = check_drive_files(*file, job_); !sound) return failed(sound.error());
     if (auto sound = drive::check_machine(setup_); !sound) return failed(sound.error());
-    const Reading reading = read_program(*file, job_, console_, log_);
+    const Reading reading = live ? Reading{} : read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
     if (reading.pauses > 0 && !can_wait()) {
       log_.add(
@@ -43,7 +44,7 @@ class ProgramDrive {
     return std::nullopt;
   }
 
-  bool can_wait() const { return !job_.arguments.quiet && drive::Terminal::settings(); }
+  bool can_wait() const { return !job_.arguments.quiet && !setup_.options.live && drive::Terminal::settings(); }
 
   drive::Onlooker onlooker(const files::InputFile& file) {
     drive::Onlooker onlooker;
@@ -63,7 +64,7 @@ class ProgramDrive {
         return view_->go_on(runner);
       };
       onlooker.may_start = [this](const planner::Chunk& chunk) { return view_->pause().may_start(chunk); };
-    } else {
+    } else if (!setup_.options.live) {
       onlooker.while_moving = [this, size = file.size()](const drive::WordMaker& maker, realtime::Runner& runner) {
         show_progress(maker.bytes_read(), size, runner.counters().words);
         return false;

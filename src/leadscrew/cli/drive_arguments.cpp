@@ -14,6 +14,7 @@ constexpr std::string_view drive_examples =
     "  leadscrew drive part.ngc --resume part.state     from where it was stopped or killed\n"
     "  leadscrew drive part.ngc --trace words.csv --axes axes.csv --json\n"
     "  leadscrew drive part.ngc --sink words.csv        words on time to a file or a pipe, and no drives\n"
+    "  make-program | leadscrew drive - --live          block by block, as they come\n"
     "\n"
     "Keys, on a terminal: space holds and resumes, + and - change the feed by 10 %, q stops. ^C brings motion to rest\n"
     "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"
@@ -39,6 +40,9 @@ Parsed<double> parse_seconds(std::string_view text, double least, double greates
 
 /// What several options come to together.
 Parsed<void> settle(const Command& command, drive::Options& drive) {
+  if (drive.live && (drive.state || drive.resume))
+    return wrong("{} is of a program that can be read again; --live reads it once",
+                 command.first_given({"--state", "--resume"}));
   if (!drive.state) drive.state = drive.resume;
   const std::string_view of_drives = command.first_given({"--trace", "--axes"});
   if (!drive.sink || of_drives.empty()) return {};
@@ -62,6 +66,8 @@ void describe_drive(Command& command, Arguments& arguments) {
                  drive.events, {".csv"});
   command.output("--sink", "FILE", "Words go on time to this file or pipe, as CSV, and to no drives", drive.sink,
                  {".csv"});
+  command.flag("--live", "Move while the program is being written, to a pipe: nothing of it is checked before it comes",
+               drive.live);
   command.output("--state", "FILE", "Keep on disk how far it has come, for --resume", drive.state, {});
   command.output("--resume", "FILE", "Go on from where a drive was stopped or killed; FILE is kept up", drive.resume,
                  {});

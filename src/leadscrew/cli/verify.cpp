@@ -30,7 +30,7 @@ class Verification {
     const auto program_file = open_program(program);
     if (!program_file) log_.add(program_file.error());
     if (log_.errors() > 0) return std::nullopt;
-    if (is_trace(*program_file, machine_.axis_set()) && !is_trace(*trace_file, machine_.axis_set())) {
+    if (is_trace(*program_file, job_.machine.axis_set()) && !is_trace(*trace_file, job_.machine.axis_set())) {
       log_.add(base::problem("usage", fmt::format("{} is the trace, {} is not: the two are swapped", program, trace),
                              fmt::format("leadscrew verify {} {}", program, trace)));
       return std::nullopt;

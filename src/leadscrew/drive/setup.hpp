@@ -20,6 +20,8 @@ struct Options {
   /// s planned ahead of the words, 0.01 … 60; none: 0.3, or as little as 0.02 where planner and words are in time.
   std::optional<double> look_ahead;
   double lead = 0.1;  ///< s that words are made ahead of their time, 0 … 2
+  /// Is the program read while it moves, block by block as they come, and not before?
+  bool live = false;
 };
 
 struct Setup {
@@ -28,6 +30,7 @@ struct Setup {
   gcode::ReaderOptions reading;  ///< but for the file's name; `start` is where the axes stand
   std::string text;              ///< of the machine file and the tool table: a state names them by its hash
   Options options;
+  std::string live_program = {};  ///< of Options::live: its path; "-" is standard input
 
   gcode::ReaderOptions reader_options(const std::string& file) const {
     gcode::ReaderOptions options_of_file = reading;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/drive/live_program.hpp>
 #include <leadscrew/drive/word_maker.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <utility>
@@ -29,7 +30,8 @@ std::size_t most_waiting(const Setup& setup) {
 WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const base::Word& first, Link& link,
                      MayStart may_start)
     : program_(program),
-      source_(counted(program.source()), setup.machine, setup.tools, setup.reader_options(program.name()), nullptr),
+      live_(setup.options.live ? std::make_unique<LiveProgram>(setup, program.name()) : nullptr),
+      source_(source_of(setup)),
       sink_(link, setup.machine, first.position, most_waiting(setup)) {
   source_.unchanged = [this] { return program_.unchanged(); };
   source_.stop_when(files::interrupted);
@@ -50,16 +52,33 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
   runner_.emplace(runner_options, planning(std::move(may_start)), sink_.sink());
 }
 
+WordMaker::~WordMaker() = default;
+
+pipeline::MotionSource WordMaker::source_of(const Setup& setup) {
+  if (live_) {
+    return pipeline::MotionSource([this](gcode::Move& move) { return live_->moves().give(move); }, setup.machine,
+                                  setup.reading.start);
+  }
+  return pipeline::MotionSource(counted(program_.source()), setup.machine, setup.tools,
+                                setup.reader_options(program_.name()), nullptr);
+}
+
+std::int64_t WordMaker::blocks() const {
+  return live_ ? live_->blocks() : source_.blocks();
+}
+
 void WordMaker::conclude() {
   counters_ = runner_->counters();
   latencies_ = runner_->latencies();
   if (counters_.words > 0) notice_ = runner_->notice();
   refused_chunk_ = runner_->failure();
   runner_.reset();
+  if (live_) live_->end();
 }
 
 std::optional<base::Diagnostic> WordMaker::failure() const {
   if (source_.failure()) return source_.failure();
+  if (live_ && live_->failure()) return live_->failure();
   if (refused_chunk_) return refused_chunk_;
   if (auto refused = sink_.problem()) return refused;
   // Read to its end before it was changed: motion is that of the program, but no file tells any more of which.
@@ -76,17 +95,21 @@ gcode::ByteSource WordMaker::counted(gcode::ByteSource source) {
 }
 
 realtime::Planning WordMaker::planning(MayStart may_start) {
-  return {.next = [this] { return next_chunk(); },
-          .refuse = [this] { source_.planner().refuse(); },
-          .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
-          .lets = std::move(may_start),
-          .slice = [this](double seconds) { source_.planner().slice(seconds); }};
+  realtime::Planning planning{.next = [this] { return next_chunk(); },
+                              .refuse = [this] { source_.planner().refuse(); },
+                              .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
+                              .lets = std::move(may_start),
+                              .slice = [this](double seconds) { source_.planner().slice(seconds); }};
+  if (!live_) return planning;
+  planning.drought = [this] { return source_.wants_moves() ? std::optional(live_->moves().drought()) : std::nullopt; };
+  planning.end_for_now = [this] { live_->moves().end_for_now(); };
+  return planning;
 }
 
 std::optional<planner::Chunk> WordMaker::next_chunk() {
   std::optional<planner::Chunk> chunk = source_.next();
   // Before the runner knows that this was the last.
-  if (source_.failure()) has_failed_.store(true, std::memory_order_release);
+  if (source_.failure() || (live_ && live_->has_failed())) has_failed_.store(true, std::memory_order_release);
   return chunk;
 }
 

@@ -10,9 +10,12 @@
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
 #include <leadscrew/realtime/runner.hpp>
+#include <memory>
 #include <optional>
 
 namespace leadscrew::drive {
+
+class LiveProgram;
 
 class WordMaker {
  public:
@@ -20,9 +23,10 @@ class WordMaker {
   using MayStart = std::function<bool(const planner::Chunk&)>;
 
   /// From rest at the position and path length of `first`. The program was read whole and found without error; it, the
-  /// setup and the link must outlive this.
+  /// setup and the link must outlive this. Where it is read while it moves (Options::live) `program` is empty.
   WordMaker(const files::InputFile& program, const Setup& setup, const base::Word& first, Link& link,
             MayStart may_start);
+  ~WordMaker();
 
   /// Plans ahead, then makes the first word.
   void start() { runner_->start(); }
@@ -44,19 +48,21 @@ class WordMaker {
   const std::optional<base::Diagnostic>& notice() const { return notice_; }
   /// Of a motion that is slower than it need be (pipeline::MotionSource::warning).
   std::optional<base::Diagnostic> warning() const { return source_.warning(); }
-  std::int64_t blocks() const { return source_.blocks(); }
+  std::int64_t blocks() const;
   /// Why motion ended before the program: `program-changed`, an error that was not there when the program was checked,
-  /// `word-refused`, `travel-unchecked`, `planning-failed`.
+  /// `word-refused`, `travel-unchecked`, `planning-failed`; the first error of a program that is read while it moves.
   std::optional<base::Diagnostic> failure() const;
 
  private:
   gcode::ByteSource counted(gcode::ByteSource source);
+  pipeline::MotionSource source_of(const Setup& setup);
   realtime::Planning planning(MayStart may_start);
   std::optional<planner::Chunk> next_chunk();
 
   const files::InputFile& program_;
   std::atomic<std::int64_t> bytes_read_{0};
-  pipeline::MotionSource source_;  ///< the planner's thread's, from start() to conclude()
+  std::unique_ptr<LiveProgram> live_;  ///< none: the program was read before
+  pipeline::MotionSource source_;      ///< the planner's thread's, from start() to conclude()
   std::atomic<bool> has_failed_{false};
   GuardedSink sink_;
   std::optional<realtime::Runner> runner_;

@@ -19,15 +19,21 @@ base::Result<void> MoveQueue::push(gcode::Move move) {
   if (auto sound = put_behind(end_, machine_, move); !sound) return sound;
   move.path_mode = tolerance_ > 0 ? gcode::PathMode::blend : gcode::PathMode::exact_path;
   move.tolerance = move.naive_cam_tolerance = tolerance_;
-  end_ = move.end;
-  moves_.push_back(std::move(move));
+  append(std::move(move));
   return {};
+}
+
+void MoveQueue::append(gcode::Move move) {
+  end_ = move.end;
+  line_ = move.line;
+  moves_.push_back(std::move(move));
 }
 
 /// A dwell of no time, for which motion rests.
 void MoveQueue::end_for_now() {
   gcode::Move rest = dwell(0);
   rest.start = rest.end = end_;
+  rest.line = line_;
   if (!finished_) moves_.push_back(std::move(rest));
 }
 
@@ -40,6 +46,7 @@ void MoveQueue::restart(const base::AxisVector& start) {
   moves_.clear();
   finished_ = has_given_ = false;
   end_ = start;
+  line_ = {};
 }
 
 pipeline::Supply MoveQueue::give(gcode::Move& move) {

@@ -24,6 +24,8 @@ class MoveQueue {
   /// The next move, behind the one before (put_behind()). Codes: those of put_behind(), `motion-ended` behind finish(). A
   /// move that is refused changes nothing.
   base::Result<void> push(gcode::Move move);
+  /// The same of a move that the reader of a program has made (gcode::Reader), as it is; not behind finish().
+  void append(gcode::Move move);
   /// Motion comes to rest where the moves so far end; more may follow.
   void end_for_now();
   /// No more moves will come.
@@ -47,6 +49,7 @@ class MoveQueue {
   const machine::Machine& machine_;
   std::deque<gcode::Move> moves_;
   base::AxisVector end_;
+  base::Line line_{};  ///< of the last one that was pushed
   double tolerance_;
   bool finished_ = false;
   bool has_given_ = false;

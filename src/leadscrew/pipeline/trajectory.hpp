@@ -32,8 +32,8 @@ class Trajectory {
  public:
   /// Rests at `position`, mm or degrees, and lasts no time.
   Trajectory(base::Period period, const base::AxisVector& position) : last_(period, position), period_(period) {}
-  Trajectory(Trajectory&&) = default;
-  Trajectory& operator=(Trajectory&&) = default;
+  Trajectory(Trajectory&&) noexcept = default;
+  Trajectory& operator=(Trajectory&&) noexcept = default;
   Trajectory(const Trajectory&) = delete;  // the interpolators look into the chunks that are kept here
   Trajectory& operator=(const Trajectory&) = delete;
 

@@ -3,16 +3,15 @@
 //
 //   push() ─▶ queue ─▶ planner's thread ─▶ cyclic thread ─▶ sink        any thread pushes
 //
-// Motion begins, and comes to rest for want of moves, as the Feeder says (Supply).
+// Motion begins, and comes to rest for want of moves, as the Feeder says (Drought).
 
-#include <cstdint>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/gcode/move.hpp>
-#include <leadscrew/host/move_queue.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
+#include <leadscrew/realtime/live_moves.hpp>
 #include <leadscrew/realtime/runner.hpp>
-#include <mutex>
+#include <utility>
 
 namespace leadscrew::realtime {
 
@@ -26,11 +25,11 @@ class MoveRunner {
   MoveRunner& operator=(const MoveRunner&) = delete;
 
   /// As host::MoveQueue::smooth(). Any thread may call it, and those below.
-  base::Result<void> smooth(double tolerance);
+  base::Result<void> smooth(double tolerance) { return moves_.smooth(tolerance); }
   /// As host::MoveQueue::push().
-  base::Result<void> push(gcode::Move move);
+  base::Result<void> push(gcode::Move move) { return moves_.push(std::move(move)); }
   /// No more moves will come: the runner ends where the last ends.
-  void finish();
+  void finish() { moves_.finish(); }
 
   /// To start, to override, to stop, and what has happened.
   Runner& runner() { return runner_; }
@@ -38,15 +37,8 @@ class MoveRunner {
   const std::optional<base::Diagnostic>& failure() const { return source_.failure(); }
 
  private:
-  pipeline::Supply give(gcode::Move& move);
-  std::optional<Drought> drought();
-  void end_for_now();
-
   const machine::Machine machine_;
-  std::mutex mutex_;
-  host::MoveQueue moves_;          ///< the mutex's, like these
-  std::int64_t last_came_ = 0;     ///< ns
-  bool is_open_ = false;           ///< has anything been pushed behind the last rest?
+  LiveMoves moves_;
   pipeline::MotionSource source_;  ///< the planner's thread's
   Runner runner_;
 };

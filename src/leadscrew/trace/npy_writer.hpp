@@ -11,7 +11,7 @@ namespace leadscrew::trace {
 /// A trace::HeaderLast.
 class NpyWriter {
  public:
-  static constexpr bool is_nameless = true;
+  static constexpr bool is_nameless = true;  ///< has no names of its columns
 
   /// Columns: t, line, s, feed, those of the axes, and more.
   NpyWriter(base::ByteSink sink, base::AxisSet axes, base::Period period, MoreColumns columns = {});

@@ -34,9 +34,10 @@ struct BesideWord {
 
 /// A column for each axis, of this name and the axis' letter: actual_X, actual_Y, …
 struct SlideColumn {
-  std::string_view name;
-  base::AxisVector BesideWord::* values;
-  std::string_view linear, rotary;  ///< units; empty where each controller has its own
+  std::string_view name;                  ///< before the letter
+  base::AxisVector BesideWord::* values;  ///< what it holds
+  std::string_view linear;                ///< unit of linear axes; empty where each controller has its own
+  std::string_view rotary;                ///< unit of rotary axes
 };
 inline constexpr std::array<SlideColumn, 4> slide_columns = {{{"actual_", &BesideWord::actual, "mm", "deg"},
                                                               {"velocity_", &BesideWord::velocity, "mm/s", "deg/s"},

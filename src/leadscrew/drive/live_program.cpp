@@ -1,0 +1,69 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <leadscrew/drive/live_program.hpp>
+#include <leadscrew/files/descriptor.hpp>
+#include <leadscrew/realtime/schedule.hpp>
+#include <memory>
+#include <utility>
+
+namespace leadscrew::drive {
+
+namespace {
+
+constexpr std::size_t most_moves_waiting = 10'000;  // so that memory is bounded: the writer is held back
+constexpr std::int64_t pause = 2'000'000;           // ns
+constexpr int longest_wait = 50;                    // ms, of a poll
+
+}  // namespace
+
+LiveProgram::LiveProgram(const Setup& setup, std::string name)
+    : setup_(setup), name_(std::move(name)), moves_(setup.machine, setup.reading.start), thread_([this] { read(); }) {}
+
+void LiveProgram::end() {
+  is_unwanted_.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
+}
+
+/// Moves behind an error may begin where no motion leads.
+void LiveProgram::read() {
+  gcode::Reader reader(source(), setup_.machine, setup_.tools, setup_.reader_options(name_),
+                       [this](const base::Diagnostic& problem) {
+                         if (problem.severity == base::Severity::error) fail(problem);
+                       });
+  gcode::Move move;
+  while (reader.next(move) && !has_failed()) {
+    moves_.append(std::move(move));
+    blocks_.store(reader.blocks(), std::memory_order_relaxed);
+    while (moves_.waiting() >= most_moves_waiting && !is_unwanted_.load(std::memory_order_relaxed))
+      realtime::sleep_until(realtime::now() + pause);
+  }
+  if (reader.source_failure()) fail(*reader.source_failure());
+  blocks_.store(reader.blocks(), std::memory_order_relaxed);
+  moves_.finish();
+}
+
+void LiveProgram::fail(const base::Diagnostic& problem) {
+  if (!failure_) failure_ = problem;
+  has_failed_.store(true, std::memory_order_release);
+}
+
+/// What has been written by now; waits for more, but never for longer than somebody wants it.
+gcode::ByteSource LiveProgram::source() {
+  const std::string& path = setup_.live_program;
+  auto opened = path == "-" ? base::Result<files::Descriptor>(files::Descriptor(::dup(STDIN_FILENO)))
+                            : files::open_descriptor(path, O_RDONLY, "cannot open");
+  if (!opened) {
+    return [problem = opened.error()](std::span<char>) -> base::Result<std::size_t> { return base::failure(problem); };
+  }
+  return [this, input = std::make_shared<files::Descriptor>(std::move(*opened))](
+             std::span<char> buffer) -> base::Result<std::size_t> {
+    for (pollfd waits{input->number(), POLLIN, 0}; !is_unwanted_.load(std::memory_order_relaxed);) {
+      if (::poll(&waits, 1, longest_wait) != 0) return files::read_some(input->number(), buffer, name_);
+    }
+    return 0;
+  };
+}
+
+}  // namespace leadscrew::drive
