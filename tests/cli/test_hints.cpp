@@ -27,6 +27,7 @@ TEST(Hints, NameTheOptionThatMends) {
   folder.write("square.ngc", square);
   folder.write("uneven.csv", "t,X,Y,Z\n0,0,0,0\n0.001,0,0,0\n0.005,0,0,0\n");
   folder.write("slow.csv", "t,X,Y,Z\n0,0,0,0\n5,0,0,0\n");
+  folder.write("fast.csv", "t,X,Y,Z\n0,0,0,0\n0.001,5,0,0\n0.002,9,0,0\n");
   folder.write("flat.csv", "t,X,Y\n0,0,0\n0.001,0,0\n");
   folder.write("other.state", "no state\n");
   for (const auto& [arguments, code, hint] : {
@@ -39,6 +40,7 @@ TEST(Hints, NameTheOptionThatMends) {
            Remedy{{"verify", "uneven.csv", "square.ngc"}, "trace-period", "--period TIME"},
            Remedy{{"verify", "slow.csv", "square.ngc"}, "trace-period", "--period TIME"},
            Remedy{{"verify", "flat.csv", "square.ngc"}, "trace-axis", "which --start says"},
+           Remedy{{"verify", "fast.csv", "square.ngc"}, "judged-by", "--period TIME, --mode MODE and --tolerance MM"},
            Remedy{{"drive", "square.ngc", "--state", "other.state"}, "state-other", "--state FILE"},
        }) {
     const auto told = leadscrew(folder, arguments);

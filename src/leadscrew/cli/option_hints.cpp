@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <leadscrew/cli/option_hints.hpp>
 
 namespace leadscrew::cli {
@@ -7,7 +8,7 @@ namespace leadscrew::cli {
 namespace {
 
 struct OptionHint {
-  enum class Place { behind, instead };  ///< of the hint that the problem has
+  enum class Place : std::uint8_t { behind, instead };  ///< of the hint that the problem has
 
   std::string_view code;
   Place place;

@@ -145,11 +145,23 @@ class Verification {
   double feed_ = -1;  ///< of the last row's block
 };
 
+/// Whoever brings another controller's trace may have meant other limits than those it was judged by.
+void tell_measures(const results::VerifyFigures& figures, const Job& job, DiagnosticLog& log) {
+  log.add({base::Severity::note,
+           "judged-by",
+           fmt::format("judged by machine {}, a period of {:g} ms and a tolerance of {:g} mm", job.machine.name,
+                       figures.period.seconds() * 1e3, figures.verdict.tolerance_mm),
+           "--machine FILE, --period TIME, --mode MODE and --tolerance MM judge by others",
+           {.file = shown_name(job.arguments.judged_trace)},
+           {}});
+}
+
 ProgramResult verify_program(const std::string& program, const Job& job, Console& console) {
   DiagnosticLog log(console);
   const std::string name = shown_name(program);
   const auto figures = Verification(job, console, log).execute(job.arguments.judged_trace, program);
   if (!figures) return rejected(results::verify_schema, name, job, log);
+  if (figures->verdict.objects()) tell_measures(*figures, job, log);
   return {figures->verdict.objects() ? Status::not_kept : Status::done,
           results::json_of_verify(name, job.machine, *figures, log.all()),
           results::verify_summary(name, job.machine, *figures, console.output_style())};
