@@ -2,9 +2,11 @@
 #include <cstdio>
 #include <leadscrew/host/motion.hpp>
 
+#include "trace_file.hpp"
+
 using namespace leadscrew;
 
-int main() {
+int main(int argc, char** argv) {
   using enum base::Axis;
   machine::Machine robot;
   robot.name = "six joints";
@@ -23,8 +25,10 @@ int main() {
   motion.finish();
 
   std::puts("    s       X       Y       Z       A       B       C");
+  TraceFile trace(argc, argv, "XYZABC", robot.period);
   std::array<base::Word, 100> words;
   while (const std::size_t count = motion.next(words)) {
+    for (std::size_t i = 0; i < count; ++i) trace.write(words[i]);
     const base::Word& word = words[count - 1];
     std::printf("%5.3f", base::seconds(word.tick, robot.period));
     for (std::size_t axis = 0; axis < 6; ++axis) std::printf(" %7.2f", word.position[axis]);
