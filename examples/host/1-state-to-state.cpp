@@ -1,11 +1,14 @@
 // From rest in one position to rest in another, in six axes, as fast as their limits allow: the slowest sets the time. It
 // is known before anything moves, and so is where each axis is at any time, and how fast.
+#include <array>
 #include <cstdio>
 #include <leadscrew/motion.hpp>
 
+#include "trace_file.hpp"
+
 using namespace leadscrew;
 
-int main() {
+int main(int argc, char** argv) {
   using enum base::Axis;
   machine::Machine robot;
   robot.name = "six joints";
@@ -33,5 +36,12 @@ int main() {
     std::printf(" %8.2f %8.1f %8.0f\n", at.velocity[0], at.acceleration[0], at.jerk[0]);
   }
   std::printf("%.3f s\n", planned->duration());
-  // The words of motion.next() are the same motion, a servo period apart.
+
+  // The same motion in words, a servo period apart.
+  motion.finish();
+  TraceFile trace(argc, argv, "XYZABC", robot.period);
+  std::array<base::Word, 100> words;
+  while (const std::size_t count = motion.next(words)) {
+    for (std::size_t i = 0; i < count; ++i) trace.write(words[i]);
+  }
 }

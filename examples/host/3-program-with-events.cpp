@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <leadscrew/motion.hpp>
 
+#include "trace_file.hpp"
+
 using namespace leadscrew;
 
 static const char* const program = R"(G21 G90 G17 G64 P0.01
@@ -19,7 +21,8 @@ M5
 M2
 )";
 
-int main() {
+int main(int argc, char** argv) {
+  TraceFile trace(argc, argv, "XYZ", machine::mill3().period);
   bool holds = false;
   host::MotionOptions options;
   // With the word in whose period it happens: motion rests for M3 and M6, coolant is switched on the way.
@@ -34,7 +37,7 @@ int main() {
   std::array<base::Word, 1> word;  // one a period, as a cycle takes them
   for (;;) {
     if ((*motion)->next(word) > 0) {
-      // send(word[0].position);
+      trace.write(word[0]);  // and to the drives
       if (holds) (void)(*motion)->override_feed(0);
     } else if ((*motion)->progress() == pipeline::Progress::held) {
       std::puts("           held until the spindle has its speed");

@@ -54,6 +54,7 @@ TEST(MotionCharts, ShowDerivativesAsSharesOfTheirLimits) {
   const double at_end = std::stod(curve.substr(curve.rfind(' ')));
   EXPECT_NEAR((least + greatest) / 2 - at_end, (least - greatest) / 4, 0.2);
   EXPECT_LT(curve.size(), 200u);  // straight lines are two points
+  EXPECT_LT(picture.size(), 12'000u);
 }
 
 TEST(MotionCharts, AreOfBoundedSizeForNineAxesAndManyWords) {

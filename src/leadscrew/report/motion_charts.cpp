@@ -86,9 +86,9 @@ class MotionCharts {
     both.insert(base::Axis::X);
     both.insert(base::Axis::Y);
     // The thinner goes by the distance travelled: time counts as much as values do.
-    const double time_scale = (greatest > 0 ? greatest : 1) / std::max(recording_.seconds(), 1e-9);
+    const double height = greatest > 0 ? greatest : 1, time_scale = height / std::max(recording_.seconds(), 1e-9);
     for (PathPoint& point : points) point.position[0] *= time_scale;
-    const ThinningTolerance tolerance{finest * greatest, 0};
+    const ThinningTolerance tolerance{finest * height, 0};
     thin(points, both, tolerance);
     Curve curve{{}, base::index(axis)};
     for (const PathPoint& point : thinned_to(points, both, most_samples, tolerance))
