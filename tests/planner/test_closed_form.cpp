@@ -37,4 +37,32 @@ TEST(ClosedForm, GoesOnWhereItStoppedJustBeforeTheEnd) {
   }
 }
 
+/// A hold that is given up in the last phase of its stop passes through rest; here just where a slice ends. What follows
+/// may come late there: no tail may go on in its place.
+TEST(ClosedForm, StandsWhereASliceEndsAtRest) {
+  const machine::Machine machine = machine::mill3();
+  constexpr double slice = 1.0 / 64;
+  geometry::Point end{};
+  end[0] = 20;
+  Planner planner(machine, {});
+  planner.slice(slice);
+  planner.push(toolpath::Piece{geometry::Line({}, end, end[0]), 100});
+  planner.finish();
+  int through_rest = 0;
+  for (int popped = 0;; ++popped) {
+    if (popped == 2) planner.override_feed(0);  // two slices of acceleration, six of the stop
+    if (popped == 7) planner.override_feed(1);
+    const std::optional<Chunk> chunk = planner.pop();
+    if (!chunk) break;
+    ASSERT_LT(popped, 200);
+    const planner::Segment& last = chunk->segments.back();
+    const planner::PathState state = evaluate(last, (chunk->end() - last.begin).value());
+    if (!is_rest(state)) continue;
+    EXPECT_TRUE(chunk->stop_tail.empty()) << "after slice " << popped;
+    EXPECT_EQ(chunk->tail_length, 0);
+    through_rest += chunk->rest != end;
+  }
+  EXPECT_EQ(through_rest, 1);
+}
+
 }  // namespace

@@ -229,7 +229,11 @@ Chunk ClosedForm::next(double slice) {
   rest_before_ = rest_;
   rest_ = motion_.end;
   if (!is_last) {
-    if (std::optional<Motion> tail = stop(here())) {
+    const PathState end = here();
+    if (is_rest(end)) {
+      rest_ = s_;  // a hold that is given up in its last phase passes through rest
+      chunk.segments.back().duration = now_ - chunk.segments.back().begin;
+    } else if (std::optional<Motion> tail = stop(end)) {
       rest_ = tail->end;
       chunk.stop_tail = std::move(tail->segments);
       for (Segment& segment : chunk.stop_tail) segment.begin = segment.begin + now_;

@@ -16,10 +16,13 @@ PathState Chunk::first_state() const {
   return evaluate(first, (begin - first.begin).value());
 }
 
+bool is_rest(const PathState& state) {
+  return std::abs(state.speed) <= rest_speed && std::abs(state.acceleration) <= rest_acceleration;
+}
+
 bool Chunk::begins_at_rest() const {
   if (segments.empty() || segments.front().state == base::MotionState::rest) return true;
-  const PathState first = first_state();
-  return std::abs(first.speed) <= rest_speed && std::abs(first.acceleration) <= rest_acceleration;
+  return is_rest(first_state());
 }
 
 base::PassedEvent passed_at(base::Tick tick, const PlacedEvent& event) {

@@ -50,6 +50,9 @@ PathState evaluate(const Segment& segment, double tau);
 /// nanoseconds.
 inline constexpr double rest_speed = 1e-9, rest_acceleration = 1e-6;
 
+/// Does motion stand, to rounding? Where it passes through rest it does: what goes on there may as well wait.
+bool is_rest(const PathState& state);
+
 /// An event at its place of a chunk.
 struct PlacedEvent : base::Event {
   std::uint32_t piece = 0;  ///< index into Chunk::pieces
