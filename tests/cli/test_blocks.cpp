@@ -15,6 +15,24 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
+/// To know rapids from feed moves, events go along the path: they change no bit of a word, and are in no list.
+TEST(Blocks, AndRapidsAreDrawnFromTheSameWords) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G64 P0.1\nG0 X5 Z5\nG1 X10 Y3 F900\nM8\nX30 F600\nG0 X40 Y9\nG1 X0\nM2\n");
+  leadscrew(folder, {"run", "part.ngc", "--trace", "t.csv", "--events", "e.csv"});
+  const Outcome drawn = leadscrew(
+      folder, {"run", "part.ngc", "--trace", "d.csv", "--events", "f.csv", "--report", "r.html", "--picture", "p.svg"});
+  ASSERT_EQ(drawn.status, 0) << drawn.errors;
+  EXPECT_EQ(folder.read("t.csv"), folder.read("d.csv"));
+  EXPECT_EQ(folder.read("e.csv"), folder.read("f.csv"));
+  EXPECT_TRUE(contains(folder.read("p.svg"), ">900 mm/min</text>"));
+  EXPECT_TRUE(contains(folder.read("p.svg"), ">rapids</text>"));
+  const std::string page = folder.read("r.html");
+  EXPECT_TRUE(contains(page, "Where time is lost"));
+  EXPECT_TRUE(contains(page, "X30 F600</td><td>600</td>"));
+  EXPECT_TRUE(contains(page, "G0 X40 Y9</td><td>rapid</td>"));
+}
+
 TEST(Blocks, AreWrittenWithWhatTheyTookAndLost) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G61 F6000\nG0 Z5\nG1 X10 (a \"quoted\" word)\n\nG4 P0.25\nG1 X30 F600\nM2\n");

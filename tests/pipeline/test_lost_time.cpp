@@ -59,6 +59,8 @@ TEST(LostTime, IsTheTimeLessLengthOverFeed) {
   EXPECT_NEAR(lost.blocks[1].length, 10, 0.02);
   EXPECT_NEAR(lost.blocks[1].feed_asked, 20, 1e-12);
   EXPECT_NEAR(lost.blocks[1].feed_reached, 20, 1e-4);
+  EXPECT_NEAR(lost.blocks[1].middle[0], 10, 1e-9);
+  EXPECT_NEAR(lost.blocks[1].middle[1], 5, 0.02);
   EXPECT_EQ(lost.greatest[0], 10);
   EXPECT_EQ(lost.least[1], 0);
 }

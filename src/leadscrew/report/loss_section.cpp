@@ -36,7 +36,7 @@ void put_causes(std::string& page, const Report& report) {
     if (!(loss.seconds > least_share * report.time_s)) break;
     put(page, "<tr><td>", escaped(cause_text(loss.cause)),
         "</td><td class=\"share\"><i style=\"width:", fixed(100 * loss.seconds / greatest, 1), "%\"></i></td><td>",
-        readable_time(loss.seconds), "</td><td>", percent(loss.seconds / report.time_s), "</td></tr>\n");
+        readable_time(loss.seconds), "</td><td>", fixed(100 * loss.seconds / report.time_s, 1), " %</td></tr>\n");
   }
   put(page, "</tbody></table></div>\n");
 }
