@@ -25,15 +25,15 @@ namespace leadscrew::pipeline {
 
 /// What the motion was, up to the last word made.
 struct Summary {
-  std::int64_t blocks = 0;         ///< read
-  std::int64_t moves = 0;          ///< travelled: lines and arcs
-  std::int64_t words = 0;          ///< servo periods
-  double time_s = 0;               ///< words · period
-  double dwell_s = 0;              ///< asked for by G4 and the like
-  double bound_s = 0;              ///< the least time without a jerk limit (planner::TimeBound); known at the end
-  double length_mm = 0;            ///< of the tool path, as Word::path_length
-  double feed_programmed_max = 0;  ///< mm/s; 0 if the program has only rapids
-  double tolerance_mm = 0;         ///< the largest that applied
+  std::int64_t blocks = 0;          ///< read
+  std::int64_t moves = 0;           ///< travelled: lines and arcs
+  std::int64_t words = 0;           ///< servo periods
+  double time_s = 0;                ///< words · period
+  double dwell_s = 0;               ///< asked for by G4 and the like
+  double bound_s = 0;               ///< the least time without a jerk limit (planner::TimeBound); known at the end
+  double length_mm = 0;             ///< of the tool path, as Word::path_length
+  double feed_programmed_max = 0;   ///< mm/s; 0 if the program has only rapids
+  double tolerance_mm = 0;          ///< the largest that applied
   constraints::LimitRatios plan{};  ///< analytically, from the motion
 };
 

@@ -60,7 +60,7 @@ struct Violation {
 /// The block that a word was matched to.
 struct MatchedBlock {
   base::Line line{};  ///< of the program
-  double feed = 0;  ///< programmed, mm/s or degrees/s; infinite for a rapid
+  double feed = 0;    ///< programmed, mm/s or degrees/s; infinite for a rapid
 };
 
 /// What all words were.
