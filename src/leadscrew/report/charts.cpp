@@ -137,7 +137,8 @@ class Panel {
 void put_keys(std::string& out, const std::vector<ChartKey>& keys) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double x = margin + left + static_cast<double>(i % columns) * (box_width + gap);
-    const double y = title_height + key_height * static_cast<double>(i / columns);
+    const std::size_t row = i / columns;
+    const double y = title_height + key_height * static_cast<double>(row);
     put(out, "<path class=\"line c", std::to_string(keys[i].color), "\" d=\"M", fixed(x, 1), " ", fixed(y - 4, 1),
         "h26\"/><text x=\"", fixed(x + 34, 1), "\" y=\"", fixed(y, 1), "\">", escaped(keys[i].name), "</text>\n");
   }
@@ -154,7 +155,10 @@ Curve evenly_spaced(const std::vector<double>& values, double interval) {
 
 base::Result<void> write_charts(const ChartSheet& sheet, const base::ByteSink& sink) {
   const std::vector<Chart>& charts = sheet.charts;
-  const auto rows_of = [](std::size_t count) { return static_cast<double>((count + columns - 1) / columns); };
+  const auto rows_of = [](std::size_t count) {
+    const std::size_t rows = (count + columns - 1) / columns;
+    return static_cast<double>(rows);
+  };
   const double down = caption_height + box_height + below;
   const double width = 2 * margin + columns * (left + box_width) + gap - left;
   const double above = title_height + key_height * rows_of(sheet.keys.size());
