@@ -22,7 +22,7 @@ base::Diagnostic system_problem(std::string_view code, const char* what, const s
 }  // namespace
 
 base::Result<std::string> load_text(const std::string& path, std::size_t most) {
-  constexpr std::size_t piece = 64 * 1024;
+  constexpr std::size_t piece = std::size_t{64} * 1024;
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
   if (file == nullptr) return base::failure(system_problem("io-open", "cannot open", path, errno));
   std::string text;

@@ -99,15 +99,23 @@ LEADSCREW_LANEWISE void step(Horner& sum, Vector tau, Vector coefficient) {
   sum.value = value.hi;
 }
 
+/// Says that as many words as there are lanes will be written here: memory has until then to be fetched.
+LEADSCREW_LANEWISE void expect(const base::Word* words) {
+  constexpr std::size_t line = 64;  // bytes that are fetched together
+  const char* const begin = reinterpret_cast<const char*>(words);
+  for (std::size_t byte = 0; byte < lanes * sizeof(base::Word); byte += line) __builtin_prefetch(begin + byte, 1);
+}
+
 /// s and speed of the words of a segment, of this degree, from `begin` to `end`; clears the lanes of `is_good` in which
 /// bits could differ. What lies behind the end, to fill a vector, is good for nothing: the next segment's is written over
 /// it.
 LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stretch, std::size_t begin, double length,
-                                 int degree, Made& made, Mask& is_good) {
+                                 int degree, Made& made, Mask& is_good, const base::Word* words) {
   const auto number = [&](Block::Number which) { return all(stretch.numbers[which]); };
   const Vector state = all_bits(__builtin_bit_cast(double, static_cast<std::int64_t>(stretch.state)));
   const std::size_t end = begin + stretch.words;
   for (std::size_t i = begin; i < end; i += lanes) {
+    expect(words + i);
     const Pair tau = tau_of(block, stretch, i, end);
     Horner sum{};
     if (degree == 5) {
@@ -137,17 +145,17 @@ LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stret
 }
 
 /// False if the bits of a word could differ.
-LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made) {
+LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made, const base::Word* words) {
   Mask is_good = all(least_s) < all(length);
   std::size_t begin = 0;
   for (std::size_t k = 0; k < block.stretch_count; ++k) {
     const Block::Stretch& stretch = block.stretches[k];
     if (stretch.degree == 5) {
-      go_along(block, stretch, begin, length, 5, made, is_good);
+      go_along(block, stretch, begin, length, 5, made, is_good, words);
     } else if (stretch.degree == 3) {
-      go_along(block, stretch, begin, length, 3, made, is_good);
+      go_along(block, stretch, begin, length, 3, made, is_good, words);
     } else {
-      go_along(block, stretch, begin, length, 1, made, is_good);
+      go_along(block, stretch, begin, length, 1, made, is_good, words);
     }
     begin += stretch.words;
   }
@@ -262,7 +270,7 @@ LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, std::size_t count, Ma
   const auto* const line = std::get_if<geometry::Line>(block.curve);
   const auto* const arc = std::get_if<geometry::Arc>(block.curve);
   if (arc && !(std::abs(arc->angle_rate()) * arc->length() < numeric::greatest_near_angle)) return false;
-  if (!go_along(block, line ? line->length() : arc->length(), made)) return false;
+  if (!go_along(block, line ? line->length() : arc->length(), made, words)) return false;
   const geometry::Point& start = line ? line->start() : arc->start();
   describe(block, start, made, slots);
   go_straight(line ? line->slopes() : arc->slopes(), start, block.count, made, slots);
