@@ -7,7 +7,7 @@
 #include <string>
 
 namespace leadscrew::base {
-namespace {
+namespace test_checked_text {
 
 constexpr std::size_t piece = CheckedText::piece_size;
 
@@ -130,5 +130,5 @@ TEST(CheckedText, PassesTheErrorOfItsSourceOn) {
   EXPECT_EQ(read(checked.source(broken)).error, "io-read");
 }
 
-}  // namespace
+}  // namespace test_checked_text
 }  // namespace leadscrew::base

@@ -10,7 +10,7 @@
 #include <string>
 
 namespace leadscrew::base {
-namespace {
+namespace test_digits {
 
 std::string digits(double value) {
   char text[digits_room];
@@ -62,5 +62,5 @@ RC_GTEST_PROP(Digits, AgreeWithPrintfForAnyBits, (std::uint64_t bits)) {
   if (std::isfinite(value)) RC_ASSERT(digits(value) == as_printf(value));
 }
 
-}  // namespace
+}  // namespace test_digits
 }  // namespace leadscrew::base

@@ -2,7 +2,7 @@
 
 #include <leadscrew/base/number_text.hpp>
 
-namespace {
+namespace test_number_text {
 
 using namespace leadscrew::base;
 
@@ -24,4 +24,4 @@ TEST(NumberText, HasSoManyDecimals) {
   EXPECT_EQ(fixed_text(1e300, 2).size(), 304U);
 }
 
-}  // namespace
+}  // namespace test_number_text

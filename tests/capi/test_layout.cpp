@@ -5,7 +5,7 @@
 
 // What a program that was compiled with an earlier version relies on: sizes may grow at the end, nothing moves.
 
-namespace {
+namespace test_layout {
 
 TEST(Layout, OfErrors) {
   EXPECT_EQ(sizeof(leadscrew_error), 848U);
@@ -84,4 +84,4 @@ TEST(Layout, OfStates) {
   EXPECT_EQ(offsetof(leadscrew_state, state), 328U);
 }
 
-}  // namespace
+}  // namespace test_layout

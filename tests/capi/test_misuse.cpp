@@ -14,7 +14,7 @@
 using namespace leadscrew;
 using namespace leadscrew::capi_tests;
 
-namespace {
+namespace test_misuse {
 
 TEST(Capi, SaysWhatIsWrongWithAProgram) {
   leadscrew_error error = sized_error();
@@ -304,4 +304,4 @@ TEST(Capi, OutlivesItsMachine) {
   expect_same(words_of(motion.get()), pipeline_words(plate));
 }
 
-}  // namespace
+}  // namespace test_misuse

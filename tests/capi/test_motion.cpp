@@ -10,7 +10,7 @@
 using namespace leadscrew;
 using namespace leadscrew::capi_tests;
 
-namespace {
+namespace test_motion {
 
 const std::string two_lines_and_an_arc = "G21 G90 G17\nG1 X10 F3000\nG3 X10 Y10 I0 J5\nG1 X0 Y10 Z2\nM2\n";
 
@@ -170,4 +170,4 @@ TEST(Capi, AbortsAtRestAndStartsAnew) {
   }
 }
 
-}  // namespace
+}  // namespace test_motion

@@ -8,7 +8,7 @@
 using namespace leadscrew;
 using namespace leadscrew::capi_tests;
 
-namespace {
+namespace test_trajectory {
 
 leadscrew_state at(const leadscrew_trajectory* trajectory, double time) {
   leadscrew_state state{};
@@ -149,4 +149,4 @@ TEST(Capi, IsInterruptedWhileItPlans) {
   EXPECT_STREQ(error.code, "interrupted");
 }
 
-}  // namespace
+}  // namespace test_trajectory

@@ -12,7 +12,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_about {
 
 using options::Option;
 using Words = std::vector<std::string>;
@@ -284,5 +284,5 @@ TEST(Version, IsNotJsonAlone) {
   EXPECT_TRUE(contains(alone.errors, "no command")) << alone.errors;
 }
 
-}  // namespace
+}  // namespace test_about
 }  // namespace leadscrew::cli::testing

@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_adaptive {
 
 Json milled(const Folder& folder, const std::string& program, std::vector<std::string> more, int status = 0) {
   folder.write("part.ngc", program);
@@ -216,5 +216,5 @@ TEST(Adaptive, SaysWhatIsWrongWithItsOptions) {
   EXPECT_EQ(leadscrew(folder, {"simulate", "rapid.ngc", "--adaptive"}).status, 2);
 }
 
-}  // namespace
+}  // namespace test_adaptive
 }  // namespace leadscrew::cli::testing

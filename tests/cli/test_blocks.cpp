@@ -5,7 +5,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_blocks {
 
 /// The last cells of a row, behind its quoted text.
 std::vector<std::string> cells_of(const std::string& line) {
@@ -77,5 +77,5 @@ TEST(Blocks, AreOfOneProgram) {
   EXPECT_EQ(leadscrew(folder, {"run", "a.ngc", "--blocks", "b.txt"}).status, 2);
 }
 
-}  // namespace
+}  // namespace test_blocks
 }  // namespace leadscrew::cli::testing

@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_check {
 
 Json checked(const Folder& folder, const std::string& text, int status = 0) {
   folder.write("part.ngc", text);
@@ -108,5 +108,5 @@ TEST(CheckOfFeeds, IsNoMatterOfARun) {
   EXPECT_EQ(run["diagnostics"], Json::array());  // `losses` says what it costs
 }
 
-}  // namespace
+}  // namespace test_check
 }  // namespace leadscrew::cli::testing

@@ -5,7 +5,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_command_line {
 
 using Words = std::vector<std::string>;
 
@@ -279,5 +279,5 @@ TEST(Color, NeverEntersJson) {
   EXPECT_EQ(run.json()["words"], 4179);
 }
 
-}  // namespace
+}  // namespace test_command_line
 }  // namespace leadscrew::cli::testing

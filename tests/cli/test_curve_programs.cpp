@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_curve_programs {
 
 Json figures_of(const Folder& folder, const std::vector<std::string>& words, int status) {
   const auto outcome = leadscrew(folder, words);
@@ -177,5 +177,5 @@ TEST(SimulateCurve, AreRefusedWhereNothingWouldMove) {
   }
 }
 
-}  // namespace
+}  // namespace test_curve_programs
 }  // namespace leadscrew::cli::testing

@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_design {
 
 using Words = std::vector<std::string>;
 
@@ -160,5 +160,5 @@ TEST(Design, HelpShowsExamples) {
   EXPECT_TRUE(contains(outcome.output, "leadscrew design --timer --clock 1024 --delays 2,4,8"));
 }
 
-}  // namespace
+}  // namespace test_design
 }  // namespace leadscrew::cli::testing

@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_events {
 
 const std::string part = "G21 G90 G94 F6000 G61\nS1200 M3\nG1 X10\nM67 E2 Q0.5\nG1 X20 S800\nM8\nX30\nM62 P3\nM2\n";
 
@@ -104,5 +104,5 @@ TEST(Events, AreRefusedAFileThatIsNoCsvOrAlreadyTaken) {
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 
-}  // namespace
+}  // namespace test_events
 }  // namespace leadscrew::cli::testing

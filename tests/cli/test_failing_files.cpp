@@ -6,7 +6,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_failing_files {
 
 namespace fs = std::filesystem;
 
@@ -392,5 +392,5 @@ TEST_P(Interruption, EndsWaitingForAFullPipe) {
 INSTANTIATE_TEST_SUITE_P(Both, Interruption, ::testing::Values(SIGINT, SIGTERM),
                          [](const auto& signal) { return signal.param == SIGINT ? "Int" : "Term"; });
 
-}  // namespace
+}  // namespace test_failing_files
 }  // namespace leadscrew::cli::testing

@@ -5,7 +5,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_feed_ripple {
 
 double ripple_of(const Folder& folder, std::vector<std::string> words) {
   words.emplace_back("--json");
@@ -67,5 +67,5 @@ TEST(FeedRippleOfATrace, IsNullOfForeignOnes) {
   }
 }
 
-}  // namespace
+}  // namespace test_feed_ripple
 }  // namespace leadscrew::cli::testing

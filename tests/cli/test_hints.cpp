@@ -9,7 +9,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_hints {
 
 using Words = std::vector<std::string>;
 
@@ -121,5 +121,5 @@ TEST(Traces, AreToldFromPrograms) {
   EXPECT_TRUE(contains(programs.errors, "[trace-header]")) << programs.errors;
 }
 
-}  // namespace
+}  // namespace test_hints
 }  // namespace leadscrew::cli::testing

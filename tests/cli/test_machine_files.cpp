@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_machine_files {
 
 std::string replaced(const std::string& what, const std::string& by) {
   std::string text = machine_text();
@@ -138,5 +138,5 @@ TEST(MachineFiles, Mill3IsTheBuiltInMachine) {
   EXPECT_FALSE(folder.read("a.csv") == folder.read("c.csv"));
 }
 
-}  // namespace
+}  // namespace test_machine_files
 }  // namespace leadscrew::cli::testing

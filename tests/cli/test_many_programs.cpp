@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_many_programs {
 
 /// Long and short, sound and rejected, missing.
 std::vector<std::string> write_programs(const Folder& folder) {
@@ -95,5 +95,5 @@ TEST(ManyPrograms, AskForThreadsThatThereCanBe) {
     EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--threads", threads}).status, 2) << threads;
 }
 
-}  // namespace
+}  // namespace test_many_programs
 }  // namespace leadscrew::cli::testing

@@ -8,7 +8,7 @@
 #include "quarter.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_pulse {
 
 Names keys_of(const Json& object) {
   Names keys;
@@ -374,5 +374,5 @@ TEST(Pulse, HelpShowsExamples) {
   EXPECT_TRUE(contains(outcome.output, "point-comparison, dda, min-error, improved-min-error, bresenham, koren"));
 }
 
-}  // namespace
+}  // namespace test_pulse
 }  // namespace leadscrew::cli::testing

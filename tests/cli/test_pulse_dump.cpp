@@ -9,7 +9,7 @@
 #include "value_changes.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_pulse_dump {
 
 using nc::PulseMethod;
 
@@ -189,5 +189,5 @@ TEST(PulseDump, ShowsRegistersOfNBitsWithASign) {
   EXPECT_EQ(dump.signals.at("dda.dx").width, 2);
 }
 
-}  // namespace
+}  // namespace test_pulse_dump
 }  // namespace leadscrew::cli::testing

@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_rejected_programs {
 
 struct Bad {
   const char* name;
@@ -129,5 +129,5 @@ TEST(RejectedPrograms, DoNotKeepTheOthersFromMoving) {
   EXPECT_EQ(both["programs"][1]["words"], 4179);
 }
 
-}  // namespace
+}  // namespace test_rejected_programs
 }  // namespace leadscrew::cli::testing

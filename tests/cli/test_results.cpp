@@ -12,7 +12,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_results {
 
 using Row = std::vector<double>;
 
@@ -380,5 +380,5 @@ TEST(Examples, RunAndKeepEveryLimit) {
   EXPECT_GE(programs, 8);
 }
 
-}  // namespace
+}  // namespace test_results
 }  // namespace leadscrew::cli::testing

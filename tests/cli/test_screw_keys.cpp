@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_screw_keys {
 
 struct BadScrew {
   const char* name;
@@ -63,5 +63,5 @@ TEST(ScrewKeys, AreSuggested) {
   EXPECT_TRUE(contains(check.errors, "did you mean backlash_mm?")) << check.errors;
 }
 
-}  // namespace
+}  // namespace test_screw_keys
 }  // namespace leadscrew::cli::testing

@@ -8,7 +8,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_screws {
 
 /// Errors over commands, straight between entries; mm.
 using Table = std::vector<std::pair<double, double>>;
@@ -264,5 +264,5 @@ TEST(ScrewErrors, AreRefusedForInterpolatorsOfBlocks) {
   EXPECT_EQ(leadscrew(folder, {"run", "part.ngc", "--machine", "m.toml"}).status, 0);
 }
 
-}  // namespace
+}  // namespace test_screws
 }  // namespace leadscrew::cli::testing

@@ -5,7 +5,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_side_files {
 
 TEST(SideFile, NamesTheColumnsOfAnArray) {
   const Folder folder;
@@ -63,5 +63,5 @@ TEST(SideFile, IsNotWrittenOverWhatIsRead) {
   EXPECT_EQ(folder.read("t.npy.json"), square);
 }
 
-}  // namespace
+}  // namespace test_side_files
 }  // namespace leadscrew::cli::testing

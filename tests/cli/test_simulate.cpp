@@ -10,7 +10,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_simulate {
 
 Json simulated(const Folder& folder, const std::string& program, std::vector<std::string> more, int status = 0) {
   folder.write("part.ngc", program);
@@ -343,5 +343,5 @@ TEST(DriveKeys, AreSuggested) {
   EXPECT_TRUE(contains(leadscrew(folder, {"check", "part.ngc", "--machine", "m.toml"}).errors, "[axis.X.drive]"));
 }
 
-}  // namespace
+}  // namespace test_simulate
 }  // namespace leadscrew::cli::testing

@@ -9,7 +9,7 @@
 #include "value_changes.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_step_times {
 
 using Words = std::vector<std::string>;
 
@@ -272,5 +272,5 @@ TEST(StepTimesOfRun, AreTimes) {
   }
 }
 
-}  // namespace
+}  // namespace test_step_times
 }  // namespace leadscrew::cli::testing

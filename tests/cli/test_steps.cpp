@@ -10,7 +10,7 @@
 // run --pulses: steps as files, summed by readers that know nothing of what wrote them.
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_steps {
 
 /// Where the steps of a CSV lead, BLU, by axis; ticks must not fall.
 std::map<std::string, std::int64_t> ends_of_rows(const std::string& text) {
@@ -284,5 +284,5 @@ TEST(StepsInterrupt, EndsPlanning) {
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 
-}  // namespace
+}  // namespace test_steps
 }  // namespace leadscrew::cli::testing

@@ -9,7 +9,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_study {
 
 TEST(Study, ListNamesWhatThereIs) {
   const Folder folder;
@@ -190,5 +190,5 @@ TEST(Study, EndsWhenInterrupted) {
   EXPECT_TRUE(contains(outcome.errors, "[interrupted]")) << outcome.errors;
 }
 
-}  // namespace
+}  // namespace test_study
 }  // namespace leadscrew::cli::testing

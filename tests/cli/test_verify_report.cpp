@@ -7,7 +7,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_verify_report {
 
 const std::string there_and_back = "G21 G90 G61\nG0 X10\nG1 X20 F600\nG0 X0\nM2\n";
 
@@ -84,5 +84,5 @@ TEST(VerifyReport, IsNotWrittenOverWhatIsRead) {
   EXPECT_EQ(folder.names(), (Names{"part.html", "other.csv"}));
 }
 
-}  // namespace
+}  // namespace test_verify_report
 }  // namespace leadscrew::cli::testing

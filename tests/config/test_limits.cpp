@@ -10,7 +10,7 @@
 #include "files.hpp"
 
 namespace leadscrew::config::testing {
-namespace {
+namespace test_limits {
 
 using Texts = std::vector<std::string>;
 
@@ -133,5 +133,5 @@ TEST(Files, OfTheProjectLoadUnderTheirNames) {
   EXPECT_GE(machines, 4);
 }
 
-}  // namespace
+}  // namespace test_limits
 }  // namespace leadscrew::config::testing

@@ -9,7 +9,7 @@
 #include "files.hpp"
 
 namespace leadscrew::config::testing {
-namespace {
+namespace test_values {
 
 using Texts = std::vector<std::string>;
 
@@ -102,5 +102,5 @@ TEST(Laser, IsRefusedWhereItIsWrong) {
   EXPECT_EQ(problems_of(one_axis + "[laser]\nfeed = true\n"), Texts{"8:1 machine-key"});
 }
 
-}  // namespace
+}  // namespace test_values
 }  // namespace leadscrew::config::testing

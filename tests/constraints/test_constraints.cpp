@@ -6,7 +6,7 @@
 #include <leadscrew/geometry/curve.hpp>
 #include <random_numbers.hpp>
 
-namespace {
+namespace test_constraints {
 
 using namespace leadscrew;
 using base::Axis;
@@ -142,4 +142,4 @@ RC_GTEST_PROP(GreatestSquare, KeepsFeedAndEveryAxisVelocity, ()) {
             1e-14);
 }
 
-}  // namespace
+}  // namespace test_constraints

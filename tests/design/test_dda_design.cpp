@@ -8,7 +8,7 @@
 #include <leadscrew/pulse/linear.hpp>
 
 namespace leadscrew::design {
-namespace {
+namespace test_dda_design {
 
 constexpr DdaRange table{600, 0.01, 12000, 50};
 
@@ -58,5 +58,5 @@ TEST(LectureTimerDesign, Takes13BitsFor8Seconds) {
   EXPECT_EQ(timer.seconds, (std::vector<double>{2, 4, 8}));
 }
 
-}  // namespace
+}  // namespace test_dda_design
 }  // namespace leadscrew::design

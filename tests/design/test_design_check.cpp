@@ -6,7 +6,7 @@
 #include <string>
 
 namespace leadscrew::design {
-namespace {
+namespace test_design_check {
 
 using Problems = std::vector<base::Diagnostic>;
 
@@ -58,5 +58,5 @@ TEST(DesignCheck, HoldsTheInverseTimeCodeToItsDigits) {
   EXPECT_EQ(problems_of(koren, 2, 0.004).front().code, "feed-too-low");
 }
 
-}  // namespace
+}  // namespace test_design_check
 }  // namespace leadscrew::design

@@ -7,7 +7,7 @@
 #include <leadscrew/pulse/linear.hpp>
 
 namespace leadscrew::design {
-namespace {
+namespace test_inverse_time {
 
 /// 12 in, 0.0001 in, 30 in/min in steps of 0.01.
 constexpr InverseTimeRange koren{12, 0.0001, 30, 0.01, 4};
@@ -56,5 +56,5 @@ TEST(KorenInverseTime, TakesAsLongAsItsRegistersDo) {
   EXPECT_NEAR(static_cast<double>(clocks) / design.clock_pps, 0.25 / word.feed * 60, 2e-4);
 }
 
-}  // namespace
+}  // namespace test_inverse_time
 }  // namespace leadscrew::design

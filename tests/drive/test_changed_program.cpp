@@ -10,7 +10,7 @@
 #include "driven.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_changed_program {
 
 namespace fs = std::filesystem;
 
@@ -132,5 +132,5 @@ TEST(ChangedProgram, UnderItsNameAloneIsDrivenToItsEnd) {
   EXPECT_EQ(state_of(folder), "ended");
 }
 
-}  // namespace
+}  // namespace test_changed_program
 }  // namespace leadscrew::cli::testing

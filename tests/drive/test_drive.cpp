@@ -9,7 +9,7 @@
 #include "driven.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_drive {
 
 TEST(Drive, MakesTheWordsOfRunBitForBit) {
   const Folder folder;
@@ -381,5 +381,5 @@ TEST(Drive, RefusesToResumeAnythingElse) {
   refused(same, "resume-state");
 }
 
-}  // namespace
+}  // namespace test_drive
 }  // namespace leadscrew::cli::testing

@@ -8,7 +8,7 @@
 #include "driven.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_drive_events {
 
 /// Lines that go on smoothly, an S in each, and M67 behind half of them.
 std::string many_events(int lines, int feed) {
@@ -97,5 +97,5 @@ TEST(DriveEvents, HappenOnceThoughMotionIsStoppedAndGoesOn) {
   }));
 }
 
-}  // namespace
+}  // namespace test_drive_events
 }  // namespace leadscrew::cli::testing

@@ -5,7 +5,7 @@
 #include "driven.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_drive_live {
 
 /// The rows that have been written whole.
 std::vector<Row> rows_by_now(const Folder& folder) {
@@ -77,5 +77,5 @@ TEST(DriveLive, OfAProgramThatCannotBeReadMovesNothing) {
   EXPECT_EQ(kept.status, 2) << kept.errors;
 }
 
-}  // namespace
+}  // namespace test_drive_live
 }  // namespace leadscrew::cli::testing

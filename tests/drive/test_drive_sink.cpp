@@ -8,7 +8,7 @@
 #include "driven.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_drive_sink {
 
 TEST(DriveSink, GetsTheWordsOfRunBitForBit) {
   const Folder folder;
@@ -144,5 +144,5 @@ TEST(DriveSink, HasNoDrivesWhoseTraceCouldBeWritten) {
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 
-}  // namespace
+}  // namespace test_drive_sink
 }  // namespace leadscrew::cli::testing

@@ -6,7 +6,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_drive_state {
 
 const std::string part = "G21 G90 G94\nG1 X2 F3000\nY1\nM2\n";
 
@@ -102,5 +102,5 @@ TEST(DriveState, LeavesNothingElseAndGoesWhereALinkLeads) {
   EXPECT_EQ(folder.names(), (Names{"behind", "link", "part.ngc", "state.tmp"}));
 }
 
-}  // namespace
+}  // namespace test_drive_state
 }  // namespace leadscrew::cli::testing

@@ -10,7 +10,7 @@
 #include "command.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_drive_view {
 
 /// The command on a terminal of its own.
 class OnTerminal {
@@ -187,5 +187,5 @@ TEST(DriveView, GivesTheTerminalBackWhenItIsKilled) {
   EXPECT_TRUE(eventually([&] { return running.is_as_before(); }));
 }
 
-}  // namespace
+}  // namespace test_drive_view
 }  // namespace leadscrew::cli::testing

@@ -9,7 +9,7 @@
 #include <memory>
 
 namespace leadscrew::drive {
-namespace {
+namespace test_guarded_sink {
 
 constexpr double T = 1e-3, acceleration = 1000;  // s; mm/s², of the built-in mill
 
@@ -120,5 +120,5 @@ TEST(GuardedSink, HasRoomForSoManyWords) {
   EXPECT_FALSE(sink.take(word_at(0)));
 }
 
-}  // namespace
+}  // namespace test_guarded_sink
 }  // namespace leadscrew::drive

@@ -7,7 +7,7 @@
 #include "driven.hpp"
 
 namespace leadscrew::cli::testing {
-namespace {
+namespace test_left_behind {
 
 Names temporary_names(const Folder& folder) {
   Names names;
@@ -47,5 +47,5 @@ TEST(LeftBehind, IsNothingThatIsStillWritten) {
   EXPECT_EQ(folder.names(), Names{"part.csv"});
 }
 
-}  // namespace
+}  // namespace test_left_behind
 }  // namespace leadscrew::cli::testing

@@ -10,7 +10,7 @@
 #include "driven.hpp"
 
 namespace leadscrew::drive {
-namespace {
+namespace test_state_lock {
 
 using cli::testing::Folder;
 using cli::testing::Names;
@@ -91,5 +91,5 @@ TEST(StateLock, IsNotNeededForWhatIsNoFile) {
   EXPECT_TRUE(StateLock::hold("/dev/null").has_value());
 }
 
-}  // namespace
+}  // namespace test_state_lock
 }  // namespace leadscrew::drive

@@ -8,7 +8,7 @@
 #include "command.hpp"
 
 namespace leadscrew::files {
-namespace {
+namespace test_input_file {
 
 using cli::testing::Folder;
 using cli::testing::Names;
@@ -95,5 +95,5 @@ TEST(InputFile, OfATextHoldsIt) {
   EXPECT_EQ(read(*file).text, "G1 X1\n");
 }
 
-}  // namespace
+}  // namespace test_input_file
 }  // namespace leadscrew::files

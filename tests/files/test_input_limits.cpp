@@ -13,7 +13,7 @@
 #include <string>
 
 namespace leadscrew::files::testing {
-namespace {
+namespace test_input_limits {
 
 /// A pipe that holds so many bytes and then ends, as a path.
 class FilledPipe {
@@ -80,5 +80,5 @@ TEST(CopiesDeathTest, EndWhenTheyAreInterrupted) {
       ::testing::ExitedWithCode(7), "");
 }
 
-}  // namespace
+}  // namespace test_input_limits
 }  // namespace leadscrew::files::testing

@@ -4,7 +4,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_allocation {
 
 std::int64_t allocations_of(std::string_view block, int count) {
   std::string text = "G64 P0.01\nG0 Z10\nF60 #1=2\n";
@@ -39,5 +39,5 @@ TEST(Memory, IsNotAllocatedForBlocks) {
   }
 }
 
-}  // namespace
+}  // namespace test_allocation
 }  // namespace leadscrew::gcode

@@ -12,7 +12,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_arc_shapes {
 
 constexpr double pi = std::numbers::pi;
 
@@ -84,5 +84,5 @@ RC_GTEST_PROP(ArcExtent, HoldsEveryPointOfTheArcAndNoMore, ()) {
   RC_ASSERT(close(-box.low.second, -seen.low.second));
 }
 
-}  // namespace
+}  // namespace test_arc_shapes
 }  // namespace leadscrew::gcode

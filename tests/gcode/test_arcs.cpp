@@ -5,7 +5,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_arcs {
 
 using base::Axis;
 
@@ -203,5 +203,5 @@ TEST(Arc, TurnsWithTheCoordinateSystem) {
   EXPECT_EQ(arc.turns, 1);
 }
 
-}  // namespace
+}  // namespace test_arcs
 }  // namespace leadscrew::gcode

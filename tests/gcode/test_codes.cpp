@@ -3,7 +3,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_codes {
 
 TEST(CodeTable, AWordThatNothingTakesNamesTheCodesThatDo) {
   const struct {
@@ -37,5 +37,5 @@ TEST(CodeTable, AMotionInForceIsRepeatedByItsOwnWords) {
   EXPECT_EQ(read("G1 X10 F60\nI-10\nM2\n").problems(), "2:1 unused-word; ");
 }
 
-}  // namespace
+}  // namespace test_codes
 }  // namespace leadscrew::gcode

@@ -3,7 +3,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_curve_diagnostics {
 
 struct Row {
   const char* text;
@@ -171,5 +171,5 @@ TEST(Travel, HoldsTheEndOfACurve) {
   EXPECT_EQ(read("F60 G5.2 X1 Y1\nX501 Y1 P9999\nX2 Y1\nG5.3\nM2\n").problems(), "4:1 travel; ");
 }
 
-}  // namespace
+}  // namespace test_curve_diagnostics
 }  // namespace leadscrew::gcode

@@ -8,7 +8,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_curves {
 
 using base::Axis;
 using Knots = std::vector<double>;
@@ -317,5 +317,5 @@ TEST(Curve, LeavesNoTraceInTheMovesBehind) {
   while (reader.next(move)) EXPECT_TRUE(keeps_promises_of_curve(move));
 }
 
-}  // namespace
+}  // namespace test_curves
 }  // namespace leadscrew::gcode

@@ -3,7 +3,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_diagnostics {
 
 struct Row {
   const char* text;
@@ -218,5 +218,5 @@ TEST(DeepNesting, IsAnErrorAndNotACrash) {
   }
 }
 
-}  // namespace
+}  // namespace test_diagnostics
 }  // namespace leadscrew::gcode

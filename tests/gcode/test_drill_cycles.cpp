@@ -1,7 +1,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_drill_cycles {
 
 struct Step {
   bool feeds;
@@ -155,5 +155,5 @@ TEST(Cycles, AreCheckedBeforeTheyBegin) {
   EXPECT_EQ(read("G81 R1 F60\nM2\n").problems(), "1:1 missing-word; ");
 }
 
-}  // namespace
+}  // namespace test_drill_cycles
 }  // namespace leadscrew::gcode

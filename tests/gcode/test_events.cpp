@@ -1,7 +1,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_events {
 
 using Kind = base::Event::Kind;
 
@@ -141,5 +141,5 @@ TEST(Tools, ThatTheTableLacksAreWorthAWarning) {
   EXPECT_EQ(reading.errors, 0);
 }
 
-}  // namespace
+}  // namespace test_events
 }  // namespace leadscrew::gcode

@@ -4,7 +4,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_expressions {
 
 struct Row {
   const char* text;
@@ -125,5 +125,5 @@ TEST(Expressions, NestAsDeepAsAnyoneWrites) {
   EXPECT_EQ(value_of(text), 31);
 }
 
-}  // namespace
+}  // namespace test_expressions
 }  // namespace leadscrew::gcode

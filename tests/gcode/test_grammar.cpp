@@ -1,7 +1,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_grammar {
 
 TEST(Words, StandInAnyOrderAndCase) {
   for (const char* text : {"G1 X1 Y2 F60", "f60y2x1g1", "X1 F60 G01 Y2", "x1\tg1 F60 y2\r", "N10 X1 Y2 G1 F60"}) {
@@ -67,5 +67,5 @@ TEST(Blocks, AreLinesWithAWord) {
   EXPECT_EQ(read_well("%\n\nN5\n(remark)\nG0\n#1=2\n/G0 X3\n%\n").blocks, 3);
 }
 
-}  // namespace
+}  // namespace test_grammar
 }  // namespace leadscrew::gcode

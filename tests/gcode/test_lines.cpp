@@ -1,7 +1,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_lines {
 
 using base::Axis;
 
@@ -92,5 +92,5 @@ TEST(G80, EndsMotion) {
   EXPECT_EQ(read("G0 X1\nG80\nX2\nM2\n").problems(), "3:1 axis-without-motion; ");
 }
 
-}  // namespace
+}  // namespace test_lines
 }  // namespace leadscrew::gcode

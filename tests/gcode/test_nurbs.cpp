@@ -10,7 +10,7 @@
 #include "curve_promises.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_nurbs {
 
 using base::Axis;
 
@@ -118,5 +118,5 @@ TEST(Reach, EndsAlsoWithWeightsFarApart) {
   EXPECT_LE(reach_beyond(curve, Axis::X, 1, 500), 1e9);
 }
 
-}  // namespace
+}  // namespace test_nurbs
 }  // namespace leadscrew::gcode

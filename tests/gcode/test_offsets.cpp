@@ -3,7 +3,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_offsets {
 
 using base::Axis;
 
@@ -142,5 +142,5 @@ TEST(G28, LeavesTheMotionInForce) {
   EXPECT_EQ(read_well("F60 G1 X1\nG28 X2\nX3\nM2\n").lines().back().feed.mode, Feed::Mode::units_per_second);
 }
 
-}  // namespace
+}  // namespace test_offsets
 }  // namespace leadscrew::gcode

@@ -1,7 +1,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_parameters {
 
 double last_x(std::string_view text, const Conditions& conditions = {}) {
   return at(read_well(text, conditions).lines().back().end, base::Axis::X);
@@ -54,5 +54,5 @@ TEST(Parameters, HaveABoundedNumberOfNames) {
   EXPECT_EQ(read(text + "M2\n").problems(), "10001:1 too-many-parameters; ");
 }
 
-}  // namespace
+}  // namespace test_parameters
 }  // namespace leadscrew::gcode

@@ -1,7 +1,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_path_control {
 
 struct Control {
   PathMode mode;
@@ -50,5 +50,5 @@ TEST(PathControl, RefusesNegativeTolerances) {
   EXPECT_EQ(read("G64 P1 Q-1\nM2\n").problems(), "1:8 bad-value; ");
 }
 
-}  // namespace
+}  // namespace test_path_control
 }  // namespace leadscrew::gcode

@@ -11,7 +11,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_random_text {
 
 // The shortest decimal that reads back as the same double, without exponent.
 std::string decimal(double value) {
@@ -187,5 +187,5 @@ RC_GTEST_PROP(Arcs, ReadBackAsTheyWerePrinted, ()) {
   RC_ASSERT(arc.turns == (ccw ? 1 : -1));
 }
 
-}  // namespace
+}  // namespace test_random_text
 }  // namespace leadscrew::gcode

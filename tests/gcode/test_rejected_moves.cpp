@@ -8,7 +8,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_rejected_moves {
 
 /// All moves of these lines are rejected; 0 stands for every line.
 Reading read_rejecting(const std::string& text, std::int64_t line = 0) {
@@ -83,5 +83,5 @@ TEST(RejectedMoves, EndTheReadingAfterAHundred) {
   EXPECT_EQ(reading.errors, 101);
 }
 
-}  // namespace
+}  // namespace test_rejected_moves
 }  // namespace leadscrew::gcode

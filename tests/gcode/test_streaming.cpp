@@ -8,7 +8,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_streaming {
 
 // Gives out the text in chunks of these sizes, over and over.
 ByteSource in_chunks(std::string text, std::vector<std::size_t> sizes) {
@@ -143,5 +143,5 @@ TEST(Source, ThatFailsEndsTheReading) {
   EXPECT_EQ(calls, 2);
 }
 
-}  // namespace
+}  // namespace test_streaming
 }  // namespace leadscrew::gcode

@@ -4,7 +4,7 @@
 #include <string>
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_tool_table {
 
 std::string problems(const ToolTableText& text) {
   std::string result;
@@ -59,5 +59,5 @@ TEST(ToolTable, KeepsToolsOutThatHaveAProblem) {
   EXPECT_TRUE(read_tool_table("T1 Z", "tool.tbl").table.tools().empty());
 }
 
-}  // namespace
+}  // namespace test_tool_table
 }  // namespace leadscrew::gcode

@@ -1,7 +1,7 @@
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
-namespace {
+namespace test_travel {
 
 TEST(Travel, EndsAtItsLimits) {
   EXPECT_EQ(read("G0 X500 Y-500\nM2\n").problems(), "");
@@ -70,5 +70,5 @@ TEST(Travel, OutsideWhichNothingMoves) {
   EXPECT_EQ(reading.lines().size(), 2u);
 }
 
-}  // namespace
+}  // namespace test_travel
 }  // namespace leadscrew::gcode

@@ -8,7 +8,7 @@
 #include "nurbs_forms.hpp"
 
 namespace leadscrew::geometry::testing {
-namespace {
+namespace test_arc_length_map {
 
 TEST(Gauss, IsExactForPolynomialsOfDegreeFifteen) {
   for (int k = 0; k <= 16; ++k) {
@@ -75,5 +75,5 @@ RC_GTEST_PROP(ArcLengthMap, TellsTheLengthBetweenAnyTwoPlaces, ()) {
   }
 }
 
-}  // namespace
+}  // namespace test_arc_length_map
 }  // namespace leadscrew::geometry::testing

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <leadscrew/geometry/curve.hpp>
 
-namespace {
+namespace test_curves {
 
 using leadscrew::geometry::Arc;
 using leadscrew::geometry::Curve;
@@ -173,4 +173,4 @@ TEST(SweepAngle, CountsTurnsAndDirections) {
   EXPECT_DOUBLE_EQ(sweep(1, 0, -1, 0, -1), -pi);
 }
 
-}  // namespace
+}  // namespace test_curves

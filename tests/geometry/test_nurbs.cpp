@@ -9,7 +9,7 @@
 #include "nurbs_forms.hpp"
 
 namespace leadscrew::geometry::testing {
-namespace {
+namespace test_nurbs {
 
 using numeric::DoubleDouble;
 using numeric::Jet;
@@ -343,5 +343,5 @@ TEST(NurbsInTheCycle, UsesTheLesserPartOfTheLength) {
   EXPECT_NE(low, high);
 }
 
-}  // namespace
+}  // namespace test_nurbs
 }  // namespace leadscrew::geometry::testing

@@ -6,7 +6,7 @@
 #include "nurbs_forms.hpp"
 
 namespace leadscrew::geometry::testing {
-namespace {
+namespace test_smooth_pieces {
 
 std::vector<double> parameters(const std::vector<Nurbs>& pieces) {
   std::vector<double> cuts;
@@ -227,5 +227,5 @@ TEST(SmoothPieces, OfACurveOfThousandsOfPointsAreOne) {
   EXPECT_EQ(breaks(curve).size(), 2996u);
 }
 
-}  // namespace
+}  // namespace test_smooth_pieces
 }  // namespace leadscrew::geometry::testing

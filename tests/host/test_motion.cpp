@@ -5,7 +5,7 @@
 
 // A host's motion has the words of the pipeline, whoever gives its moves, and whenever.
 
-namespace {
+namespace test_motion {
 
 using namespace leadscrew;
 using namespace leadscrew::host_tests;
@@ -166,4 +166,4 @@ TEST(HostMotion, LeavesNothingChangedByAMoveThatIsRefused) {
   EXPECT_TRUE(words_of(motion).size() <= 1);
 }
 
-}  // namespace
+}  // namespace test_motion

@@ -12,7 +12,7 @@
 
 // A motion that is planned at once: its duration, and its axes at any time.
 
-namespace {
+namespace test_trajectory {
 
 using namespace leadscrew;
 using namespace leadscrew::host_tests;
@@ -165,4 +165,4 @@ TEST(HostTrajectory, OfMovesIsAskedForBeforeTheyGo) {
   EXPECT_EQ(planned(motion).at(0).position, base::AxisVector{5});
 }
 
-}  // namespace
+}  // namespace test_trajectory

@@ -8,7 +8,7 @@
 #include <motion.hpp>
 #include <smooth_words.hpp>
 
-namespace {
+namespace test_controller {
 
 using namespace leadscrew;
 using namespace testing_support;
@@ -250,4 +250,4 @@ TEST(Handover, PassesThousandsOfTinyChunksAFullRingAtATime) {
   EXPECT_NEAR(periods, 5000 / 4.0, 2);
 }
 
-}  // namespace
+}  // namespace test_controller

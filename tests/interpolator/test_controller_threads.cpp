@@ -10,7 +10,7 @@
 #include <smooth_words.hpp>
 #include <thread>
 
-namespace {
+namespace test_controller_threads {
 
 using namespace leadscrew;
 using namespace testing_support;
@@ -128,4 +128,4 @@ TEST(TwoThreads, HandOverWithoutAJumpThroughTheSmallestRing) {
   hammer(2);
 }
 
-}  // namespace
+}  // namespace test_controller_threads

@@ -14,7 +14,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace test_many_words {
 
 using namespace leadscrew;
 using namespace testing_support;
@@ -248,4 +248,4 @@ TEST(ManyWords, TakesNoWordsAtTheEndOfAChunk) {
   EXPECT_EQ(cycle.tick(), base::Tick{0});
 }
 
-}  // namespace
+}  // namespace test_many_words

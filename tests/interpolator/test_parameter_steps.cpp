@@ -7,7 +7,7 @@
 #include <cmath>
 #include <leadscrew/interpolator/parameter_steps.hpp>
 
-namespace {
+namespace test_parameter_steps {
 
 using namespace leadscrew;
 using geometry::Nurbs;
@@ -157,4 +157,4 @@ TEST(ParameterSteps, DoNotAllocate) {
   EXPECT_GT(sum, 0);
 }
 
-}  // namespace
+}  // namespace test_parameter_steps

@@ -10,7 +10,7 @@
 
 // Planner and cycle over the succession of chunks, in every interleaving of their accesses to shared memory.
 
-namespace {
+namespace test_succession {
 
 using namespace leadscrew;
 
@@ -180,4 +180,4 @@ TEST(Succession, NeverGoesOnWithMotionThatWasStoppedInAnyInterleaving) {
   EXPECT_GT(without_stop, 0);
 }
 
-}  // namespace
+}  // namespace test_succession

@@ -6,7 +6,7 @@
 #include <motion.hpp>
 #include <smooth_words.hpp>
 
-namespace {
+namespace test_windows {
 
 using namespace leadscrew;
 using namespace testing_support;
@@ -161,4 +161,4 @@ TEST(Windows, KnowWhetherTheyBeginAtRest) {
   EXPECT_FALSE(cuts[0].chunk.begins_at_rest());
 }
 
-}  // namespace
+}  // namespace test_windows

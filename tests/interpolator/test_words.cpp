@@ -5,7 +5,7 @@
 #include <cmath>
 #include <motion.hpp>
 
-namespace {
+namespace test_words {
 
 using namespace leadscrew;
 using testing_support::arc_piece;
@@ -179,4 +179,4 @@ TEST(Words, OfAnEmptyPlanAreOneWordAtRest) {
   EXPECT_EQ(train[0].position, geometry::Point{});
 }
 
-}  // namespace
+}  // namespace test_words

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace leadscrew::json::testing {
-namespace {
+namespace test_json {
 
 TEST(Written, HasMembersInTheirOrder) {
   Json json = Json::object({{"z", 1}, {"a", Json::list({1.5, "two", nullptr})}, {"m", Json::object({{"yes", true}})}});
@@ -55,5 +55,5 @@ TEST(Read, RefusesWhatIsNoJson) {
   EXPECT_FALSE(Json::parse(std::string(100'000, '[') + std::string(100'000, ']')));
 }
 
-}  // namespace
+}  // namespace test_json
 }  // namespace leadscrew::json::testing

@@ -5,7 +5,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 
-namespace {
+namespace test_machine {
 
 using leadscrew::base::Axis;
 using leadscrew::machine::Machine;
@@ -62,4 +62,4 @@ TEST(ToolTable, FindsToolsByNumber) {
   EXPECT_EQ(table.find(4), nullptr);
 }
 
-}  // namespace
+}  // namespace test_machine

@@ -6,7 +6,7 @@
 #include <string>
 
 namespace leadscrew::machine {
-namespace {
+namespace test_screw_errors {
 
 using Texts = std::vector<std::string>;
 
@@ -65,5 +65,5 @@ TEST(ScrewErrors, AreOfAxesThatAreThere) {
   EXPECT_EQ(problems_with({}, base::Axis::A), Texts{});
 }
 
-}  // namespace
+}  // namespace test_screw_errors
 }  // namespace leadscrew::machine

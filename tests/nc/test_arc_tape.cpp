@@ -5,7 +5,7 @@
 #include <leadscrew/nc/program_circle.hpp>
 
 namespace leadscrew::nc::testing {
-namespace {
+namespace test_arc_tape {
 
 using pulse::Arc;
 using pulse::Direction;
@@ -57,5 +57,5 @@ TEST(ArcTape, CountsWhatItIsTooShortFor) {
   EXPECT_FALSE(tape.holds(arc));
 }
 
-}  // namespace
+}  // namespace test_arc_tape
 }  // namespace leadscrew::nc::testing

@@ -8,7 +8,7 @@
 #include "blocks.hpp"
 
 namespace leadscrew::nc {
-namespace {
+namespace test_block_interpolator {
 
 constexpr std::array methods = {PulseMethod::koren,     PulseMethod::dda,
                                 PulseMethod::min_error, PulseMethod::improved_min_error,
@@ -61,5 +61,5 @@ RC_GTEST_PROP(BlockInterpolator, TakesTheCommandsOfAHelix, ()) {
   expect_as_counted(block);
 }
 
-}  // namespace
+}  // namespace test_block_interpolator
 }  // namespace leadscrew::nc

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace leadscrew::nc {
-namespace {
+namespace test_every_block {
 
 using pulse::Arc;
 using pulse::Direction;
@@ -126,5 +126,5 @@ const auto name_of = [](const auto& test) { return std::string(test.param.name);
 INSTANTIATE_TEST_SUITE_P(Methods, EveryBlock, bounds, name_of);
 INSTANTIATE_TEST_SUITE_P(LongMethods, LongEveryBlock, bounds, name_of);
 
-}  // namespace
+}  // namespace test_every_block
 }  // namespace leadscrew::nc

@@ -6,7 +6,7 @@
 #include <leadscrew/nc/ramped_feed.hpp>
 
 namespace leadscrew::nc {
-namespace {
+namespace test_feed {
 
 std::int64_t any_capacity() {
   return std::int64_t{1} << *rc::gen::inRange(1, 41);
@@ -88,5 +88,5 @@ RC_GTEST_PROP(RampedFeed, RisesAndFallsAsItDoesClockByClock, ()) {
   }
 }
 
-}  // namespace
+}  // namespace test_feed
 }  // namespace leadscrew::nc

@@ -10,7 +10,7 @@
 #include "blocks.hpp"
 
 namespace leadscrew::nc {
-namespace {
+namespace test_nc_program {
 
 using pulse::Direction;
 using testing::arc;
@@ -167,5 +167,5 @@ TEST(NcProgram, CountsLessThanThePapersInstructions) {
   EXPECT_EQ(program.initiations().interrupts, 1);
 }
 
-}  // namespace
+}  // namespace test_nc_program
 }  // namespace leadscrew::nc

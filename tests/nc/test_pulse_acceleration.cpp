@@ -9,7 +9,7 @@
 #include "pulses.hpp"
 
 namespace leadscrew::nc {
-namespace {
+namespace test_pulse_acceleration {
 
 using testing::Conditions;
 using testing::pulse;
@@ -191,5 +191,5 @@ TEST(PulseAcceleration, CarriesSpeedAlongLinesOfAStep) {
   }
 }
 
-}  // namespace
+}  // namespace test_pulse_acceleration
 }  // namespace leadscrew::nc

@@ -9,7 +9,7 @@
 #include <string>
 
 namespace leadscrew::nc {
-namespace {
+namespace test_pulse_methods {
 
 using pulse::Direction;
 using pulse::Point;
@@ -282,5 +282,5 @@ TEST(PulseProblems, AnEndMayBeHalfABluOffTheCircle) {
   EXPECT_EQ(to({4, 4}), 1u);
 }
 
-}  // namespace
+}  // namespace test_pulse_methods
 }  // namespace leadscrew::nc

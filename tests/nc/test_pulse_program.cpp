@@ -11,7 +11,7 @@
 #include "pulses.hpp"
 
 namespace leadscrew::nc {
-namespace {
+namespace test_pulse_program {
 
 using testing::Conditions;
 using testing::pulse;
@@ -377,5 +377,5 @@ TEST(PulseProgram, KeepsTheVelocityOfEveryAxis) {
   }
 }
 
-}  // namespace
+}  // namespace test_pulse_program
 }  // namespace leadscrew::nc

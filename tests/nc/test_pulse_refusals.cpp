@@ -7,7 +7,7 @@
 #include "pulses.hpp"
 
 namespace leadscrew::nc {
-namespace {
+namespace test_pulse_refusals {
 
 using testing::Conditions;
 using testing::pulse;
@@ -100,5 +100,5 @@ TEST(PulseProgram, IsCheckedOnlyAsLongAsThatIsWanted) {
   EXPECT_LE(asked, 12);
 }
 
-}  // namespace
+}  // namespace test_pulse_refusals
 }  // namespace leadscrew::nc

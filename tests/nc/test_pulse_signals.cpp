@@ -7,7 +7,7 @@
 #include <string>
 
 namespace leadscrew::nc {
-namespace {
+namespace test_pulse_signals {
 
 using pulse::Direction;
 using pulse::Point;
@@ -122,5 +122,5 @@ TEST(PulseSignals, NamesAreThoseOfThePapers) {
   EXPECT_EQ(names_in_paper("q", PulseMethod::koren, Shape::arc), Names{});
 }
 
-}  // namespace
+}  // namespace test_pulse_signals
 }  // namespace leadscrew::nc

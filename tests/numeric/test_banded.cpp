@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace test_banded {
 
 using leadscrew::numeric::BandedMatrix;
 using Dense = std::vector<std::vector<long double>>;
@@ -174,4 +174,4 @@ RC_GTEST_PROP(Banded, GivesADescentWhereNearlySingular, ()) {
   RC_ASSERT(along > 0);
 }
 
-}  // namespace
+}  // namespace test_banded

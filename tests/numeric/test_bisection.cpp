@@ -3,7 +3,7 @@
 #include <cmath>
 #include <leadscrew/numeric/bisection.hpp>
 
-namespace {
+namespace test_bisection {
 
 using leadscrew::numeric::bisect;
 using leadscrew::numeric::Bracket;
@@ -34,4 +34,4 @@ TEST(Bisection, FindsTheLastIndex) {
   EXPECT_EQ(last_index(7, 7, [](std::size_t) { return false; }), 7U) << "is not asked for what holds";
 }
 
-}  // namespace
+}  // namespace test_bisection

@@ -6,7 +6,7 @@
 
 // Quadruple precision (113 bits) by the compiler's own arithmetic is the judge.
 
-namespace {
+namespace test_double_double {
 
 using leadscrew::numeric::DoubleDouble;
 using Quad = __float128;
@@ -71,4 +71,4 @@ TEST(DoubleDouble, OrderLooksAtBothParts) {
   EXPECT_TRUE(one <= one);
 }
 
-}  // namespace
+}  // namespace test_double_double

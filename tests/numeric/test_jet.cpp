@@ -6,7 +6,7 @@
 
 // Closed forms of the derivatives, written out by hand, are the judge; and double-double, of plain arithmetic.
 
-namespace {
+namespace test_jet {
 
 using leadscrew::numeric::DoubleDouble;
 using leadscrew::numeric::Jet;
@@ -137,4 +137,4 @@ TEST(Jet, IsOrderedByItsValue) {
   EXPECT_TRUE(low < 1.5 && 1.5 > low);
 }
 
-}  // namespace
+}  // namespace test_jet

@@ -4,7 +4,7 @@
 #include <leadscrew/numeric/log_sum.hpp>
 #include <limits>
 
-namespace {
+namespace test_log_sum {
 
 using leadscrew::numeric::LogSum;
 
@@ -38,4 +38,4 @@ TEST(LogSum, TakesNoFactorThatIsNotAboveTheLeast) {
   EXPECT_TRUE(sum.add(std::nextafter(1e-12, 1)));
 }
 
-}  // namespace
+}  // namespace test_log_sum

@@ -9,7 +9,7 @@
 
 // Against the functions of the C library in extended precision, 64 bits of mantissa, which reduce any angle exactly.
 
-namespace {
+namespace test_sine {
 
 using leadscrew::numeric::DoubleDouble;
 using leadscrew::numeric::Sines;
@@ -97,4 +97,4 @@ TEST(Sines, OfNoAngle) {
   }
 }
 
-}  // namespace
+}  // namespace test_sine

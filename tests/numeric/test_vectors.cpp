@@ -4,7 +4,7 @@
 #include <cmath>
 #include <leadscrew/numeric/vectors.hpp>
 
-namespace {
+namespace test_vectors {
 
 using namespace leadscrew::numeric;
 
@@ -35,4 +35,4 @@ TEST(Vectors, AreAsFarFromASegmentAsFromItsNearestPlace) {
   EXPECT_EQ(distance_to_segment(Three{0, 3, 4}, begin, begin), 5);
 }
 
-}  // namespace
+}  // namespace test_vectors

@@ -7,7 +7,7 @@
 
 // Blends and fits where feeds differ, where feed is counted by few of the axes, and where curves are sharp.
 
-namespace {
+namespace test_blended_feeds {
 
 using namespace leadscrew;
 using namespace leadscrew::testing_support;
@@ -157,4 +157,4 @@ TEST(BlendedPrograms, TakeACurveAlongOneAxisForALine) {
             run("G21 G90 G17 G94 F6000 G61\nG1 X0.7446\nX2.7466\nX3.3602\n").summary.time_s);
 }
 
-}  // namespace
+}  // namespace test_blended_feeds

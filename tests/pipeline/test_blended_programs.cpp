@@ -14,7 +14,7 @@
 // Programs of short lines and corners under G64, judged by the referee: inside the tolerance, inside every limit, and
 // no slower than with a stop at every joint.
 
-namespace {
+namespace test_blended_programs {
 
 using namespace leadscrew;
 using namespace leadscrew::testing_support;
@@ -332,4 +332,4 @@ TEST(BlendedPrograms, FitNoLinesWhereQIsZero) {
   EXPECT_LT(run(mode + '\n' + lines).summary.time_s, run(mode + " Q0\n" + lines).summary.time_s);
 }
 
-}  // namespace
+}  // namespace test_blended_programs

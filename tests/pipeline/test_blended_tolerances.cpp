@@ -13,7 +13,7 @@
 // Programs under G64 whose P and Q change from block to block: each block is kept within its own P, the referee says,
 // inside every limit; motion goes on through the changes.
 
-namespace {
+namespace test_blended_tolerances {
 
 using namespace leadscrew;
 using namespace leadscrew::testing_support;
@@ -225,4 +225,4 @@ RC_GTEST_PROP(LongRandomTolerances, AreEachKeptAndNoSlowerThanWithStopsWhereThey
   for (int k = 0; k < programs; ++k) keep_each_tolerance_and_lose_no_time();
 }
 
-}  // namespace
+}  // namespace test_blended_tolerances

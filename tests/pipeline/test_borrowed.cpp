@@ -4,7 +4,7 @@
 
 using namespace leadscrew;
 
-namespace {
+namespace test_borrowed {
 
 // A reference to a temporary would dangle: it does not compile.
 template <class... Arguments>
@@ -16,4 +16,4 @@ static_assert(!makes_program<const machine::Machine&, machine::ToolTable>);
 static_assert(!std::is_constructible_v<planner::Planner, machine::Machine, geometry::Point>);
 static_assert(!std::is_constructible_v<toolpath::Builder, machine::Machine>);
 
-}  // namespace
+}  // namespace test_borrowed

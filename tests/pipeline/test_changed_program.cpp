@@ -7,7 +7,7 @@
 // A program that is not what it was when it was checked, while it moves: motion comes to rest on the path that was
 // checked, within limits, and says why.
 
-namespace {
+namespace test_changed_program {
 
 using namespace leadscrew;
 
@@ -153,4 +153,4 @@ TEST(ChangedProgram, DoesNotFailWhereItIsTheSame) {
   EXPECT_NEAR(ending.length, radius + circles * 2 * 3.14159265358979 * radius, 1e-6);
 }
 
-}  // namespace
+}  // namespace test_changed_program

@@ -10,7 +10,7 @@
 // What no CAM should write and some do: programs at the edge of having a motion at all. Each runs to its end, judged by
 // the referee, or is refused with a diagnostic.
 
-namespace {
+namespace test_degenerate {
 
 using namespace leadscrew;
 
@@ -250,4 +250,4 @@ TEST(Degenerate, FastestFeeds) {
   passes("G5 X10 Y10 I5 J0 P0 Q-5 F1000000000\nM2\n", {10, 10});
 }
 
-}  // namespace
+}  // namespace test_degenerate

@@ -10,7 +10,7 @@
 
 // Planning takes no more work than so much for each second of the motion that comes of it, whatever the machine.
 
-namespace {
+namespace test_effort {
 
 using namespace leadscrew;
 using planner::Effort;
@@ -136,4 +136,4 @@ TEST(Effort, EndsWhenAskedToInsideOneWindow) {
   EXPECT_LT(words.back().path_length, 2 * 2 * 3.14 * 10);
 }
 
-}  // namespace
+}  // namespace test_effort

@@ -12,7 +12,7 @@
 
 // Events and tolerances of every block that motion does not rest for cost no time, and change no word.
 
-namespace {
+namespace test_events_of_every_block {
 
 using namespace leadscrew;
 using base::PassedEvent;
@@ -128,4 +128,4 @@ INSTANTIATE_TEST_SUITE_P(Events, EveryBlock,
                            return name;
                          });
 
-}  // namespace
+}  // namespace test_events_of_every_block

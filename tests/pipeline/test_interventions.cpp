@@ -15,7 +15,7 @@
 // Feed override, feed hold, resume and a planner that comes late, at any instant: still no limit exceeded, never off
 // the path, and at rest at the end.
 
-namespace {
+namespace test_interventions {
 
 using namespace leadscrew;
 using testing_support::any;
@@ -209,4 +209,4 @@ INSTANTIATE_TEST_SUITE_P(Paths, OnALongWay,
                          testing::Values("G21 G90 G94\nG1 X400 F6000\nM2\n",
                                          "G21 G90 G94 G17\nG2 X0 Y0 I100 J0 F6000\nM2\n"));
 
-}  // namespace
+}  // namespace test_interventions

@@ -8,7 +8,7 @@
 
 // A laser's power, word by word: what the program asks for, times actual over programmed feed.
 
-namespace {
+namespace test_laser {
 
 using namespace leadscrew;
 using machine::Laser;
@@ -182,4 +182,4 @@ TEST(Laser, ChangesNoWord) {
   EXPECT_FALSE(other.prepare());
 }
 
-}  // namespace
+}  // namespace test_laser

@@ -13,7 +13,7 @@
 // Programs smoothed along the path of least time, judged by the referee: inside the tolerance, inside every limit, no
 // slower than with a stop at every joint; and on programs of corners faster than by splines.
 
-namespace {
+namespace test_least_time {
 
 using namespace leadscrew;
 using namespace leadscrew::testing_support;
@@ -134,4 +134,4 @@ TEST(LeastTime, KeepsTheMiddleOfLongLinesExact) {
   EXPECT_LE(outcome.summary.time_s, run(text).summary.time_s + 0.001);
 }
 
-}  // namespace
+}  // namespace test_least_time

@@ -10,7 +10,7 @@
 
 // Time that is lost against feed words: sums are those of the motion, and the cause is the limit that is at work.
 
-namespace {
+namespace test_lost_time {
 
 using namespace leadscrew;
 using pipeline::Cause;
@@ -133,4 +133,4 @@ RC_GTEST_PROP(LostTime, OfAnyWordsSumsUp, ()) {
   RC_ASSERT(std::abs(seconds - lost.seconds) < 1e-9 * (1 + lost.seconds) || lost.blocks.empty());
 }
 
-}  // namespace
+}  // namespace test_lost_time

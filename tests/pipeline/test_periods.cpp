@@ -12,7 +12,7 @@
 // Programs under G64 at servo periods up to the longest: chords between words are inside the tolerance as the path is,
 // and rounding is no slower than a stop at every joint.
 
-namespace {
+namespace test_periods {
 
 using namespace leadscrew;
 using namespace leadscrew::testing_support;
@@ -146,4 +146,4 @@ TEST(Periods, FittedCurvesAreTravelledFasterThanTheChordErrorOfExactOnesAllows) 
   EXPECT_LT(run(head + lines, {}, period).summary.time_s, 0.6 * run(exact, {}, period).summary.time_s);
 }
 
-}  // namespace
+}  // namespace test_periods

@@ -13,7 +13,7 @@
 // The promises of the whole, judged by the referee: limits, geometry and end points on random programs and on the
 // examples.
 
-namespace {
+namespace test_promises {
 
 using namespace leadscrew;
 using testing_support::any;
@@ -224,4 +224,4 @@ TEST(Program, OfNothingMakesOneWordAtTheStart) {
   EXPECT_EQ(program.summary().words, 0);
 }
 
-}  // namespace
+}  // namespace test_promises

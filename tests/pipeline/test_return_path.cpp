@@ -7,7 +7,7 @@
 #include <leadscrew/pipeline/return_path.hpp>
 #include <string>
 
-namespace {
+namespace test_return_path {
 
 using namespace leadscrew;
 
@@ -135,4 +135,4 @@ TEST(ReturnPath, IsNotWholeBeyondThePath) {
   EXPECT_FALSE(stretch_of("G21 G90 G94\nG1 X5 F600\nM2\n", machine, 2, 6).is_whole());
 }
 
-}  // namespace
+}  // namespace test_return_path

@@ -14,7 +14,7 @@
 // A controller gets its motion in slices of 20 ms, so that it can be changed soon. While nobody changes it, its words
 // are those of the whole motion.
 
-namespace {
+namespace test_slices {
 
 using namespace leadscrew;
 using testing_support::LiveProgram;
@@ -97,4 +97,4 @@ TEST(Slices, StopSoon) {
   EXPECT_LE(stops.back(), 0.4);
 }
 
-}  // namespace
+}  // namespace test_slices

@@ -10,7 +10,7 @@
 
 // Motion begun at a place of the path: the rest of the program, from rest.
 
-namespace {
+namespace test_start {
 
 using namespace leadscrew;
 
@@ -109,4 +109,4 @@ TEST(Start, PutsSpindleAndCoolantInForceAgain) {
   EXPECT_EQ(rest.events.back().kind, Kind::program_end);
 }
 
-}  // namespace
+}  // namespace test_start

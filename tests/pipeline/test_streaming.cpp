@@ -9,7 +9,7 @@
 
 // Long programs in constant memory. Resident memory is the process': its peak must not grow with the blocks read.
 
-namespace {
+namespace test_streaming {
 
 using namespace leadscrew;
 
@@ -122,4 +122,4 @@ TEST(LongStreamedArcs, TakeNoMoreMemoryTheLongerTheyGoOn) {
   streams_in_constant_memory(1'000'000);
 }
 
-}  // namespace
+}  // namespace test_streaming

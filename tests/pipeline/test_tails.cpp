@@ -12,7 +12,7 @@
 // Wherever no more motion comes, the tail of the slice that came last brings the machine to rest. At 100 mm/s on the
 // built-in mill (1000 mm/s², 20000 mm/s³) a stop along an axis takes v²/2a + va/2j = 7.5 mm.
 
-namespace {
+namespace test_tails {
 
 using namespace leadscrew;
 
@@ -155,4 +155,4 @@ TEST(Tails, AreAsShortAsTheLimitsAllow) {
   EXPECT_LE(ratios[ratios.size() / 2], 1.4);
 }
 
-}  // namespace
+}  // namespace test_tails

@@ -7,7 +7,7 @@
 
 // No piece leaves for a cycle that has not been found inside the travel of every axis.
 
-namespace {
+namespace test_travel {
 
 using namespace leadscrew;
 using interpolator::Controller;
@@ -99,4 +99,4 @@ TEST(Travel, OfAProgramIsKeptByEveryPieceThatMoves) {
   EXPECT_FALSE(source.failure());
 }
 
-}  // namespace
+}  // namespace test_travel

@@ -17,7 +17,7 @@
 // Events that motion does not rest for: they cost no time and change no word, and each happens once, in order, no
 // earlier than motion is where it was programmed, and no more than a period later.
 
-namespace {
+namespace test_travelling_events {
 
 using namespace leadscrew;
 using base::PassedEvent;
@@ -274,4 +274,4 @@ RC_GTEST_PROP(LongTravellingEvents, HappenOnceAndInOrderUnderInterventions, ()) 
   for (int program = 0; program < 5; ++program) keep_events_under_interventions(24);
 }
 
-}  // namespace
+}  // namespace test_travelling_events

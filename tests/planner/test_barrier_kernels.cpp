@@ -12,7 +12,7 @@
 
 #include "random_section.hpp"
 
-namespace {
+namespace test_barrier_kernels {
 
 using namespace leadscrew;
 using planner::BarrierDuals;
@@ -152,4 +152,4 @@ RC_GTEST_PROP(BarrierKernels, BendNoLessThanTheirValue, ()) {
   RC_ASSERT(bend >= difference * (1 - 1e-3) - 1e-11 * std::abs(value(0)) / (step * step));
 }
 
-}  // namespace
+}  // namespace test_barrier_kernels

@@ -3,7 +3,7 @@
 #include <leadscrew/planner/piece_limits.hpp>
 #include <leadscrew/planner/planner.hpp>
 
-namespace {
+namespace test_closed_form {
 
 using namespace leadscrew;
 using planner::Chunk;
@@ -65,4 +65,4 @@ TEST(ClosedForm, StandsWhereASliceEndsAtRest) {
   EXPECT_EQ(through_rest, 1);
 }
 
-}  // namespace
+}  // namespace test_closed_form

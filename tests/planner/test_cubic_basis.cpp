@@ -6,7 +6,7 @@
 #include <leadscrew/planner/cubic_basis.hpp>
 #include <vector>
 
-namespace {
+namespace test_cubic_basis {
 
 using leadscrew::planner::CubicBasis;
 using leadscrew::planner::dot;
@@ -184,4 +184,4 @@ RC_GTEST_PROP(CubicBasis, AKnotMoreLeavesTheSplineAsItIs, ()) {
   }
 }
 
-}  // namespace
+}  // namespace test_cubic_basis

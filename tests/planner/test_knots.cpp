@@ -6,7 +6,7 @@
 
 #include "random_section.hpp"
 
-namespace {
+namespace test_knots {
 
 using namespace leadscrew;
 using planner::Knots;
@@ -210,4 +210,4 @@ TEST(TangentLimits, AreThoseOfTheAxisThatLimitsFirst) {
   EXPECT_DOUBLE_EQ(limits.jerk, 1000 / 0.8);
 }
 
-}  // namespace
+}  // namespace test_knots

@@ -8,7 +8,7 @@
 
 // Chunks as they leave the planner: how they follow one another, how each could stop, what they ask of the axes.
 
-namespace {
+namespace test_look_ahead {
 
 using namespace leadscrew;
 using planner::Chunk;
@@ -325,4 +325,4 @@ RC_GTEST_PROP(LookAhead, LosesNothingToTheNumberOfPieces, ()) {
   RC_ASSERT(std::abs(time(any(2, 400)) / time(1) - 1) <= 2e-3);
 }
 
-}  // namespace
+}  // namespace test_look_ahead

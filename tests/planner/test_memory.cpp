@@ -8,7 +8,7 @@
 #include <planned.hpp>
 #include <six_axes.hpp>
 
-namespace {
+namespace test_memory {
 
 using namespace leadscrew;
 
@@ -115,4 +115,4 @@ TEST(PlannerMemory, OfOneLongPieceIsBelowTwoMegabytesAtAHundredthOfTheFeed) {
   RecordProperty("bytes", std::to_string(most));
 }
 
-}  // namespace
+}  // namespace test_memory

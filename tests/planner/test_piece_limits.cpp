@@ -10,7 +10,7 @@
 #include <optional>
 #include <random_numbers.hpp>
 
-namespace {
+namespace test_piece_limits {
 
 using leadscrew::base::Axis;
 using leadscrew::base::index;
@@ -168,4 +168,4 @@ TEST(PieceLimits, FullCircleIsNotFarFromTheOptimum) {
   std::printf("full circle R10: F100 %.4f s, F10 %.4f s\n", fast, slow);
 }
 
-}  // namespace
+}  // namespace test_piece_limits

@@ -9,7 +9,7 @@
 
 // Windows that come again: found wherever on the machine they lie, and nothing but what would have been planned.
 
-namespace {
+namespace test_plan_memory {
 
 using namespace leadscrew;
 using planner::Chunk;
@@ -151,4 +151,4 @@ RC_GTEST_PROP(PlanMemory, ChangesNoBit, ()) {
   RC_ASSERT(first == together.size());
 }
 
-}  // namespace
+}  // namespace test_plan_memory

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <leadscrew/planner/rest_to_rest.hpp>
 
-namespace {
+namespace test_rest_to_rest {
 
 using leadscrew::machine::Derivatives;
 using leadscrew::planner::rest_to_rest;
@@ -80,4 +80,4 @@ TEST(RestToRest, AcceptsAnInfiniteVelocity) {
   EXPECT_NEAR(static_cast<double>(distance(motion)), 10, 1e-12);
 }
 
-}  // namespace
+}  // namespace test_rest_to_rest

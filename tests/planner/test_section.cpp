@@ -5,7 +5,7 @@
 #include <leadscrew/planner/section.hpp>
 #include <planned.hpp>
 
-namespace {
+namespace test_section {
 
 using namespace leadscrew;
 using planner::Section;
@@ -202,4 +202,4 @@ TEST(RunsThrough, AnAxisTheMachineLacksIfItStands) {
   EXPECT_TRUE(planner::runs_through({}, {}, 100, machine::mill3()));
 }
 
-}  // namespace
+}  // namespace test_section

@@ -6,7 +6,7 @@
 #include <leadscrew/planner/speed_change.hpp>
 #include <random_numbers.hpp>
 
-namespace {
+namespace test_speed_change {
 
 using namespace leadscrew;
 using testing_support::any;
@@ -50,4 +50,4 @@ TEST(SpeedChange, TakesTheTextbooksTime) {
   EXPECT_NEAR(stop.distance, 100 * 0.15 / 2, 1e-9);
 }
 
-}  // namespace
+}  // namespace test_speed_change

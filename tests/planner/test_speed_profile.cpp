@@ -9,7 +9,7 @@
 
 #include "random_section.hpp"
 
-namespace {
+namespace test_speed_profile {
 
 using namespace leadscrew;
 using planner::Knots;
@@ -306,4 +306,4 @@ RC_GTEST_PROP(SpeedProfile, LosesLittleInWindows, ()) {
   RC_ASSERT(two.time <= travel_time(whole) * (1 + 5e-4));
 }
 
-}  // namespace
+}  // namespace test_speed_profile

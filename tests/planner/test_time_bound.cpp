@@ -7,7 +7,7 @@
 #include <leadscrew/planner/time_bound.hpp>
 #include <planned.hpp>
 
-namespace {
+namespace test_time_bound {
 
 using namespace leadscrew;
 using planner::TimeBound;
@@ -177,4 +177,4 @@ RC_GTEST_PROP(TimeBound, IsNeverAboveAJerkLimitedMotion, ()) {
   RC_ASSERT(bound(path, machine) > 0);
 }
 
-}  // namespace
+}  // namespace test_time_bound

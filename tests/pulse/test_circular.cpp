@@ -12,7 +12,7 @@
 // Bounds: of every arc between lattice points of one circle, and of every circle.
 
 namespace leadscrew::pulse::testing {
-namespace {
+namespace test_circular {
 
 /// Of the three steps that the quadrant allows, by brute force.
 TEST(LeastError, TakesTheStepNearestToTheCircle) {
@@ -229,5 +229,5 @@ const auto name_of_bound = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, OnEveryCircle, circle_bounds, name_of_bound);
 INSTANTIATE_TEST_SUITE_P(LongMethods, LongOnEveryCircle, circle_bounds, name_of_bound);
 
-}  // namespace
+}  // namespace test_circular
 }  // namespace leadscrew::pulse::testing

@@ -11,7 +11,7 @@
 // and its equations for the first quadrant.
 
 namespace leadscrew::pulse::testing {
-namespace {
+namespace test_fpga_figures {
 
 constexpr Arc quarter{{5, 0}, {0, 5}, Direction::counterclockwise};
 
@@ -114,5 +114,5 @@ TEST(FpgaTable1, LeastErrorIsFarthestAtTwoPlaces) {
   EXPECT_EQ(farthest, (std::vector<Point>{{5, 2}, {2, 5}}));
 }
 
-}  // namespace
+}  // namespace test_fpga_figures
 }  // namespace leadscrew::pulse::testing

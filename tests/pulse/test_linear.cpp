@@ -8,7 +8,7 @@
 // "Linear interpolators and closed loops" (lecture); Koren's feed-rate example.
 
 namespace leadscrew::pulse::testing {
-namespace {
+namespace test_linear {
 
 static_assert(root(25, 0) == 5 && root(24, 0) == 5 && root(20, 0) == 4 && root(0, 8) == 0);
 static_assert(root(2, 16) == 92682);  // √2·2¹⁶ = 92681.9
@@ -219,5 +219,5 @@ TEST(LectureTimer, IsOneClockLateWhereOnlyMoreOverflows) {
   }
 }
 
-}  // namespace
+}  // namespace test_linear
 }  // namespace leadscrew::pulse::testing

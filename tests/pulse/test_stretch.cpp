@@ -7,7 +7,7 @@
 // What runs of clocks make is what single clocks make.
 
 namespace leadscrew::pulse::testing {
-namespace {
+namespace test_stretch {
 
 constexpr std::size_t most_clocks = 2000;
 
@@ -70,5 +70,5 @@ TEST(Stretches, MakeThePulsesOfSingleClocks) {
   }
 }
 
-}  // namespace
+}  // namespace test_stretch
 }  // namespace leadscrew::pulse::testing

@@ -4,7 +4,7 @@
 
 #include "live.hpp"
 
-namespace {
+namespace test_changed_program {
 
 using namespace leadscrew;
 
@@ -46,4 +46,4 @@ TEST(ChangedProgram, BringsARunnerToRestOnThePathThatWasChecked) {
   }
 }
 
-}  // namespace
+}  // namespace test_changed_program

@@ -13,7 +13,7 @@
 
 // Moves that are slow to come: in simulated time, where a word takes a period and planning none, and on time.
 
-namespace {
+namespace test_drought {
 
 using namespace leadscrew;
 using testing_support::judge;
@@ -238,4 +238,4 @@ TEST(MoveRunner, EndsWhenItIsStoppedBeforeTheMovesEnd) {
   EXPECT_TRUE(runner.runner().has_ended());
 }
 
-}  // namespace
+}  // namespace test_drought

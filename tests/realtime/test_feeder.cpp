@@ -9,7 +9,7 @@
 // A planner and a cycle in simulated time: while the planner plans, which takes as long as its counted work is said to
 // take, the cycle makes words.
 
-namespace {
+namespace test_feeder {
 
 using namespace leadscrew;
 using testing_support::judge;
@@ -203,4 +203,4 @@ TEST(Feeder, LooksFarAheadAgainWhereThePlannerBecomesSlow) {
   EXPECT_FALSE(judge(text, machine, simulation.words).objects());
 }
 
-}  // namespace
+}  // namespace test_feeder

@@ -5,7 +5,7 @@
 #include <leadscrew/realtime/latest.hpp>
 #include <thread>
 
-namespace {
+namespace test_latest {
 
 using namespace leadscrew;
 
@@ -57,4 +57,4 @@ TEST(Latest, IsWholeAndNeverOlderThanTheOneBefore) {
   EXPECT_EQ(before, last);
 }
 
-}  // namespace
+}  // namespace test_latest

@@ -10,7 +10,7 @@
 #include "differences.hpp"
 #include "live.hpp"
 
-namespace {
+namespace test_rest {
 
 using namespace leadscrew;
 using testing_support::words_of;
@@ -118,4 +118,4 @@ TEST(Rest, IsOnThePathWithinTravelAndLimitsWheneverWordsCease) {
   EXPECT_LE(longest, 700U);
 }
 
-}  // namespace
+}  // namespace test_rest

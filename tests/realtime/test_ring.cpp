@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace test_ring {
 
 using namespace leadscrew::realtime;
 
@@ -80,4 +80,4 @@ TEST(Histogram, PercentilesAreRightWithinABucket) {
   EXPECT_EQ(histogram.count(), 100'000U);
 }
 
-}  // namespace
+}  // namespace test_ring

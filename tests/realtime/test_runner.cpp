@@ -8,7 +8,7 @@
 
 #include "live.hpp"
 
-namespace {
+namespace test_runner {
 
 using namespace leadscrew;
 using testing_support::as_drive;
@@ -296,4 +296,4 @@ TEST(Runner, LosesAndRepeatsNoWordWhenTheSinkIsFull) {
   EXPECT_EQ(words.back().position, expected.back().position);
 }
 
-}  // namespace
+}  // namespace test_runner

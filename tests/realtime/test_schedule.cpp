@@ -5,7 +5,7 @@
 
 #include <leadscrew/realtime/schedule.hpp>
 
-namespace {
+namespace test_schedule {
 
 using namespace leadscrew;
 
@@ -42,4 +42,4 @@ TEST(Schedule, TellsWhatTheSystemDoesNotPermit) {
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
-}  // namespace
+}  // namespace test_schedule

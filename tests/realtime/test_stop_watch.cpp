@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace leadscrew::realtime {
-namespace {
+namespace test_stop_watch {
 
 /// They count who looks; each look is a second, or 100 ns, after the last.
 struct CountedClocks {
@@ -67,5 +67,5 @@ TEST_F(Watched, HasNothingToTellBeforeThereAreWords) {
   EXPECT_EQ(watch.samples().percentile(0.5), 0U);
 }
 
-}  // namespace
+}  // namespace test_stop_watch
 }  // namespace leadscrew::realtime

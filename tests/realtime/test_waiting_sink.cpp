@@ -5,7 +5,7 @@
 
 #include "live.hpp"
 
-namespace {
+namespace test_waiting_sink {
 
 using namespace leadscrew;
 using testing_support::Live;
@@ -119,4 +119,4 @@ TEST(WaitingSink, EndsMotionAlsoWhenItIsFull) {
   EXPECT_EQ(sink.taken(), 0);
 }
 
-}  // namespace
+}  // namespace test_waiting_sink

@@ -5,7 +5,7 @@
 #include <random>
 #include <thread>
 
-namespace {
+namespace test_word_stream {
 
 using namespace leadscrew;
 
@@ -127,4 +127,4 @@ TEST(WordStream, TwoThreadsAgreeOnWhereTheDrivesLeft) {
   EXPECT_GT(left_in_the_middle, 0);
 }
 
-}  // namespace
+}  // namespace test_word_stream

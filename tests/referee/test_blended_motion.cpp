@@ -8,7 +8,7 @@
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_blended_motion {
 
 const machine::Machine mill = machine::mill3();
 
@@ -143,5 +143,5 @@ TEST(BlendedMotion, ABlockKeepsItsOwnToleranceBesideAWiderOne) {
   }
 }
 
-}  // namespace
+}  // namespace test_blended_motion
 }  // namespace leadscrew::referee::test

@@ -5,7 +5,7 @@
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_cancellation {
 
 const machine::Machine mill = machine::mill3();
 constexpr base::Period period{1'000'000};
@@ -55,5 +55,5 @@ TEST(Cancellation, ThatIsNotAskedForChangesNothing) {
   EXPECT_EQ(verdict.violation_count, plain.violation_count);
 }
 
-}  // namespace
+}  // namespace test_cancellation
 }  // namespace leadscrew::referee::test

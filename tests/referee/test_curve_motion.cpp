@@ -6,7 +6,7 @@
 #include "curve_verdicts.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_curve_motion {
 
 Verdict judge_exact(const Program& program, base::Period period) {
   return judge(program.moves, exact_words(program, mill, period), mill, period);
@@ -126,5 +126,5 @@ TEST(CurveMotion, WhatIsNoCurveIsALine) {
   expect_sound(judge(program.moves, exact_words(line, mill, period), mill, period));
 }
 
-}  // namespace
+}  // namespace test_curve_motion
 }  // namespace leadscrew::referee::test

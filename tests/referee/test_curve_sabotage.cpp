@@ -5,7 +5,7 @@
 #include "curve_verdicts.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_curve_sabotage {
 
 class CurveSabotage : public testing::TestWithParam<std::int64_t> {
  protected:
@@ -314,5 +314,5 @@ TEST_P(CurveSabotage, BlendedWithinTheToleranceAndNoMore) {
 INSTANTIATE_TEST_SUITE_P(Periods, CurveSabotage, testing::Values(100'000, 1'000'000, 20'000'000),
                          [](const auto& one) { return std::to_string(one.param / 1000) + "us"; });
 
-}  // namespace
+}  // namespace test_curve_sabotage
 }  // namespace leadscrew::referee::test

@@ -5,7 +5,7 @@
 #include "curves.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_curve_travel {
 
 const base::Period period{8'500'000};
 constexpr double feed = 1e-3;  // mm/s: 8.5 nm a word
@@ -117,5 +117,5 @@ TEST(CurveTravel, APercentTooFastAroundABendIsSeen) {
   }
 }
 
-}  // namespace
+}  // namespace test_curve_travel
 }  // namespace leadscrew::referee::test

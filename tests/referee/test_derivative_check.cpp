@@ -8,7 +8,7 @@
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_derivative_check {
 
 /// One axis to and fro: amplitude·sin, faded in and out by rest-to-rest polynomials a second long.
 Words oscillation(Axis axis, double amplitude, double frequency, base::Period period, double offset = 0) {
@@ -174,5 +174,5 @@ TEST(DerivativeCheck, WhatIsNoNumberIsAnObjection) {
   EXPECT_TRUE(has_only(judge({}, words, machine::mill3(), period), "not a number"));
 }
 
-}  // namespace
+}  // namespace test_derivative_check
 }  // namespace leadscrew::referee::test

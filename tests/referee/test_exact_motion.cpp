@@ -6,7 +6,7 @@
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_exact_motion {
 
 constexpr double rounding = 1e-8;  // mm
 
@@ -110,5 +110,5 @@ TEST(ExactMotion, StandingStill) {
   EXPECT_TRUE(has(judge(Program().line(0, 0).moves, words, machine, period), "deviation"));
 }
 
-}  // namespace
+}  // namespace test_exact_motion
 }  // namespace leadscrew::referee::test

@@ -8,7 +8,7 @@
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_feed_ripple {
 
 constexpr base::Period millisecond{1'000'000};
 constexpr ProgrammedFeed programmed{FeedAxes::xyz, 50};
@@ -84,5 +84,5 @@ TEST(FeedRipple, CountsTheAxesOfTheFeed) {
   EXPECT_LT(ripple.greatest(), 1e-9);
 }
 
-}  // namespace
+}  // namespace test_feed_ripple
 }  // namespace leadscrew::referee::test

@@ -8,7 +8,7 @@
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_frechet {
 
 const base::Period period{100'000};  // short: a·T²/8 is two nanometres
 const machine::Machine mill = machine::mill3();
@@ -199,5 +199,5 @@ TEST(Frechet, ARunBackIsHalfItsLength) {
   }
 }
 
-}  // namespace
+}  // namespace test_frechet
 }  // namespace leadscrew::referee::test

@@ -8,7 +8,7 @@
 #include "curves.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_nearest {
 
 RC_GTEST_PROP(Nearest, NothingOnThePieceIsNearer, (std::uint64_t seed)) {
   std::mt19937_64 random(seed);
@@ -233,5 +233,5 @@ TEST(CurvePieces, LengthOfACircle) {
   EXPECT_NEAR(nurbs.length_in(coordinates_of(metric, FeedAxes::xyz)), 20 * std::numbers::pi, 1e-7);
 }
 
-}  // namespace
+}  // namespace test_nearest
 }  // namespace leadscrew::referee::test

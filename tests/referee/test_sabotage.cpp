@@ -5,7 +5,7 @@
 #include "track.hpp"
 
 namespace leadscrew::referee::test {
-namespace {
+namespace test_sabotage {
 
 class Sabotage : public testing::TestWithParam<std::int64_t> {
  protected:
@@ -383,5 +383,5 @@ TEST_P(Sabotage, HalfAsMuchAgainAsTheTolerance) {
 INSTANTIATE_TEST_SUITE_P(Periods, Sabotage, testing::Values(100'000, 1'000'000, 20'000'000),
                          [](const auto& one) { return std::to_string(one.param / 1000) + "us"; });
 
-}  // namespace
+}  // namespace test_sabotage
 }  // namespace leadscrew::referee::test

@@ -7,7 +7,7 @@
 #include <string>
 
 namespace leadscrew::report {
-namespace {
+namespace test_followed_report {
 
 constexpr base::Period period{1'000'000};
 
@@ -114,5 +114,5 @@ TEST(FollowedReport, IsOfSlidesOnly) {
   EXPECT_EQ(text.find("contour error"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace test_followed_report
 }  // namespace leadscrew::report

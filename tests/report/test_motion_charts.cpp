@@ -8,7 +8,7 @@
 #include "byte_sinks.hpp"
 
 namespace leadscrew::report {
-namespace {
+namespace test_motion_charts {
 
 using namespace testing_support;
 
@@ -76,5 +76,5 @@ TEST(MotionCharts, OfNothingAreSane) {
   EXPECT_EQ(charts_of(recording, machine).find("nan"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace test_motion_charts
 }  // namespace leadscrew::report

@@ -9,7 +9,7 @@
 #include "byte_sinks.hpp"
 
 namespace leadscrew::report {
-namespace {
+namespace test_recording {
 
 using namespace testing_support;
 
@@ -244,5 +244,5 @@ RC_GTEST_PROP(Thinning, StaysWithinItsTolerance, (std::uint64_t seed, std::uint1
   RC_ASSERT(worst <= tolerance * (1 + 1e-6));
 }
 
-}  // namespace
+}  // namespace test_recording
 }  // namespace leadscrew::report

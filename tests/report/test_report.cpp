@@ -7,7 +7,7 @@
 #include "byte_sinks.hpp"
 
 namespace leadscrew::report {
-namespace {
+namespace test_report {
 
 using namespace testing_support;
 
@@ -331,5 +331,5 @@ TEST(PathPicture, FlatPathsAreSeenFromAbove) {
   EXPECT_FALSE(has(Recorded(words).picture(), "l7520 0"));
 }
 
-}  // namespace
+}  // namespace test_report
 }  // namespace leadscrew::report

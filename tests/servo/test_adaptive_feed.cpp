@@ -11,7 +11,7 @@
 #include "adaptive_cut.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_adaptive_feed {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -219,5 +219,5 @@ TEST(AdaptiveFeed, SaysWhichOptionIsWrong) {
   EXPECT_EQ(refusal({.limit = 400, .stuck_after = 1}), "servo-adaptive-feed: the number of samples alike is 1");
 }
 
-}  // namespace
+}  // namespace test_adaptive_feed
 }  // namespace leadscrew::servo::testing

@@ -18,7 +18,7 @@
 #include "adaptive_cut.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_adaptive_swing {
 
 int tooth_of(const CutOptions& options) {
   return options.turn / options.teeth;
@@ -105,5 +105,5 @@ TEST(AdaptiveSwing, OfAnIntegratorIsFarMoreInAHeavyCut) {
   }
 }
 
-}  // namespace
+}  // namespace test_adaptive_swing
 }  // namespace leadscrew::servo::testing

@@ -11,7 +11,7 @@
 #include "runge_kutta.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_cascade {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -137,5 +137,5 @@ TEST(Cascade, SaysWhichOptionIsWrong) {
             "servo-controller: the share of velocity fed forward is 2");
 }
 
-}  // namespace
+}  // namespace test_cascade
 }  // namespace leadscrew::servo::testing

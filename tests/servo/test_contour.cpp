@@ -11,7 +11,7 @@
 #include "loops.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_contour {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -161,5 +161,5 @@ TEST(CircleContour, ErrorsAreTheTextbooksAtLowSpeed) {
   EXPECT_NEAR((unequal.major - unequal.minor) / 2, across, 1e-4 * across);
 }
 
-}  // namespace
+}  // namespace test_contour
 }  // namespace leadscrew::servo::testing

@@ -10,7 +10,7 @@
 #include <random_numbers.hpp>
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_contour_matcher {
 
 using testing_support::any;
 
@@ -212,5 +212,5 @@ TEST(ContourMatcher, ScalesAxes) {
   for (const double error : matched(periods, {4, 4}, scale)) EXPECT_NEAR(error, 0.1, 1e-12);
 }
 
-}  // namespace
+}  // namespace test_contour_matcher
 }  // namespace leadscrew::servo::testing

@@ -8,7 +8,7 @@
 #include <random_numbers.hpp>
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_cutting_force {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -86,5 +86,5 @@ TEST(MillingForce, SaysWhichOptionIsWrong) {
   EXPECT_EQ(refusal({.cutting_coefficient = 1000, .noise = -1}), "servo-milling: noise is -1");
 }
 
-}  // namespace
+}  // namespace test_cutting_force
 }  // namespace leadscrew::servo::testing

@@ -10,7 +10,7 @@
 #include "loops.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_cycle {
 
 template <class Run>
 std::int64_t allocations_of(Run&& run) {
@@ -55,5 +55,5 @@ TEST(ServoCycle, AdaptiveFeedTakesNoMemoryEvenWhenItsSensorFails) {
   EXPECT_EQ(adaptive.failure(), SensorFailure::silent);
 }
 
-}  // namespace
+}  // namespace test_cycle
 }  // namespace leadscrew::servo::testing

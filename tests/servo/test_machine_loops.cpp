@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_machine_loops {
 
 /// The built-in mill with an encoder that is as good as exact.
 machine::Machine finely_read() {
@@ -77,5 +77,5 @@ TEST(MachineLoops, HaveThePlayOfTheScrewAndTheCountsOfTheEncoder) {
   EXPECT_FALSE(options[3]);
 }
 
-}  // namespace
+}  // namespace test_machine_loops
 }  // namespace leadscrew::servo::testing

@@ -11,7 +11,7 @@
 #include "runge_kutta.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_pid {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -212,5 +212,5 @@ TEST(Pid, SaysWhichOptionIsWrong) {
   EXPECT_EQ(refusal({.limit = 0}, 0.01), "servo-controller: the limit of the command is 0");
 }
 
-}  // namespace
+}  // namespace test_pid
 }  // namespace leadscrew::servo::testing

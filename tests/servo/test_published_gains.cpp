@@ -11,7 +11,7 @@
 #include "loops.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_published_gains {
 
 constexpr double period = 0.01;
 constexpr double feed = 10;
@@ -79,5 +79,5 @@ TEST(PublishedGains, AreUnstableInTheStandardForm) {
   EXPECT_GT(std::fabs(loop.axis().screw().velocity), 1e6);
 }
 
-}  // namespace
+}  // namespace test_published_gains
 }  // namespace leadscrew::servo::testing

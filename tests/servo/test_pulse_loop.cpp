@@ -12,7 +12,7 @@
 #include "loops.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_pulse_loop {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -299,5 +299,5 @@ TEST(PulseLoop, SaysWhichOptionIsWrong) {
   EXPECT_EQ(refusal(options), "servo-pulse-loop: the start is 1.5");
 }
 
-}  // namespace
+}  // namespace test_pulse_loop
 }  // namespace leadscrew::servo::testing

@@ -10,7 +10,7 @@
 #include "loops.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_pulse_loop_figures {
 
 /// What a run of N pulses at a constant rate shows, the first after one interval.
 struct Observed {
@@ -189,5 +189,5 @@ TEST(PulseLoopFigures, OfACircleAreTheTextbooksOnlyWhereTheTimeConstantIsSmall) 
   EXPECT_GT(std::fabs(radius - circle_under(slow, slow).minor - textbook), 0.7 * textbook);
 }
 
-}  // namespace
+}  // namespace test_pulse_loop_figures
 }  // namespace leadscrew::servo::testing

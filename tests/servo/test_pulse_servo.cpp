@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_pulse_servo {
 
 /// From rest to `speed` in a tenth of a second and on; X and half of it in Y.
 base::Word moving(const machine::Machine& machine, int k, double speed) {
@@ -69,5 +69,5 @@ TEST(PulseServo, RefusesWhatTheStepClockCannotGive) {
   EXPECT_EQ(servo.error().code, "step-rate");
 }
 
-}  // namespace
+}  // namespace test_pulse_servo
 }  // namespace leadscrew::servo::testing

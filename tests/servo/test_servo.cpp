@@ -11,7 +11,7 @@
 #include "loops.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_servo {
 
 constexpr base::Period period{1'000'000};
 constexpr double seconds = 1e-3;
@@ -111,5 +111,5 @@ TEST(Servo, NamesTheAxisThatIsWrong) {
   EXPECT_EQ(made.error().message, "axis Y: the gain of the position loop is 0");
 }
 
-}  // namespace
+}  // namespace test_servo
 }  // namespace leadscrew::servo::testing

@@ -10,7 +10,7 @@
 #include "runge_kutta.hpp"
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_simulated_axis {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -203,5 +203,5 @@ TEST(SimulatedAxis, SaysWhichOptionIsWrong) {
   EXPECT_EQ(refusal({.drive = {1, 1}, .encoder_resolution = -0.5}), "servo-axis: the encoder's resolution is -0.5");
 }
 
-}  // namespace
+}  // namespace test_simulated_axis
 }  // namespace leadscrew::servo::testing

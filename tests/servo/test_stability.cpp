@@ -5,7 +5,7 @@
 #include <leadscrew/servo/stability.hpp>
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_stability {
 
 constexpr base::Period period{1'000'000};
 
@@ -100,5 +100,5 @@ TEST(Stability, LetsTheUsualLoopsAndThePublishedGainsPass) {
   }
 }
 
-}  // namespace
+}  // namespace test_stability
 }  // namespace leadscrew::servo::testing

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace leadscrew::servo::testing {
-namespace {
+namespace test_tracking {
 
 base::AxisSet axes(std::initializer_list<base::Axis> list) {
   base::AxisSet set;
@@ -68,5 +68,5 @@ TEST(Tracking, MeasuresFeedByTheLinearAxes) {
   EXPECT_DOUBLE_EQ(rotary.measured_feed(), 90);
 }
 
-}  // namespace
+}  // namespace test_tracking
 }  // namespace leadscrew::servo::testing

@@ -9,7 +9,7 @@
 #include "steps_support.hpp"
 
 namespace leadscrew::steps::testing {
-namespace {
+namespace test_compensation {
 
 using machine::PitchError;
 using machine::ScrewErrors;
@@ -228,5 +228,5 @@ TEST(Compensation, RefusesScrewsThatCannotBe) {
   EXPECT_EQ(made.error().code, "pitch-order");
 }
 
-}  // namespace
+}  // namespace test_compensation
 }  // namespace leadscrew::steps::testing

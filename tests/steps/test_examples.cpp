@@ -10,7 +10,7 @@
 #include <string>
 
 namespace leadscrew::steps::testing {
-namespace {
+namespace test_examples {
 
 std::string file_text(const std::string& name) {
   std::ifstream file(std::string(LEADSCREW_SOURCE_DIR) + "/examples/" + name, std::ios::binary);
@@ -90,5 +90,5 @@ INSTANTIATE_TEST_SUITE_P(Short, Examples,
                          ::testing::Combine(::testing::Values("04-square.ngc", "11-splines.ngc"),
                                             ::testing::Values(100, 20000), ::testing::Values(500, 1843)));
 
-}  // namespace
+}  // namespace test_examples
 }  // namespace leadscrew::steps::testing

@@ -5,7 +5,7 @@
 #include <leadscrew/steps/reference.hpp>
 
 namespace leadscrew::steps {
-namespace {
+namespace test_reference {
 
 /// Position after x periods of a motion with speed 30 and a jerk of 1 that turns to −1 at x = `turn`; BLU and periods.
 double position(double x, double turn) {
@@ -50,5 +50,5 @@ TEST(Reference, FindsWhereTheCubicTurns) {
   EXPECT_EQ(turning_points({0, 1, 1, 1}, at), 0);
 }
 
-}  // namespace
+}  // namespace test_reference
 }  // namespace leadscrew::steps

@@ -7,7 +7,7 @@
 #include "steps_support.hpp"
 
 namespace leadscrew::steps::testing {
-namespace {
+namespace test_step_timing {
 
 std::string_view refusal(const machine::Machine& machine, std::int64_t clock_hz = 1'000'000) {
   const auto problems = validate(clock_hz, machine);
@@ -113,5 +113,5 @@ TEST(StepTiming, RoundsTimesUpToTicks) {
   EXPECT_EQ(ticks.reversal(), 7);
 }
 
-}  // namespace
+}  // namespace test_step_timing
 }  // namespace leadscrew::steps::testing

@@ -10,7 +10,7 @@
 #include "steps_support.hpp"
 
 namespace leadscrew::steps::testing {
-namespace {
+namespace test_steps {
 
 using testing_support::any;
 using testing_support::logarithmic;
@@ -381,5 +381,5 @@ TEST(LongSteps, LoseNoneOverAHundredMillion) {
   expect_none_lost_over(100'000'000);
 }
 
-}  // namespace
+}  // namespace test_steps
 }  // namespace leadscrew::steps::testing

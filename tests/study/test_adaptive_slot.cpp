@@ -9,7 +9,7 @@
 #include <leadscrew/study/adaptive_slot.hpp>
 #include <limits>
 
-namespace {
+namespace test_adaptive_slot {
 
 using namespace leadscrew;
 using study::MilledSlot, study::Overridden, study::SlotPeriod;
@@ -192,4 +192,4 @@ TEST(AdaptiveSlot, SaysWhatIsWrongWithItsCut) {
   EXPECT_EQ(slot.error().code, "servo-cut");
 }
 
-}  // namespace
+}  // namespace test_adaptive_slot

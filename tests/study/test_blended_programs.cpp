@@ -7,7 +7,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_blended_programs {
 
 BlendedProgram program(std::string_view name, double tolerance) {
   for (const BlendedProgram& each : blended_programs()) {
@@ -113,5 +113,5 @@ TEST(BlendedPrograms, StoppingSquareTakesThePublishedTime) {
   EXPECT_NEAR(stopping_time(program("square of 10 mm", 0.01)), 1.0246, 5e-5);
 }
 
-}  // namespace
+}  // namespace test_blended_programs
 }  // namespace leadscrew::study::testing

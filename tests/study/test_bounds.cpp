@@ -12,7 +12,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_bounds {
 
 constexpr std::int64_t quick_radius = 300;
 
@@ -99,5 +99,5 @@ TEST(LongBoundsStudy, KeepsEveryBoundToR4096) {
         << row.group << ": " << row.what;
 }
 
-}  // namespace
+}  // namespace test_bounds
 }  // namespace leadscrew::study::testing

@@ -11,7 +11,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_butterfly {
 
 const Rows& rows() {
   static const Rows rows = butterfly_rows({});
@@ -211,5 +211,5 @@ INSTANTIATE_TEST_SUITE_P(Published, ButterflyTime,
                                   std::to_string(static_cast<int>(run.param.acceleration));
                          });
 
-}  // namespace
+}  // namespace test_butterfly
 }  // namespace leadscrew::study::testing

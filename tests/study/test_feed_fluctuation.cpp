@@ -9,7 +9,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_feed_fluctuation {
 
 const Rows& rows() {
   static const Rows rows = feed_fluctuation_rows({});
@@ -138,5 +138,5 @@ TEST(FeedFluctuation, HasARowForEveryRulePeriodAndCourse) {
   EXPECT_EQ(std::count_if(rows().begin(), rows().end(), is_chord), 3 * 4 * 5);
 }
 
-}  // namespace
+}  // namespace test_feed_fluctuation
 }  // namespace leadscrew::study::testing

@@ -12,7 +12,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_limits {
 
 /// A clock that goes on by a microsecond whenever it is looked at.
 Host ticking() {
@@ -116,5 +116,5 @@ TEST(Programs, OfCurvesReadBackBitForBit) {
   }
 }
 
-}  // namespace
+}  // namespace test_limits
 }  // namespace leadscrew::study::testing

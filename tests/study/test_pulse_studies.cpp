@@ -13,7 +13,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_pulse_studies {
 
 TEST(Chopped, CutsTowardsZero) {
   constexpr double unit = 1.0 / (1 << 26);
@@ -356,5 +356,5 @@ TEST(FpgaTable1Study, ComesOut) {
   EXPECT_NEAR(ours(rows, others, "DDA, both half full, x first"), 0.657, 5e-4);
 }
 
-}  // namespace
+}  // namespace test_pulse_studies
 }  // namespace leadscrew::study::testing

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 namespace leadscrew::study {
-namespace {
+namespace test_rows {
 
 constexpr Source somewhere = {Paper::fpga_interpolation, "Table 1"};
 
@@ -72,5 +72,5 @@ TEST(Figures, AreWrittenWithTheirDigits) {
   EXPECT_EQ(decimal(4.44e-7, 4), "4.4e-07");
 }
 
-}  // namespace
+}  // namespace test_rows
 }  // namespace leadscrew::study

@@ -9,7 +9,7 @@
 
 #include "found.hpp"
 
-namespace {
+namespace test_servo_studies {
 
 using namespace leadscrew::study;
 using leadscrew::study::testing::found;
@@ -163,4 +163,4 @@ TEST(AdaptiveStudy, ComesOut) {
   }
 }
 
-}  // namespace
+}  // namespace test_servo_studies

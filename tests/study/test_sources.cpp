@@ -10,7 +10,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_sources {
 
 /// Of the studies with published figures; of the others, the test below and their own tests see that they have none.
 const Rows& published_rows() {
@@ -61,5 +61,5 @@ TEST(PublishedFigures, AreNoneOfAdaptiveControl) {
   expect_none_published(adaptive_rows({}));
 }
 
-}  // namespace
+}  // namespace test_sources
 }  // namespace leadscrew::study::testing

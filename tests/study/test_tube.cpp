@@ -15,7 +15,7 @@
 #include "found.hpp"
 
 namespace leadscrew::study::testing {
-namespace {
+namespace test_tube {
 
 constexpr base::Period millisecond{1'000'000};
 
@@ -228,5 +228,5 @@ TEST(LongTube, OtherStartsEndNoSoonerThanRecorded) {
   }
 }
 
-}  // namespace
+}  // namespace test_tube
 }  // namespace leadscrew::study::testing

@@ -4,7 +4,7 @@
 #include <leadscrew/toolpath/builder.hpp>
 #include <numbers>
 
-namespace {
+namespace test_builder {
 
 using namespace leadscrew;
 using gcode::Move;
@@ -221,4 +221,4 @@ TEST(Builder, PassesOverASplineThatStandsStill) {
   EXPECT_EQ(toolpath::feed_length(move), 0);
 }
 
-}  // namespace
+}  // namespace test_builder

@@ -10,7 +10,7 @@
 #include "polylines.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_corner {
 
 using geometry::Curve;
 using numeric::Jet;
@@ -305,5 +305,5 @@ TEST(Blend, IsNoneWhereLinesGoStraightOn) {
   EXPECT_FALSE(blend({before, behind, {}, {}, 5, 5}, 0.01));
 }
 
-}  // namespace
+}  // namespace test_corner
 }  // namespace leadscrew::toolpath::testing

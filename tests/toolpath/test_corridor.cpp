@@ -14,7 +14,7 @@
 #include <random_numbers.hpp>
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_corridor {
 
 using testing_support::any;
 
@@ -181,5 +181,5 @@ TEST(CorridorPlans, AreTheSameInAnyTwoCoordinates) {
   }
 }
 
-}  // namespace
+}  // namespace test_corridor
 }  // namespace leadscrew::toolpath::testing

@@ -5,7 +5,7 @@
 
 // Events that travel: on which piece they come to lie, and where.
 
-namespace {
+namespace test_event_marks {
 
 using namespace leadscrew;
 using gcode::Move;
@@ -124,4 +124,4 @@ TEST(EventMarks, AreNeitherLostNorDoubledWhereAPieceIsParted) {
   EXPECT_EQ(second[1].s, 5);
 }
 
-}  // namespace
+}  // namespace test_event_marks

@@ -6,7 +6,7 @@
 #include "polylines.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_frechet {
 
 /// It is that distance: within a little more, and not within a little less.
 void expect_distance(const Polyline& a, const Polyline& b, double distance) {
@@ -119,5 +119,5 @@ TEST(Frechet, OfAPointIsThatOfTheFarthest) {
   EXPECT_TRUE(is_frechet_within(flat({{2, 3}}), flat({{2, 3}}), 0));
 }
 
-}  // namespace
+}  // namespace test_frechet
 }  // namespace leadscrew::toolpath::testing

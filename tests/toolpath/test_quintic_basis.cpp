@@ -7,7 +7,7 @@
 #include "polylines.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_quintic_basis {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -187,5 +187,5 @@ RC_GTEST_PROP(QuinticSpline, BeginsWithTheStateOfAnother, ()) {
   RC_ASSERT(begins_with(second, state));
 }
 
-}  // namespace
+}  // namespace test_quintic_basis
 }  // namespace leadscrew::toolpath::testing

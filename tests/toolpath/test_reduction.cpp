@@ -7,7 +7,7 @@
 #include "polylines.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_reduction {
 
 /// From vertex to vertex (mm, linear axes); line n leads to vertex n.
 std::vector<Leg> legs_along(const Polyline& polyline) {
@@ -178,5 +178,5 @@ RC_GTEST_PROP(Reduction, SpendsWhatItSaysAndNamesEveryLine, ()) {
   RC_ASSERT(line == walk.size());
 }
 
-}  // namespace
+}  // namespace test_reduction
 }  // namespace leadscrew::toolpath::testing

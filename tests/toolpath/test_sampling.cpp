@@ -10,7 +10,7 @@
 
 // How a tolerance is divided between curves and chords between words.
 
-namespace {
+namespace test_sampling {
 
 using namespace leadscrew;
 using namespace leadscrew::toolpath;
@@ -117,4 +117,4 @@ TEST(Sampling, TakesSharpTurnsIntoNoSplineWhereNextToNothingIsLeftToChords) {
   EXPECT_FALSE(sampling.suits_spline(leg, 1));
 }
 
-}  // namespace
+}  // namespace test_sampling

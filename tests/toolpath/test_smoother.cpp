@@ -9,7 +9,7 @@
 #include "smoothed_programs.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_smoother {
 
 /// Places along a curve, in mm, so dense that their chords are off by no more than a few thousandths of the tolerance.
 void append_places(Polyline& places, const geometry::Curve& curve, double tolerance) {
@@ -187,5 +187,5 @@ RC_GTEST_PROP(Smoother, BendsNowhereByAJumpWhereTolerancesChange, ()) {
   expect_no_jump(pieces_of(program.moves));
 }
 
-}  // namespace
+}  // namespace test_smoother
 }  // namespace leadscrew::toolpath::testing

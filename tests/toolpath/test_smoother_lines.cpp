@@ -8,7 +8,7 @@
 #include "smoothed_programs.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_smoother_lines {
 
 RC_GTEST_PROP(Smoother, NamesLinesInOrder, ()) {
   const std::vector<std::int64_t> lines = lines_of(pieces_of(random_program().moves));
@@ -131,5 +131,5 @@ RC_GTEST_PROP(Smoother, IsNoFasterThanTheLinesItNames, ()) {
   }
 }
 
-}  // namespace
+}  // namespace test_smoother_lines
 }  // namespace leadscrew::toolpath::testing

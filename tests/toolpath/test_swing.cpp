@@ -8,7 +8,7 @@
 #include "polylines.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_swing {
 
 /// p at u by its third derivative, −6 and then 6, summed step by step.
 double summed(const Swing& swing, double u) {
@@ -91,5 +91,5 @@ TEST(Swing, LiesInTheRangeItTells) {
   }
 }
 
-}  // namespace
+}  // namespace test_swing
 }  // namespace leadscrew::toolpath::testing

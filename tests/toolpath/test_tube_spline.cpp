@@ -7,7 +7,7 @@
 #include "polylines.hpp"
 
 namespace leadscrew::toolpath::testing {
-namespace {
+namespace test_tube_spline {
 
 using Outcome = TubeSpline::Outcome;
 
@@ -306,5 +306,5 @@ TEST(TubeSpline, IsFoundInTubesOfRoundedWords) {
   }
 }
 
-}  // namespace
+}  // namespace test_tube_spline
 }  // namespace leadscrew::toolpath::testing

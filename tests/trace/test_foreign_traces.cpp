@@ -6,7 +6,7 @@
 #include "byte_sinks.hpp"
 
 namespace leadscrew::trace {
-namespace {
+namespace test_foreign_traces {
 
 using namespace testing_support;
 
@@ -183,5 +183,5 @@ TEST(ForeignTraces, NoBytesBreakTheReader) {
   }
 }
 
-}  // namespace
+}  // namespace test_foreign_traces
 }  // namespace leadscrew::trace

@@ -12,7 +12,7 @@
 #include "byte_sinks.hpp"
 
 namespace leadscrew::trace {
-namespace {
+namespace test_round_trip {
 
 using namespace testing_support;
 
@@ -199,5 +199,5 @@ TEST(WordWriter, PassesOnWhatTheSinkSays) {
   }
 }
 
-}  // namespace
+}  // namespace test_round_trip
 }  // namespace leadscrew::trace

@@ -12,7 +12,7 @@
 #include "byte_sinks.hpp"
 
 namespace leadscrew::waves {
-namespace {
+namespace test_step_dump {
 
 using namespace testing_support;
 using steps::StepEvent;
@@ -148,5 +148,5 @@ TEST(StepDump, FailsAsItsSinkDoes) {
   EXPECT_FALSE(vcd.finish());
 }
 
-}  // namespace
+}  // namespace test_step_dump
 }  // namespace leadscrew::waves

@@ -24,7 +24,7 @@
 // bit as recorded in recorded.txt: a line for each program, its name, a hash of its text and machine, the number of its
 // words and a hash of these. A change that means to alter motion records anew: script/record-words.
 
-namespace {
+namespace test_words {
 
 using namespace leadscrew;
 
@@ -178,4 +178,4 @@ TEST(RecordedWords, MoreRandomPrograms) {
   check(random_programs(100, 200));
 }
 
-}  // namespace
+}  // namespace test_words
