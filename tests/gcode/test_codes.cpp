@@ -11,11 +11,11 @@ TEST(CodeTable, AWordThatNothingTakesNamesTheCodesThatDo) {
     const char* hint;
   } rows[] = {
       {"H1", "H belongs to G43"},
-      {"I1", "I belongs to G2, G3, G5 and G5.1"},
+      {"I1", "I belongs to G2, G3, G5, G5.1 and G10"},
       {"K1", "K belongs to G2, G3 and G6.2"},
       {"L1", "L belongs to G5.2, G81, G82, G83, G85 and G10"},
       {"P1", "P belongs to G2, G3, G5, G5.2, G6.2, G82, G4, G10, G64, M62, M63, M64 and M65"},
-      {"Q1", "Q belongs to G5, G83, G64, M67 and M68"},
+      {"Q1", "Q belongs to G5, G83, G10, G64, M67 and M68"},
       {"E1", "E belongs to M67 and M68"},
       {"D1", "no supported code takes it"},
   };

@@ -36,7 +36,7 @@ TEST(CurveDiagnostics, OfG5StandAtTheirPlace) {
       {"F60 G5 G53 X9 I1 J1 P1 Q1", "1:8 bad-g53; "},
       {"F60 G5 G4 X9 I1 J1 P1 Q1", "1:20 ambiguous-word; "},
       {"F60 G1 X1 G5.1", "1:11 modal-conflict; "},
-      {"F60 G6 X1", "1:5 unsupported-code; "},
+      {"F60 G6 X1", "1:5 unknown-code; "},
   });
 }
 

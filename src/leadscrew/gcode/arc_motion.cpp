@@ -2,24 +2,13 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <leadscrew/gcode/interpreter.hpp>
-#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/motion.hpp>
 
 namespace leadscrew::gcode {
 
 namespace {
 
 constexpr double most_turns = 100'000;
-
-// Along the helix, in X, Y and Z.
-double arc_length(PlanePoint start, const Interpreter::ArcPlan& plan, const Move& arc) {
-  const int direction = plan.turns > 0 ? 1 : -1;
-  const PlanePoint center = plan.circle.center;
-  const double angle = sweep(start, plan.circle.end, center, direction) +
-                       (std::abs(plan.turns) - 1) * sweep(start, start, center, direction);
-  const std::size_t normal = base::index(normal_axis(arc.plane));
-  return std::hypot(plan.circle.radius * angle, arc.end[normal] - arc.start[normal]);
-}
 
 // I, J and K go with X, Y and Z.
 constexpr char offset_letter(base::Axis axis) {
@@ -28,9 +17,19 @@ constexpr char offset_letter(base::Axis axis) {
 
 }  // namespace
 
-bool Interpreter::arc_center(const Block& block, PlanePoint start, PlanePoint& center) {
-  const base::Axis first = first_axis(plane_);
-  const base::Axis second = second_axis(plane_);
+// Along the helix, in X, Y and Z.
+double Motion::arc_length(PlanePoint start, const ArcPlan& plan, const Move& arc) {
+  const int direction = plan.turns > 0 ? 1 : -1;
+  const PlanePoint center = plan.circle.center;
+  const double angle = sweep(start, plan.circle.end, center, direction) +
+                       (std::abs(plan.turns) - 1) * sweep(start, start, center, direction);
+  const std::size_t normal = base::index(normal_axis(arc.plane));
+  return std::hypot(plan.circle.radius * angle, arc.end[normal] - arc.start[normal]);
+}
+
+bool Motion::arc_center(const Block& block, PlanePoint start, PlanePoint& center) {
+  const base::Axis first = first_axis(modal_.plane);
+  const base::Axis second = second_axis(modal_.plane);
   const char first_letter = offset_letter(first);
   const char second_letter = offset_letter(second);
   if (!block.has(first_letter) && !block.has(second_letter)) {
@@ -39,7 +38,7 @@ bool Interpreter::arc_center(const Block& block, PlanePoint start, PlanePoint& c
   }
   double a = block.value_or(first_letter, 0) * frame_.length_unit;
   double b = block.value_or(second_letter, 0) * frame_.length_unit;
-  if (arc_distance_ == Distance::incremental) {
+  if (modal_.arc_distance == Distance::incremental) {
     // Rotation is about Z and only arcs of the XY plane get here with one: first is X, second is Y.
     if (frame_.is_rotated()) frame_.rotate(a, b);
     center = {start.first + a, start.second + b};
@@ -52,11 +51,11 @@ bool Interpreter::arc_center(const Block& block, PlanePoint start, PlanePoint& c
   base::AxisVector program{};
   program[base::index(first)] = a;
   program[base::index(second)] = b;
-  center = in_plane(frame_.to_machine(program), plane_);
+  center = in_plane(frame_.to_machine(program), modal_.plane);
   return true;
 }
 
-bool Interpreter::report_circle(const Block& block, const ArcCircle& circle) {
+bool Motion::report_circle(const Block& block, const ArcCircle& circle) {
   const std::uint32_t column = motion_column(block);
   switch (circle.problem) {
     case ArcCircle::Problem::none:
@@ -78,28 +77,27 @@ bool Interpreter::report_circle(const Block& block, const ArcCircle& circle) {
 }
 
 // How often the arc turns, and about where; false where that cannot be known.
-bool Interpreter::plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan) {
-  for (const base::Axis axis : {first_axis(plane_), second_axis(plane_)}) {
+bool Motion::plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan) {
+  for (const base::Axis axis : {first_axis(modal_.plane), second_axis(modal_.plane)}) {
     if (machine_.has(axis)) continue;
-    reporter_.fail();
-    if (reported_lacking_.contains(axis)) return false;
-    if (!reporter_.muted()) reported_lacking_.insert(axis);
+    if (!travel_.lacks(axis)) return false;
     return error("unknown-axis", motion_column(block),
                  std::string("the arc moves ") + base::letter(axis) + ", which the machine does not have",
                  "an arc needs both axes of its plane");
   }
   const ArcTolerance tolerance = arc_tolerance(frame_.length_unit != 1);
-  const int direction = to_do_ == 30 ? 1 : -1;
+  const int direction = modal_.to_do == Code::G3 ? 1 : -1;
   const std::optional<int> turns = block.has('P') ? as_integer(block['P']) : 1;
   if (!turns || *turns < 1 || *turns > most_turns) {
     return error("bad-value", block.column_of('P'), "an arc has P" + text(block['P']), "an integer from 1 to 100000");
   }
   plan.turns = direction * *turns;
-  if (frame_.is_rotated() && plane_ != Plane::XY) {
+  if (frame_.is_rotated() && modal_.plane != Plane::XY) {
     return error("unsupported-rotation", motion_column(block), "an arc of G18 or G19 in a rotated coordinate system",
                  "rotated systems take arcs of G17 only");
   }
-  const bool centred = block.has(offset_letter(first_axis(plane_))) || block.has(offset_letter(second_axis(plane_)));
+  const bool centred =
+      block.has(offset_letter(first_axis(modal_.plane))) || block.has(offset_letter(second_axis(modal_.plane)));
   if (block.has('R') && centred) {
     return error("ambiguous-word", block.column_of('R'), "the arc has a radius and a centre", "give one of them");
   }
@@ -114,40 +112,40 @@ bool Interpreter::plan_arc(const Block& block, PlanePoint start, PlanePoint end,
 }
 
 // Only a circle that reaches beyond a limit is worth finding out how far along it the arc goes.
-void Interpreter::arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan) {
-  const base::Axis first = first_axis(plane_);
-  const base::Axis second = second_axis(plane_);
+void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan) {
+  const base::Axis first = first_axis(modal_.plane);
+  const base::Axis second = second_axis(modal_.plane);
   const auto reaches = [&](base::Axis axis, double center) {
-    return center - plan.circle.radius < travel_low_[base::index(axis)] ||
-           center + plan.circle.radius > travel_high_[base::index(axis)];
+    return center - plan.circle.radius < travel_.low()[base::index(axis)] ||
+           center + plan.circle.radius > travel_.high()[base::index(axis)];
   };
   const ArcCircle& circle = plan.circle;
   if (!reaches(first, circle.center.first) && !reaches(second, circle.center.second)) return;
   const PlaneBox box = arc_extent(start, circle.end, circle.center, plan.turns);
-  bulge_inside(block, first, box.low.first, box.high.first) &&
-      bulge_inside(block, second, box.low.second, box.high.second);
+  travel_.bulge_inside(block, first, box.low.first, box.high.first) &&
+      travel_.bulge_inside(block, second, box.low.second, box.high.second);
 }
 
-void Interpreter::arc(const Block& block) {
+void Motion::arc(const Block& block) {
   const base::AxisVector target = target_of(block);
-  const PlanePoint start = in_plane(frame_.position, plane_);
+  const PlanePoint start = in_plane(frame_.position, modal_.plane);
   ArcPlan plan;
-  const bool known = plan_arc(block, start, in_plane(target, plane_), plan);
+  const bool known = plan_arc(block, start, in_plane(target, modal_.plane), plan);
   Feed feed;
   feed_of(block, is_linear(target), block.has('F'), feed);
   // Only a line comes back from outside at once.
-  const bool from_outside = fails_outside(block);
-  inside_travel(block, target);
+  const bool from_outside = travel_.fails_outside(block);
+  travel_.inside_travel(block, target);
   if (!known) {
     frame_.position = target;
     return;
   }
   if (!from_outside) arc_inside(block, start, plan);
 
-  Move& arc = emit(Move::Kind::arc);
+  Move& arc = outbox_.emit(Move::Kind::arc);
   arc.end = target;
-  arc.end[base::index(first_axis(plane_))] = plan.circle.end.first;
-  arc.end[base::index(second_axis(plane_))] = plan.circle.end.second;
+  arc.end[base::index(first_axis(modal_.plane))] = plan.circle.end.first;
+  arc.end[base::index(second_axis(modal_.plane))] = plan.circle.end.second;
   arc.center_first = plan.circle.center.first;
   arc.center_second = plan.circle.center.second;
   arc.turns = plan.turns;

@@ -8,20 +8,6 @@
 
 namespace leadscrew::gcode {
 
-constexpr std::uint32_t letter_bit(char letter) {
-  return std::uint32_t{1} << (letter - 'A');
-}
-
-/// A set of letters, written as text: "IJK".
-struct Letters {
-  std::uint32_t bits = 0;
-
-  constexpr Letters(const char* text) {
-    for (; *text != 0; ++text) bits |= letter_bit(*text);
-  }
-  constexpr bool has(char letter) const { return bits & letter_bit(letter); }
-};
-
 namespace detail {
 constexpr std::array<base::Axis, 26> make_axis_letters() {
   std::array<base::Axis, 26> axes{};
@@ -42,14 +28,12 @@ inline constexpr std::uint32_t axis_letter_bits = letter_bit('X') | letter_bit('
 
 struct Block {
   std::uint32_t words = 0;               ///< bits of the letters that stand in the block, other than G and M
-  std::uint32_t g_groups = 0;            ///< bits of the groups of its G codes
-  std::uint32_t m_groups = 0;            ///< bits of the groups of its M codes
+  std::uint32_t groups = 0;              ///< bits of the groups of its codes
   std::array<double, 26> value;          ///< of each word; meaningless without its bit
   std::array<std::uint32_t, 26> column;  ///< of each word
-  std::array<GCode, index(Group::count)> g;
-  std::array<std::uint32_t, index(Group::count)> g_column;
-  std::array<std::uint8_t, 10> m;
-  std::array<std::uint32_t, 10> m_column;
+  std::array<Code, index(Group::count)> codes;
+  std::array<std::uint32_t, index(Group::count)> code_columns;
+  std::int16_t user_code = 0;      ///< 100 … 199: which of Code::M100
   std::uint32_t first_column = 1;  ///< of the first word
   bool complete = true;            ///< the line was read to its end; otherwise words may be missing
 
@@ -57,14 +41,14 @@ struct Block {
   double operator[](char letter) const { return value[static_cast<std::size_t>(letter - 'A')]; }
   double value_or(char letter, double otherwise) const { return has(letter) ? (*this)[letter] : otherwise; }
   std::uint32_t column_of(char letter) const { return column[static_cast<std::size_t>(letter - 'A')]; }
-  bool has(Group group) const { return g_groups & bit(group); }
-  /// The code of a group, or -1.
-  GCode code(Group group) const { return has(group) ? g[index(group)] : GCode{-1}; }
-  std::uint32_t column_of(Group group) const { return g_column[index(group)]; }
-  bool has_m(int group) const { return (m_groups >> group) & 1u; }
+  bool has(Group group) const { return groups & bit(group); }
+  /// The code of a group, or Code::none.
+  Code code(Group group) const { return has(group) ? codes[index(group)] : Code::none; }
+  bool is(Code one) const { return code(row(one).group) == one; }
+  std::uint32_t column_of(Group group) const { return code_columns[index(group)]; }
 
   void clear() {
-    words = g_groups = m_groups = 0;
+    words = groups = 0;
     complete = true;
   }
 };

@@ -31,14 +31,24 @@ constexpr char letter_at(unsigned index) {
   return static_cast<char>('A' + index);
 }
 
-// The code of a G word: ten times its number, to within a thousandth, from 0 to 999.
-std::optional<GCode> g_code_of(double value) {
+// Ten times the number of a G word, to within a thousandth, from 0 to 1999.
+std::optional<int> tenths_of(double value) {
   const double tenths = value * 10;
-  if (!(tenths >= -0.5 && tenths < 999.5)) return std::nullopt;
-  const auto below = static_cast<GCode>(tenths);
-  const auto nearest = static_cast<GCode>(tenths - below > 0.5 ? below + 1 : below);
+  if (!(tenths >= -0.5 && tenths < static_cast<double>(detail::most_g) - 0.5)) return std::nullopt;
+  const int below = static_cast<int>(tenths);
+  const int nearest = tenths - below > 0.5 ? below + 1 : below;
   if (std::fabs(tenths - nearest) > 1e-3) return std::nullopt;
   return nearest;
+}
+
+// "of Fanuc and Haas": the dialects that have a code.
+std::string names_of(Dialects dialects) {
+  std::string names;
+  for (std::size_t i = 0; i < index(Dialect::count); ++i) {
+    const auto dialect = static_cast<Dialect>(i);
+    if (dialects.has(dialect)) names += (names.empty() ? "" : ", ") + std::string(name(dialect));
+  }
+  return names;
 }
 
 }  // namespace
@@ -117,55 +127,48 @@ bool BlockReader::refuse_repeated(unsigned letter, std::uint32_t column) {
 
 // Problems with a code do not lose the place in the line: reading goes on behind them.
 bool BlockReader::g_word(double value, std::uint32_t column, Block& block) {
-  const std::optional<GCode> code = g_code_of(value);
-  const Group group = code ? group_of_g(*code) : Group::unknown;
-  if (group >= Group::unsupported || block.has(group)) return refuse_g(value, column, block);
-  block.g_groups |= bit(group);
-  block.g[index(group)] = *code;
-  block.g_column[index(group)] = column;
+  const std::optional<int> tenths = tenths_of(value);
+  return code_word('G', tenths ? g_code(dialect_, *tenths) : Code::none, value, column, block);
+}
+
+bool BlockReader::m_word(double value, std::uint32_t column, Block& block) {
+  const int number = as_integer(value).value_or(-1);
+  const bool known = 0 <= number && number < static_cast<int>(detail::most_m);
+  if (number >= 100 && known) block.user_code = static_cast<std::int16_t>(number);
+  return code_word('M', known ? m_code(dialect_, number) : Code::none, value, column, block);
+}
+
+bool BlockReader::code_word(char letter, Code code, double value, std::uint32_t column, Block& block) {
+  if (code == Code::none) return refuse_unknown(letter, value, column);
+  const CodeRow& known = row(code);
+  if (!known.read || block.has(known.group)) return refuse_code(code, column, block);
+  block.groups |= bit(known.group);
+  block.codes[index(known.group)] = code;
+  block.code_columns[index(known.group)] = column;
   return true;
 }
 
-bool BlockReader::refuse_g(double value, std::uint32_t column, const Block& block) {
-  const std::optional<GCode> code = g_code_of(value);
-  const Group group = code ? group_of_g(*code) : Group::unknown;
-  if (group == Group::unknown) {
-    reporter_.error("unknown-code", column, "G" + text(value) + " is not known", "see the list of G codes");
-  } else if (group == Group::unsupported) {
-    reporter_.error("unsupported-code", column, g_name(*code) + " is not supported", "see the list of G codes");
+bool BlockReader::refuse_unknown(char letter, double value, std::uint32_t column) {
+  const std::optional<int> tenths = tenths_of(value);
+  const Dialects others = tenths ? dialects_of(letter, *tenths) : Dialects{};
+  if (others.empty()) {
+    reporter_.error("unknown-code", column, letter + text(value) + " is not known", "docs/gcode.md lists all codes");
   } else {
-    reporter_.error("modal-conflict", column,
-                    g_name(*code) + " and " + g_name(block.code(group)) + " stand in one block",
-                    "both are of modal group " + std::to_string(index(group)) + ": one block, one of them");
+    reporter_.error("unknown-code", column, name(letter, *tenths) + " is not of dialect " + std::string(name(dialect_)),
+                    "known by --dialect " + names_of(others));
   }
   return true;
 }
 
-bool BlockReader::m_word(double value, std::uint32_t column, Block& block) {
-  const int code = as_integer(value).value_or(-1);
-  const int group = group_of_m(code);
-  if (group == 0 || block.has_m(group)) return refuse_m(value, column, block);
-  const auto g = static_cast<std::size_t>(group);
-  block.m_groups |= std::uint32_t{1} << group;
-  block.m[g] = static_cast<std::uint8_t>(code);
-  block.m_column[g] = column;
-  return true;
-}
-
-bool BlockReader::refuse_m(double value, std::uint32_t column, const Block& block) {
-  const int code = as_integer(value).value_or(-1);
-  const int group = group_of_m(code);
-  if (group != 0) {
-    reporter_.error("modal-conflict", column,
-                    "M" + std::to_string(code) + " and M" + std::to_string(block.m[static_cast<std::size_t>(group)]) +
-                        " stand in one block",
-                    "both are of M group " + std::to_string(group) + ": one block, one of them");
-  } else if (is_unsupported_m(code)) {
-    reporter_.error("unsupported-code", column, "M" + std::to_string(code) + " is not supported",
-                    "M0 to M9, M30, M60, M62 to M65, M67 and M68 are");
+bool BlockReader::refuse_code(Code code, std::uint32_t column, const Block& block) {
+  const CodeRow& known = row(code);
+  if (!known.read) {
+    reporter_.error("unsupported-code", column, name(code) + " (" + known.summary + ") is not supported",
+                    "docs/gcode.md lists what is");
   } else {
-    reporter_.error("unknown-code", column, "M" + text(value) + " is not known",
-                    "M0 to M9, M30, M60, M62 to M65, M67 and M68 are");
+    reporter_.error("modal-conflict", column,
+                    name(code) + " and " + name(block.code(known.group)) + " stand in one block",
+                    "both are of " + name(known.group) + ": one block, one of them");
   }
   return true;
 }

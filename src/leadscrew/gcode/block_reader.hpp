@@ -10,10 +10,11 @@ namespace leadscrew::gcode {
 
 class BlockReader {
  public:
-  BlockReader(Parameters& parameters, const Frame& frame, Reporter& reporter, bool block_delete)
+  BlockReader(Parameters& parameters, const Frame& frame, Reporter& reporter, Dialect dialect, bool block_delete)
       : parameters_(parameters),
         reporter_(reporter),
         values_(parameters, frame, reporter),
+        dialect_(dialect),
         block_delete_(block_delete) {}
 
   /// Reads the line and then sets its parameters; false where it holds no word. Problems are reported; the words before
@@ -29,13 +30,14 @@ class BlockReader {
 
   bool word(const char*& p, unsigned letter, Block& block);
   bool g_word(double value, std::uint32_t column, Block& block);
+  bool code_word(char letter, Code code, double value, std::uint32_t column, Block& block);
   bool m_word(double value, std::uint32_t column, Block& block);
   // What is wrong with a word, told apart from reading it: most blocks have nothing of the kind.
   [[gnu::cold]] bool refuse_o_word(const char* begin, Block& block);
   [[gnu::cold]] bool refuse_value(unsigned letter, double value, std::uint32_t column);
   [[gnu::cold]] bool refuse_repeated(unsigned letter, std::uint32_t column);
-  [[gnu::cold]] bool refuse_g(double value, std::uint32_t column, const Block& block);
-  [[gnu::cold]] bool refuse_m(double value, std::uint32_t column, const Block& block);
+  [[gnu::cold]] bool refuse_unknown(char letter, double value, std::uint32_t column);
+  [[gnu::cold]] bool refuse_code(Code code, std::uint32_t column, const Block& block);
   bool assignment(const char*& p);
   bool comment(const char*& p);
   void assign();
@@ -44,6 +46,7 @@ class BlockReader {
   Reporter& reporter_;
   ExpressionReader values_;
   std::vector<Assignment> assignments_;
+  Dialect dialect_;
   bool block_delete_;
 };
 

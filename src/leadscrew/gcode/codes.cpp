@@ -1,127 +1,262 @@
-// The G codes that are read: one row a code. A code that does something of its own is a row here, a handler of the
-// Interpreter, and the file that holds the handler.
+// The table of codes: one row a code. What a code does is in dispatch.cpp.
 
-#include <leadscrew/gcode/interpreter.hpp>
-#include <vector>
+#include <leadscrew/gcode/codes.hpp>
 
 namespace leadscrew::gcode {
 
 namespace {
 
-// Codes of the dialect that are not read.
-constexpr GCode unsupported[] = {60,  61,  70,  80,  171, 181, 191, 330, 331, 382, 383, 384,
-                                 385, 410, 411, 420, 421, 432, 520, 700, 710, 711, 712, 720,
-                                 721, 722, 730, 740, 760, 840, 860, 870, 880, 890, 950, 960};
+constexpr Dialect L = Dialect::leadscrew, C = Dialect::linuxcnc, F = Dialect::fanuc, H = Dialect::haas,
+                  B = Dialect::grbl, M = Dialect::mach3, R = Dialect::marlin;
+constexpr Dialects all{L, C, F, H, B, M, R};
+constexpr Dialects no_marlin{L, C, F, H, B, M};  // what every controller of machine tools has
+constexpr Dialects no_small{L, C, F, H, M};      // neither grbl nor Marlin
+constexpr Dialects linuxcnc{L, C};
+constexpr Dialects fanuc{L, F, H};  // Fanuc's and Haas', where LinuxCNC leaves the number free
 
 constexpr bool takes_axes = true;
+constexpr bool not_read = false;
+
+// Where a code is defined: NIST IR 6556 by its sections, LinuxCNC's manual by the code's own section of "G Codes" or "M
+// Codes".
+constexpr const char* const manual = "LinuxCNC manual, G Codes";
+constexpr const char* const manual_m = "LinuxCNC manual, M Codes";
+constexpr const char* const fanuc_manual = "Fanuc 0i operator's manual";
+constexpr const char* const haas_manual = "Haas mill operator's manual";
+constexpr const char* const nist_cycles = "NIST IR 6556, 3.5.16";
+
+constexpr CodeRow g(Code code, int tenths, Group group, Dialects dialects, const char* summary, const char* source,
+                    Letters words = "", Letters needs = "", Letters repeated_by = "") {
+  return {code,    'G',   static_cast<std::int16_t>(tenths), group, words, needs, repeated_by, false, true, dialects,
+          summary, source};
+}
+constexpr CodeRow with_axes(CodeRow row) {
+  row.takes_axes = true;
+  return row;
+}
+constexpr CodeRow unread(CodeRow row) {
+  row.read = false;
+  return row;
+}
+constexpr CodeRow m(Code code, int number, Group group, Dialects dialects, const char* summary, const char* source,
+                    Letters words = "", Letters needs = "") {
+  return {code,    'M',   static_cast<std::int16_t>(number * 10), group, words, needs, "", false, true, dialects,
+          summary, source};
+}
+
+// clang-format off
+constexpr std::array<CodeRow, index(Code::count)> rows = {{
+  // code, number times ten, group, dialects, summary, source, words, needed, repeated by
+  g(Code::G0, 0, Group::motion, all, "rapid line", "NIST IR 6556, 3.5.1"),
+  g(Code::G1, 10, Group::motion, all, "line at feed", "NIST IR 6556, 3.5.2"),
+  g(Code::G2, 20, Group::motion, all, "clockwise arc or helix", "NIST IR 6556, 3.5.3", "IJKRP", "", "IJKR"),
+  g(Code::G3, 30, Group::motion, all, "counterclockwise arc or helix", "NIST IR 6556, 3.5.3", "IJKRP", "", "IJKR"),
+  g(Code::G5, 50, Group::motion, {L, C, R}, "cubic spline", manual, "IJPQ", "", "IJ"),
+  g(Code::G5_1, 51, Group::motion, {L, C}, "quadratic spline", manual, "IJ", "", "IJ"),
+  g(Code::G5_2, 52, Group::motion, linuxcnc, "NURBS with uniform knots: begins, or a control point", manual, "PL"),
+  g(Code::G5_3, 53, Group::motion, linuxcnc, "NURBS with uniform knots: ends", manual),
+  g(Code::G6_2, 62, Group::motion, {L, F}, "NURBS with knots", fanuc_manual, "PKR", "", "KR"),
+  unread(g(Code::G33, 330, Group::motion, no_small, "line in step with the spindle", manual, "K", "K")),
+  unread(g(Code::G33_1, 331, Group::motion, linuxcnc, "rigid tapping in step with the spindle", manual, "KI", "K")),
+  unread(g(Code::G38_2, 382, Group::motion, {L, C, B}, "probe towards the workpiece, contact expected", manual)),
+  unread(g(Code::G38_3, 383, Group::motion, {L, C, B}, "probe towards the workpiece", manual)),
+  unread(g(Code::G38_4, 384, Group::motion, {L, C, B}, "probe away from the workpiece, loss of contact expected", manual)),
+  unread(g(Code::G38_5, 385, Group::motion, {L, C, B}, "probe away from the workpiece", manual)),
+  unread(g(Code::G73, 730, Group::motion, no_small, "drilling cycle that breaks chips", manual, "RLQ", "", "")),
+  unread(g(Code::G74, 740, Group::motion, no_small, "left-hand tapping cycle", manual, "RLP", "", "")),
+  unread(g(Code::G76, 760, Group::motion, linuxcnc, "threading cycle", manual, "PIJKRQHLE", "PIJK")),
+  unread(g(Code::G76_bore, 760, Group::motion, {F, H, M}, "fine boring cycle: the tool leaves the wall before it retracts", fanuc_manual, "RLPQIJ", "", "")),
+  g(Code::G80, 800, Group::motion, all, "no motion is in force", "NIST IR 6556, 3.5.15"),
+  g(Code::G81, 810, Group::motion, no_small, "drilling cycle", nist_cycles, "RL"),
+  g(Code::G82, 820, Group::motion, no_small, "drilling cycle with a dwell at the bottom", nist_cycles, "RLP"),
+  g(Code::G83, 830, Group::motion, no_small, "deep-hole drilling cycle: retracts to R after each peck", nist_cycles, "RLQ"),
+  unread(g(Code::G84, 840, Group::motion, no_small, "right-hand tapping cycle", manual, "RLP")),
+  g(Code::G85, 850, Group::motion, no_small, "boring cycle: out at feed", nist_cycles, "RL"),
+  unread(g(Code::G86, 860, Group::motion, no_small, "boring cycle: spindle stops, out at rapid", nist_cycles, "RLP")),
+  unread(g(Code::G87, 870, Group::motion, no_small, "back-boring cycle", nist_cycles, "RLIJK")),
+  unread(g(Code::G88, 880, Group::motion, no_small, "boring cycle: spindle stops, out by hand", nist_cycles, "RLP")),
+  unread(g(Code::G89, 890, Group::motion, no_small, "boring cycle with a dwell at the bottom: out at feed", nist_cycles, "RLP")),
+
+  g(Code::G4, 40, Group::nonmodal, all, "dwell", "NIST IR 6556, 3.5.4", "P", "P"),
+  unread(g(Code::G9, 90, Group::nonmodal, fanuc, "exact stop at the end of this block", fanuc_manual)),
+  with_axes(g(Code::G10, 100, Group::nonmodal, no_marlin, "sets a coordinate system or a tool", manual, "PLRIJQ", "LP")),
+  with_axes(g(Code::G28, 280, Group::nonmodal, all, "goes home, by the point given", "NIST IR 6556, 3.5.8")),
+  g(Code::G28_1, 281, Group::nonmodal, {L, C, B, M}, "home of G28 is where the tool stands", manual),
+  with_axes(g(Code::G30, 300, Group::nonmodal, no_marlin, "goes to the second home, by the point given", "NIST IR 6556, 3.5.8", "")),
+  g(Code::G30_1, 301, Group::nonmodal, {L, C, B}, "home of G30 is where the tool stands", manual),
+  unread(with_axes(g(Code::G31, 310, Group::nonmodal, {L, F, H, M}, "skip: a line that a signal ends", fanuc_manual))),
+  unread(with_axes(g(Code::G52, 520, Group::nonmodal, no_small, "local coordinate system", manual))),
+  g(Code::G53, 530, Group::nonmodal, no_marlin, "axis words are machine coordinates", "NIST IR 6556, 3.5.12"),
+  unread(g(Code::G60, 600, Group::nonmodal, fanuc, "approach from one side", fanuc_manual)),
+  unread(with_axes(g(Code::G70, 700, Group::nonmodal, linuxcnc, "lathe finishing cycle", manual, "QEDP"))),
+  unread(g(Code::G70_bolts, 700, Group::nonmodal, {H}, "holes on a circle", haas_manual, "IJL")),
+  unread(with_axes(g(Code::G71, 710, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z", manual, "QDIRP"))),
+  unread(g(Code::G71_bolts, 710, Group::nonmodal, {H}, "holes on an arc", haas_manual, "IJKL")),
+  unread(with_axes(g(Code::G71_1, 711, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 1", manual, "QDIRP"))),
+  unread(with_axes(g(Code::G71_2, 712, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 2", manual, "QDIRP"))),
+  unread(with_axes(g(Code::G72, 720, Group::nonmodal, linuxcnc, "lathe roughing cycle along X", manual, "QDIRP"))),
+  unread(g(Code::G72_bolts, 720, Group::nonmodal, {H}, "holes along a line", haas_manual, "IJL")),
+  unread(with_axes(g(Code::G72_1, 721, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 1", manual, "QDIRP"))),
+  unread(with_axes(g(Code::G72_2, 722, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 2", manual, "QDIRP"))),
+  with_axes(g(Code::G92, 920, Group::nonmodal, all, "shifts coordinates so that the tool stands at those given", "NIST IR 6556, 3.5.18")),
+  g(Code::G92_1, 921, Group::nonmodal, {L, C, B, M}, "no shift, and forgets it", "NIST IR 6556, 3.5.18"),
+  g(Code::G92_2, 922, Group::nonmodal, {L, C, M}, "no shift for now", "NIST IR 6556, 3.5.18"),
+  g(Code::G92_3, 923, Group::nonmodal, {L, C, M}, "the shift that was kept", "NIST IR 6556, 3.5.18"),
+  unread(g(Code::G5_high_speed, 50, Group::nonmodal, {F}, "high-speed machining, which is always on here", fanuc_manual, "P")),
+  unread(g(Code::G5_1_high_speed, 51, Group::nonmodal, {F, H}, "contour control, which is always on here", fanuc_manual, "QR")),
+  unread(g(Code::G8_high_speed, 80, Group::nonmodal, {F, H}, "look-ahead, which is always on here", fanuc_manual, "P")),
+  unread(g(Code::G103, 1030, Group::nonmodal, {L, H}, "limits look-ahead, which bounds itself here", haas_manual, "P")),
+  unread(g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness, which G64 P says here", haas_manual, "PE")),
+
+  g(Code::G17, 170, Group::plane, all, "plane XY", "NIST IR 6556, 3.5.6"),
+  unread(g(Code::G17_1, 171, Group::plane, linuxcnc, "plane UV", manual)),
+  g(Code::G18, 180, Group::plane, all, "plane ZX", "NIST IR 6556, 3.5.6"),
+  unread(g(Code::G18_1, 181, Group::plane, linuxcnc, "plane WU", manual)),
+  g(Code::G19, 190, Group::plane, all, "plane YZ", "NIST IR 6556, 3.5.6"),
+  unread(g(Code::G19_1, 191, Group::plane, linuxcnc, "plane VW", manual)),
+  g(Code::G90, 900, Group::distance, all, "axis words are coordinates", "NIST IR 6556, 3.5.17"),
+  g(Code::G91, 910, Group::distance, all, "axis words are distances from where the tool stands", "NIST IR 6556, 3.5.17"),
+  g(Code::G90_1, 901, Group::arc_distance, {L, C, M}, "I, J and K are coordinates", manual),
+  g(Code::G91_1, 911, Group::arc_distance, {L, C, B, M}, "I, J and K are distances from the start of the arc", manual),
+  g(Code::G93, 930, Group::feed_mode, no_marlin, "F is the reciprocal of a block's minutes", "NIST IR 6556, 3.5.19"),
+  g(Code::G94, 940, Group::feed_mode, no_marlin, "F is units per minute", "NIST IR 6556, 3.5.19"),
+  unread(g(Code::G95, 950, Group::feed_mode, no_small, "F is units per revolution of the spindle", manual)),
+  g(Code::G20, 200, Group::units, all, "inches", "NIST IR 6556, 3.5.7"),
+  g(Code::G21, 210, Group::units, all, "millimetres", "NIST IR 6556, 3.5.7"),
+  g(Code::G40, 400, Group::cutter_radius, no_marlin, "no cutter compensation", "NIST IR 6556, 3.5.10"),
+  unread(g(Code::G41, 410, Group::cutter_radius, no_small, "cutter compensation, left of the path", "NIST IR 6556, 3.5.10", "D")),
+  unread(g(Code::G41_1, 411, Group::cutter_radius, linuxcnc, "cutter compensation of a given diameter, left of the path", manual, "DL", "D")),
+  unread(g(Code::G42, 420, Group::cutter_radius, no_small, "cutter compensation, right of the path", "NIST IR 6556, 3.5.10", "D")),
+  unread(g(Code::G42_1, 421, Group::cutter_radius, linuxcnc, "cutter compensation of a given diameter, right of the path", manual, "DL", "D")),
+  g(Code::G43, 430, Group::tool_length, no_small, "tool length offset of the tool table", "NIST IR 6556, 3.5.11", "H"),
+  with_axes(g(Code::G43_1, 431, Group::tool_length, {L, C, B}, "tool length offset as given", manual)),
+  unread(with_axes(g(Code::G43_2, 432, Group::tool_length, linuxcnc, "adds a tool length offset", manual, "H"))),
+  unread(g(Code::G44, 440, Group::tool_length, fanuc, "tool length offset of the tool table, negative", fanuc_manual, "H")),
+  g(Code::G49, 490, Group::tool_length, no_marlin, "no tool length offset", "NIST IR 6556, 3.5.11"),
+  g(Code::G98, 980, Group::retract, no_small, "cycles retract to where the tool was", "NIST IR 6556, 3.5.20"),
+  g(Code::G99, 990, Group::retract, no_small, "cycles retract to R", "NIST IR 6556, 3.5.20"),
+  unread(g(Code::G50, 500, Group::scaling, {L, F, H, M}, "no scaling; with S, limits the spindle's speed", fanuc_manual)),
+  unread(with_axes(g(Code::G51, 510, Group::scaling, {L, F, H, M}, "scaling about a point", fanuc_manual, "PIJK"))),
+  g(Code::G54, 540, Group::system, all, "coordinate system 1", "NIST IR 6556, 3.5.13"),
+  g(Code::G55, 550, Group::system, all, "coordinate system 2", "NIST IR 6556, 3.5.13"),
+  g(Code::G56, 560, Group::system, all, "coordinate system 3", "NIST IR 6556, 3.5.13"),
+  g(Code::G57, 570, Group::system, all, "coordinate system 4", "NIST IR 6556, 3.5.13"),
+  g(Code::G58, 580, Group::system, all, "coordinate system 5", "NIST IR 6556, 3.5.13"),
+  g(Code::G59, 590, Group::system, all, "coordinate system 6", "NIST IR 6556, 3.5.13"),
+  g(Code::G59_1, 591, Group::system, {L, C, R}, "coordinate system 7", "NIST IR 6556, 3.5.13"),
+  g(Code::G59_2, 592, Group::system, {L, C, R}, "coordinate system 8", "NIST IR 6556, 3.5.13"),
+  g(Code::G59_3, 593, Group::system, {L, C, R}, "coordinate system 9", "NIST IR 6556, 3.5.13"),
+  unread(g(Code::G54_1, 541, Group::system, {L, F}, "further coordinate system, of its number P", fanuc_manual, "P", "P")),
+  unread(g(Code::G154, 1540, Group::system, {L, H}, "further coordinate system, of its number P", haas_manual, "P", "P")),
+  g(Code::G61, 610, Group::path, no_marlin, "exact path; in Fanuc's and Haas' dialect exact stop", "NIST IR 6556, 3.5.14"),
+  g(Code::G61_1, 611, Group::path, linuxcnc, "exact stop", "NIST IR 6556, 3.5.14"),
+  g(Code::G64, 640, Group::path, no_small, "rounds corners within a tolerance", "NIST IR 6556, 3.5.14", "PQ"),
+  unread(g(Code::G96, 960, Group::spindle_mode, no_small, "constant surface speed", manual, "D")),
+  g(Code::G97, 970, Group::spindle_mode, no_small, "S is revolutions per minute", manual),
+  unread(g(Code::G7, 70, Group::lathe, linuxcnc, "X is a diameter", manual)),
+  unread(g(Code::G8, 80, Group::lathe, linuxcnc, "X is a radius", manual)),
+  unread(with_axes(g(Code::G68, 680, Group::rotation, {L, F, H, M}, "turns coordinates about a point", fanuc_manual, "R", "R"))),
+  unread(g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned", fanuc_manual)),
+  unread(g(Code::G15, 150, Group::polar, {L, F, H, M}, "axis words are not polar", fanuc_manual)),
+  unread(g(Code::G16, 160, Group::polar, {L, F, H, M}, "axis words are a radius and an angle", fanuc_manual)),
+
+  m(Code::M0, 0, Group::stop, all, "pause", "NIST IR 6556, 3.6.1"),
+  m(Code::M1, 1, Group::stop, all, "pause, where the operator wants one", "NIST IR 6556, 3.6.1"),
+  m(Code::M2, 2, Group::stop, all, "end of the program", "NIST IR 6556, 3.6.1"),
+  m(Code::M30, 30, Group::stop, all, "end of the program, and change of pallet", "NIST IR 6556, 3.6.1"),
+  m(Code::M60, 60, Group::stop, no_small, "change of pallet and pause", "NIST IR 6556, 3.6.1"),
+  m(Code::M62, 62, Group::output, linuxcnc, "digital output on, with motion", manual_m, "P", "P"),
+  m(Code::M63, 63, Group::output, linuxcnc, "digital output off, with motion", manual_m, "P", "P"),
+  m(Code::M64, 64, Group::output, linuxcnc, "digital output on, at once", manual_m, "P", "P"),
+  m(Code::M65, 65, Group::output, linuxcnc, "digital output off, at once", manual_m, "P", "P"),
+  unread(m(Code::M66, 66, Group::output, linuxcnc, "waits for an input", manual_m, "PELQ")),
+  m(Code::M67, 67, Group::output, linuxcnc, "analog output, with motion", manual_m, "EQ", "EQ"),
+  m(Code::M68, 68, Group::output, linuxcnc, "analog output, at once", manual_m, "EQ", "EQ"),
+  m(Code::M6, 6, Group::tool, no_small, "change of tool", "NIST IR 6556, 3.6.3"),
+  unread(m(Code::M61, 61, Group::tool, linuxcnc, "the tool in the spindle has this number", manual_m, "Q", "Q")),
+  m(Code::M3, 3, Group::spindle, all, "spindle clockwise", "NIST IR 6556, 3.6.2"),
+  m(Code::M4, 4, Group::spindle, all, "spindle counterclockwise", "NIST IR 6556, 3.6.2"),
+  m(Code::M5, 5, Group::spindle, all, "spindle stops", "NIST IR 6556, 3.6.2"),
+  unread(m(Code::M19, 19, Group::spindle, no_small, "orients the spindle", manual_m, "RQP")),
+  unread(m(Code::M29, 29, Group::user, fanuc, "rigid tapping, which is always on here", fanuc_manual)),
+  m(Code::M7, 7, Group::coolant, all, "mist coolant on", "NIST IR 6556, 3.6.4"),
+  m(Code::M8, 8, Group::coolant, all, "flood coolant on", "NIST IR 6556, 3.6.4"),
+  m(Code::M9, 9, Group::coolant, all, "coolant off", "NIST IR 6556, 3.6.4"),
+  unread(m(Code::M48, 48, Group::overrides, no_small, "overrides are obeyed", manual_m)),
+  unread(m(Code::M49, 49, Group::overrides, no_small, "overrides are not obeyed", manual_m)),
+  unread(m(Code::M50, 50, Group::overrides, linuxcnc, "feed override: P0 off, P1 on", manual_m, "P")),
+  unread(m(Code::M51, 51, Group::overrides, linuxcnc, "spindle override: P0 off, P1 on", manual_m, "P")),
+  unread(m(Code::M52, 52, Group::overrides, linuxcnc, "adaptive feed: P0 off, P1 on", manual_m, "P")),
+  unread(m(Code::M53, 53, Group::overrides, linuxcnc, "feed hold: P0 off, P1 on", manual_m, "P")),
+  unread(m(Code::M70, 70, Group::modes, linuxcnc, "keeps the modes", manual_m)),
+  unread(m(Code::M71, 71, Group::modes, linuxcnc, "forgets the modes kept", manual_m)),
+  unread(m(Code::M72, 72, Group::modes, linuxcnc, "brings the modes back", manual_m)),
+  unread(m(Code::M73, 73, Group::modes, linuxcnc, "keeps the modes, and brings them back where the subprogram ends", manual_m)),
+  unread(m(Code::M97, 97, Group::call, {H}, "calls the subprogram at a block number", haas_manual, "PL", "P")),
+  unread(m(Code::M98, 98, Group::call, no_small, "calls a subprogram", manual_m, "PL", "P")),
+  unread(m(Code::M99, 99, Group::call, no_small, "returns from a subprogram; in a main program, begins again", manual_m, "P")),
+  unread(g(Code::G65, 650, Group::call, {L, F, H}, "calls a macro with arguments", fanuc_manual, "P", "P")),
+  unread(m(Code::M100, 100, Group::user, linuxcnc, "function of the machine's builder, of M100 to M199", manual_m, "PQ")),
+}};
+// clang-format on
+
+constexpr bool rows_in_order() {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (index(rows[i].code) != i) return false;
+  }
+  return true;
+}
+static_assert(rows_in_order(), "a code's row stands at the code's place");
+
+template <std::size_t count>
+constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_number(char letter, int unit) {
+  std::array<std::array<Code, count>, index(Dialect::count)> codes{};
+  for (std::size_t dialect = 0; dialect < codes.size(); ++dialect) {
+    for (Code& code : codes[dialect]) code = Code::none;
+    for (const CodeRow& row : rows) {
+      if (row.letter != letter || !row.dialects.has(static_cast<Dialect>(dialect))) continue;
+      codes[dialect][static_cast<std::size_t>(row.tenths / unit)] = row.code;
+      if (row.code != Code::M100) continue;
+      for (std::size_t number = 100; number < count; ++number) codes[dialect][number] = row.code;
+    }
+  }
+  return codes;
+}
 
 }  // namespace
 
-// Codes without a handler are modes, which set_modes and what it calls know; G4, which comes before them in the order
-// of execution; and G53, which says how the axis words are read.
-struct Interpreter::CodeTable {
-  using In = Interpreter;
-
-  // clang-format off
-  static constexpr Code rows[] = {
-    // code group               words    repeated_by  axis words  handler
-    {  0, Group::motion,         "",      "",          false,      &In::straight},
-    { 10, Group::motion,         "",      "",          false,      &In::straight},
-    { 20, Group::motion,         "IJKRP", "IJKR",      false,      &In::arc},
-    { 30, Group::motion,         "IJKRP", "IJKR",      false,      &In::arc},
-    { 50, Group::motion,         "IJPQ",  "IJ",        false,      &In::spline},
-    { 51, Group::motion,         "IJ",    "IJ",        false,      &In::spline},
-    { 52, Group::motion,         "PL",    "",          false,      &In::nurbs},
-    { 53, Group::motion,         "",      "",          false,      &In::end_nurbs},
-    { 62, Group::motion,         "PKR",   "KR",        false,      &In::add_to_nurbs_with_knots},
-    {800, Group::motion,         "",      "",          false,      nullptr},
-    {810, Group::motion,         "RL",    "",          false,      &In::drill},
-    {820, Group::motion,         "RLP",   "",          false,      &In::drill},
-    {830, Group::motion,         "RLQ",   "",          false,      &In::drill},
-    {850, Group::motion,         "RL",    "",          false,      &In::drill},
-
-    { 40, Group::nonmodal,       "P",     "",          false,      nullptr},
-    {100, Group::nonmodal,       "PLR",   "",          takes_axes, &In::set_system},
-    {280, Group::nonmodal,       "",      "",          takes_axes, &In::go_home},
-    {281, Group::nonmodal,       "",      "",          false,      &In::set_home},
-    {300, Group::nonmodal,       "",      "",          takes_axes, &In::go_home},
-    {301, Group::nonmodal,       "",      "",          false,      &In::set_home},
-    {530, Group::nonmodal,       "",      "",          false,      nullptr},
-    {920, Group::nonmodal,       "",      "",          takes_axes, &In::set_shift},
-    {921, Group::nonmodal,       "",      "",          false,      &In::set_shift},
-    {922, Group::nonmodal,       "",      "",          false,      &In::set_shift},
-    {923, Group::nonmodal,       "",      "",          false,      &In::set_shift},
-
-    {170, Group::plane,          "",      "",          false,      nullptr},
-    {180, Group::plane,          "",      "",          false,      nullptr},
-    {190, Group::plane,          "",      "",          false,      nullptr},
-    {900, Group::distance,       "",      "",          false,      nullptr},
-    {910, Group::distance,       "",      "",          false,      nullptr},
-    {901, Group::arc_distance,   "",      "",          false,      nullptr},
-    {911, Group::arc_distance,   "",      "",          false,      nullptr},
-    {930, Group::feed_mode,      "",      "",          false,      nullptr},
-    {940, Group::feed_mode,      "",      "",          false,      nullptr},
-    {200, Group::units,          "",      "",          false,      nullptr},
-    {210, Group::units,          "",      "",          false,      nullptr},
-    {400, Group::cutter_radius,  "",      "",          false,      nullptr},
-    {430, Group::tool_length,    "H",     "",          false,      nullptr},
-    {431, Group::tool_length,    "",      "",          takes_axes, nullptr},
-    {490, Group::tool_length,    "",      "",          false,      nullptr},
-    {980, Group::retract,        "",      "",          false,      nullptr},
-    {990, Group::retract,        "",      "",          false,      nullptr},
-    {540, Group::system,         "",      "",          false,      nullptr},
-    {550, Group::system,         "",      "",          false,      nullptr},
-    {560, Group::system,         "",      "",          false,      nullptr},
-    {570, Group::system,         "",      "",          false,      nullptr},
-    {580, Group::system,         "",      "",          false,      nullptr},
-    {590, Group::system,         "",      "",          false,      nullptr},
-    {591, Group::system,         "",      "",          false,      nullptr},
-    {592, Group::system,         "",      "",          false,      nullptr},
-    {593, Group::system,         "",      "",          false,      nullptr},
-    {610, Group::path,           "",      "",          false,      nullptr},
-    {611, Group::path,           "",      "",          false,      nullptr},
-    {640, Group::path,           "PQ",    "",          false,      nullptr},
-    {970, Group::spindle_mode,   "",      "",          false,      nullptr},
-  };
-  // clang-format on
-
-  static constexpr std::array<Group, 1000> make_groups() {
-    std::array<Group, 1000> groups{};
-    for (Group& group : groups) group = Group::unknown;
-    for (const GCode code : unsupported) groups[static_cast<std::size_t>(code)] = Group::unsupported;
-    for (const Code& row : rows) groups[static_cast<std::size_t>(row.code)] = row.group;
-    return groups;
-  }
-
-  static constexpr std::array<std::uint8_t, 1000> make_numbers() {
-    std::array<std::uint8_t, 1000> numbers{};
-    std::uint8_t number = 0;
-    for (const Code& row : rows) numbers[static_cast<std::size_t>(row.code)] = number++;
-    return numbers;
-  }
-};
-
 namespace detail {
-constinit const std::array<Group, 1000> g_groups = Interpreter::CodeTable::make_groups();
+constinit const std::array<CodeRow, index(Code::count)> code_rows = rows;
+constinit const std::array<std::array<Code, most_g>, index(Dialect::count)> g_codes = codes_by_number<most_g>('G', 1);
+constinit const std::array<std::array<Code, most_m>, index(Dialect::count)> m_codes = codes_by_number<most_m>('M', 10);
+}  // namespace detail
+
+Dialects dialects_of(char letter, int tenths) {
+  Dialects dialects;
+  for (const CodeRow& row : rows) {
+    if (row.letter == letter && row.tenths == tenths) dialects = dialects | row.dialects;
+  }
+  return dialects;
 }
 
-const Interpreter::Code& Interpreter::row_of(GCode code) {
-  static constexpr std::array<std::uint8_t, 1000> numbers = CodeTable::make_numbers();
-  return CodeTable::rows[numbers[static_cast<std::size_t>(code)]];
-}
-
-std::string Interpreter::users_of(char letter) {
-  std::vector<std::string> users;
-  for (const Code& row : CodeTable::rows) {
-    if (row.words.has(letter)) users.push_back(g_name(row.code));
-  }
-  for (const int code : {62, 63, 64, 65, 67, 68}) {
-    if (Letters(letters_of_output(code)).has(letter)) users.push_back("M" + std::to_string(code));
-  }
-  if (users.empty()) return "no supported code takes it";
-  std::string text = std::string(1, letter) + " belongs to " + users.front();
-  for (std::size_t i = 1; i < users.size(); ++i) text += (i + 1 < users.size() ? ", " : " and ") + users[i];
+std::string name(char letter, int tenths) {
+  std::string text = letter + std::to_string(tenths / 10);
+  if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
   return text;
+}
+
+std::string name(Code code) {
+  return name(row(code).letter, row(code).tenths);
+}
+
+std::string name(Group group) {
+  static constexpr std::array<const char*, index(Group::count)> names = {
+      "modal group 0",  "modal group 1",  "modal group 2",  "modal group 3",  "modal group 4",  "modal group 5",
+      "modal group 6",  "modal group 7",  "modal group 8",  "modal group 10", "modal group 11", "modal group 12",
+      "modal group 13", "modal group 14", "modal group 15", "modal group 16", "modal group 17", "M group 4",
+      "M group 5",      "M group 6",      "M group 7",      "M group 8",      "M group 9",      "M group 10",
+      "M group 11",     "M group 12"};
+  return group < Group::count ? names[index(group)] : "no modal group";
 }
 
 }  // namespace leadscrew::gcode

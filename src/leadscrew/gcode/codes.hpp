@@ -1,30 +1,59 @@
 #pragma once
-// The G and M codes and their modal groups (NIST IR 6556, table 4, and LinuxCNC's additions). Which G codes are read,
-// with which words, is one table: codes.cpp.
+// The G and M codes: what each is called, its modal group, the words it takes, the dialects that have it. One table,
+// codes.cpp, from which the reader, its hints and the documentation take what they know of a code.
 
 #include <array>
 #include <cstdint>
+#include <leadscrew/gcode/dialect.hpp>
+#include <span>
 #include <string>
 
 namespace leadscrew::gcode {
 
-/// Modal groups, by the standard's numbers. Two codes of one group cannot stand in one block.
+constexpr std::uint32_t letter_bit(char letter) {
+  return std::uint32_t{1} << (letter - 'A');
+}
+
+/// A set of letters, written as text: "IJK".
+struct Letters {
+  std::uint32_t bits = 0;
+
+  constexpr Letters(const char* text) {
+    for (; *text != 0; ++text) bits |= letter_bit(*text);
+  }
+  constexpr bool has(char letter) const { return bits & letter_bit(letter); }
+};
+
+/// Modal groups: two codes of one group cannot stand in one block (NIST IR 6556, table 4, and LinuxCNC's and Fanuc's
+/// additions).
 enum class Group : std::uint8_t {
-  nonmodal = 0,
-  motion = 1,
-  plane = 2,
-  distance = 3,
-  arc_distance = 4,
-  feed_mode = 5,
-  units = 6,
-  cutter_radius = 7,
-  tool_length = 8,
-  retract = 10,
-  system = 12,
-  path = 13,
-  spindle_mode = 14,
-  count = 15,
-  unsupported = 0xFE,  ///< a code of the dialect that is not read here
+  nonmodal,
+  motion,
+  plane,
+  distance,
+  arc_distance,
+  feed_mode,
+  units,
+  cutter_radius,
+  tool_length,
+  retract,
+  scaling,
+  system,
+  path,
+  spindle_mode,
+  lathe,  ///< diameters or radii
+  rotation,
+  polar,
+  stop,       ///< M0, M1, M2, M30, M60
+  output,     ///< outputs and inputs: M62 … M68
+  tool,       ///< M6, M61
+  spindle,    ///< M3, M4, M5, M19
+  coolant,    ///< M7, M8, M9
+  overrides,  ///< M48 … M53
+  modes,      ///< M70 … M73, which keep the modes and bring them back
+  call,       ///< M97, M98, M99, G65: subprograms
+  user,       ///< M100 … M199, and what a machine's builder adds
+  count,
   unknown = 0xFF,
 };
 
@@ -34,81 +63,86 @@ constexpr std::size_t index(Group group) {
 constexpr std::uint32_t bit(Group group) {
   return std::uint32_t{1} << index(group);
 }
+/// As messages call it: "modal group 1", "M group 7".
+std::string name(Group group);
 
-/// A G code times ten: G38.2 is 382.
-using GCode = std::int16_t;
+/// A code by its meaning: where a number means several things, each is a code of its own. The order is that of the
+/// table; the first two are the commonest motions.
+enum class Code : std::uint8_t {
+  // clang-format off
+  G0, G1, G2, G3, G5, G5_1, G5_2, G5_3, G6_2, G33, G33_1, G38_2, G38_3, G38_4, G38_5, G73, G74, G76, G76_bore, G80, G81,
+  G82, G83, G84, G85, G86, G87, G88, G89,
+  G4, G9, G10, G28, G28_1, G30, G30_1, G31, G52, G53, G60, G70, G70_bolts, G71, G71_bolts, G71_1, G71_2, G72,
+  G72_bolts, G72_1, G72_2, G92, G92_1, G92_2, G92_3, G5_high_speed, G5_1_high_speed, G8_high_speed, G103, G187,
+  G17, G17_1, G18, G18_1, G19, G19_1, G90, G91, G90_1, G91_1, G93, G94, G95, G20, G21,
+  G40, G41, G41_1, G42, G42_1, G43, G43_1, G43_2, G44, G49, G98, G99, G50, G51,
+  G54, G55, G56, G57, G58, G59, G59_1, G59_2, G59_3, G54_1, G154, G61, G61_1, G64, G96, G97,
+  G7, G8, G68, G69, G15, G16,
+  M0, M1, M2, M30, M60, M62, M63, M64, M65, M66, M67, M68, M6, M61, M3, M4, M5, M19, M29, M7, M8, M9,
+  M48, M49, M50, M51, M52, M53, M70, M71, M72, M73, M97, M98, M99, G65, M100,
+  count,
+  none = 0xFF,  ///< no code
+  // clang-format on
+};
+
+constexpr std::size_t index(Code code) {
+  return static_cast<std::size_t>(code);
+}
+
+/// What is known of a code.
+struct CodeRow {
+  Code code = Code::none;
+  char letter = 'G';        ///< G or M
+  std::int16_t tenths = 0;  ///< its number times ten: G38.2 is 382
+  Group group = Group::unknown;
+  Letters words = "";        ///< letters it takes, but for axes and F
+  Letters needs = "";        ///< those of them that must be there
+  Letters repeated_by = "";  ///< a motion: while it is in force these letters repeat it, without axis words
+  bool takes_axes = false;   ///< other than a motion: the axis words of its block are its own
+  bool read = true;          ///< false: a code that is known and not read
+  Dialects dialects;
+  const char* summary = "";  ///< what it does, in a few words
+  const char* source = "";   ///< where it is defined
+};
 
 namespace detail {
-extern const std::array<Group, 1000> g_groups;  // codes.cpp
+extern const std::array<CodeRow, index(Code::count)> code_rows;  // codes.cpp
+inline constexpr std::size_t most_g = 2000;                      // G codes below G200
+inline constexpr std::size_t most_m = 200;
+extern const std::array<std::array<Code, most_g>, index(Dialect::count)> g_codes;
+extern const std::array<std::array<Code, most_m>, index(Dialect::count)> m_codes;
+}  // namespace detail
+
+/// All codes.
+inline std::span<const CodeRow> code_rows() {
+  return detail::code_rows;
 }
 
-/// The group of a G code from 0 to 999.
-inline Group group_of_g(int code) {
-  return detail::g_groups[static_cast<std::size_t>(code)];
+inline const CodeRow& row(Code code) {
+  return detail::code_rows[index(code)];
 }
 
-/// The number of the group of an M code; 0 if it is not read here.
-constexpr int group_of_m(int code) {
-  switch (code) {
-    case 0:
-    case 1:
-    case 2:
-    case 30:
-    case 60:
-      return 4;
-    case 62:
-    case 63:
-    case 64:
-    case 65:
-    case 67:
-    case 68:
-      return 5;
-    case 6:
-      return 6;
-    case 3:
-    case 4:
-    case 5:
-      return 7;
-    case 7:
-    case 8:
-    case 9:
-      return 8;
-    default:
-      return 0;
-  }
+/// The code that a number, times ten, of 0 to 1999, means in a dialect; Code::none where it has no meaning there.
+inline Code g_code(Dialect dialect, int tenths) {
+  return detail::g_codes[index(dialect)][static_cast<std::size_t>(tenths)];
+}
+/// The code that an M number of 0 to 199 means in a dialect. All of M100 … M199 are Code::M100.
+inline Code m_code(Dialect dialect, int number) {
+  return detail::m_codes[index(dialect)][static_cast<std::size_t>(number)];
 }
 
-/// The letters that an M code of group 5 takes: a digital output, or an analog one and what it is set to.
-constexpr const char* letters_of_output(int code) {
-  return code <= 65 ? "P" : "EQ";
-}
-
-/// Whether LinuxCNC knows an M code that is not read here.
-constexpr bool is_unsupported_m(int code) {
-  return code == 19 || (48 <= code && code <= 53) ||
-         (60 <= code && code <= 73 && code != 69 && group_of_m(code) == 0) || code == 98 || code == 99 ||
-         (100 <= code && code <= 199);
-}
-
-constexpr bool is_drill_cycle(GCode motion) {
-  return motion >= 810 && motion <= 890;
-}
-constexpr bool is_arc(GCode motion) {
-  return motion == 20 || motion == 30;
-}
-
-/// Curves: G5 and G5.1 stand in one block; G5.2 up to G5.3, and G6.2, in many.
-inline constexpr GCode cubic_spline = 50;
-inline constexpr GCode quadratic_spline = 51;
-inline constexpr GCode nurbs_begin = 52;
-inline constexpr GCode nurbs_end = 53;
-inline constexpr GCode nurbs_with_knots = 62;
+/// The dialects in which a number means something.
+Dialects dialects_of(char letter, int tenths);
 
 /// "G38.2"
-inline std::string g_name(int code) {
-  std::string name = "G" + std::to_string(code / 10);
-  if (code % 10 != 0) name += "." + std::to_string(code % 10);
-  return name;
+std::string name(Code code);
+std::string name(char letter, int tenths);
+
+constexpr bool is_canned_cycle(Code code) {
+  return (Code::G81 <= code && code <= Code::G89) || code == Code::G73 || code == Code::G74 || code == Code::G76_bore;
+}
+constexpr bool is_arc(Code code) {
+  return code == Code::G2 || code == Code::G3;
 }
 
 }  // namespace leadscrew::gcode

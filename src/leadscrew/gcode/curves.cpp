@@ -1,15 +1,6 @@
-// Curves: G5 and G5.1 in one block, G5.2 to G5.3 (LinuxCNC) and G6.2 (Fanuc's G06.2) in many. Each becomes one move.
-//
-//     G5    P0 = start, P1 = start + (I, J), P2 = end + (P, Q), P3 = end
-//     G5.1  P0 = start, P1 = start + (I, J), P2 = end
-//
-// are Bézier curves in X and Y. All other axes go in proportion to the parameter, for which their points stand at
-// thirds or in the middle between start and end.
-
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/gcode/interpreter.hpp>
-#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/curves.hpp>
 #include <leadscrew/gcode/nurbs.hpp>
 #include <utility>
 
@@ -40,18 +31,18 @@ void make_bezier(NurbsCurve& curve, int degree, const base::AxisVector& start, c
 
 }  // namespace
 
-bool Interpreter::curve_error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
+bool CurveReader::curve_error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
   if (draft_.spoiled) return reporter_.fail();
   return error(code, column, std::move(message), std::move(hint));
 }
 
-void Interpreter::nurbs(const Block& block) {
-  if (draft_.code < 0) begin_curve(block);
+void CurveReader::nurbs(const Block& block) {
+  if (!open()) begin_curve(block);
   add_to_nurbs(block);
 }
 
 // A vector of the program along X and Y, as one of the machine.
-bool Interpreter::spline_offset(const Block& block, char first, char second, PlanePoint& offset) {
+bool CurveReader::spline_offset(const Block& block, char first, char second, PlanePoint& offset) {
   const std::pair<char, base::Axis> words[] = {{first, base::Axis::X}, {second, base::Axis::Y}};
   for (const auto& [letter, axis] : words) {
     if (!machine_.has(axis) && block.has(letter)) {
@@ -67,10 +58,10 @@ bool Interpreter::spline_offset(const Block& block, char first, char second, Pla
 }
 
 // From the start to the first control point behind it.
-bool Interpreter::first_offset(const Block& block, PlanePoint& offset) {
+bool CurveReader::first_offset(const Block& block, PlanePoint& offset) {
   const bool any = block.has('I') || block.has('J');
   const bool both = block.has('I') && block.has('J');
-  if (to_do_ == quadratic_spline) {
+  if (modal_.to_do == Code::G5_1) {
     if (block.value_or('I', 0) == 0 && block.value_or('J', 0) == 0) {
       return error("missing-word", motion_column(block), "G5.1 has no control point away from its start",
                    "give I and J, from the start");
@@ -85,13 +76,13 @@ bool Interpreter::first_offset(const Block& block, PlanePoint& offset) {
   return spline_offset(block, 'I', 'J', offset);
 }
 
-void Interpreter::spline(const Block& block) {
-  const bool cubic = to_do_ == cubic_spline;
-  const base::AxisVector target = target_of(block);
+void CurveReader::spline(const Block& block) {
+  const bool cubic = modal_.to_do == Code::G5;
+  const base::AxisVector target = motion_.target_of(block);
   PlanePoint from_start, from_end;
-  bool known = plane_ == Plane::XY;
+  bool known = modal_.plane == Plane::XY;
   if (!known) {
-    error("bad-plane", motion_column(block), g_name(to_do_) + " stands in G18 or G19",
+    error("bad-plane", motion_column(block), name(modal_.to_do) + " stands in G18 or G19",
           "curves of G5 and G5.1 need G17");
   }
   known &= first_offset(block, from_start);
@@ -114,24 +105,24 @@ void Interpreter::spline(const Block& block) {
     third[y] = target[y] + from_end.second;
   }
   Feed feed;
-  feed_of(block, is_linear_curve(), block.has('F'), feed);
+  motion_.feed_of(block, is_linear_curve(), block.has('F'), feed);
   if (known) {
-    follow_curve(block, feed, line_);
+    follow_curve(block, feed, modal_.line);
   } else {
     frame_.position = target;
   }
 }
 
-void Interpreter::begin_curve(const Block& block) {
-  draft_ = {.code = to_do_, .errors = draft_.errors, .line = line_, .last_point = frame_.position};
+void CurveReader::begin_curve(const Block& block) {
+  draft_ = {.code = modal_.to_do, .errors = draft_.errors, .line = modal_.line, .last_point = frame_.position};
   curve_.clear();
   reporter_.keep(block.first_column);
   // Of G93, F may still come.
   Feed feed;
-  if (feed_mode_ == FeedMode::per_minute) feed_of(block, true, true, feed);
+  if (modal_.feed_mode == FeedMode::per_minute) motion_.feed_of(block, true, true, feed);
 }
 
-void Interpreter::set_order(const Block& block, char letter, int least) {
+void CurveReader::set_order(const Block& block, char letter, int least) {
   const std::optional<int> order = as_integer(block[letter]);
   if (!order || *order < least || *order > static_cast<int>(highest_order)) {
     error("bad-value", block.column_of(letter), "the order of a curve is " + text(block[letter]),
@@ -143,7 +134,7 @@ void Interpreter::set_order(const Block& block, char letter, int least) {
   curve_.degree = *order - 1;
 }
 
-void Interpreter::add_point(const Block& block, const base::AxisVector& position, char weight_letter) {
+void CurveReader::add_point(const Block& block, const base::AxisVector& position, char weight_letter) {
   ControlPoint point{position, block.value_or(weight_letter, 1)};
   if (!(least_weight <= point.weight && point.weight <= greatest_weight)) {
     error("bad-weight", block.column_of(weight_letter), "the weight of a control point is " + text(point.weight),
@@ -162,7 +153,7 @@ void Interpreter::add_point(const Block& block, const base::AxisVector& position
 
 // One block of G5.2. P alone is the weight of the first point, where the tool stands. As LinuxCNC has it, X and Y come
 // together, and in G91 all points are seen from the start of the curve.
-void Interpreter::add_to_nurbs(const Block& block) {
+void CurveReader::add_to_nurbs(const Block& block) {
   if (draft_.order == 0) {
     draft_.order = 3;
     curve_.degree = 2;
@@ -180,17 +171,17 @@ void Interpreter::add_to_nurbs(const Block& block) {
     error("missing-word", motion_column(block), "a control point has X or Y only", "give both");
   }
   if (first) curve_.points.push_back({frame_.position, 1});
-  const bool absolute = distance_ == Distance::absolute;
-  base::AxisVector position = target_of(block, absolute ? draft_.last_point : frame_.position);
+  const bool absolute = modal_.distance == Distance::absolute;
+  base::AxisVector position = motion_.target_of(block, absolute ? draft_.last_point : frame_.position);
   for (const base::Axis axis : base::all_axes) {
     if (!block.has(base::letter(axis))) position[base::index(axis)] = draft_.last_point[base::index(axis)];
   }
   add_point(block, position, 'P');
 }
 
-void Interpreter::end_nurbs(const Block& block) {
-  motion_ = 800;
-  if (draft_.code < 0) {
+void CurveReader::end_nurbs(const Block& block) {
+  modal_.motion = Code::G80;
+  if (!open()) {
     error("missing-curve", motion_column(block), "G5.3 ends no curve", "G5.2 begins one");
     return;
   }
@@ -213,7 +204,7 @@ void Interpreter::end_nurbs(const Block& block) {
   finish_curve(block);
 }
 
-void Interpreter::add_knot(const Block& block, bool all_points) {
+void CurveReader::add_knot(const Block& block, bool all_points) {
   if (draft_.spoiled) return;
   const double knot = block['K'];
   const double before = curve_.knots.empty() ? knot : curve_.knots.back();
@@ -234,7 +225,7 @@ void Interpreter::add_knot(const Block& block, bool all_points) {
 }
 
 // The first block of G6.2, or one behind the last knot.
-void Interpreter::begin_nurbs_with_knots(const Block& block) {
+void CurveReader::begin_nurbs_with_knots(const Block& block) {
   begin_curve(block);
   if (!block.has(Group::motion)) {
     curve_error("knot-count", block.first_column, "the curve before has all its points and knots",
@@ -248,10 +239,10 @@ void Interpreter::begin_nurbs_with_knots(const Block& block) {
 }
 
 // Axis words, or a weight, make a control point of G6.2; a knot by itself is one of the last.
-void Interpreter::add_to_nurbs_with_knots(const Block& block) {
+void CurveReader::add_to_nurbs_with_knots(const Block& block) {
   const bool begins = block.has(Group::motion);
   const bool point = begins || (block.words & (axis_letter_bits | letter_bit('R')));
-  const bool behind = !begins && draft_.code < 0;
+  const bool behind = !begins && !open();
   if (begins || behind) begin_nurbs_with_knots(block);
   if (behind) return;
   draft_.feed_given |= block.has('F');
@@ -261,10 +252,10 @@ void Interpreter::add_to_nurbs_with_knots(const Block& block) {
   if (point && draft_.last_knots > 0) {
     curve_error("knot-count", motion_column(block), "a control point stands behind the last knots",
                 in_line(draft_.line) + " lacks " + std::to_string(draft_.order - draft_.last_knots) + " of them");
-    draft_.last_point = target_of(block, draft_.last_point);
+    draft_.last_point = motion_.target_of(block, draft_.last_point);
     return;
   }
-  if (point) add_point(block, target_of(block, draft_.last_point), 'R');
+  if (point) add_point(block, motion_.target_of(block, draft_.last_point), 'R');
   if (!point && draft_.last_knots == 0 && curve_.points.size() < draft_.order) {
     curve_error("too-few-points", motion_column(block),
                 in_line(draft_.line) + " has " + std::to_string(curve_.points.size()) + " control points",
@@ -276,7 +267,7 @@ void Interpreter::add_to_nurbs_with_knots(const Block& block) {
 }
 
 // The first point becomes the place where the tool stands: it may be off by as much as the ends of arcs may.
-bool Interpreter::join_start(const Block& block) {
+bool CurveReader::join_start(const Block& block) {
   ControlPoint& first = curve_.points.front();
   const double tolerance = arc_tolerance(frame_.length_unit != 1).absolute;
   for (const base::Axis axis : base::all_axes) {
@@ -291,17 +282,17 @@ bool Interpreter::join_start(const Block& block) {
   return true;
 }
 
-void Interpreter::finish_curve(const Block& block) {
+void CurveReader::finish_curve(const Block& block) {
   if (!knots_are_apart(curve_)) {
     error("knot-order", motion_column(block), in_line(draft_.line) + " has knots with no room between them",
           "neighbours are equal or at least 1e-12 of their range apart");
     return abandon_curve();
   }
-  draft_.code = -1;
+  draft_.code = Code::none;
   clamp_ends(curve_);
   const bool joined = join_start(block);
   Feed feed;
-  feed_of(block, is_linear_curve(), draft_.feed_given, feed);
+  motion_.feed_of(block, is_linear_curve(), draft_.feed_given, feed);
   if (joined) {
     follow_curve(block, feed, draft_.line);
   } else {
@@ -309,29 +300,29 @@ void Interpreter::finish_curve(const Block& block) {
   }
 }
 
-bool Interpreter::is_linear_curve() const {
+bool CurveReader::is_linear_curve() const {
   return std::any_of(curve_.points.begin(), curve_.points.end(),
-                     [&](const ControlPoint& point) { return is_linear(point.position); });
+                     [&](const ControlPoint& point) { return motion_.is_linear(point.position); });
 }
 
-void Interpreter::curve_inside(const Block& block) {
+void CurveReader::curve_inside(const Block& block) {
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    bulge_inside(block, axis, reach_beyond(curve_, axis, -1, travel_low_[i]),
-                 reach_beyond(curve_, axis, 1, travel_high_[i]));
+    travel_.bulge_inside(block, axis, reach_beyond(curve_, axis, -1, travel_.low()[i]),
+                         reach_beyond(curve_, axis, 1, travel_.high()[i]));
   }
 }
 
-void Interpreter::follow_curve(const Block& block, const Feed& feed, base::Line line) {
+void CurveReader::follow_curve(const Block& block, const Feed& feed, base::Line line) {
   const base::AxisVector end = curve_.points.back().position;
   // Only a line comes back from outside at once.
-  const bool from_outside = fails_outside(block);
-  inside_travel(block, end);
+  const bool from_outside = travel_.fails_outside(block);
+  travel_.inside_travel(block, end);
   if (!from_outside) curve_inside(block);
   const bool moves = std::any_of(curve_.points.begin(), curve_.points.end(),
                                  [&](const ControlPoint& point) { return point.position != frame_.position; });
   if (moves) {
-    Move& move = emit(Move::Kind::nurbs);
+    Move& move = outbox_.emit(Move::Kind::nurbs);
     move.line = line;
     move.end = end;
     move.feed = feed;
@@ -341,18 +332,39 @@ void Interpreter::follow_curve(const Block& block, const Feed& feed, base::Line 
 }
 
 // What follows is read as if the curve had been followed.
-void Interpreter::abandon_curve() {
-  if (draft_.code >= 0) frame_.position = draft_.last_point;
-  draft_.code = -1;
+void CurveReader::abandon_curve() {
+  if (open()) frame_.position = draft_.last_point;
+  draft_.code = Code::none;
 }
 
-std::string Interpreter::unfinished_message() const {
-  if (draft_.code == nurbs_begin) return in_line(draft_.line) + " has no G5.3";
+// Between the first block of a curve and the last there is nothing but its points, their feed, and remarks.
+void CurveReader::check(const Block& block) {
+  if (!open()) return;
+  const bool by_itself =
+      draft_.code == Code::G5_2 && (block.code(Group::motion) == Code::G5_2 || block.code(Group::motion) == Code::G5_3);
+  const bool motion = block.has(Group::motion) && !by_itself;
+  const bool other_words = block.words & (letter_bit('S') | letter_bit('T'));
+  if (!motion && !other_words && !(block.groups & ~bit(Group::motion))) return;
+  curve_error("unfinished-curve", motion ? block.column_of(Group::motion) : block.first_column, unfinished_message(),
+              unfinished_hint());
+  if (motion || block.has(Group::stop)) abandon_curve();
+}
+
+void CurveReader::end() {
+  if (open() && !draft_.spoiled && reporter_.errors() == draft_.errors) {
+    reporter_.report(base::Severity::error, "unfinished-curve", {reporter_.file(), base::number(modal_.line), 1},
+                     unfinished_message(), unfinished_hint());
+  }
+  abandon_curve();
+}
+
+std::string CurveReader::unfinished_message() const {
+  if (draft_.code == Code::G5_2) return in_line(draft_.line) + " has no G5.3";
   return in_line(draft_.line) + " lacks " + std::to_string(draft_.order - draft_.last_knots) + " of its last knots";
 }
 
-std::string Interpreter::unfinished_hint() const {
-  if (draft_.code == nurbs_begin) return "between G5.2 and G5.3 there are only control points";
+std::string CurveReader::unfinished_hint() const {
+  if (draft_.code == Code::G5_2) return "between G5.2 and G5.3 there are only control points";
   return "behind the last control point, as many blocks of K as the order";
 }
 

@@ -1,8 +1,5 @@
-// G81, G82, G83 and G85: canned cycles. What is said in the first block of a series holds for those that follow.
-
 #include <algorithm>
-#include <leadscrew/gcode/interpreter.hpp>
-#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/cycles.hpp>
 
 namespace leadscrew::gcode {
 
@@ -13,27 +10,27 @@ constexpr double most_steps = 100'000;  // holes of one block, and pecks of one 
 }  // namespace
 
 // Levels along the axis of the hole; R and the bottom hold for the cycles that follow.
-bool Interpreter::plan_levels(const Block& block, DrillCycle::Plan& plan) {
+bool CannedCycles::plan_levels(const Block& block, DrillCycle::Plan& plan) {
   const std::size_t drill = base::index(plan.drill);
   const char drill_letter = base::letter(plan.drill);
-  const bool absolute = distance_ == Distance::absolute;
+  const bool absolute = modal_.distance == Distance::absolute;
   if (block.has('R')) series_->r = block['R'] * frame_.length_unit;
   if (block.has(drill_letter)) series_->bottom = block[drill_letter] * frame_.length_unit;
   if (!series_->r || !series_->bottom) {
     const char missing = series_->bottom ? 'R' : drill_letter;
-    return error("missing-word", motion_column(block), g_name(plan.code) + " lacks " + missing,
+    return error("missing-word", motion_column(block), name(plan.code) + " lacks " + missing,
                  "give R and " + std::string(1, drill_letter) + " in the first block of a cycle");
   }
   plan.r_level = *series_->r + (absolute ? frame_.sum()[drill] : plan.start[drill]);
   plan.bottom = *series_->bottom + (absolute ? frame_.sum()[drill] : plan.r_level);
-  plan.clear_level = retract_ == Retract::r_level ? plan.r_level : std::max(plan.r_level, series_->initial_level);
+  plan.clear_level = modal_.retract == Retract::r_level ? plan.r_level : std::max(plan.r_level, series_->initial_level);
   if (plan.bottom < plan.r_level) return true;
   return error("cycle-levels", block.has(drill_letter) ? block.column_of(drill_letter) : motion_column(block),
                "the bottom at " + text(plan.bottom) + " mm is not below R at " + text(plan.r_level) + " mm",
                "R must be above the bottom of the hole");
 }
 
-bool Interpreter::can_drill(const Block& block) {
+bool CannedCycles::can_drill(const Block& block) {
   for (const base::Axis axis : base::all_axes) {
     const bool linear = axis == base::Axis::X || axis == base::Axis::Y || axis == base::Axis::Z;
     if (!linear && block.has(base::letter(axis))) {
@@ -41,10 +38,10 @@ bool Interpreter::can_drill(const Block& block) {
                    std::string("a canned cycle does not move axis ") + base::letter(axis), "move it in a block before");
     }
   }
-  if (feed_mode_ == FeedMode::inverse_time) {
+  if (modal_.feed_mode == FeedMode::inverse_time) {
     return error("bad-feed-mode", motion_column(block), "a canned cycle in G93", "give G94");
   }
-  if (frame_.is_rotated() && plane_ != Plane::XY) {
+  if (frame_.is_rotated() && modal_.plane != Plane::XY) {
     return error("unsupported-rotation", motion_column(block),
                  "a canned cycle of G18 or G19 in a rotated coordinate system",
                  "rotated systems take cycles of G17 only");
@@ -52,7 +49,7 @@ bool Interpreter::can_drill(const Block& block) {
   return true;
 }
 
-void Interpreter::plan_repeats(const Block& block, DrillCycle::Plan& plan) {
+void CannedCycles::plan_repeats(const Block& block, DrillCycle::Plan& plan) {
   const std::optional<int> repeats = as_integer(block.value_or('L', 1));
   if (!repeats || *repeats < 1 || *repeats > most_steps) {
     error("bad-value", block.column_of('L'), "a canned cycle has L" + text(block['L']), "an integer from 1 to 100000");
@@ -61,7 +58,7 @@ void Interpreter::plan_repeats(const Block& block, DrillCycle::Plan& plan) {
   plan.repeats = *repeats;
 }
 
-void Interpreter::plan_dwell(const Block& block, DrillCycle::Plan& plan) {
+void CannedCycles::plan_dwell(const Block& block, DrillCycle::Plan& plan) {
   if (block.has('P')) series_->dwell = block['P'];
   if (!series_->dwell) error("missing-word", motion_column(block), "G82 lacks P", "give the dwell, seconds");
   plan.dwell_seconds = series_->dwell.value_or(0);
@@ -72,7 +69,7 @@ void Interpreter::plan_dwell(const Block& block, DrillCycle::Plan& plan) {
   }
 }
 
-void Interpreter::plan_pecks(const Block& block, DrillCycle::Plan& plan) {
+void CannedCycles::plan_pecks(const Block& block, DrillCycle::Plan& plan) {
   if (block.has('Q')) series_->peck = block['Q'] * frame_.length_unit;
   if (!series_->peck) error("missing-word", motion_column(block), "G83 lacks Q", "give the depth of a peck");
   plan.peck = series_->peck.value_or(1);
@@ -83,40 +80,63 @@ void Interpreter::plan_pecks(const Block& block, DrillCycle::Plan& plan) {
   }
 }
 
-void Interpreter::drill(const Block& block) {
+void CannedCycles::drill(const Block& block) {
   if (!can_drill(block)) return;
   DrillCycle::Plan plan;
-  plan.code = to_do_;
-  plan.drill = normal_axis(plane_);
+  plan.code = modal_.to_do;
+  plan.drill = normal_axis(modal_.plane);
   plan.start = frame_.position;
-  plan.first_hole = target_of(block);
+  plan.first_hole = motion_.target_of(block);
   const std::size_t drill = base::index(plan.drill);
-  if (distance_ == Distance::incremental) {
+  if (modal_.distance == Distance::incremental) {
     for (std::size_t i = 0; i < base::axis_count; ++i) plan.increment[i] = plan.first_hole[i] - plan.start[i];
   }
 
-  if (!series_) series_ = CycleSeries{.initial_level = plan.start[drill]};
-  if (series_->code != plan.code) series_ = CycleSeries{.code = plan.code, .initial_level = series_->initial_level};
+  if (!series_) series_ = Series{.initial_level = plan.start[drill]};
+  if (series_->code != plan.code) series_ = Series{.code = plan.code, .initial_level = series_->initial_level};
   const bool levels = plan_levels(block, plan);
   plan_repeats(block, plan);
-  if (plan.code == 820) plan_dwell(block, plan);
-  if (plan.code == 830) plan_pecks(block, plan);
+  if (plan.code == Code::G82) plan_dwell(block, plan);
+  if (plan.code == Code::G83) plan_pecks(block, plan);
   base::AxisVector down = plan.first_hole;
   down[drill] = plan.bottom;
   Feed feed;
-  feed_of(block, is_linear(down), block.has('F'), feed);
-  feed.value = linear_feed_;
+  motion_.feed_of(block, motion_.is_linear(down), block.has('F'), feed);
+  feed.value = modal_.linear_feed;
   if (!levels) {
     frame_.position = plan.first_hole;
     return;
   }
   cycle_feed_ = feed;
   cycle_ = DrillCycle(plan);
-  fails_outside(block);
+  travel_.fails_outside(block);
   // Between the first and the last hole, and between the levels, all is straight: the corners tell.
   base::AxisVector up = cycle_.end();
   up[drill] = std::max(plan.clear_level, plan.start[drill]);
-  if (inside_travel(block, down)) inside_travel(block, up);
+  if (travel_.inside_travel(block, down)) travel_.inside_travel(block, up);
+}
+
+bool CannedCycles::next(Move& move) {
+  while (cycle_.active()) {
+    const DrillCycle::Step step = cycle_.next();
+    if (step.kind == DrillCycle::Step::Kind::dwell) {
+      outbox_.prepare(move, Move::Kind::dwell, modal_.line);
+      move.dwell_seconds = cycle_.plan().dwell_seconds;
+      return true;
+    }
+    if (step.target == frame_.position) continue;
+    outbox_.prepare(move, Move::Kind::line, modal_.line);
+    move.end = step.target;
+    if (step.kind == DrillCycle::Step::Kind::feed) move.feed = cycle_feed_;
+    frame_.position = step.target;
+    return true;
+  }
+  return false;
+}
+
+void CannedCycles::abandon() {
+  if (cycle_.active()) frame_.position = cycle_.end();
+  cycle_ = {};
 }
 
 }  // namespace leadscrew::gcode

@@ -35,7 +35,7 @@ DrillCycle::Step DrillCycle::next() {
       return at_level(Kind::rapid, level);
     case Phase::to_r_level:
       peck_ = 1;
-      phase_ = plan_.code == 830 && peck_depth(peck_) > plan_.bottom ? Phase::cut : Phase::bottom;
+      phase_ = plan_.code == Code::G83 && peck_depth(peck_) > plan_.bottom ? Phase::cut : Phase::bottom;
       return at_level(Kind::rapid, plan_.r_level);
     case Phase::cut:
       phase_ = Phase::peck_out;
@@ -50,7 +50,7 @@ DrillCycle::Step DrillCycle::next() {
       return at_level(Kind::rapid, back);
     }
     case Phase::bottom:
-      phase_ = plan_.code == 820 ? Phase::dwell : Phase::retract;
+      phase_ = plan_.code == Code::G82 ? Phase::dwell : Phase::retract;
       return at_level(Kind::feed, plan_.bottom);
     case Phase::dwell:
       phase_ = Phase::retract;
@@ -58,7 +58,7 @@ DrillCycle::Step DrillCycle::next() {
     case Phase::retract:
       ++hole_;
       phase_ = hole_ < plan_.repeats ? Phase::approach : Phase::done;
-      return at_level(plan_.code == 850 ? Kind::feed : Kind::rapid, plan_.clear_level);
+      return at_level(plan_.code == Code::G85 ? Kind::feed : Kind::rapid, plan_.clear_level);
     case Phase::done:
       break;
   }

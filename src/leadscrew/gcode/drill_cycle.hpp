@@ -14,7 +14,7 @@ class DrillCycle {
  public:
   /// Machine coordinates, mm and degrees.
   struct Plan {
-    GCode code = 810;
+    Code code = Code::G81;
     base::Axis drill = base::Axis::Z;  ///< the axis of the hole
     base::AxisVector start{};          ///< where the tool stands
     base::AxisVector first_hole{};     ///< above it; its drill coordinate is unused

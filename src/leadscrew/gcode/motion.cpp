@@ -1,18 +1,14 @@
-// What the motion and the nonmodal code of a block execute; where its axis words lead, at which feed; G0 and G1.
+// Where the axis words of a block lead, at which feed; G0 and G1.
 
 #include <bit>
-#include <leadscrew/gcode/interpreter.hpp>
+#include <leadscrew/gcode/motion.hpp>
 
 namespace leadscrew::gcode {
 
-std::uint32_t Interpreter::motion_column(const Block& block) const {
-  return block.has(Group::motion) ? block.column_of(Group::motion) : block.first_column;
-}
-
-base::AxisVector Interpreter::target_of(const Block& block, const base::AxisVector& from) const {
+base::AxisVector Motion::target_of(const Block& block, const base::AxisVector& from) const {
   base::AxisVector target = from;
   const std::uint32_t axes = block.words & axis_letter_bits & machine_letters_;
-  const bool in_machine = block.code(Group::nonmodal) == 530;
+  const bool in_machine = block.is(Code::G53);
   const bool rotated = frame_.is_rotated() && !in_machine && (axes & (letter_bit('X') | letter_bit('Y')));
   base::AxisVector program{};
   if (rotated) program = frame_.to_program(from);
@@ -23,7 +19,7 @@ base::AxisVector Interpreter::target_of(const Block& block, const base::AxisVect
     const double along = block.value[letter] * frame_.unit(axis);
     if (in_machine) {
       target[i] = along;
-    } else if (distance_ == Distance::absolute) {
+    } else if (modal_.distance == Distance::absolute) {
       target[i] = along + frame_.sum()[i];
       program[i] = along;
     } else {
@@ -40,55 +36,71 @@ base::AxisVector Interpreter::target_of(const Block& block, const base::AxisVect
   return target;
 }
 
-void Interpreter::execute_nonmodal(const Block& block) {
-  if (!block.has(Group::nonmodal)) return;
-  const Code& code = row_of(block.code(Group::nonmodal));
-  if (code.execute) (this->*code.execute)(block);
-}
-
-void Interpreter::execute_motion(const Block& block) {
-  // A motion that could not be told keeps the one in force.
-  if (block.has(Group::motion)) {
-    if (block.code(Group::motion) != motion_) tangent_.reset();
-    motion_ = block.code(Group::motion);
-  }
-  if (motion_ == 800 || (to_do_ >= 0 && !is_drill_cycle(to_do_))) series_.reset();
-  if (to_do_ >= 0) (this->*row_of(to_do_).execute)(block);
-}
-
-void Interpreter::straight(const Block& block) {
+void Motion::straight(const Block& block) {
   const base::AxisVector target = target_of(block);
   Feed feed;
-  if (to_do_ == 10 && (block.words & axis_letter_bits)) feed_of(block, is_linear(target), block.has('F'), feed);
+  if (modal_.to_do == Code::G1 && (block.words & axis_letter_bits))
+    feed_of(block, is_linear(target), block.has('F'), feed);
   line_to(block, target, feed);
 }
 
-bool Interpreter::is_linear(const base::AxisVector& target) const {
+bool Motion::is_linear(const base::AxisVector& target) const {
   for (const base::Axis axis : base::all_axes) {
     if (!base::is_rotary(axis) && target[base::index(axis)] != frame_.position[base::index(axis)]) return true;
   }
   return false;
 }
 
-bool Interpreter::feed_of(const Block& block, bool linear, bool given, Feed& feed) {
-  if (feed_mode_ == FeedMode::inverse_time) {
+void Motion::set_feed(const Block& block) {
+  if (block.has(Group::feed_mode)) {
+    const FeedMode mode = block.code(Group::feed_mode) == Code::G93 ? FeedMode::inverse_time : FeedMode::per_minute;
+    // A number that was a duration is no speed.
+    if (mode != modal_.feed_mode) modal_.feed_known = false;
+    modal_.feed_mode = mode;
+  }
+  if (!block.has('F')) return;
+  const double value = block['F'];
+  constexpr double least = 1e-6;  // a millimetre in two years
+  if (!(value >= least)) {
+    error("bad-value", block.column_of('F'), "the feed is " + text(value), "F must be 0.000001 or more");
+    assume_feed();
+    return;
+  }
+  modal_.feed_known = true;
+  modal_.linear_feed = value * frame_.length_unit / seconds_per_minute;
+  modal_.angular_feed = value / seconds_per_minute;
+  if (block.has(Group::units) && (block.code(Group::units) == Code::G20) != (frame_.length_unit != 1)) {
+    reporter_.warning("feed-before-units", block.column_of('F'),
+                      "F" + text(value) + " is read in the units that held before " + name(block.code(Group::units)),
+                      "put the units into a block before");
+  }
+}
+
+// Said once that there is none, what follows is read as if there were one.
+void Motion::assume_feed() {
+  if (!modal_.feed_known) modal_.linear_feed = modal_.angular_feed = 1;
+  modal_.feed_known = true;
+}
+
+bool Motion::feed_of(const Block& block, bool linear, bool given, Feed& feed) {
+  if (modal_.feed_mode == FeedMode::inverse_time) {
     // F in any units is a reciprocal of minutes, as it is in degrees a minute.
-    feed = {Feed::Mode::per_second, given ? angular_feed_ : 1 / seconds_per_minute};
+    feed = {Feed::Mode::per_second, given ? modal_.angular_feed : 1 / seconds_per_minute};
     if (given) return true;
     return error("missing-feed", motion_column(block), "a block of G93 lacks F", "give the reciprocal of its minutes");
   }
-  if (!feed_known_) {
+  if (!modal_.feed_known) {
     error("missing-feed", motion_column(block), "no feed has been set", "give F before or in this block");
     assume_feed();
   }
-  feed = {Feed::Mode::units_per_second, linear ? linear_feed_ : angular_feed_};
+  feed = {Feed::Mode::units_per_second, linear ? modal_.linear_feed : modal_.angular_feed};
   return true;
 }
 
-void Interpreter::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {
-  inside_travel(block, target);
+void Motion::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {
+  travel_.inside_travel(block, target);
   if (target == frame_.position) return;
-  Move& line = emit(Move::Kind::line);
+  Move& line = outbox_.emit(Move::Kind::line);
   line.end = target;
   line.feed = feed;
   frame_.position = target;

@@ -1,5 +1,4 @@
-#include <leadscrew/gcode/interpreter.hpp>
-#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/offsets.hpp>
 
 namespace leadscrew::gcode {
 
@@ -16,20 +15,20 @@ void for_each_axis_word(const Block& block, const Frame& frame, F&& f) {
 
 // The first parameter of the place that G28, G28.1, G30 or G30.1 is about.
 int home_of(const Block& block) {
-  return block.code(Group::nonmodal) <= 281 ? Parameters::g28_home : Parameters::g30_home;
+  return block.is(Code::G28) || block.is(Code::G28_1) ? Parameters::g28_home : Parameters::g30_home;
 }
 
 }  // namespace
 
-void Interpreter::set_tool_length(const Block& block) {
+void Offsets::set_tool_length(const Block& block) {
   if (!block.has(Group::tool_length)) return;
-  const GCode code = block.code(Group::tool_length);
+  const Code code = block.code(Group::tool_length);
   base::AxisVector offset{};
-  if (code == 431) {
+  if (code == Code::G43_1) {
     offset = frame_.tool();
     for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { offset[base::index(axis)] = value; });
-  } else if (code == 430) {
-    std::optional<int> number = loaded_tool_;
+  } else if (code == Code::G43) {
+    std::optional<int> number = modal_.loaded_tool;
     if (block.has('H')) number = as_integer(block['H']);
     if (!number || *number < 0) {
       error("bad-value", block.column_of('H'), "the tool number is " + text(block['H']),
@@ -47,14 +46,14 @@ void Interpreter::set_tool_length(const Block& block) {
   frame_.set_tool(offset);
 }
 
-void Interpreter::select_system(int number) {
-  system_ = number;
+void Offsets::select_system(int number) {
+  modal_.system = number;
   parameters_.set(Parameters::current_system, number);
   frame_.set_system(parameters_.system(number));
 }
 
 // G10 L2 sets a system, G10 L20 sets it so that the tool stands at the coordinates given.
-void Interpreter::set_system(const Block& block) {
+void Offsets::set_system(const Block& block) {
   if (!block.has('L') || !block.has('P')) return;
   const std::optional<int> kind = as_integer(block['L']);
   if (kind == 1 || kind == 10 || kind == 11) {
@@ -72,7 +71,7 @@ void Interpreter::set_system(const Block& block) {
           "0 for the one in force, 1 to 9 for G54 to G59.3");
     return;
   }
-  const int number = *which == 0 ? system_ : *which;
+  const int number = *which == 0 ? modal_.system : *which;
   CoordinateSystem system = parameters_.system(number);
   if (kind == 2) {
     for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { system.origin[base::index(axis)] = value; });
@@ -95,13 +94,13 @@ void Interpreter::set_system(const Block& block) {
     }
   }
   parameters_.set_system(number, system);
-  if (number == system_) frame_.set_system(system);
+  if (number == modal_.system) frame_.set_system(system);
 }
 
-void Interpreter::set_shift(const Block& block) {
-  const GCode code = block.code(Group::nonmodal);
+void Offsets::set_shift(const Block& block) {
+  const Code code = block.code(Group::nonmodal);
   base::AxisVector shift{};
-  if (code == 920) {
+  if (code == Code::G92) {
     shift = frame_.shift();
     const base::AxisVector program = frame_.to_program(frame_.position);
     for_each_axis_word(block, frame_, [&](base::Axis axis, double value) {
@@ -109,30 +108,29 @@ void Interpreter::set_shift(const Block& block) {
       shift[i] += program[i] - value;
     });
     parameters_.set_axes(Parameters::g92_shift, shift);
-  } else if (code == 921) {
+  } else if (code == Code::G92_1) {
     parameters_.set_axes(Parameters::g92_shift, shift);
-  } else if (code == 923) {
+  } else if (code == Code::G92_3) {
     shift = parameters_.axes(Parameters::g92_shift);
   }
-  parameters_.set(Parameters::g92_active, code == 920 || code == 923);
+  parameters_.set(Parameters::g92_active, code == Code::G92 || code == Code::G92_3);
   frame_.set_shift(shift);
 }
 
 // By the point of the axis words, if there are any, to the stored place; with axis words, those axes only (LinuxCNC).
-void Interpreter::go_home(const Block& block) {
+void Offsets::go_home(const Block& block) {
   const base::AxisVector home = parameters_.axes(home_of(block));
   const bool all = !(block.words & axis_letter_bits);
-  tangent_.reset();
-  if (!all) line_to(block, target_of(block), Feed{});
+  if (!all) motion_.line_to(block, motion_.target_of(block), Feed{});
   base::AxisVector target = frame_.position;
   for (const base::Axis axis : base::all_axes) {
     if (machine_.has(axis) && (all || block.has(base::letter(axis))))
       target[base::index(axis)] = home[base::index(axis)];
   }
-  line_to(block, target, Feed{});
+  motion_.line_to(block, target, Feed{});
 }
 
-void Interpreter::set_home(const Block& block) {
+void Offsets::set_home(const Block& block) {
   parameters_.set_axes(home_of(block), frame_.position);
 }
 

@@ -23,8 +23,8 @@ class Reader::Implementation {
       : options_(std::move(options)),
         lines_(std::move(source)),
         reporter_(options_.file, std::move(sink)),
-        blocks_reader_(parameters_, frame_, reporter_, options_.block_delete),
-        interpreter_(machine, tools, options_, parameters_, frame_, reporter_) {}
+        blocks_reader_(parameters_, frame_, reporter_, options_.dialect, options_.block_delete),
+        interpreter_(Context{machine, tools, options_, parameters_, frame_, reporter_, modal_}) {}
 
   bool next(Move& move) {
     for (;;) {
@@ -138,6 +138,7 @@ class Reader::Implementation {
   Reporter reporter_;
   Parameters parameters_;
   Frame frame_;
+  ModalState modal_;
   BlockReader blocks_reader_;
   Interpreter interpreter_;
   Block block_;

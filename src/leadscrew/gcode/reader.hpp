@@ -45,6 +45,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/sink.hpp>
+#include <leadscrew/gcode/dialect.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -65,11 +66,12 @@ using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
 
 /// How a program is read.
 struct ReaderOptions {
-  std::string file{};                   ///< name for diagnostics
-  base::AxisVector start{};             ///< machine coordinates, mm or degrees, where the program begins
-  bool block_delete = true;             ///< skip blocks that begin with '/'
-  std::optional<PathMode> path_mode{};  ///< overrides G61, G61.1 and G64
-  std::optional<double> tolerance{};    ///< mm; overrides P of G64; ≥ 0
+  std::string file{};                    ///< name for diagnostics
+  base::AxisVector start{};              ///< machine coordinates, mm or degrees, where the program begins
+  bool block_delete = true;              ///< skip blocks that begin with '/'
+  Dialect dialect = Dialect::leadscrew;  ///< what codes mean
+  std::optional<PathMode> path_mode{};   ///< overrides G61, G61.1 and G64
+  std::optional<double> tolerance{};     ///< mm; overrides P of G64; ≥ 0
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a

@@ -1,7 +1,5 @@
-// What leaves the machine's travel: lines by their ends, arcs and curves by how far they bulge.
-
-#include <leadscrew/gcode/interpreter.hpp>
-#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/travel.hpp>
+#include <limits>
 
 namespace leadscrew::gcode {
 
@@ -11,9 +9,29 @@ const char* unit_of(base::Axis axis) {
   return base::is_rotary(axis) ? " degrees" : " mm";
 }
 
+// A programmed inch is rounded when it becomes millimetres: that is no excursion.
+constexpr double travel_rounding = 1e-9;  // mm or degrees
+
 }  // namespace
 
-void Interpreter::report_travel(base::Axis axis, double value, std::uint32_t column) {
+Travel::Travel(const Context& context) : Part(context) {
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    const bool has = machine_.has(axis);
+    low_[i] = has ? machine_.limits(axis).travel_min - travel_rounding : -std::numeric_limits<double>::infinity();
+    high_[i] = has ? machine_.limits(axis).travel_max + travel_rounding : std::numeric_limits<double>::infinity();
+  }
+}
+
+bool Travel::lacks(base::Axis axis) {
+  reporter_.fail();
+  // One machine, one problem: not one in every block.
+  if (reported_lacking_.contains(axis)) return false;
+  if (!reporter_.muted()) reported_lacking_.insert(axis);
+  return true;
+}
+
+void Travel::report_travel(base::Axis axis, double value, std::uint32_t column) {
   const machine::AxisLimits& limits = machine_.limits(axis);
   const char* const unit = unit_of(axis);
   error("travel", column,
@@ -21,10 +39,10 @@ void Interpreter::report_travel(base::Axis axis, double value, std::uint32_t col
         "from " + text(limits.travel_min) + " to " + text(limits.travel_max) + unit + " in machine coordinates");
 }
 
-void Interpreter::note_outside() {
+void Travel::note_outside() {
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    if (travel_low_[i] <= frame_.position[i] && frame_.position[i] <= travel_high_[i]) {
+    if (low_[i] <= frame_.position[i] && frame_.position[i] <= high_[i]) {
       outside_.erase(axis);
     } else {
       outside_.insert(axis);
@@ -32,7 +50,7 @@ void Interpreter::note_outside() {
   }
 }
 
-bool Interpreter::fails_outside(const Block& block) {
+bool Travel::fails_outside(const Block& block) {
   if (outside_.empty()) return false;
   reporter_.fail();
   for (const base::Axis axis : base::all_axes) {
@@ -44,9 +62,9 @@ bool Interpreter::fails_outside(const Block& block) {
 }
 
 // An axis is reported when it leaves its travel, not for every block that it spends outside.
-bool Interpreter::axis_inside(base::Axis axis, double value, std::uint32_t column) {
+bool Travel::axis_inside(base::Axis axis, double value, std::uint32_t column) {
   const std::size_t i = base::index(axis);
-  if (travel_low_[i] <= value && value <= travel_high_[i]) {
+  if (low_[i] <= value && value <= high_[i]) {
     outside_.erase(axis);
     reported_outside_.erase(axis);
     return true;
@@ -59,9 +77,9 @@ bool Interpreter::axis_inside(base::Axis axis, double value, std::uint32_t colum
   return false;
 }
 
-bool Interpreter::inside_travel(const Block& block, const base::AxisVector& target) {
+bool Travel::inside_travel(const Block& block, const base::AxisVector& target) {
   bool inside = outside_.empty() && reported_outside_.empty();
-  for (std::size_t i = 0; i < target.size(); ++i) inside &= travel_low_[i] <= target[i] && target[i] <= travel_high_[i];
+  for (std::size_t i = 0; i < target.size(); ++i) inside &= low_[i] <= target[i] && target[i] <= high_[i];
   if (inside) return true;
   inside = true;
   for (const base::Axis axis : base::all_axes) {
@@ -75,10 +93,10 @@ bool Interpreter::inside_travel(const Block& block, const base::AxisVector& targ
   return inside;
 }
 
-bool Interpreter::bulge_inside(const Block& block, base::Axis axis, double low, double high) {
+bool Travel::bulge_inside(const Block& block, base::Axis axis, double low, double high) {
   const std::size_t i = base::index(axis);
-  const bool below = low < travel_low_[i];
-  if (!below && high <= travel_high_[i]) return true;
+  const bool below = low < low_[i];
+  if (!below && high <= high_[i]) return true;
   reporter_.fail();
   if (!outside_.contains(axis)) report_travel(axis, below ? low : high, motion_column(block));
   return false;

@@ -1,0 +1,210 @@
+#include <bit>
+#include <leadscrew/gcode/block_check.hpp>
+#include <string>
+#include <vector>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+// Letters that mean something only beside a code that takes them.
+constexpr std::uint32_t dependent_words = letter_bit('D') | letter_bit('E') | letter_bit('H') | letter_bit('I') |
+                                          letter_bit('J') | letter_bit('K') | letter_bit('L') | letter_bit('P') |
+                                          letter_bit('Q') | letter_bit('R');
+
+constexpr std::uint32_t offset_letters = letter_bit('I') | letter_bit('J') | letter_bit('K');
+
+constexpr std::uint32_t offset_letters_of(Plane plane) {
+  return (plane == Plane::YZ ? 0 : letter_bit('I')) | (plane == Plane::ZX ? 0 : letter_bit('J')) |
+         (plane == Plane::XY ? 0 : letter_bit('K'));
+}
+
+// How a code is written whose words are missing.
+std::string example_of(Code code) {
+  switch (code) {
+    case Code::G4:
+      return "give P, seconds: G4 P0.5";
+    case Code::G10:
+      return "G10 L2 P1 X0 Y0 Z0";
+    case Code::G92:
+      return "G92 X0";
+    case Code::G43_1:
+      return "G43.1 Z10";
+    default: {
+      std::string example = name(code);
+      for (char letter = 'A'; letter <= 'Z'; ++letter) {
+        if (row(code).needs.has(letter)) example += std::string(" ") + letter + "0";
+      }
+      return example;
+    }
+  }
+}
+
+// Calls f(code) for each G code of the block but its motion.
+template <class F>
+void for_each_code(const Block& block, F&& f) {
+  for (std::uint32_t rest = block.groups & ~bit(Group::motion); rest != 0; rest &= rest - 1) {
+    f(block.codes[static_cast<std::size_t>(std::countr_zero(rest))]);
+  }
+}
+
+}  // namespace
+
+Plane plane_after(const Block& block, const ModalState& modal) {
+  switch (block.code(Group::plane)) {
+    case Code::G17:
+      return Plane::XY;
+    case Code::G18:
+      return Plane::ZX;
+    case Code::G19:
+      return Plane::YZ;
+    default:
+      return modal.plane;
+  }
+}
+
+Distance distance_after(const Block& block, const ModalState& modal) {
+  if (!block.has(Group::distance)) return modal.distance;
+  return block.code(Group::distance) == Code::G90 ? Distance::absolute : Distance::incremental;
+}
+
+void BlockCheck::check(const Block& block) {
+  check_words(block);
+  check_axes(block);
+  check_presence(block);
+}
+
+// Axis words belong to the motion that stands in the block, or else to G10, G28, G30, G92 or G43.1, or else to the
+// motion in force (NIST IR 6556, 3.3.4 and 3.5).
+Code BlockCheck::motion_of(const Block& block) {
+  const std::uint32_t axes = block.words & axis_letter_bits;
+  Code taker = Code::none;
+  for_each_code(block, [&](Code code) {
+    if (taker == Code::none && row(code).takes_axes) taker = code;
+  });
+  const auto first_axis_column = [&] { return block.column[static_cast<unsigned>(std::countr_zero(axes))]; };
+  if (block.has(Group::motion)) {
+    const Code motion = block.code(Group::motion);
+    if (motion == Code::G80) {
+      if (axes && taker == Code::none) {
+        error("axis-without-motion", first_axis_column(), "G80 moves no axis", "give G0 or G1 instead");
+      }
+      return Code::none;
+    }
+    if (taker != Code::none) {
+      error("modal-conflict", block.column_of(Group::motion),
+            name(motion) + " and " + name(taker) + " both take the axis words", "put them into two blocks");
+      return Code::none;
+    }
+    return motion;
+  }
+  if (taker != Code::none) return Code::none;
+  if (!axes) return repeats_motion(block) ? modal_.motion : Code::none;
+  if (modal_.motion == Code::G80) {
+    error("axis-without-motion", first_axis_column(), "no motion is in force for the axis words",
+          "give G0, G1, G2 or G3 before or in this block");
+    modal_.motion = Code::G0;
+  }
+  return modal_.motion;
+}
+
+/// Whether the block repeats the motion in force by other words than axes, which no other code of the block takes.
+bool BlockCheck::repeats_motion(const Block& block) const {
+  std::uint32_t words = block.words & row(modal_.motion).repeated_by.bits;
+  if (is_arc(modal_.motion)) words &= ~offset_letters | offset_letters_of(plane_after(block, modal_));
+  for_each_code(block, [&](Code code) { words &= ~row(code).words.bits; });
+  return words != 0;
+}
+
+/// The letters that the block's motion takes.
+std::uint32_t BlockCheck::motion_words(const Block& block) const {
+  if (modal_.to_do == Code::none) return 0;
+  const std::uint32_t words = row(modal_.to_do).words.bits;
+  if (is_arc(modal_.to_do)) return words & (~offset_letters | offset_letters_of(plane_after(block, modal_)));
+  // P of G6.2 stands where the curve begins.
+  if (modal_.to_do == Code::G6_2 && !block.has(Group::motion)) return words & ~letter_bit('P');
+  return words;
+}
+
+void BlockCheck::check_words(const Block& block) {
+  const std::uint32_t dependent = block.words & dependent_words;
+  if (dependent == 0) return;
+  std::uint32_t used = motion_words(block), used_twice = 0;
+  const auto use = [&](std::uint32_t words) {
+    used_twice |= used & words;
+    used |= words;
+  };
+  for_each_code(block, [&](Code code) { use(row(code).words.bits); });
+  for (std::uint32_t rest = dependent & ~used; rest != 0; rest &= rest - 1) {
+    const auto letter = static_cast<unsigned>(std::countr_zero(rest));
+    const char name = static_cast<char>('A' + letter);
+    std::string message = "nothing in this block takes ";
+    message += name;
+    error("unused-word", block.column[letter], std::move(message), users_of(name));
+  }
+  for (std::uint32_t rest = dependent & used_twice; rest != 0; rest &= rest - 1) {
+    const auto letter = static_cast<unsigned>(std::countr_zero(rest));
+    std::string message = "more than one code of this block takes ";
+    message += static_cast<char>('A' + letter);
+    error("ambiguous-word", block.column[letter], std::move(message), "put them into two blocks");
+  }
+}
+
+void BlockCheck::check_axes(const Block& block) {
+  for (std::uint32_t rest = block.words & axis_letter_bits & ~machine_letters_; rest != 0; rest &= rest - 1) {
+    const auto letter = static_cast<unsigned>(std::countr_zero(rest));
+    const base::Axis axis = axis_of_letter(letter);
+    if (!travel_.lacks(axis)) continue;
+    std::string axes;
+    for (const base::Axis present : base::all_axes) {
+      if (machine_.has(present)) axes += std::string(axes.empty() ? "" : " ") + base::letter(present);
+    }
+    error("unknown-axis", block.column[letter], std::string("the machine has no axis ") + base::letter(axis),
+          "its axes are " + axes);
+  }
+}
+
+// Reports the first of the words that a code needs and the block lacks.
+void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column) {
+  const std::uint32_t lacking = row(code).needs.bits & ~block.words;
+  if (lacking == 0) return;
+  const char letter = static_cast<char>('A' + std::countr_zero(lacking));
+  error("missing-word", column, name(code) + " lacks " + letter, example_of(code));
+}
+
+void BlockCheck::check_presence(const Block& block) {
+  const bool axes = block.words & axis_letter_bits;
+  for_each_code(block, [&](Code code) {
+    const std::uint32_t column = block.column_of(row(code).group);
+    check_needs(block, code, column);
+    if (axes) return;
+    if (code == Code::G92 || code == Code::G43_1) {
+      error("missing-word", column, name(code) + " lacks axis words", example_of(code));
+    }
+  });
+  if (block.is(Code::G53)) {
+    const std::uint32_t column = block.column_of(Group::nonmodal);
+    if (modal_.to_do != Code::G0 && modal_.to_do != Code::G1) {
+      error("bad-g53", column, "G53 stands without G0 or G1 in force", "G53 G0 X0");
+    } else if (distance_after(block, modal_) == Distance::incremental) {
+      error("bad-g53", column, "G53 cannot be incremental", "give G90");
+    }
+  }
+  if (is_canned_cycle(modal_.to_do) && !(block.words & (letter_bit('X') | letter_bit('Y') | letter_bit('Z')))) {
+    error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "X, Y or Z");
+  }
+}
+
+/// "P belongs to G2, G3 and G4"
+std::string BlockCheck::users_of(char letter) const {
+  std::vector<std::string> users;
+  for (const CodeRow& each : code_rows()) {
+    if (each.read && each.words.has(letter) && each.dialects.has(options_.dialect)) users.push_back(name(each.code));
+  }
+  if (users.empty()) return "no supported code takes it";
+  std::string text = std::string(1, letter) + " belongs to " + users.front();
+  for (std::size_t i = 1; i < users.size(); ++i) text += (i + 1 < users.size() ? ", " : " and ") + users[i];
+  return text;
+}
+
+}  // namespace leadscrew::gcode

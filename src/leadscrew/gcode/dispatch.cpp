@@ -1,0 +1,44 @@
+// Which part does what a code of group 0 or 1 says. What other codes say are modes, which Interpreter::set_modes() sets,
+// or events.
+
+#include <leadscrew/gcode/interpreter.hpp>
+
+namespace leadscrew::gcode {
+
+void Interpreter::dispatch(Code code, const Block& block) {
+  switch (code) {
+    case Code::G0:
+    case Code::G1:
+      return motion_.straight(block);
+    case Code::G2:
+    case Code::G3:
+      return motion_.arc(block);
+    case Code::G5:
+    case Code::G5_1:
+      return curves_.spline(block);
+    case Code::G5_2:
+      return curves_.nurbs(block);
+    case Code::G5_3:
+      return curves_.end_nurbs(block);
+    case Code::G6_2:
+      return curves_.add_to_nurbs_with_knots(block);
+    case Code::G10:
+      return offsets_.set_system(block);
+    case Code::G28:
+    case Code::G30:
+      curves_.forget_tangent();
+      return offsets_.go_home(block);
+    case Code::G28_1:
+    case Code::G30_1:
+      return offsets_.set_home(block);
+    case Code::G92:
+    case Code::G92_1:
+    case Code::G92_2:
+    case Code::G92_3:
+      return offsets_.set_shift(block);
+    default:
+      if (is_canned_cycle(code)) cycles_.drill(block);
+  }
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,27 @@
+#pragma once
+// What a block asks of the machine besides motion: spindle, tool, outputs, coolant, dwell.
+
+#include <leadscrew/gcode/outbox.hpp>
+
+namespace leadscrew::gcode {
+
+class MachineEvents : Part {
+ public:
+  MachineEvents(const Context& context, Outbox& outbox) : Part(context), outbox_(outbox) {}
+
+  /// S, T, M62 … M68, M6, M3 … M5, M7 … M9 and G4, in this order.
+  void execute(const Block& block);
+
+ private:
+  void set_speed(const Block& block);
+  void select_tool(const Block& block);
+  void set_output(const Block& block);
+  void change_tool(const Block& block);
+  void turn_spindle(const Block& block);
+  void set_coolant(const Block& block);
+  void dwell(const Block& block);
+
+  Outbox& outbox_;
+};
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,28 @@
+#include <leadscrew/gcode/outbox.hpp>
+
+namespace leadscrew::gcode {
+
+bool Outbox::take(Move& move) {
+  if (next_ == size_) return false;
+  // The memory of a curve comes back for the next.
+  NurbsCurve memory = std::move(move.curve);
+  move = std::move(moves_[next_]);
+  moves_[next_++].curve = std::move(memory);
+  return true;
+}
+
+Move& Outbox::emit(Move::Kind kind) {
+  Move& move = moves_[size_++];
+  prepare(move, kind, modal_.line);
+  return move;
+}
+
+void Outbox::emit_event(base::Event::Kind kind, double value, std::int32_t output) {
+  using Kind = base::Event::Kind;
+  const bool turns_spindle =
+      kind == Kind::spindle_clockwise || kind == Kind::spindle_counterclockwise || kind == Kind::spindle_stop;
+  const bool waits = kind == Kind::tool_change || (turns_spindle && machine_.spindle_waits);
+  emit(Move::Kind::event).event = {kind, value, modal_.line, output, waits};
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,69 @@
+#pragma once
+// What every part of the interpreter works with.
+
+#include <leadscrew/gcode/block.hpp>
+#include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/gcode/modal_state.hpp>
+#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/gcode/reporter.hpp>
+#include <utility>
+
+namespace leadscrew::gcode {
+
+/// All of it must outlive the parts.
+struct Context {
+  const machine::Machine& machine;
+  const machine::ToolTable& tools;
+  const ReaderOptions& options;
+  Parameters& parameters;
+  Frame& frame;
+  Reporter& reporter;
+  ModalState& modal;
+};
+
+/// The base of the parts: the context, and what is short to say about it.
+class Part {
+ protected:
+  explicit Part(const Context& context)
+      : machine_(context.machine),
+        tools_(context.tools),
+        options_(context.options),
+        parameters_(context.parameters),
+        frame_(context.frame),
+        reporter_(context.reporter),
+        modal_(context.modal),
+        machine_letters_(letters_of(context.machine)) {}
+  ~Part() = default;
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  [[gnu::cold]] bool error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
+    return reporter_.error(code, column, std::move(message), std::move(hint));
+  }
+
+  const machine::Machine& machine_;
+  const machine::ToolTable& tools_;
+  const ReaderOptions& options_;
+  Parameters& parameters_;
+  Frame& frame_;
+  Reporter& reporter_;
+  ModalState& modal_;
+  const std::uint32_t machine_letters_;  // of the axes that the machine has
+
+ private:
+  static std::uint32_t letters_of(const machine::Machine& machine) {
+    std::uint32_t letters = 0;
+    for (const base::Axis axis : base::all_axes) {
+      if (machine.has(axis)) letters |= letter_bit(base::letter(axis));
+    }
+    return letters;
+  }
+};
+
+/// Where a problem of the block's motion is shown: its code, or the first word.
+inline std::uint32_t motion_column(const Block& block) {
+  return block.has(Group::motion) ? block.column_of(Group::motion) : block.first_column;
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,41 @@
+#pragma once
+// The travel of the machine's axes: what leaves it, and what moves an axis that the machine lacks. Lines are judged by
+// their ends, arcs and curves by how far they bulge.
+
+#include <leadscrew/gcode/part.hpp>
+
+namespace leadscrew::gcode {
+
+class Travel : Part {
+ public:
+  explicit Travel(const Context& context);
+
+  /// Whether a line from where the program stands to the target stays inside; reports what does not.
+  bool inside_travel(const Block& block, const base::AxisVector& target);
+  /// Whether an axis that reaches from low to high, mm or degrees, stays inside; reports it where it does not.
+  bool bulge_inside(const Block& block, base::Axis axis, double low, double high);
+  /// Finds the axes that are outside, where the position was changed without a check.
+  void note_outside();
+  /// Whether the block fails because an axis is outside; says so unless that has been said.
+  bool fails_outside(const Block& block);
+  bool all_inside() const { return outside_.empty(); }
+
+  /// Makes the block fail for an axis that the machine lacks; true where that has not been said before.
+  bool lacks(base::Axis axis);
+
+  // With a margin for the rounding of inches; infinite for an axis that the machine lacks. mm and degrees.
+  const base::AxisVector& low() const { return low_; }
+  const base::AxisVector& high() const { return high_; }
+
+ private:
+  bool axis_inside(base::Axis axis, double value, std::uint32_t column);
+  void report_travel(base::Axis axis, double value, std::uint32_t column);
+
+  base::AxisVector low_{};
+  base::AxisVector high_{};
+  base::AxisSet outside_;           // axes whose position is outside
+  base::AxisSet reported_outside_;  // those of them that have been reported
+  base::AxisSet reported_lacking_;
+};
+
+}  // namespace leadscrew::gcode
