@@ -1,0 +1,25 @@
+(Design File: tray.c2d)
+(stockMin:0.00mm, 0.00mm, -12.70mm)
+(stockMax:200.00mm, 150.00mm, 0.00mm)
+(STOCK/BLOCK,200.00, 150.00, 12.70,0.00, 0.00, 12.70)
+G90
+G21
+(Move to safe Z to avoid workholding)
+G53G0Z-5.000
+(TOOL/MILL,6.35, 0.00, 0.00, 0.00)
+M05
+M0 ;T201
+M03S18000
+(PREPOSITION FOR RAPID PLUNGE)
+G0X20.000Y15.000
+Z0.500
+G1Z-0.762F457.2
+X80.000F1524.0
+Y60.000
+X20.000
+Y15.000
+(Move to safe Z to avoid workholding)
+G53G0Z-5.000
+M05
+(END)
+M02

@@ -1,0 +1,18 @@
+( turning, profile along Z, G18, feed a revolution )
+G21 G18 G90 G40 G49 G80
+G8
+G95
+T1 M6 G43
+G97 S800 M3
+G0 X40. Z5.
+G96 D2000 S180
+G0 X30. Z2.
+G1 X30. Z-20. F0.2
+G2 X35. Z-25. R5.
+G1 X42.
+G0 Z5.
+G97 S500
+G94
+G0 X60. Z80. M9
+M5
+M30

@@ -1,0 +1,33 @@
+(as FreeCAD writes)
+(Post Processor: linuxcnc_post)
+(begin preamble)
+G17 G54 G40 G49 G80 G90
+G21
+(begin operation: TC: Drill 5 mm)
+M5
+M6 T2
+G43 H2
+M3 S2400
+(begin operation: Drilling)
+(Begin Drilling)
+G0 Z10.000
+G90
+G98
+G83 X12.000 Y12.000 Z-9.500 F120.000 R2.000 Q1.500
+G83 X48.000 Y12.000 Z-9.500 F120.000 R2.000 Q1.500
+G83 X48.000 Y36.000 Z-9.500 F120.000 R2.000 Q1.500
+G80
+G0 Z10.000
+G81 X12.000 Y36.000 Z-4.000 F120.000 R2.000
+G80
+G0 Z10.000
+G82 X30.000 Y24.000 Z-1.200 F80.000 P0.500 R2.000
+G80
+G0 Z10.000
+G73 X30.000 Y40.000 Z-8.000 R2.000 Q2.000 F120.000
+G80
+(finish operation: Drilling)
+(begin postamble)
+M05
+G17 G54 G90 G80 G40
+M2

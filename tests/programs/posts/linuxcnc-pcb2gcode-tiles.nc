@@ -1,0 +1,31 @@
+( pcb2gcode )
+G94 (Inches per minute feed rate.)
+G20 (Units == INCHES.)
+G90 (Absolute coordinates.)
+S15000 (RPM spindle speed.)
+G00 Z1.0 
+M3
+G04 P0.5
+O1 SUB ( the subroutine of one tile )
+G00 X0.25000 Y0.30000
+G01 Z-0.00300 F5
+G01 X0.75000 Y0.30000 F12
+G01 X0.75000 Y0.80000
+G01 X0.25000 Y0.30000
+G00 Z0.07874
+O1 ENDSUB
+G00 Z0.07874
+#1=0
+O2 WHILE [#1 LT 2]
+#2=0
+O3 WHILE [#2 LT 2]
+G10 L2 P1 X[#1*1.2] Y[#2*1.1]
+O1 CALL
+#2=[#2+1]
+O3 ENDWHILE
+#1=[#1+1]
+O2 ENDWHILE
+G10 L2 P1 X0 Y0
+G00 Z1.0
+M5
+M2

@@ -1,0 +1,25 @@
+(parameters and arithmetic)
+G21 G90 G17
+#1=10
+#2=[#1*2+5]
+#3=[SQRT[#2] + SIN[30]]
+T3 M6 (tool of three flutes)
+G43 H3
+M3 S[#1*1000]
+G0 Z5
+G0 X#1 Y#2
+G1 Z-0.5 F150
+G1 X[#1+#3] F400
+G0 Z5
+G52 X5 Y5
+G0 X0 Y0
+G52 X0 Y0
+G68 A0 B0 R45
+G1 X10 Y0 F400
+G69
+G50
+G51 X2 Y2
+G1 X5 Y0
+G50
+M5
+M30
