@@ -83,6 +83,17 @@ TEST(SpindleWaits, UnlessTheFileSaysOtherwise) {
   EXPECT_EQ(problems_of("spindle_waits = 0\n" + one_axis), Texts{"1:17 machine-type"});
 }
 
+TEST(Dialect, IsOneOfThoseThatAreRead) {
+  EXPECT_EQ(read_machine(one_axis, "m")->dialect, machine::Dialect::leadscrew);
+  for (std::size_t i = 0; i < machine::dialect_names.size(); ++i) {
+    const std::string text = "dialect = \"" + std::string(machine::dialect_names[i]) + "\"\n" + one_axis;
+    ASSERT_TRUE(read_machine(text, "m")) << text;
+    EXPECT_EQ(index(read_machine(text, "m")->dialect), i);
+  }
+  EXPECT_EQ(problems_of("dialect = \"heidenhain\"\n" + one_axis), Texts{"1:11 machine-dialect"});
+  EXPECT_EQ(problems_of("dialect = 1\n" + one_axis), Texts{"1:11 machine-dialect"});
+}
+
 TEST(Laser, IsReadWithItsDefaults) {
   EXPECT_FALSE(read_machine(one_axis, "m")->laser);
   EXPECT_EQ(read_machine(one_axis + "[laser]\n", "m")->laser, machine::Laser{});

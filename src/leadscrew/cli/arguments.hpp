@@ -41,6 +41,7 @@ struct Arguments {
   std::optional<gcode::PathMode> mode;
   std::optional<double> tolerance;  ///< mm
   std::optional<machine::Smoothing> smoothing;
+  std::optional<machine::Dialect> dialect;
   std::optional<int> threads;  ///< that work on several programs, 1 … 1024; none: as many as processors
   bool json = false;
   bool quiet = false;

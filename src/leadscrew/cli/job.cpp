@@ -95,6 +95,7 @@ gcode::ReaderOptions Job::reader_options(const std::string& file) const {
   gcode::ReaderOptions options;
   options.file = file;
   options.start = start;
+  options.dialect = machine.dialect;
   options.path_mode = arguments.mode;
   options.tolerance = arguments.tolerance;
   return options;
@@ -109,6 +110,7 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
   if (log.errors() > 0) return std::nullopt;
   if (arguments.period) job.machine.period = *arguments.period;
   if (arguments.smoothing) job.machine.smoothing = *arguments.smoothing;
+  if (arguments.dialect) job.machine.dialect = *arguments.dialect;
   take_step_times(arguments.run, job.machine);
   for (const AxisValue& value : arguments.start) take_start(value, job, log);
   if (log.errors() > 0) return std::nullopt;

@@ -27,10 +27,22 @@ void add_output(Command& command, Arguments& arguments) {
       {{"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}});
 }
 
+void add_dialect(Command& command, Arguments& arguments) {
+  std::vector<std::pair<std::string_view, machine::Dialect>> dialects;
+  for (std::size_t i = 0; i < machine::dialect_names.size(); ++i) {
+    dialects.emplace_back(machine::dialect_names[i], static_cast<machine::Dialect>(i));
+  }
+  command.choice<machine::Dialect>(
+      "--dialect", "NAME",
+      "What codes mean, in place of the machine's: leadscrew, linuxcnc, fanuc, haas, grbl, mach3 or marlin",
+      arguments.dialect, std::move(dialects));
+}
+
 void add_common(Command& command, Arguments& arguments) {
   command.text("--machine", "FILE", "Machine file (TOML), or the built-in mill3 (default)", arguments.machine,
                file({".toml"}, {"mill3"}));
   command.text("--tools", "FILE", "Tool table, in LinuxCNC's format", arguments.tools, file({".tbl"}));
+  add_dialect(command, arguments);
   command.value("--start", "X0,Y0,...",
                 "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)", arguments.start,
                 parse_axis_values);

@@ -18,7 +18,10 @@ std::vector<std::string> trace_endings();
 /// --json, --quiet, --color.
 void add_output(Command& command, Arguments& arguments);
 
-/// Of commands that read programs: --machine, --tools, --start and those above.
+/// --dialect, of programs.
+void add_dialect(Command& command, Arguments& arguments);
+
+/// Of commands that read programs: --machine, --tools, --dialect, --start and those above.
 void add_common(Command& command, Arguments& arguments);
 
 /// --period, of the machine's servo.

@@ -107,11 +107,26 @@ class MachineReader {
     if (const auto waits = value<bool>(root, spindle_waits_key, spindle_waits_key)) machine_.spindle_waits = *waits;
     if (is_second(root, smoothing_key, smoothings, "machine-smoothing"))
       machine_.smoothing = machine::Smoothing::least_time;
+    read_dialect(root);
     if (const auto period = number(root, "period_us", {.field = field::period}))
       machine_.period = base::Period{nanoseconds(*period).value_or(0)};
     for (const auto& [field, key, value] : machine_numbers) {
       if (const auto given = number(root, key, {.field = field})) machine_.*value = *given;
     }
+  }
+
+  void read_dialect(const toml::table& root) {
+    const toml::node* node = root.get(dialect_key);
+    if (node == nullptr) return;
+    const auto word = node->value_exact<std::string>();
+    const auto dialect = word ? machine::dialect_of(*word) : std::nullopt;
+    if (dialect) {
+      machine_.dialect = *dialect;
+      return;
+    }
+    const std::string found = word ? fmt::format("\"{}\"", shown(*word)) : std::string(type_text(*node));
+    report("machine-dialect", node->source().begin, fmt::format("{} is {}", dialect_key, found),
+           fmt::format("one of \"{}\"", fmt::join(machine::dialect_names, "\", \"")));
   }
 
   void read_laser(const toml::table& root) {

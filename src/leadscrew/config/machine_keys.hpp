@@ -21,6 +21,9 @@ inline constexpr std::string_view spindle_waits_key = "spindle_waits";
 inline constexpr std::string_view smoothing_key = "smoothing";
 inline constexpr std::array<std::string_view, 2> smoothings = {"splines", "least-time"};
 
+/// What its programs are written in: a name of machine::Dialect.
+inline constexpr std::string_view dialect_key = "dialect";
+
 /// A number of the machine itself, in the unit that it has there.
 struct MachineNumber {
   std::string_view field, key;
@@ -32,8 +35,9 @@ inline constexpr std::array machine_numbers = {
 
 /// Outside tables.
 inline constexpr auto machine_keys = [] {
-  std::array<std::string_view, 7 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  std::array<std::string_view, 8 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
   for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
+  keys[keys.size() - 5] = dialect_key;
   keys[keys.size() - 4] = smoothing_key;
   keys[keys.size() - 3] = spindle_waits_key;
   keys[keys.size() - 2] = "laser";

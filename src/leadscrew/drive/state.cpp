@@ -33,6 +33,7 @@ std::string machine_text(const Setup& setup) {
   std::string text = fmt::format("{} {}\n{}\n", setup.machine.name, setup.machine.period.nanoseconds, setup.text);
   const gcode::ReaderOptions& reading = setup.reading;
   text += "start" + text_of(reading.start);
+  if (reading.dialect != machine::Dialect::leadscrew) text += fmt::format(" dialect {}", name(reading.dialect));
   if (reading.path_mode) text += fmt::format(" mode {}", static_cast<int>(*reading.path_mode));
   if (reading.tolerance) text += fmt::format(" tolerance {:a}", *reading.tolerance);
   return text;

@@ -1,32 +1,16 @@
 #pragma once
-// The dialects of G-code that are read.
+// The dialects of G-code that are read, and sets of them.
 
 #include <cstdint>
 #include <initializer_list>
-#include <optional>
-#include <string_view>
+#include <leadscrew/machine/dialect.hpp>
 
 namespace leadscrew::gcode {
 
-enum class Dialect : std::uint8_t {
-  leadscrew,  ///< LinuxCNC's meanings, what LinuxCNC leaves free, and what every CAM writes where it is unambiguous
-  linuxcnc,
-  fanuc,
-  haas,
-  grbl,
-  mach3,
-  marlin,
-  count,
-};
-
-constexpr std::size_t index(Dialect dialect) {
-  return static_cast<std::size_t>(dialect);
-}
-
-/// As options and machine files call it: "linuxcnc".
-std::string_view name(Dialect dialect);
-/// The dialect of that name.
-std::optional<Dialect> dialect_of(std::string_view name);
+using machine::Dialect;
+using machine::dialect_of;
+using machine::index;
+using machine::name;
 
 /// A set of dialects.
 struct Dialects {

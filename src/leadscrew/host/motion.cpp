@@ -52,7 +52,8 @@ base::Result<std::unique_ptr<Motion>> Motion::of_program(machine::Machine machin
   std::optional<base::Diagnostic> first;
   const auto share = std::make_shared<double>(0);
   gcode::Reader reader(asking_source(text, options.goes_on, share), machine, options.tools,
-                       {options.file, options.start}, [&](const base::Diagnostic& diagnostic) {
+                       {.file = options.file, .start = options.start, .dialect = machine.dialect},
+                       [&](const base::Diagnostic& diagnostic) {
                          if (diagnostic.severity == base::Severity::error && !first) first = diagnostic;
                          if (diagnostics) diagnostics(diagnostic);
                        });
@@ -72,7 +73,8 @@ void Motion::join(std::optional<Joined>& joined, pipeline::MoveInput moves) cons
   const auto share = std::make_shared<double>(0);
   if (text_) {
     joined.emplace(asking_source(*text_, options_.goes_on, share), machine_, options_.tools,
-                   gcode::ReaderOptions{options_.file, options_.start}, nullptr);
+                   gcode::ReaderOptions{.file = options_.file, .start = options_.start, .dialect = machine_.dialect},
+                   nullptr);
   } else {
     joined.emplace(std::move(moves), machine_, options_.start);
   }

@@ -7,6 +7,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
+#include <leadscrew/machine/dialect.hpp>
 #include <leadscrew/machine/drive.hpp>
 #include <leadscrew/machine/laser.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
@@ -52,7 +53,8 @@ struct Machine {
   Smoothing smoothing = Smoothing::splines;  ///< under G64
   /// Does motion rest for M3, M4 and M5?
   bool spindle_waits = true;
-  std::optional<Laser> laser;  ///< empty where there is none
+  Dialect dialect = Dialect::leadscrew;  ///< of its programs
+  std::optional<Laser> laser;            ///< empty where there is none
 
   /// Is there this axis?
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
