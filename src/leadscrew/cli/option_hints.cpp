@@ -18,8 +18,9 @@ struct OptionHint {
 using enum OptionHint::Place;
 
 /// Every command that meets such a problem has the options that are named.
-constexpr std::array<OptionHint, 14> option_hints = {{
+constexpr std::array<OptionHint, 15> option_hints = {{
     {"unknown-tool", behind, "--tools FILE gives the table"},
+    {"no-tool-table", behind, "--tools FILE gives one"},
     {"travel", behind, "--machine FILE names another machine, --start where the program begins"},
     {"unknown-axis", behind, "--machine FILE names another machine"},
     {"servo-unstable", behind, "--period TIME sets the one, the machine file of --machine the others"},

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <leadscrew/gcode/block_reader.hpp>
+#include <leadscrew/gcode/dialect_forms.hpp>
 
 namespace leadscrew::gcode {
 
@@ -41,16 +42,6 @@ std::optional<int> tenths_of(double value) {
   return nearest;
 }
 
-// "of Fanuc and Haas": the dialects that have a code.
-std::string names_of(Dialects dialects) {
-  std::string names;
-  for (std::size_t i = 0; i < index(Dialect::count); ++i) {
-    const auto dialect = static_cast<Dialect>(i);
-    if (dialects.has(dialect)) names += (names.empty() ? "" : ", ") + std::string(name(dialect));
-  }
-  return names;
-}
-
 }  // namespace
 
 bool BlockReader::read(const TextLine& line, Block& block) {
@@ -81,8 +72,7 @@ bool BlockReader::read(const TextLine& line, Block& block) {
       any = true;
       in_step = assignment(p);
     } else {
-      in_step = reporter_.error("bad-character", reporter_.column(p), shown(*p) + " stands where a word should",
-                                "a letter and a number, #parameter=value, or a comment");
+      in_step = other(p, line);
     }
   }
   block.complete = in_step;
@@ -134,8 +124,9 @@ bool BlockReader::g_word(double value, std::uint32_t column, Block& block) {
 bool BlockReader::m_word(double value, std::uint32_t column, Block& block) {
   const int number = as_integer(value).value_or(-1);
   const bool known = 0 <= number && number < static_cast<int>(detail::most_m);
-  if (number >= 100 && known) block.user_code = static_cast<std::int16_t>(number);
-  return code_word('M', known ? m_code(dialect_, number) : Code::none, value, column, block);
+  const Code code = known ? m_code(dialect_, number) : Code::none;
+  if (code == Code::M100) block.user_code = static_cast<std::int16_t>(number);
+  return code_word('M', code, value, column, block);
 }
 
 bool BlockReader::code_word(char letter, Code code, double value, std::uint32_t column, Block& block) {
@@ -160,8 +151,16 @@ bool BlockReader::refuse_unknown(char letter, double value, std::uint32_t column
   return true;
 }
 
-bool BlockReader::refuse_code(Code code, std::uint32_t column, const Block& block) {
+bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
   const CodeRow& known = row(code);
+  const bool cancels =
+      known.group == Group::motion && (code == Code::G80 || block.is(Code::G80)) && code != block.code(Group::motion);
+  if (known.read && cancels && has_form(dialect_, Form::g80_beside_motion)) {
+    if (code == Code::G80) return true;
+    block.codes[index(Group::motion)] = code;
+    block.code_columns[index(Group::motion)] = column;
+    return true;
+  }
   if (!known.read) {
     reporter_.error("unsupported-code", column, name(code) + " (" + known.summary + ") is not supported",
                     "docs/gcode.md lists what is");

@@ -37,7 +37,12 @@ class BlockReader {
   [[gnu::cold]] bool refuse_value(unsigned letter, double value, std::uint32_t column);
   [[gnu::cold]] bool refuse_repeated(unsigned letter, std::uint32_t column);
   [[gnu::cold]] bool refuse_unknown(char letter, double value, std::uint32_t column);
-  [[gnu::cold]] bool refuse_code(Code code, std::uint32_t column, const Block& block);
+  [[gnu::cold]] bool refuse_code(Code code, std::uint32_t column, Block& block);
+  /// What begins with neither a letter nor a remark: forms that some dialects have (text_forms.cpp).
+  [[gnu::cold]] bool other(const char*& p, const TextLine& line);
+  bool program_name(const char*& p);
+  bool checksum(const char*& p, const TextLine& line);
+  bool controller_command(const char*& p);
   bool assignment(const char*& p);
   bool comment(const char*& p);
   void assign();

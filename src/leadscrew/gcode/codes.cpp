@@ -200,6 +200,15 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
 }};
 // clang-format on
 
+// Numbers by which single dialects call a code as well.
+struct OtherNumber {
+  Dialect dialect;
+  char letter;
+  int tenths;
+  Code code;
+};
+constexpr OtherNumber other_numbers[] = {{M, 'G', 700, Code::G20}, {M, 'G', 710, Code::G21}};
+
 constexpr bool rows_in_order() {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (index(rows[i].code) != i) return false;
@@ -219,6 +228,16 @@ constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_nu
       if (row.code != Code::M100) continue;
       for (std::size_t number = 100; number < count; ++number) codes[dialect][number] = row.code;
     }
+  }
+  // Each of these machines has functions of its builder's.
+  for (const Dialect dialect : {F, H}) {
+    for (std::size_t number = 10; letter == 'M' && number < count; ++number) {
+      Code& code = codes[index(dialect)][number];
+      if (code == Code::none) code = Code::M100;
+    }
+  }
+  for (const OtherNumber& other : other_numbers) {
+    if (other.letter == letter) codes[index(other.dialect)][static_cast<std::size_t>(other.tenths / unit)] = other.code;
   }
   return codes;
 }

@@ -1,3 +1,4 @@
+#include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 
 namespace leadscrew::gcode {
@@ -36,7 +37,9 @@ void Offsets::set_tool_length(const Block& block) {
       return;
     }
     const machine::Tool* const tool = *number == 0 ? nullptr : tools_.find(*number);
-    if (*number != 0 && !tool) {
+    if (*number != 0 && !tool && tools_.tools().empty()) {
+      note_missing_table(block);
+    } else if (*number != 0 && !tool) {
       error("unknown-tool", block.has('H') ? block.column_of('H') : block.column_of(Group::tool_length),
             "tool " + std::to_string(*number) + " is not in the tool table", "give a tool table that holds it");
       return;
@@ -44,6 +47,14 @@ void Offsets::set_tool_length(const Block& block) {
     if (tool) offset = tool->offset;
   }
   frame_.set_tool(offset);
+}
+
+// Said once: without a table no tool has an offset.
+void Offsets::note_missing_table(const Block& block) {
+  if (std::exchange(told_of_table_, true)) return;
+  reporter_.warning("no-tool-table", block.column_of(Group::tool_length),
+                    "there is no tool table: the offset of " + name(block.code(Group::tool_length)) + " is 0",
+                    "give a tool table with the lengths of the tools");
 }
 
 void Offsets::select_system(int number) {
@@ -121,7 +132,8 @@ void Offsets::set_shift(const Block& block) {
 void Offsets::go_home(const Block& block) {
   const base::AxisVector home = parameters_.axes(home_of(block));
   const bool all = !(block.words & axis_letter_bits);
-  if (!all) motion_.line_to(block, motion_.target_of(block), Feed{});
+  if (!all && !has_form(options_.dialect, Form::home_by_letters))
+    motion_.line_to(block, motion_.target_of(block), Feed{});
   base::AxisVector target = frame_.position;
   for (const base::Axis axis : base::all_axes) {
     if (machine_.has(axis) && (all || block.has(base::letter(axis))))

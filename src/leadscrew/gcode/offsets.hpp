@@ -23,7 +23,10 @@ class Offsets : Part {
   void set_home(const Block& block);
 
  private:
+  void note_missing_table(const Block& block);
+
   Motion& motion_;
+  bool told_of_table_ = false;
 };
 
 }  // namespace leadscrew::gcode

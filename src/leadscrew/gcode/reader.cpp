@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cstring>
 #include <leadscrew/gcode/block_reader.hpp>
+#include <leadscrew/gcode/dialect_forms.hpp>
+#include <leadscrew/gcode/foreign_language.hpp>
 #include <leadscrew/gcode/interpreter.hpp>
+#include <leadscrew/gcode/printer_commands.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <utility>
 
@@ -24,7 +27,10 @@ class Reader::Implementation {
         lines_(std::move(source)),
         reporter_(options_.file, std::move(sink)),
         blocks_reader_(parameters_, frame_, reporter_, options_.dialect, options_.block_delete),
-        interpreter_(Context{machine, tools, options_, parameters_, frame_, reporter_, modal_}) {}
+        interpreter_(Context{machine, tools, options_, parameters_, frame_, reporter_, modal_}),
+        forms_(Context{machine, tools, options_, parameters_, frame_, reporter_, modal_}),
+        printer_(reporter_),
+        has_printer_commands_(has_form(options_.dialect, Form::printer_commands)) {}
 
   bool next(Move& move) {
     for (;;) {
@@ -77,12 +83,14 @@ class Reader::Implementation {
                              "is this a part program?");
     }
     if (delimiter_ != Delimiter::none && !before_program(line)) return false;
+    if (has_printer_commands_ && printer_.take(line)) return false;
     if (!block_is_read(line)) return false;
     const base::Line number{line.number};
     if (!reporter_.failed()) {
       const Interpreter::Plain plain = interpreter_.execute_plain(block_, number, move);
       if (plain != Interpreter::Plain::no) return plain == Interpreter::Plain::move;
     }
+    forms_.rewrite(block_, line);
     interpreter_.execute(block_, number);
     pending_ = true;
     done_ = interpreter_.ended();
@@ -107,6 +115,7 @@ class Reader::Implementation {
     if (*p == '\n') return false;
     empty_ = false;
     if (*p == '%') {
+      if (p[1] == '_') reporter_.refuse_foreign();
       if (delimiter_ == Delimiter::percent) {
         interpreter_.end(base::Line{line.number});
         pending_ = done_ = true;
@@ -127,8 +136,9 @@ class Reader::Implementation {
                        "is this the right file?");
       return;
     }
-    reporter_.report(base::Severity::note, "program-end", place, "the text ends without M2, M30 or %",
-                     "end the program with M2");
+    const bool may_end = has_form(options_.dialect, Form::end_of_text);
+    reporter_.report(may_end ? base::Severity::note : base::Severity::error, "program-end", place,
+                     "the text ends without M2, M30 or %", "end the program with M2");
     interpreter_.end(base::Line{lines_.lines()});
     pending_ = true;
   }
@@ -141,6 +151,9 @@ class Reader::Implementation {
   ModalState modal_;
   BlockReader blocks_reader_;
   Interpreter interpreter_;
+  DialectForms forms_;
+  PrinterCommands printer_;
+  bool has_printer_commands_;
   Block block_;
   std::int64_t blocks_ = 0;
   Delimiter delimiter_ = Delimiter::unknown;

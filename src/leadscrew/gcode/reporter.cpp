@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <leadscrew/gcode/foreign_language.hpp>
 #include <leadscrew/gcode/reporter.hpp>
 #include <utility>
 
@@ -88,7 +89,21 @@ void Reporter::report(base::Severity severity, std::string_view code, base::Plac
 bool Reporter::error(std::string_view code, std::int64_t column, std::string message, std::string hint,
                      base::Subject subject) {
   failed_ = true;
+  if (muted_ || full_) return false;
+  if (const auto language = foreign_language(text())) return refuse_language(*language);
   return error_at({file_, line_.number, column}, text(), code, std::move(message), std::move(hint), subject);
+}
+
+void Reporter::refuse_foreign() {
+  if (const auto language = foreign_language(text())) refuse_language(*language);
+}
+
+// One error says it: every line of such a text would be another.
+bool Reporter::refuse_language(std::string_view language) {
+  error_at({file_, line_.number, 1}, text(), "foreign-language", "this is " + std::string(language) + ", not G-code",
+           "let the CAM write ISO G-code: its post-processor for Fanuc, Haas or LinuxCNC", {});
+  full_ = true;
+  return false;
 }
 
 void Reporter::keep(std::int64_t column) {

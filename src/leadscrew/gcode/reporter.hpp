@@ -21,8 +21,12 @@ class Reporter {
     muted_ = false;
   }
 
+  /// Reports the line where it is of a language that is not read.
+  [[gnu::cold]] void refuse_foreign();
+
   // Most blocks have no problem: that there may be one costs those nothing.
-  /// Reports an error at a column, counted in bytes from 1, and returns false.
+  /// Reports an error at a column, counted in bytes from 1, and returns false. Where the line is of a language that is
+  /// not read, says that instead, and reading stops.
   [[gnu::cold]] bool error(std::string_view code, std::int64_t column, std::string message, std::string hint,
                            base::Subject subject = {});
   [[gnu::cold]] void warning(std::string_view code, std::int64_t column, std::string message, std::string hint);
@@ -53,6 +57,7 @@ class Reporter {
   std::int64_t column(const char* p) const { return p - line_.begin + 1; }
 
  private:
+  bool refuse_language(std::string_view language);
   void send(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint,
             std::string source, base::Subject subject = {});
   bool error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,

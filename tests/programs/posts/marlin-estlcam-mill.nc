@@ -1,7 +1,6 @@
 ;Estlcam for Marlin
 G21
 G90
-G94
 M03 S18000
 G4 S3
 G00 Z5.0000 F480
