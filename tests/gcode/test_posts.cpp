@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 std::set<fs::path> posts() {
   std::set<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(fs::path(LEADSCREW_PROGRAMS) / "posts")) paths.insert(entry.path());
+  for (const auto& entry : fs::directory_iterator(fs::path(LEADSCREW_SOURCE_DIR) / "tests/programs" / "posts"))
+    paths.insert(entry.path());
   return paths;
 }
 
@@ -28,7 +29,7 @@ std::string text_of(const fs::path& path) {
 /// Those that need codes which are not read.
 std::set<std::string> not_read() {
   std::set<std::string> names;
-  std::ifstream list(fs::path(LEADSCREW_PROGRAMS) / "posts-not-read.txt");
+  std::ifstream list(fs::path(LEADSCREW_SOURCE_DIR) / "tests/programs" / "posts-not-read.txt");
   for (std::string name; list >> name;) names.insert(name);
   return names;
 }

@@ -6,6 +6,7 @@
 #include <leadscrew/cli/about.hpp>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/curve_program.hpp>
+#include <leadscrew/cli/language.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
 #include <leadscrew/trace/word_writer.hpp>
@@ -118,7 +119,7 @@ struct Described {
 };
 
 /// Those of Arguments::Verb, in its order; then those that are answered at once.
-constexpr std::array<Described, 10> verbs = {
+constexpr std::array<Described, 12> verbs = {
     {{"run", "Plan and interpolate; summary, report, picture, traces, steps", describe_run},
      {"check", "Read only: diagnostics", describe_check},
      {"verify", "The referee: any trace against its program and machine", describe_verify},
@@ -127,6 +128,8 @@ constexpr std::array<Described, 10> verbs = {
      {"design", "Size digital integrators: bits, clock, feed word, rates", describe_design},
      {"simulate", "Words through simulated loops of all axes: errors of the slides", describe_simulate},
      {"drive", "Run on time: the real-time controller, with simulated drives or a file", describe_drive},
+     {"explain", "What a block means, in words", describe_explain},
+     {"format", "A program in one way of writing, its meaning kept", describe_format},
      {"help", "What a command does, its options and examples; manual pages", describe_help},
      {"completion", "A script by which a shell completes this command's words", describe_completion}}};
 
@@ -142,7 +145,7 @@ void describe_program(options::Program& program, Arguments& arguments) {
   program.exit_statuses = exit_statuses;
   program.known_commands =
       "; there are run, check, verify and simulate for programs, drive to run them on time, pulse, study and design; "
-      "help says more";
+      "explain and format for blocks in words and in order; help says more";
   describe_itself(program.itself, arguments);
   program.itself.help(std::string(main_examples));
   for (const Described& verb : verbs) {

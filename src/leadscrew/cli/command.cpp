@@ -4,6 +4,7 @@
 #include <leadscrew/cli/command.hpp>
 #include <leadscrew/cli/design.hpp>
 #include <leadscrew/cli/drive.hpp>
+#include <leadscrew/cli/language.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/run.hpp>
@@ -50,6 +51,8 @@ std::string_view schema_of(Arguments::Verb command) {
     case Arguments::Verb::pulse:
     case Arguments::Verb::study:
     case Arguments::Verb::design:
+    case Arguments::Verb::explain:
+    case Arguments::Verb::format:
       break;  // work on no program
   }
   return results::run_schema;
@@ -70,6 +73,8 @@ Status perform(const Arguments& arguments) {
   if (arguments.verb == Arguments::Verb::pulse) return pulse(arguments, console);
   if (arguments.verb == Arguments::Verb::study) return study(arguments, console);
   if (arguments.verb == Arguments::Verb::design) return design(arguments, console);
+  if (arguments.verb == Arguments::Verb::explain) return explain(arguments, console);
+  if (arguments.verb == Arguments::Verb::format) return format(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
   if (!job) return end_without_job(arguments, log, console);
@@ -87,6 +92,8 @@ Status perform(const Arguments& arguments) {
     case Arguments::Verb::pulse:
     case Arguments::Verb::study:
     case Arguments::Verb::design:
+    case Arguments::Verb::explain:
+    case Arguments::Verb::format:
       break;
   }
   return Status::usage;

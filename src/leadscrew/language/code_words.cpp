@@ -1,0 +1,160 @@
+#include <leadscrew/language/code_words.hpp>
+
+namespace leadscrew::language {
+
+namespace {
+
+using gcode::Code;
+
+constexpr std::string_view length = "mm or inches", seconds = "s", degrees = "degrees", number = "";
+
+// Of the codes from the first to the last in the order of gcode::Code; the first row that fits holds.
+struct Row {
+  Code first, last;
+  char letter;
+  std::string_view meaning;
+  std::string_view unit;
+};
+
+constexpr Row rows[] = {
+    {Code::G2, Code::G3, 'I', "centre, along X from the start of the arc (G90.1: its coordinate)", length},
+    {Code::G2, Code::G3, 'J', "centre, along Y from the start of the arc (G90.1: its coordinate)", length},
+    {Code::G2, Code::G3, 'K', "centre, along Z from the start of the arc (G90.1: its coordinate)", length},
+    {Code::G2, Code::G3, 'R', "radius; negative: the arc of more than half a turn", length},
+    {Code::G2, Code::G3, 'P', "how many turns are begun, 1 or more", number},
+    {Code::G5, Code::G5, 'I', "first control point, along X from the start", length},
+    {Code::G5, Code::G5, 'J', "first control point, along Y from the start", length},
+    {Code::G5, Code::G5, 'P', "second control point, along X from the end", length},
+    {Code::G5, Code::G5, 'Q', "second control point, along Y from the end", length},
+    {Code::G5_1, Code::G5_1, 'I', "control point, along X from the start", length},
+    {Code::G5_1, Code::G5_1, 'J', "control point, along Y from the start", length},
+    {Code::G5_2, Code::G5_2, 'P', "weight of the control point, above 0", number},
+    {Code::G5_2, Code::G5_2, 'L', "order of the curve, 3 to 6", number},
+    {Code::G6_2, Code::G6_2, 'P', "order of the curve, 2 to 6", number},
+    {Code::G6_2, Code::G6_2, 'K', "knot", number},
+    {Code::G6_2, Code::G6_2, 'R', "weight of the control point, above 0", number},
+    {Code::G33, Code::G33_1, 'K', "travel in a revolution of the spindle", length},
+    {Code::G33_1, Code::G33_1, 'I', "how much faster the tool leaves than it enters", number},
+    {Code::G76, Code::G76, 'P', "pitch of the thread", length},
+    {Code::G76, Code::G76, 'I', "crest of the thread, from the drive line; negative outside", length},
+    {Code::G76, Code::G76, 'J', "depth of the first cut", length},
+    {Code::G76, Code::G76, 'K', "full depth of the thread", length},
+    {Code::G76, Code::G76, 'R', "how depths of cuts decrease: 1 equally, 2 by equal area", number},
+    {Code::G76, Code::G76, 'Q', "angle of infeed", degrees},
+    {Code::G76, Code::G76, 'H', "spring passes", number},
+    {Code::G76, Code::G76, 'L', "tapers: 0 none, 1 entry, 2 exit, 3 both", number},
+    {Code::G76, Code::G76, 'E', "length of the tapers", length},
+    {Code::G76_bore, Code::G76_bore, 'Q', "how far the tool leaves the wall", length},
+    {Code::G76_bore, Code::G76_bore, 'I', "how far the tool leaves the wall, along X", length},
+    {Code::G76_bore, Code::G76_bore, 'J', "how far the tool leaves the wall, along Y", length},
+    {Code::G87, Code::G87, 'I', "centre of the hole, along X", length},
+    {Code::G87, Code::G87, 'J', "centre of the hole, along Y", length},
+    {Code::G87, Code::G87, 'K', "how deep the counterbore is", length},
+    {Code::G73, Code::G73, 'Q', "depth of a peck, above 0", length},
+    {Code::G83, Code::G83, 'Q', "depth of a peck, above 0", length},
+    {Code::G73, Code::G89, 'R', "level that the tool approaches at rapid", length},
+    {Code::G73, Code::G89, 'L', "how often the cycle is done, at further holes under G91", number},
+    {Code::G73, Code::G89, 'P', "dwell at the bottom", seconds},
+    {Code::G73, Code::G89, 'Q', "depth of a peck", length},
+    {Code::G73, Code::G89, 'J', "how much faster the tool leaves than it enters", number},
+    {Code::G4, Code::G4, 'P', "how long; in some dialects milliseconds (see the forms)", seconds},
+    {Code::G10, Code::G10, 'L', "what is set: 1, 10, 11 tools, 2, 20 coordinate systems", number},
+    {Code::G10, Code::G10, 'P', "which tool, or which system: 1 to 9, 0 for the one in force", number},
+    {Code::G10, Code::G10, 'R', "turn of the system, degrees, or radius of the tool", ""},
+    {Code::G10, Code::G10, 'I', "angle of the tool's front", degrees},
+    {Code::G10, Code::G10, 'J', "angle of the tool's back", degrees},
+    {Code::G10, Code::G10, 'Q', "orientation of the tool, 0 to 9", number},
+    {Code::G70_bolts, Code::G70_bolts, 'I', "radius of the circle", length},
+    {Code::G70_bolts, Code::G70_bolts, 'J', "angle of the first hole", degrees},
+    {Code::G71_bolts, Code::G71_bolts, 'I', "radius of the arc", length},
+    {Code::G71_bolts, Code::G71_bolts, 'J', "angle of the first hole", degrees},
+    {Code::G71_bolts, Code::G71_bolts, 'K', "angle from hole to hole", degrees},
+    {Code::G72_bolts, Code::G72_bolts, 'I', "distance from hole to hole", length},
+    {Code::G72_bolts, Code::G72_bolts, 'J', "angle of the line", degrees},
+    {Code::G70_bolts, Code::G72_bolts, 'L', "holes", number},
+    {Code::G70, Code::G72_2, 'Q', "number of the subprogram that is the contour", number},
+    {Code::G70, Code::G72_2, 'D', "distance that is left, or depth of a cut", length},
+    {Code::G70, Code::G72_2, 'E', "distance at the end of the passes", length},
+    {Code::G70, Code::G72_2, 'I', "depth of a cut", length},
+    {Code::G70, Code::G72_2, 'R', "how far the tool leaves the work", length},
+    {Code::G70, Code::G72_2, 'P', "passes", number},
+    {Code::G5_high_speed, Code::G5_high_speed, 'P', "10000 on, 0 off", number},
+    {Code::G5_1_high_speed, Code::G5_1_high_speed, 'Q', "1 on, 0 off", number},
+    {Code::G5_1_high_speed, Code::G5_1_high_speed, 'R', "level of precision", number},
+    {Code::G8_high_speed, Code::G8_high_speed, 'P', "1 on, 0 off", number},
+    {Code::G103, Code::G103, 'P', "blocks read in advance", number},
+    {Code::G187, Code::G187, 'P', "smoothness: 1 rough, 2 medium, 3 finish", number},
+    {Code::G187, Code::G187, 'E', "how far corners may be rounded", length},
+    {Code::G41, Code::G42_1, 'D', "tool of the tool table, or its diameter (G41.1, G42.1)", length},
+    {Code::G41, Code::G42_1, 'L', "orientation of the tool, 0 to 9", number},
+    {Code::G43, Code::G44, 'H', "tool of the tool table; without it the one in the spindle", number},
+    {Code::G51, Code::G51, 'P', "factor of all axes", number},
+    {Code::G51, Code::G51, 'I', "factor of X; negative mirrors", number},
+    {Code::G51, Code::G51, 'J', "factor of Y; negative mirrors", number},
+    {Code::G51, Code::G51, 'K', "factor of Z; negative mirrors", number},
+    {Code::G54_1, Code::G154, 'P', "which system", number},
+    {Code::G64, Code::G64, 'P', "how far the path may leave the corners; without it the machine's tolerance", length},
+    {Code::G64, Code::G64, 'Q', "how far chains of short lines may be smoothed; without it P", length},
+    {Code::G96, Code::G96, 'D', "greatest speed of the spindle", "1/min"},
+    {Code::G68, Code::G68, 'R', "angle, counterclockwise", degrees},
+    {Code::M62, Code::M65, 'P', "number of the output, 0 to 63", number},
+    {Code::M66, Code::M66, 'P', "number of the digital input", number},
+    {Code::M66, Code::M66, 'E', "number of the analog input", number},
+    {Code::M66, Code::M66, 'L', "what is waited for: 0 nothing, 1 rise, 2 fall, 3 on, 4 off", number},
+    {Code::M66, Code::M66, 'Q', "how long it is waited for", seconds},
+    {Code::M67, Code::M68, 'E', "number of the output, 0 to 63", number},
+    {Code::M67, Code::M68, 'Q', "value of the output", number},
+    {Code::M61, Code::M61, 'Q', "number of the tool", number},
+    {Code::M19, Code::M19, 'R', "angle", degrees},
+    {Code::M19, Code::M19, 'Q', "how long the spindle may take", seconds},
+    {Code::M19, Code::M19, 'P', "direction: 0 the shorter, 1 clockwise, 2 counterclockwise", number},
+    {Code::M50, Code::M53, 'P', "0 off, otherwise on", number},
+    {Code::M97, Code::M97, 'P', "number of the block where the subprogram begins", number},
+    {Code::M98, Code::M98, 'P', "number of the subprogram; with more than four digits, how often before it", number},
+    {Code::M99, Code::M99, 'P', "number of the block to go on with", number},
+    {Code::G65, Code::G65, 'P', "number of the program", number},
+    {Code::M97, Code::G65, 'L', "how often", number},
+    {Code::M100, Code::M100, 'P', "first number for the function", number},
+    {Code::M100, Code::M100, 'Q', "second number for the function", number},
+};
+
+WordMeaning meaning_alone(char letter) {
+  switch (letter) {
+    case 'X':
+    case 'Y':
+    case 'Z':
+    case 'U':
+    case 'V':
+    case 'W':
+      return {"coordinate (G90) or distance (G91)", length};
+    case 'A':
+    case 'B':
+    case 'C':
+      return {"angle (G90) or turn (G91)", degrees};
+    case 'F':
+      return {"feed: of a minute (G94), of a revolution (G95), or the reciprocal of minutes (G93)", ""};
+    case 'S':
+      return {"speed of the spindle, revolutions a minute (G97) or surface speed (G96)", ""};
+    case 'T':
+      return {"tool that M6 changes to", number};
+    case 'N':
+      return {"number of the block", number};
+    case 'O':
+      return {"number of a program, or of a subprogram or loop", number};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+WordMeaning meaning_of(Code code, char letter) {
+  if (code != Code::none && gcode::row(code).words.has(letter)) {
+    for (const Row& row : rows) {
+      if (row.first <= code && code <= row.last && row.letter == letter) return {row.meaning, row.unit};
+    }
+  }
+  return meaning_alone(letter);
+}
+
+}  // namespace leadscrew::language

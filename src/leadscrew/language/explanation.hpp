@@ -1,0 +1,16 @@
+#pragma once
+// What a block means, in words, from the table of codes.
+
+#include <leadscrew/base/result.hpp>
+#include <leadscrew/gcode/dialect.hpp>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::language {
+
+/// A block as it may stand in a program of the dialect, or a code by itself: "G41.1 D3 L2", "G64". What each code does,
+/// what its words say, where it is defined, which dialects have it; of a code alone the words it takes and an example.
+/// Errors: `unknown-code` where there is nothing that is known.
+base::Result<std::string> explanation(std::string_view block, gcode::Dialect dialect);
+
+}  // namespace leadscrew::language

@@ -1,0 +1,113 @@
+// What `explain` says, the page of all codes, and that the examples on it are read.
+
+#include <fstream>
+#include <leadscrew/gcode/dialect_forms.hpp>
+#include <leadscrew/language/code_page.hpp>
+#include <leadscrew/language/code_words.hpp>
+#include <leadscrew/language/explanation.hpp>
+#include <sstream>
+
+#include "reading.hpp"
+
+namespace leadscrew::language {
+namespace test_explanations {
+
+using gcode::Code;
+using gcode::CodeRow;
+using gcode::Dialect;
+
+Dialect first_dialect(gcode::Dialects dialects) {
+  for (std::size_t i = 0; i < index(Dialect::count); ++i) {
+    if (dialects.has(static_cast<Dialect>(i))) return static_cast<Dialect>(i);
+  }
+  return Dialect::count;
+}
+
+gcode::Conditions conditions_of(Dialect dialect) {
+  gcode::Conditions conditions;
+  machine::Tool tool;
+  tool.number = 1;
+  conditions.tools = machine::ToolTable({tool});
+  conditions.options.dialect = dialect;
+  return conditions;
+}
+
+TEST(Examples, AreReadWhereTheirCodeIs) {
+  for (const CodeRow& row : gcode::code_rows()) {
+    const gcode::Reading reading =
+        gcode::read(std::string(example_of(row.code)) + "\nM2\n", conditions_of(first_dialect(row.dialects)));
+    std::string errors;
+    for (const base::Diagnostic& each : reading.diagnostics) {
+      if (each.severity == base::Severity::error) errors += std::string(each.code) + ": " + each.message + "\n";
+    }
+    if (row.read) {
+      EXPECT_EQ(errors, "") << example_of(row.code);
+    } else {
+      EXPECT_NE(errors, "") << example_of(row.code) << " is read: its row says otherwise";
+    }
+  }
+}
+
+TEST(Examples, HoldTheirCode) {
+  for (const CodeRow& row : gcode::code_rows()) {
+    const std::string code = name(row.code);
+    EXPECT_NE(std::string(example_of(row.code)).find(code), std::string::npos) << code;
+  }
+}
+
+TEST(Words, OfEveryCodeHaveAMeaning) {
+  for (const CodeRow& row : gcode::code_rows()) {
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+      if (!row.words.has(letter)) continue;
+      EXPECT_NE(meaning_of(row.code, letter).meaning, "") << name(row.code) << " " << letter;
+    }
+  }
+}
+
+std::string explained(std::string_view block, Dialect dialect = Dialect::leadscrew) {
+  const auto text = explanation(block, dialect);
+  return text ? *text : std::string(text.error().code);
+}
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Explanations, NameCodesAndTheirWords) {
+  const std::string text = explained("N10 g41.1 D3 L 2 (finish)");
+  for (const std::string_view part : {"cutter compensation of a given diameter", "D3", "3 mm or inches", "orientation",
+                                      "dialects: leadscrew, linuxcnc", "remark"}) {
+    EXPECT_TRUE(has(text, part)) << part << "\n" << text;
+  }
+}
+
+TEST(Explanations, OfACodeAloneTellItsWordsAndAnExample) {
+  const std::string text = explained("G64");
+  for (const std::string_view part : {"rounds corners", "P_", "Q_", "such as", "G64 P0.02"}) {
+    EXPECT_TRUE(has(text, part)) << part << "\n" << text;
+  }
+}
+
+TEST(Explanations, GoByTheDialect) {
+  EXPECT_TRUE(has(explained("G76"), "threading cycle\n"));
+  EXPECT_TRUE(has(explained("G76"), "in fanuc, haas, mach3: fine boring cycle"));
+  EXPECT_TRUE(has(explained("G76", Dialect::fanuc), "G76     fine boring cycle"));
+  EXPECT_TRUE(has(explained("M97"), "not of leadscrew"));
+  EXPECT_TRUE(has(explained("G70", Dialect::mach3), "inches"));
+}
+
+TEST(Explanations, SayWhatIsNotKnown) {
+  EXPECT_EQ(explained("G123"), "unknown-code");
+  EXPECT_EQ(explained(""), "unknown-code");
+  EXPECT_EQ(explained("?"), "unknown-code");
+  EXPECT_TRUE(has(explained("G0 X1 Q5"), "nothing in this block takes it"));
+}
+
+TEST(CodePage, IsTheOneInTheDocuments) {
+  std::ostringstream page;
+  page << std::ifstream(LEADSCREW_SOURCE_DIR "/docs/gcode.md").rdbuf();
+  EXPECT_TRUE(page.str() == code_page()) << "script/gcode writes docs/gcode.md anew";
+}
+
+}  // namespace test_explanations
+}  // namespace leadscrew::language
