@@ -22,6 +22,7 @@ struct Remedy {
 TEST(Hints, NameTheOptionThatMends) {
   const Folder folder;
   folder.write("tool.ngc", "G21 G94 F600\nT5\nG43 H5 G1 Z1\nM2\n");
+  folder.write("one.tbl", "T1 P1 Z10\n");
   folder.write("far.ngc", "G21 G94 F600\nG1 X1000\nM2\n");
   folder.write("turn.ngc", "G21 G94 F600\nG1 A30\nM2\n");
   folder.write("square.ngc", square);
@@ -31,9 +32,10 @@ TEST(Hints, NameTheOptionThatMends) {
   folder.write("flat.csv", "t,X,Y\n0,0,0\n0.001,0,0\n");
   folder.write("other.state", "no state\n");
   for (const auto& [arguments, code, hint] : {
-           Remedy{
-               {"check", "tool.ngc"}, "unknown-tool", "give a tool table that holds it; --tools FILE gives the table"},
-           Remedy{{"run", "tool.ngc"}, "unknown-tool", "; --tools FILE"},
+           Remedy{{"check", "tool.ngc", "--tools", "one.tbl"},
+                  "unknown-tool",
+                  "give a tool table that holds it; --tools FILE gives the table"},
+           Remedy{{"run", "tool.ngc"}, "no-tool-table", "; --tools FILE"},
            Remedy{{"run", "far.ngc"}, "travel", "--machine FILE names another machine, --start "},
            Remedy{{"check", "turn.ngc"}, "unknown-axis", "--machine FILE"},
            Remedy{{"run", "square.ngc", "--pulses", "made.vcd", "--step-clock", "10kHz"}, "step-rate", "--step-clock"},
@@ -64,14 +66,21 @@ TEST(Hints, NameOptionsThatThereAre) {
   options::Program program("leadscrew", "", "0");
   describe_program(program, arguments);
   const Words of_programs = {"run", "check", "verify", "simulate", "drive"};
-  const std::vector<std::pair<std::string_view, Words>> met = {
-      {"unknown-tool", of_programs}, {"travel", of_programs},
-      {"unknown-axis", of_programs}, {"servo-unstable", {"simulate", "drive"}},
-      {"step-rate", {"run"}},        {"step-turn", {"run"}},
-      {"pulse-velocity", {"run"}},   {"pulse-feed-word", {"run"}},
-      {"pulse-rate", {"run"}},       {"state-busy", {"drive"}},
-      {"state-other", {"drive"}},    {"resume-program", {"drive"}},
-      {"resume-ended", {"drive"}},   {"trace-period", {"verify"}}};
+  const std::vector<std::pair<std::string_view, Words>> met = {{"unknown-tool", of_programs},
+                                                               {"no-tool-table", of_programs},
+                                                               {"travel", of_programs},
+                                                               {"unknown-axis", of_programs},
+                                                               {"servo-unstable", {"simulate", "drive"}},
+                                                               {"step-rate", {"run"}},
+                                                               {"step-turn", {"run"}},
+                                                               {"pulse-velocity", {"run"}},
+                                                               {"pulse-feed-word", {"run"}},
+                                                               {"pulse-rate", {"run"}},
+                                                               {"state-busy", {"drive"}},
+                                                               {"state-other", {"drive"}},
+                                                               {"resume-program", {"drive"}},
+                                                               {"resume-ended", {"drive"}},
+                                                               {"trace-period", {"verify"}}};
   const std::regex option("--[a-z-]+");
   for (const auto& [code, commands] : met) {
     const std::string hint = with_options(base::problem(code, "", "")).hint;

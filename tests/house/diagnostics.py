@@ -1,0 +1,72 @@
+"""docs/diagnostics.md has every code of the reader's diagnostics, and each of its examples provokes its code.
+
+    diagnostics.py COMMAND SOURCE SCRATCH
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+command, source, scratch = pathlib.Path(sys.argv[1]).resolve(), *(pathlib.Path(word).resolve() for word in sys.argv[2:4])
+scratch.mkdir(parents=True, exist_ok=True)
+
+# A call that reports a problem, up to the code: the first text of its arguments that is one word.
+CALL = re.compile(r'\b(?:error|warning|curve_error|error_where_kept|warning_where_kept|error_at|warning_at|report|problem|'
+                  r'send|fail)\(\s*(?:[^";]*?,\s*)??"([a-z][a-z0-9]*(?:-[a-z0-9]+)*)"')
+SECTION = re.compile(r"^## ([a-z0-9-]+)\n(.*?)(?=^## |\Z)", re.MULTILINE | re.DOTALL)
+EXAMPLE = re.compile(r"^```(ngc|tbl)([^\n]*)\n(.*?)\n?```$", re.MULTILINE | re.DOTALL)
+
+problems = []
+
+
+def codes_of_sources():
+    codes = set()
+    for path in (source / "src/leadscrew/gcode").glob("*.cpp"):
+        codes.update(CALL.findall(path.read_text(encoding="utf-8")))
+    return codes
+
+
+def written_out(text, info):
+    """Of `repeat=N` the lines so often, with {n} counted; of `wide=N` one line of so many bytes."""
+    repeat, wide = re.search(r"repeat=(\d+)", info), re.search(r"wide=(\d+)", info)
+    if repeat:
+        return "".join(text.replace("{n}", str(number)) + "\n" for number in range(1, int(repeat[1]) + 1))
+    if wide:
+        return (text * (int(wide[1]) // len(text) + 1))[:int(wide[1])] + "\n"
+    return text + "\n" if text else ""
+
+
+def codes_of(section):
+    words = []
+    for kind, info, text in EXAMPLE.findall(section):
+        name = {"ngc": "part.ngc", "tbl": "tools.tbl"}[kind]
+        (scratch / name).write_text(written_out(text, info), encoding="utf-8")
+        if kind == "tbl":
+            words += ["--tools", name]
+        dialect = info.split()[:1]
+        if dialect and "=" not in dialect[0]:
+            words += ["--dialect", dialect[0]]
+    done = subprocess.run([command, "check", "part.ngc", "--json", *words], cwd=scratch, capture_output=True, text=True)
+    run = json.loads(done.stdout)
+    return {each["code"] for each in run["diagnostics"]}
+
+
+page = (source / "docs/diagnostics.md").read_text(encoding="utf-8")
+sections = SECTION.findall(page)
+told = [code for code, _ in sections]
+if told != sorted(set(told)):
+    problems.append("docs/diagnostics.md: codes stand in the order of the alphabet, each once")
+for code in sorted(codes_of_sources() - set(told)):
+    problems.append(f"{code}: in src/leadscrew/gcode, not in docs/diagnostics.md")
+for code in sorted(set(told) - codes_of_sources()):
+    problems.append(f"{code}: in docs/diagnostics.md, not in src/leadscrew/gcode")
+for code, section in sections:
+    if not EXAMPLE.search(section):
+        problems.append(f"{code}: has no example")
+    elif code not in (found := codes_of(section)):
+        problems.append(f"{code}: its example provokes {sorted(found)}")
+if len(told) < 50:
+    problems.append(f"docs/diagnostics.md has {len(told)} codes: is this the page?")
+print(f"{len(told)} codes")
+sys.exit("\n".join(problems) or 0)
