@@ -21,7 +21,7 @@ struct Remedy {
 
 TEST(Hints, NameTheOptionThatMends) {
   const Folder folder;
-  folder.write("tool.ngc", "G21 G94 F600\nT5\nG43 H5 G1 Z1\nM2\n");
+  folder.write("tool.ngc", "G21 G94 F600\nG43 H5 G1 Z1\nM2\n");
   folder.write("one.tbl", "T1 P1 Z10\n");
   folder.write("far.ngc", "G21 G94 F600\nG1 X1000\nM2\n");
   folder.write("turn.ngc", "G21 G94 F600\nG1 A30\nM2\n");
