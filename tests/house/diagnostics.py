@@ -13,7 +13,7 @@ scratch.mkdir(parents=True, exist_ok=True)
 
 # A call that reports a problem, up to the code: the first text of its arguments that is one word.
 CALL = re.compile(r'\b(?:error|warning|curve_error|error_where_kept|warning_where_kept|error_at|warning_at|report|problem|'
-                  r'send|fail)\(\s*(?:[^";]*?,\s*)??"([a-z][a-z0-9]*(?:-[a-z0-9]+)*)"')
+                  r'send|warn)\(\s*(?:[^";]*?,\s*)??"([a-z][a-z0-9]*(?:-[a-z0-9]+)*)"')
 SECTION = re.compile(r"^## ([a-z0-9-]+)\n(.*?)(?=^## |\Z)", re.MULTILINE | re.DOTALL)
 EXAMPLE = re.compile(r"^```(ngc|tbl)([^\n]*)\n(.*?)\n?```$", re.MULTILINE | re.DOTALL)
 
@@ -22,7 +22,7 @@ problems = []
 
 def codes_of_sources():
     codes = set()
-    for path in (source / "src/leadscrew/gcode").glob("*.cpp"):
+    for path in [*(source / "src/leadscrew/gcode").glob("*.cpp"), source / "src/leadscrew/language/lint.cpp"]:
         codes.update(CALL.findall(path.read_text(encoding="utf-8")))
     return codes
 
@@ -44,9 +44,9 @@ def codes_of(section):
         (scratch / name).write_text(written_out(text, info), encoding="utf-8")
         if kind == "tbl":
             words += ["--tools", name]
-        dialect = info.split()[:1]
-        if dialect and "=" not in dialect[0]:
-            words += ["--dialect", dialect[0]]
+        for word in info.split():
+            if "=" not in word:
+                words += ["--lint"] if word == "lint" else ["--dialect", word]
     done = subprocess.run([command, "check", "part.ngc", "--json", *words], cwd=scratch, capture_output=True, text=True)
     run = json.loads(done.stdout)
     return {each["code"] for each in run["diagnostics"]}
@@ -58,9 +58,9 @@ told = [code for code, _ in sections]
 if told != sorted(set(told)):
     problems.append("docs/diagnostics.md: codes stand in the order of the alphabet, each once")
 for code in sorted(codes_of_sources() - set(told)):
-    problems.append(f"{code}: in src/leadscrew/gcode, not in docs/diagnostics.md")
+    problems.append(f"{code}: in the sources, not in docs/diagnostics.md")
 for code in sorted(set(told) - codes_of_sources()):
-    problems.append(f"{code}: in docs/diagnostics.md, not in src/leadscrew/gcode")
+    problems.append(f"{code}: in docs/diagnostics.md, not in the sources")
 for code, section in sections:
     if not EXAMPLE.search(section):
         problems.append(f"{code}: has no example")

@@ -96,6 +96,11 @@ void describe_check(Command& command, Arguments& arguments) {
   command.words("PROGRAM", programs_help, arguments.programs, program_values());
   add_common(command, arguments);
   add_threads(command, arguments);
+  command.flag("--lint", "Warn of what runs but is surely not meant: rapids in the work, a spindle that is off",
+               arguments.lint);
+  command.value("--stock-top", "MM", "Of --lint: the top of the stock, Z of the program (default: 0)",
+                arguments.stock_top, parse_number);
+  command.only_with("--lint", {"--stock-top"});
   command.help(std::string(check_examples) + curves_text());
 }
 

@@ -44,7 +44,9 @@ struct Arguments {
   std::optional<double> tolerance;  ///< mm
   std::optional<machine::Smoothing> smoothing;
   std::optional<machine::Dialect> dialect;
-  std::optional<int> threads;  ///< that work on several programs, 1 … 1024; none: as many as processors
+  bool lint = false;                ///< of check
+  std::optional<double> stock_top;  ///< of check: Z of the program, mm
+  std::optional<int> threads;       ///< that work on several programs, 1 … 1024; none: as many as processors
   bool json = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;

@@ -5,7 +5,9 @@
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
+#include <leadscrew/language/lint.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>
 #include <leadscrew/results/figures.hpp>
 
@@ -148,11 +150,16 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   console.begin_progress();
   gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file.name()),
                        [&](const base::Diagnostic& problem) { log.add(problem); });
+  std::optional<language::Lint> lint;
+  if (job.arguments.lint) lint.emplace(job.machine, job.arguments.stock_top);
   Reading reading;
   gcode::Move move;
   for (std::int64_t count = 1; reader.next(move); ++count) {
     const auto excess = survey && log.errors() == 0 ? survey->observe(move) : std::nullopt;
     if (excess) reader.warn_of_feed(move, results::warning_of(*excess));
+    if (lint) {
+      for (base::Diagnostic& found : lint->see(move, reader.frame())) reader.warn(move, std::move(found));
+    }
     if (is_motion(move)) ++reading.moves;
     if (is_pause(move)) ++reading.pauses;
     if (count % moves_between_checks != 0) continue;

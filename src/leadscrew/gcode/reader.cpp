@@ -58,14 +58,19 @@ class Reader::Implementation {
   }
 
   void warn_of_feed(const Move& move, base::Diagnostic problem) {
+    warn_at(block_.has('F') ? block_.column_of('F') : block_.first_column, move, std::move(problem));
+  }
+  void warn(const Move& move, base::Diagnostic problem) { warn_at(block_.first_column, move, std::move(problem)); }
+  void warn_at(std::uint32_t column, const Move& move, base::Diagnostic problem) {
     if (move.line == reporter_.line()) {
-      const auto column = block_.has('F') ? block_.column_of('F') : block_.first_column;
       reporter_.warning(problem.code, column, std::move(problem.message), std::move(problem.hint));
     } else {
       reporter_.warning_where_kept(problem.code, std::move(problem.message), std::move(problem.hint));
     }
   }
 
+  const Frame& frame() const { return frame_; }
+  int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
   const std::optional<base::Diagnostic>& source_failure() const { return lines_.failure(); }
@@ -176,8 +181,17 @@ bool Reader::next(Move& move) {
 void Reader::reject(const Move& move, base::Diagnostic problem) {
   implementation_->reject(move, std::move(problem));
 }
+void Reader::warn(const Move& move, base::Diagnostic problem) {
+  implementation_->warn(move, std::move(problem));
+}
 void Reader::warn_of_feed(const Move& move, base::Diagnostic problem) {
   implementation_->warn_of_feed(move, std::move(problem));
+}
+const Frame& Reader::frame() const {
+  return implementation_->frame();
+}
+int Reader::system() const {
+  return implementation_->system();
 }
 std::int64_t Reader::blocks() const {
   return implementation_->blocks();

@@ -1,0 +1,73 @@
+// What `check --lint` warns of, and what it does not.
+
+#include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/language/lint.hpp>
+
+#include "reading.hpp"
+
+namespace leadscrew::language {
+namespace test_lint {
+
+std::string found_in(std::string_view text, std::optional<double> stock_top = {},
+                     machine::Machine machine = gcode::nine_axes()) {
+  const machine::ToolTable tools;
+  gcode::ReaderOptions options;
+  options.dialect = machine.dialect;
+  std::string found;
+  gcode::Reader reader(gcode::text_source(text), machine, tools, options, [&](const base::Diagnostic& each) {
+    if (each.severity == base::Severity::note) return;
+    found += std::to_string(each.place.line) + " " + std::string(each.code) + "; ";
+  });
+  Lint lint(machine, stock_top);
+  gcode::Move move;
+  while (reader.next(move)) {
+    for (const base::Diagnostic& each : lint.see(move, reader.frame())) reader.warn(move, each);
+  }
+  return found;
+}
+
+const std::string ready = "T1 M6\nS1000 M3\nG0 Z5\n";
+
+TEST(Lint, FindsNothingInAPlainProgram) {
+  EXPECT_EQ(found_in(ready + "G0 X10 Y10\nG1 Z-2 F20\nX50 F600\nG0 Z5\nX0\nM5\nM2\n"), "");
+}
+
+TEST(Lint, FindsRapidsBelowTheTop) {
+  EXPECT_EQ(found_in(ready + "G0 Z-2\nX10\nZ5\nX0\nM2\n"), "4 lint-rapid; 5 lint-rapid; ");
+  EXPECT_EQ(found_in(ready + "G0 Z1\nX10\nM2\n", 2.0), "4 lint-rapid; 5 lint-rapid; ");
+  EXPECT_EQ(found_in(ready + "G0 Z-2\nX10\nM2\n", -3.0), "");
+}
+
+TEST(Lint, TheTopIsThatOfTheOffsetInForce) {
+  EXPECT_EQ(found_in("G10 L2 P1 Z-20\n" + ready + "G0 Z1\nX10\nM2\n"), "");
+  EXPECT_EQ(found_in("G10 L2 P1 Z20\nT1 M6\nG0 Z-1\nX10\nM2\n"), "4 lint-rapid; ");
+}
+
+TEST(Lint, LetsCyclesGoBackIntoTheirHoles) {
+  EXPECT_EQ(found_in(ready + "G83 X10 Z-10 R1 Q3 F100\nX20\nG80\nM2\n"), "");
+}
+
+TEST(Lint, FindsCutsWithoutASpindleOrATool) {
+  EXPECT_EQ(found_in("G0 X0 Z5\nG1 Z-1 F100\nX50\nM2\n"), "2 lint-no-tool; 2 lint-spindle-off; ");
+  EXPECT_EQ(found_in(ready + "G1 Z-1 F100\nM5\nX50 F600\nM3\nX0\nM5\nX5\nM2\n"),
+            "6 lint-spindle-off; 10 lint-spindle-off; ");
+  machine::Machine grbl = gcode::nine_axes();
+  grbl.dialect = machine::Dialect::grbl;
+  EXPECT_EQ(found_in("M3 S1000\nG1 X1 Z-1 F100\nM2\n", {}, grbl), "");
+}
+
+TEST(Lint, FindsFeedsThatLookLikeInches) {
+  EXPECT_EQ(found_in(ready + "G21 G1 X50 F12\nM2\n"), "4 lint-feed-unit; ");
+  EXPECT_EQ(found_in(ready + "G20\nG1 X2 F12\nM2\n"), "");
+  EXPECT_EQ(found_in(ready + "G21 G1 Z1 F12\nM2\n"), "");
+}
+
+TEST(Lint, TellsAFewOfEachKind) {
+  std::string program = ready;
+  for (int i = 1; i <= 50; ++i) program += "G0 Z-1 X" + std::to_string(i) + "\n";
+  const std::string found = found_in(program + "M2\n");
+  EXPECT_EQ(std::ranges::count(found, ';'), 10);
+}
+
+}  // namespace test_lint
+}  // namespace leadscrew::language
