@@ -7,6 +7,7 @@
 
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/parameters.hpp>
 #include <leadscrew/gcode/reporter.hpp>
 #include <string>
 
