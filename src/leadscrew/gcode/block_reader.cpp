@@ -114,7 +114,9 @@ bool BlockReader::refuse_o_word(const char* begin, Block& block) {
                          "O words are not read: subroutines, loops, conditions", "write the program out in full");
 }
 
+// A word whose value is vacant is as if it did not stand there (Fanuc).
 bool BlockReader::refuse_value(unsigned letter, double value, std::uint32_t column) {
+  if (std::isnan(value)) return true;
   return reporter_.error("bad-value", column, std::string(1, letter_at(letter)) + text(value) + " is out of all bounds",
                          "at most 1e9 in magnitude");
 }
@@ -149,6 +151,7 @@ bool BlockReader::code_word(char letter, Code code, double value, std::uint32_t 
 }
 
 bool BlockReader::refuse_unknown(char letter, double value, std::uint32_t column) {
+  if (std::isnan(value)) return true;
   const std::optional<int> tenths = tenths_of(value);
   const Dialects others = tenths ? dialects_of(letter, *tenths) : Dialects{};
   if (others.empty()) {
@@ -182,28 +185,70 @@ bool BlockReader::assignment(const char*& p) {
                            "set it with '=', or put a letter before it");
   }
   ++p;
-  if (!values_.value(p, assignment.value)) return false;
-  if (assignment.name.name.empty() && Parameters::is_read_only(assignment.name.number)) {
-    reporter_.error("read-only-parameter", assignment.column,
-                    "#" + std::to_string(assignment.name.number) + " cannot be set",
-                    "G54 ... G59.3 and moves change it");
-    return true;
-  }
-  if (assignment.name.name.empty() && Parameters::is_offset(assignment.name.number) &&
-      !(std::fabs(assignment.value) <= largest_value)) {
-    return reporter_.error("bad-value", assignment.column,
-                           "an offset of " + text(assignment.value) + " is out of all bounds",
-                           "at most 1e9 in magnitude");
-  }
-  assignments_.push_back(assignment);
+  if (!values_.assigned_value(p, assignment.value)) return false;
+  if (can_assign(assignment)) assignments_.push_back(std::move(assignment));
   return true;
+}
+
+bool BlockReader::can_assign(const Assignment& assignment) {
+  const auto& [name, value, column] = assignment;
+  if (!name.name.empty()) {
+    return name.name.front() != '_' || !Predefined::is_read_only(name.name) || refuse_assignment(assignment);
+  }
+  if (name.number == 0 || Predefined::is_read_only(name.number)) return refuse_assignment(assignment);
+  if (has_macros(dialect_) && name.number >= Predefined::first_macro_number) return can_assign_macro(assignment);
+  if (!Parameters::is_offset(name.number)) return true;
+  if (name.number == Parameters::current_system) {
+    reporter_.warning("parameter-without-effect", column, "#5220 selects no coordinate system",
+                      "G54 ... G59.3 select one");
+  }
+  return std::fabs(value) <= largest_value ||
+         reporter_.error("bad-value", column, "an offset of " + text(value) + " is out of all bounds",
+                         "at most 1e9 in magnitude");
+}
+
+// #3000 stops the program with an alarm (Fanuc).
+bool BlockReader::can_assign_macro(const Assignment& assignment) {
+  const int number = assignment.name.number;
+  constexpr int alarm = 3000;
+  if (number == alarm) {
+    reporter_.error("program-alarm", assignment.column, "the program stops here with alarm " + text(assignment.value),
+                    "find out why it sets #3000");
+    reporter_.stop();
+    return false;
+  }
+  if (!Predefined::is_macro_offset(number)) {
+    return reporter_.error("unsupported-parameter", assignment.column,
+                           "#" + std::to_string(number) + " is a system variable that cannot be set",
+                           "#1 to #999 are variables; of the system's can be set #3000 and #5221 to #5390");
+  }
+  return std::fabs(assignment.value) <= largest_value ||
+         reporter_.error("bad-value", assignment.column,
+                         "an offset of " + text(assignment.value) + " is out of all bounds",
+                         "at most 1e9 in magnitude");
+}
+
+void BlockReader::set_number(int number, double value) {
+  if (std::isnan(value)) {
+    parameters_.unset(number);
+  } else {
+    parameters_.set(number, value);
+  }
+}
+
+// The line goes on behind it.
+bool BlockReader::refuse_assignment(const Assignment& assignment) {
+  const auto& name = assignment.name;
+  const std::string shown_name = name.name.empty() ? "#" + std::to_string(name.number) : "#<" + name.name + ">";
+  return reporter_.error("read-only-parameter", assignment.column, shown_name + " cannot be set",
+                         "it tells what holds; choose another name or a number from 31 to 5000");
 }
 
 // Settings take effect when the whole line has been read, each in its turn (3.3.2.1).
 void BlockReader::assign() {
   for (const Assignment& assignment : assignments_) {
     if (assignment.name.name.empty()) {
-      parameters_.set(assignment.name.number, assignment.value);
+      set_number(assignment.name.number, assignment.value);
     } else if (!parameters_.set(assignment.name.name, assignment.value)) {
       reporter_.error("too-many-parameters", assignment.column,
                       "there are more than " + std::to_string(Parameters::most_names) + " named parameters",

@@ -10,10 +10,11 @@ namespace leadscrew::gcode {
 
 class BlockReader {
  public:
-  BlockReader(Parameters& parameters, const Frame& frame, Reporter& reporter, Dialect dialect, bool block_delete)
+  BlockReader(Parameters& parameters, const Predefined& predefined, Reporter& reporter, Dialect dialect,
+              bool block_delete)
       : parameters_(parameters),
         reporter_(reporter),
-        values_(parameters, frame, reporter),
+        values_(parameters, predefined, reporter, dialect),
         dialect_(dialect),
         block_delete_(block_delete) {}
 
@@ -39,6 +40,11 @@ class BlockReader {
   [[gnu::cold]] bool refuse_unknown(char letter, double value, std::uint32_t column);
   [[gnu::cold]] bool refuse_code(Code code, std::uint32_t column, const Block& block);
   bool assignment(const char*& p);
+  /// Whether the parameter may be set to this value; reports why not.
+  bool can_assign(const Assignment& assignment);
+  [[gnu::cold]] bool can_assign_macro(const Assignment& assignment);
+  [[gnu::cold]] bool refuse_assignment(const Assignment& assignment);
+  void set_number(int number, double value);
   bool comment(const char*& p);
   void assign();
 

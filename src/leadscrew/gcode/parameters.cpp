@@ -20,6 +20,7 @@ Parameters::Parameters() {
   set_axes(g92_shift, zero);
   set(current_system, 1);
   for (int system = 1; system <= 9; ++system) set_system(system, {});
+  set(shows_debug, 1);
 }
 
 std::optional<double> Parameters::get(int number) const {
@@ -31,6 +32,10 @@ void Parameters::set(int number, double value) {
   const auto i = static_cast<std::size_t>(number);
   numbered_[i] = value;
   given_[i] = true;
+}
+
+void Parameters::unset(int number) {
+  given_[static_cast<std::size_t>(number)] = false;
 }
 
 std::optional<double> Parameters::get(const std::string& name) const {
@@ -58,6 +63,7 @@ bool Parameters::set(const std::string& name, double value) {
 
 bool Parameters::enter_call(std::span<const double> arguments) {
   if (calls_.size() >= most_calls) return false;
+  returned_.reset();
   Call& call = calls_.emplace_back();
   call.given = 0;
   call.hidden = hidden_.size();

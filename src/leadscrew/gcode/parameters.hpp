@@ -21,11 +21,11 @@
 
 namespace leadscrew::gcode {
 
-/// The parameters of a program: numbers 1 … 5602, and names. Offsets (5161 … 5390) are kept in mm and degrees, the
+/// The parameters of a program: numbers 1 … 5601, and names. Offsets (5161 … 5390) are kept in mm and degrees, the
 /// units of the machine, as LinuxCNC keeps them.
 class Parameters {
  public:
-  static constexpr int last = 5602;
+  static constexpr int last = 5601;
   static constexpr int locals = 30;  ///< #1 … #30 are a call's own
   static constexpr std::size_t most_names = 10'000;
   static constexpr std::size_t most_calls = 1000;            ///< one within another
@@ -35,14 +35,19 @@ class Parameters {
   static constexpr int g92_active = 5210;
   static constexpr int g92_shift = 5211;
   static constexpr int current_system = 5220;
+  static constexpr int first_system = 5221;  ///< of the numbers of G54 … G59.3
+  static constexpr int last_system = 5390;
   static constexpr int current_position = 5420;
+  static constexpr int shows_debug = 5599;  ///< whether (DEBUG,…) says anything
 
   Parameters();
   Parameters(const Parameters&) = delete;  // the trail points into the names
   Parameters& operator=(const Parameters&) = delete;
 
-  std::optional<double> get(int number) const;  ///< std::nullopt where no value was ever given; 1 ≤ number ≤ last
+  /// std::nullopt where no value was ever given, or is not now; 1 ≤ number ≤ last.
+  std::optional<double> get(int number) const;
   void set(int number, double value);
+  void unset(int number);  ///< makes it vacant (Fanuc)
   std::optional<double> get(const std::string& name) const;
   /// False where there are too many names.
   bool set(const std::string& name, double value);
@@ -55,12 +60,12 @@ class Parameters {
   void leave_call();
   std::size_t calls() const { return calls_.size(); }  ///< under way
 
-  static bool is_read_only(int number) {
-    return number == current_system || (current_position <= number && number < current_position + 9);
-  }
+  /// What the subroutine that ended last has returned, #<_value>; none where it returned nothing or one has begun since.
+  std::optional<double> returned() const { return returned_; }
+  void set_returned(std::optional<double> value) { returned_ = value; }
 
   /// Whether a parameter keeps a place or an offset.
-  static bool is_offset(int number) { return g28_home <= number && number <= 5390; }
+  static bool is_offset(int number) { return g28_home <= number && number <= last_system; }
 
   base::AxisVector axes(int first) const;
   void set_axes(int first, const base::AxisVector& value);
@@ -91,6 +96,7 @@ class Parameters {
   std::unordered_map<std::string, Binding> named_;  // its elements stay where they are
   std::vector<Call> calls_;
   std::vector<Hidden> hidden_;
+  std::optional<double> returned_;
 };
 
 }  // namespace leadscrew::gcode

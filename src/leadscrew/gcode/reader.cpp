@@ -23,8 +23,10 @@ class Reader::Implementation {
       : options_(std::move(options)),
         lines_(std::move(source)),
         reporter_(options_.file, std::move(sink)),
-        blocks_reader_(parameters_, frame_, reporter_, options_.dialect, options_.block_delete),
-        interpreter_(Context{machine, tools, options_, parameters_, frame_, reporter_, modal_}) {}
+        context_{machine, tools, options_, parameters_, frame_, reporter_, modal_},
+        predefined_(context_),
+        blocks_reader_(parameters_, predefined_, reporter_, options_.dialect, options_.block_delete),
+        interpreter_(context_) {}
 
   bool next(Move& move) {
     for (;;) {
@@ -139,6 +141,8 @@ class Reader::Implementation {
   Parameters parameters_;
   Frame frame_;
   ModalState modal_;
+  Context context_;
+  Predefined predefined_;
   BlockReader blocks_reader_;
   Interpreter interpreter_;
   Block block_;

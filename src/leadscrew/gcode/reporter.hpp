@@ -44,9 +44,12 @@ class Reporter {
   /// Keeps what follows from a reported problem from being reported as problems of their own, until the next line.
   void mute() { muted_ = true; }
 
+  /// Nothing more is read, and nothing more reported.
+  void stop() { full_ = true; }
+
   bool muted() const { return muted_; }
   bool failed() const { return failed_; }  ///< the line has an error
-  bool full() const { return full_; }      ///< most_errors were reported: reading stops
+  bool full() const { return full_; }      ///< reading stops: most_errors were reported, or the program says so
   std::int64_t errors() const { return errors_; }
   const std::string& file() const { return file_; }
   base::Line line() const { return base::Line{line_.number}; }  ///< being read
