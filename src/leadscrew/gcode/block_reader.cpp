@@ -1,13 +1,14 @@
 #include <array>
 #include <cmath>
 #include <leadscrew/gcode/block_reader.hpp>
+#include <leadscrew/gcode/polar.hpp>
 
 namespace leadscrew::gcode {
 
 namespace {
 
 // What a character begins, where a word may begin.
-enum Class : std::uint8_t { first_letter = 0, last_letter = 25, blank, line_end, remark, parameter, other };
+enum Class : std::uint8_t { first_letter = 0, last_letter = 25, blank, line_end, remark, parameter, polar, other };
 
 constexpr std::array<std::uint8_t, 256> make_classes() {
   std::array<std::uint8_t, 256> classes{};
@@ -17,6 +18,7 @@ constexpr std::array<std::uint8_t, 256> make_classes() {
   classes['\n'] = classes[';'] = line_end;
   classes['('] = remark;
   classes['#'] = parameter;
+  classes['@'] = classes['^'] = polar;
   return classes;
 }
 constexpr std::array<std::uint8_t, 256> classes = make_classes();
@@ -80,6 +82,10 @@ bool BlockReader::read(const TextLine& line, Block& block) {
       if (!any) block.first_column = static_cast<std::uint32_t>(p - line.begin) + 1;
       any = true;
       in_step = assignment(p);
+    } else if (kind == polar) {
+      if (!any) block.first_column = static_cast<std::uint32_t>(p - line.begin) + 1;
+      any = true;
+      in_step = polar_word(p, block);
     } else {
       in_step = reporter_.error("bad-character", reporter_.column(p), shown(*p) + " stands where a word should",
                                 "a letter and a number, #parameter=value, or a comment");
@@ -104,6 +110,33 @@ bool BlockReader::word(const char*& p, unsigned letter, Block& block) {
   block.words |= bit;
   block.value[letter] = value;
   block.column[letter] = column;
+  return true;
+}
+
+bool BlockReader::polar_word(const char*& p, Block& block) {
+  const char* const begin = p++;
+  if (dialect_ != Dialect::leadscrew && dialect_ != Dialect::linuxcnc) {
+    return reporter_.error("bad-character", reporter_.column(begin),
+                           shown(*begin) + " is not of dialect " + std::string(name(dialect_)),
+                           "polar words are known by --dialect leadscrew and linuxcnc");
+  }
+  double value = 0;
+  if (!values_.value(p, value)) return false;
+  const auto column = static_cast<std::uint32_t>(reporter_.column(begin));
+  const std::size_t i = *begin == '@' ? polar_distance : polar_angle;
+  const std::uint32_t bit = std::uint32_t{1} << i;
+  if (std::isnan(value)) return true;
+  if (!(std::fabs(value) <= largest_value)) {
+    return reporter_.error("bad-value", column, *begin + text(value) + " is out of all bounds",
+                           "at most 1e9 in magnitude");
+  }
+  if (block.words & bit) {
+    reporter_.error("repeated-word", column, std::string(1, *begin) + " stands in this block already", "once");
+    return true;
+  }
+  block.words |= bit;
+  block.value[i] = value;
+  block.column[i] = column;
   return true;
 }
 

@@ -30,6 +30,7 @@ class BlockReader {
   };
 
   bool word(const char*& p, unsigned letter, Block& block);
+  [[gnu::cold]] bool polar_word(const char*& p, Block& block);
   bool g_word(double value, std::uint32_t column, Block& block);
   bool code_word(char letter, Code code, double value, std::uint32_t column, Block& block);
   bool m_word(double value, std::uint32_t column, Block& block);
