@@ -75,6 +75,7 @@ bool BlockReader::read(const TextLine& line, Block& block) {
       ++p;
     } else if (kind == line_end) {
       // A remark runs to the end of a line that is all here.
+      if (*p == ';' && Remarks::may_ask(p + 1)) note_remark(p + 1, line.end);
       break;
     } else if (kind == remark) {
       in_step = comment(p);
@@ -93,6 +94,10 @@ bool BlockReader::read(const TextLine& line, Block& block) {
   }
   block.complete = in_step;
   if (!assignments_.empty()) assign();
+  if (remark_.data() != nullptr) {
+    if (in_step) remarks_.execute(remark_);
+    remark_ = {};
+  }
   return any;
 }
 
@@ -293,17 +298,39 @@ void BlockReader::assign() {
 
 bool BlockReader::comment(const char*& p) {
   const char* const open = p++;
+  remark_ = {};
   for (; *p != ')'; ++p) {
     if (*p == '\n') {
       return reporter_.error("unclosed-comment", reporter_.column(open), "this comment does not end", "add ')'");
     }
-    if (*p == '(') {
-      return reporter_.error("nested-comment", reporter_.column(p), "a comment begins within a comment",
-                             "comments cannot be nested");
-    }
+    if (*p == '(') return nested_comment(open, p);
   }
+  if (Remarks::may_ask(open + 1)) note_remark(open + 1, p);
   ++p;
   return true;
+}
+
+// Where every bracket is closed it is plain what was meant.
+bool BlockReader::nested_comment(const char* open, const char*& p) {
+  const std::int64_t column = reporter_.column(p);
+  const char* end = open;
+  for (int depth = 0; *end != '\n';) {
+    depth += *end == '(' ? 1 : *end == ')' ? -1 : 0;
+    ++end;
+    if (depth != 0) continue;
+    if (dialect_ != Dialect::leadscrew) break;
+    reporter_.warning("nested-comment", column, "a comment begins within a comment",
+                      "other controls refuse this: use square brackets within comments");
+    p = end;
+    return true;
+  }
+  return reporter_.error("nested-comment", column, "a comment begins within a comment", "comments cannot be nested");
+}
+
+void BlockReader::note_remark(const char* begin, const char* end) {
+  if (dialect_ != Dialect::leadscrew && dialect_ != Dialect::linuxcnc) return;
+  if (end != begin && end[-1] == '\r') --end;
+  remark_ = {begin, static_cast<std::size_t>(end - begin)};
 }
 
 }  // namespace leadscrew::gcode

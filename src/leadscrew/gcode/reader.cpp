@@ -25,7 +25,7 @@ class Reader::Implementation {
         reporter_(options_.file, std::move(sink)),
         context_{machine, tools, options_, parameters_, frame_, reporter_, modal_},
         predefined_(context_),
-        blocks_reader_(parameters_, predefined_, reporter_, options_.dialect, options_.block_delete),
+        blocks_reader_(context_, predefined_),
         interpreter_(context_) {}
 
   bool next(Move& move) {

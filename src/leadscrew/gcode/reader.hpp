@@ -47,6 +47,7 @@
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/gcode/dialect.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/gcode/remark.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <memory>
@@ -72,6 +73,7 @@ struct ReaderOptions {
   Dialect dialect = Dialect::leadscrew;  ///< what codes mean
   std::optional<PathMode> path_mode{};   ///< overrides G61, G61.1 and G64
   std::optional<double> tolerance{};     ///< mm; overrides P of G64; ≥ 0
+  RemarkSink remarks{};                  ///< gets messages and log lines of the program; may be empty
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
