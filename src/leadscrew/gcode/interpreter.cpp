@@ -16,6 +16,8 @@ Interpreter::Interpreter(const Context& context)
       check_(context, travel_) {
   modal_.tolerance = machine_.tolerance;
   frame_.position = options_.start;
+  parameters_.load(options_.parameters);
+  offsets_.begin();
   travel_.note_outside();
   set_path_control({});
 }

@@ -46,6 +46,13 @@ void Offsets::set_tool_length(const Block& block) {
   frame_.set_tool(offset);
 }
 
+void Offsets::begin() {
+  select_system(static_cast<int>(parameters_.get(Parameters::current_system).value_or(1)));
+  if (parameters_.get(Parameters::g92_active).value_or(0) != 0) {
+    frame_.set_shift(parameters_.axes(Parameters::g92_shift));
+  }
+}
+
 void Offsets::select_system(int number) {
   modal_.system = number;
   parameters_.set(Parameters::current_system, number);

@@ -86,6 +86,26 @@ void Parameters::leave_call() {
   calls_.pop_back();
 }
 
+void Parameters::load(std::span<const NumberedValue> values) {
+  for (const auto& [number, value] : values) {
+    set(number, number == current_system && value < 1 ? 1 : value);
+    loaded_.push_back(number);
+  }
+}
+
+std::vector<NumberedValue> Parameters::persistent() const {
+  std::vector<NumberedValue> values;
+  auto loaded = loaded_.begin();
+  for (int number = 1; number <= last; ++number) {
+    const bool was_loaded = loaded != loaded_.end() && *loaded == number;
+    if (was_loaded) ++loaded;
+    if (was_loaded || (is_offset(number) && given_[static_cast<std::size_t>(number)])) {
+      values.push_back({number, numbered_[static_cast<std::size_t>(number)]});
+    }
+  }
+  return values;
+}
+
 base::AxisVector Parameters::axes(int first) const {
   base::AxisVector value;
   for (std::size_t i = 0; i < base::axis_count; ++i) value[i] = numbered_[static_cast<std::size_t>(first) + i];

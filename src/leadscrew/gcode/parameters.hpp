@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/gcode/parameter_file.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,6 +68,11 @@ class Parameters {
   /// Whether a parameter keeps a place or an offset.
   static bool is_offset(int number) { return g28_home <= number && number <= last_system; }
 
+  /// Sets what a parameter file has said; each number stays persistent.
+  void load(std::span<const NumberedValue> values);
+  /// What a parameter file keeps, by ascending number: the offsets, and what load() was given.
+  std::vector<NumberedValue> persistent() const;
+
   base::AxisVector axes(int first) const;
   void set_axes(int first, const base::AxisVector& value);
   CoordinateSystem system(int number) const;  ///< 1 … 9: G54 … G59.3
@@ -94,6 +100,7 @@ class Parameters {
   std::array<double, last + 1> numbered_{};
   std::bitset<last + 1> given_;
   std::unordered_map<std::string, Binding> named_;  // its elements stay where they are
+  std::vector<int> loaded_;                         // numbers, ascending
   std::vector<Call> calls_;
   std::vector<Hidden> hidden_;
   std::optional<double> returned_;

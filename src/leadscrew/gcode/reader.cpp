@@ -32,7 +32,7 @@ class Reader::Implementation {
     for (;;) {
       if (pending_ && interpreter_.next(move)) return true;
       pending_ = false;
-      if (done_) return false;
+      if (done_) return finish();
       TextLine line;
       if (reporter_.full()) {
         done_ = true;
@@ -67,6 +67,14 @@ class Reader::Implementation {
   const std::optional<base::Diagnostic>& source_failure() const { return lines_.failure(); }
 
  private:
+  /// There are no more moves.
+  bool finish() {
+    if (interpreter_.ended() && reporter_.errors() == 0 && options_.parameters_at_end) {
+      std::exchange(options_.parameters_at_end, nullptr)(parameters_.persistent());
+    }
+    return false;
+  }
+
   enum class Delimiter : std::uint8_t { unknown, none, percent };  // whether the program stands between two %
 
   // Reads and executes a line; true if execute_plain() made a move of it. What else it made is pending.

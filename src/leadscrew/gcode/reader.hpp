@@ -47,6 +47,7 @@
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/gcode/dialect.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/remark.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -54,6 +55,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace leadscrew::gcode {
 
@@ -67,13 +69,17 @@ using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
 
 /// How a program is read.
 struct ReaderOptions {
-  std::string file{};                    ///< name for diagnostics
-  base::AxisVector start{};              ///< machine coordinates, mm or degrees, where the program begins
-  bool block_delete = true;              ///< skip blocks that begin with '/'
-  Dialect dialect = Dialect::leadscrew;  ///< what codes mean
-  std::optional<PathMode> path_mode{};   ///< overrides G61, G61.1 and G64
-  std::optional<double> tolerance{};     ///< mm; overrides P of G64; ≥ 0
-  RemarkSink remarks{};                  ///< gets messages and log lines of the program; may be empty
+  std::string file{};                       ///< name for diagnostics
+  base::AxisVector start{};                 ///< machine coordinates, mm or degrees, where the program begins
+  bool block_delete = true;                 ///< skip blocks that begin with '/'
+  Dialect dialect = Dialect::leadscrew;     ///< what codes mean
+  std::optional<PathMode> path_mode{};      ///< overrides G61, G61.1 and G64
+  std::optional<double> tolerance{};        ///< mm; overrides P of G64; ≥ 0
+  std::vector<NumberedValue> parameters{};  ///< of a parameter file: what they are where the program begins
+  /// Called when the program has been read to its end without error, with what a parameter file then keeps; may be
+  /// empty. It is ahead of motion by as much as the reader is.
+  std::function<void(const std::vector<NumberedValue>&)> parameters_at_end{};
+  RemarkSink remarks{};  ///< gets messages and log lines of the program; may be empty
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
