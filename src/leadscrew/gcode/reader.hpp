@@ -67,6 +67,16 @@ ByteSource text_source(std::string_view text);
 /// Called once for each problem, in the order of the text.
 using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
 
+/// A text of a program, from a place in it.
+struct OpenedText {
+  ByteSource source;
+  std::string name;  ///< for diagnostics
+};
+
+/// Opens a text at a byte of it, which is not beyond what has been read of it: the program's own where the name is empty, else that of a subprogram: the name in
+/// `o<name> call`, in small letters, or the number in `M98 P` and `o100 call`. Errors: `missing-sub`; those of files.
+using TextOpener = std::function<base::Result<OpenedText>(const std::string& name, std::int64_t offset)>;
+
 /// How a program is read.
 struct ReaderOptions {
   std::string file{};                       ///< name for diagnostics
@@ -80,6 +90,11 @@ struct ReaderOptions {
   /// empty. It is ahead of motion by as much as the reader is.
   std::function<void(const std::vector<NumberedValue>&)> parameters_at_end{};
   RemarkSink remarks{};  ///< gets messages and log lines of the program; may be empty
+  /// Loops and subprograms go back in the text: where it is opened anew. None: the reader keeps what it has read of it
+  /// from the first of them on, up to 16 MiB, and there are no subprograms in files.
+  TextOpener opener{};
+  std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
+  bool repeats = false;             ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
