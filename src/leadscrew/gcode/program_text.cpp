@@ -51,6 +51,7 @@ base::Result<ByteSource> ProgramText::source_at(int file, std::int64_t offset) {
     if (!opened) return base::failure(opened.error());
     return std::move(opened->source);
   }
+  if (auto held = retained_->check(offset); !held) return base::failure(held.error());
   return retained_source(retained_, offset);
 }
 

@@ -122,6 +122,8 @@ class Reader {
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far
+  /// The names of the texts read so far, by the numbers that base::file() gives: the program's own, then subprograms.
+  const std::vector<std::string>& files() const;
   /// Set when the source failed; the diagnostic is the source's.
   const std::optional<base::Diagnostic>& source_failure() const;
 

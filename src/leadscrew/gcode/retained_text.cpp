@@ -11,13 +11,16 @@ void RetainedText::keep(std::string_view read) {
   kept_.assign(read.begin(), read.end());
 }
 
+base::Result<void> RetainedText::check(std::int64_t offset) const {
+  if (offset >= arrived_ || holds(offset)) return {};
+  return base::failure(base::problem("text-not-kept",
+                                     "the program goes back over more than 16 MiB of a text that comes but once",
+                                     "give the program as a file"));
+}
+
 base::Result<std::size_t> RetainedText::read(std::int64_t& offset, std::span<char> buffer) {
   if (offset < arrived_) {
-    if (!holds(offset)) {
-      return base::failure(base::problem("text-not-kept",
-                                         "the program goes back over more than 16 MiB of a text that comes but once",
-                                         "give the program as a file"));
-    }
+    if (auto held = check(offset); !held) return base::failure(held.error());
     const auto begin = static_cast<std::size_t>(offset - from_);
     const std::size_t count = std::min(buffer.size(), kept_.size() - begin);
     std::memcpy(buffer.data(), kept_.data() + begin, count);

@@ -17,8 +17,8 @@ class RetainedText {
 
   /// Keeps what is read from now on, and what has just been read, the bytes before.
   void keep(std::string_view read);
-  /// Whether the text can be read from there.
-  bool holds(std::int64_t offset) const { return is_kept_ && offset >= from_; }
+  /// Whether the text can be read from there. Error: `text-not-kept`.
+  base::Result<void> check(std::int64_t offset) const;
   /// Is it kept, or was more than `most` to keep?
   bool is_asked_for() const { return is_asked_for_; }
 
@@ -27,6 +27,8 @@ class RetainedText {
   base::Result<std::size_t> read(std::int64_t& offset, std::span<char> buffer);
 
  private:
+  bool holds(std::int64_t offset) const { return is_kept_ && offset >= from_; }
+
   base::ByteSource live_;
   std::vector<char> kept_;
   std::int64_t from_ = 0;     // where what is kept begins
