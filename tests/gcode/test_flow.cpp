@@ -5,10 +5,8 @@
 
 #include "reading.hpp"
 
+namespace leadscrew::gcode {
 namespace test_flow {
-
-using namespace leadscrew::gcode;
-using namespace leadscrew;
 
 // Where X comes to, move by move: "1 2 3 ".
 std::string xs_of(const Reading& reading) {
@@ -153,3 +151,4 @@ TEST(Flow, GoesBackOnlySoFarInATextThatComesOnce) {
 }
 
 }  // namespace test_flow
+}  // namespace leadscrew::gcode

@@ -41,7 +41,9 @@ struct Arguments {
   std::optional<gcode::PathMode> mode;
   std::optional<double> tolerance;  ///< mm
   std::optional<machine::Smoothing> smoothing;
-  std::optional<int> threads;  ///< that work on several programs, 1 … 1024; none: as many as processors
+  std::vector<std::string> subprograms;  ///< folders
+  std::optional<std::int64_t> fuel;      ///< lines in loops and subprograms, ≥ 1
+  std::optional<int> threads;            ///< that work on several programs, 1 … 1024; none: as many as processors
   bool json = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;

@@ -18,6 +18,9 @@ std::vector<std::string> trace_endings();
 /// --json, --quiet, --color.
 void add_output(Command& command, Arguments& arguments);
 
+/// --subprograms and --fuel, of programs.
+void add_flow(Command& command, Arguments& arguments);
+
 /// Of commands that read programs: --machine, --tools, --start and those above.
 void add_common(Command& command, Arguments& arguments);
 

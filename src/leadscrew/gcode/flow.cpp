@@ -25,7 +25,7 @@ bool Flow::out_of_fuel() {
   return reporter_.error(
       "fuel-exhausted", 1,
       "the program has not ended after " + std::to_string(options_.fuel) + " lines in loops and subprograms",
-      "is a loop endless?");
+      "is a loop endless? otherwise allow more: --fuel");
 }
 
 Flow::Next Flow::error(const Statement& at, std::string_view code, std::string message, std::string hint) {

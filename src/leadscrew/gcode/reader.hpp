@@ -60,22 +60,13 @@
 namespace leadscrew::gcode {
 
 using base::ByteSource;
+using base::TextOpener;
 
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);
 
 /// Called once for each problem, in the order of the text.
 using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
-
-/// A text of a program, from a place in it.
-struct OpenedText {
-  ByteSource source;
-  std::string name;  ///< for diagnostics
-};
-
-/// Opens a text at a byte of it, which is not beyond what has been read of it: the program's own where the name is empty, else that of a subprogram: the name in
-/// `o<name> call`, in small letters, or the number in `M98 P` and `o100 call`. Errors: `missing-sub`; those of files.
-using TextOpener = std::function<base::Result<OpenedText>(const std::string& name, std::int64_t offset)>;
 
 /// How a program is read.
 struct ReaderOptions {
