@@ -47,6 +47,11 @@ constexpr Line line_at(std::int64_t number, int file = 0, std::int64_t visit = 0
   return Line{static_cast<std::int64_t>(bits) | std::min(number, last_line)};
 }
 
+/// Where it stands in the text, whichever visit it is.
+constexpr Line place_of(Line line) {
+  return line_at(number(line), file(line));
+}
+
 /// Is a executed before b? Where they are less than half a million visits apart.
 constexpr bool is_before(Line a, Line b) {
   const int visits = (visit(b) - visit(a)) & last_visit;

@@ -64,9 +64,7 @@ base::Result<const InputFile*> InputFile::subprogram(const std::string& name,
   const std::string path = is_file_name ? path_of(name, folders) : std::string();
   if (path.empty()) {
     return base::failure(base::problem("missing-sub", "no file " + name + ".ngc is in its folders",
-                                       folders.empty()
-                                           ? "name the folder by --subprograms"
-                                           : "put it beside the program, or name its folder by --subprograms"));
+                                       folders.empty() ? "" : "put it beside the program"));
   }
   if (subprograms_.size() >= most_subprogram_files) {
     return base::failure(base::problem("too-many-files",

@@ -25,7 +25,7 @@ bool Flow::out_of_fuel() {
   return reporter_.error(
       "fuel-exhausted", 1,
       "the program has not ended after " + std::to_string(options_.fuel) + " lines in loops and subprograms",
-      "is a loop endless? otherwise allow more: --fuel");
+      "is a loop endless?");
 }
 
 Flow::Next Flow::error(const Statement& at, std::string_view code, std::string message, std::string hint) {
@@ -137,7 +137,9 @@ Flow::Next Flow::end_of_text() {
   if (calls_.empty()) return Next::program_end;
   const Call& last = calls_.back();
   const bool is_sub = last.kind == CallKind::o_word;
-  return report(last.body, "the subprogram " + statements_.file_name(last.name) + " does not end",
+  TextPlace begin = last.body;
+  if (begin.line > 1) --begin.line;
+  return report(begin, "the subprogram " + statements_.file_name(last.name) + " does not end",
                 is_sub ? "add endsub" : "add M99");
 }
 

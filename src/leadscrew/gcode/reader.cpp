@@ -91,7 +91,11 @@ class Reader::Implementation {
                              "this line is longer than " + std::to_string(longest_line) + " bytes",
                              "is this a part program?");
     }
-    if (delimiter_ != Delimiter::none && !before_program(line)) return false;
+    if (base::file(line.id) != 0) {
+      if (*line.begin == '%') return delimiter_of_file(line);
+    } else if (delimiter_ != Delimiter::none && !before_program(line)) {
+      return false;
+    }
     if (!flow_.count_line()) {
       done_ = true;
       return false;
@@ -165,6 +169,12 @@ class Reader::Implementation {
     }
     if (delimiter_ == Delimiter::unknown) delimiter_ = Delimiter::none;
     return true;
+  }
+
+  // A subprogram's file may stand between two % as well.
+  [[gnu::cold]] bool delimiter_of_file(const TextLine& line) {
+    if (line.number > 1) end_of_text();
+    return false;
   }
 
   void end_of_text() {
