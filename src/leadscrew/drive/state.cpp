@@ -42,6 +42,17 @@ Json json_of(const base::AxisVector& values) {
   return std::vector<double>(values.begin(), values.end());
 }
 
+base::Result<void> add_text(const files::InputFile& file, base::Hash& hash) {
+  std::vector<char> buffer(1 << 16);
+  auto source = file.source();
+  while (true) {
+    const auto got = source(buffer);
+    if (!got) return base::failure(got.error());
+    if (*got == 0) return {};
+    hash.add({buffer.data(), *got});
+  }
+}
+
 /// The members of a state file; each throws where there is none of its kind.
 class Members {
  public:
@@ -92,13 +103,9 @@ tl::unexpected<base::Diagnostic> state_refusal(std::string_view code, std::strin
 
 base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup) {
   base::Hash text, machine;
-  std::vector<char> buffer(1 << 16);
-  auto source = program.source();
-  while (true) {
-    const auto got = source(buffer);
-    if (!got) return base::failure(got.error());
-    if (*got == 0) break;
-    text.add({buffer.data(), *got});
+  if (auto added = add_text(program, text); !added) return base::failure(added.error());
+  for (const files::InputFile* const subprogram : program.subprograms()) {
+    if (auto added = add_text(*subprogram, text); !added) return base::failure(added.error());
   }
   machine.add(machine_text(setup));
   return Fingerprint{text_of(text), text_of(machine)};

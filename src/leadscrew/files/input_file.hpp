@@ -49,6 +49,9 @@ class InputFile {
   /// what they were. Both must outlive it, and it is for one thread at a time.
   base::TextOpener opener(std::vector<std::string> folders = {}) const;
 
+  /// Those that have been opened, in the order of their names.
+  std::vector<const InputFile*> subprograms() const;
+
   /// Has it been written to since it was opened, read already or not, or a subprogram of it? Error: `changed`.
   base::Result<void> unchanged() const;
 

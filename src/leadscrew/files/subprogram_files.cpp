@@ -76,4 +76,10 @@ base::Result<const InputFile*> InputFile::subprogram(const std::string& name,
   return subprograms_.emplace(name, std::make_unique<InputFile>(std::move(*file))).first->second.get();
 }
 
+std::vector<const InputFile*> InputFile::subprograms() const {
+  std::vector<const InputFile*> files;
+  for (const auto& [name, file] : subprograms_) files.push_back(file.get());
+  return files;
+}
+
 }  // namespace leadscrew::files

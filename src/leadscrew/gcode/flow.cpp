@@ -19,7 +19,10 @@ Flow::Flow(ProgramText& text, const Context& context, const Predefined& predefin
       options_(context.options),
       values_(parameters_, predefined, reporter_, options_.dialect),
       statements_(values_, reporter_, options_.dialect, options_.block_delete),
-      fuel_(options_.fuel) {}
+      fuel_(options_.fuel) {
+  // Jumps lead to blocks before them.
+  if (statements_.has_macros() || options_.repeats) text_.keep_all();
+}
 
 bool Flow::out_of_fuel() {
   return reporter_.error(

@@ -264,7 +264,6 @@ Flow::Next Flow::return_program(const Block& block, const TextLine& line) {
   if (number) return go_to_block(static_cast<std::int64_t>(*number), of_block, at);
   if (options_.repeats) {
     open_.clear();
-    fuel_ = options_.fuel;
     return go({}, true) ? Next::line : Next::stop;
   }
   reporter_.report(base::Severity::note, "program-repeats", {reporter_.file(), line.number, at.column},

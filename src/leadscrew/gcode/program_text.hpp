@@ -43,6 +43,10 @@ class ProgramText {
 
   /// From now on, and from this line on, which is the last that was read, the text can be gone back to.
   void keep(const TextLine& line);
+  /// From its beginning on, before a line of it has been read.
+  void keep_all() {
+    if (retained_) retained_->keep({});
+  }
   /// What comes next begins there. Errors: those of the opener; `text-not-kept`. Then there is no next line.
   base::Result<void> go_to(const TextPlace& place);
   /// How many windows had to be filled anew to go somewhere.
