@@ -66,6 +66,11 @@ class Members {
     const auto count = member(key).integer();
     return count && *count >= 0 ? *count : throw wrong(key, "counts nothing");
   }
+  /// 0 where there is none.
+  std::int64_t count(std::string_view key, std::int64_t most) const {
+    const std::int64_t value = json_.find(key) != nullptr ? count(key) : 0;
+    return value <= most ? value : throw wrong(key, "counts too much");
+  }
   double length(std::string_view key) const {
     const auto length = member(key).number();
     return length && *length >= 0 ? *length : throw wrong(key, "is no length");
@@ -112,18 +117,20 @@ base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const 
 }
 
 base::Result<void> write_state(const std::string& path, const State& state) {
-  const Json json = Json::object({{"schema", state_schema},
-                                  {"program", state.program},
-                                  {"program_hash", state.fingerprint.program},
-                                  {"machine", state.machine},
-                                  {"machine_hash", state.fingerprint.machine},
-                                  {"state", kinds[static_cast<std::size_t>(state.kind)]},
-                                  {"word", base::count(state.word.tick)},
-                                  {"line", base::number(state.word.line)},
-                                  {"path_length", state.word.path_length},
-                                  {"position", json_of(state.word.position)},
-                                  {"axes", json_of(state.axes.position)},
-                                  {"axes_path_length", state.axes.path_length}});
+  Json json = Json::object({{"schema", state_schema},
+                            {"program", state.program},
+                            {"program_hash", state.fingerprint.program},
+                            {"machine", state.machine},
+                            {"machine_hash", state.fingerprint.machine},
+                            {"state", kinds[static_cast<std::size_t>(state.kind)]},
+                            {"word", base::count(state.word.tick)},
+                            {"line", base::number(state.word.line)},
+                            {"path_length", state.word.path_length},
+                            {"position", json_of(state.word.position)},
+                            {"axes", json_of(state.axes.position)},
+                            {"axes_path_length", state.axes.path_length}});
+  if (base::file(state.word.line) != 0) json["file"] = base::file(state.word.line);
+  if (base::visit(state.word.line) != 0) json["visit"] = base::visit(state.word.line);
   auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   if (auto written = file->write(json.written() + "\n"); !written) return written;
@@ -146,7 +153,8 @@ base::Result<State> read_state(const std::string& path) {
     if (kind == kinds.end()) throw std::runtime_error("another state");
     state.kind = static_cast<State::Kind>(kind - kinds.begin());
     state.word.tick = base::Tick{members.count("word")};
-    state.word.line = base::Line{members.count("line")};
+    state.word.line = base::line_at(members.count("line"), static_cast<int>(members.count("file", base::last_file)),
+                                    members.count("visit", base::last_visit));
     state.word.path_length = members.length("path_length");
     state.word.position = members.axes("position");
     state.axes = {members.axes("axes"), members.length("axes_path_length")};
