@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Bad{"AxisTheMachineLacks", "G21\nG1 F600 A10\nM2\n", "2:9", "unknown-axis"},
                       Bad{"OutsideTravel", "G21\nG0 X1\nG0 X500.001\nM2\n", "3:4", "travel"},
                       Bad{"DivisionByZero", "G21\nG0 X[1/0]\nM2\n", "2:7", "division-by-zero"},
-                      Bad{"UnsetParameter", "G21\nG0 X#4\nM2\n", "2:5", "unset-parameter"},
+                      Bad{"UnsetParameter", "G21\nG0 X#<a>\nM2\n", "2:5", "unset-parameter"},
                       Bad{"UnclosedComment", "G21\nG0 X1 (comment\nM2\n", "2:7", "unclosed-comment"},
                       Bad{"UnclosedBracket", "G21\nG0 X[1+2\nM2\n", "2:5", "unclosed-bracket"},
                       Bad{"Binary", std::string("\x7f\x45LF\0\x02\xff", 7), "1:1", "bad-character"},

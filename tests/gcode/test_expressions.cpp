@@ -88,7 +88,7 @@ TEST(Expressions, HaveTheValuesOfTheStandard) {
       {"#< N a m E >", 7},
       {"EXISTS[#<name>]", 1},
       {"EXISTS[#<other>]", 0},
-      {"EXISTS[#4]", 0},
+      {"EXISTS[#4]", 1},
       {"s i n [ 3 0 ]", 0.5},
       {"[ 7 m o d 4 ]", 3},
       {"[ 2 * * 3 ]", 8},

@@ -1,3 +1,7 @@
+#include <array>
+#include <leadscrew/gcode/parameters.hpp>
+#include <limits>
+
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
@@ -52,6 +56,88 @@ TEST(Parameters, HaveABoundedNumberOfNames) {
   std::string text;
   for (int i = 0; i < 10'001; ++i) text += "#<n" + std::to_string(i) + ">=1\n";
   EXPECT_EQ(read(text + "M2\n").problems(), "10001:1 too-many-parameters; ");
+}
+
+TEST(ParametersOfCalls, AreTheirOwnUpToThirty) {
+  Parameters parameters;
+  parameters.set(1, 10);
+  parameters.set(30, 300);
+  parameters.set(31, 310);
+  ASSERT_TRUE(parameters.enter_call(std::array{5.0}));
+  EXPECT_EQ(parameters.get(1), 5);
+  EXPECT_EQ(parameters.get(2), 0);
+  EXPECT_EQ(parameters.get(30), 0);
+  parameters.set(1, 6);
+  parameters.set(7, 8);
+  parameters.set(31, 311);
+  parameters.leave_call();
+  EXPECT_EQ(parameters.get(1), 10);
+  EXPECT_EQ(parameters.get(7), std::nullopt);
+  EXPECT_EQ(parameters.get(30), 300);
+  EXPECT_EQ(parameters.get(31), 311);
+}
+
+TEST(ParametersOfCalls, MayBeVacant) {
+  Parameters parameters;
+  parameters.set(2, 20);
+  ASSERT_TRUE(parameters.enter_call(std::array{1.0, std::numeric_limits<double>::quiet_NaN()}));
+  EXPECT_EQ(parameters.get(2), std::nullopt);
+  parameters.leave_call();
+  EXPECT_EQ(parameters.get(2), 20);
+}
+
+TEST(ParametersOfCalls, HaveLocalNamesOfTheirOwn) {
+  Parameters parameters;
+  parameters.set("A", 1);
+  parameters.set("_G", 2);
+  ASSERT_TRUE(parameters.enter_call({}));
+  EXPECT_EQ(parameters.get("A"), std::nullopt);
+  EXPECT_EQ(parameters.get("_G"), 2);
+  parameters.set("A", 3);
+  parameters.set("A", 4);
+  parameters.set("_G", 5);
+  parameters.set("_LATE", 6);
+  ASSERT_TRUE(parameters.enter_call({}));
+  EXPECT_EQ(parameters.get("A"), std::nullopt);
+  parameters.set("A", 7);
+  parameters.leave_call();
+  EXPECT_EQ(parameters.get("A"), 4);
+  parameters.leave_call();
+  EXPECT_EQ(parameters.get("A"), 1);
+  EXPECT_EQ(parameters.get("_G"), 5);
+  EXPECT_EQ(parameters.get("_LATE"), 6);
+}
+
+TEST(ParametersOfCalls, ForgetTheirNamesBetweenCalls) {
+  Parameters parameters;
+  ASSERT_TRUE(parameters.enter_call({}));
+  parameters.set("A", 3);
+  parameters.leave_call();
+  EXPECT_EQ(parameters.get("A"), std::nullopt);
+  ASSERT_TRUE(parameters.enter_call({}));
+  EXPECT_EQ(parameters.get("A"), std::nullopt);
+}
+
+TEST(ParametersOfCalls, AreBounded) {
+  Parameters parameters;
+  for (std::size_t i = 0; i < Parameters::most_calls; ++i) ASSERT_TRUE(parameters.enter_call({}));
+  parameters.set(1, 1);
+  EXPECT_FALSE(parameters.enter_call(std::array{2.0}));
+  EXPECT_EQ(parameters.get(1), 1);
+  for (std::size_t i = 0; i < Parameters::most_calls; ++i) parameters.leave_call();
+  EXPECT_EQ(parameters.calls(), 0u);
+}
+
+TEST(ParametersOfCalls, HideABoundedNumberOfNames) {
+  Parameters parameters;
+  bool all = true;
+  for (int call = 0; call < 11; ++call) {
+    ASSERT_TRUE(parameters.enter_call({}));
+    for (std::size_t i = 0; i < Parameters::most_names; ++i) all = all && parameters.set("N" + std::to_string(i), call);
+  }
+  EXPECT_FALSE(all);
+  for (int call = 0; call < 11; ++call) parameters.leave_call();
+  EXPECT_EQ(parameters.get("N0"), std::nullopt);
 }
 
 }  // namespace test_parameters

@@ -15,7 +15,7 @@ scratch.mkdir(parents=True, exist_ok=True)
 CALL = re.compile(r'\b(?:error|warning|curve_error|error_where_kept|warning_where_kept|error_at|warning_at|report|problem|'
                   r'send|warn)\(\s*(?:[^";]*?,\s*)??"([a-z][a-z0-9]*(?:-[a-z0-9]+)*)"')
 SECTION = re.compile(r"^## ([a-z0-9-]+)\n(.*?)(?=^## |\Z)", re.MULTILINE | re.DOTALL)
-EXAMPLE = re.compile(r"^```(ngc|tbl)([^\n]*)\n(.*?)\n?```$", re.MULTILINE | re.DOTALL)
+EXAMPLE = re.compile(r"^```(ngc|tbl|var)([^\n]*)\n(.*?)\n?```$", re.MULTILINE | re.DOTALL)
 
 problems = []
 
@@ -40,16 +40,21 @@ def written_out(text, info):
 def codes_of(section):
     words = []
     for kind, info, text in EXAMPLE.findall(section):
-        name = {"ngc": "part.ngc", "tbl": "tools.tbl"}[kind]
+        name = {"ngc": "part.ngc", "tbl": "tools.tbl", "var": "part.var"}[kind]
         (scratch / name).write_text(written_out(text, info), encoding="utf-8")
         if kind == "tbl":
             words += ["--tools", name]
+        if kind == "var":
+            words += ["--parameters", name]
         for word in info.split():
+            if word.startswith("fuel="):
+                words += ["--fuel", word.removeprefix("fuel=")]
             if "=" not in word:
                 words += ["--lint"] if word == "lint" else ["--dialect", word]
     done = subprocess.run([command, "check", "part.ngc", "--json", *words], cwd=scratch, capture_output=True, text=True)
-    run = json.loads(done.stdout)
-    return {each["code"] for each in run["diagnostics"]}
+    if done.stdout:
+        return {each["code"] for each in json.loads(done.stdout)["diagnostics"]}
+    return set(re.findall(r"\[([a-z0-9-]+)\]$", done.stderr, re.MULTILINE))
 
 
 page = (source / "docs/diagnostics.md").read_text(encoding="utf-8")
@@ -62,7 +67,11 @@ for code in sorted(codes_of_sources() - set(told)):
 for code in sorted(set(told) - codes_of_sources()):
     problems.append(f"{code}: in docs/diagnostics.md, not in the sources")
 for code, section in sections:
-    if not EXAMPLE.search(section):
+    test = re.search(r"^Its test is in `(tests/[a-z_/]+\.cpp)`\.$", section, re.MULTILINE)
+    if test:
+        if f'"{code}' not in (source / test[1]).read_text(encoding="utf-8"):
+            problems.append(f"{code}: {test[1]} does not name it")
+    elif not EXAMPLE.search(section):
         problems.append(f"{code}: has no example")
     elif code not in (found := codes_of(section)):
         problems.append(f"{code}: its example provokes {sorted(found)}")

@@ -38,12 +38,32 @@ class CheckedText {
     };
   }
 
+  /// The same from a byte on; `open` reads the text from there. Errors of the source: also those of reading what no
+  /// reading has come to yet, before the byte.
+  template <class Open>
+  ByteSource source_at(std::int64_t offset, Open&& open) {
+    const auto piece = std::min(static_cast<std::size_t>(offset) / piece_size, hashes_.size());
+    Reading reading(open(static_cast<std::int64_t>(piece * piece_size)), piece);
+    return [this, reading = std::move(reading), skip = static_cast<std::size_t>(offset) - piece * piece_size](
+               std::span<char> buffer) mutable { return reading.read(*this, buffer, std::exchange(skip, 0)); };
+  }
+
  private:
   class Reading {
    public:
-    explicit Reading(ByteSource source) : source_(std::move(source)) {}
+    explicit Reading(ByteSource source, std::size_t first = 0) : source_(std::move(source)), number_(first) {}
 
-    Result<std::size_t> read(CheckedText& text, std::span<char> buffer) {
+    /// Behind so many bytes that are left out.
+    Result<std::size_t> read(CheckedText& text, std::span<char> buffer, std::size_t left_out = 0) {
+      while (left_out > 0) {
+        if (begin_ == end_ && is_last_) break;
+        if (begin_ == end_) {
+          if (auto filled = next_piece(text); !filled) return failure(filled.error());
+        }
+        const std::size_t count = std::min(left_out, end_ - begin_);
+        begin_ += count;
+        left_out -= count;
+      }
       if (begin_ == end_ && !is_last_) {
         if (auto filled = next_piece(text); !filled) return failure(filled.error());
       }

@@ -80,7 +80,7 @@ base::Result<std::optional<results::AdaptiveFigures>> AdaptiveRun::conclude() co
 }
 
 base::Result<double> AdaptiveRun::time_at(double factor) const {
-  pipeline::Program program(file_.source(), job_.machine, job_.tools, job_.reader_options(file_.name()), nullptr);
+  pipeline::Program program(file_.source(), job_.machine, job_.tools, job_.reader_options(file_), nullptr);
   program.watch([this] { return file_.unchanged(); });
   program.stop_when(files::interrupted);
   program.override_feed(factor);

@@ -46,7 +46,9 @@ struct Arguments {
   std::optional<machine::Dialect> dialect;
   bool lint = false;                ///< of check
   std::optional<double> stock_top;  ///< of check: Z of the program, mm
-  std::optional<int> threads;       ///< that work on several programs, 1 … 1024; none: as many as processors
+  std::vector<std::string> subprograms;  ///< folders
+  std::optional<std::int64_t> fuel;      ///< lines in loops and subprograms, ≥ 1
+  std::optional<int> threads;            ///< that work on several programs, 1 … 1024; none: as many as processors
   bool json = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;

@@ -11,7 +11,8 @@ namespace leadscrew::cli {
 namespace {
 
 drive::Setup setup_of(const Job& job, const std::string& program) {
-  return {job.machine, job.tools, job.reader_options({}), job.text, job.arguments.drive, program};
+  return {job.machine,         job.tools, job.reader_options(),     job.text,
+          job.arguments.drive, program,   job.arguments.subprograms};
 }
 
 class ProgramDrive {

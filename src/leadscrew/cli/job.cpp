@@ -93,13 +93,20 @@ bool is_pause(const gcode::Move& move) {
 
 }  // namespace
 
-gcode::ReaderOptions Job::reader_options(const std::string& file) const {
+gcode::ReaderOptions Job::reader_options() const {
   gcode::ReaderOptions options;
-  options.file = file;
   options.start = start;
   options.dialect = machine.dialect;
   options.path_mode = arguments.mode;
   options.tolerance = arguments.tolerance;
+  options.fuel = arguments.fuel.value_or(options.fuel);
+  return options;
+}
+
+gcode::ReaderOptions Job::reader_options(const files::InputFile& file) const {
+  gcode::ReaderOptions options = reader_options();
+  options.file = file.name();
+  options.opener = file.opener(arguments.subprograms);
   return options;
 }
 
@@ -148,7 +155,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   const double begin = realtime::SystemClocks::processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
-  gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file.name()),
+  gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file),
                        [&](const base::Diagnostic& problem) { log.add(problem); });
   std::optional<language::Lint> lint;
   if (job.arguments.lint) lint.emplace(job.machine, job.arguments.stock_top);
@@ -175,7 +182,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
 }
 
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job) {
-  return gcode::Reader(file.source(), job.machine, job.tools, job.reader_options(file.name()), nullptr);
+  return gcode::Reader(file.source(), job.machine, job.tools, job.reader_options(file), nullptr);
 }
 
 }  // namespace leadscrew::cli

@@ -23,7 +23,10 @@ struct Job {
   base::AxisVector start{};  ///< machine coordinates, mm or degrees
   std::string text;          ///< of the machine file and the tool table
 
-  gcode::ReaderOptions reader_options(const std::string& file) const;
+  /// Of any program.
+  gcode::ReaderOptions reader_options() const;
+  /// Of this one, which must outlive them and stay where it is.
+  gcode::ReaderOptions reader_options(const files::InputFile& file) const;
 };
 
 /// Opens the machine file and the tool table. Empty if the log now has errors.

@@ -18,7 +18,7 @@ struct OptionHint {
 using enum OptionHint::Place;
 
 /// Every command that meets such a problem has the options that are named.
-constexpr std::array<OptionHint, 15> option_hints = {{
+constexpr std::array<OptionHint, 17> option_hints = {{
     {"unknown-tool", behind, "--tools FILE gives the table"},
     {"no-tool-table", behind, "--tools FILE gives one"},
     {"travel", behind, "--machine FILE names another machine, --start where the program begins"},
@@ -34,6 +34,8 @@ constexpr std::array<OptionHint, 15> option_hints = {{
     {"state-other", behind, "--state FILE names it"},
     {"resume-program", behind, "without --resume it begins there"},
     {"resume-ended", behind, "without --resume the program is driven again"},
+    {"fuel-exhausted", behind, "--fuel BLOCKS allows more"},
+    {"missing-sub", behind, "--subprograms DIR names further folders"},
     {"trace-period", behind, "--period TIME stands in place of what t says"},
 }};
 

@@ -66,7 +66,7 @@ class ProgramRun {
 
   base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs, const Reading& reading) {
     Progress progress{.work = "moving", .total = file.size()};
-    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
+    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file),
                               nullptr);
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/curve_program.hpp>
@@ -38,6 +39,27 @@ void add_dialect(Command& command, Arguments& arguments) {
       arguments.dialect, std::move(dialects));
 }
 
+void add_flow(Command& command, Arguments& arguments) {
+  command.value("--subprograms", "DIR:...", "Folders of subprograms, behind that of the program", arguments.subprograms,
+                [](std::string_view text) -> Parsed<std::vector<std::string>> {
+                  std::vector<std::string> folders;
+                  while (!text.empty()) {
+                    const std::size_t end = std::min(text.find(':'), text.size());
+                    if (end > 0) folders.emplace_back(text.substr(0, end));
+                    text.remove_prefix(std::min(end + 1, text.size()));
+                  }
+                  return folders;
+                });
+  command.value("--fuel", "BLOCKS", "Read so many blocks in loops and subprograms at most (default: 100000000)",
+                arguments.fuel, [](std::string_view text) -> Parsed<std::int64_t> {
+                  constexpr double most = 1e15;
+                  const auto number = parse_number(text);
+                  if (!number || !(*number >= 1) || *number > most || *number != std::floor(*number))
+                    return wrong("is no number of blocks from 1 to {}", most);
+                  return static_cast<std::int64_t>(*number);
+                });
+}
+
 void add_common(Command& command, Arguments& arguments) {
   command.text("--machine", "FILE", "Machine file (TOML), or the built-in mill3 (default)", arguments.machine,
                file({".toml"}, {"mill3"}));
@@ -46,6 +68,7 @@ void add_common(Command& command, Arguments& arguments) {
   command.value("--start", "X0,Y0,...",
                 "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)", arguments.start,
                 parse_axis_values);
+  add_flow(command, arguments);
   add_output(command, arguments);
 }
 

@@ -21,6 +21,9 @@ void add_output(Command& command, Arguments& arguments);
 /// --dialect, of programs.
 void add_dialect(Command& command, Arguments& arguments);
 
+/// --subprograms and --fuel, of programs.
+void add_flow(Command& command, Arguments& arguments);
+
 /// Of commands that read programs: --machine, --tools, --dialect, --start and those above.
 void add_common(Command& command, Arguments& arguments);
 

@@ -63,7 +63,7 @@ class Simulation {
 
   base::Result<results::SimulateFigures> follow_words(const files::InputFile& file, Outputs& outputs) {
     Progress progress{.work = "moving", .total = file.size()};
-    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file.name()),
+    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file),
                               nullptr);
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);

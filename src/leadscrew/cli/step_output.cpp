@@ -84,7 +84,7 @@ void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& lo
   if (has_too_many(log)) return;
   // What else the reader has to say has been said.
   nc::check_pulses(
-      file.source(), job.machine, job.tools, job.reader_options(file.name()), pulse_options(job),
+      file.source(), job.machine, job.tools, job.reader_options(file), pulse_options(job),
       [&](const base::Diagnostic& problem) {
         if (is_of_pulses(problem) || problem.code == too_many_problems) log.add(in_options(problem, job));
       },
@@ -159,7 +159,7 @@ base::Result<void> StepOutput::finish(const files::InputFile& program) {
 
 base::Result<void> StepOutput::write_program(const files::InputFile& program) {
   std::optional<base::Diagnostic> problem;
-  nc::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program.name()),
+  nc::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program),
                           pulse_options(*job_), [&](const base::Diagnostic& found) {
                             if (is_of_pulses(found) && !problem) problem = found;
                           });

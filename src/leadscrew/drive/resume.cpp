@@ -55,8 +55,7 @@ base::Result<std::vector<base::PathPlace>> find_return_path(const State& state, 
   const auto are_same = [](const base::AxisVector& a, const base::AxisVector& b) {
     return std::equal(a.begin(), a.end(), b.begin(), [](double p, double q) { return std::abs(p - q) <= same; });
   };
-  pipeline::MotionSource source(program.source(), setup.machine, setup.tools, setup.reader_options(program.name()),
-                                nullptr);
+  pipeline::MotionSource source(program.source(), setup.machine, setup.tools, setup.reader_options(program), nullptr);
   pipeline::PathStretch stretch(state.word.path_length, state.axes.path_length);
   source.on_element = [&](const toolpath::Element& element) { stretch.push(element); };
   source.planner().start_at(state.word.path_length, state.word.line);

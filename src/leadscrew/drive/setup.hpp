@@ -1,11 +1,13 @@
 #pragma once
 // What a drive is asked for: the machine, how its program is read, and the files that are written while it moves.
 
+#include <leadscrew/files/input_file.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace leadscrew::drive {
 
@@ -32,9 +34,18 @@ struct Setup {
   Options options;
   std::string live_program = {};  ///< of Options::live: its path; "-" is standard input
 
+  std::vector<std::string> subprograms = {};  ///< folders of subprograms
+
+  /// Of a program that comes while it moves.
   gcode::ReaderOptions reader_options(const std::string& file) const {
     gcode::ReaderOptions options_of_file = reading;
     options_of_file.file = file;
+    return options_of_file;
+  }
+  /// Of a file, which must outlive them and stay where it is.
+  gcode::ReaderOptions reader_options(const files::InputFile& file) const {
+    gcode::ReaderOptions options_of_file = reader_options(file.name());
+    options_of_file.opener = file.opener(subprograms);
     return options_of_file;
   }
 };

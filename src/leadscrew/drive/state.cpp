@@ -43,6 +43,17 @@ Json json_of(const base::AxisVector& values) {
   return std::vector<double>(values.begin(), values.end());
 }
 
+base::Result<void> add_text(const files::InputFile& file, base::Hash& hash) {
+  std::vector<char> buffer(1 << 16);
+  auto source = file.source();
+  while (true) {
+    const auto got = source(buffer);
+    if (!got) return base::failure(got.error());
+    if (*got == 0) return {};
+    hash.add({buffer.data(), *got});
+  }
+}
+
 /// The members of a state file; each throws where there is none of its kind.
 class Members {
  public:
@@ -55,6 +66,11 @@ class Members {
   std::int64_t count(std::string_view key) const {
     const auto count = member(key).integer();
     return count && *count >= 0 ? *count : throw wrong(key, "counts nothing");
+  }
+  /// 0 where there is none.
+  std::int64_t count(std::string_view key, std::int64_t most) const {
+    const std::int64_t value = json_.find(key) != nullptr ? count(key) : 0;
+    return value <= most ? value : throw wrong(key, "counts too much");
   }
   double length(std::string_view key) const {
     const auto length = member(key).number();
@@ -93,31 +109,29 @@ tl::unexpected<base::Diagnostic> state_refusal(std::string_view code, std::strin
 
 base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup) {
   base::Hash text, machine;
-  std::vector<char> buffer(1 << 16);
-  auto source = program.source();
-  while (true) {
-    const auto got = source(buffer);
-    if (!got) return base::failure(got.error());
-    if (*got == 0) break;
-    text.add({buffer.data(), *got});
+  if (auto added = add_text(program, text); !added) return base::failure(added.error());
+  for (const files::InputFile* const subprogram : program.subprograms()) {
+    if (auto added = add_text(*subprogram, text); !added) return base::failure(added.error());
   }
   machine.add(machine_text(setup));
   return Fingerprint{text_of(text), text_of(machine)};
 }
 
 base::Result<void> write_state(const std::string& path, const State& state) {
-  const Json json = Json::object({{"schema", state_schema},
-                                  {"program", state.program},
-                                  {"program_hash", state.fingerprint.program},
-                                  {"machine", state.machine},
-                                  {"machine_hash", state.fingerprint.machine},
-                                  {"state", kinds[static_cast<std::size_t>(state.kind)]},
-                                  {"word", base::count(state.word.tick)},
-                                  {"line", base::number(state.word.line)},
-                                  {"path_length", state.word.path_length},
-                                  {"position", json_of(state.word.position)},
-                                  {"axes", json_of(state.axes.position)},
-                                  {"axes_path_length", state.axes.path_length}});
+  Json json = Json::object({{"schema", state_schema},
+                            {"program", state.program},
+                            {"program_hash", state.fingerprint.program},
+                            {"machine", state.machine},
+                            {"machine_hash", state.fingerprint.machine},
+                            {"state", kinds[static_cast<std::size_t>(state.kind)]},
+                            {"word", base::count(state.word.tick)},
+                            {"line", base::number(state.word.line)},
+                            {"path_length", state.word.path_length},
+                            {"position", json_of(state.word.position)},
+                            {"axes", json_of(state.axes.position)},
+                            {"axes_path_length", state.axes.path_length}});
+  if (base::file(state.word.line) != 0) json["file"] = base::file(state.word.line);
+  if (base::visit(state.word.line) != 0) json["visit"] = base::visit(state.word.line);
   auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   if (auto written = file->write(json.written() + "\n"); !written) return written;
@@ -140,7 +154,8 @@ base::Result<State> read_state(const std::string& path) {
     if (kind == kinds.end()) throw std::runtime_error("another state");
     state.kind = static_cast<State::Kind>(kind - kinds.begin());
     state.word.tick = base::Tick{members.count("word")};
-    state.word.line = base::Line{members.count("line")};
+    state.word.line = base::line_at(members.count("line"), static_cast<int>(members.count("file", base::last_file)),
+                                    members.count("visit", base::last_visit));
     state.word.path_length = members.length("path_length");
     state.word.position = members.axes("position");
     state.axes = {members.axes("axes"), members.length("axes_path_length")};

@@ -12,7 +12,7 @@ namespace leadscrew::drive {
 
 /// What must be the same for a place on the path to mean the same.
 struct Fingerprint {
-  std::string program;  ///< of its bytes
+  std::string program;  ///< of its bytes, and of those of the subprograms that it has called so far
   std::string machine;  ///< of the machine, its tools, and how the program is read
 };
 /// Errors: those of reading the program.

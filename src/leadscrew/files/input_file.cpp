@@ -134,22 +134,32 @@ base::Result<std::size_t> InputFile::read_at(std::int64_t offset, std::span<char
   }
 }
 
+base::ByteSource InputFile::reading(std::int64_t offset, std::int64_t* position) const {
+  return [this, position, offset](std::span<char> buffer) mutable -> base::Result<std::size_t> {
+    auto got = read_at(offset, buffer);
+    if (!got) return got;
+    offset += static_cast<std::int64_t>(*got);
+    if (position != nullptr) *position = offset;
+    return got;
+  };
+}
+
 base::ByteSource InputFile::source(std::int64_t* position) const {
-  return text_.source(
-      [this, position, offset = std::int64_t{0}](std::span<char> buffer) mutable -> base::Result<std::size_t> {
-        auto got = read_at(offset, buffer);
-        if (!got) return got;
-        offset += static_cast<std::int64_t>(*got);
-        if (position != nullptr) *position = offset;
-        return got;
-      });
+  return text_.source(reading(0, position));
+}
+
+base::ByteSource InputFile::source_at(std::int64_t offset) const {
+  return text_.source_at(offset, [this](std::int64_t from) { return reading(from, nullptr); });
 }
 
 base::Result<void> InputFile::unchanged() const {
   struct stat now = {};
   ::fstat(descriptor_.number(), &now);
-  if (now.st_size == opened_.st_size && !differ(now.st_mtim, opened_.st_mtim)) return {};
-  return base::failure(changed_);
+  if (now.st_size != opened_.st_size || differ(now.st_mtim, opened_.st_mtim)) return base::failure(changed_);
+  for (const auto& [name, file] : subprograms_) {
+    if (auto same = file->unchanged(); !same) return same;
+  }
+  return {};
 }
 
 bool InputFile::is_same(const std::string& path) const {

@@ -12,7 +12,10 @@
 #include <leadscrew/base/checked_text.hpp>
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/files/descriptor.hpp>
+#include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace leadscrew::files {
 
@@ -38,7 +41,18 @@ class InputFile {
   /// where it differs from what an earlier source has read.
   base::ByteSource source(std::int64_t* position = nullptr) const;
 
-  /// Has it been written to since it was opened, read already or not? Error: `changed`.
+  /// The same, from a byte on that an earlier source has come to.
+  base::ByteSource source_at(std::int64_t offset) const;
+
+  /// Opens this text anew, and those of its subprograms: `NAME.ngc`, `NAME.nc` and other endings of part programs, for a
+  /// number also `O1000.nc` and `O0100.nc`, in the folder of this file and then in `folders`. They stay open, and are
+  /// what they were. Both must outlive it, and it is for one thread at a time.
+  base::TextOpener opener(std::vector<std::string> folders = {}) const;
+
+  /// Those that have been opened, in the order of their names.
+  std::vector<const InputFile*> subprograms() const;
+
+  /// Has it been written to since it was opened, read already or not, or a subprogram of it? Error: `changed`.
   base::Result<void> unchanged() const;
 
   /// Is this path the same file?
@@ -47,6 +61,8 @@ class InputFile {
  private:
   InputFile(std::string name, std::string_view changed);
   base::Result<void> take(Descriptor descriptor, std::int64_t largest);
+  base::Result<const InputFile*> subprogram(const std::string& name, const std::vector<std::string>& folders) const;
+  base::ByteSource reading(std::int64_t offset, std::int64_t* position) const;
   base::Result<std::size_t> read_at(std::int64_t offset, std::span<char> buffer) const;
 
   Descriptor descriptor_;
@@ -54,7 +70,8 @@ class InputFile {
   std::int64_t size_ = 0;
   struct stat opened_ = {};
   base::Diagnostic changed_;
-  mutable base::CheckedText text_;  ///< what any source has read so far
+  mutable base::CheckedText text_;                                         ///< what any source has read so far
+  mutable std::map<std::string, std::unique_ptr<InputFile>> subprograms_;  ///< by their names
 };
 
 /// The whole of a small file, such as a machine file. Errors as above; `input-too-large` of a file of any kind.

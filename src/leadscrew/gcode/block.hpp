@@ -27,10 +27,10 @@ inline constexpr std::uint32_t axis_letter_bits = letter_bit('X') | letter_bit('
                                                   letter_bit('U') | letter_bit('V') | letter_bit('W');
 
 struct Block {
-  std::uint32_t words = 0;               ///< bits of the letters that stand in the block, other than G and M
-  std::uint32_t groups = 0;              ///< bits of the groups of its codes
-  std::array<double, 26> value;          ///< of each word; meaningless without its bit
-  std::array<std::uint32_t, 26> column;  ///< of each word
+  std::uint32_t words = 0;       ///< bits of the letters that stand in the block, other than G and M, and of @ ^
+  std::uint32_t groups = 0;      ///< bits of the groups of its codes
+  std::array<double, 28> value;  ///< of each word; meaningless without its bit
+  std::array<std::uint32_t, 28> column;  ///< of each word
   std::array<Code, index(Group::count)> codes;
   std::array<std::uint32_t, index(Group::count)> code_columns;
   std::int16_t user_code = 0;      ///< which number of Code::M100: 100 … 199, of Fanuc and Haas 10 … 199

@@ -2,13 +2,14 @@
 #include <cmath>
 #include <leadscrew/gcode/block_reader.hpp>
 #include <leadscrew/gcode/dialect_forms.hpp>
+#include <leadscrew/gcode/polar.hpp>
 
 namespace leadscrew::gcode {
 
 namespace {
 
 // What a character begins, where a word may begin.
-enum Class : std::uint8_t { first_letter = 0, last_letter = 25, blank, line_end, remark, parameter, other };
+enum Class : std::uint8_t { first_letter = 0, last_letter = 25, blank, line_end, remark, parameter, polar, other };
 
 constexpr std::array<std::uint8_t, 256> make_classes() {
   std::array<std::uint8_t, 256> classes{};
@@ -18,6 +19,7 @@ constexpr std::array<std::uint8_t, 256> make_classes() {
   classes['\n'] = classes[';'] = line_end;
   classes['('] = remark;
   classes['#'] = parameter;
+  classes['@'] = classes['^'] = polar;
   return classes;
 }
 constexpr std::array<std::uint8_t, 256> classes = make_classes();
@@ -64,6 +66,7 @@ bool BlockReader::read(const TextLine& line, Block& block) {
       ++p;
     } else if (kind == line_end) {
       // A remark runs to the end of a line that is all here.
+      if (*p == ';' && Remarks::may_ask(p + 1)) note_remark(p + 1, line.end);
       break;
     } else if (kind == remark) {
       in_step = comment(p);
@@ -71,12 +74,20 @@ bool BlockReader::read(const TextLine& line, Block& block) {
       if (!any) block.first_column = static_cast<std::uint32_t>(p - line.begin) + 1;
       any = true;
       in_step = assignment(p);
+    } else if (kind == polar) {
+      if (!any) block.first_column = static_cast<std::uint32_t>(p - line.begin) + 1;
+      any = true;
+      in_step = polar_word(p, block);
     } else {
       in_step = other(p, line);
     }
   }
   block.complete = in_step;
   if (!assignments_.empty()) assign();
+  if (remark_.data() != nullptr) {
+    if (in_step) remarks_.execute(remark_);
+    remark_ = {};
+  }
   return any;
 }
 
@@ -97,6 +108,33 @@ bool BlockReader::word(const char*& p, unsigned letter, Block& block) {
   return true;
 }
 
+bool BlockReader::polar_word(const char*& p, Block& block) {
+  const char* const begin = p++;
+  if (dialect_ != Dialect::leadscrew && dialect_ != Dialect::linuxcnc) {
+    return reporter_.error("bad-character", reporter_.column(begin),
+                           shown(*begin) + " is not of dialect " + std::string(name(dialect_)),
+                           "polar words are known by --dialect leadscrew and linuxcnc");
+  }
+  double value = 0;
+  if (!values_.value(p, value)) return false;
+  const auto column = static_cast<std::uint32_t>(reporter_.column(begin));
+  const std::size_t i = *begin == '@' ? polar_distance : polar_angle;
+  const std::uint32_t bit = std::uint32_t{1} << i;
+  if (std::isnan(value)) return true;
+  if (!(std::fabs(value) <= largest_value)) {
+    return reporter_.error("bad-value", column, *begin + text(value) + " is out of all bounds",
+                           "at most 1e9 in magnitude");
+  }
+  if (block.words & bit) {
+    reporter_.error("repeated-word", column, std::string(1, *begin) + " stands in this block already", "once");
+    return true;
+  }
+  block.words |= bit;
+  block.value[i] = value;
+  block.column[i] = column;
+  return true;
+}
+
 bool BlockReader::refuse_o_word(const char* begin, Block& block) {
   block.clear();
   assignments_.clear();
@@ -104,7 +142,9 @@ bool BlockReader::refuse_o_word(const char* begin, Block& block) {
                          "O words are not read: subroutines, loops, conditions", "write the program out in full");
 }
 
+// A word whose value is vacant is as if it did not stand there (Fanuc).
 bool BlockReader::refuse_value(unsigned letter, double value, std::uint32_t column) {
+  if (std::isnan(value)) return true;
   return reporter_.error("bad-value", column, std::string(1, letter_at(letter)) + text(value) + " is out of all bounds",
                          "at most 1e9 in magnitude");
 }
@@ -140,6 +180,7 @@ bool BlockReader::code_word(char letter, Code code, double value, std::uint32_t 
 }
 
 bool BlockReader::refuse_unknown(char letter, double value, std::uint32_t column) {
+  if (std::isnan(value)) return true;
   const std::optional<int> tenths = tenths_of(value);
   const Dialects others = tenths ? dialects_of(letter, *tenths) : Dialects{};
   if (others.empty()) {
@@ -181,28 +222,70 @@ bool BlockReader::assignment(const char*& p) {
                            "set it with '=', or put a letter before it");
   }
   ++p;
-  if (!values_.value(p, assignment.value)) return false;
-  if (assignment.name.name.empty() && Parameters::is_read_only(assignment.name.number)) {
-    reporter_.error("read-only-parameter", assignment.column,
-                    "#" + std::to_string(assignment.name.number) + " cannot be set",
-                    "G54 ... G59.3 and moves change it");
-    return true;
-  }
-  if (assignment.name.name.empty() && Parameters::is_offset(assignment.name.number) &&
-      !(std::fabs(assignment.value) <= largest_value)) {
-    return reporter_.error("bad-value", assignment.column,
-                           "an offset of " + text(assignment.value) + " is out of all bounds",
-                           "at most 1e9 in magnitude");
-  }
-  assignments_.push_back(assignment);
+  if (!values_.assigned_value(p, assignment.value)) return false;
+  if (can_assign(assignment)) assignments_.push_back(std::move(assignment));
   return true;
+}
+
+bool BlockReader::can_assign(const Assignment& assignment) {
+  const auto& [name, value, column] = assignment;
+  if (!name.name.empty()) {
+    return name.name.front() != '_' || !Predefined::is_read_only(name.name) || refuse_assignment(assignment);
+  }
+  if (name.number == 0 || Predefined::is_read_only(name.number)) return refuse_assignment(assignment);
+  if (has_macros(dialect_) && name.number >= Predefined::first_macro_number) return can_assign_macro(assignment);
+  if (!Parameters::is_offset(name.number)) return true;
+  if (name.number == Parameters::current_system) {
+    reporter_.warning("parameter-without-effect", column, "#5220 selects no coordinate system",
+                      "G54 ... G59.3 select one");
+  }
+  return std::fabs(value) <= largest_value ||
+         reporter_.error("bad-value", column, "an offset of " + text(value) + " is out of all bounds",
+                         "at most 1e9 in magnitude");
+}
+
+// #3000 stops the program with an alarm (Fanuc).
+bool BlockReader::can_assign_macro(const Assignment& assignment) {
+  const int number = assignment.name.number;
+  constexpr int alarm = 3000;
+  if (number == alarm) {
+    reporter_.error("program-alarm", assignment.column, "the program stops here with alarm " + text(assignment.value),
+                    "find out why it sets #3000");
+    reporter_.stop();
+    return false;
+  }
+  if (!Predefined::is_macro_offset(number)) {
+    return reporter_.error("unsupported-parameter", assignment.column,
+                           "#" + std::to_string(number) + " is a system variable that cannot be set",
+                           "#1 to #999 are variables; of the system's can be set #3000 and #5221 to #5390");
+  }
+  return std::fabs(assignment.value) <= largest_value ||
+         reporter_.error("bad-value", assignment.column,
+                         "an offset of " + text(assignment.value) + " is out of all bounds",
+                         "at most 1e9 in magnitude");
+}
+
+void BlockReader::set_number(int number, double value) {
+  if (std::isnan(value)) {
+    parameters_.unset(number);
+  } else {
+    parameters_.set(number, value);
+  }
+}
+
+// The line goes on behind it.
+bool BlockReader::refuse_assignment(const Assignment& assignment) {
+  const auto& name = assignment.name;
+  const std::string shown_name = name.name.empty() ? "#" + std::to_string(name.number) : "#<" + name.name + ">";
+  return reporter_.error("read-only-parameter", assignment.column, shown_name + " cannot be set",
+                         "it tells what holds; choose another name or a number from 31 to 5000");
 }
 
 // Settings take effect when the whole line has been read, each in its turn (3.3.2.1).
 void BlockReader::assign() {
   for (const Assignment& assignment : assignments_) {
     if (assignment.name.name.empty()) {
-      parameters_.set(assignment.name.number, assignment.value);
+      set_number(assignment.name.number, assignment.value);
     } else if (!parameters_.set(assignment.name.name, assignment.value)) {
       reporter_.error("too-many-parameters", assignment.column,
                       "there are more than " + std::to_string(Parameters::most_names) + " named parameters",
@@ -214,17 +297,39 @@ void BlockReader::assign() {
 
 bool BlockReader::comment(const char*& p) {
   const char* const open = p++;
+  remark_ = {};
   for (; *p != ')'; ++p) {
     if (*p == '\n') {
       return reporter_.error("unclosed-comment", reporter_.column(open), "this comment does not end", "add ')'");
     }
-    if (*p == '(') {
-      return reporter_.error("nested-comment", reporter_.column(p), "a comment begins within a comment",
-                             "comments cannot be nested");
-    }
+    if (*p == '(') return nested_comment(open, p);
   }
+  if (Remarks::may_ask(open + 1)) note_remark(open + 1, p);
   ++p;
   return true;
+}
+
+// Where every bracket is closed it is plain what was meant.
+bool BlockReader::nested_comment(const char* open, const char*& p) {
+  const std::int64_t column = reporter_.column(p);
+  const char* end = open;
+  for (int depth = 0; *end != '\n';) {
+    depth += *end == '(' ? 1 : *end == ')' ? -1 : 0;
+    ++end;
+    if (depth != 0) continue;
+    if (dialect_ != Dialect::leadscrew) break;
+    reporter_.warning("nested-comment", column, "a comment begins within a comment",
+                      "other controls refuse this: use square brackets within comments");
+    p = end;
+    return true;
+  }
+  return reporter_.error("nested-comment", column, "a comment begins within a comment", "comments cannot be nested");
+}
+
+void BlockReader::note_remark(const char* begin, const char* end) {
+  if (dialect_ != Dialect::leadscrew && dialect_ != Dialect::linuxcnc) return;
+  if (end != begin && end[-1] == '\r') --end;
+  remark_ = {begin, static_cast<std::size_t>(end - begin)};
 }
 
 }  // namespace leadscrew::gcode

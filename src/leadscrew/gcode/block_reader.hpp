@@ -4,18 +4,20 @@
 #include <leadscrew/gcode/block.hpp>
 #include <leadscrew/gcode/expression.hpp>
 #include <leadscrew/gcode/line_source.hpp>
+#include <leadscrew/gcode/remarks.hpp>
 #include <vector>
 
 namespace leadscrew::gcode {
 
 class BlockReader {
  public:
-  BlockReader(Parameters& parameters, const Frame& frame, Reporter& reporter, Dialect dialect, bool block_delete)
-      : parameters_(parameters),
-        reporter_(reporter),
-        values_(parameters, frame, reporter),
-        dialect_(dialect),
-        block_delete_(block_delete) {}
+  BlockReader(const Context& context, const Predefined& predefined)
+      : parameters_(context.parameters),
+        reporter_(context.reporter),
+        values_(context.parameters, predefined, context.reporter, context.options.dialect),
+        remarks_(context, predefined),
+        dialect_(context.options.dialect),
+        block_delete_(context.options.block_delete) {}
 
   /// Reads the line and then sets its parameters; false where it holds no word. Problems are reported; the words before
   /// them are in the block.
@@ -29,6 +31,7 @@ class BlockReader {
   };
 
   bool word(const char*& p, unsigned letter, Block& block);
+  [[gnu::cold]] bool polar_word(const char*& p, Block& block);
   bool g_word(double value, std::uint32_t column, Block& block);
   bool code_word(char letter, Code code, double value, std::uint32_t column, Block& block);
   bool m_word(double value, std::uint32_t column, Block& block);
@@ -44,13 +47,22 @@ class BlockReader {
   bool checksum(const char*& p, const TextLine& line);
   bool controller_command(const char*& p);
   bool assignment(const char*& p);
+  /// Whether the parameter may be set to this value; reports why not.
+  bool can_assign(const Assignment& assignment);
+  [[gnu::cold]] bool can_assign_macro(const Assignment& assignment);
+  [[gnu::cold]] bool refuse_assignment(const Assignment& assignment);
+  void set_number(int number, double value);
   bool comment(const char*& p);
+  [[gnu::cold]] bool nested_comment(const char* open, const char*& p);
+  void note_remark(const char* begin, const char* end);
   void assign();
 
   Parameters& parameters_;
   Reporter& reporter_;
   ExpressionReader values_;
+  Remarks remarks_;
   std::vector<Assignment> assignments_;
+  std::string_view remark_;  // of the line, that asks for something; null for none
   Dialect dialect_;
   bool block_delete_;
 };

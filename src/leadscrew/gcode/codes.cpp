@@ -192,10 +192,10 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   unread(m(Code::M71, 71, Group::modes, linuxcnc, "forgets the modes kept", manual_m)),
   unread(m(Code::M72, 72, Group::modes, linuxcnc, "brings the modes back", manual_m)),
   unread(m(Code::M73, 73, Group::modes, linuxcnc, "keeps the modes, and brings them back where the subprogram ends", manual_m)),
-  unread(m(Code::M97, 97, Group::call, {H}, "calls the subprogram at a block number", haas_manual, "PL", "P")),
-  unread(m(Code::M98, 98, Group::call, no_small, "calls a subprogram", manual_m, "PL", "P")),
-  unread(m(Code::M99, 99, Group::call, no_small, "returns from a subprogram; in a main program, begins again", manual_m, "P")),
-  unread(g(Code::G65, 650, Group::call, {L, F, H}, "calls a macro with arguments", fanuc_manual, "P", "P")),
+  m(Code::M97, 97, Group::call, {H}, "calls the subprogram at a block number", haas_manual, "PL", "P"),
+  m(Code::M98, 98, Group::call, no_small, "calls a subprogram", manual_m, "PL", "P"),
+  m(Code::M99, 99, Group::call, no_small, "returns from a subprogram; in a main program, begins again", manual_m, "P"),
+  g(Code::G65, 650, Group::call, {L, F, H}, "calls a macro with arguments", fanuc_manual, "PL", "P"),
   unread(m(Code::M100, 100, Group::user, linuxcnc, "function of the machine's builder, of M100 to M199", manual_m, "PQ")),
 }};
 // clang-format on

@@ -150,7 +150,8 @@ void DialectForms::drop_idle_words(Block& block) const {
     if (block.has(outside) && block[outside] == 0) drop(block, outside);
   }
   if (has(Form::idle_d) && block.has('D') && !block.has(Group::cutter_radius)) drop(block, 'D');
-  if (has(Form::idle_g53) && block.is(Code::G53) && !(block.words & axis_letter_bits)) {
+  constexpr std::uint32_t no_place = letter_bit('F') | letter_bit('N') | letter_bit('S') | letter_bit('T');
+  if (has(Form::idle_g53) && block.is(Code::G53) && !(block.words & ~no_place)) {
     block.groups &= ~bit(Group::nonmodal);
   }
 }

@@ -9,152 +9,9 @@ namespace leadscrew::gcode {
 
 namespace {
 
-constexpr int deepest = 64;            // brackets within brackets
-constexpr double equal_within = 1e-4;  // EQ and NE, as LinuxCNC has it
+constexpr int deepest = 64;  // brackets within brackets
 constexpr std::size_t longest_name = 255;
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-// Whether the word stands at p, in any case and with blanks between its letters; p then moves behind it.
-bool take(const char*& p, std::string_view word) {
-  const char* q = p;
-  for (const char c : word) {
-    skip_blanks(q);
-    if (upper(*q) != c) return false;
-    ++q;
-  }
-  p = q;
-  skip_blanks(p);
-  return true;
-}
-
-enum class Operator : std::uint8_t {
-  power,
-  times,
-  divide,
-  modulo,
-  plus,
-  minus,
-  equal,
-  not_equal,
-  greater,
-  greater_equal,
-  less,
-  less_equal,
-  both,
-  either,
-  one
-};
-
-struct OperatorName {
-  std::string_view name;
-  Operator operation;
-  int level;  // how tightly it binds
-};
-
-// A name that begins another stands behind it.
-constexpr OperatorName operators[] = {
-    {"**", Operator::power, 5},         {"*", Operator::times, 4},      {"/", Operator::divide, 4},
-    {"MOD", Operator::modulo, 4},       {"+", Operator::plus, 3},       {"-", Operator::minus, 3},
-    {"EQ", Operator::equal, 2},         {"NE", Operator::not_equal, 2}, {"GT", Operator::greater, 2},
-    {"GE", Operator::greater_equal, 2}, {"LT", Operator::less, 2},      {"LE", Operator::less_equal, 2},
-    {"AND", Operator::both, 1},         {"OR", Operator::either, 1},    {"XOR", Operator::one, 1},
-};
-
-const OperatorName* operator_at(const char*& p, int loosest) {
-  for (const OperatorName& candidate : operators) {
-    const char* q = p;
-    if (!take(q, candidate.name)) continue;
-    if (candidate.level < loosest) return nullptr;
-    p = q;
-    return &candidate;
-  }
-  return nullptr;
-}
-
-double apply(Operator operation, double a, double b) {
-  switch (operation) {
-    case Operator::power:
-      return std::pow(a, b);
-    case Operator::times:
-      return a * b;
-    case Operator::divide:
-      return a / b;
-    case Operator::modulo: {
-      const double rest = std::fmod(a, b);
-      return rest < 0 ? rest + std::fabs(b) : rest;
-    }
-    case Operator::plus:
-      return a + b;
-    case Operator::minus:
-      return a - b;
-    case Operator::equal:
-      return std::fabs(a - b) < equal_within;
-    case Operator::not_equal:
-      return std::fabs(a - b) >= equal_within;
-    case Operator::greater:
-      return a > b;
-    case Operator::greater_equal:
-      return a >= b;
-    case Operator::less:
-      return a < b;
-    case Operator::less_equal:
-      return a <= b;
-    case Operator::both:
-      return a != 0 && b != 0;
-    case Operator::either:
-      return a != 0 || b != 0;
-    case Operator::one:
-      return (a != 0) != (b != 0);
-  }
-  return 0;
-}
-
-enum class Function : std::uint8_t { abs, acos, asin, cos, exp, fix, fup, ln, round, sin, sqrt, tan, atan, exists };
-
-struct FunctionName {
-  std::string_view name;
-  Function function;
-};
-
-constexpr FunctionName functions[] = {
-    {"ABS", Function::abs},   {"ACOS", Function::acos},     {"ASIN", Function::asin},   {"ATAN", Function::atan},
-    {"COS", Function::cos},   {"EXISTS", Function::exists}, {"EXP", Function::exp},     {"FIX", Function::fix},
-    {"FUP", Function::fup},   {"LN", Function::ln},         {"ROUND", Function::round}, {"SIN", Function::sin},
-    {"SQRT", Function::sqrt}, {"TAN", Function::tan},
-};
-
-double apply(Function function, double x) {
-  switch (function) {
-    case Function::abs:
-      return std::fabs(x);
-    case Function::acos:
-      return std::acos(x) * degrees_per_radian;
-    case Function::asin:
-      return std::asin(x) * degrees_per_radian;
-    case Function::cos:
-      return cosine_of_degrees(x);
-    case Function::exp:
-      return std::exp(x);
-    case Function::fix:
-      return std::floor(x);
-    case Function::fup:
-      return std::ceil(x);
-    case Function::ln:
-      return std::log(x);
-    case Function::round:
-      return std::round(x);
-    case Function::sin:
-      return sine_of_degrees(x);
-    case Function::sqrt:
-      return std::sqrt(x);
-    case Function::tan:
-      return sine_of_degrees(x) / cosine_of_degrees(x);
-    case Function::atan:
-    case Function::exists:
-      break;  // read apart: their arguments are not one value
-  }
-  return x;
-}
 
 }  // namespace
 
@@ -182,7 +39,7 @@ bool ExpressionReader::any_value(const char*& p, double& value, int depth) {
                            found + " stands where a number should", "write a number, [an expression], or #a parameter");
   }
   if (!read) return false;
-  if (negative) value = -value;
+  if (negative) value = std::isnan(value) ? 0 : -value;
   skip_blanks(p);
   return true;
 }
@@ -226,15 +83,16 @@ bool ExpressionReader::binary(const char*& p, double& value, int loosest, int de
   if (!any_value(p, value, depth)) return false;
   for (;;) {
     const char* const at = p;
-    const OperatorName* const found = operator_at(p, loosest);
+    const OperatorName* const found = operator_at(p, loosest, dialect_);
     if (!found) return true;
     double right = 0;
-    if (!binary(p, right, found->level + 1, depth)) return false;
-    if (right == 0 && (found->operation == Operator::divide || found->operation == Operator::modulo)) {
+    if (!binary(p, right, level_of(*found, dialect_) + 1, depth)) return false;
+    if (!(right != 0 && !std::isnan(right)) &&
+        (found->operation == Operator::divide || found->operation == Operator::modulo)) {
       return reporter_.error("division-by-zero", reporter_.column(at), text(value) + " is divided by 0",
                              "the divisor must not be 0");
     }
-    const double result = apply(found->operation, value, right);
+    const double result = apply(found->operation, value, right, dialect_);
     if (!std::isfinite(result)) {
       return reporter_.error("expression-domain", reporter_.column(at),
                              text(value) + " " + std::string(found->name) + " " + text(right) + " is not a number",
@@ -246,14 +104,7 @@ bool ExpressionReader::binary(const char*& p, double& value, int loosest, int de
 
 bool ExpressionReader::function(const char*& p, double& value, int depth) {
   const char* const begin = p;
-  const FunctionName* found = nullptr;
-  for (const FunctionName& candidate : functions) {
-    const char* q = p;
-    if (!take(q, candidate.name) || *q != '[') continue;
-    found = &candidate;
-    p = q;
-    break;
-  }
+  const FunctionName* const found = function_at(p, dialect_);
   if (!found) {
     return reporter_.error("bad-number", reporter_.column(begin), shown(*begin) + " stands where a number should",
                            "write a number, [an expression], or a function of one such as SIN[30]");
@@ -269,10 +120,10 @@ bool ExpressionReader::function(const char*& p, double& value, int depth) {
     }
     double x = 0;
     if (!bracketed(p, x, depth)) return false;
-    value = std::atan2(value, x) * degrees_per_radian;
+    value = std::atan2(std::isnan(value) ? 0 : value, std::isnan(x) ? 0 : x) * degrees_per_radian;
     return true;
   }
-  const double result = apply(found->function, value);
+  const double result = apply(found->function, value, dialect_);
   // LN[0] and TAN[90] are infinite, the others not a number, where they are not defined.
   if (!std::isfinite(result)) {
     return reporter_.error("expression-domain", reporter_.column(begin),
@@ -296,7 +147,8 @@ bool ExpressionReader::exists(const char*& p, double& value, int depth) {
     return reporter_.error("unclosed-bracket", reporter_.column(open), "this bracket is not closed", "add ']'");
   }
   skip_blanks(++p);
-  value = name.name.empty() ? parameters_.get(name.number).has_value() : parameters_.get(name.name).has_value();
+  // Numbers exist always (LinuxCNC).
+  value = name.name.empty() || parameters_.get(name.name) || predefined_.get(name.name);
   return true;
 }
 
@@ -307,7 +159,8 @@ bool ExpressionReader::parameter_name(const char*& p, ParameterName& name, int d
     double number = 0;
     if (!any_value(p, number, depth + 1)) return false;
     const std::optional<int> index = as_integer(number);
-    if (!index || *index < 1 || *index > Parameters::last) {
+    const int first = has_macros(dialect_) ? 0 : 1;
+    if (!index || *index < first || *index > Parameters::last) {
       return reporter_.error("bad-parameter", reporter_.column(begin - 1), "there is no parameter #" + text(number),
                              "an integer from 1 to " + std::to_string(Parameters::last) + ", or a <name>");
     }
@@ -336,20 +189,45 @@ bool ExpressionReader::parameter(const char*& p, double& value, int depth) {
   const char* const begin = p++;
   ParameterName name;
   if (!parameter_name(p, name, depth)) return false;
-  const int nth_axis = name.name.empty() ? name.number - Parameters::current_position : -1;
-  if (nth_axis >= 0 && nth_axis < static_cast<int>(base::axis_count)) {
-    const auto axis = static_cast<base::Axis>(nth_axis);
-    value = frame_.to_program(frame_.position)[base::index(axis)] / frame_.unit(axis);
+  return name.name.empty() ? numbered(name.number, begin, value) : named(name.name, begin, value);
+}
+
+bool ExpressionReader::numbered(int number, const char* begin, double& value) {
+  if (number == 0) {
+    value = vacant;
     return true;
   }
-  const std::optional<double> found = name.name.empty() ? parameters_.get(name.number) : parameters_.get(name.name);
-  if (found) {
-    value = *found;
+  if (has_macros(dialect_) && number >= Predefined::first_macro_number) {
+    const std::optional<double> found = predefined_.of_macro(number);
+    if (found) {
+      value = *found;
+      return true;
+    }
+    return refuse_macro_number(number, begin);
+  }
+  const std::optional<double> predefined = predefined_.get(number);
+  value = predefined ? *predefined : parameters_.get(number).value_or(has_macros(dialect_) ? vacant : 0);
+  return true;
+}
+
+bool ExpressionReader::refuse_macro_number(int number, const char* begin) {
+  return reporter_.error(
+      "unsupported-parameter", reporter_.column(begin),
+      "#" + std::to_string(number) + " is a system variable that is not read",
+      "#1 to #999 are variables; of the system's are read #4001 to #4014, #5001 to #5069 and offsets");
+}
+
+bool ExpressionReader::named(const std::string& name, const char* begin, double& value) {
+  const std::optional<double> found = parameters_.get(name);
+  if (const auto present = found ? found : predefined_.get(name)) {
+    value = *present;
     return true;
   }
-  const std::string shown_name = name.name.empty() ? "#" + std::to_string(name.number) : "#<" + name.name + ">";
-  return reporter_.error("unset-parameter", reporter_.column(begin), shown_name + " has no value",
-                         "assign it in a block before this one: " + shown_name + "=...");
+  const bool of_host = Predefined::is_of_host(name);
+  return reporter_.error("unset-parameter", reporter_.column(begin), "#<" + name + "> has no value",
+                         of_host
+                             ? "settings and pins of LinuxCNC are not here: test it with EXISTS, or set a name instead"
+                             : "assign it in a block before this one: #<" + name + ">=...");
 }
 
 }  // namespace leadscrew::gcode

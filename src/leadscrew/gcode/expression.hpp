@@ -1,13 +1,15 @@
 #pragma once
 // Real values of RS274/NGC (NIST IR 6556, 3.3.2): numbers, parameters, expressions in brackets, and functions of them.
 //
-// Operators bind, from tight to loose: `**`, then `* / MOD`, then `+ -`, then `EQ NE GT GE LT LE`, then `AND OR XOR`;
-// equals from the left (2**3**2 is 64), as in LinuxCNC. Angles are degrees. Numbers closer than 10⁻⁶ are EQ. MOD is
-// never negative.
+// The operators and functions are those of operations.hpp. Angles are degrees. A numbered parameter that was never set
+// is 0 (LinuxCNC manual, "Parameters"), in Fanuc's macros vacant; a name that was never set is an error.
 
-#include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/operations.hpp>
+#include <leadscrew/gcode/parameters.hpp>
+#include <leadscrew/gcode/predefined.hpp>
 #include <leadscrew/gcode/reporter.hpp>
+#include <limits>
 #include <string>
 
 namespace leadscrew::gcode {
@@ -22,8 +24,11 @@ class ExpressionReader {
     std::string name;
   };
 
-  ExpressionReader(const Parameters& parameters, const Frame& frame, Reporter& reporter)
-      : parameters_(parameters), frame_(frame), reporter_(reporter) {}
+  /// A value that is none: of a variable of Fanuc's macros that was not set.
+  static constexpr double vacant = std::numeric_limits<double>::quiet_NaN();
+
+  ExpressionReader(const Parameters& parameters, const Predefined& predefined, Reporter& reporter, Dialect dialect)
+      : parameters_(parameters), predefined_(predefined), reporter_(reporter), dialect_(dialect) {}
 
   /// Any real value. Plain numbers, nearly all there is, are read in place.
   [[gnu::always_inline]] bool value(const char*& p, double& value) {
@@ -44,7 +49,12 @@ class ExpressionReader {
     return any_value(p, value, 0);
   }
 
-  /// What follows '#'; p is behind it.
+  /// The value that a parameter is set to: but for LinuxCNC's an expression, which needs no brackets (Fanuc).
+  bool assigned_value(const char*& p, double& value) {
+    return dialect_ == Dialect::linuxcnc ? any_value(p, value, 0) : binary(p, value, 1, 0);
+  }
+
+  /// What follows '#'; p is behind it. Number 0 is Fanuc's vacant.
   bool parameter_name(const char*& p, ParameterName& name, int depth = 0);
 
  private:
@@ -58,18 +68,15 @@ class ExpressionReader {
   bool exists(const char*& p, double& value, int depth);
   bool parameter(const char*& p, double& value, int depth);
 
+  bool numbered(int number, const char* begin, double& value);
+  bool named(const std::string& name, const char* begin, double& value);
+  [[gnu::cold]] bool refuse_macro_number(int number, const char* begin);
+
   const Parameters& parameters_;
-  const Frame& frame_;
+  const Predefined& predefined_;
   Reporter& reporter_;
+  Dialect dialect_;
   std::string joined_;  // a number written with blanks in it, without them
 };
-
-inline void skip_blanks(const char*& p) {
-  while (is_blank(*p)) ++p;
-}
-
-constexpr char upper(char c) {
-  return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 }  // namespace leadscrew::gcode

@@ -73,7 +73,7 @@ constexpr bool is_letter_of_sign(char c) {
   return ('A' <= c && c <= 'Z') || c == '_';
 }
 
-bool begins_with(std::string_view text, std::string_view sign) {
+bool begins_with_sign(std::string_view text, std::string_view sign) {
   std::size_t at = 0;
   for (const char c : sign) {
     if (c != '#') {
@@ -113,7 +113,7 @@ std::optional<std::string_view> foreign_language(std::string_view line) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (i > 0 && (is_letter_of_sign(text[i - 1]) || text[i - 1] == '[' || text[i - 1] == '#')) continue;
     for (const Sign& sign : signs) {
-      if (begins_with(std::string_view(text).substr(i), sign.text)) return sign.language;
+      if (begins_with_sign(std::string_view(text).substr(i), sign.text)) return sign.language;
     }
   }
   return std::nullopt;

@@ -15,11 +15,6 @@ void turn(double sine, double cosine, double& x, double& y) {
   x = turned;
 }
 
-// First parameter of a coordinate system; the tenth is its rotation.
-int first_of_system(int number) {
-  return 5201 + 20 * number;
-}
-
 }  // namespace
 
 double sine_of_degrees(double degrees) {
@@ -87,64 +82,6 @@ base::AxisVector Frame::to_machine(const base::AxisVector& program) const {
   turn(sine_, cosine_, machine[x_axis], machine[y_axis]);
   for (std::size_t i = 0; i < base::axis_count; ++i) machine[i] += system_.origin[i] + tool_[i];
   return machine;
-}
-
-Parameters::Parameters() {
-  const base::AxisVector zero{};
-  set_axes(g28_home, zero);
-  set_axes(g30_home, zero);
-  set(g92_active, 0);
-  set_axes(g92_shift, zero);
-  set(current_system, 1);
-  for (int system = 1; system <= 9; ++system) set_system(system, {});
-}
-
-std::optional<double> Parameters::get(int number) const {
-  const auto i = static_cast<std::size_t>(number);
-  return given_[i] ? std::optional<double>(numbered_[i]) : std::nullopt;
-}
-
-void Parameters::set(int number, double value) {
-  const auto i = static_cast<std::size_t>(number);
-  numbered_[i] = value;
-  given_[i] = true;
-}
-
-std::optional<double> Parameters::get(const std::string& name) const {
-  const auto found = named_.find(name);
-  return found == named_.end() ? std::nullopt : std::optional<double>(found->second);
-}
-
-bool Parameters::set(const std::string& name, double value) {
-  const auto found = named_.find(name);
-  if (found != named_.end()) {
-    found->second = value;
-    return true;
-  }
-  if (named_.size() >= most_names) return false;
-  named_.emplace(name, value);
-  return true;
-}
-
-base::AxisVector Parameters::axes(int first) const {
-  base::AxisVector value;
-  for (std::size_t i = 0; i < base::axis_count; ++i) value[i] = numbered_[static_cast<std::size_t>(first) + i];
-  return value;
-}
-
-void Parameters::set_axes(int first, const base::AxisVector& value) {
-  for (std::size_t i = 0; i < base::axis_count; ++i) set(first + static_cast<int>(i), value[i]);
-}
-
-CoordinateSystem Parameters::system(int number) const {
-  const int first = first_of_system(number);
-  return {axes(first), numbered_[static_cast<std::size_t>(first) + base::axis_count]};
-}
-
-void Parameters::set_system(int number, const CoordinateSystem& system) {
-  const int first = first_of_system(number);
-  set_axes(first, system.origin);
-  set(first + static_cast<int>(base::axis_count), system.rotation);
 }
 
 }  // namespace leadscrew::gcode

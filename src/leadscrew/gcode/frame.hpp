@@ -1,21 +1,13 @@
 #pragma once
-// From coordinates of the program to those of the machine, and the numbered parameters that keep the offsets between
-// them.
+// From coordinates of the program to those of the machine.
 //
 //     machine = R(program + shift) + origin + tool
 //
 // origin and R, a turn about Z, belong to the coordinate system in force (G54 … G59.3, G10 L2), shift to G92, tool to
 // G43 (LinuxCNC, "Coordinate Systems": the G92 offset turns with the system).
 
-#include <array>
-#include <bitset>
 #include <cstddef>
-#include <functional>
 #include <leadscrew/base/axes.hpp>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <unordered_map>
 
 namespace leadscrew::gcode {
 
@@ -64,44 +56,5 @@ class Frame {
 /// Sine and cosine of an angle in degrees, exact at multiples of 90.
 double sine_of_degrees(double degrees);
 double cosine_of_degrees(double degrees);
-
-/// The parameters of a program: numbers 1 … 5602, and names. Offsets (5161 … 5390) are kept in mm and degrees, the
-/// units of the machine, as LinuxCNC keeps them.
-class Parameters {
- public:
-  static constexpr int last = 5602;
-  static constexpr std::size_t most_names = 10'000;
-  static constexpr int g28_home = 5161;  ///< first of nine: axes X Y Z A B C U V W
-  static constexpr int g30_home = 5181;
-  static constexpr int g92_active = 5210;
-  static constexpr int g92_shift = 5211;
-  static constexpr int current_system = 5220;
-  static constexpr int current_position = 5420;
-
-  Parameters();
-
-  std::optional<double> get(int number) const;  ///< std::nullopt where no value was ever given; 1 ≤ number ≤ last
-  void set(int number, double value);
-  std::optional<double> get(const std::string& name) const;
-  /// False where there are too many names.
-  bool set(const std::string& name, double value);
-
-  static bool is_read_only(int number) {
-    return number == current_system || (current_position <= number && number < current_position + 9);
-  }
-
-  /// Whether a parameter keeps a place or an offset.
-  static bool is_offset(int number) { return g28_home <= number && number <= 5390; }
-
-  base::AxisVector axes(int first) const;
-  void set_axes(int first, const base::AxisVector& value);
-  CoordinateSystem system(int number) const;  ///< 1 … 9: G54 … G59.3
-  void set_system(int number, const CoordinateSystem& system);
-
- private:
-  std::array<double, last + 1> numbered_{};
-  std::bitset<last + 1> given_;
-  std::unordered_map<std::string, double> named_;
-};
 
 }  // namespace leadscrew::gcode

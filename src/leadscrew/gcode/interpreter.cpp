@@ -12,9 +12,12 @@ Interpreter::Interpreter(const Context& context)
       curves_(context, motion_, travel_, outbox_),
       cycles_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
+      polar_(context),
       check_(context, travel_) {
   modal_.tolerance = machine_.tolerance;
   frame_.position = options_.start;
+  parameters_.load(options_.parameters);
+  offsets_.begin();
   travel_.note_outside();
   set_path_control({});
 }
@@ -22,6 +25,20 @@ Interpreter::Interpreter(const Context& context)
 void Interpreter::execute(const Block& block, base::Line line) {
   modal_.line = line;
   outbox_.clear();
+  if (block.words & polar_bits) return execute_polar(block);
+  begin_block(block);
+  finish_block(block);
+}
+
+// Where polar words lead depends on the modes of their block, what else may stand in it on their being axis words.
+void Interpreter::execute_polar(Block block) {
+  polar_.announce(block);
+  begin_block(block);
+  polar_.resolve(block);
+  finish_block(block);
+}
+
+void Interpreter::begin_block(const Block& block) {
   if (reporter_.failed()) reporter_.mute();
   curves_.spoil_after_errors();
   if (!block.complete) {
@@ -37,6 +54,9 @@ void Interpreter::execute(const Block& block, base::Line line) {
   motion_.set_feed(block);
   events_.execute(block);
   set_modes(block);
+}
+
+void Interpreter::finish_block(const Block& block) {
   if (block.has(Group::nonmodal)) dispatch(block.code(Group::nonmodal), block);
   execute_motion(block);
   stop(block);

@@ -13,6 +13,7 @@
 #include <leadscrew/gcode/machine_events.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
+#include <leadscrew/gcode/polar.hpp>
 
 namespace leadscrew::gcode {
 
@@ -39,6 +40,11 @@ class Interpreter : Part {
   bool ended() const { return ended_; }
 
  private:
+  /// All that is checked and executed before the axes move.
+  void begin_block(const Block& block);
+  /// The rest of it.
+  void finish_block(const Block& block);
+  [[gnu::noinline]] void execute_polar(Block block);
   void set_modes(const Block& block);
   void set_path_control(const Block& block);
   void execute_motion(const Block& block);
@@ -53,6 +59,7 @@ class Interpreter : Part {
   CurveReader curves_;
   CannedCycles cycles_;
   Offsets offsets_;
+  Polar polar_;
   BlockCheck check_;
   std::optional<base::Event::Kind> stop_;
   bool ended_ = false;

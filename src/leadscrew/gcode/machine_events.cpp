@@ -52,7 +52,8 @@ void MachineEvents::change_tool(const Block& block) {
 }
 
 void MachineEvents::turn_spindle(const Block& block) {
-  switch (block.code(Group::spindle)) {
+  modal_.spindle = block.code(Group::spindle);
+  switch (modal_.spindle) {
     case Code::M3:
       return outbox_.emit_event(Kind::spindle_clockwise, modal_.spindle_speed);
     case Code::M4:
@@ -91,6 +92,8 @@ void MachineEvents::set_output(const Block& block) {
 
 void MachineEvents::set_coolant(const Block& block) {
   const Code code = block.code(Group::coolant);
+  modal_.mist = code != Code::M9 && (modal_.mist || code == Code::M7);
+  modal_.flood = code != Code::M9 && (modal_.flood || code == Code::M8);
   outbox_.emit_event(code == Code::M7   ? Kind::coolant_mist
                      : code == Code::M8 ? Kind::coolant_flood
                                         : Kind::coolant_off);

@@ -33,7 +33,11 @@ struct ModalState {
   bool feed_known = false;
   double linear_feed = 0;    ///< mm/s
   double angular_feed = 0;   ///< degrees/s
+  double feed_word = 0;      ///< F of G94, as it was written; 0 where none holds
   double spindle_speed = 0;  ///< as S says it
+  Code spindle = Code::M5;   ///< M3, M4 or M5
+  bool mist = false;         ///< M7
+  bool flood = false;        ///< M8
   std::optional<int> selected_tool;
   int loaded_tool = 0;
 

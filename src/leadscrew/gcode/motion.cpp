@@ -56,6 +56,7 @@ void Motion::set_feed(const Block& block) {
     const FeedMode mode = block.code(Group::feed_mode) == Code::G93 ? FeedMode::inverse_time : FeedMode::per_minute;
     // A number that was a duration is no speed.
     if (mode != modal_.feed_mode) modal_.feed_known = false;
+    if (mode != modal_.feed_mode && mode == FeedMode::per_minute) modal_.feed_word = 0;
     modal_.feed_mode = mode;
   }
   if (!block.has('F')) return;
@@ -67,6 +68,7 @@ void Motion::set_feed(const Block& block) {
     return;
   }
   modal_.feed_known = true;
+  if (modal_.feed_mode == FeedMode::per_minute) modal_.feed_word = value;
   modal_.linear_feed = value * frame_.length_unit / seconds_per_minute;
   modal_.angular_feed = value / seconds_per_minute;
   if (block.has(Group::units) && (block.code(Group::units) == Code::G20) != (frame_.length_unit != 1)) {

@@ -57,6 +57,13 @@ void Offsets::note_missing_table(const Block& block) {
                     "give a tool table with the lengths of the tools");
 }
 
+void Offsets::begin() {
+  select_system(static_cast<int>(parameters_.get(Parameters::current_system).value_or(1)));
+  if (parameters_.get(Parameters::g92_active).value_or(0) != 0) {
+    frame_.set_shift(parameters_.axes(Parameters::g92_shift));
+  }
+}
+
 void Offsets::select_system(int number) {
   modal_.system = number;
   parameters_.set(Parameters::current_system, number);

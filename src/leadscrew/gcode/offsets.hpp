@@ -9,6 +9,8 @@ class Offsets : Part {
  public:
   Offsets(const Context& context, Motion& motion) : Part(context), motion_(motion) {}
 
+  /// What parameters say where a program begins: the coordinate system in force, and G92.
+  void begin();
   /// G43, G43.1, G43.2, G49.
   void set_tool_length(const Block& block);
   /// G54 … G59.3, by their numbers 1 … 9.

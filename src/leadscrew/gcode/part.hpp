@@ -5,6 +5,7 @@
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/modal_state.hpp>
 #include <leadscrew/gcode/number.hpp>
+#include <leadscrew/gcode/parameters.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/gcode/reporter.hpp>
 #include <utility>

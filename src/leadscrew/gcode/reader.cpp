@@ -3,6 +3,7 @@
 #include <leadscrew/gcode/block_reader.hpp>
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/gcode/foreign_language.hpp>
+#include <leadscrew/gcode/flow.hpp>
 #include <leadscrew/gcode/interpreter.hpp>
 #include <leadscrew/gcode/printer_commands.hpp>
 #include <leadscrew/gcode/reader.hpp>
@@ -24,11 +25,14 @@ class Reader::Implementation {
   Implementation(ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                  ReaderOptions options, DiagnosticSink sink)
       : options_(std::move(options)),
-        lines_(std::move(source)),
+        text_(std::move(source), options_.opener, options_.file),
         reporter_(options_.file, std::move(sink)),
-        blocks_reader_(parameters_, frame_, reporter_, options_.dialect, options_.block_delete),
-        interpreter_(Context{machine, tools, options_, parameters_, frame_, reporter_, modal_}),
-        forms_(Context{machine, tools, options_, parameters_, frame_, reporter_, modal_}),
+        context_{machine, tools, options_, parameters_, frame_, reporter_, modal_},
+        predefined_(context_),
+        blocks_reader_(context_, predefined_),
+        interpreter_(context_),
+        flow_(text_, context_, predefined_),
+        forms_(context_),
         printer_(reporter_),
         has_printer_commands_(has_form(options_.dialect, Form::printer_commands)) {}
 
@@ -36,11 +40,11 @@ class Reader::Implementation {
     for (;;) {
       if (pending_ && interpreter_.next(move)) return true;
       pending_ = false;
-      if (done_) return false;
+      if (done_) return finish();
       TextLine line;
       if (reporter_.full()) {
         done_ = true;
-      } else if (!lines_.next(line)) {
+      } else if (!text_.next(line)) {
         end_of_text();
       } else if (read(line, move)) {
         return true;
@@ -73,9 +77,20 @@ class Reader::Implementation {
   int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
-  const std::optional<base::Diagnostic>& source_failure() const { return lines_.failure(); }
+  const std::optional<base::Diagnostic>& source_failure() const {
+    return flow_.failure() ? flow_.failure() : text_.failure();
+  }
+  const std::vector<std::string>& files() const { return text_.names(); }
 
  private:
+  /// There are no more moves.
+  bool finish() {
+    if (interpreter_.ended() && reporter_.errors() == 0 && options_.parameters_at_end) {
+      std::exchange(options_.parameters_at_end, nullptr)(parameters_.persistent());
+    }
+    return false;
+  }
+
   enum class Delimiter : std::uint8_t { unknown, none, percent };  // whether the program stands between two %
 
   // Reads and executes a line; true if execute_plain() made a move of it. What else it made is pending.
@@ -87,19 +102,57 @@ class Reader::Implementation {
                              "this line is longer than " + std::to_string(longest_line) + " bytes",
                              "is this a part program?");
     }
-    if (delimiter_ != Delimiter::none && !before_program(line)) return false;
+    if (base::file(line.id) != 0) {
+      if (*line.begin == '%') return delimiter_of_file(line);
+    } else if (delimiter_ != Delimiter::none && !before_program(line)) {
+      return false;
+    }
+    if (!flow_.count_line()) {
+      done_ = true;
+      return false;
+    }
+    if (flow_.may_take(line) && !is_block(line)) return false;
     if (has_printer_commands_ && printer_.take(line)) return false;
     if (!block_is_read(line)) return false;
-    const base::Line number{line.number};
     if (!reporter_.failed()) {
-      const Interpreter::Plain plain = interpreter_.execute_plain(block_, number, move);
+      const Interpreter::Plain plain = interpreter_.execute_plain(block_, line.id, move);
       if (plain != Interpreter::Plain::no) return plain == Interpreter::Plain::move;
     }
-    forms_.rewrite(block_, line);
-    interpreter_.execute(block_, number);
-    pending_ = true;
-    done_ = interpreter_.ended();
+    if (block_.has(Group::call)) return call(line);
+    execute(line);
     return false;
+  }
+
+  void execute(const TextLine& line) {
+    forms_.rewrite(block_, line);
+    interpreter_.execute(block_, line.id);
+    pending_ = true;
+    done_ = done_ || interpreter_.ended();
+  }
+
+  // Whether the line holds a block; if not, what it says of the flow is done.
+  [[gnu::noinline]] bool is_block(TextLine& line) {
+    const Flow::Next next = flow_.take(line);
+    if (next == Flow::Next::block) return true;
+    ++blocks_;
+    follow(next, line.id);
+    return false;
+  }
+
+  // M97, M98 or M99: what else stands in the block is executed before.
+  [[gnu::noinline]] bool call(const TextLine& line) {
+    Block calling = block_;
+    block_.groups &= ~bit(Group::call);
+    block_.words &= ~row(calling.code(Group::call)).words.bits;
+    execute(line);
+    if (!reporter_.failed() && !interpreter_.ended()) follow(flow_.execute(calling, line), line.id);
+    return false;
+  }
+
+  void follow(Flow::Next next, base::Line line) {
+    if (next == Flow::Next::program_end) interpreter_.end(line);
+    pending_ = pending_ || next == Flow::Next::program_end;
+    done_ = done_ || next == Flow::Next::stop || next == Flow::Next::program_end;
   }
 
   bool block_is_read(const TextLine& line) {
@@ -122,7 +175,7 @@ class Reader::Implementation {
     if (*p == '%') {
       if (p[1] == '_') reporter_.refuse_foreign();
       if (delimiter_ == Delimiter::percent) {
-        interpreter_.end(base::Line{line.number});
+        if (flow_.end_of_text() == Flow::Next::program_end) interpreter_.end(line.id);
         pending_ = done_ = true;
       }
       delimiter_ = Delimiter::percent;
@@ -132,30 +185,40 @@ class Reader::Implementation {
     return true;
   }
 
+  // A subprogram's file may stand between two % as well.
+  [[gnu::cold]] bool delimiter_of_file(const TextLine& line) {
+    if (line.number > 1) end_of_text();
+    return false;
+  }
+
   void end_of_text() {
     done_ = true;
-    if (lines_.failure()) return;
-    const base::Place place{reporter_.file(), std::max<std::int64_t>(lines_.lines(), 1), 1};
+    if (source_failure()) return;
+    const base::Place place{reporter_.file(), std::max<std::int64_t>(text_.lines(), 1), 1};
     if (empty_) {
       reporter_.report(base::Severity::error, "empty-program", place, "there is no program in this text",
                        "is this the right file?");
       return;
     }
+    if (flow_.end_of_text() == Flow::Next::stop) return;
     const bool may_end = has_form(options_.dialect, Form::end_of_text);
     reporter_.report(may_end ? base::Severity::note : base::Severity::error, "program-end", place,
                      "the text ends without M2, M30 or %", "end the program with M2");
-    interpreter_.end(base::Line{lines_.lines()});
+    interpreter_.end(base::line_at(text_.lines(), base::file(reporter_.line()), base::visit(reporter_.line())));
     pending_ = true;
   }
 
   ReaderOptions options_;
-  LineSource lines_;
+  ProgramText text_;
   Reporter reporter_;
   Parameters parameters_;
   Frame frame_;
   ModalState modal_;
+  Context context_;
+  Predefined predefined_;
   BlockReader blocks_reader_;
   Interpreter interpreter_;
+  Flow flow_;
   DialectForms forms_;
   PrinterCommands printer_;
   bool has_printer_commands_;
@@ -198,6 +261,9 @@ std::int64_t Reader::blocks() const {
 }
 std::int64_t Reader::errors() const {
   return implementation_->errors();
+}
+const std::vector<std::string>& Reader::files() const {
+  return implementation_->files();
 }
 const std::optional<base::Diagnostic>& Reader::source_failure() const {
   return implementation_->source_failure();

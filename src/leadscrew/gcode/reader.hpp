@@ -47,16 +47,20 @@
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/gcode/dialect.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/gcode/parameter_file.hpp>
+#include <leadscrew/gcode/remark.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace leadscrew::gcode {
 
 using base::ByteSource;
+using base::TextOpener;
 
 class Frame;  // frame.hpp
 
@@ -68,12 +72,22 @@ using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
 
 /// How a program is read.
 struct ReaderOptions {
-  std::string file{};                    ///< name for diagnostics
-  base::AxisVector start{};              ///< machine coordinates, mm or degrees, where the program begins
-  bool block_delete = true;              ///< skip blocks that begin with '/'
-  Dialect dialect = Dialect::leadscrew;  ///< what codes mean
-  std::optional<PathMode> path_mode{};   ///< overrides G61, G61.1 and G64
-  std::optional<double> tolerance{};     ///< mm; overrides P of G64; ≥ 0
+  std::string file{};                       ///< name for diagnostics
+  base::AxisVector start{};                 ///< machine coordinates, mm or degrees, where the program begins
+  bool block_delete = true;                 ///< skip blocks that begin with '/'
+  Dialect dialect = Dialect::leadscrew;     ///< what codes mean
+  std::optional<PathMode> path_mode{};      ///< overrides G61, G61.1 and G64
+  std::optional<double> tolerance{};        ///< mm; overrides P of G64; ≥ 0
+  std::vector<NumberedValue> parameters{};  ///< of a parameter file: what they are where the program begins
+  /// Called when the program has been read to its end without error, with what a parameter file then keeps; may be
+  /// empty. It is ahead of motion by as much as the reader is.
+  std::function<void(const std::vector<NumberedValue>&)> parameters_at_end{};
+  RemarkSink remarks{};  ///< gets messages and log lines of the program; may be empty
+  /// Loops and subprograms go back in the text: where it is opened anew. None: the reader keeps what it has read of it
+  /// from the first of them on, up to 16 MiB, and there are no subprograms in files.
+  TextOpener opener{};
+  std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
+  bool repeats = false;             ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
@@ -108,6 +122,8 @@ class Reader {
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far
+  /// The names of the texts read so far, by the numbers that base::file() gives: the program's own, then subprograms.
+  const std::vector<std::string>& files() const;
   /// Set when the source failed; the diagnostic is the source's.
   const std::optional<base::Diagnostic>& source_failure() const;
 

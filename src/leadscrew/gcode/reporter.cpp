@@ -71,7 +71,7 @@ std::string shown(char c) {
   return std::string("byte 0x") + digits[byte(c) >> 4] + digits[byte(c) & 15];
 }
 
-Reporter::Reporter(std::string file, DiagnosticSink sink) : file_(std::move(file)), sink_(std::move(sink)) {
+Reporter::Reporter(std::string file, DiagnosticSink sink) : files_{std::move(file)}, sink_(std::move(sink)) {
   kept_text_.reserve(longest_source + 1);
 }
 
@@ -91,7 +91,7 @@ bool Reporter::error(std::string_view code, std::int64_t column, std::string mes
   failed_ = true;
   if (muted_ || full_) return false;
   if (const auto language = foreign_language(text())) return refuse_language(*language);
-  return error_at({file_, line_.number, column}, text(), code, std::move(message), std::move(hint), subject);
+  return error_at(line_.id, column, text(), code, std::move(message), std::move(hint), subject);
 }
 
 void Reporter::refuse_foreign() {
@@ -100,25 +100,37 @@ void Reporter::refuse_foreign() {
 
 // One error says it: every line of such a text would be another.
 bool Reporter::refuse_language(std::string_view language) {
-  error_at({file_, line_.number, 1}, text(), "foreign-language", "this is " + std::string(language) + ", not G-code",
+  error_at(line_.id, 1, text(), "foreign-language", "this is " + std::string(language) + ", not G-code",
            "let the CAM write ISO G-code: its post-processor for Fanuc, Haas or LinuxCNC", {});
   full_ = true;
   return false;
 }
 
 void Reporter::keep(std::int64_t column) {
-  kept_line_ = line_.number;
+  kept_line_ = line_.id;
   kept_column_ = column;
   kept_text_.assign(text().substr(0, longest_source + 1));
 }
 
 bool Reporter::error_where_kept(std::string_view code, std::string message, std::string hint, base::Subject subject) {
-  return error_at({file_, kept_line_, kept_column_}, kept_text_, code, std::move(message), std::move(hint), subject);
+  return error_at(kept_line_, kept_column_, kept_text_, code, std::move(message), std::move(hint), subject);
 }
 
-bool Reporter::error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
-                        std::string hint, base::Subject subject) {
-  if (muted_ || full_) return false;
+// The same place in another visit. At most 200 are said in all.
+bool Reporter::was_said(std::string_view code, base::Line line, std::int64_t column) {
+  for (const Said& said : said_) {
+    if (said.code == code && said.column == column && base::number(said.line) == base::number(line) &&
+        base::file(said.line) == base::file(line) && said.line != line)
+      return true;
+  }
+  said_.push_back({code, column, line});
+  return false;
+}
+
+bool Reporter::error_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code,
+                        std::string message, std::string hint, base::Subject subject) {
+  if (muted_ || full_ || was_said(code, line, column)) return false;
+  const base::Place place = place_of(line, column);
   ++errors_;
   send(base::Severity::error, code, place, std::move(message), std::move(hint), source_of(text, place.column), subject);
   if (errors_ < most_errors) return false;
@@ -131,16 +143,18 @@ bool Reporter::error_at(const base::Place& place, std::string_view text, std::st
 }
 
 void Reporter::warning(std::string_view code, std::int64_t column, std::string message, std::string hint) {
-  warning_at({file_, line_.number, column}, text(), code, std::move(message), std::move(hint));
+  warning_at(line_.id, column, text(), code, std::move(message), std::move(hint));
 }
 
 void Reporter::warning_where_kept(std::string_view code, std::string message, std::string hint) {
-  warning_at({file_, kept_line_, kept_column_}, kept_text_, code, std::move(message), std::move(hint));
+  warning_at(kept_line_, kept_column_, kept_text_, code, std::move(message), std::move(hint));
 }
 
-void Reporter::warning_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
-                          std::string hint) {
-  if (muted_ || full_ || ++warnings_ > most_warnings) return;
+void Reporter::warning_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code,
+                          std::string message, std::string hint) {
+  if (muted_ || full_ || warnings_ >= most_warnings || was_said(code, line, column)) return;
+  ++warnings_;
+  const base::Place place = place_of(line, column);
   send(base::Severity::warning, code, place, std::move(message), std::move(hint), source_of(text, place.column));
 }
 

@@ -8,6 +8,7 @@
 #include <leadscrew/gcode/reader.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace leadscrew::gcode {
 
@@ -48,28 +49,47 @@ class Reporter {
   /// Keeps what follows from a reported problem from being reported as problems of their own, until the next line.
   void mute() { muted_ = true; }
 
+  /// Nothing more is read, and nothing more reported.
+  void stop() { full_ = true; }
+
   bool muted() const { return muted_; }
   bool failed() const { return failed_; }  ///< the line has an error
-  bool full() const { return full_; }      ///< most_errors were reported: reading stops
+  bool full() const { return full_; }      ///< reading stops: most_errors were reported, or the program says so
   std::int64_t errors() const { return errors_; }
-  const std::string& file() const { return file_; }
-  base::Line line() const { return base::Line{line_.number}; }  ///< being read
+  const std::string& file() const { return file_of(line_.id); }  ///< of the line being read
+  base::Line line() const { return line_.id; }                   ///< being read
   std::int64_t column(const char* p) const { return p - line_.begin + 1; }
+  /// Gives the files of a program their names, by their numbers.
+  void set_files(const std::vector<std::string>& files) { files_ = files; }
 
  private:
   bool refuse_language(std::string_view language);
   void send(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint,
             std::string source, base::Subject subject = {});
-  bool error_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
+  bool error_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code, std::string message,
                 std::string hint, base::Subject subject);
-  void warning_at(const base::Place& place, std::string_view text, std::string_view code, std::string message,
-                  std::string hint);
+  void warning_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code,
+                  std::string message, std::string hint);
+  base::Place place_of(base::Line line, std::int64_t column) const {
+    return {file_of(line), base::number(line), column};
+  }
   std::string_view text() const { return {line_.begin, static_cast<std::size_t>(line_.end - line_.begin)}; }
 
-  std::string file_;
+  // One that has been said is not said again when its line is executed again.
+  struct Said {
+    std::string_view code;
+    std::int64_t column = 0;
+    base::Line line{};
+  };
+  bool was_said(std::string_view code, base::Line line, std::int64_t column);
+  const std::string& file_of(base::Line line) const { return files_[static_cast<std::size_t>(base::file(line))]; }
+
+  std::vector<std::string> files_;
+  std::vector<Said> said_;
   DiagnosticSink sink_;
   TextLine line_;
-  std::int64_t kept_line_ = 0, kept_column_ = 0;
+  base::Line kept_line_{};
+  std::int64_t kept_column_ = 0;
   std::string kept_text_;
   std::int64_t errors_ = 0;
   std::int64_t warnings_ = 0;

@@ -160,7 +160,7 @@ void LostTime::go_to(const base::Word& word) {
     const bool has_passed = now.block.line == word.line
                                 ? next.block.line == word.line &&
                                       (now.is_dwell ? word.speed > 0 : travelled_ >= now.length * (1 - 1e-6) - 1e-6)
-                                : base::number(next.block.line) <= base::number(word.line);
+                                : !base::is_before(word.line, next.block.line);
     if (!has_passed) return;
     close_block();
   }

@@ -16,7 +16,15 @@ MotionSource::MotionSource(gcode::ByteSource source, base::Borrowed<machine::Mac
                            base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
                            gcode::DiagnosticSink diagnostics)
     : MotionSource([this](gcode::Move& move) { return read(move); }, machine, options.start) {
-  reader_.emplace(watched(std::move(source)), *machine, *tools, options, watched(std::move(diagnostics)));
+  gcode::ReaderOptions reading = options;
+  if (reading.opener) {
+    reading.opener = [this, opener = options.opener](const std::string& name, std::int64_t offset) {
+      auto opened = opener(name, offset);
+      if (opened) opened->source = watched(std::move(opened->source));
+      return opened;
+    };
+  }
+  reader_.emplace(watched(std::move(source)), *machine, *tools, std::move(reading), watched(std::move(diagnostics)));
 }
 
 Supply MotionSource::read(gcode::Move& move) {

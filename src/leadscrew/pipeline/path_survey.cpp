@@ -32,9 +32,9 @@ PathSurvey::PathSurvey(base::Borrowed<machine::Machine> machine, const geometry:
 std::optional<FeedExcess> PathSurvey::observe(const gcode::Move& move) {
   builder_.push(move);
   settle();
-  const bool is_told = lines_.size() == most_lines_told || lines_.contains(base::number(move.line));
+  const bool is_told = lines_.size() == most_lines_told || lines_.contains(base::place_of(move.line));
   auto excess = is_told ? std::nullopt : excess_of(move);
-  if (excess) lines_.insert(base::number(move.line));
+  if (excess) lines_.insert(base::place_of(move.line));
   return excess;
 }
 

@@ -51,7 +51,7 @@ class PathSurvey {
   toolpath::Builder builder_;
   planner::TimeBound bound_;
   geometry::Point least_, greatest_;
-  std::set<std::int64_t> lines_;  ///< whose excess was returned
+  std::set<base::Line> lines_;  ///< whose excess was returned
 };
 
 }  // namespace leadscrew::pipeline

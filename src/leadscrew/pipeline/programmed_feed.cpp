@@ -14,7 +14,7 @@ double programmed_feed(const gcode::Move& move) {
 double ProgrammedFeed::at(base::Line line) {
   if (!begun_) has_move_ = moves_(move_);
   begun_ = true;
-  while (has_move_ && base::number(move_.line) <= base::number(line)) {
+  while (has_move_ && !base::is_before(line, move_.line)) {
     feed_ = move_.line == line_ ? std::max(feed_, programmed_feed(move_)) : programmed_feed(move_);
     line_ = move_.line;
     has_move_ = moves_(move_);

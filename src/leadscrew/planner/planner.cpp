@@ -119,7 +119,7 @@ bool Planner::pass_over(const toolpath::Element& element) {
   }
   const auto* event = std::get_if<base::Event>(&element);
   const base::Line line = event ? event->line : std::get<toolpath::Dwell>(element).line;
-  if (distance_left <= negligible_length && base::number(line) >= base::number(start_->line)) return false;
+  if (distance_left <= negligible_length && !base::is_before(line, start_->line)) return false;
   if (event) keep_in_force(*event);
   return true;
 }
@@ -129,7 +129,7 @@ void Planner::pass_events(const toolpath::Piece& piece, double s) {
   if (!piece.events) return;
   for (const toolpath::EventMark& mark : *piece.events) {
     const bool is_there = std::abs(mark.s - s) <= negligible_length;
-    if (is_there ? base::number(mark.event.line) >= base::number(start_->line) : mark.s > s) return;
+    if (is_there ? !base::is_before(mark.event.line, start_->line) : mark.s > s) return;
     keep_in_force(mark.event);
     start_->events = mark.number + 1;
   }

@@ -38,7 +38,7 @@ void BlockWriter::write(const pipeline::BlockTime& block) {
   if (!rows_.state()) return;
   std::string& text = rows_.text();
   text += std::to_string(base::number(block.line)) + ',';
-  put_quoted(text, text_of(base::number(block.line)));
+  put_quoted(text, text_of(block.line));
   for (const base::AxisVector* end : {&block.from, &block.to}) {
     for (const base::Axis axis : axes_) text += ',', put(text, (*end)[base::index(axis)]);
   }
@@ -57,9 +57,17 @@ void BlockWriter::write(const pipeline::BlockTime& block) {
   static_cast<void>(rows_.flush_if_full());
 }
 
-const std::string& BlockWriter::text_of(std::int64_t line) {
-  while (line_ < line && read_line()) ++line_;
-  return text_;
+std::string BlockWriter::text_of(base::Line line) {
+  constexpr std::size_t most_kept = 10'000;
+  if (base::file(line) != 0) return {};
+  while (line_ < base::number(line) && read_line()) {
+    ++line_;
+    before_.push_back(text_);
+    if (before_.size() > most_kept) before_.pop_front();
+  }
+  const std::int64_t back = line_ - base::number(line);
+  if (back >= static_cast<std::int64_t>(before_.size())) return {};
+  return before_[before_.size() - 1 - static_cast<std::size_t>(std::max<std::int64_t>(back, 0))];
 }
 
 /// The next line into text_, without its end; false behind the last.

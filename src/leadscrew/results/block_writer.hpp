@@ -7,6 +7,7 @@
 // degrees/s, the first `rapid` of a rapid and empty of a dwell; times: s, the least one at the feed asked for; cause: of most
 // of what is lost (pipeline::Cause), empty where nothing is.
 
+#include <deque>
 #include <leadscrew/base/block_sink.hpp>
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
@@ -19,12 +20,13 @@ class BlockWriter {
  public:
   /// program: read from its beginning, for the blocks' texts.
   BlockWriter(base::ByteSink sink, base::ByteSource program, const machine::Machine& machine);
-  /// In the order of lines. Errors of the sink are told by finish().
+  /// In the order of the program. The text of a line of a subprogram's file, or of one that stands more than 10 000
+  /// lines before one that was written, is empty. Errors of the sink are told by finish().
   void write(const pipeline::BlockTime& block);
   base::Result<void> finish() { return rows_.flush(); }
 
  private:
-  const std::string& text_of(std::int64_t line);
+  std::string text_of(base::Line line);
   bool read_line();
 
   base::BlockSink rows_;
@@ -33,7 +35,8 @@ class BlockWriter {
   std::string read_;
   std::size_t next_ = 0;  ///< of read_, not yet taken apart
   std::string text_;
-  std::int64_t line_ = 0;  ///< of text_
+  std::int64_t line_ = 0;           ///< of text_
+  std::deque<std::string> before_;  ///< lines up to that one: loops go back to them
   bool has_ended_ = false;
 };
 

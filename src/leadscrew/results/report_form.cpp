@@ -14,10 +14,14 @@ constexpr std::size_t longest_line = 200;
 
 std::set<base::Line> lines_named(const report::Recording& recording, const report::Report& report) {
   std::set<base::Line> lines;
-  for (const report::LostBlock& block : recording.dearest_blocks()) lines.insert(block.line);
-  for (const report::Violation& violation : report.violations) lines.insert(violation.line);
-  for (const report::BlockFigures& block : recording.slowest_blocks()) lines.insert(block.line);
-  for (const report::BlockFigures& block : recording.nearest_to_limit()) lines.insert(block.line);
+  // Of the program's own text.
+  const auto insert = [&lines](base::Line line) {
+    if (base::file(line) == 0) lines.insert(base::place_of(line));
+  };
+  for (const report::LostBlock& block : recording.dearest_blocks()) insert(block.line);
+  for (const report::Violation& violation : report.violations) insert(violation.line);
+  for (const report::BlockFigures& block : recording.slowest_blocks()) insert(block.line);
+  for (const report::BlockFigures& block : recording.nearest_to_limit()) insert(block.line);
   return lines;
 }
 

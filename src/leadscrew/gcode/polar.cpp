@@ -1,0 +1,55 @@
+#include <bit>
+#include <cmath>
+#include <leadscrew/gcode/polar.hpp>
+#include <numbers>
+
+namespace leadscrew::gcode {
+
+namespace {
+constexpr std::uint32_t distance_bit = letter_bit('Z') << 1;
+constexpr std::uint32_t angle_bit = letter_bit('Z') << 2;
+constexpr double radians_to_degrees = 180 / std::numbers::pi;
+}  // namespace
+
+void Polar::announce(Block& block) {
+  const std::uint32_t column = column_of(block);
+  for (const char letter : {'X', 'Y'}) {
+    if (!block.has(letter)) continue;
+    error("bad-polar", block.column_of(letter), std::string("@ or ^ and ") + letter + " stand in one block",
+          "give the point either way");
+  }
+  if (block.is(Code::G53)) {
+    error("bad-polar", column, "G53 takes no polar words", "they are seen from the program's origin: give X and Y");
+  }
+  for (std::uint32_t rest = block.groups & ~bit(Group::motion); rest != 0; rest &= rest - 1) {
+    const Code code = block.codes[static_cast<std::size_t>(std::countr_zero(rest))];
+    if (!row(code).takes_axes) continue;
+    error("bad-polar", column, name(code) + " takes no polar words", "they belong to motions: give X and Y");
+  }
+  block.words |= letter_bit('X') | letter_bit('Y');
+  for (const char letter : {'X', 'Y'}) {
+    const auto i = static_cast<std::size_t>(letter - 'A');
+    block.value[i] = 0;
+    block.column[i] = column;
+  }
+}
+
+void Polar::resolve(Block& block) {
+  const base::AxisVector program = frame_.to_program(frame_.position);
+  const double x = program[base::index(base::Axis::X)] / frame_.length_unit;
+  const double y = program[base::index(base::Axis::Y)] / frame_.length_unit;
+  const bool incremental = modal_.distance == Distance::incremental;
+  if (incremental && x == 0 && y == 0) {
+    error("bad-polar", column_of(block), "an increment of polar words begins at the origin, which has no angle",
+          "give G90, or move away from the origin before");
+    return;
+  }
+  double distance = std::hypot(x, y);
+  double angle = std::atan2(y, x) * radians_to_degrees;
+  if (block.words & distance_bit) distance = block.value[polar_distance] + (incremental ? distance : 0);
+  if (block.words & angle_bit) angle = block.value[polar_angle] + (incremental ? angle : 0);
+  block.value['X' - 'A'] = distance * cosine_of_degrees(angle) - (incremental ? x : 0);
+  block.value['Y' - 'A'] = distance * sine_of_degrees(angle) - (incremental ? y : 0);
+}
+
+}  // namespace leadscrew::gcode
