@@ -48,7 +48,7 @@ TEST(Macros, AreCalledWithLetters) {
                      "G0 X#12\nM99\n"),
             "321 254 9 ");
   EXPECT_EQ(macro_xs("G65 P8000 L3 A1\nM30\nO8000\nG91 G0 X#1\n#1=7\nM99\n"), "1 2 3 ");
-  EXPECT_EQ(read("G65 P8000 A1\nM30\nO8000\nG0 X#2\nM99\n", fanuc()).problems(), "4:5 unset-parameter; ");
+  EXPECT_EQ(macro_xs("G65 P8000 A1\nM30\nO8000\nIF [#2 EQ #0] GOTO 5\nG0 X1\nN5 G0 X2\nM99\n"), "2 ");
 }
 
 TEST(Macros, TellWhatIsWrong) {

@@ -26,7 +26,7 @@ bool ExpressionReader::any_value(const char*& p, double& value, int depth) {
   for (; *p == '+' || *p == '-'; skip_blanks(p)) negative ^= *p++ == '-';
   bool read = false;
   if (is_digit(*p) || *p == '.') {
-    read = joined_number(p, value);
+    read = plain_number(p, value) || joined_number(p, value);
   } else if (*p == '[') {
     read = bracketed(p, value, depth + 1);
   } else if (*p == '#') {
@@ -41,6 +41,29 @@ bool ExpressionReader::any_value(const char*& p, double& value, int depth) {
   if (!read) return false;
   if (negative) value = std::isnan(value) ? 0 : -value;
   skip_blanks(p);
+  return true;
+}
+
+/// A number without blanks in it; false where it is none.
+bool ExpressionReader::plain_number(const char*& p, double& value) {
+  const char* q = scan_decimal(p, value);
+  if (q == p) return false;
+  skip_blanks(q);
+  if (is_digit(*q) || *q == '.' || !(value <= largest_)) return false;
+  p = q;
+  return true;
+}
+
+/// The number of a parameter that is written as digits without blanks; false where it is not.
+bool ExpressionReader::plain_index(const char*& p, int& number) {
+  const char* q = p;
+  int digits = 0;
+  for (; is_digit(*q) && q - p < 5; ++q) digits = digits * 10 + (*q - '0');
+  if (q == p) return false;
+  skip_blanks(q);
+  if (is_digit(*q) || *q == '.' || digits < 1 || digits > Parameters::last) return false;
+  number = digits;
+  p = q;
   return true;
 }
 
@@ -155,6 +178,10 @@ bool ExpressionReader::exists(const char*& p, double& value, int depth) {
 bool ExpressionReader::parameter_name(const char*& p, ParameterName& name, int depth) {
   const char* const begin = p;
   skip_blanks(p);
+  if (plain_index(p, name.number)) {
+    name.name.clear();
+    return true;
+  }
   if (*p != '<') {
     double number = 0;
     if (!any_value(p, number, depth + 1)) return false;
@@ -187,6 +214,8 @@ bool ExpressionReader::parameter_name(const char*& p, ParameterName& name, int d
 
 bool ExpressionReader::parameter(const char*& p, double& value, int depth) {
   const char* const begin = p++;
+  int index = 0;
+  if (plain_index(p, index)) return numbered(index, begin, value);
   ParameterName name;
   if (!parameter_name(p, name, depth)) return false;
   return name.name.empty() ? numbered(name.number, begin, value) : named(name.name, begin, value);

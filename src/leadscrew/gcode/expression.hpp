@@ -61,6 +61,8 @@ class ExpressionReader {
   static constexpr double largest_ = 1.7976931348623157e308;
 
   [[gnu::noinline]] bool any_value(const char*& p, double& value, int depth);
+  static bool plain_number(const char*& p, double& value);
+  static bool plain_index(const char*& p, int& number);
   bool joined_number(const char*& p, double& value);
   bool bracketed(const char*& p, double& value, int depth);
   bool binary(const char*& p, double& value, int loosest, int depth);

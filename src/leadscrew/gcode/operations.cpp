@@ -87,7 +87,10 @@ double or_zero(double value) {
 }  // namespace
 
 const OperatorName* operator_at(const char*& p, int loosest, Dialect dialect) {
+  const char first = upper(*p);
+  if (first == ']' || first == '\n') return nullptr;
   for (const OperatorName& candidate : operator_names) {
+    if (candidate.name.front() != first) continue;
     const int level = level_of(candidate, dialect);
     const char* q = p;
     if (level == 0 || !take(q, candidate.name)) continue;

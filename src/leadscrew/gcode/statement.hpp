@@ -60,12 +60,13 @@ struct Statement {
 
 namespace detail {
 /// What a line's first character says of it: block, perhaps GOTO or G65, or look on.
-enum class LineStart : std::uint8_t { block, g, other };
+enum class LineStart : std::uint8_t { block, g, number, other };
 
 constexpr std::array<LineStart, 256> make_line_starts() {
   std::array<LineStart, 256> made{};
-  for (const char c : std::string_view(" \t\r/nNoO:iIwWdDeE")) made[static_cast<unsigned char>(c)] = LineStart::other;
+  for (const char c : std::string_view(" \t\r/oO:iIwWdDeE")) made[static_cast<unsigned char>(c)] = LineStart::other;
   made['G'] = made['g'] = LineStart::g;
+  made['N'] = made['n'] = LineStart::number;
   return made;
 }
 inline constexpr std::array<LineStart, 256> line_starts = make_line_starts();
@@ -85,11 +86,16 @@ class StatementReader {
 
   /// Whether the line may be a statement: lines of words are told by a look at their first letter.
   bool may_be(const TextLine& line) const {
-    const char* const p = line.text;
-    const detail::LineStart start = detail::line_starts[static_cast<unsigned char>(*p)];
+    const char* p = line.text;
+    detail::LineStart start = detail::line_starts[static_cast<unsigned char>(*p)];
+    if (start == detail::LineStart::number) {
+      do ++p;
+      while (is_digit(*p) || is_blank(*p));
+      start = detail::line_starts[static_cast<unsigned char>(*p)];
+    }
     if (start == detail::LineStart::block) return false;
     if (start == detail::LineStart::g) return (p[1] | 0x20) == 'o' || p[1] == '6';
-    return is_likely(p);
+    return is_likely(line.text);
   }
 
   /// Reads what the line says, up to behind its keyword. False where it has reported an error; keyword `none` where the
