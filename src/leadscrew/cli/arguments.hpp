@@ -27,18 +27,19 @@ struct Arguments {
   Verb verb = Verb::run;
   std::optional<std::string> explained;  ///< of explain: a block
   bool explain_page = false;             ///< of explain: every code
-  std::vector<std::string> programs;     ///< one or more; of verify one
-  std::string judged_trace;              ///< of verify
-  RunArguments run;                      ///< of run; its files of simulate too
-  SimulateArguments simulate;            ///< of simulate
-  PulseArguments pulse;                  ///< of pulse
-  results::SizingQuestion design;        ///< of design
-  drive::Options drive;                  ///< of drive
-  AboutArguments about;                  ///< of help, completion and --version
-  StudyArguments study;                  ///< of study
-  std::optional<std::string> machine;    ///< file, or the name of a built-in machine
-  std::optional<std::string> tools;      ///< file
-  std::vector<AxisValue> start;          ///< machine coordinates, mm or degrees; axes not named start at zero
+  std::vector<std::string> programs;      ///< one or more; of verify one
+  std::string judged_trace;               ///< of verify
+  RunArguments run;                       ///< of run; its files of simulate too
+  SimulateArguments simulate;             ///< of simulate
+  PulseArguments pulse;                   ///< of pulse
+  results::SizingQuestion design;         ///< of design
+  drive::Options drive;                   ///< of drive
+  AboutArguments about;                   ///< of help, completion and --version
+  StudyArguments study;                   ///< of study
+  std::optional<std::string> machine;     ///< file, or the name of a built-in machine
+  std::optional<std::string> tools;       ///< file
+  std::optional<std::string> parameters;  ///< file, of run, check, verify, simulate and drive
+  std::vector<AxisValue> start;           ///< machine coordinates, mm or degrees; axes not named start at zero
   std::optional<base::Period> period;
   std::optional<gcode::PathMode> mode;
   std::optional<double> tolerance;  ///< mm

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/files/output_file.hpp>
+#include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/language/lint.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>
@@ -17,6 +20,7 @@ namespace {
 
 constexpr std::string_view built_in = "mill3";
 constexpr std::int64_t largest_tool_table = 16 << 20;
+constexpr std::int64_t largest_parameter_file = 1 << 20;
 
 /// Adds its text to what was read.
 machine::Machine read_machine_file(const std::string& path, std::string& read, DiagnosticLog& log) {
@@ -44,6 +48,29 @@ machine::ToolTable read_tools(const std::string& path, std::string& read, Diagno
   const gcode::ToolTableText tools = gcode::read_tool_table(*text, path);
   for (const base::Diagnostic& problem : tools.diagnostics) log.add(problem);
   return tools.table;
+}
+
+/// None where there is no such file yet.
+std::vector<gcode::NumberedValue> read_parameters(const std::string& path, std::string& read, DiagnosticLog& log) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    log.add({base::Severity::note,
+             "new-parameters",
+             "there is no parameter file yet: all begin at 0",
+             "run and drive make it",
+             {.file = path},
+             {}});
+    return {};
+  }
+  const auto text = files::read_whole(path, largest_parameter_file);
+  if (!text) {
+    log.add(text.error());
+    return {};
+  }
+  read += *text;
+  gcode::ParameterFileText parameters = gcode::read_parameter_file(*text, path);
+  for (const base::Diagnostic& problem : parameters.diagnostics) log.add(problem);
+  return std::move(parameters.values);
 }
 
 void log_usage(DiagnosticLog& log, std::string message, std::string hint) {
@@ -100,6 +127,7 @@ gcode::ReaderOptions Job::reader_options() const {
   options.path_mode = arguments.mode;
   options.tolerance = arguments.tolerance;
   options.fuel = arguments.fuel.value_or(options.fuel);
+  options.parameters = parameters;
   return options;
 }
 
@@ -116,6 +144,7 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
     job.machine = read_machine_file(*arguments.machine, job.text, log);
   }
   if (arguments.tools) job.tools = read_tools(*arguments.tools, job.text, log);
+  if (arguments.parameters) job.parameters = read_parameters(*arguments.parameters, job.text, log);
   if (log.errors() > 0) return std::nullopt;
   if (arguments.period) job.machine.period = *arguments.period;
   if (arguments.smoothing) job.machine.smoothing = *arguments.smoothing;
@@ -179,6 +208,13 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   reading.blocks = reader.blocks();
   reading.seconds = realtime::SystemClocks::processor_seconds() - begin;
   return reading;
+}
+
+base::Result<void> write_parameters(const std::string& path, const std::vector<gcode::NumberedValue>& values) {
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  if (auto written = file->write(gcode::parameter_file_text(values)); !written) return written;
+  return file->publish_durably();
 }
 
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job) {

@@ -10,6 +10,7 @@
 #include <leadscrew/pipeline/path_survey.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace leadscrew::cli {
 
@@ -20,8 +21,9 @@ struct Job {
   Arguments arguments;
   machine::Machine machine;  ///< with the period of the command line
   machine::ToolTable tools;
-  base::AxisVector start{};  ///< machine coordinates, mm or degrees
-  std::string text;          ///< of the machine file and the tool table
+  base::AxisVector start{};                        ///< machine coordinates, mm or degrees
+  std::string text;                                ///< of the machine file, the tool table and the parameter file
+  std::vector<gcode::NumberedValue> parameters{};  ///< where a program begins
 
   /// Of any program.
   gcode::ReaderOptions reader_options() const;
@@ -51,6 +53,9 @@ struct Reading {
 /// survey, which gets all moves up to the first error.
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
                      pipeline::PathSurvey* survey = nullptr);
+
+/// Writes what --parameters keeps, whole or not at all. Errors: those of files::OutputFile.
+base::Result<void> write_parameters(const std::string& path, const std::vector<gcode::NumberedValue>& values);
 
 /// A reader over the file that says nothing: for programs that have been read whole.
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job);

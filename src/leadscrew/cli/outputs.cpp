@@ -71,6 +71,7 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
       return usage_problem(fmt::format("{} is {}", path, what), "choose another name for what is written");
     };
     if (program.is_same(path)) return is_read("the program itself");
+    if (arguments.parameters && is_same_output(path, *arguments.parameters)) return is_read("the parameter file");
     if (arguments.machine && is_same_output(path, *arguments.machine)) return is_read("the machine file");
     if (arguments.tools && is_same_output(path, *arguments.tools)) return is_read("the tool table");
     const std::string& trace = arguments.judged_trace;

@@ -2,6 +2,7 @@
 #include <array>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/cli/remark_output.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
@@ -46,7 +47,8 @@ class ProgramRun {
                                          const Reading& reading) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
-    auto figures = make_words(file, *outputs, reading);
+    RemarkOutput remarks(program_, files_in_use(file, paths), console_);
+    auto figures = make_words(file, *outputs, remarks, reading);
     if (!figures) return figures;
     if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
     figures->steps = outputs->step_figures();
@@ -61,13 +63,35 @@ class ProgramRun {
     auto files = outputs->publish();
     if (!files) return base::failure(files.error());
     figures->files = std::move(*files);
+    auto logs = remarks.publish();
+    if (!logs) return base::failure(logs.error());
+    figures->files.insert(figures->files.end(), logs->begin(), logs->end());
+    if (job_.arguments.parameters && parameters_) {
+      const auto written = write_parameters(*job_.arguments.parameters, *parameters_);
+      if (!written) return base::failure(written.error());
+    }
     return figures;
   }
 
-  base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs, const Reading& reading) {
+  std::vector<std::string> files_in_use(const files::InputFile& file, const OutputPaths& paths) const {
+    std::vector<std::string> used{file.name()};
+    const Arguments& arguments = job_.arguments;
+    for (const auto& path : {arguments.machine, arguments.tools, arguments.parameters}) {
+      if (path) used.push_back(*path);
+    }
+    for (const auto& path : paths.all()) {
+      if (path) used.push_back(*path);
+    }
+    return used;
+  }
+
+  base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs, RemarkOutput& remarks,
+                                               const Reading& reading) {
     Progress progress{.work = "moving", .total = file.size()};
-    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, job_.reader_options(file),
-                              nullptr);
+    gcode::ReaderOptions options = job_.reader_options(file);
+    options.remarks = remarks.sink();
+    options.parameters_at_end = [this](const auto& values) { parameters_ = values; };
+    pipeline::Program program(file.source(&progress.bytes), job_.machine, job_.tools, options, nullptr);
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
@@ -118,6 +142,7 @@ class ProgramRun {
   const Job& job_;
   Console& console_;
   DiagnosticLog& log_;
+  std::optional<std::vector<gcode::NumberedValue>> parameters_;  // where the program ended
   std::array<base::Word, 64> words_;
 };
 

@@ -115,6 +115,7 @@ void describe_run(Command& command, Arguments& arguments) {
   add_blocks(command, arguments);
   add_threads(command, arguments);
   command.check([&arguments] { return check_pulses(arguments); });
+  add_one_set_of_parameters(command, arguments);
   command.only_with("--pulses", {"--pulse-method", "--step-clock", "--step-length", "--step-space", "--direction-setup",
                                  "--direction-hold"});
   command.help(std::string(run_examples) + curves_text());

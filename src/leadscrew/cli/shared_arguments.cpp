@@ -65,11 +65,22 @@ void add_common(Command& command, Arguments& arguments) {
                file({".toml"}, {"mill3"}));
   command.text("--tools", "FILE", "Tool table, in LinuxCNC's format", arguments.tools, file({".tbl"}));
   add_dialect(command, arguments);
+  command.text(
+      "--parameters", "FILE",
+      "Parameters where a program begins, in LinuxCNC's format; run and drive write there what holds at its end",
+      arguments.parameters, file({".var"}));
   command.value("--start", "X0,Y0,...",
                 "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)", arguments.start,
                 parse_axis_values);
   add_flow(command, arguments);
   add_output(command, arguments);
+}
+
+void add_one_set_of_parameters(Command& command, Arguments& arguments) {
+  command.check([&arguments]() -> Parsed<void> {
+    if (arguments.programs.size() < 2 || !arguments.parameters) return {};
+    return wrong("--parameters is written by one program; run several one by one");
+  });
 }
 
 void add_threads(Command& command, Arguments& arguments) {

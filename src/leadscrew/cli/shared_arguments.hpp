@@ -40,6 +40,8 @@ void add_report(Command& command, Arguments& arguments);
 void add_pages(Command& command, Arguments& arguments);
 
 /// --threads, of commands that work on several programs.
+/// --parameters is for one program.
+void add_one_set_of_parameters(Command& command, Arguments& arguments);
 void add_threads(Command& command, Arguments& arguments);
 
 inline constexpr const char* programs_help = "Part programs; - is standard input, curve:NAME a curve of the studies";

@@ -1,0 +1,43 @@
+#pragma once
+// What a program says in its remarks, where the user sees it: MSG, DEBUG and PRINT on standard error, LOG in files beside
+// the program, which appear whole when the run is done, or not at all.
+
+#include <leadscrew/base/result.hpp>
+#include <leadscrew/cli/console.hpp>
+#include <leadscrew/files/output_file.hpp>
+#include <leadscrew/gcode/remark.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace leadscrew::cli {
+
+class RemarkOutput {
+ public:
+  /// `program`: path, or "-", whose log files stand in the working folder. `taken`: files that logs must not replace.
+  RemarkOutput(const std::string& program, std::vector<std::string> taken, Console& console);
+
+  /// Refers to this, which must stay where it is.
+  gcode::RemarkSink sink();
+
+  /// Gives the log files their names, and tells them. Errors: `bad-log` of a file outside of the program's folder, or
+  /// that is written or read otherwise; those of files::OutputFile.
+  base::Result<std::vector<std::string>> publish();
+
+ private:
+  void take(const gcode::Remark& remark);
+  base::Result<void> open(const gcode::Remark& remark);
+  base::Result<void> continue_file(files::OutputFile& file, const std::string& path);
+  base::Result<std::string> path_of(const gcode::Remark& remark) const;
+
+  std::string folder_;
+  std::vector<std::string> taken_;
+  Console& console_;
+  std::map<std::string, std::unique_ptr<files::OutputFile>> logs_;  // by path
+  files::OutputFile* log_ = nullptr;                                // that is open
+  std::optional<base::Diagnostic> failure_;                         // the first
+};
+
+}  // namespace leadscrew::cli
