@@ -22,10 +22,10 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Verb { run, check, verify, pulse, study, design, simulate, drive };
+  enum class Verb { run, check, verify, canon, pulse, study, design, simulate, drive };
 
   Verb verb = Verb::run;
-  std::vector<std::string> programs;   ///< one or more; of verify one
+  std::vector<std::string> programs;   ///< one or more; of canon and verify one
   std::string judged_trace;            ///< of verify
   RunArguments run;                    ///< of run; its files of simulate too
   SimulateArguments simulate;          ///< of simulate

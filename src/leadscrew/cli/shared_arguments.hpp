@@ -15,10 +15,16 @@ Values program_values();
 /// Of traces: those of trace::endings().
 std::vector<std::string> trace_endings();
 
+/// --machine, --tools, --start.
+void add_setup(Command& command, Arguments& arguments);
+
+/// --color.
+void add_color(Command& command, Arguments& arguments);
+
 /// --json, --quiet, --color.
 void add_output(Command& command, Arguments& arguments);
 
-/// Of commands that read programs: --machine, --tools, --start and those above.
+/// Of commands that read programs: all of those above.
 void add_common(Command& command, Arguments& arguments);
 
 /// --period, of the machine's servo.

@@ -60,6 +60,8 @@ class Reader::Implementation {
     }
   }
 
+  const Frame& frame() const { return frame_; }
+  int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
   const std::optional<base::Diagnostic>& source_failure() const { return lines_.failure(); }
@@ -165,6 +167,12 @@ void Reader::reject(const Move& move, base::Diagnostic problem) {
 }
 void Reader::warn_of_feed(const Move& move, base::Diagnostic problem) {
   implementation_->warn_of_feed(move, std::move(problem));
+}
+const Frame& Reader::frame() const {
+  return implementation_->frame();
+}
+int Reader::system() const {
+  return implementation_->system();
 }
 std::int64_t Reader::blocks() const {
   return implementation_->blocks();

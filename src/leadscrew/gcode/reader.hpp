@@ -58,6 +58,8 @@ namespace leadscrew::gcode {
 
 using base::ByteSource;
 
+class Frame;  // frame.hpp
+
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);
 
@@ -96,6 +98,10 @@ class Reader {
 
   /// The same of a warning, and at the F word of the block where it has one.
   void warn_of_feed(const Move& move, base::Diagnostic problem);
+
+  /// Where the program's coordinates lie, in the block of the move handed out last.
+  const Frame& frame() const;
+  int system() const;  ///< the coordinate system in force there: 1 … 9, G54 … G59.3
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far
