@@ -54,9 +54,9 @@ class Frame:
         for name in ("origin", "shift", "tool"):
             mine, its = getattr(self, name), getattr(other, name)
             if not mine.agrees(its):
-                return f"{name} {mine.values} {its.values}"
+                return f"{name} {its.values} {mine.values}"
         if abs(self.rotation - other.rotation) > 2 * ROUNDING:
-            return f"rotation {self.rotation} {other.rotation}"
+            return f"rotation {other.rotation} {self.rotation}"
         return None
 
 
@@ -81,14 +81,14 @@ class Motion:
         if self.name != "STRAIGHT_TRAVERSE":
             mine, its = ((m.feed[0] if m.rotary else m.feed[0] * m.feed[1] / m.unit) for m in (self, other))
             if abs(mine - its) > max(3 * ROUNDING, 1e-5 * abs(mine)):
-                return f"feed {mine} {its}"
+                return f"feed {its} {mine}"
         return self.frame.difference(other.frame)
 
     def numbers_differ(self, other, slack_of_center):
         for i, (mine, its) in enumerate(zip(self.numbers, other.numbers)):
             slack = 2 * ROUNDING + (slack_of_center if self.name == "ARC_FEED" and i in (2, 3) else 0)
             if not abs(mine - its) <= slack:
-                return f"number {i + 1}: {mine} {its}"
+                return f"number {i + 1}: {its} {mine}"
         return None
 
     def slack_of_center(self):
@@ -151,13 +151,34 @@ def motions(text):
     return found
 
 
-def difference(ours, theirs, whole=True):
-    """Where two lists of motions part, in words; None where they do not. `whole`: both end together."""
-    for i, (mine, its) in enumerate(zip(ours, theirs)):
-        found = its.difference(mine)
-        if found:
-            return f"motion {i + 1}: {found}\n  ours   {mine.text}\n  theirs {its.text}"
-    if whole and len(ours) != len(theirs):
-        rest, whose = (ours, "ours") if len(ours) > len(theirs) else (theirs, "theirs")
-        return f"{len(ours)} motions, theirs {len(theirs)}; {whose} goes on:\n  {rest[min(len(ours), len(theirs))].text}"
+def is_rapid(motions, i):
+    return i < len(motions) and motions[i].name == "STRAIGHT_TRAVERSE"
+
+
+def other_way(ours, i, theirs, j):
+    """How many rapids of either meet where one leads another way there; None where they do not meet.
+
+    NIST IR 6556, 3.5.16: a cycle begins with the axis of the hole at R or above, is then at the hole, and then at R. rs274
+    goes by the level at which the series began: to a hole below R in one slanted rapid, or down to R before it is there.
+    """
+    for mine, its in ((2, 1), (2, 2), (1, 2), (3, 2), (2, 3)):
+        if not all(is_rapid(ours, i + k) for k in range(mine)) or not all(is_rapid(theirs, j + k) for k in range(its)):
+            continue
+        if theirs[j + its - 1].difference(ours[i + mine - 1]) is None:
+            return mine, its
     return None
+
+
+def difference(ours, theirs, whole=True):
+    """Where two lists of motions part, in words, and how often rapids before a hole lead another way there."""
+    i = j = ways = 0
+    while i < len(ours) and j < len(theirs):
+        found = theirs[j].difference(ours[i])
+        steps = other_way(ours, i, theirs, j) if found else (1, 1)
+        if steps is None:
+            return f"motion {i + 1}: {found}\n  ours   {ours[i].text}\n  theirs {theirs[j].text}", ways
+        i, j, ways = i + steps[0], j + steps[1], ways + bool(found)
+    if whole and (i < len(ours) or j < len(theirs)):
+        rest = ours[i] if i < len(ours) else theirs[j]
+        return f"{len(ours)} motions, theirs {len(theirs)}; one goes on:\n  {rest.text}", ways
+    return None, ways

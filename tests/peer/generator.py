@@ -1,8 +1,10 @@
 """Programs made by a grammar, the same for the same seed: lines, arcs and helices, canned cycles, offsets, homes, modes,
 expressions, parameters and flow, most of them sound and some not.
 
-What is left out on purpose: a change of units while a tool offset is in force, which rs274 does not convert, and R of G10
-while G92 shifts, where rs274 jumps.
+What is left out on purpose: a change of units while a tool offset is in force, which rs274 does not convert; R of G10
+while G92 shifts, where rs274 jumps; and under G98 a change of units or offsets within a series of canned cycles, after
+which rs274 retracts to the number, not the place, of the level at which the series began; the same under G91, where R
+counts from that level; and pecks of less than 0.254 mm, between which rs274 goes above R.
 """
 import math
 import random
@@ -197,7 +199,7 @@ class Program:
             self.block(self.set_plane("XY"))
         first, second = self.plane
         normal = next(axis for axis in "XYZ" if axis not in self.plane)
-        self.block("G90 G0", self.word(normal, self.value(-5, 12)))
+        self.block("G90 G0", self.word(normal, self.value(-5, 12) if self.chance(0.2) else self.value(16, 25)))
         self.incremental = False
         if self.chance(0.4):
             self.block(self.set_distance(True))
@@ -211,7 +213,8 @@ class Program:
         words += [f"P{self.random.uniform(0, 2):.2f}"] if "P" in self.CYCLES[code] else []
         words += [self.word("Q", abs(self.value(1.013, 7.177)))] if "Q" in self.CYCLES[code] else []
         words += [f"L{self.random.randint(1, 3)}"] if self.chance(0.15) else []
-        self.block(self.random.choice(["G98", "G99"]), code, *words)
+        self.retract = self.random.choice(["G98", "G99"])
+        self.block(self.retract, code, *words)
         for _ in range(self.random.randint(0, 4)):
             self.within_series(code, normal)
         if self.chance(0.7):
@@ -221,11 +224,15 @@ class Program:
 
     def within_series(self, code, normal):
         kind = self.random.random()
+        if 0.14 <= kind < 0.28 and self.retract == "G98":
+            self.retract = "G99"
+            self.block("G99")
         if kind < 0.08:
-            self.block(self.random.choice(["G98", "G99"]))
+            self.retract = "G99"
+            self.block("G99")
         elif kind < 0.14:
             self.block(f"F{self.random.randint(10, 500)}")
-        elif kind < 0.18:
+        elif kind < 0.18 and not self.incremental and code not in ("G83", "G73"):
             self.set_units()
         elif kind < 0.22:
             self.block(self.set_distance())
@@ -236,8 +243,6 @@ class Program:
             self.shifted = self.shift_kept = True
         elif kind < 0.30:
             self.block("G4 P0.1")
-        elif kind < 0.34:
-            self.block(self.set_plane("XY" if self.rotated else None))
         first, second = self.plane
         words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.7)]
         words += [self.word(normal, self.value(-30, 5))] if self.chance(0.12) else []
@@ -425,7 +430,7 @@ class Program:
 
     WRONG = ["G1 X", "X1 X2", "G0 G1 X1", "G2 X3", "G17 G18", "G5.5", "G1 X1 Q3", "H", "G43 H99", "G10 L3 P1 X0", "G10 L2 P12 X0",
              "G53 G2 X1 I1", "G92", "G4", "G4 P-1", "#0=1", "#9999=2", "#<never_set>", "G0 X#<never_set>", "G0 X[1/0]",
-             "G0 X[SQRT[-1]]", "G0 X[ACOS[2]]", "M3 M4", "M99.5", "G0 X1 (open", "G64 P-1", "T-1", "S-5", "F-3", "G1 F0 X3", "G93 G1 X3",
+             "G0 X[SQRT[-1]]", "G0 X[ACOS[2]]", "M3 M4", "M99.5", "G0 X1 (open", "T-1", "S-5", "F-3", "G1 F0 X3", "G93 G1 X3",
              "G81 X1 R1", "G80 X1", "G92 X1 G0 Y2", "G91 G53 G0 X1", "G2 X1 Y1 R0.1", "G3 I0 J0", "G2 X5 I1 R3", "G81 Z-1 R2 L0", "M62",
              "G83 X1 Z-3 R1", "G82 X1 Z-3 R1", "G83 X1 Z-3 R1 Q-1", "G0 X1 G80", "G28.1 X1", "M6 T1.5", "M1000", "G0 X[1 + ]", "G0 X[2",
              "W1", "G0 Z1 G43 H1 G49", "G38.2", "D3", "G54 P3", "G90 G91", "%5", "G0.5", "@1", "X 1 2 3 Y4", "g1x1y2z3f5"]

@@ -61,7 +61,7 @@ def compare(command, program, root):
         copy = folder / program.name
         theirs = readers.of_peer(copy, folder, tools=table, ini=ini)
         ours = readers.of_leadscrew(command, copy, folder, tools_in_mm(table, folder))
-    found = readers.difference(ours, theirs)
+    found, _ = readers.difference(ours, theirs)
     if found is None:
         return name, "same", "moves alike" if ours.accepted else f"both refuse: {ours.reason.split(': ', 1)[-1]}", None
     return name, "DIFFERS", found.splitlines()[0].replace(str(folder), ""), found

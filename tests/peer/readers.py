@@ -60,13 +60,11 @@ def bare(line):
 
 
 def difference(ours, theirs):
-    """Where two outcomes of one program part, in words; None where they do not."""
+    """Where two outcomes of one program part, in words; None where they do not. And calls.difference's other ways."""
     if ours.accepted != theirs.accepted:
         told = f"theirs refuses: {theirs.reason} [{theirs.line}]" if ours.accepted else f"ours refuses: {ours.reason} [{ours.line}]"
-        return told
-    found = calls.difference(ours.motions, theirs.motions, ours.accepted)
-    if found:
-        return found
-    if not ours.accepted and theirs.line and ours.line and bare(ours.line) != bare(theirs.line):
-        return f"both refuse, ours [{ours.line}] {ours.reason}, theirs [{theirs.line}] {theirs.reason}"
-    return None
+        return told, 0
+    found, ways = calls.difference(ours.motions, theirs.motions, ours.accepted)
+    if found is None and not ours.accepted and theirs.line and ours.line and bare(ours.line) != bare(theirs.line):
+        found = f"both refuse, ours [{ours.line}] {ours.reason}, theirs [{theirs.line}] {theirs.reason}"
+    return found, ways

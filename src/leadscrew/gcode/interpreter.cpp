@@ -16,6 +16,7 @@ Interpreter::Interpreter(const Context& context)
   modal_.tolerance = machine_.tolerance;
   frame_.position = options_.start;
   travel_.note_outside();
+  if (options_.dialect == Dialect::linuxcnc) modal_.retract = Retract::r_level;
   set_path_control({});
 }
 
