@@ -104,7 +104,7 @@ class Motion:
 def motions(text):
     """The calls that move or wait, but for straight ones that lead nowhere."""
     found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0), PLANES["CANON_PLANE_XY"]
-    position = [0.0] * 9  # machine, mm and degrees
+    position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
     for line in text.splitlines():
         call = CALL.match(line)
         if not call:
@@ -144,10 +144,11 @@ def motions(text):
             start = [program[plane[0]] / unit, program[plane[1]] / unit]
             motion = Motion(name, line, numbers, unit, frame, feed, start)
             steps = [abs(a - b) for a, b in zip(target, position)]
-            motion.rotary = max(steps[:3]) <= 2e-4 * unit and name != "ARC_FEED"
-            if name not in STRAIGHT or max(steps[:3]) > 4 * ROUNDING * unit or max(steps[3:6]) > 4 * ROUNDING:
+            least = 3 * ROUNDING * (unit + told_in)
+            motion.rotary = max(steps[:3]) <= least and name != "ARC_FEED"
+            if name not in STRAIGHT or max(steps[:3]) > least or max(steps[3:6]) > 4 * ROUNDING:
                 found.append(motion)
-                position[:len(target)] = target
+                position[:len(target)], told_in = target, unit
     return found
 
 

@@ -4,7 +4,9 @@ expressions, parameters and flow, most of them sound and some not.
 What is left out on purpose: a change of units while a tool offset is in force, which rs274 does not convert; R of G10
 while G92 shifts, where rs274 jumps; and under G98 a change of units or offsets within a series of canned cycles, after
 which rs274 retracts to the number, not the place, of the level at which the series began; the same under G91, where R
-counts from that level; and pecks of less than 0.254 mm, between which rs274 goes above R.
+counts from that level; pecks of less than 0.254 mm, between which rs274 goes above R; axis words of G28 and G30 in a
+turned system, of which rs274 makes axes of the program; M6 with a tool offset or a turned system, after which rs274
+believes to stand elsewhere; and F0 under G93.
 """
 import math
 import random
@@ -16,7 +18,7 @@ class Program:
         self.flow = flow
         self.lines, self.subs = [], []
         self.inches = self.incremental = self.absolute_arcs = self.inverse = False
-        self.plane, self.rotated, self.shifted, self.tool = "XY", False, False, False
+        self.plane, self.rotated, self.tool = "XY", False, False
         self.systems_turned, self.shift_kept = set(), False
         self.system, self.parameters, self.names = 1, {}, {}
         self.depth = self.labels = 0
@@ -114,7 +116,7 @@ class Program:
         elif kind == 7:
             self.block(self.random.choice(["M3 S1000", "M4", "M5", "M7", "M8", "M9", "S500", "G40", "M0", "M1", "G80"]))
         else:
-            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2 M6", "M48", "M49", "G97 S300", "/G0 X1", "(a remark)", ""]))
+            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.tool or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", ""]))
 
     # Motion
 
@@ -213,6 +215,7 @@ class Program:
         words += [f"P{self.random.uniform(0, 2):.2f}"] if "P" in self.CYCLES[code] else []
         words += [self.word("Q", abs(self.value(1.013, 7.177)))] if "Q" in self.CYCLES[code] else []
         words += [f"L{self.random.randint(1, 3)}"] if self.chance(0.15) else []
+        self.moved = False  # units or the system have changed since the series began
         self.retract = self.random.choice(["G98", "G99"])
         self.block(self.retract, code, *words)
         for _ in range(self.random.randint(0, 4)):
@@ -234,13 +237,15 @@ class Program:
             self.block(f"F{self.random.randint(10, 500)}")
         elif kind < 0.18 and not self.incremental and code not in ("G83", "G73"):
             self.set_units()
-        elif kind < 0.22:
+            self.moved = True
+        elif kind < 0.22 and not self.moved:
             self.block(self.set_distance())
-        elif kind < 0.25:
+        elif kind < 0.25 and not self.incremental:
             self.select_system()
-        elif kind < 0.28 and not self.rotated:
+            self.moved = True
+        elif kind < 0.28 and not self.systems_turned and not self.incremental:
             self.block("G92", self.word("X", self.value(-9, 9)))
-            self.shifted = self.shift_kept = True
+            self.shift_kept = self.moved = True
         elif kind < 0.30:
             self.block("G4 P0.1")
         first, second = self.plane
@@ -275,7 +280,7 @@ class Program:
             self.select_system()
         elif kind == 3 and not self.systems_turned:
             self.block("G92", *words)
-            self.shifted = self.shift_kept = True
+            self.shift_kept = True
         elif kind == 4 and not self.systems_turned:
             self.block(self.random.choice(["G92.1", "G92.2", "G92.3"]))
         elif kind == 5:
@@ -285,7 +290,7 @@ class Program:
             self.block("G49")
             self.tool = False
         elif kind == 7:
-            self.block(self.random.choice(["G28", "G30"]), *(words if self.chance(0.6) else []))
+            self.block(self.random.choice(["G28", "G30"]), *(words if self.chance(0.6) and not self.rotated else []))
         elif kind == 8:
             self.block(self.random.choice(["G28.1", "G30.1"]))
         else:
@@ -432,8 +437,8 @@ class Program:
              "G53 G2 X1 I1", "G92", "G4", "G4 P-1", "#0=1", "#9999=2", "#<never_set>", "G0 X#<never_set>", "G0 X[1/0]",
              "G0 X[SQRT[-1]]", "G0 X[ACOS[2]]", "M3 M4", "M99.5", "G0 X1 (open", "T-1", "S-5", "F-3", "G1 F0 X3", "G93 G1 X3",
              "G81 X1 R1", "G80 X1", "G92 X1 G0 Y2", "G91 G53 G0 X1", "G2 X1 Y1 R0.1", "G3 I0 J0", "G2 X5 I1 R3", "G81 Z-1 R2 L0", "M62",
-             "G83 X1 Z-3 R1", "G82 X1 Z-3 R1", "G83 X1 Z-3 R1 Q-1", "G0 X1 G80", "G28.1 X1", "M6 T1.5", "M1000", "G0 X[1 + ]", "G0 X[2",
-             "W1", "G0 Z1 G43 H1 G49", "G38.2", "D3", "G54 P3", "G90 G91", "%5", "G0.5", "@1", "X 1 2 3 Y4", "g1x1y2z3f5"]
+             "G83 X1 Z-3 R1", "G82 X1 Z-3 R1", "G83 X1 Z-3 R1 Q-1", "G28.1 X1", "M6 T1.5", "M1000", "G0 X[1 + ]", "G0 X[2",
+             "W1", "G0 Z1 G43 H1 G49", "G38.2", "D3", "G54 P3", "G90 G91", "%5", "G0.5", "X 1 2 3 Y4", "g1x1y2z3f5"]
 
     def statement(self):
         kind = self.random.random()
