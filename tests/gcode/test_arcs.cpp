@@ -34,6 +34,11 @@ TEST(ArcByCentre, IsExactWhereTheProgramIs) {
   EXPECT_EQ(arc.feed.value, 1);
 }
 
+// A whole circle ends where it begins: it is a move of linear axes all the same, and F is in inches under G20.
+TEST(ArcByCentre, ClosedIsFedInUnitsOfLength) {
+  EXPECT_EQ(arc_of("G20\nG2 I1 F60\nM2\n").feed.value, 25.4);
+}
+
 TEST(ArcByCentre, MayBeOffByAThousandthOfItsRadiusAndNoMore) {
   // About a centre 0.05 or 0.06 mm off, the radii of 100 mm differ by twice that.
   EXPECT_EQ(arc_of("G0 X100\nG3 X-100 I-99.951 F60\nM2\n").turns, 1);

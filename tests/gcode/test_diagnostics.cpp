@@ -85,7 +85,7 @@ TEST(Diagnostics, StandAtTheirLineAndColumn) {
       {"G80 X1", "1:5 axis-without-motion; "},
       {"G1 X1", "1:1 missing-feed; "},
       {"G93 G1 X1 F6\nX2", "2:1 missing-feed; "},
-      {"G1 F0 X1", "1:4 bad-value; "},
+      {"G1 F0 X1", "1:1 missing-feed; "},
       {"F-1", "1:1 bad-value; "},
       {"S-1", "1:1 bad-value; "},
       {"T1.5", "1:1 bad-value; "},

@@ -94,8 +94,8 @@ TEST(DialectForms, DwellsOfCyclesAreWholeMillisecondsOnFanuc) {
 }
 
 TEST(DialectForms, KRepeatsCyclesOfFanuc) {
-  const Reading of_fanuc = read_in(Dialect::fanuc, "G0 Z5\nG91 G81 X5 Z-3 R-2 K4 F60\nM2\n");
-  const Reading of_linuxcnc = read_in(Dialect::linuxcnc, "G0 Z5\nG91 G81 X5 Z-3 R-2 L4 F60\nM2\n");
+  const Reading of_fanuc = read_in(Dialect::fanuc, "G0 Z5\nG91 G98 G81 X5 Z-3 R-2 K4 F60\nM2\n");
+  const Reading of_linuxcnc = read_in(Dialect::linuxcnc, "G0 Z5\nG91 G98 G81 X5 Z-3 R-2 L4 F60\nM2\n");
   EXPECT_EQ(of_fanuc.problems(), "");
   EXPECT_EQ(ends(of_fanuc), ends(of_linuxcnc));
   EXPECT_EQ(of_fanuc.lines().size(), of_linuxcnc.lines().size());

@@ -104,6 +104,55 @@ TEST(G85, FeedsOutOfTheHole) {
             (std::vector<Step>{{false, {0, 0, 1}}, {false, {3, 0, 1}}, {true, {3, 0, -1}}, {true, {3, 0, 1}}}));
 }
 
+// NIST IR 6556, 3.5.16.5: "retract the Z-axis at the current feed rate to clear Z", which is R in a row of holes;
+// LinuxCNC 2.9 feeds to R under G98 too, and is rapid from there.
+TEST(G85, FeedsToRAndIsRapidFromThere) {
+  EXPECT_EQ(steps("G0 Z9\nG98 G85 X3 Z-1 R1 F60\nM2\n"), (std::vector<Step>{{false, {0, 0, 9}},
+                                                                            {false, {3, 0, 9}},
+                                                                            {false, {3, 0, 1}},
+                                                                            {true, {3, 0, -1}},
+                                                                            {true, {3, 0, 1}},
+                                                                            {false, {3, 0, 9}}}));
+}
+
+// LinuxCNC 2.9: in G91 R counts from the level at which the series began, however far down the tool has gone since.
+TEST(G81, DrillsARowOfIncrementalHolesEquallyDeep) {
+  EXPECT_EQ(steps("G21 G90 G99 G0 Z10\nG91 F100\nG81 X10 Z-5 R-2\nX10\nX10\nM2\n"),
+            (std::vector<Step>{{false, {0, 0, 10}},
+                               {false, {10, 0, 10}},
+                               {false, {10, 0, 8}},
+                               {true, {10, 0, 3}},
+                               {false, {10, 0, 8}},
+                               {false, {20, 0, 8}},
+                               {true, {20, 0, 3}},
+                               {false, {20, 0, 8}},
+                               {false, {30, 0, 8}},
+                               {true, {30, 0, 3}},
+                               {false, {30, 0, 8}}}));
+}
+
+TEST(Cycles, KeepTheirNumbersInWhateverUnits) {
+  EXPECT_EQ(steps("G20\nG90 G99 F10\nG0 Z1\nG81 Z-1 R0.5\nG21 X4\nM2\n"), (std::vector<Step>{{false, {0, 0, 25.4}},
+                                                                                             {false, {0, 0, 12.7}},
+                                                                                             {true, {0, 0, -25.4}},
+                                                                                             {false, {0, 0, 12.7}},
+                                                                                             {false, {4, 0, 12.7}},
+                                                                                             {false, {4, 0, 0.5}},
+                                                                                             {true, {4, 0, -1}},
+                                                                                             {false, {4, 0, 0.5}}}));
+}
+
+TEST(Cycles, MayHaveNoDepth) {
+  EXPECT_EQ(steps("G0 Z5\nG98 G81 X1 Z-1 R-1 F60\nM2\n"),
+            (std::vector<Step>{{false, {0, 0, 5}}, {false, {1, 0, 5}}, {false, {1, 0, -1}}, {false, {1, 0, 5}}}));
+}
+
+// Five pecks of 0.3 inch make 1.5 but for the rounding of millimetres: that is no sixth peck.
+TEST(G83, MakesNoPeckOfWhatIsRounding) {
+  const Reading reading = read_well("G20\nG99 F30\nG0 Z0.5\nG83 Z-1 R0.5 Q0.3\nM2\n");
+  EXPECT_EQ(reading.lines().size(), 1 + 4 * 3 + 2);
+}
+
 TEST(Cycles, DrillAlongTheNormalOfThePlane) {
   EXPECT_EQ(steps("G18 G81 X3 Z4 Y-5 R1 F60\nM2\n"),
             (std::vector<Step>{{false, {0, 1, 0}}, {false, {3, 1, 4}}, {true, {3, -5, 4}}, {false, {3, 1, 4}}}));
@@ -141,7 +190,7 @@ TEST(Cycles, ForgetTheirLevelsAfterOtherMotion) {
 }
 
 TEST(Cycles, AreCheckedBeforeTheyBegin) {
-  EXPECT_EQ(read("G81 X1 Z1 R1 F60\nM2\n").problems(), "1:8 cycle-levels; ");
+  EXPECT_EQ(read("G81 X1 Z1 R0.9 F60\nM2\n").problems(), "1:8 cycle-levels; ");
   EXPECT_EQ(read("G81 X1 Z-501 R1 F60\nM2\n").problems(), "1:8 travel; ");
   EXPECT_EQ(read("G91 G81 X100 Z-1 R1 L6 F60\nM2\n").problems(), "1:9 travel; ");
   EXPECT_EQ(read("G82 X1 Z-1 R1 F60\nM2\n").problems(), "1:1 missing-word; ");

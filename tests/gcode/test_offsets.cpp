@@ -111,6 +111,14 @@ TEST(ToolLength, IsThatOfTheToolNamed) {
   EXPECT_EQ(last_end("G43 H5\nG43 H0\nG0 Z1\nM2\n", with_tool()).z, 1);
 }
 
+// LinuxCNC manual, G Codes, "G43": H0 is the tool in the spindle. With Fanuc it is no offset.
+TEST(ToolLength, OfH0IsThatOfTheSpindle) {
+  Conditions conditions = with_tool();
+  EXPECT_EQ(last_end("T5 M6\nG43 H0\nG0 Z1\nM2\n", conditions).z, 41);
+  conditions.options.dialect = Dialect::fanuc;
+  EXPECT_EQ(last_end("T5 M6\nG43 H0\nG0 Z1\nM2\n", conditions).z, 1);
+}
+
 TEST(ToolLength, IsGivenByG43_1AndCancelledByG49) {
   EXPECT_EQ(last_end("G43.1 Z3\nG0 Z1\nM2\n").z, 4);
   EXPECT_EQ(last_end("G20\nG43.1 Z1\nG21\nG0 Z1\nM2\n").z, 26.4);

@@ -35,6 +35,14 @@ constexpr std::string_view check_examples =
     "  leadscrew check part.ngc\n"
     "  leadscrew check *.ngc --machine machines/mill6.toml --json\n";
 
+constexpr std::string_view canon_examples =
+    "Examples:\n"
+    "  leadscrew canon part.ngc\n"
+    "  leadscrew canon part.ngc --machine machines/mill6.toml | less\n"
+    "\n"
+    "The form is that of LinuxCNC's rs274 -g. Offsets, feeds and modes stand where the next call depends on them.\n"
+    "With errors the calls are those before the first.\n";
+
 constexpr std::string_view verify_examples =
     "Examples:\n"
     "  leadscrew verify part.csv part.ngc\n"
@@ -104,6 +112,14 @@ void describe_check(Command& command, Arguments& arguments) {
   command.help(std::string(check_examples) + curves_text());
 }
 
+void describe_canon(Command& command, Arguments& arguments) {
+  command.word("PROGRAM", "Part program; - is standard input, curve:NAME a curve of the studies", arguments.programs,
+               program_values());
+  add_setup(command, arguments);
+  add_color(command, arguments);
+  command.help(std::string(canon_examples) + curves_text());
+}
+
 void describe_verify(Command& command, Arguments& arguments) {
   command.word("TRACE", "Trace, " + trace::endings_text() + "; - is standard input", arguments.judged_trace,
                file(trace_endings()));
@@ -124,10 +140,11 @@ struct Described {
 };
 
 /// Those of Arguments::Verb, in its order; then those that are answered at once.
-constexpr std::array<Described, 12> verbs = {
+constexpr std::array<Described, 13> verbs = {
     {{"run", "Plan and interpolate; summary, report, picture, traces, steps", describe_run},
      {"check", "Read only: diagnostics", describe_check},
      {"verify", "The referee: any trace against its program and machine", describe_verify},
+     {"canon", "The canonical machining calls of a program, as rs274 -g prints them", describe_canon},
      {"pulse", "One line or arc in reference pulses, clock by clock", describe_pulse},
      {"study", "Published tables and figures made again, ours beside them", describe_study},
      {"design", "Size digital integrators: bits, clock, feed word, rates", describe_design},
@@ -149,7 +166,8 @@ std::vector<std::string> command_names() {
 void describe_program(options::Program& program, Arguments& arguments) {
   program.exit_statuses = exit_statuses;
   program.known_commands =
-      "; there are run, check, verify and simulate for programs, drive to run them on time, pulse, study and design; "
+      "; there are run, check, verify, canon and simulate for programs, drive to run them on time, pulse, study and "
+      "design; "
       "explain and format for blocks in words and in order; help says more";
   describe_itself(program.itself, arguments);
   program.itself.help(std::string(main_examples));

@@ -22,12 +22,12 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Verb { run, check, verify, pulse, study, design, simulate, drive, explain, format };
+  enum class Verb { run, check, verify, canon, pulse, study, design, simulate, drive, explain, format };
 
   Verb verb = Verb::run;
-  std::optional<std::string> explained;  ///< of explain: a block
-  bool explain_page = false;             ///< of explain: every code
-  std::vector<std::string> programs;      ///< one or more; of verify one
+  std::optional<std::string> explained;   ///< of explain: a block
+  bool explain_page = false;              ///< of explain: every code
+  std::vector<std::string> programs;      ///< one or more; of canon and verify one
   std::string judged_trace;               ///< of verify
   RunArguments run;                       ///< of run; its files of simulate too
   SimulateArguments simulate;             ///< of simulate
@@ -45,8 +45,8 @@ struct Arguments {
   std::optional<double> tolerance;  ///< mm
   std::optional<machine::Smoothing> smoothing;
   std::optional<machine::Dialect> dialect;
-  bool lint = false;                ///< of check
-  std::optional<double> stock_top;  ///< of check: Z of the program, mm
+  bool lint = false;                     ///< of check
+  std::optional<double> stock_top;       ///< of check: Z of the program, mm
   std::vector<std::string> subprograms;  ///< folders
   std::optional<std::int64_t> fuel;      ///< lines in loops and subprograms, ≥ 1
   std::optional<int> threads;            ///< that work on several programs, 1 … 1024; none: as many as processors

@@ -1,5 +1,6 @@
 #include <cerrno>
 #include <leadscrew/cli/arguments.hpp>
+#include <leadscrew/cli/canon.hpp>
 #include <leadscrew/cli/check.hpp>
 #include <leadscrew/cli/command.hpp>
 #include <leadscrew/cli/design.hpp>
@@ -48,6 +49,8 @@ std::string_view schema_of(Arguments::Verb command) {
       return results::simulate_schema;
     case Arguments::Verb::drive:
       return results::drive_schema;
+    case Arguments::Verb::canon:
+      break;  // has no --json
     case Arguments::Verb::pulse:
     case Arguments::Verb::study:
     case Arguments::Verb::design:
@@ -83,6 +86,8 @@ Status perform(const Arguments& arguments) {
       return run(*job, console);
     case Arguments::Verb::check:
       return check(*job, console);
+    case Arguments::Verb::canon:
+      return canon(*job, console);
     case Arguments::Verb::verify:
       return verify(*job, console);
     case Arguments::Verb::simulate:

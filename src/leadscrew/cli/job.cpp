@@ -6,8 +6,8 @@
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
-#include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/language/lint.hpp>

@@ -20,12 +20,16 @@ std::vector<std::string> trace_endings() {
   return {endings.begin(), endings.end()};
 }
 
-void add_output(Command& command, Arguments& arguments) {
-  command.flag("--json", "One JSON object on standard output, nothing else there", arguments.json);
-  command.flag("--quiet", "No summary and no progress bar", arguments.quiet);
+void add_color(Command& command, Arguments& arguments) {
   command.choice<ColorChoice>(
       "--color", "WHEN", "auto, always or never; NO_COLOR is heeded", arguments.color,
       {{"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}});
+}
+
+void add_output(Command& command, Arguments& arguments) {
+  command.flag("--json", "One JSON object on standard output, nothing else there", arguments.json);
+  command.flag("--quiet", "No summary and no progress bar", arguments.quiet);
+  add_color(command, arguments);
 }
 
 void add_dialect(Command& command, Arguments& arguments) {
@@ -60,7 +64,7 @@ void add_flow(Command& command, Arguments& arguments) {
                 });
 }
 
-void add_common(Command& command, Arguments& arguments) {
+void add_setup(Command& command, Arguments& arguments) {
   command.text("--machine", "FILE", "Machine file (TOML), or the built-in mill3 (default)", arguments.machine,
                file({".toml"}, {"mill3"}));
   command.text("--tools", "FILE", "Tool table, in LinuxCNC's format", arguments.tools, file({".tbl"}));
@@ -73,6 +77,10 @@ void add_common(Command& command, Arguments& arguments) {
                 "Where a program of a file begins, machine coordinates: X10,Y5 or 10,5,0 (default: 0)", arguments.start,
                 parse_axis_values);
   add_flow(command, arguments);
+}
+
+void add_common(Command& command, Arguments& arguments) {
+  add_setup(command, arguments);
   add_output(command, arguments);
 }
 

@@ -15,6 +15,12 @@ Values program_values();
 /// Of traces: those of trace::endings().
 std::vector<std::string> trace_endings();
 
+/// --machine, --tools, --start.
+void add_setup(Command& command, Arguments& arguments);
+
+/// --color.
+void add_color(Command& command, Arguments& arguments);
+
 /// --json, --quiet, --color.
 void add_output(Command& command, Arguments& arguments);
 
@@ -24,7 +30,7 @@ void add_dialect(Command& command, Arguments& arguments);
 /// --subprograms and --fuel, of programs.
 void add_flow(Command& command, Arguments& arguments);
 
-/// Of commands that read programs: --machine, --tools, --dialect, --start and those above.
+/// Of commands that read programs: all of those above.
 void add_common(Command& command, Arguments& arguments);
 
 /// --period, of the machine's servo.

@@ -132,7 +132,7 @@ void Motion::arc(const Block& block) {
   ArcPlan plan;
   const bool known = plan_arc(block, start, in_plane(target, modal_.plane), plan);
   Feed feed;
-  feed_of(block, is_linear(target), block.has('F'), feed);
+  feed_of(block, true, block.has('F'), feed);  // also where it closes, and its end is where it begins
   // Only a line comes back from outside at once.
   const bool from_outside = travel_.fails_outside(block);
   travel_.inside_travel(block, target);

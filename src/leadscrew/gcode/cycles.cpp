@@ -9,25 +9,28 @@ constexpr double most_steps = 100'000;  // holes of one block, and pecks of one 
 
 }  // namespace
 
-// Levels along the axis of the hole; R and the bottom hold for the cycles that follow.
+// Levels along the axis of the hole; R and the bottom hold for the cycles that follow, as numbers, which are read in
+// the units of the block that uses them. In G91 the bottom is seen from R,
+// and R from the level at which the series began (LinuxCNC manual, G Codes, "Canned Cycles"): holes of a row are equally
+// deep.
 bool CannedCycles::plan_levels(const Block& block, DrillCycle::Plan& plan) {
   const std::size_t drill = base::index(plan.drill);
   const char drill_letter = base::letter(plan.drill);
   const bool absolute = modal_.distance == Distance::absolute;
-  if (block.has('R')) series_->r = block['R'] * frame_.length_unit;
-  if (block.has(drill_letter)) series_->bottom = block[drill_letter] * frame_.length_unit;
+  if (block.has('R')) series_->r = block['R'];
+  if (block.has(drill_letter)) series_->bottom = block[drill_letter];
   if (!series_->r || !series_->bottom) {
     const char missing = series_->bottom ? 'R' : drill_letter;
     return error("missing-word", motion_column(block), name(plan.code) + " lacks " + missing,
                  "give R and " + std::string(1, drill_letter) + " in the first block of a cycle");
   }
-  plan.r_level = *series_->r + (absolute ? frame_.sum()[drill] : plan.start[drill]);
-  plan.bottom = *series_->bottom + (absolute ? frame_.sum()[drill] : plan.r_level);
+  plan.r_level = *series_->r * frame_.length_unit + (absolute ? frame_.sum()[drill] : series_->initial_level);
+  plan.bottom = *series_->bottom * frame_.length_unit + (absolute ? frame_.sum()[drill] : plan.r_level);
   plan.clear_level = modal_.retract == Retract::r_level ? plan.r_level : std::max(plan.r_level, series_->initial_level);
-  if (plan.bottom < plan.r_level) return true;
+  if (plan.bottom <= plan.r_level) return true;
   return error("cycle-levels", block.has(drill_letter) ? block.column_of(drill_letter) : motion_column(block),
-               "the bottom at " + text(plan.bottom) + " mm is not below R at " + text(plan.r_level) + " mm",
-               "R must be above the bottom of the hole");
+               "the bottom at " + text(plan.bottom) + " mm is above R at " + text(plan.r_level) + " mm",
+               "the bottom of the hole must not be above R");
 }
 
 bool CannedCycles::can_drill(const Block& block) {
@@ -70,9 +73,9 @@ void CannedCycles::plan_dwell(const Block& block, DrillCycle::Plan& plan) {
 }
 
 void CannedCycles::plan_pecks(const Block& block, DrillCycle::Plan& plan) {
-  if (block.has('Q')) series_->peck = block['Q'] * frame_.length_unit;
+  if (block.has('Q')) series_->peck = block['Q'];
   if (!series_->peck) error("missing-word", motion_column(block), "G83 lacks Q", "give the depth of a peck");
-  plan.peck = series_->peck.value_or(1);
+  plan.peck = series_->peck.value_or(1) * frame_.length_unit;
   if (!(plan.peck > 0) || !((plan.r_level - plan.bottom) / plan.peck <= most_steps)) {
     error("bad-value", block.has('Q') ? block.column_of('Q') : motion_column(block),
           "the peck is " + text(plan.peck) + " mm", "above 0, and at most 100000 pecks to the bottom");

@@ -27,7 +27,8 @@ class CannedCycles : Part {
   void plan_pecks(const Block& block, DrillCycle::Plan& plan);
   bool plan_levels(const Block& block, DrillCycle::Plan& plan);
 
-  // What holds for the canned cycles since the last other motion: mm, dwell in seconds.
+  // What holds for the canned cycles since the last other motion: the level at which the first of them began, mm in
+  // machine coordinates; the others as they were written, dwell in seconds.
   struct Series {
     Code code = Code::none;
     double initial_level = 0;

@@ -35,7 +35,7 @@ DrillCycle::Step DrillCycle::next() {
       return at_level(Kind::rapid, level);
     case Phase::to_r_level:
       peck_ = 1;
-      phase_ = plan_.code == Code::G83 && peck_depth(peck_) > plan_.bottom ? Phase::cut : Phase::bottom;
+      phase_ = plan_.code == Code::G83 && peck_depth(peck_) > plan_.bottom + least_peck ? Phase::cut : Phase::bottom;
       return at_level(Kind::rapid, plan_.r_level);
     case Phase::cut:
       phase_ = Phase::peck_out;
@@ -46,7 +46,7 @@ DrillCycle::Step DrillCycle::next() {
     case Phase::peck_in: {
       const double back = std::min(plan_.r_level, peck_depth(peck_) + peck_clearance);
       ++peck_;
-      phase_ = peck_depth(peck_) > plan_.bottom ? Phase::cut : Phase::bottom;
+      phase_ = peck_depth(peck_) > plan_.bottom + least_peck ? Phase::cut : Phase::bottom;
       return at_level(Kind::rapid, back);
     }
     case Phase::bottom:
@@ -56,9 +56,13 @@ DrillCycle::Step DrillCycle::next() {
       phase_ = Phase::retract;
       return {Kind::dwell, position_};
     case Phase::retract:
+      phase_ = Phase::clear;
+      if (plan_.code != Code::G85) return next();
+      return at_level(Kind::feed, plan_.r_level);
+    case Phase::clear:
       ++hole_;
       phase_ = hole_ < plan_.repeats ? Phase::approach : Phase::done;
-      return at_level(plan_.code == Code::G85 ? Kind::feed : Kind::rapid, plan_.clear_level);
+      return at_level(Kind::rapid, plan_.clear_level);
     case Phase::done:
       break;
   }

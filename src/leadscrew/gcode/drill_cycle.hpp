@@ -3,7 +3,7 @@
 // times needs no memory.
 //
 //     ──┐ lift to R where the tool is below it
-//       └──▶ approach at the old level ──▶ down to R ──▶ drill to Z ──▶ back to the clear level ──▶ next hole
+//       └──▶ approach at the old level ──▶ down to R ──▶ drill to Z ──▶ back to R or the clear level ──▶ next hole
 
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/gcode/codes.hpp>
@@ -19,7 +19,7 @@ class DrillCycle {
     base::AxisVector start{};          ///< where the tool stands
     base::AxisVector first_hole{};     ///< above it; its drill coordinate is unused
     base::AxisVector increment{};      ///< from hole to hole
-    double r_level = 0;                ///< > bottom
+    double r_level = 0;                ///< ≥ bottom
     double clear_level = 0;            ///< ≥ r_level; where the tool waits between holes
     double bottom = 0;
     double peck = 0;           ///< G83: mm, > 0
@@ -34,6 +34,8 @@ class DrillCycle {
 
   /// How far from the bottom of the hole a peck goes back to cutting feed (LinuxCNC: 0.010 inch).
   static constexpr double peck_clearance = 0.254;  // mm
+  /// What is left to the bottom is no peck of its own below this: it is rounding.
+  static constexpr double least_peck = 1e-6;  // mm
 
   DrillCycle() = default;
   explicit DrillCycle(const Plan& plan);
@@ -46,7 +48,7 @@ class DrillCycle {
   const Plan& plan() const { return plan_; }
 
  private:
-  enum class Phase { lift, approach, to_r_level, cut, peck_out, peck_in, bottom, dwell, retract, done };
+  enum class Phase { lift, approach, to_r_level, cut, peck_out, peck_in, bottom, dwell, retract, clear, done };
 
   Step at_level(Step::Kind kind, double level);
   base::AxisVector hole(int number) const;

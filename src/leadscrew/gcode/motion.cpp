@@ -62,6 +62,10 @@ void Motion::set_feed(const Block& block) {
   if (!block.has('F')) return;
   const double value = block['F'];
   constexpr double least = 1e-6;  // a millimetre in two years
+  if (value == 0 && modal_.feed_mode == FeedMode::per_minute) {
+    modal_.feed_known = false;  // a motion that needs one says that there is none
+    return;
+  }
   if (!(value >= least)) {
     error("bad-value", block.column_of('F'), "the feed is " + text(value), "F must be 0.000001 or more");
     assume_feed();

@@ -31,6 +31,9 @@ void Offsets::set_tool_length(const Block& block) {
   } else if (code == Code::G43) {
     std::optional<int> number = modal_.loaded_tool;
     if (block.has('H')) number = as_integer(block['H']);
+    // LinuxCNC manual, G Codes, "G43": H0 is the tool in the spindle. With Fanuc it is no offset.
+    const bool is_of_spindle = options_.dialect == Dialect::leadscrew || options_.dialect == Dialect::linuxcnc;
+    if (number == 0 && is_of_spindle) number = modal_.loaded_tool;
     if (!number || *number < 0) {
       error("bad-value", block.column_of('H'), "the tool number is " + text(block['H']),
             "H must be an integer of 0 or more");

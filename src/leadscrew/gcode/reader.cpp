@@ -2,8 +2,8 @@
 #include <cstring>
 #include <leadscrew/gcode/block_reader.hpp>
 #include <leadscrew/gcode/dialect_forms.hpp>
-#include <leadscrew/gcode/foreign_language.hpp>
 #include <leadscrew/gcode/flow.hpp>
+#include <leadscrew/gcode/foreign_language.hpp>
 #include <leadscrew/gcode/interpreter.hpp>
 #include <leadscrew/gcode/printer_commands.hpp>
 #include <leadscrew/gcode/reader.hpp>

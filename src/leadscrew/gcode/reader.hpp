@@ -64,6 +64,8 @@ using base::TextOpener;
 
 class Frame;  // frame.hpp
 
+class Frame;  // frame.hpp
+
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);
 

@@ -1,0 +1,62 @@
+#pragma once
+// A program as the canonical machining functions of NIST IR 6556, chapter 4, one line a call, in the form in which
+// LinuxCNC's `rs274 -g` prints them:
+//
+//     1 N..... USE_LENGTH_UNITS(CANON_UNITS_MM)
+//     7 N..... STRAIGHT_FEED(4.0000, 0.0000, -6.0000, 3.0000, 0.0000, 0.0000)
+//
+// Coordinates are the program's, in its units, along X Y Z A B C, and U V W where the machine has one of them. What holds
+// for more than one call (units, offsets, rotation, plane, feed, path control) is printed where a call first depends on
+// it: not where a block sets it, and not where nothing moves by it. A block that leads where the tool stands makes no
+// call.
+
+#include <cstdint>
+#include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/gcode/move.hpp>
+#include <string>
+#include <string_view>
+
+namespace leadscrew::gcode {
+
+class CanonWriter {
+ public:
+  /// Of a machine with these axes.
+  explicit CanonWriter(base::AxisSet axes);
+
+  /// Adds what stands at the head of every program: units, offsets and rotation of none.
+  void begin(std::string& text);
+  /// Adds the calls of a move. `frame`, and `system` (1 … 9: G54 … G59.3), are those that held for its block.
+  void write(const Move& move, const Frame& frame, int system, std::string& text);
+
+ private:
+  /// What was printed last: mm, degrees, and as each name says.
+  struct Printed {
+    double unit = 1;  ///< mm
+    int system = 1;
+    base::AxisVector origin{}, shift{}, tool{};
+    double rotation = 0;  ///< degrees
+    Plane plane = Plane::XY;
+    PathMode path_mode = PathMode::blend;
+    double tolerance = 0, naive_cam_tolerance = 0;  ///< mm
+    bool path_known = false;
+    double feed = 0;  ///< mm or degrees a minute
+  };
+
+  void write_frame(const Frame& frame, int system, std::string& text);
+  void write_path(const Move& move, std::string& text);
+  void write_feed(const Move& move, std::string& text);
+  void write_arc(const Move& move, const Frame& frame, std::string& text);
+  void write_event(const base::Event& event, std::string& text);
+
+  void call(std::string_view name, std::string& text);
+  void number(double value, std::string& text);
+  void axes(const base::AxisVector& value, std::size_t first, std::size_t count, std::string& text);
+  void coordinates(const base::AxisVector& value, std::string& text);
+
+  Printed printed_;
+  bool has_uvw_;
+  bool first_argument_ = true;
+  std::int64_t calls_ = 0;
+};
+
+}  // namespace leadscrew::gcode

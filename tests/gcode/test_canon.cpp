@@ -1,0 +1,108 @@
+// Canonical machining calls as LinuxCNC's rs274 -g prints them. Expected lines are those of rs274 of LinuxCNC 2.9.
+
+#include <gtest/gtest.h>
+
+#include <leadscrew/gcode/canon.hpp>
+
+#include "reading.hpp"
+
+namespace leadscrew::gcode {
+namespace test_canon {
+
+machine::Machine six_axes() {
+  machine::Machine machine = nine_axes();
+  for (const base::Axis axis : {base::Axis::U, base::Axis::V, base::Axis::W}) machine.axes[base::index(axis)].reset();
+  return machine;
+}
+
+// Its calls from the sixth on, without their numbers.
+std::string calls(std::string_view program, const machine::Machine& machine = six_axes()) {
+  std::vector<base::Diagnostic> problems;
+  const machine::ToolTable tools;
+  Reader reader(text_source(program), machine, tools, {}, [&](const base::Diagnostic& d) {
+    if (d.severity != base::Severity::note) problems.push_back(d);
+  });
+  CanonWriter writer(machine.axis_set());
+  std::string text;
+  writer.begin(text);
+  Move move;
+  while (reader.next(move)) writer.write(move, reader.frame(), reader.system(), text);
+  EXPECT_TRUE(problems.empty()) << problems.front().message;
+  std::string bare;
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    const std::string line = text.substr(begin, end - begin);
+    EXPECT_EQ(std::stoi(line), ++number);
+    EXPECT_EQ(line.substr(5, 8), " N..... ");
+    if (number > 5) bare += line.substr(13) + "\n";
+    begin = end + 1;
+  }
+  return bare;
+}
+
+std::string with_path_mode(const std::string& expected) {
+  return "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n" + expected + "PROGRAM_END()\n";
+}
+
+TEST(Canon, LinesStandInCoordinatesOfTheProgram) {
+  EXPECT_EQ(calls("G21 G61\nG10 L2 P1 X1 Y2 Z3 R30\nG0 X4 Y1\nG92 X5\nG43.1 Z3\nG1 X4 A3 F300\nM2\n"),
+            "SET_G5X_OFFSET(1, 1.0000, 2.0000, 3.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_XY_ROTATION(30.0000)\n"
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+            "STRAIGHT_TRAVERSE(4.0000, 1.0000, -3.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_G92_OFFSET(-1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "USE_TOOL_LENGTH_OFFSET(0.0000, 0.0000, 3.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_FEED_RATE(300.0000)\n"
+            "STRAIGHT_FEED(4.0000, 1.0000, -6.0000, 3.0000, 0.0000, 0.0000)\n"
+            "PROGRAM_END()\n");
+}
+
+TEST(Canon, ArcsOfEachPlane) {
+  EXPECT_EQ(calls("G21 G61\nG2 X10 I5 J0 F100\nG3 X10 Y0 Z-2 I5 P2\nG18 G2 X20 Z-2 R5\nG19 G3 Y10 Z8 J10 K0\nM2\n"),
+            with_path_mode("SET_FEED_RATE(100.0000)\n"
+                           "ARC_FEED(10.0000, 0.0000, 5.0000, 0.0000, -1, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+                           "ARC_FEED(10.0000, 0.0000, 15.0000, 0.0000, 2, -2.0000, 0.0000, 0.0000, 0.0000)\n"
+                           "SELECT_PLANE(CANON_PLANE_XZ)\n"
+                           "ARC_FEED(-2.0000, 20.0000, -2.0000, 15.0000, -1, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+                           "SELECT_PLANE(CANON_PLANE_YZ)\n"
+                           "ARC_FEED(10.0000, 8.0000, 10.0000, -2.0000, 1, 20.0000, 0.0000, 0.0000, 0.0000)\n"));
+}
+
+TEST(Canon, InchesAndInverseTime) {
+  EXPECT_EQ(calls("G20 G61\nG1 X1 F30\nG93 G1 X3 F2\nG94 F20\nA90\nM2\n"),
+            "USE_LENGTH_UNITS(CANON_UNITS_INCHES)\n" +
+                with_path_mode("SET_FEED_RATE(30.0000)\n"
+                               "STRAIGHT_FEED(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+                               "SET_FEED_RATE(4.0000)\n"
+                               "STRAIGHT_FEED(3.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+                               "SET_FEED_RATE(20.0000)\n"
+                               "STRAIGHT_FEED(3.0000, 0.0000, 0.0000, 90.0000, 0.0000, 0.0000)\n"));
+}
+
+TEST(Canon, EventsAndDwells) {
+  EXPECT_EQ(calls("S1000 T1 M3\nM6 M8\nM7\nG4 P1.5\nM62 P1\nM67 E2 Q3.5\nM65 P4\nM68 E0 Q1\nM5 M9\nM0\nM1\nM60\nM30\n"),
+            "SET_SPINDLE_SPEED(0, 1000.0000)\nSELECT_TOOL(1)\nSTART_SPINDLE_CLOCKWISE(0)\n"
+            "START_CHANGE()\nSTOP_SPINDLE_TURNING(0)\nCHANGE_TOOL(1)\nFLOOD_ON()\nMIST_ON()\nDWELL(1.5000)\n"
+            "SET_MOTION_OUTPUT_BIT(1)\nSET_MOTION_OUTPUT_VALUE(2, 3.5000)\nCLEAR_AUX_OUTPUT_BIT(4)\n"
+            "SET_AUX_OUTPUT_VALUE(0, 1.0000)\nSTOP_SPINDLE_TURNING(0)\nMIST_OFF()\nFLOOD_OFF()\nPROGRAM_STOP()\n"
+            "OPTIONAL_PROGRAM_STOP()\nPALLET_SHUTTLE()\nPROGRAM_END()\n");
+}
+
+TEST(Canon, HasUVWWhereTheMachineHas) {
+  EXPECT_EQ(
+      calls("G21 G61\nG0 X1 W-0.00001\nM2\n", nine_axes()),
+      with_path_mode("STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"));
+}
+
+TEST(Canon, SaysPathControlAndCurves) {
+  EXPECT_EQ(calls("G21 G64 P0.1 Q0.05\nG0 X1\nG61.1\nG0 X2\nG1 F100\nG5.2 X3 Y1 P1\nX4 Y2 P1\nX5 Y0 P1\nG5.3\nM2\n"),
+            "SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.1000)\nSET_NAIVECAM_TOLERANCE(0.0500)\n"
+            "STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_STOP)\n"
+            "STRAIGHT_TRAVERSE(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_FEED_RATE(100.0000)\nNURBS_FEED(4, ...)\nPROGRAM_END()\n");
+}
+
+}  // namespace test_canon
+}  // namespace leadscrew::gcode

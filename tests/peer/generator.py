@@ -1,0 +1,479 @@
+"""Programs made by a grammar, the same for the same seed: lines, arcs and helices, canned cycles, offsets, homes, modes,
+expressions, parameters and flow, most of them sound and some not.
+
+What is left out on purpose: a change of units while a tool offset is in force, which rs274 does not convert; R of G10
+while G92 shifts, where rs274 jumps; and under G98 a change of units or offsets within a series of canned cycles, after
+which rs274 retracts to the number, not the place, of the level at which the series began; the same under G91, where R
+counts from that level; pecks of less than 0.254 mm, between which rs274 goes above R; axis words of G28 and G30 in a
+turned system, of which rs274 makes axes of the program; M6 with a tool offset or a turned system, after which rs274
+believes to stand elsewhere; and F0 under G93.
+"""
+import math
+import random
+
+
+class Program:
+    def __init__(self, seed, flow=True):
+        self.random = random.Random(seed)
+        self.flow = flow
+        self.lines, self.subs = [], []
+        self.inches = self.incremental = self.absolute_arcs = self.inverse = False
+        self.plane, self.rotated, self.tool = "XY", False, False
+        self.systems_turned, self.shift_kept = set(), False
+        self.system, self.parameters, self.names = 1, {}, {}
+        self.depth = self.labels = 0
+        self.broken = self.random.random() < 0.12  # one of its blocks is made wrong
+
+    # Words
+
+    def chance(self, share):
+        return self.random.random() < share
+
+    def decimals(self):
+        return 6 if self.inches else 5
+
+    def value(self, low, high, decimals=None):
+        """Written in mm, or in inches of a tenth as many."""
+        scale = 0.1 if self.inches else 1
+        return round(self.random.uniform(low, high) * scale, self.decimals() - 2 if decimals is None else decimals)
+
+    def number(self, value):
+        """A number as programs write it; now and then as an expression or a parameter that holds it."""
+        text = f"{value:.{self.decimals()}f}".rstrip("0").rstrip(".")
+        text = "0" if text in ("-0", "") else text
+        kind = self.random.random()
+        if kind < 0.86:
+            return ("+" if value > 0 and self.chance(0.02) else "") + text
+        if kind < 0.91:
+            part = round(self.random.uniform(-9, 9), 2)
+            return f"[{text}-[{part:g}]+{part:g}]"
+        if kind < 0.94:
+            return f"[{2 * value:.8f}/2]"
+        number = self.random.randint(1, 30)
+        self.parameters[number] = value
+        self.lines.append(f"#{number}={text}")
+        return f"#{number}" if kind < 0.98 else f"[#{number}*1]"
+
+    def word(self, letter, value):
+        letter = letter.lower() if self.chance(0.1) else letter
+        return letter + (" " if self.chance(0.02) else "") + self.number(value)
+
+    def block(self, *words):
+        """Adds a block; its words may be in any order, since values are placed before."""
+        words = [word for word in words if word]
+        if self.chance(0.1):
+            self.random.shuffle(words)
+        text = ("" if self.chance(0.1) else " ").join(words)
+        if self.chance(0.03):
+            text = f"N{self.random.randint(1, 99999)} {text}"
+        if self.chance(0.02):
+            text += self.random.choice([" (remark)", " ; remark"])
+        self.lines.append(text)
+
+    def feed(self):
+        """The word F, where one is needed or wanted."""
+        if self.inverse:
+            return f"F{self.random.uniform(0.2, 20):.2f}"
+        return f"F{self.random.randint(5, 3000)}" if self.chance(0.15) else ""
+
+    # Modes
+
+    def set_units(self):
+        if self.tool:
+            self.block("G49")
+            self.tool = False
+        self.inches = self.chance(0.5)
+        self.block("G20" if self.inches else "G21")
+        if not self.inverse:
+            self.block(f"F{self.random.randint(10, 900)}")
+
+    def set_distance(self, incremental=None):
+        self.incremental = self.chance(0.5) if incremental is None else incremental
+        return "G91" if self.incremental else "G90"
+
+    def set_plane(self, plane=None):
+        self.plane = plane or self.random.choice(["XY", "ZX", "YZ"])
+        return {"XY": "G17", "ZX": "G18", "YZ": "G19"}[self.plane]
+
+    def mode(self):
+        kind = self.random.randrange(9)
+        if kind == 0:
+            self.set_units()
+        elif kind == 1:
+            self.block(self.set_distance())
+        elif kind == 2:
+            self.block(self.set_plane())
+        elif kind == 3:
+            self.absolute_arcs = self.chance(0.5)
+            self.block("G90.1" if self.absolute_arcs else "G91.1")
+        elif kind == 4:
+            self.block(self.random.choice(["G61", "G61.1", "G64", "G64 P0.01", "G64 P0.02 Q0.01"]))
+        elif kind == 5:
+            self.inverse = not self.inverse
+            self.block("G93" if self.inverse else f"G94 F{self.random.randint(10, 900)}")
+        elif kind == 6:
+            self.block(self.random.choice(["G98", "G99"]))
+        elif kind == 7:
+            self.block(self.random.choice(["M3 S1000", "M4", "M5", "M7", "M8", "M9", "S500", "G40", "M0", "M1", "G80"]))
+        else:
+            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.tool or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", ""]))
+
+    # Motion
+
+    def line(self):
+        axes = [axis for axis in "XYZABC" if self.chance(0.5 if axis in "XYZ" else 0.08)] or ["X"]
+        words = [self.word(axis, self.value(-40, 40)) if axis in "XYZ" else self.word(axis, round(self.random.uniform(-90, 90), 2))
+                 for axis in axes]
+        rapid = self.chance(0.35)
+        self.block("G0" if rapid else "G1", *words, "" if rapid else self.feed())
+        for _ in range(self.random.choice([0, 0, 0, 1, 2])):
+            self.block(self.word(self.random.choice("XYZ"), self.value(-40, 40)), "" if rapid else self.feed())
+
+    def machine_line(self):
+        if self.incremental:
+            self.block(self.set_distance(False))
+        axes = [axis for axis in "XYZ" if self.chance(0.6)] or ["Z"]
+        self.block("G53", self.random.choice(["G0", f"G1 {self.feed()}"]), *(self.word(axis, self.value(-30, 30)) for axis in axes))
+
+    def to_known_place(self, first, second):
+        """Where an arc may begin in coordinates of the program: (first, second) of the plane."""
+        start = [self.value(-30, 30), self.value(-30, 30)]
+        before = self.incremental
+        if self.inverse:
+            self.block("G90 G0", self.word(first, start[0]), self.word(second, start[1]))
+        else:
+            self.block("G90", self.random.choice(["G0", "G1"]), self.word(first, start[0]), self.word(second, start[1]))
+        self.incremental = False
+        if before:
+            self.block(self.set_distance(True))
+        return start
+
+    def arc(self):
+        first, second = self.plane
+        if self.rotated and self.plane != "XY":
+            self.block(self.set_plane("XY"))
+            first, second = "XY"
+        normal = next(axis for axis in "XYZ" if axis not in self.plane)
+        start = self.to_known_place(first, second)
+        if self.chance(0.35):
+            return self.arc_by_radius(first, second, normal, start)
+        radius, at = self.value(2, 20), self.random.uniform(0, 2 * math.pi)
+        center = [round(start[0] + radius * math.cos(at), self.decimals()), round(start[1] + radius * math.sin(at), self.decimals())]
+        radius = math.dist(center, start)
+        to = self.random.uniform(0, 2 * math.pi)
+        closed = self.chance(0.15)
+        end = start if closed else [round(center[0] + radius * math.cos(to), self.decimals()),
+                                    round(center[1] + radius * math.sin(to), self.decimals())]
+        if not closed and math.dist(start, end) < radius * 0.05:
+            return None
+        offset = center if self.absolute_arcs else [center[0] - start[0], center[1] - start[1]]
+        letters = {"XY": "IJ", "ZX": "KI", "YZ": "JK"}[self.plane]
+        words = [] if closed and self.chance(0.5) else self.ends(first, second, start, end)
+        words += [self.word(letter, value) for letter, value in zip(letters, offset)]
+        if not words or (closed and self.chance(0.3)):
+            words += [f"P{self.random.randint(1, 3)}"]
+        if self.chance(0.25):
+            words.append(self.word(normal, self.value(-5, 5)))
+        return self.block(self.random.choice(["G2", "G3"]), *words, self.feed())
+
+    def ends(self, first, second, start, end):
+        values = [e - s for s, e in zip(start, end)] if self.incremental else end
+        return [self.word(first, values[0]), self.word(second, values[1])]
+
+    def arc_by_radius(self, first, second, normal, start):
+        end = [start[0] + self.value(2, 15), start[1] + self.value(2, 15)]
+        least = math.dist(start, end) / 2
+        radius = least * self.random.uniform(1.02, 3) * self.random.choice([1, -1])
+        words = self.ends(first, second, start, end) + [self.word("R", round(radius, self.decimals()))]
+        if self.chance(0.25):
+            words.append(self.word(normal, self.value(-5, 5)))
+        return self.block(self.random.choice(["G2", "G3"]), *words, self.feed())
+
+    # Canned cycles
+
+    CYCLES = {"G81": "", "G82": "P", "G83": "Q", "G85": "", "G73": "Q", "G89": "P", "G86": "P"}
+
+    def cycle(self):
+        if self.inverse:
+            self.inverse = False
+            self.block(f"G94 F{self.random.randint(10, 900)}")
+        if self.rotated and self.plane != "XY":
+            self.block(self.set_plane("XY"))
+        first, second = self.plane
+        normal = next(axis for axis in "XYZ" if axis not in self.plane)
+        self.block("G90 G0", self.word(normal, self.value(-5, 12) if self.chance(0.2) else self.value(16, 25)))
+        self.incremental = False
+        if self.chance(0.4):
+            self.block(self.set_distance(True))
+        code = self.random.choice(self.cycles)
+        if code == "G86":
+            self.block("M3 S1000")
+        clear = self.value(1, 15)
+        bottom = -self.value(1, 15) if self.incremental else clear - self.value(1, 20)
+        words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.8)]
+        words += [self.word(normal, bottom), self.word("R", clear)]
+        words += [f"P{self.random.uniform(0, 2):.2f}"] if "P" in self.CYCLES[code] else []
+        words += [self.word("Q", abs(self.value(1.013, 7.177)))] if "Q" in self.CYCLES[code] else []
+        words += [f"L{self.random.randint(1, 3)}"] if self.chance(0.15) else []
+        self.moved = False  # units or the system have changed since the series began
+        self.retract = self.random.choice(["G98", "G99"])
+        self.block(self.retract, code, *words)
+        for _ in range(self.random.randint(0, 4)):
+            self.within_series(code, normal)
+        if self.chance(0.7):
+            self.block("G80")
+        else:
+            self.block("G0", self.word(first, self.value(-10, 10)))
+
+    def within_series(self, code, normal):
+        kind = self.random.random()
+        if 0.14 <= kind < 0.28 and self.retract == "G98":
+            self.retract = "G99"
+            self.block("G99")
+        if kind < 0.08:
+            self.retract = "G99"
+            self.block("G99")
+        elif kind < 0.14:
+            self.block(f"F{self.random.randint(10, 500)}")
+        elif kind < 0.18 and not self.incremental and code not in ("G83", "G73"):
+            self.set_units()
+            self.moved = True
+        elif kind < 0.22 and not self.moved:
+            self.block(self.set_distance())
+        elif kind < 0.25 and not self.incremental:
+            self.select_system()
+            self.moved = True
+        elif kind < 0.28 and not self.systems_turned and not self.incremental:
+            self.block("G92", self.word("X", self.value(-9, 9)))
+            self.shift_kept = self.moved = True
+        elif kind < 0.30:
+            self.block("G4 P0.1")
+        first, second = self.plane
+        words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.7)]
+        words += [self.word(normal, self.value(-30, 5))] if self.chance(0.12) else []
+        words += [self.word("R", self.value(1, 12))] if self.chance(0.12) else []
+        words += [f"L{self.random.randint(1, 3)}"] if words and self.chance(0.08) else []
+        if words:
+            self.block(self.random.choice(["", "", "", code]), *words)
+
+    # Offsets
+
+    def offset(self):
+        kind = self.random.randrange(10)
+        axes = [axis for axis in "XYZ" if self.chance(0.5)] or ["X"]
+        words = [self.word(axis, self.value(-20, 20)) for axis in axes]
+        words += [f"A{self.random.randint(-20, 20)}"] if self.chance(0.1) else []
+        if kind == 0:
+            which = self.random.randint(0, 9)
+            number = which or self.system
+            turns = not self.shift_kept and self.chance(0.3)
+            if turns:
+                angle = self.random.choice([0, 30, 45, 90, -60, 12.5])
+                words.append(f"R{angle:g}")
+                (self.systems_turned.add if angle else self.systems_turned.discard)(number)
+            self.block("G10 L2", f"P{which}", *words)
+            self.rotated = self.system in self.systems_turned
+            self.keep_plane()
+        elif kind == 1:
+            self.block("G10 L20", f"P{self.random.randint(0, 9)}", *words)
+        elif kind == 2:
+            self.select_system()
+        elif kind == 3 and not self.systems_turned:
+            self.block("G92", *words)
+            self.shift_kept = True
+        elif kind == 4 and not self.systems_turned:
+            self.block(self.random.choice(["G92.1", "G92.2", "G92.3"]))
+        elif kind == 5:
+            self.block("G43.1", self.word("Z", self.value(-20, 20)))
+            self.tool = True
+        elif kind == 6:
+            self.block("G49")
+            self.tool = False
+        elif kind == 7:
+            self.block(self.random.choice(["G28", "G30"]), *(words if self.chance(0.6) and not self.rotated else []))
+        elif kind == 8:
+            self.block(self.random.choice(["G28.1", "G30.1"]))
+        else:
+            self.block(f"G43 H{self.random.randint(0, 3)}")
+            self.tool = True
+
+    def keep_plane(self):
+        if self.rotated and self.plane != "XY":
+            self.block(self.set_plane("XY"))
+
+    def select_system(self):
+        self.system = self.random.randint(1, 9)
+        self.block("G" + ["54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3"][self.system - 1])
+        self.rotated = self.system in self.systems_turned
+        self.keep_plane()
+
+    # Values
+
+    FUNCTIONS = ["ABS", "SIN", "COS", "ROUND", "FIX", "FUP", "EXP", "ATAN", "SQRT", "ACOS", "ASIN", "LN"]
+    OPERATORS = ["+", "-", "*", "/", "MOD", "**", "EQ", "NE", "GT", "GE", "LT", "LE", "AND", "OR", "XOR"]
+
+    def expression(self, depth=0):
+        kind = self.random.random()
+        if depth > 3 or kind < 0.35:
+            return f"{self.random.uniform(0.1, 4):.2f}"
+        if kind < 0.55 and self.parameters:
+            return f"#{self.random.choice(list(self.parameters))}"
+        if kind < 0.6 and self.names:
+            return f"#<{self.random.choice(list(self.names))}>"
+        if kind < 0.75:
+            function = self.random.choice(self.FUNCTIONS)
+            argument = f"[{self.expression(depth + 1)}]"
+            if function == "ATAN":
+                return f"ATAN{argument}/[{self.expression(depth + 1)}]"
+            if function == "EXP":
+                argument = f"[SIN{argument}]"
+            elif function in ("SQRT", "LN"):
+                argument = f"[ABS[{self.expression(depth + 1)}]+0.1]"
+            elif function in ("ACOS", "ASIN"):
+                argument = f"[COS[{self.expression(depth + 1)}]*0.9]"
+            elif function in ("ROUND", "FIX", "FUP"):
+                argument = f"[{self.random.randint(-5, 5)}.{self.random.randint(11, 39)}]"
+            return function + argument
+        operator = self.random.choice(self.OPERATORS)
+        left, right = self.expression(depth + 1), self.expression(depth + 1)
+        if operator == "**":
+            return f"[ABS[{left}]+0.1]**{self.random.randint(-2, 2)}"
+        if operator in ("/", "MOD"):
+            right = f"[ABS[{right}]+0.5]"
+        if operator == "MOD":
+            left = f"{self.random.randint(-20, 20)}.3"
+        if operator in ("EQ", "NE", "GT", "GE", "LT", "LE"):
+            left = f"{self.random.randint(0, 3)}"
+        return f"[{left} {operator} {right}]"
+
+    def assignment(self):
+        text = f"[SIN[{self.expression()}]*20]"
+        if self.chance(0.3):
+            name = self.random.choice(["depth", "_width", "a b", "Count"])
+            self.names[name] = True
+            self.lines.append(f"#<{name}>={text}")
+        else:
+            number = self.random.randint(1, 40)
+            self.lines.append(f"#{number}={text}")
+            self.parameters[number] = None
+        if self.chance(0.7):
+            axis = self.random.choice("XYZ")
+            self.lines.append(f"G0 {axis}[SIN[{self.expression()}]*10]")
+
+    # Flow
+
+    def label(self):
+        self.labels += 1
+        return f"o{self.labels}" if self.chance(0.8) else f"o<part{self.labels}>"
+
+    def body(self):
+        self.depth += 1
+        for _ in range(self.random.randint(1, 2)):
+            self.statement()
+        self.depth -= 1
+
+    def flow_statement(self):
+        if self.depth > 2:
+            return self.line()
+        kind, label, counter = self.random.randrange(6), self.label(), 100 + self.labels
+        if kind == 0:
+            self.lines.append(f"{label} if [{self.expression()} GT 1]")
+            self.harmless()
+            if self.chance(0.5):
+                self.lines.append(f"{label} elseif [{self.expression()} LT 2]")
+                self.harmless()
+            if self.chance(0.5):
+                self.lines.append(f"{label} else")
+                self.harmless()
+            self.lines.append(f"{label} endif")
+        elif kind == 1:
+            self.lines.append(f"{label} repeat [{self.random.randint(0, 4)}]")
+            self.harmless()
+            self.lines.append(f"{label} endrepeat")
+        elif kind == 2:
+            self.lines += [f"#{counter}=0", f"{label} while [#{counter} LT {self.random.randint(0, 4)}]"]
+            self.harmless()
+            if self.chance(0.3):
+                inner = self.label()
+                self.lines += [f"{inner} if [#{counter} EQ 2]", f"{label} {self.random.choice(['break', 'break'])}", f"{inner} endif"]
+            self.lines += [f"#{counter}=[#{counter}+1]", f"{label} endwhile"]
+        elif kind == 3:
+            self.lines += [f"#{counter}=0", f"{label} do"]
+            self.harmless()
+            self.lines += [f"#{counter}=[#{counter}+1]", f"{label} while [#{counter} LT {self.random.randint(1, 4)}]"]
+        else:
+            self.call(label)
+        return None
+
+    def harmless(self):
+        """Moves that leave the modes as they were, whichever way the program goes."""
+        for _ in range(self.random.randint(1, 2)):
+            axis = self.random.choice("XYZ")
+            code = "G0" if self.inverse or self.chance(0.5) else "G1"
+            self.lines.append(f"{code} {axis}[SIN[{self.expression()}]*10]")
+
+    def call(self, label):
+        lines, self.lines = self.lines, []
+        self.lines.append(f"{label} sub")
+        self.lines.append("G0 X[#1] Y[#2*2]")
+        if self.chance(0.3):
+            inner = self.label()
+            self.lines += [f"{inner} if [#1 GT 2]", f"{label} return [#1*2]" if self.chance(0.5) else f"{label} return", f"{inner} endif"]
+        self.lines += ["#1=[#1+1]", "#<local>=#1", "G0 Z#<local>", f"{label} endsub" + (" [#1]" if self.chance(0.4) else "")]
+        sub, self.lines = self.lines, lines
+        self.lines += sub
+        self.lines.append("#1=1 #2=2")
+        self.parameters.update({1: 1, 2: 2})
+        for _ in range(self.random.randint(1, 2)):
+            arguments = "".join(f" [{self.random.uniform(0, 4):.2f}]" for _ in range(self.random.randint(2, 3)))
+            self.lines.append(f"{label} call{arguments}")
+        self.lines.append("G0 X#1 Y#2")
+        if self.chance(0.5):
+            self.lines.append("G0 Z#<_value>")
+
+    # Wrong blocks
+
+    WRONG = ["G1 X", "X1 X2", "G0 G1 X1", "G2 X3", "G17 G18", "G5.5", "G1 X1 Q3", "H", "G43 H99", "G10 L3 P1 X0", "G10 L2 P12 X0",
+             "G53 G2 X1 I1", "G92", "G4", "G4 P-1", "#0=1", "#9999=2", "#<never_set>", "G0 X#<never_set>", "G0 X[1/0]",
+             "G0 X[SQRT[-1]]", "G0 X[ACOS[2]]", "M3 M4", "M99.5", "G0 X1 (open", "T-1", "S-5", "F-3", "G1 F0 X3", "G93 G1 X3",
+             "G81 X1 R1", "G80 X1", "G92 X1 G0 Y2", "G91 G53 G0 X1", "G2 X1 Y1 R0.1", "G3 I0 J0", "G2 X5 I1 R3", "G81 Z-1 R2 L0", "M62",
+             "G83 X1 Z-3 R1", "G82 X1 Z-3 R1", "G83 X1 Z-3 R1 Q-1", "G28.1 X1", "M6 T1.5", "M1000", "G0 X[1 + ]", "G0 X[2",
+             "W1", "G0 Z1 G43 H1 G49", "G38.2", "D3", "G54 P3", "G90 G91", "%5", "G0.5", "X 1 2 3 Y4", "g1x1y2z3f5"]
+
+    def statement(self):
+        kind = self.random.random()
+        if kind < 0.25:
+            self.line()
+        elif kind < 0.42:
+            self.arc()
+        elif kind < 0.57:
+            self.cycle()
+        elif kind < 0.72:
+            self.offset()
+        elif kind < 0.84:
+            self.mode()
+        elif kind < 0.90:
+            self.assignment()
+        elif kind < 0.93:
+            self.machine_line()
+        elif self.flow:
+            self.flow_statement()
+        else:
+            self.line()
+
+
+def program(seed, flow=True, cycles=tuple(Program.CYCLES)):
+    """The text of a program."""
+    made = Program(seed, flow)
+    made.cycles = list(cycles)
+    made.inches = made.chance(0.4)
+    made.lines.append(f"{'G20' if made.inches else 'G21'} G90 G94 G17 {made.random.choice(['G98', 'G99'])}")
+    made.lines.append(f"F{made.random.randint(10, 1500)}")
+    statements = made.random.randint(4, 16)
+    wrong = made.random.randrange(statements) if made.broken else -1
+    for i in range(statements):
+        if i == wrong:
+            made.lines.append(made.random.choice(made.WRONG))
+        made.statement()
+    made.lines.append(made.random.choice(["M2", "M30"]))
+    return "\n".join(made.lines) + "\n"

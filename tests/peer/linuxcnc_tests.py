@@ -1,0 +1,87 @@
+"""Runs the programs of LinuxCNC's interpreter tests through leadscrew and rs274 and prints a table of where they part.
+
+    linuxcnc_tests.py COMMAND TESTS [NAME…]
+
+TESTS is the folder `tests` of LinuxCNC's sources. Programs that need Python, M-codes of a user or cutter compensation
+are told and not run. With NAMEs, only programs whose path holds one of them, with what was found in full.
+"""
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+import readers
+
+GROUPS = ("interp", "oword", "m70-m73", "ccomp", "lathe", "abort", "remap", "single-step", "motion-logger", "tlo", "trajectory-planner")
+PYTHON = re.compile(r"^\s*(REMAP|TOPLEVEL|PATH_APPEND|ON_ABORT_COMMAND|PYTHON)|^\[PYTHON\]", re.M)
+NOTES = re.compile(r"\([^)]*\)|;.*")
+
+
+def reason_to_leave(program, text):
+    folder = program.parent
+    if any(part in ("remap", "python", "pymove", "python-self", "plug", "compile") for part in program.parts):
+        return "Python"
+    if any(PYTHON.search(ini.read_text(errors="replace")) for ini in folder.glob("*.ini")):
+        return "Python"
+    if re.search(r"\(\s*py", text, re.I) or ";py" in text:
+        return "Python"
+    bare = NOTES.sub("", text)
+    if re.search(r"G\s*0*4[12](?!\d)", bare, re.I):
+        return "compensation"
+    if re.search(r"M\s*1\d\d(?!\d)", bare, re.I):
+        return "M-code of a user"
+    return None
+
+
+def tools_in_mm(table, folder):
+    """rs274 without an INI reads a table in inches."""
+    if table is None:
+        return []
+    scaled = re.sub(r"([XYZUVWDIJ])\s*([-+]?[\d.]+)", lambda m: f"{m[1]}{float(m[2]) * 25.4:.6f}",
+                    table.read_text(errors="replace").upper())
+    target = folder / "of-leadscrew.tbl"
+    target.write_text(scaled)
+    return ["--tools", target]
+
+
+def compare(command, program, root):
+    text = program.read_text(errors="replace")
+    name = str(program.relative_to(root))
+    left = reason_to_leave(program, text)
+    if left:
+        return name, "left out", left, None
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch) / "test"
+        shutil.copytree(program.parent, folder)
+        script = " ".join(path.read_text(errors="replace") for path in program.parent.glob("test.sh"))
+        ini = next(iter(folder.glob("test.ini")), None) if "-i test.ini" in script else None
+        table = next(iter(folder.glob("test.tbl")), None)
+        copy = folder / program.name
+        theirs = readers.of_peer(copy, folder, tools=table, ini=ini)
+        ours = readers.of_leadscrew(command, copy, folder, tools_in_mm(table, folder))
+    found, _ = readers.difference(ours, theirs)
+    if found is None:
+        return name, "same", "moves alike" if ours.accepted else f"both refuse: {ours.reason.split(': ', 1)[-1]}", None
+    return name, "DIFFERS", found.splitlines()[0].replace(str(folder), ""), found
+
+
+def main():
+    command, root = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    wanted = sys.argv[3:]
+    if not readers.rs274():
+        sys.exit("rs274 is not installed: script/install-packages peers")
+    programs = [path for group in GROUPS for path in sorted((root / group).rglob("*.ngc"))]
+    programs = [path for path in programs if not wanted or any(name in str(path.relative_to(root)) for name in wanted)]
+    with ThreadPoolExecutor(2) as pool:
+        rows = list(pool.map(lambda program: compare(command, program, root), programs))
+    counts = {}
+    for name, verdict, why, whole in rows:
+        counts[verdict] = counts.get(verdict, 0) + 1
+        print(f"{verdict:9} {name:75} {whole if wanted and whole else why[:150]}")
+    print(", ".join(f"{verdict}: {count}" for verdict, count in sorted(counts.items())))
+
+
+if __name__ == "__main__":
+    main()
