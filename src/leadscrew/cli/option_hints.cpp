@@ -18,7 +18,7 @@ struct OptionHint {
 using enum OptionHint::Place;
 
 /// Every command that meets such a problem has the options that are named.
-constexpr std::array<OptionHint, 16> option_hints = {{
+constexpr std::array<OptionHint, 17> option_hints = {{
     {"unknown-tool", behind, "--tools FILE gives the table"},
     {"travel", behind, "--machine FILE names another machine, --start where the program begins"},
     {"unknown-axis", behind, "--machine FILE names another machine"},
@@ -35,6 +35,7 @@ constexpr std::array<OptionHint, 16> option_hints = {{
     {"resume-ended", behind, "without --resume the program is driven again"},
     {"fuel-exhausted", behind, "--fuel BLOCKS allows more"},
     {"missing-sub", behind, "--subprograms DIR names further folders"},
+    {"program-repeats", instead, "check and run take it once, drive goes on"},
     {"trace-period", behind, "--period TIME stands in place of what t says"},
 }};
 
