@@ -83,6 +83,15 @@ TEST(Flow, ALabelMayBeUsedAgainBehindItsEnd) {
   EXPECT_EQ(read(program, linuxcnc).problems(), "5:1 duplicate-label; ");
 }
 
+TEST(Flow, OfLinuxCncTakesNoMoreThanThat) {
+  Conditions linuxcnc;
+  linuxcnc.options.dialect = Dialect::linuxcnc;
+  EXPECT_EQ(read("o1 repeat [2]\no1 break\no1 endrepeat\nm2\n", linuxcnc).problems(), "2:1 unmatched-o-word; ");
+  EXPECT_EQ(read("g0 x1 m98 p1\nm2\no1\nm99\n", linuxcnc).problems(), "1:7 bad-o-word; ");
+  EXPECT_EQ(read("m98 p1\nm2\nn5\no1\nm99 p5\n", linuxcnc).problems(), "5:1 bad-o-word; ");
+  EXPECT_EQ(read("o1 sub\nm99\no1 endsub\no1 call\nm2\n", linuxcnc).problems(), "2:1 unmatched-o-word; ");
+}
+
 TEST(Flow, TellsWhatIsNotMatched) {
   const struct {
     std::string_view text, problems;
@@ -102,6 +111,8 @@ TEST(Flow, TellsWhatIsNotMatched) {
       {"o1 while [1]\no2 if [1]\no1 endwhile\n", "3:1 unmatched-o-word; "},
       {"o1 if [1]\no1 if [1]\n", "2:1 duplicate-label; "},
       {"o1 if [0]\no1 if [1]\no1 endif\n", "2:1 duplicate-label; "},
+      {"o1 if 1\n", "1:7 bad-o-word; "},
+      {"o1 repeat #1\n", "1:11 bad-o-word; "},
       {"o1 if [1] g0 x1\n", "1:11 bad-o-word; "},
       {"o1 fi [1]\n", "1:1 bad-o-word; "},
       {"o<> if [1]\n", "1:2 bad-o-word; "},

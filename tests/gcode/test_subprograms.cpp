@@ -63,6 +63,7 @@ TEST(Subprograms, StandBehindTheProgramToo) {
 
 TEST(Subprograms, HaveNamesOfAnyCase) {
   EXPECT_EQ(xs("O<Foo Bar> SUB\ng0 x1\no<foobar> EndSub\no<FOO BAR>call\nm2\n"), "1 ");
+  EXPECT_EQ(xs("o<1> sub\ng0 x1\no<1> endsub\no1 call\nm2\n"), "1 ");
   EXPECT_EQ(xs("#7=100\no100 sub\ng0 x#1\no100 endsub\no[#7] call [3]\no#7 call [5]\nm2\n"), "3 5 ");
 }
 

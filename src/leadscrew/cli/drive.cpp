@@ -11,8 +11,10 @@ namespace leadscrew::cli {
 namespace {
 
 drive::Setup setup_of(const Job& job, const std::string& program) {
-  return {job.machine,         job.tools, job.reader_options(),     job.text,
-          job.arguments.drive, program,   job.arguments.subprograms};
+  drive::Setup setup{job.machine,         job.tools, job.reader_options(),     job.text,
+                     job.arguments.drive, program,   job.arguments.subprograms};
+  setup.reading.repeats = true;
+  return setup;
 }
 
 class ProgramDrive {

@@ -29,6 +29,7 @@ std::string cut(std::string screen) {
 /// As it was programmed, from its beginning.
 gcode::Reader programmed(const files::InputFile& file, const Job& job) {
   gcode::ReaderOptions options = job.reader_options(file);
+  options.repeats = true;
   options.path_mode = gcode::PathMode::exact_stop;
   return gcode::Reader(file.source(), job.machine, job.tools, options, nullptr);
 }

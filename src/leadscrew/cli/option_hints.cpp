@@ -36,6 +36,7 @@ constexpr std::array<OptionHint, 17> option_hints = {{
     {"resume-ended", behind, "without --resume the program is driven again"},
     {"fuel-exhausted", behind, "--fuel BLOCKS allows more"},
     {"missing-sub", behind, "--subprograms DIR names further folders"},
+    {"program-repeats", instead, "check and run take it once, drive goes on"},
     {"trace-period", behind, "--period TIME stands in place of what t says"},
 }};
 

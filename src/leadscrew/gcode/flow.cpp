@@ -76,9 +76,16 @@ bool Flow::at_end(const char* p) {
                          "a statement has a line for itself");
 }
 
+bool Flow::bracketed_value(const char*& p, double& value) {
+  skip_blanks(p);
+  if (*p == '[') return values_.value(p, value);
+  return reporter_.error("bad-o-word", reporter_.column(p), "no value in brackets stands behind the keyword",
+                         "o100 if [#1 GT 2]");
+}
+
 bool Flow::condition(const char*& p, bool& holds) {
   double value = 0;
-  if (!values_.value(p, value)) return false;
+  if (!bracketed_value(p, value)) return false;
   holds = value != 0 && !std::isnan(value);
   return true;
 }

@@ -96,6 +96,7 @@ class Flow {
   bool skip_to(TextLine& line, Keyword opener, StatementName name, Keywords wanted, Statement& found);
   Next error(const Statement& at, std::string_view code, std::string message, std::string hint);
   bool at_end(const char* p);
+  bool bracketed_value(const char*& p, double& value);
   bool condition(const char*& p, bool& holds);
   std::string shown(Keyword keyword, StatementName name) const;
 

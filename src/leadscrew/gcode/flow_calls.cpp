@@ -200,6 +200,14 @@ Flow::Next Flow::execute(const Block& block, const TextLine& line) {
     at.column = block.column_of(Group::call);
     return error(at, "bad-o-word", "G65 stands behind other words", "G65 begins its block");
   }
+  constexpr std::uint32_t own = letter_bit('N') | letter_bit('P') | letter_bit('L');
+  const bool stands_alone = !(block.words & ~own) && !(block.groups & ~gcode::bit(Group::call));
+  if (options_.dialect == Dialect::linuxcnc && (!stands_alone || (block.is(Code::M99) && block.has('P')))) {
+    Statement at;
+    at.column = block.column_of(Group::call);
+    return error(at, "bad-o-word", name(block.code(Group::call)) + " stands beside other words",
+                 "LinuxCNC has it alone; dialect leadscrew takes it");
+  }
   return block.is(Code::M99) ? return_program(block, line) : call_program(block, line);
 }
 

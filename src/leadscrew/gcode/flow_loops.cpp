@@ -173,7 +173,7 @@ Flow::Next Flow::begin_do(const Statement& statement, const TextLine& line) {
 Flow::Next Flow::begin_repeat(const Statement& statement, TextLine& line) {
   const char* p = statement.rest;
   double count = 0;
-  if (!values_.value(p, count) || !at_end(p)) return Next::stop;
+  if (!bracketed_value(p, count) || !at_end(p)) return Next::stop;
   if (!(std::fabs(count) <= 1e9)) {
     return error(statement, "bad-value", "a loop is to be repeated " + gcode::text(count) + " times", "at most 1e9");
   }
@@ -210,6 +210,10 @@ Flow::Next Flow::break_loop(const Statement& statement, TextLine& line, bool goe
   while (count > first_open() && open_[count - 1].name != statement.name) --count;
   if (count == first_open() || open_[count - 1].keyword == Keyword::if_) return unmatched(statement);
   if (!at_end(statement.rest)) return Next::stop;
+  if (options_.dialect == Dialect::linuxcnc && open_[count - 1].keyword == Keyword::repeat) {
+    return error(statement, "unmatched-o-word", shown(statement.keyword, statement.name) + " stands in a repeat loop",
+                 "LinuxCNC leaves while and do loops alone; dialect leadscrew takes it");
+  }
   open_.resize(count);
   const Keyword opener = open_.back().keyword;
   if (goes_on && opener == Keyword::while_) return go(open_.back().place, true) ? Next::line : Next::stop;

@@ -234,6 +234,11 @@ bool StatementReader::read_bracketed_name(const char*& p, StatementName& name) {
   if (letters.empty()) {
     return reporter_.error("bad-o-word", reporter_.column(open), "the name of this O word is empty", "o<name>");
   }
+  if (letters.size() < 10 && letters.find_first_not_of("0123456789") == std::string::npos) {
+    name = 0;
+    for (const char digit : letters) name = name * 10 + static_cast<StatementName>(digit - '0');
+    return true;
+  }
   const auto found = numbers_.find(letters);
   if (found != numbers_.end()) {
     name = found->second;
