@@ -18,7 +18,7 @@ struct OptionHint {
 using enum OptionHint::Place;
 
 /// Every command that meets such a problem has the options that are named.
-constexpr std::array<OptionHint, 17> option_hints = {{
+constexpr std::array<OptionHint, 18> option_hints = {{
     {"unknown-tool", behind, "--tools FILE gives the table"},
     {"no-tool-table", behind, "--tools FILE gives one"},
     {"travel", behind, "--machine FILE names another machine, --start where the program begins"},
