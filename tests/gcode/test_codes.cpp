@@ -11,11 +11,13 @@ TEST(CodeTable, AWordThatNothingTakesNamesTheCodesThatDo) {
     const char* hint;
   } rows[] = {
       {"H1", "H belongs to G43"},
-      {"I1", "I belongs to G2, G3, G5, G5.1 and G10"},
-      {"K1", "K belongs to G2, G3 and G6.2"},
-      {"L1", "L belongs to G5.2, G81, G82, G83, G85, G10, M98 and G65"},
-      {"P1", "P belongs to G2, G3, G5, G5.2, G6.2, G82, G4, G10, G64, M62, M63, M64, M65, M98, M99 and G65"},
-      {"Q1", "Q belongs to G5, G83, G10, G64, M67 and M68"},
+      {"I1", "I belongs to G2, G3, G5, G5.1, G73, G83, G87 and G10"},
+      {"K1", "K belongs to G2, G3, G6.2, G73, G83 and G87"},
+      {"L1", "L belongs to G5.2, G73, G74, G81, G82, G83, G84, G85, G86, G87, G88, G89, G10, M98 and G65"},
+      {"P1",
+       "P belongs to G2, G3, G5, G5.2, G6.2, G73, G74, G82, G83, G84, G86, G87, G88, G89, G4, G10, G64, M62, M63, M64, "
+       "M65, M98, M99 and G65"},
+      {"Q1", "Q belongs to G5, G73, G74, G83, G84, G87, G10, G64, M67 and M68"},
       {"E1", "E belongs to M67 and M68"},
       {"D1", "no supported code takes it"},
   };

@@ -112,14 +112,14 @@ Code BlockCheck::motion_of(const Block& block) {
 bool BlockCheck::repeats_motion(const Block& block) const {
   std::uint32_t words = block.words & row(modal_.motion).repeated_by.bits;
   if (is_arc(modal_.motion)) words &= ~offset_letters | offset_letters_of(plane_after(block, modal_));
-  for_each_code(block, [&](Code code) { words &= ~row(code).words.bits; });
+  for_each_code(block, [&](Code code) { words &= ~row(code).words_in(options_.dialect).bits; });
   return words != 0;
 }
 
 /// The letters that the block's motion takes.
 std::uint32_t BlockCheck::motion_words(const Block& block) const {
   if (modal_.to_do == Code::none) return 0;
-  const std::uint32_t words = row(modal_.to_do).words.bits;
+  const std::uint32_t words = row(modal_.to_do).words_in(options_.dialect).bits;
   if (is_arc(modal_.to_do)) return words & (~offset_letters | offset_letters_of(plane_after(block, modal_)));
   // P of G6.2 stands where the curve begins.
   if (modal_.to_do == Code::G6_2 && !block.has(Group::motion)) return words & ~letter_bit('P');
@@ -134,7 +134,7 @@ void BlockCheck::check_words(const Block& block) {
     used_twice |= used & words;
     used |= words;
   };
-  for_each_code(block, [&](Code code) { use(row(code).words.bits); });
+  for_each_code(block, [&](Code code) { use(row(code).words_in(options_.dialect).bits); });
   for (std::uint32_t rest = dependent & ~used; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
     const char name = static_cast<char>('A' + letter);
@@ -199,7 +199,8 @@ void BlockCheck::check_presence(const Block& block) {
 std::string BlockCheck::users_of(char letter) const {
   std::vector<std::string> users;
   for (const CodeRow& each : code_rows()) {
-    if (each.read && each.words.has(letter) && each.dialects.has(options_.dialect)) users.push_back(name(each.code));
+    if (each.read && each.words_in(options_.dialect).has(letter) && each.dialects.has(options_.dialect))
+      users.push_back(name(each.code));
   }
   if (users.empty()) return "no supported code takes it";
   std::string text = std::string(1, letter) + " belongs to " + users.front();

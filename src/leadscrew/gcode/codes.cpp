@@ -34,6 +34,10 @@ constexpr CodeRow with_axes(CodeRow row) {
   row.takes_axes = true;
   return row;
 }
+constexpr CodeRow also(CodeRow row, Letters more_words) {
+  row.more_words = more_words;
+  return row;
+}
 constexpr CodeRow unread(CodeRow row) {
   row.read = false;
   return row;
@@ -62,20 +66,20 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   unread(g(Code::G38_3, 383, Group::motion, {L, C, B}, "probe towards the workpiece", manual)),
   unread(g(Code::G38_4, 384, Group::motion, {L, C, B}, "probe away from the workpiece, loss of contact expected", manual)),
   unread(g(Code::G38_5, 385, Group::motion, {L, C, B}, "probe away from the workpiece", manual)),
-  unread(g(Code::G73, 730, Group::motion, no_small, "drilling cycle that breaks chips", manual, "RLQ", "", "")),
-  unread(g(Code::G74, 740, Group::motion, no_small, "left-hand tapping cycle", manual, "RLP", "", "")),
+  also(g(Code::G73, 730, Group::motion, no_small, "drilling cycle that breaks chips", manual, "RLQ"), "PIJK"),
+  also(g(Code::G74, 740, Group::motion, no_small, "left-hand tapping cycle", manual, "RLP"), "QJ"),
   unread(g(Code::G76, 760, Group::motion, linuxcnc, "threading cycle", manual, "PIJKRQHLE", "PIJK")),
-  unread(g(Code::G76_bore, 760, Group::motion, {F, H, M}, "fine boring cycle: the tool leaves the wall before it retracts", fanuc_manual, "RLPQIJ", "", "")),
+  g(Code::G76_bore, 760, Group::motion, {F, H, M}, "fine boring cycle: the tool leaves the wall before it retracts", fanuc_manual, "RLPQIJ"),
   g(Code::G80, 800, Group::motion, all, "no motion is in force", "NIST IR 6556, 3.5.15"),
   g(Code::G81, 810, Group::motion, no_small, "drilling cycle", nist_cycles, "RL"),
   g(Code::G82, 820, Group::motion, no_small, "drilling cycle with a dwell at the bottom", nist_cycles, "RLP"),
-  g(Code::G83, 830, Group::motion, no_small, "deep-hole drilling cycle: retracts to R after each peck", nist_cycles, "RLQ"),
-  unread(g(Code::G84, 840, Group::motion, no_small, "right-hand tapping cycle", manual, "RLP")),
+  also(g(Code::G83, 830, Group::motion, no_small, "deep-hole drilling cycle: retracts to R after each peck", nist_cycles, "RLQ"), "PIJK"),
+  also(g(Code::G84, 840, Group::motion, no_small, "right-hand tapping cycle", manual, "RLP"), "QJ"),
   g(Code::G85, 850, Group::motion, no_small, "boring cycle: out at feed", nist_cycles, "RL"),
-  unread(g(Code::G86, 860, Group::motion, no_small, "boring cycle: spindle stops, out at rapid", nist_cycles, "RLP")),
-  unread(g(Code::G87, 870, Group::motion, no_small, "back-boring cycle", nist_cycles, "RLIJK")),
-  unread(g(Code::G88, 880, Group::motion, no_small, "boring cycle: spindle stops, out by hand", nist_cycles, "RLP")),
-  unread(g(Code::G89, 890, Group::motion, no_small, "boring cycle with a dwell at the bottom: out at feed", nist_cycles, "RLP")),
+  g(Code::G86, 860, Group::motion, no_small, "boring cycle: spindle stops, out at rapid", nist_cycles, "RLP"),
+  also(g(Code::G87, 870, Group::motion, no_small, "back-boring cycle", nist_cycles, "RLIJK"), "QP"),
+  g(Code::G88, 880, Group::motion, no_small, "boring cycle: spindle stops, out by hand", nist_cycles, "RLP"),
+  g(Code::G89, 890, Group::motion, no_small, "boring cycle with a dwell at the bottom: out at feed", nist_cycles, "RLP"),
 
   g(Code::G4, 40, Group::nonmodal, all, "dwell", "NIST IR 6556, 3.5.4", "P", "P"),
   unread(g(Code::G9, 90, Group::nonmodal, fanuc, "exact stop at the end of this block", fanuc_manual)),
@@ -89,13 +93,13 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G53, 530, Group::nonmodal, no_marlin, "axis words are machine coordinates", "NIST IR 6556, 3.5.12"),
   unread(g(Code::G60, 600, Group::nonmodal, fanuc, "approach from one side", fanuc_manual)),
   unread(with_axes(g(Code::G70, 700, Group::nonmodal, linuxcnc, "lathe finishing cycle", manual, "QEDP"))),
-  unread(g(Code::G70_bolts, 700, Group::nonmodal, {H}, "holes on a circle", haas_manual, "IJL")),
+  g(Code::G70_bolts, 700, Group::nonmodal, {H}, "the cycle in force on a circle", haas_manual, "IJL", "IL"),
   unread(with_axes(g(Code::G71, 710, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z", manual, "QDIRP"))),
-  unread(g(Code::G71_bolts, 710, Group::nonmodal, {H}, "holes on an arc", haas_manual, "IJKL")),
+  g(Code::G71_bolts, 710, Group::nonmodal, {H}, "the cycle in force on an arc", haas_manual, "IJKL", "IKL"),
   unread(with_axes(g(Code::G71_1, 711, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 1", manual, "QDIRP"))),
   unread(with_axes(g(Code::G71_2, 712, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 2", manual, "QDIRP"))),
   unread(with_axes(g(Code::G72, 720, Group::nonmodal, linuxcnc, "lathe roughing cycle along X", manual, "QDIRP"))),
-  unread(g(Code::G72_bolts, 720, Group::nonmodal, {H}, "holes along a line", haas_manual, "IJL")),
+  g(Code::G72_bolts, 720, Group::nonmodal, {H}, "the cycle in force along a line", haas_manual, "IJL", "IL"),
   unread(with_axes(g(Code::G72_1, 721, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 1", manual, "QDIRP"))),
   unread(with_axes(g(Code::G72_2, 722, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 2", manual, "QDIRP"))),
   with_axes(g(Code::G92, 920, Group::nonmodal, all, "shifts coordinates so that the tool stands at those given", "NIST IR 6556, 3.5.18")),

@@ -103,6 +103,13 @@ struct CodeRow {
   Dialects dialects;
   const char* summary = "";  ///< what it does, in a few words
   const char* source = "";   ///< where it is defined
+  Letters more_words = "";   ///< letters it takes besides in dialects other than LinuxCNC's
+
+  Letters words_in(Dialect dialect) const {
+    Letters all = words;
+    if (dialect != Dialect::linuxcnc) all.bits |= more_words.bits;
+    return all;
+  }
 };
 
 namespace detail {

@@ -52,10 +52,13 @@ bool CannedCycles::can_drill(const Block& block) {
   return true;
 }
 
+// How often; 0, where Fanuc and Haas have it, only says what holds for the holes that follow.
 void CannedCycles::plan_repeats(const Block& block, DrillCycle::Plan& plan) {
+  const int least = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas ? 0 : 1;
   const std::optional<int> repeats = as_integer(block.value_or('L', 1));
-  if (!repeats || *repeats < 1 || *repeats > most_steps) {
-    error("bad-value", block.column_of('L'), "a canned cycle has L" + text(block['L']), "an integer from 1 to 100000");
+  if (!repeats || *repeats < least || *repeats > most_steps) {
+    error("bad-value", block.column_of('L'), "a canned cycle has L" + text(block['L']),
+          "an integer from " + std::to_string(least) + " to 100000");
     return;
   }
   plan.repeats = *repeats;
@@ -63,7 +66,13 @@ void CannedCycles::plan_repeats(const Block& block, DrillCycle::Plan& plan) {
 
 void CannedCycles::plan_dwell(const Block& block, DrillCycle::Plan& plan) {
   if (block.has('P')) series_->dwell = block['P'];
-  if (!series_->dwell) error("missing-word", motion_column(block), "G82 lacks P", "give the dwell, seconds");
+  // LinuxCNC needs P of all of these; other controllers go on at once without.
+  const bool strict = options_.dialect == Dialect::linuxcnc &&
+                      (plan.code == Code::G86 || plan.code == Code::G88 || plan.code == Code::G89);
+  if (!series_->dwell && (plan.code == Code::G82 || strict)) {
+    error("missing-word", motion_column(block), name(plan.code) + " lacks P", "give the dwell, seconds");
+  }
+  plan.dwells = series_->dwell.has_value();
   plan.dwell_seconds = series_->dwell.value_or(0);
   if (plan.dwell_seconds < 0) {
     error("bad-value", block.has('P') ? block.column_of('P') : motion_column(block),
@@ -72,15 +81,77 @@ void CannedCycles::plan_dwell(const Block& block, DrillCycle::Plan& plan) {
   }
 }
 
+// Pecks of Q, or, as Haas has it, the first of I, each less by J, and none below K.
 void CannedCycles::plan_pecks(const Block& block, DrillCycle::Plan& plan) {
   if (block.has('Q')) series_->peck = block['Q'];
-  if (!series_->peck) error("missing-word", motion_column(block), "G83 lacks Q", "give the depth of a peck");
-  plan.peck = series_->peck.value_or(1) * frame_.length_unit;
-  if (!(plan.peck > 0) || !((plan.r_level - plan.bottom) / plan.peck <= most_steps)) {
-    error("bad-value", block.has('Q') ? block.column_of('Q') : motion_column(block),
-          "the peck is " + text(plan.peck) + " mm", "above 0, and at most 100000 pecks to the bottom");
-    series_->peck.reset();
+  if (block.has('I')) series_->first_peck = block['I'];
+  if (block.has('J')) series_->peck_step = block['J'];
+  if (block.has('K')) series_->least_peck = block['K'];
+  const double unit = frame_.length_unit;
+  const double whole = plan.r_level - plan.bottom;
+  if (series_->first_peck) {
+    plan.peck = *series_->first_peck * unit;
+    plan.peck_step = series_->peck_step.value_or(0) * unit;
+    plan.least_peck = plan.peck_step > 0 ? series_->least_peck.value_or(*series_->first_peck) * unit : 0;
+  } else if (!series_->peck && options_.dialect == Dialect::haas) {
+    plan.peck = std::max(whole, 1.0);  // all at once
+  } else {
+    if (!series_->peck) {
+      error("missing-word", motion_column(block), name(plan.code) + " lacks Q", "give the depth of a peck");
+    }
+    plan.peck = series_->peck.value_or(1) * unit;
   }
+  const double least = plan.peck_step > 0 ? plan.least_peck : plan.peck;
+  if (!(plan.peck > 0 && plan.peck_step >= 0 && least > 0) || !(whole / least <= most_steps)) {
+    const char letter = block.has('Q') ? 'Q' : 'I';
+    error("bad-value", block.has(letter) ? block.column_of(letter) : motion_column(block),
+          "the peck is " + text(least) + " mm", "above 0, and at most 100000 pecks to the bottom");
+    series_->peck.reset();
+    series_->first_peck.reset();
+  }
+}
+
+// Off the wall of the hole: by I and J, or, in Fanuc's cycles, by Q along the first axis.
+void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
+  const base::Axis first = first_axis(modal_.plane), second = second_axis(modal_.plane);
+  if (block.has('Q')) series_->aside_first = block['Q'];
+  const char letters[] = {static_cast<char>('I' + base::index(first)), static_cast<char>('I' + base::index(second))};
+  if (block.has(letters[0])) series_->aside_first = block[letters[0]];
+  if (block.has(letters[1])) series_->aside_second = block[letters[1]];
+  plan.aside[base::index(first)] = series_->aside_first.value_or(0) * frame_.length_unit;
+  plan.aside[base::index(second)] = series_->aside_second.value_or(0) * frame_.length_unit;
+  if (frame_.is_rotated() && modal_.plane == Plane::XY) frame_.rotate(plan.aside[0], plan.aside[1]);
+  if (plan.code != Code::G87) return;
+  const char level = static_cast<char>('I' + base::index(plan.drill));
+  if (block.has(level)) series_->level = block[level];
+  if (!series_->level || !(series_->aside_first || series_->aside_second)) {
+    error("missing-word", motion_column(block), "G87 lacks how far aside the tool goes in, or how far up it bores",
+          std::string("give ") + letters[0] + ", " + letters[1] + " and " + level);
+  }
+  plan.level = series_->level.value_or(0) * frame_.length_unit +
+               (modal_.distance == Distance::absolute ? frame_.sum()[base::index(plan.drill)] : plan.bottom);
+}
+
+// A tapping cycle, and one that stops the spindle, goes on with what turned before.
+bool CannedCycles::can_turn(const Block& block) {
+  const Code code = modal_.to_do, spindle = modal_.spindle;
+  const bool taps = code == Code::G74 || code == Code::G84;
+  if (!taps && code != Code::G86 && code != Code::G87 && code != Code::G88) return true;
+  if (spindle == Code::M5 && options_.dialect == Dialect::linuxcnc) {
+    return error("spindle-stands", motion_column(block), "the spindle stands in " + name(code), "give M3 or M4 before");
+  }
+  if (!taps || spindle == Code::M5 || spindle == (code == Code::G84 ? Code::M3 : Code::M4)) return true;
+  return error(
+      "spindle-turns-back", motion_column(block),
+      std::string("the spindle turns ") + (code == Code::G84 ? "counterclockwise" : "clockwise") + " in " + name(code),
+      code == Code::G84 ? "give M3 before" : "give M4 before");
+}
+
+// What a block says of the series that it belongs to.
+void CannedCycles::plan_series(const Block& block, DrillCycle::Plan& plan) {
+  plan_dwell(block, plan);
+  if (plan.code == Code::G73 || plan.code == Code::G83) plan_pecks(block, plan);
+  if (plan.code == Code::G76_bore || plan.code == Code::G87) plan_aside(block, plan);
 }
 
 void CannedCycles::drill(const Block& block) {
@@ -92,45 +163,117 @@ void CannedCycles::drill(const Block& block) {
   plan.first_hole = motion_.target_of(block);
   const std::size_t drill = base::index(plan.drill);
   if (modal_.distance == Distance::incremental) {
-    for (std::size_t i = 0; i < base::axis_count; ++i) plan.increment[i] = plan.first_hole[i] - plan.start[i];
+    for (std::size_t i = 0; i < base::axis_count; ++i) {
+      plan.pattern.increment[i] = plan.first_hole[i] - plan.start[i];
+    }
   }
 
   if (!series_) series_ = Series{.initial_level = plan.start[drill]};
   if (series_->code != plan.code) series_ = Series{.code = plan.code, .initial_level = series_->initial_level};
   const bool levels = plan_levels(block, plan);
   plan_repeats(block, plan);
-  if (plan.code == Code::G82) plan_dwell(block, plan);
-  if (plan.code == Code::G83) plan_pecks(block, plan);
-  base::AxisVector down = plan.first_hole;
-  down[drill] = plan.bottom;
-  Feed feed;
-  motion_.feed_of(block, motion_.is_linear(down), block.has('F'), feed);
-  feed.value = modal_.linear_feed;
-  if (!levels) {
+  plan_series(block, plan);
+  const bool turns = can_turn(block);
+  set_cycle_feed(block);
+  if (!levels || !turns) {
     frame_.position = plan.first_hole;
     return;
   }
-  cycle_feed_ = feed;
+  if (plan.repeats > 0) begin(block, plan);
+}
+
+// Holes are cut along linear axes.
+void CannedCycles::set_cycle_feed(const Block& block) {
+  motion_.feed_of(block, true, block.has('F'), cycle_feed_);
+}
+
+void CannedCycles::begin(const Block& block, const DrillCycle::Plan& plan) {
+  const std::size_t drill = base::index(plan.drill);
   cycle_ = DrillCycle(plan);
   travel_.fails_outside(block);
-  // Between the first and the last hole, and between the levels, all is straight: the corners tell.
-  base::AxisVector up = cycle_.end();
-  up[drill] = std::max(plan.clear_level, plan.start[drill]);
-  if (travel_.inside_travel(block, down)) travel_.inside_travel(block, up);
+  const double top = std::max(plan.clear_level, plan.start[drill]);
+  // Between the first and the last hole of a row, and between the levels, all is straight: the corners tell.
+  const int step = plan.pattern.radius != 0 ? 1 : std::max(1, plan.repeats - 1);
+  for (int i = 0; i < plan.repeats; i += step) {
+    base::AxisVector down = cycle_.hole(i), up = down;
+    down[drill] = std::min(plan.bottom, plan.code == Code::G87 ? plan.level : plan.bottom);
+    up[drill] = top;
+    base::AxisVector aside = up;
+    for (std::size_t k = 0; k < base::axis_count; ++k) aside[k] += plan.aside[k];
+    if (!travel_.inside_travel(block, down) || !travel_.inside_travel(block, up)) return;
+    if (aside != up && !travel_.inside_travel(block, aside)) return;
+  }
+}
+
+// Where G70, G71 and G72 have their holes: I the radius or the distance, mm, J the first angle and K the step, degrees, L
+// how many.
+void CannedCycles::plan_pattern(const Block& block, DrillCycle::Plan& plan) {
+  const double distance = block['I'] * frame_.length_unit, angle = block.value_or('J', 0);
+  plan.pattern.first = first_axis(modal_.plane);
+  plan.pattern.second = second_axis(modal_.plane);
+  if (block.is(Code::G72_bolts)) {
+    plan.pattern.increment[base::index(plan.pattern.first)] = distance * cosine_of_degrees(angle);
+    plan.pattern.increment[base::index(plan.pattern.second)] = distance * sine_of_degrees(angle);
+    return;
+  }
+  plan.pattern.radius = distance;
+  plan.pattern.start_angle = angle;
+  plan.pattern.step_angle = block.is(Code::G71_bolts) ? block['K'] : 360.0 / std::max(plan.repeats, 1);
+}
+
+void CannedCycles::drill_pattern(const Block& block) {
+  const Code code = block.code(Group::nonmodal);
+  if (!series_ || !is_canned_cycle(modal_.motion) || modal_.motion != series_->code) {
+    error("missing-cycle", block.column_of(Group::nonmodal), name(code) + " stands without a cycle in force",
+          "give the cycle with L0 in the block before");
+    return;
+  }
+  if (row(code).needs.bits & ~block.words) return;
+  DrillCycle::Plan plan;
+  plan.code = series_->code;
+  plan.drill = normal_axis(modal_.plane);
+  plan.start = plan.first_hole = frame_.position;
+  // The letters of the pattern are not those of the cycle.
+  Block bare = block;
+  bare.words &= ~row(code).words.bits;
+  if (!plan_levels(bare, plan)) return;
+  plan_repeats(block, plan);
+  plan_series(bare, plan);
+  plan_pattern(block, plan);
+  set_cycle_feed(block);
+  if (plan.repeats > 0) begin(block, plan);
+}
+
+base::Event::Kind CannedCycles::spindle_event(DrillCycle::Step::Kind kind) const {
+  using Event = base::Event::Kind;
+  using Kind = DrillCycle::Step::Kind;
+  const Code code = cycle_.plan().code;
+  const bool standing = modal_.spindle == Code::M5;
+  const bool clockwise = standing ? code != Code::G74 : modal_.spindle == Code::M3;
+  if (kind == Kind::spindle_stop || kind == Kind::spindle_orient) return Event::spindle_stop;
+  if (kind == Kind::spindle_start && standing) return Event::spindle_stop;
+  return clockwise == (kind == Kind::spindle_start) ? Event::spindle_clockwise : Event::spindle_counterclockwise;
 }
 
 bool CannedCycles::next(Move& move) {
+  using Kind = DrillCycle::Step::Kind;
   while (cycle_.active()) {
     const DrillCycle::Step step = cycle_.next();
-    if (step.kind == DrillCycle::Step::Kind::dwell) {
+    if (step.kind == Kind::dwell) {
       outbox_.prepare(move, Move::Kind::dwell, modal_.line);
       move.dwell_seconds = cycle_.plan().dwell_seconds;
+      return true;
+    }
+    if (step.kind != Kind::rapid && step.kind != Kind::feed) {
+      outbox_.prepare_event(
+          move, step.kind == Kind::pause ? base::Event::Kind::pause : spindle_event(step.kind),
+          step.kind == Kind::spindle_start || step.kind == Kind::spindle_reverse ? modal_.spindle_speed : 0);
       return true;
     }
     if (step.target == frame_.position) continue;
     outbox_.prepare(move, Move::Kind::line, modal_.line);
     move.end = step.target;
-    if (step.kind == DrillCycle::Step::Kind::feed) move.feed = cycle_feed_;
+    if (step.kind == Kind::feed) move.feed = cycle_feed_;
     frame_.position = step.target;
     return true;
   }

@@ -13,6 +13,8 @@ class CannedCycles : Part {
 
   /// Any of the cycles.
   void drill(const Block& block);
+  /// G70, G71 and G72 of Haas: the cycle in force at holes on a circle, an arc or a line.
+  void drill_pattern(const Block& block);
   /// Another motion, or none, has come into force.
   void end_series() { series_.reset(); }
   /// The next move of the cycle in execution; false where there is none, or no more.
@@ -22,17 +24,24 @@ class CannedCycles : Part {
 
  private:
   bool can_drill(const Block& block);
+  bool can_turn(const Block& block);
   void plan_repeats(const Block& block, DrillCycle::Plan& plan);
   void plan_dwell(const Block& block, DrillCycle::Plan& plan);
   void plan_pecks(const Block& block, DrillCycle::Plan& plan);
+  void plan_aside(const Block& block, DrillCycle::Plan& plan);
   bool plan_levels(const Block& block, DrillCycle::Plan& plan);
+  void plan_pattern(const Block& block, DrillCycle::Plan& plan);
+  void plan_series(const Block& block, DrillCycle::Plan& plan);
+  void set_cycle_feed(const Block& block);
+  void begin(const Block& block, const DrillCycle::Plan& plan);
+  base::Event::Kind spindle_event(DrillCycle::Step::Kind kind) const;
 
-  // What holds for the canned cycles since the last other motion: the level at which the first of them began, mm in
-  // machine coordinates; the others as they were written, dwell in seconds.
+  // What holds for the canned cycles since the last other motion: numbers as they were written, which are read in the
+  // units of the block that uses them; the dwell in seconds.
   struct Series {
     Code code = Code::none;
-    double initial_level = 0;
-    std::optional<double> r, bottom, dwell, peck;
+    double initial_level = 0;  // mm, machine coordinates
+    std::optional<double> r, bottom, dwell, peck, first_peck, peck_step, least_peck, aside_first, aside_second, level;
   };
 
   Motion& motion_;

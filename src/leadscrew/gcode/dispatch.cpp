@@ -36,6 +36,10 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G92_2:
     case Code::G92_3:
       return offsets_.set_shift(block);
+    case Code::G70_bolts:
+    case Code::G71_bolts:
+    case Code::G72_bolts:
+      return cycles_.drill_pattern(block);
     default:
       if (is_canned_cycle(code)) cycles_.drill(block);
   }

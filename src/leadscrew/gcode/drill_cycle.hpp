@@ -1,9 +1,9 @@
 #pragma once
-// The canned cycles G81, G82, G83 and G85 (NIST IR 6556, 3.5.16), one step at a time, so that a cycle repeated many
-// times needs no memory.
+// The canned cycles (NIST IR 6556, 3.5.16; LinuxCNC manual, G Codes; Fanuc's G76), one step at a time, so that a cycle
+// repeated many times needs no memory.
 //
 //     ──┐ lift to R where the tool is below it
-//       └──▶ approach at the old level ──▶ down to R ──▶ drill to Z ──▶ back to R or the clear level ──▶ next hole
+//       └──▶ approach at the old level ──▶ down to R ──▶ what the cycle does there ──▶ clear level ──▶ next hole
 
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/gcode/codes.hpp>
@@ -12,30 +12,46 @@ namespace leadscrew::gcode {
 
 class DrillCycle {
  public:
+  /// Where the holes are: in a row from the first, or on a circle about it (Haas: G70, G71).
+  struct Pattern {
+    base::AxisVector increment{};  ///< of a row: from hole to hole
+    double radius = 0;             ///< mm; of a circle; 0 for a row
+    double start_angle = 0;        ///< degrees, counterclockwise from the first axis of the plane
+    double step_angle = 0;         ///< degrees from hole to hole
+    base::Axis first = base::Axis::X, second = base::Axis::Y;  ///< of the plane
+  };
+
   /// Machine coordinates, mm and degrees.
   struct Plan {
     Code code = Code::G81;
     base::Axis drill = base::Axis::Z;  ///< the axis of the hole
     base::AxisVector start{};          ///< where the tool stands
     base::AxisVector first_hole{};     ///< above it; its drill coordinate is unused
-    base::AxisVector increment{};      ///< from hole to hole
-    double r_level = 0;                ///< ≥ bottom
-    double clear_level = 0;            ///< ≥ r_level; where the tool waits between holes
+    Pattern pattern;
+    double r_level = 0;      ///< ≥ bottom
+    double clear_level = 0;  ///< ≥ r_level; where the tool waits between holes
     double bottom = 0;
-    double peck = 0;           ///< G83: mm, > 0
-    double dwell_seconds = 0;  ///< G82: ≥ 0
-    int repeats = 1;           ///< ≥ 1
+    double peck = 0;             ///< G73, G83: mm, > 0: the first
+    double peck_step = 0;        ///< mm, ≥ 0: by which each is less than the one before
+    double least_peck = 0;       ///< mm, > 0 where peck_step is
+    double dwell_seconds = 0;    ///< ≥ 0; no dwell where 0 and the cycle may do without
+    double level = 0;            ///< G87: to which it bores upwards
+    base::AxisVector aside{};    ///< G76, G87: from the hole to where the tool clears its wall
+    int repeats = 1;             ///< ≥ 1
+    bool spindle_turned = true;  ///< before the cycle; a tapping cycle then need not turn it
+    bool dwells = false;         ///< P was given
   };
 
   struct Step {
-    enum class Kind { rapid, feed, dwell } kind = Kind::rapid;
+    enum class Kind { rapid, feed, dwell, spindle_start, spindle_reverse, spindle_stop, spindle_orient, pause };
+    Kind kind = Kind::rapid;
     base::AxisVector target{};
   };
 
   /// How far from the bottom of the hole a peck goes back to cutting feed (LinuxCNC: 0.010 inch).
   static constexpr double peck_clearance = 0.254;  // mm
-  /// What is left to the bottom is no peck of its own below this: it is rounding.
-  static constexpr double least_peck = 1e-6;  // mm
+  /// What is left of a hole and less than this goes with the last peck (LinuxCNC: 1e-6 of a unit).
+  static constexpr double least_rest = 1e-6;  // mm
 
   DrillCycle() = default;
   explicit DrillCycle(const Plan& plan);
@@ -43,22 +59,27 @@ class DrillCycle {
   bool active() const { return phase_ != Phase::done; }
   /// The next step; call only while active.
   Step next();
+  /// Above a hole, from 0 to repeats − 1.
+  base::AxisVector hole(int number) const;
   /// Where the tool stands after the last step.
   base::AxisVector end() const;
   const Plan& plan() const { return plan_; }
 
  private:
-  enum class Phase { lift, approach, to_r_level, cut, peck_out, peck_in, bottom, dwell, retract, clear, done };
+  enum class Phase { lift, approach, to_r_level, in_hole, peck_out, peck_in, done };
 
   Step at_level(Step::Kind kind, double level);
-  base::AxisVector hole(int number) const;
-  double peck_depth(int peck) const { return plan_.r_level - peck * plan_.peck; }
+  Step in_hole();
+  Step peck();
+  Step move_aside(double sign);
 
   Plan plan_;
   Phase phase_ = Phase::done;
   base::AxisVector position_{};
   int hole_ = 0;
-  int peck_ = 1;
+  const char* action_ = "";  // the next of the cycle's
+  double peck_level_ = 0;    // to which the pecks so far have gone
+  int pecks_ = 0;
 };
 
 }  // namespace leadscrew::gcode

@@ -18,11 +18,16 @@ Move& Outbox::emit(Move::Kind kind) {
 }
 
 void Outbox::emit_event(base::Event::Kind kind, double value, std::int32_t output) {
+  prepare_event(emit(Move::Kind::event), kind, value, output);
+}
+
+void Outbox::prepare_event(Move& move, base::Event::Kind kind, double value, std::int32_t output) const {
   using Kind = base::Event::Kind;
   const bool turns_spindle =
       kind == Kind::spindle_clockwise || kind == Kind::spindle_counterclockwise || kind == Kind::spindle_stop;
   const bool waits = kind == Kind::tool_change || (turns_spindle && machine_.spindle_waits);
-  emit(Move::Kind::event).event = {kind, value, modal_.line, output, waits};
+  prepare(move, Move::Kind::event, modal_.line);
+  move.event = {kind, value, modal_.line, output, waits};
 }
 
 }  // namespace leadscrew::gcode

@@ -17,6 +17,9 @@ class Outbox : Part {
   Move& emit(Move::Kind kind);
   void emit_event(base::Event::Kind kind, double value = 0, std::int32_t output = 0);
 
+  /// Makes of a move an event where the program stands.
+  void prepare_event(Move& move, base::Event::Kind kind, double value = 0, std::int32_t output = 0) const;
+
   /// The move that was added first of those not yet taken; false where there is none.
   bool take(Move& move);
 

@@ -1,0 +1,110 @@
+// Canned cycles that turn the spindle, leave the wall, or break chips: their steps in order, in the words that `rs274
+// -g` of LinuxCNC 2.9 was seen to print for the same blocks, where it has the cycle.
+
+#include <cmath>
+#include <sstream>
+
+#include "reading.hpp"
+
+namespace leadscrew::gcode {
+namespace test_boring_and_tapping {
+
+// "r10,0,2 f10,0,-5 cw dwell0.5": rapids, feeds, spindle events and dwells behind the first rapid.
+std::string story(std::string_view text, Dialect dialect = Dialect::leadscrew) {
+  Conditions conditions;
+  conditions.options.dialect = dialect;
+  std::ostringstream out;
+  bool begun = false;
+  for (const Move& move : read_well(text, conditions).moves) {
+    using Kind = base::Event::Kind;
+    if (move.kind == Move::Kind::dwell) out << "dwell" << move.dwell_seconds << " ";
+    if (move.kind == Move::Kind::event && begun) {
+      const Kind kind = move.event.kind;
+      out << (kind == Kind::spindle_clockwise          ? "cw "
+              : kind == Kind::spindle_counterclockwise ? "ccw "
+              : kind == Kind::spindle_stop             ? "stop "
+              : kind == Kind::pause                    ? "pause "
+                                                       : "");
+    }
+    if (move.kind != Move::Kind::line) continue;
+    const Point end = xyz(move.end);
+    const auto rounded = [](double value) { return std::round(value * 1e6) / 1e6 + 0.0; };
+    if (begun) {
+      out << (move.feed.mode == Feed::Mode::rapid ? "r" : "f") << rounded(end.x) << "," << rounded(end.y) << ","
+          << rounded(end.z) << " ";
+    }
+    begun = true;
+  }
+  std::string text_out = out.str();
+  if (!text_out.empty()) text_out.pop_back();
+  return text_out;
+}
+
+const std::string head = "G21 G90 G99 S1000 M3\nG0 Z10\nF100\n";
+
+TEST(CannedCycles, BreakChips) {
+  EXPECT_EQ(story(head + "G73 X40 Z-5 R2 Q2\nM2\n"),
+            "r40,0,10 r40,0,2 f40,0,0 r40,0,0.254 f40,0,-2 r40,0,-1.746 f40,0,-4 r40,0,-3.746 f40,0,-5 r40,0,2");
+}
+
+TEST(CannedCycles, Tap) {
+  EXPECT_EQ(story(head + "G84 X10 Z-5 R2 P0.5\nM2\n"), "r10,0,10 r10,0,2 f10,0,-5 ccw dwell0.5 f10,0,2 cw");
+  EXPECT_EQ(story(head + "M4\nG74 X10 Z-5 R2\nM2\n"), "ccw r10,0,10 r10,0,2 f10,0,-5 cw f10,0,2 ccw");
+}
+
+// A machine that taps rigidly turns the spindle for the cycle alone.
+TEST(CannedCycles, TapWithASpindleThatStood) {
+  EXPECT_EQ(story("G0 Z10\nG98 G84 X10 Z-5 R2 F100\nM2\n", Dialect::fanuc),
+            "r10,0,10 r10,0,2 f10,0,-5 ccw f10,0,2 stop r10,0,10");
+}
+
+TEST(CannedCycles, Bore) {
+  EXPECT_EQ(story(head + "G85 X10 Z-5 R2\nM2\n"), "r10,0,10 r10,0,2 f10,0,-5 f10,0,2");
+  EXPECT_EQ(story(head + "G86 X10 Z-5 R2 P0.1\nM2\n"), "r10,0,10 r10,0,2 f10,0,-5 dwell0.1 stop r10,0,2 cw");
+  EXPECT_EQ(story(head + "G88 X10 Z-5 R2 P0.1\nM2\n"), "r10,0,10 r10,0,2 f10,0,-5 dwell0.1 stop pause r10,0,2 cw");
+  EXPECT_EQ(story(head + "G89 X10 Z-5 R2 P0.2\nM2\n"), "r10,0,10 r10,0,2 f10,0,-5 dwell0.2 f10,0,2");
+}
+
+TEST(CannedCycles, BoreFromBehind) {
+  const std::string in = "r10,11,3 stop r10,11,-5 r9,9,-5 cw f9,9,-3 f9,9,-5 stop r10,11,-5 r10,11,10 r9,9,10 cw";
+  EXPECT_EQ(story(head + "G98 G87 X9 Y9 Z-5 R3 I1 J2 K-3\nM2\n"), "r9,9,10 r9,9,3 " + in);
+  EXPECT_EQ(read(head + "G87 X9 Y9 Z-5 R3 I1\nM2\n").problems(), "4:1 missing-word; ");
+}
+
+TEST(CannedCycles, BoreFinely) {
+  EXPECT_EQ(story(head + "G98 G76 X9 Y9 Z-5 R3 Q0.5\nM2\n", Dialect::fanuc),
+            "r9,9,10 r9,9,3 f9,9,-5 stop r9.5,9,-5 r9.5,9,10 r9,9,10 cw");
+}
+
+TEST(CannedCycles, PeckLessAndLess) {
+  EXPECT_EQ(story("G0 Z10\nG99 G83 X1 Z-8 R0 I3 J1 K1.5 F100\nM2\n", Dialect::haas),
+            "r1,0,10 r1,0,0 f1,0,-3 r1,0,0 r1,0,-2.746 f1,0,-5 r1,0,0 r1,0,-4.746 f1,0,-6.5 r1,0,0 r1,0,-6.246 "
+            "f1,0,-8 r1,0,0");
+}
+
+TEST(CannedCycles, FollowPatternsOfHoles) {
+  const std::string drill = "G0 Z10\nG99 G81 Z-1 R1 F100 L0\n";
+  EXPECT_EQ(story(drill + "G70 I10 J90 L4\nM2\n", Dialect::haas),
+            "r0,10,10 r0,10,1 f0,10,-1 r0,10,1 r-10,0,1 f-10,0,-1 r-10,0,1 r0,-10,1 f0,-10,-1 r0,-10,1 r10,0,1 "
+            "f10,0,-1 r10,0,1");
+  EXPECT_EQ(story(drill + "G71 I10 J0 K90 L2\nM2\n", Dialect::haas),
+            "r10,0,10 r10,0,1 f10,0,-1 r10,0,1 r0,10,1 f0,10,-1 r0,10,1");
+  EXPECT_EQ(story(drill + "G72 I10 J90 L2\nM2\n", Dialect::haas), "r0,0,1 f0,0,-1 r0,0,1 r0,10,1 f0,10,-1 r0,10,1");
+  Conditions haas;
+  haas.options.dialect = Dialect::haas;
+  EXPECT_EQ(read("G70 I10 J0 L4\nM2\n", haas).problems(), "1:1 missing-cycle; ");
+}
+
+TEST(CannedCycles, LookAtTheSpindleAsLinuxCncDoes) {
+  Conditions linuxcnc;
+  linuxcnc.options.dialect = Dialect::linuxcnc;
+  const std::string stands = "G0 Z10\nF100\n";
+  EXPECT_EQ(read(stands + "G84 X1 Z-1 R1\nM2\n", linuxcnc).problems(), "3:1 spindle-stands; ");
+  EXPECT_EQ(read(stands + "G86 X1 Z-1 R1 P1\nM2\n", linuxcnc).problems(), "3:1 spindle-stands; ");
+  EXPECT_EQ(read(head + "M4 G84 X1 Z-1 R1\nM2\n").problems(), "4:4 spindle-turns-back; ");
+  EXPECT_EQ(read(head + "G86 X1 Z-1 R1\nM2\n", linuxcnc).problems(), "4:1 missing-word; ");
+  EXPECT_EQ(read(head + "G86 X1 Z-1 R1\nM2\n").problems(), "");
+}
+
+}  // namespace test_boring_and_tapping
+}  // namespace leadscrew::gcode
