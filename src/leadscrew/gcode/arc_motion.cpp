@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <leadscrew/gcode/motion.hpp>
+#include <leadscrew/gcode/nurbs.hpp>
 
 namespace leadscrew::gcode {
 
@@ -39,8 +40,6 @@ bool Motion::arc_center(const Block& block, PlanePoint start, PlanePoint& center
   double a = block.value_or(first_letter, 0) * frame_.length_unit;
   double b = block.value_or(second_letter, 0) * frame_.length_unit;
   if (modal_.arc_distance == Distance::incremental) {
-    // Rotation is about Z and only arcs of the XY plane get here with one: first is X, second is Y.
-    if (frame_.is_rotated()) frame_.rotate(a, b);
     center = {start.first + a, start.second + b};
     return true;
   }
@@ -48,10 +47,11 @@ bool Motion::arc_center(const Block& block, PlanePoint start, PlanePoint& center
     return error("missing-word", motion_column(block), "the arc has half a centre",
                  std::string("G90.1 needs both ") + first_letter + " and " + second_letter);
   }
-  base::AxisVector program{};
-  program[base::index(first)] = a;
-  program[base::index(second)] = b;
-  center = in_plane(frame_.to_machine(program), modal_.plane);
+  center = {a, b};
+  if (frame_.is_offset_only()) {
+    center.first += frame_.offset()[base::index(first)];
+    center.second += frame_.offset()[base::index(second)];
+  }
   return true;
 }
 
@@ -92,10 +92,6 @@ bool Motion::plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcP
     return error("bad-value", block.column_of('P'), "an arc has P" + text(block['P']), "an integer from 1 to 100000");
   }
   plan.turns = direction * *turns;
-  if (frame_.is_rotated() && modal_.plane != Plane::XY) {
-    return error("unsupported-rotation", motion_column(block), "an arc of G18 or G19 in a rotated coordinate system",
-                 "rotated systems take arcs of G17 only");
-  }
   const bool centred =
       block.has(offset_letter(first_axis(modal_.plane))) || block.has(offset_letter(second_axis(modal_.plane)));
   if (block.has('R') && centred) {
@@ -109,6 +105,48 @@ bool Motion::plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcP
     plan.circle = circle_by_center(start, end, center, direction, *turns, tolerance);
   }
   return report_circle(block, plan.circle);
+}
+
+// The same circle in machine coordinates; false where it is none there, or one of another plane.
+bool Motion::place_circle(ArcPlan& plan) const {
+  const base::Axis first = first_axis(modal_.plane), second = second_axis(modal_.plane);
+  const double scale = frame_.circle_scale(first, second);
+  if (scale == 0) return false;
+  const auto place = [&](PlanePoint point) {
+    base::AxisVector program{};
+    program[base::index(first)] = point.first;
+    program[base::index(second)] = point.second;
+    return in_plane(frame_.to_machine(program), modal_.plane);
+  };
+  plan.circle.center = place(plan.circle.center);
+  plan.circle.end = place(plan.circle.end);
+  plan.circle.radius *= std::fabs(scale);
+  if (scale < 0) plan.turns = -plan.turns;
+  return true;
+}
+
+// An arc that is no circle of a plane of the machine: the curve that the program's circle becomes.
+void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, const Feed& feed) {
+  Move& move = outbox_.emit(Move::Kind::nurbs);
+  const base::AxisVector from = frame_.to_program(frame_.position);
+  base::AxisVector to = frame_.to_program(target);
+  to[base::index(first_axis(modal_.plane))] = plan.circle.end.first;
+  to[base::index(second_axis(modal_.plane))] = plan.circle.end.second;
+  if (!make_arc_curve(move.curve, modal_.plane, from, to, plan.circle.center, plan.turns)) {
+    error("too-many-points", motion_column(block), "an arc of so many turns that is no circle of the machine",
+          "give fewer turns");
+    return;
+  }
+  for (ControlPoint& point : move.curve.points) point.position = frame_.to_machine(point.position);
+  move.curve.points.front().position = frame_.position;
+  const PlanePoint programmed = in_plane(frame_.to_program(target), modal_.plane);
+  const bool reaches = plan.circle.end.first == programmed.first && plan.circle.end.second == programmed.second;
+  if (reaches) move.curve.points.back().position = target;
+  travel_.curve_inside(block, move.curve);
+  move.end = move.curve.points.back().position;
+  move.feed = feed;
+  frame_.position = move.end;
+  if (!reaches) line_to(block, target, feed);
 }
 
 // Only a circle that reaches beyond a limit is worth finding out how far along it the arc goes.
@@ -128,9 +166,13 @@ void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& pla
 
 void Motion::arc(const Block& block) {
   const base::AxisVector target = target_of(block);
+  // The circle is found where it was written: in the program's coordinates where more than offsets lie between.
+  const bool transforms = !frame_.is_offset_only();
   const PlanePoint start = in_plane(frame_.position, modal_.plane);
   ArcPlan plan;
-  const bool known = plan_arc(block, start, in_plane(target, modal_.plane), plan);
+  const bool known = transforms ? plan_arc(block, in_plane(frame_.to_program(frame_.position), modal_.plane),
+                                           in_plane(frame_.to_program(target), modal_.plane), plan)
+                                : plan_arc(block, start, in_plane(target, modal_.plane), plan);
   Feed feed;
   feed_of(block, true, block.has('F'), feed);  // also where it closes, and its end is where it begins
   // Only a line comes back from outside at once.
@@ -140,6 +182,7 @@ void Motion::arc(const Block& block) {
     frame_.position = target;
     return;
   }
+  if (transforms && !place_circle(plan)) return arc_as_curve(block, plan, target, feed);
   if (!from_outside) arc_inside(block, start, plan);
 
   Move& arc = outbox_.emit(Move::Kind::arc);

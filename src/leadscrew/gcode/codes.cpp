@@ -139,8 +139,10 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G49, 490, Group::tool_length, no_marlin, "no tool length offset", "NIST IR 6556, 3.5.11"),
   g(Code::G98, 980, Group::retract, no_small, "cycles retract to where the tool was", "NIST IR 6556, 3.5.20"),
   g(Code::G99, 990, Group::retract, no_small, "cycles retract to R", "NIST IR 6556, 3.5.20"),
-  unread(g(Code::G50, 500, Group::scaling, {L, F, H, M}, "no scaling; with S, limits the spindle's speed", fanuc_manual)),
-  unread(with_axes(g(Code::G51, 510, Group::scaling, {L, F, H, M}, "scaling about a point", fanuc_manual, "PIJK"))),
+  g(Code::G50, 500, Group::scaling, {L, F, H, M}, "no scaling; with S, limits the spindle's speed", fanuc_manual),
+  with_axes(g(Code::G51, 510, Group::scaling, {L, F, H, M}, "scaling about a point", fanuc_manual, "PIJK")),
+  with_axes(g(Code::G50_1, 501, Group::mirror, fanuc, "no mirror, of the axes given or of all", fanuc_manual)),
+  with_axes(g(Code::G51_1, 511, Group::mirror, fanuc, "mirrors the axes given at their coordinates", fanuc_manual)),
   g(Code::G54, 540, Group::system, all, "coordinate system 1", "NIST IR 6556, 3.5.13"),
   g(Code::G55, 550, Group::system, all, "coordinate system 2", "NIST IR 6556, 3.5.13"),
   g(Code::G56, 560, Group::system, all, "coordinate system 3", "NIST IR 6556, 3.5.13"),
@@ -159,10 +161,10 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G97, 970, Group::spindle_mode, no_small, "S is revolutions per minute", manual),
   unread(g(Code::G7, 70, Group::lathe, linuxcnc, "X is a diameter", manual)),
   unread(g(Code::G8, 80, Group::lathe, linuxcnc, "X is a radius", manual)),
-  unread(with_axes(g(Code::G68, 680, Group::rotation, {L, F, H, M}, "turns coordinates about a point", fanuc_manual, "R", "R"))),
-  unread(g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned", fanuc_manual)),
-  unread(g(Code::G15, 150, Group::polar, {L, F, H, M}, "axis words are not polar", fanuc_manual)),
-  unread(g(Code::G16, 160, Group::polar, {L, F, H, M}, "axis words are a radius and an angle", fanuc_manual)),
+  with_axes(g(Code::G68, 680, Group::rotation, {L, F, H, M}, "turns coordinates about a point", fanuc_manual, "R", "R")),
+  g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned", fanuc_manual),
+  g(Code::G15, 150, Group::polar, {L, F, H, M}, "axis words are not polar", fanuc_manual),
+  g(Code::G16, 160, Group::polar, {L, F, H, M}, "axis words are a radius and an angle", fanuc_manual),
 
   m(Code::M0, 0, Group::stop, all, "pause", "NIST IR 6556, 3.6.1"),
   m(Code::M1, 1, Group::stop, all, "pause, where the operator wants one", "NIST IR 6556, 3.6.1"),
@@ -276,9 +278,9 @@ std::string name(Group group) {
   static constexpr std::array<const char*, index(Group::count)> names = {
       "modal group 0",  "modal group 1",  "modal group 2",  "modal group 3",  "modal group 4",  "modal group 5",
       "modal group 6",  "modal group 7",  "modal group 8",  "modal group 10", "modal group 11", "modal group 12",
-      "modal group 13", "modal group 14", "modal group 15", "modal group 16", "modal group 17", "M group 4",
-      "M group 5",      "M group 6",      "M group 7",      "M group 8",      "M group 9",      "M group 10",
-      "M group 11",     "M group 12"};
+      "modal group 13", "modal group 14", "modal group 15", "modal group 16", "modal group 17", "modal group 22",
+      "M group 4",      "M group 5",      "M group 6",      "M group 7",      "M group 8",      "M group 9",
+      "M group 10",     "M group 11",     "M group 12"};
   return group < Group::count ? names[index(group)] : "no modal group";
 }
 

@@ -53,7 +53,12 @@ bool CurveReader::spline_offset(const Block& block, char first, char second, Pla
     }
   }
   offset = {block.value_or(first, 0) * frame_.length_unit, block.value_or(second, 0) * frame_.length_unit};
-  if (frame_.is_rotated()) frame_.rotate(offset.first, offset.second);
+  if (!frame_.is_separate(base::Axis::Z)) {
+    return error("unsupported-rotation", motion_column(block), "G5 and G5.1 where XY is turned out of its plane",
+                 "turn about Z only");
+  }
+  const base::AxisVector turned = frame_.direction_to_machine({offset.first, offset.second});
+  offset = in_plane(turned, Plane::XY);
   return true;
 }
 
@@ -305,20 +310,12 @@ bool CurveReader::is_linear_curve() const {
                      [&](const ControlPoint& point) { return motion_.is_linear(point.position); });
 }
 
-void CurveReader::curve_inside(const Block& block) {
-  for (const base::Axis axis : base::all_axes) {
-    const std::size_t i = base::index(axis);
-    travel_.bulge_inside(block, axis, reach_beyond(curve_, axis, -1, travel_.low()[i]),
-                         reach_beyond(curve_, axis, 1, travel_.high()[i]));
-  }
-}
-
 void CurveReader::follow_curve(const Block& block, const Feed& feed, base::Line line) {
   const base::AxisVector end = curve_.points.back().position;
   // Only a line comes back from outside at once.
   const bool from_outside = travel_.fails_outside(block);
   travel_.inside_travel(block, end);
-  if (!from_outside) curve_inside(block);
+  if (!from_outside) travel_.curve_inside(block, curve_);
   const bool moves = std::any_of(curve_.points.begin(), curve_.points.end(),
                                  [&](const ControlPoint& point) { return point.position != frame_.position; });
   if (moves) {

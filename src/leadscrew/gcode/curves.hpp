@@ -55,7 +55,6 @@ class CurveReader : Part {
   bool join_start(const Block& block);
   void follow_curve(const Block& block, const Feed& feed, base::Line line);
   bool is_linear_curve() const;
-  void curve_inside(const Block& block);
   void abandon_curve();
   std::string unfinished_message() const;
   std::string unfinished_hint() const;

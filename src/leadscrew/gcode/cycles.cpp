@@ -24,8 +24,9 @@ bool CannedCycles::plan_levels(const Block& block, DrillCycle::Plan& plan) {
     return error("missing-word", motion_column(block), name(plan.code) + " lacks " + missing,
                  "give R and " + std::string(1, drill_letter) + " in the first block of a cycle");
   }
-  plan.r_level = *series_->r * frame_.length_unit + (absolute ? frame_.sum()[drill] : series_->initial_level);
-  plan.bottom = *series_->bottom * frame_.length_unit + (absolute ? frame_.sum()[drill] : plan.r_level);
+  const double unit = frame_.length_unit * frame_.scale(plan.drill), zero = frame_.offset()[drill];
+  plan.r_level = *series_->r * unit + (absolute ? zero : series_->initial_level);
+  plan.bottom = *series_->bottom * unit + (absolute ? zero : plan.r_level);
   plan.clear_level = modal_.retract == Retract::r_level ? plan.r_level : std::max(plan.r_level, series_->initial_level);
   if (plan.bottom <= plan.r_level) return true;
   return error("cycle-levels", block.has(drill_letter) ? block.column_of(drill_letter) : motion_column(block),
@@ -44,10 +45,9 @@ bool CannedCycles::can_drill(const Block& block) {
   if (modal_.feed_mode == FeedMode::inverse_time) {
     return error("bad-feed-mode", motion_column(block), "a canned cycle in G93", "give G94");
   }
-  if (frame_.is_rotated() && modal_.plane != Plane::XY) {
-    return error("unsupported-rotation", motion_column(block),
-                 "a canned cycle of G18 or G19 in a rotated coordinate system",
-                 "rotated systems take cycles of G17 only");
+  if (!frame_.is_separate(normal_axis(modal_.plane))) {
+    return error("unsupported-rotation", motion_column(block), "a canned cycle whose holes are turned off the axis",
+                 "turns take cycles in their own plane only");
   }
   return true;
 }
@@ -120,7 +120,7 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
   if (block.has(letters[1])) series_->aside_second = block[letters[1]];
   plan.aside[base::index(first)] = series_->aside_first.value_or(0) * frame_.length_unit;
   plan.aside[base::index(second)] = series_->aside_second.value_or(0) * frame_.length_unit;
-  if (frame_.is_rotated() && modal_.plane == Plane::XY) frame_.rotate(plan.aside[0], plan.aside[1]);
+  plan.aside = frame_.direction_to_machine(plan.aside);
   if (plan.code != Code::G87) return;
   const char level = static_cast<char>('I' + base::index(plan.drill));
   if (block.has(level)) series_->level = block[level];
@@ -128,8 +128,8 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
     error("missing-word", motion_column(block), "G87 lacks how far aside the tool goes in, or how far up it bores",
           std::string("give ") + letters[0] + ", " + letters[1] + " and " + level);
   }
-  plan.level = series_->level.value_or(0) * frame_.length_unit +
-               (modal_.distance == Distance::absolute ? frame_.sum()[base::index(plan.drill)] : plan.bottom);
+  plan.level = series_->level.value_or(0) * frame_.length_unit * frame_.scale(plan.drill) +
+               (modal_.distance == Distance::absolute ? frame_.offset()[base::index(plan.drill)] : plan.bottom);
 }
 
 // A tapping cycle, and one that stops the spindle, goes on with what turned before.
@@ -214,6 +214,7 @@ void CannedCycles::plan_pattern(const Block& block, DrillCycle::Plan& plan) {
   if (block.is(Code::G72_bolts)) {
     plan.pattern.increment[base::index(plan.pattern.first)] = distance * cosine_of_degrees(angle);
     plan.pattern.increment[base::index(plan.pattern.second)] = distance * sine_of_degrees(angle);
+    plan.pattern.increment = frame_.direction_to_machine(plan.pattern.increment);
     return;
   }
   plan.pattern.radius = distance;

@@ -1,11 +1,13 @@
 #pragma once
 // From coordinates of the program to those of the machine.
 //
-//     machine = R(program + shift) + origin + tool
+//     machine = R(Q(program) + shift) + origin + tool
 //
 // origin and R, a turn about Z, belong to the coordinate system in force (G54 … G59.3, G10 L2), shift to G92, tool to
-// G43 (LinuxCNC, "Coordinate Systems": the G92 offset turns with the system).
+// G43 (LinuxCNC, "Coordinate Systems": the G92 offset turns with the system). Q is what a program does to its own
+// coordinates: mirror, scaling, turn (G51.1, G51, G68), in this order (Fanuc).
 
+#include <array>
 #include <cstddef>
 #include <leadscrew/base/axes.hpp>
 
@@ -15,6 +17,17 @@ namespace leadscrew::gcode {
 struct CoordinateSystem {
   base::AxisVector origin{};  ///< mm or degrees, machine coordinates
   double rotation = 0;        ///< degrees, counterclockwise as seen from +Z
+};
+
+/// Mirror, scaling and turn of a program's X, Y and Z, in this order. mm and degrees.
+struct ProgramTransform {
+  std::array<bool, 3> mirrored{};
+  std::array<double, 3> mirror_at{};
+  std::array<double, 3> scale = {1, 1, 1};  ///< ≠ 0
+  std::array<double, 3> scale_about{};
+  double angle = 0;  ///< counterclockwise, from `first` to `second`
+  std::size_t first = 0, second = 1;
+  std::array<double, 3> turn_about{};  ///< scaled as other coordinates are
 };
 
 class Frame {
@@ -32,25 +45,48 @@ class Frame {
   void set_shift(const base::AxisVector& shift);
   void set_tool(const base::AxisVector& tool);
 
-  bool is_rotated() const { return sine_ != 0 || cosine_ != 1; }
-  /// origin + shift + tool: all there is between program and machine where nothing is rotated.
-  const base::AxisVector& sum() const { return sum_; }
+  const ProgramTransform& transform() const { return transform_; }
+  void set_transform(const ProgramTransform& transform);
+
+  /// Whether machine coordinates are those of the program and offset(), and no more.
+  bool is_offset_only() const { return offset_only_; }
+  /// Where the program's zero is, machine coordinates.
+  const base::AxisVector& offset() const { return offset_; }
+  /// Whether an axis of X, Y and Z goes by itself: its coordinate depends on no other.
+  bool is_separate(base::Axis axis) const;
+  /// What one unit of the program is along the axis where it goes by itself: its scale, or 1.
+  double scale(base::Axis axis) const;
+  /// How lengths in a plane are scaled where circles remain circles of the same plane; 0 where they do not. Negative
+  /// where they turn the other way.
+  double circle_scale(base::Axis first, base::Axis second) const;
 
   /// Coordinates of the program, mm or degrees, from those of the machine, and back.
   base::AxisVector to_program(const base::AxisVector& machine) const;
   base::AxisVector to_machine(const base::AxisVector& program) const;
-  /// Turns a vector from the program's X and Y to the machine's.
-  void rotate(double& x, double& y) const;
+  /// The same of a difference of two places: without offsets.
+  base::AxisVector direction_to_machine(const base::AxisVector& program) const;
+  /// Coordinates of the program with Q done to them: those that shift and origin are added to.
+  base::AxisVector transformed(const base::AxisVector& program) const;
 
  private:
   void combine();
 
+  using Matrix = std::array<std::array<double, 3>, 3>;
+
+  static base::AxisVector times(const Matrix& matrix, const base::AxisVector& vector);
+
   CoordinateSystem system_;
+  ProgramTransform transform_;
   base::AxisVector shift_{};
   base::AxisVector tool_{};
-  base::AxisVector sum_{};
-  double sine_ = 0;
-  double cosine_ = 1;
+  // Q(p) = transform_matrix_ p + transform_offset_; machine = matrix_ p + offset_; p = inverse_ (machine − offset_), of
+  // X, Y and Z.
+  Matrix transform_matrix_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::array<double, 3> transform_offset_{};
+  Matrix matrix_ = transform_matrix_;
+  Matrix inverse_ = transform_matrix_;
+  base::AxisVector offset_{};
+  bool offset_only_ = true;
 };
 
 /// Sine and cosine of an angle in degrees, exact at multiples of 90.

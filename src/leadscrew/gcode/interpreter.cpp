@@ -12,6 +12,7 @@ Interpreter::Interpreter(const Context& context)
       curves_(context, motion_, travel_, outbox_),
       cycles_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
+      transforms_(context),
       polar_(context),
       check_(context, travel_) {
   modal_.tolerance = machine_.tolerance;
@@ -27,6 +28,11 @@ void Interpreter::execute(const Block& block, base::Line line) {
   modal_.line = line;
   outbox_.clear();
   if (block.words & polar_bits) return execute_polar(block);
+  if (modal_.polar && polar_.applies(block)) {
+    const Block in_axes = polar_.in_axes(block);
+    begin_block(in_axes);
+    return finish_block(in_axes);
+  }
   begin_block(block);
   finish_block(block);
 }
@@ -76,13 +82,13 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
   const std::uint32_t axes = block.words & axis_letter_bits;
   const Code motion = block.groups ? block.codes[index(Group::motion)] : modal_.motion;
   if ((block.words & ~plain_words) || (block.groups & ~bit(Group::motion)) || motion > Code::G1 ||
-      (axes & ~machine_letters_) || axes == 0 || modal_.feed_mode != FeedMode::per_minute || frame_.is_rotated() ||
-      (block.has('F') && !(block['F'] > 0)) || (motion == Code::G1 && !modal_.feed_known && !block.has('F')) ||
-      curves_.open()) {
+      (axes & ~machine_letters_) || axes == 0 || modal_.feed_mode != FeedMode::per_minute || !frame_.is_offset_only() ||
+      modal_.polar || (block.has('F') && !(block['F'] > 0)) ||
+      (motion == Code::G1 && !modal_.feed_known && !block.has('F')) || curves_.open()) {
     return Plain::no;
   }
   // No state changes before all axis words are known to be inside.
-  const base::AxisVector& offset = frame_.sum();
+  const base::AxisVector& offset = frame_.offset();
   base::AxisVector target;  // of the axes that stand in the block
   bool moves = false;
   bool linear = false;
@@ -136,6 +142,7 @@ void Interpreter::set_modes(const Block& block) {
   if (block.has(Group::system)) {
     offsets_.select_system(static_cast<int>(index(block.code(Group::system)) - index(Code::G54)) + 1);
   }
+  transforms_.set(block);
   if (block.has(Group::path)) set_path_control(block);
   modal_.distance = distance_after(block, modal_);
   if (block.has(Group::arc_distance)) {

@@ -14,6 +14,7 @@
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 #include <leadscrew/gcode/polar.hpp>
+#include <leadscrew/gcode/transforms.hpp>
 
 namespace leadscrew::gcode {
 
@@ -59,6 +60,7 @@ class Interpreter : Part {
   CurveReader curves_;
   CannedCycles cycles_;
   Offsets offsets_;
+  Transforms transforms_;
   Polar polar_;
   BlockCheck check_;
   std::optional<base::Event::Kind> stop_;

@@ -20,7 +20,10 @@ struct ModalState {
   Distance arc_distance = Distance::incremental;
   FeedMode feed_mode = FeedMode::per_minute;
   Retract retract = Retract::initial_level;
-  int system = 1;  ///< the coordinate system in force: 1 … 9 for G54 … G59.3
+  bool polar = false;       ///< G16: axis words of the plane are a radius and an angle
+  double polar_radius = 0;  ///< the last ones, as they were written
+  double polar_angle = 0;   ///< degrees
+  int system = 1;           ///< the coordinate system in force: 1 … 9 for G54 … G59.3
 
   PathMode path_mode = PathMode::blend;       ///< of the program
   double tolerance = 0;                       ///< mm, of the program

@@ -9,9 +9,10 @@ base::AxisVector Motion::target_of(const Block& block, const base::AxisVector& f
   base::AxisVector target = from;
   const std::uint32_t axes = block.words & axis_letter_bits & machine_letters_;
   const bool in_machine = block.is(Code::G53);
-  const bool rotated = frame_.is_rotated() && !in_machine && (axes & (letter_bit('X') | letter_bit('Y')));
+  constexpr std::uint32_t xyz = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
+  const bool transforms = !frame_.is_offset_only() && !in_machine && (axes & xyz);
   base::AxisVector program{};
-  if (rotated) program = frame_.to_program(from);
+  if (transforms) program = frame_.to_program(from);
   for (std::uint32_t rest = axes; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
     const base::Axis axis = axis_of_letter(letter);
@@ -20,17 +21,19 @@ base::AxisVector Motion::target_of(const Block& block, const base::AxisVector& f
     if (in_machine) {
       target[i] = along;
     } else if (modal_.distance == Distance::absolute) {
-      target[i] = along + frame_.sum()[i];
+      target[i] = along + frame_.offset()[i];
       program[i] = along;
     } else {
       target[i] += along;
       program[i] += along;
     }
   }
-  if (rotated) {
-    const base::AxisVector turned = frame_.to_machine(program);
-    for (const base::Axis axis : {base::Axis::X, base::Axis::Y}) {
-      if (machine_.has(axis)) target[base::index(axis)] = turned[base::index(axis)];
+  if (transforms) {
+    const base::AxisVector placed = frame_.to_machine(program);
+    for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
+      // An axis that goes by itself, and that the block does not name, stays exactly where it is.
+      const bool stays = frame_.is_separate(axis) && !block.has(base::letter(axis));
+      if (machine_.has(axis) && !stays) target[base::index(axis)] = placed[base::index(axis)];
     }
   }
   return target;

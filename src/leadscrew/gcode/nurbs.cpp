@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <leadscrew/gcode/nurbs.hpp>
 #include <limits>
+#include <numbers>
 
 namespace leadscrew::gcode {
 
@@ -208,6 +210,49 @@ void clamp_ends(NurbsCurve& curve) {
 
 double reach_beyond(const NurbsCurve& curve, base::Axis axis, int sign, double limit) {
   return Reach(curve, axis, sign, limit)();
+}
+
+bool make_arc_curve(NurbsCurve& curve, Plane plane, const base::AxisVector& start, const base::AxisVector& end,
+                    PlanePoint center, int turns) {
+  constexpr double longest = std::numbers::pi / 6;
+  const int direction = turns > 0 ? 1 : -1;
+  const PlanePoint from = in_plane(start, plane), to = in_plane(end, plane);
+  const double angle = sweep(from, to, center, direction) + (std::abs(turns) - 1) * 2 * std::numbers::pi;
+  double beside = 0;
+  for (std::size_t k = 0; k < base::axis_count; ++k) {
+    const bool in_it = k == base::index(first_axis(plane)) || k == base::index(second_axis(plane));
+    if (!in_it) beside = std::max(beside, std::fabs(end[k] - start[k]));
+  }
+  // A piece of 30 degrees is off by 0.00222 of what it goes beside the plane, and by the cube of a smaller angle.
+  double pieces = std::max(1.0, std::ceil(angle / longest - 1e-9));
+  const double off = 0.00222 * beside / pieces;
+  if (off > arc_curve_tolerance) pieces = std::ceil(pieces * std::cbrt(off / arc_curve_tolerance));
+  curve.clear();
+  if (2 * pieces + 1 > static_cast<double>(most_control_points)) return false;
+  const auto count = static_cast<std::size_t>(pieces);
+  const double half = angle / pieces / 2;
+  const double x = from.first - center.first, y = from.second - center.second;
+  curve.degree = 2;
+  for (std::size_t i = 0; i <= 2 * count; ++i) {
+    // Between the ends of a piece, where the tangents meet.
+    const bool between = i % 2 == 1;
+    const double turned = direction * static_cast<double>(i) * half;
+    const double reach = between ? 1 / std::cos(half) : 1;
+    const double sine = std::sin(turned) * reach, cosine = std::cos(turned) * reach;
+    ControlPoint point{start, between ? std::cos(half) : 1};
+    const double share = static_cast<double>(i) / static_cast<double>(2 * count);
+    for (std::size_t k = 0; k < base::axis_count; ++k) point.position[k] += (end[k] - start[k]) * share;
+    point.position[base::index(first_axis(plane))] = center.first + cosine * x - sine * y;
+    point.position[base::index(second_axis(plane))] = center.second + sine * x + cosine * y;
+    curve.points.push_back(point);
+  }
+  curve.points.front().position = start;
+  curve.points.back().position = end;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const bool outer = i == 0 || i == count;
+    for (int k = 0; k < (outer ? 3 : 2); ++k) curve.knots.push_back(static_cast<double>(i));
+  }
+  return true;
 }
 
 }  // namespace leadscrew::gcode

@@ -8,6 +8,7 @@
 //           : /         \:             ends is beyond or all of their control points are inside.
 //          P0            P3
 
+#include <leadscrew/gcode/arc.hpp>
 #include <leadscrew/gcode/move.hpp>
 
 namespace leadscrew::gcode {
@@ -19,6 +20,14 @@ inline constexpr double greatest_weight = 1e9;
 /// Gives the curve, of degree p and with n > p points, the knots of LinuxCNC's G5.2: 0 (p + 1 times), 1, 2 … n − p − 1,
 /// n − p (p + 1 times).
 void set_uniform_knots(NurbsCurve& curve);
+
+/// Makes the curve that goes with an arc, of a plane, from start to end about a centre of the plane, with turns as Move
+/// has them, in the coordinates of these: rational pieces of degree 2 of at most 30 degrees (Piegl and Tiller, 7.3),
+/// exact in the plane. Axes outside the plane go as the angle to within arc_curve_tolerance. False where that takes more
+/// than most_control_points.
+inline constexpr double arc_curve_tolerance = 1e-5;  // mm or degrees
+bool make_arc_curve(NurbsCurve& curve, Plane plane, const base::AxisVector& start, const base::AxisVector& end,
+                    PlanePoint center, int turns);
 
 /// What is wrong with the knot that came last.
 enum class KnotProblem {

@@ -108,9 +108,7 @@ void Offsets::set_system(const Block& block) {
     const base::AxisVector reached = there.to_machine(program);
     for (const base::Axis axis : base::all_axes) {
       const std::size_t i = base::index(axis);
-      const bool in_plane = axis == base::Axis::X || axis == base::Axis::Y;
-      const bool given =
-          block.has(base::letter(axis)) || (in_plane && there.is_rotated() && (block.has('X') || block.has('Y')));
+      const bool given = block.has(base::letter(axis)) || !there.is_separate(axis);
       if (given) system.origin[i] += frame_.position[i] - reached[i];
     }
   }
@@ -123,11 +121,11 @@ void Offsets::set_shift(const Block& block) {
   base::AxisVector shift{};
   if (code == Code::G92) {
     shift = frame_.shift();
-    const base::AxisVector program = frame_.to_program(frame_.position);
-    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) {
-      const std::size_t i = base::index(axis);
-      shift[i] += program[i] - value;
-    });
+    const base::AxisVector before = frame_.to_program(frame_.position);
+    base::AxisVector after = before;
+    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { after[base::index(axis)] = value; });
+    const base::AxisVector from = frame_.transformed(before), to = frame_.transformed(after);
+    for (std::size_t i = 0; i < base::axis_count; ++i) shift[i] += from[i] - to[i];
     parameters_.set_axes(Parameters::g92_shift, shift);
   } else if (code == Code::G92_1) {
     parameters_.set_axes(Parameters::g92_shift, shift);

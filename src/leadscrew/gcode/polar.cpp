@@ -34,6 +34,37 @@ void Polar::announce(Block& block) {
   }
 }
 
+bool Polar::applies(const Block& block) const {
+  if (block.is(Code::G15) || block.is(Code::G53)) return false;
+  for (std::uint32_t rest = block.groups & ~bit(Group::motion); rest != 0; rest &= rest - 1) {
+    if (row(block.codes[static_cast<std::size_t>(std::countr_zero(rest))]).takes_axes) return false;
+  }
+  return block.has(base::letter(first_axis(modal_.plane))) || block.has(base::letter(second_axis(modal_.plane)));
+}
+
+// The first axis of the plane is the radius from the program's zero, the second the angle from the first axis. A word
+// that is missing keeps its value; in G91 words add to what was.
+Block Polar::in_axes(const Block& block) {
+  Block result = block;
+  const char letters[] = {base::letter(first_axis(modal_.plane)), base::letter(second_axis(modal_.plane))};
+  const bool incremental = block.is(Code::G91) || (modal_.distance == Distance::incremental && !block.is(Code::G90));
+  if (block.has(letters[0])) modal_.polar_radius = block[letters[0]] + (incremental ? modal_.polar_radius : 0);
+  if (block.has(letters[1])) modal_.polar_angle = block[letters[1]] + (incremental ? modal_.polar_angle : 0);
+  const base::AxisVector program = frame_.to_program(frame_.position);
+  const double values[] = {modal_.polar_radius * cosine_of_degrees(modal_.polar_angle),
+                           modal_.polar_radius * sine_of_degrees(modal_.polar_angle)};
+  const std::uint32_t column = block.column_of(block.has(letters[0]) ? letters[0] : letters[1]);
+  for (int i = 0; i < 2; ++i) {
+    const auto word = static_cast<std::size_t>(letters[i] - 'A');
+    const base::Axis axis = axis_of_letter(static_cast<unsigned>(word));
+    const double stands = program[base::index(axis)] / frame_.unit(axis);
+    result.words |= letter_bit(letters[i]);
+    if (!block.has(letters[i])) result.column[word] = column;
+    result.value[word] = values[i] - (incremental ? stands : 0);
+  }
+  return result;
+}
+
 void Polar::resolve(Block& block) {
   const base::AxisVector program = frame_.to_program(frame_.position);
   const double x = program[base::index(base::Axis::X)] / frame_.length_unit;

@@ -25,6 +25,11 @@ class Polar : Part {
   /// Gives them their values, by the modes that hold now. Error: `bad-polar` in G91 at the origin.
   void resolve(Block& block);
 
+  /// Whether the axis words of the block are a radius and an angle, by G16.
+  bool applies(const Block& block) const;
+  /// The block with the coordinates that they say, in G90.
+  Block in_axes(const Block& block);
+
  private:
   static std::uint32_t column_of(const Block& block) {
     return block.column[block.words & letter_bit('Z') << 1 ? polar_distance : polar_angle];

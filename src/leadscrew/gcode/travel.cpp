@@ -1,3 +1,4 @@
+#include <leadscrew/gcode/nurbs.hpp>
 #include <leadscrew/gcode/travel.hpp>
 #include <limits>
 
@@ -100,6 +101,13 @@ bool Travel::bulge_inside(const Block& block, base::Axis axis, double low, doubl
   reporter_.fail();
   if (!outside_.contains(axis)) report_travel(axis, below ? low : high, motion_column(block));
   return false;
+}
+
+void Travel::curve_inside(const Block& block, const NurbsCurve& curve) {
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    bulge_inside(block, axis, reach_beyond(curve, axis, -1, low_[i]), reach_beyond(curve, axis, 1, high_[i]));
+  }
 }
 
 }  // namespace leadscrew::gcode

@@ -14,6 +14,8 @@ class Travel : Part {
   bool inside_travel(const Block& block, const base::AxisVector& target);
   /// Whether an axis that reaches from low to high, mm or degrees, stays inside; reports it where it does not.
   bool bulge_inside(const Block& block, base::Axis axis, double low, double high);
+  /// Whether a curve does.
+  void curve_inside(const Block& block, const NurbsCurve& curve);
   /// Finds the axes that are outside, where the position was changed without a check.
   void note_outside();
   /// Whether the block fails because an axis is outside; says so unless that has been said.

@@ -104,6 +104,8 @@ constexpr Example examples[] = {
     {Code::G99, "G0 Z5\nG99 G81 X10 Z-5 R1 F200\nX20"},
     {Code::G50, "G51 P2\nG0 X10\nG50"},
     {Code::G51, "G51 X0 Y0 P2\nG1 X10 F600\nG50"},
+    {Code::G50_1, "G51.1 X0\nG0 X10\nG50.1 X0"},
+    {Code::G51_1, "G51.1 X0\nG0 X10\nG50.1 X0"},
     {Code::G54, "G54 G0 X0"},
     {Code::G55, "G55 G0 X0"},
     {Code::G56, "G56 G0 X0"},

@@ -33,7 +33,7 @@ std::vector<base::Diagnostic> Lint::see(const Move& move, const gcode::Frame& fr
   if (move.kind == Move::Kind::event) {
     see_event(move.event);
   } else if (move.kind != Move::Kind::dwell) {
-    const double top = frame.sum()[base::index(Axis::Z)] + stock_top_;
+    const double top = frame.offset()[base::index(Axis::Z)] + stock_top_;
     if (std::hypot(move.start[0] - x_, move.start[1] - y_) > rounding) depth_ = std::numeric_limits<double>::infinity();
     if (move.feed.mode == gcode::Feed::Mode::rapid) {
       see_rapid(move, top);

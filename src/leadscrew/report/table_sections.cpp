@@ -93,7 +93,8 @@ void put_diagnostic(std::string& page, const base::Diagnostic& diagnostic) {
 }  // namespace
 
 std::string_view source_of(const Report& report, base::Line line) {
-  const auto found = std::ranges::find(report.source, base::place_of(line), [](const auto& entry) { return entry.first; });
+  const auto found =
+      std::ranges::find(report.source, base::place_of(line), [](const auto& entry) { return entry.first; });
   return found == report.source.end() ? std::string_view() : std::string_view(found->second);
 }
 
