@@ -47,14 +47,16 @@ TEST(Lint, WarnsAndEndsWell) {
 
 TEST(Dialects, AreChosenByOptionOrMachineFile) {
   const Folder folder;
-  folder.write("part.nc", "G4 P2500\nM30\n");
-  const auto minutes = [&](std::vector<std::string> words) { return leadscrew(folder, words).output; };
-  EXPECT_TRUE(contains(minutes({"run", "part.nc", "--dialect", "fanuc"}), "0:02"));
+  folder.write("part.nc", "M97 P5\nM30\nN5 G4 P250\nM99\n");
   folder.write("haas.toml",
                "dialect = \"haas\"\n[axis.X]\ntravel_mm = [-1, 1]\nmax_velocity_mm_s = 1\n"
                "max_acceleration_mm_s2 = 1\nmax_jerk_mm_s3 = 1\nblu_mm = 0.001\n");
-  EXPECT_TRUE(contains(minutes({"run", "part.nc", "--machine", "haas.toml"}), "0:02"));
-  EXPECT_FALSE(contains(minutes({"run", "part.nc", "--machine", "haas.toml", "--dialect", "linuxcnc"}), "0:02"));
+  EXPECT_EQ(leadscrew(folder, {"check", "part.nc", "--dialect", "haas"}).status, 0);
+  EXPECT_EQ(leadscrew(folder, {"check", "part.nc", "--machine", "haas.toml"}).status, 0);
+  const auto refused = leadscrew(folder, {"check", "part.nc", "--machine", "haas.toml", "--dialect", "linuxcnc"});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_TRUE(contains(refused.errors, "known by --dialect haas"));
+  EXPECT_EQ(leadscrew(folder, {"check", "part.nc", "--dialect", "okuma"}).status, 2);
 }
 
 }  // namespace test_language_verbs
