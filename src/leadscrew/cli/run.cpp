@@ -2,7 +2,6 @@
 #include <array>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/remark_output.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
@@ -10,6 +9,7 @@
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
+#include <leadscrew/results/remark_output.hpp>
 #include <leadscrew/results/report_form.hpp>
 #include <span>
 
@@ -47,7 +47,8 @@ class ProgramRun {
                                          const Reading& reading) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
-    RemarkOutput remarks(program_, files_in_use(file, paths), console_);
+    results::RemarkOutput remarks(program_, files_in_use(file, paths), is_same_output,
+                                  [this](std::string_view text) { console_.error_text(text); });
     auto figures = make_words(file, *outputs, remarks, reading);
     if (!figures) return figures;
     if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
@@ -85,8 +86,8 @@ class ProgramRun {
     return used;
   }
 
-  base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs, RemarkOutput& remarks,
-                                               const Reading& reading) {
+  base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs,
+                                               results::RemarkOutput& remarks, const Reading& reading) {
     Progress progress{.work = "moving", .total = file.size()};
     gcode::ReaderOptions options = job_.reader_options(file);
     options.remarks = remarks.sink();

@@ -2,8 +2,8 @@
 // What a program says in its remarks, where the user sees it: MSG, DEBUG and PRINT on standard error, LOG in files beside
 // the program, which appear whole when the run is done, or not at all.
 
+#include <functional>
 #include <leadscrew/base/result.hpp>
-#include <leadscrew/cli/console.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/gcode/remark.hpp>
 #include <map>
@@ -12,12 +12,16 @@
 #include <string>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 class RemarkOutput {
  public:
-  /// `program`: path, or "-", whose log files stand in the working folder. `taken`: files that logs must not replace.
-  RemarkOutput(const std::string& program, std::vector<std::string> taken, Console& console);
+  using IsSame = std::function<bool(const std::string& path, const std::string& other)>;
+  using Say = std::function<void(std::string_view)>;
+
+  /// `program`: path, or "-", whose log files stand in the working folder. `taken`: files that logs must not replace,
+  /// as `is_same` finds them. `say` gets what is for people.
+  RemarkOutput(const std::string& program, std::vector<std::string> taken, IsSame is_same, Say say);
 
   /// Refers to this, which must stay where it is.
   gcode::RemarkSink sink();
@@ -34,10 +38,11 @@ class RemarkOutput {
 
   std::string folder_;
   std::vector<std::string> taken_;
-  Console& console_;
+  IsSame is_same_;
+  Say say_;
   std::map<std::string, std::unique_ptr<files::OutputFile>> logs_;  // by path
   files::OutputFile* log_ = nullptr;                                // that is open
   std::optional<base::Diagnostic> failure_;                         // the first
 };
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

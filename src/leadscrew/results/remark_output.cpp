@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <leadscrew/cli/outputs.hpp>
-#include <leadscrew/cli/remark_output.hpp>
 #include <leadscrew/files/input_file.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/remark_output.hpp>
+#include <utility>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -29,8 +30,11 @@ bool is_below(const std::filesystem::path& path, const std::filesystem::path& fo
 
 }  // namespace
 
-RemarkOutput::RemarkOutput(const std::string& program, std::vector<std::string> taken, Console& console)
-    : folder_(std::filesystem::path(program).parent_path().string()), taken_(std::move(taken)), console_(console) {
+RemarkOutput::RemarkOutput(const std::string& program, std::vector<std::string> taken, IsSame is_same, Say say)
+    : folder_(std::filesystem::path(program).parent_path().string()),
+      taken_(std::move(taken)),
+      is_same_(std::move(is_same)),
+      say_(std::move(say)) {
   if (folder_.empty()) folder_ = ".";
 }
 
@@ -43,10 +47,9 @@ void RemarkOutput::take(const gcode::Remark& remark) {
   base::Result<void> done;
   switch (remark.kind) {
     case Kind::message:
-      return console_.error_text(
-          fmt::format("{}:{}: {}\n", remark.place.file, remark.place.line, results::printable(remark.text)));
+      return say_(fmt::format("{}:{}: {}\n", remark.place.file, remark.place.line, printable(remark.text)));
     case Kind::print:
-      return console_.error_text(results::printable(remark.text) + '\n');
+      return say_(printable(remark.text) + '\n');
     case Kind::log_open:
     case Kind::log_append:
       done = open(remark);
@@ -73,7 +76,7 @@ base::Result<std::string> RemarkOutput::path_of(const gcode::Remark& remark) con
         log_problem(remark, fmt::format("log file {} is no regular file", path.string()), "give another name"));
   }
   for (const std::string& taken : taken_) {
-    if (is_same_output(path.string(), taken)) {
+    if (is_same_(path.string(), taken)) {
       return base::failure(log_problem(remark, fmt::format("log file {} is read or written otherwise", path.string()),
                                        "give another name"));
     }
@@ -124,4 +127,4 @@ base::Result<std::vector<std::string>> RemarkOutput::publish() {
   return paths;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results
