@@ -117,6 +117,8 @@ class Reader::Implementation {
     if (!reporter_.failed()) {
       const Interpreter::Plain plain = interpreter_.execute_plain(block_, line.id, move);
       if (plain != Interpreter::Plain::no) return plain == Interpreter::Plain::move;
+      // Nothing but parameters that are set, as in loops that compute.
+      if (((block_.words & ~letter_bit('N')) | block_.groups) == 0) return false;
     }
     if (block_.has(Group::call)) return call(line);
     execute(line);
