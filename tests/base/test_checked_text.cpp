@@ -124,6 +124,31 @@ TEST(CheckedText, TakesWhatNobodyHasReadYetAsItIs) {
   EXPECT_EQ(read(checked.source(source_of(text, 1000))).error, "text-changed");
 }
 
+TEST(CheckedText, IsReadFromAnyPlaceAsItWas) {
+  const std::string text = text_of(3 * piece + 100);
+  std::string now = text;
+  CheckedText checked(changed());
+  const auto read_from = [&](std::size_t offset) {
+    return read(checked.source_at(static_cast<std::int64_t>(offset), [&now](std::int64_t from) {
+      return [&now, at = static_cast<std::size_t>(from)](std::span<char> buffer) mutable -> Result<std::size_t> {
+        const std::size_t count = std::min(buffer.size(), now.size() - std::min(at, now.size()));
+        if (count > 0) std::memcpy(buffer.data(), now.data() + at, count);
+        at += count;
+        return count;
+      };
+    }));
+  };
+  // Also what nobody has come to yet.
+  for (const std::size_t offset :
+       {2 * piece + 5, std::size_t{0}, std::size_t{1}, piece - 1, piece, 3 * piece + 99, text.size()}) {
+    EXPECT_TRUE(read_from(offset).text == text.substr(offset)) << offset;
+  }
+  now[piece + 7] ^= 1;
+  EXPECT_EQ(read_from(2 * piece).error, "");
+  EXPECT_EQ(read_from(piece + 9).error, "text-changed");
+  EXPECT_EQ(read_from(piece + 9).text, "");
+}
+
 TEST(CheckedText, PassesTheErrorOfItsSourceOn) {
   CheckedText checked(changed());
   const auto broken = [](std::span<char>) -> Result<std::size_t> { return failure(problem("io-read", "no", "")); };

@@ -48,10 +48,13 @@ struct Summary {
   bool operator==(const Summary&) const = default;
 };
 
-Summary read(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools) {
+Summary read(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
+             gcode::Dialect dialect) {
   Summary summary;
   gcode::ReaderOptions options;
   options.file = "fuzz.ngc";
+  options.dialect = dialect;
+  options.fuel = 5000;
   gcode::Reader reader(std::move(source), machine, tools, options, [&](const base::Diagnostic& d) {
     ++summary.diagnostics;
     expect(!d.code.empty() && !d.message.empty() && d.place.line >= 1 && d.place.column >= 1);
@@ -99,7 +102,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const machine::ToolTable tools(
       std::vector<machine::Tool>{{1, 0, {0, 0, 10}, 0, {}}, {2, 0, {1, 2, 3}, 0, {}}});
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  expect(read(gcode::text_source(text), machine, tools) == read(in_chunks(text, 7), machine, tools));
+  const auto dialect = static_cast<gcode::Dialect>(size % index(gcode::Dialect::count));
+  expect(read(gcode::text_source(text), machine, tools, dialect) == read(in_chunks(text, 7), machine, tools, dialect));
   (void)gcode::read_tool_table(text, "fuzz.tbl");
   return 0;
 }

@@ -88,6 +88,10 @@ TEST(Macros, WithoutEndEnd) {
   Conditions conditions = fanuc();
   conditions.options.fuel = 1000;
   EXPECT_EQ(read("N5 GOTO 5\nM30\n", conditions).problems(), "1:1 fuel-exhausted; ");
+  std::string chain;
+  for (int i = 1; i <= 500; ++i) chain += "GOTO " + std::to_string(i) + "\nN" + std::to_string(i) + "\n";
+  EXPECT_EQ(read(chain + "M30\n", conditions).diagnostics.at(0).code, "fuel-exhausted");
+  EXPECT_EQ(read(chain + "M30\n", fanuc()).problems(), "");
   EXPECT_EQ(read("DO1\nEND1\nM30\n", conditions).problems(), "1:1 fuel-exhausted; ");
 }
 

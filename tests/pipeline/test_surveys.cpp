@@ -28,6 +28,7 @@ RC_GTEST_PROP(Surveys, TheQuickBoundIsTheLesser, ()) {
   pipeline::QuickSurvey quick(machine, {});
   look(whole, machine, text);
   look(quick, machine, text);
+  RC_LOG() << text << testing_support::limits_of(machine) << quick.bound_seconds() << " " << whole.bound_seconds();
   RC_ASSERT(quick.bound_seconds() <= whole.bound_seconds() * (1 + 1e-9));
 }
 

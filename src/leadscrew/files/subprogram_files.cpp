@@ -46,7 +46,7 @@ std::string path_of(const std::string& name, const std::vector<std::string>& fol
 base::TextOpener InputFile::opener(std::vector<std::string> folders) const {
   if (name_ != "<stdin>") {
     const std::string own = std::filesystem::path(name_).parent_path().string();
-    folders.insert(folders.begin(), own.empty() ? "." : own);
+    folders.insert(folders.begin(), own);
   }
   return [this, folders = std::move(folders)](const std::string& name,
                                               std::int64_t offset) -> base::Result<base::OpenedText> {

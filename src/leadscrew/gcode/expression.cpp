@@ -226,7 +226,12 @@ bool ExpressionReader::numbered(int number, const char* begin, double& value) {
     value = vacant;
     return true;
   }
-  if (has_macros(dialect_) && number >= Predefined::first_macro_number) {
+  const double unset = has_macros(dialect_) ? vacant : 0;
+  if (number < Predefined::first_macro_number) {
+    value = parameters_.value_or(number, unset);
+    return true;
+  }
+  if (has_macros(dialect_)) {
     const std::optional<double> found = predefined_.of_macro(number);
     if (found) {
       value = *found;
@@ -235,7 +240,7 @@ bool ExpressionReader::numbered(int number, const char* begin, double& value) {
     return refuse_macro_number(number, begin);
   }
   const std::optional<double> predefined = predefined_.get(number);
-  value = predefined ? *predefined : parameters_.get(number).value_or(has_macros(dialect_) ? vacant : 0);
+  value = predefined ? *predefined : parameters_.value_or(number, unset);
   return true;
 }
 

@@ -18,7 +18,9 @@
 #include <leadscrew/gcode/predefined.hpp>
 #include <leadscrew/gcode/program_text.hpp>
 #include <leadscrew/gcode/statement.hpp>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -168,10 +170,12 @@ class Flow {
   static Key key(const TextPlace& place) { return key(place.file, static_cast<std::uint64_t>(place.offset)); }
   std::unordered_map<Key, TextPlace> matches_;  // of a line that skips others: the one it leads to
   std::unordered_map<Key, Sub> subs_;
-  std::unordered_map<StatementName, int> files_;       // of subprograms in files of their own
-  std::vector<bool> indexed_;                          // files whose subprograms are known
-  std::unordered_map<Key, std::int64_t> label_lines_;  // LinuxCNC: a label stands for one line
-  std::unordered_map<Key, Label> labels_;
+  std::unordered_map<StatementName, int> files_;  // of subprograms in files of their own
+  std::vector<bool> indexed_;                     // files whose subprograms are known
+  // By the beginning of the program or subroutine, and a name or number in it.
+  using LabelKey = std::tuple<int, std::int64_t, std::uint64_t>;
+  std::map<LabelKey, std::int64_t> label_lines_;  // LinuxCNC: a label stands for one line
+  std::map<LabelKey, Label> labels_;
 };
 
 }  // namespace leadscrew::gcode

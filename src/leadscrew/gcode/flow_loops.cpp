@@ -92,8 +92,7 @@ bool Flow::open(const Statement& statement, Keyword keyword, const TextLine& lin
 bool Flow::label_is_new(const Statement& statement, const TextLine& line) {
   const TextPlace body = calls_.empty() ? TextPlace{} : calls_.back().body;
   if (label_lines_.size() >= most_remembered) label_lines_.clear();
-  const Key label = key(body) ^ statement.name << 32 ^ statement.name;
-  const auto [found, is_new] = label_lines_.emplace(label, line.offset);
+  const auto [found, is_new] = label_lines_.emplace(LabelKey(body.file, body.offset, statement.name), line.offset);
   if (is_new || found->second == line.offset) return true;
   return reporter_.error("duplicate-label", statement.column,
                          statements_.text(statement.name) + " is the label of another line already",

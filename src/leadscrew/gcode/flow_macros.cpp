@@ -136,11 +136,12 @@ Flow::Next Flow::go_to_block(std::int64_t number, TextLine& line, const Statemen
 /// The block of that number in the program being executed. The next line is still that behind `line`.
 bool Flow::find_label(std::int64_t number, TextLine& line, const Statement& at, Label& label) {
   const TextPlace from = program_begin();
-  const Key of = key(from) ^ static_cast<Key>(number) << 20;
-  if (const auto known = labels_.find(of); known != labels_.end() && known->second.place.file == from.file) {
+  const LabelKey of(from.file, from.offset, static_cast<std::uint64_t>(number));
+  if (const auto known = labels_.find(of); known != labels_.end()) {
     label = known->second;
     return true;
   }
+  counts_ = true;  // many labels, each looked for in all of a long program, take their time too
   int count = 0;
   const bool is_read = scan_label(number, from, label, count);
   if (!return_to_line(line) || !is_read) return false;

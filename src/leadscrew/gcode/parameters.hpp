@@ -47,6 +47,10 @@ class Parameters {
 
   /// std::nullopt where no value was ever given, or is not now; 1 ≤ number ≤ last.
   std::optional<double> get(int number) const;
+  double value_or(int number, double otherwise) const {
+    const auto i = static_cast<std::size_t>(number);
+    return given_[i] ? numbered_[i] : otherwise;
+  }
   void set(int number, double value);
   void unset(int number);  ///< makes it vacant (Fanuc)
   std::optional<double> get(const std::string& name) const;

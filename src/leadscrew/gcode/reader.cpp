@@ -102,11 +102,7 @@ class Reader::Implementation {
                              "this line is longer than " + std::to_string(longest_line) + " bytes",
                              "is this a part program?");
     }
-    if (base::file(line.id) != 0) {
-      if (*line.begin == '%') return delimiter_of_file(line);
-    } else if (delimiter_ != Delimiter::none && !before_program(line)) {
-      return false;
-    }
+    if ((delimiter_ != Delimiter::none || *line.begin == '%') && !is_of_program(line)) return false;
     if (!flow_.count_line()) {
       done_ = true;
       return false;
@@ -117,6 +113,8 @@ class Reader::Implementation {
     if (!reporter_.failed()) {
       const Interpreter::Plain plain = interpreter_.execute_plain(block_, line.id, move);
       if (plain != Interpreter::Plain::no) return plain == Interpreter::Plain::move;
+      // Nothing but parameters that are set, as in loops that compute.
+      if (((block_.words & ~letter_bit('N')) | block_.groups) == 0) return false;
     }
     if (block_.has(Group::call)) return call(line);
     execute(line);
@@ -159,6 +157,11 @@ class Reader::Implementation {
     const bool any = blocks_reader_.read(line, block_);
     blocks_ += any;
     return any;
+  }
+
+  bool is_of_program(TextLine& line) {
+    if (base::file(line.id) != 0) return *line.begin != '%' || delimiter_of_file(line);
+    return delimiter_ == Delimiter::none || before_program(line);
   }
 
   // Looks for the first line that is not blank, and for the line that ends a program between two %; false for lines

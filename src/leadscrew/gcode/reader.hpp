@@ -1,12 +1,13 @@
 #pragma once
 // From the text of a part program to moves: RS274/NGC as NIST IR 6556 defines it and LinuxCNC extends it.
 //
-//     bytes ─LineSource─▶ lines ─BlockReader─▶ blocks ─Interpreter─▶ moves
-//                                 └ ExpressionReader, Parameters     └ Frame, arcs, curves, DrillCycle
+//     bytes ─ProgramText─▶ lines ─BlockReader─▶ blocks ─Interpreter─▶ moves
+//               ▲ go to     └─Flow └ ExpressionReader, Parameters     └ Frame, arcs, curves, DrillCycle
+//               └────────────┘
 //
 // Read are all words, comments, block delete, %, numbered and named parameters, expressions (expression.hpp); the G
-// codes in the table of codes.cpp; M0-M9 and M30; F, S and T. Everything else is a diagnostic: unsupported-code,
-// unsupported-o-word, unknown-code. A program begins in mm, XY, absolute, with centres of arcs relative, G64, G94, G98,
+// codes in the table of codes.cpp; F, S and T; loops, conditions and subprograms (flow.hpp). Everything else is a
+// diagnostic: unsupported-code, unsupported-o-word, unknown-code. A program begins in mm, XY, absolute, with centres of arcs relative, G64, G94, G98,
 // G54 and no motion in force.
 //
 // Arcs: where the distances of the programmed centre to both ends differ, by at most 2√2·0.01 mm (2√2·0.001 inch under

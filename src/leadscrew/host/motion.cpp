@@ -30,6 +30,13 @@ gcode::ByteSource asking_source(std::string_view text, std::function<bool(double
   };
 }
 
+gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOptions& options) {
+  gcode::ReaderOptions reading{.file = options.file, .start = options.start, .dialect = machine.dialect};
+  reading.opener = options.opener;
+  reading.fuel = options.fuel;
+  return reading;
+}
+
 }  // namespace
 
 Motion::Motion(machine::Machine machine, MotionOptions options)
@@ -52,8 +59,7 @@ base::Result<std::unique_ptr<Motion>> Motion::of_program(machine::Machine machin
   std::optional<base::Diagnostic> first;
   const auto share = std::make_shared<double>(0);
   gcode::Reader reader(asking_source(text, options.goes_on, share), machine, options.tools,
-                       {.file = options.file, .start = options.start, .dialect = machine.dialect},
-                       [&](const base::Diagnostic& diagnostic) {
+                       reading_of(machine, options), [&](const base::Diagnostic& diagnostic) {
                          if (diagnostic.severity == base::Severity::error && !first) first = diagnostic;
                          if (diagnostics) diagnostics(diagnostic);
                        });
@@ -73,8 +79,7 @@ void Motion::join(std::optional<Joined>& joined, pipeline::MoveInput moves) cons
   const auto share = std::make_shared<double>(0);
   if (text_) {
     joined.emplace(asking_source(*text_, options_.goes_on, share), machine_, options_.tools,
-                   gcode::ReaderOptions{.file = options_.file, .start = options_.start, .dialect = machine_.dialect},
-                   nullptr);
+                   reading_of(machine_, options_), nullptr);
   } else {
     joined.emplace(std::move(moves), machine_, options_.start);
   }

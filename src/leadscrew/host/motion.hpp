@@ -39,6 +39,8 @@ struct MotionOptions {
   // Of programs alone.
   std::string file{};          ///< for places in diagnostics
   machine::ToolTable tools{};  ///< that it may ask for
+  base::TextOpener opener{};   ///< of its subprograms' texts, and of its own from a place in it (gcode::ReaderOptions)
+  std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
   /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
   /// `interrupted`; motion comes to rest.
