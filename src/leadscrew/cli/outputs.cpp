@@ -93,6 +93,20 @@ base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile&
   return check_written(written, program, arguments);
 }
 
+std::vector<std::string> files_in_use(const std::string& program, const OutputPaths& paths,
+                                      const Arguments& arguments) {
+  std::vector<std::string> used{program};
+  const drive::Options& drive = arguments.drive;
+  for (const auto& path : {arguments.machine, arguments.tools, arguments.parameters, drive.trace, drive.axes,
+                           drive.events, drive.state, drive.resume, drive.sink}) {
+    if (path) used.push_back(*path);
+  }
+  for (const auto& path : paths.all()) {
+    if (path) used.push_back(*path);
+  }
+  return used;
+}
+
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   Outputs outputs(paths, job);
   const bool follows = job.arguments.verb == Arguments::Verb::simulate;

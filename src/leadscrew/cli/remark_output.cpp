@@ -5,6 +5,7 @@
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/remark_output.hpp>
 #include <leadscrew/files/input_file.hpp>
+#include <leadscrew/results/diagnostic_text.hpp>
 
 namespace leadscrew::cli {
 
@@ -29,8 +30,8 @@ bool is_below(const std::filesystem::path& path, const std::filesystem::path& fo
 
 }  // namespace
 
-RemarkOutput::RemarkOutput(const std::string& program, std::vector<std::string> taken, Console& console)
-    : folder_(std::filesystem::path(program).parent_path().string()), taken_(std::move(taken)), console_(console) {
+RemarkOutput::RemarkOutput(const std::string& program, std::vector<std::string> taken, Say say)
+    : folder_(std::filesystem::path(program).parent_path().string()), taken_(std::move(taken)), say_(std::move(say)) {
   if (folder_.empty()) folder_ = ".";
 }
 
@@ -43,10 +44,9 @@ void RemarkOutput::take(const gcode::Remark& remark) {
   base::Result<void> done;
   switch (remark.kind) {
     case Kind::message:
-      return console_.error_text(
-          fmt::format("{}:{}: {}\n", remark.place.file, remark.place.line, results::printable(remark.text)));
+      return say_(fmt::format("{}:{}: {}\n", remark.place.file, remark.place.line, results::printable(remark.text)));
     case Kind::print:
-      return console_.error_text(results::printable(remark.text) + '\n');
+      return say_(results::printable(remark.text) + '\n');
     case Kind::log_open:
     case Kind::log_append:
       done = open(remark);

@@ -2,8 +2,8 @@
 // What a program says in its remarks, where the user sees it: MSG, DEBUG and PRINT on standard error, LOG in files beside
 // the program, which appear whole when the run is done, or not at all.
 
+#include <functional>
 #include <leadscrew/base/result.hpp>
-#include <leadscrew/cli/console.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/gcode/remark.hpp>
 #include <map>
@@ -16,8 +16,11 @@ namespace leadscrew::cli {
 
 class RemarkOutput {
  public:
+  /// Shows lines of text, by whichever thread reads the program.
+  using Say = std::function<void(const std::string&)>;
+
   /// `program`: path, or "-", whose log files stand in the working folder. `taken`: files that logs must not replace.
-  RemarkOutput(const std::string& program, std::vector<std::string> taken, Console& console);
+  RemarkOutput(const std::string& program, std::vector<std::string> taken, Say say);
 
   /// Refers to this, which must stay where it is.
   gcode::RemarkSink sink();
@@ -34,7 +37,7 @@ class RemarkOutput {
 
   std::string folder_;
   std::vector<std::string> taken_;
-  Console& console_;
+  Say say_;
   std::map<std::string, std::unique_ptr<files::OutputFile>> logs_;  // by path
   files::OutputFile* log_ = nullptr;                                // that is open
   std::optional<base::Diagnostic> failure_;                         // the first
