@@ -3,10 +3,10 @@
 #include <leadscrew/cli/drive_view.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/remark_output.hpp>
 #include <leadscrew/drive/checks.hpp>
 #include <leadscrew/drive/drive.hpp>
 #include <leadscrew/results/drive.hpp>
+#include <leadscrew/results/remark_output.hpp>
 #include <mutex>
 
 namespace leadscrew::cli {
@@ -14,10 +14,6 @@ namespace leadscrew::cli {
 namespace {
 
 constexpr std::size_t most_unshown = 1 << 20;  // bytes of messages
-
-std::vector<std::string> drive_files_in_use(const Job& job) {
-  return files_in_use(job.arguments.programs.front(), {}, job.arguments);
-}
 
 drive::Setup setup_of(const Job& job, const std::string& program) {
   drive::Setup setup{job.machine,         job.tools, job.reader_options(),     job.text,
@@ -67,7 +63,7 @@ class ProgramDrive {
   base::Result<void> keep() {
     if (const auto logs = remarks_.publish(); !logs) return base::failure(logs.error());
     if (!job_.arguments.parameters || !parameters_) return {};
-    return write_parameters(*job_.arguments.parameters, *parameters_);
+    return results::write_parameters(*job_.arguments.parameters, *parameters_);
   }
 
   /// What the program has said since; a view of its own has the terminal while the axes move.
@@ -137,7 +133,9 @@ class ProgramDrive {
   DiagnosticLog& log_;
   std::mutex said_mutex_;
   std::string said_;  ///< by the program, that is not shown yet
-  RemarkOutput remarks_{program_, drive_files_in_use(job_), [this](const std::string& text) { hear(text); }};
+  results::RemarkOutput remarks_{
+      program_, [this](const std::string& path) { return is_in_use(path, program_, {}, job_.arguments); },
+      [this](const std::string& text) { hear(text); }};
   std::optional<std::vector<gcode::NumberedValue>> parameters_;  ///< where the program ended
   std::optional<DriveView> view_;                                ///< on a terminal
   bool has_progress_ = false;

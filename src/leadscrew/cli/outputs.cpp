@@ -93,18 +93,21 @@ base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile&
   return check_written(written, program, arguments);
 }
 
-std::vector<std::string> files_in_use(const std::string& program, const OutputPaths& paths,
-                                      const Arguments& arguments) {
-  std::vector<std::string> used{program};
+bool is_in_use(const std::string& path, const std::string& program, const OutputPaths& paths,
+               const Arguments& arguments) {
   const drive::Options& drive = arguments.drive;
-  for (const auto& path : {arguments.machine, arguments.tools, arguments.parameters, drive.trace, drive.axes,
-                           drive.events, drive.state, drive.resume, drive.sink}) {
-    if (path) used.push_back(*path);
-  }
-  for (const auto& path : paths.all()) {
-    if (path) used.push_back(*path);
-  }
-  return used;
+  const auto is_used = [&](const std::optional<std::string>& used) { return used && is_same_output(path, *used); };
+  const auto used = {std::optional(program),
+                     arguments.machine,
+                     arguments.tools,
+                     arguments.parameters,
+                     drive.trace,
+                     drive.axes,
+                     drive.events,
+                     drive.state,
+                     drive.resume,
+                     drive.sink};
+  return std::ranges::any_of(used, is_used) || std::ranges::any_of(paths.all(), is_used);
 }
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {

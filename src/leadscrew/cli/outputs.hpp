@@ -44,8 +44,9 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
 /// The same of these paths.
 base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments);
 
-/// The files that the command reads or writes, which nothing else may replace.
-std::vector<std::string> files_in_use(const std::string& program, const OutputPaths& paths, const Arguments& arguments);
+/// Whether a path is that of a file which the command reads or writes, so that nothing else may replace it.
+bool is_in_use(const std::string& path, const std::string& program, const OutputPaths& paths,
+               const Arguments& arguments);
 
 class Outputs {
  public:

@@ -2,7 +2,6 @@
 #include <array>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/remark_output.hpp>
 #include <leadscrew/cli/run.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
@@ -10,6 +9,7 @@
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
+#include <leadscrew/results/remark_output.hpp>
 #include <leadscrew/results/report_form.hpp>
 #include <span>
 
@@ -47,8 +47,9 @@ class ProgramRun {
                                          const Reading& reading) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
-    RemarkOutput remarks(program_, files_in_use(program_, paths, job_.arguments),
-                         [this](const std::string& text) { console_.error_text(text); });
+    results::RemarkOutput remarks(
+        program_, [&](const std::string& path) { return is_in_use(path, program_, paths, job_.arguments); },
+        [this](const std::string& text) { console_.error_text(text); });
     auto figures = make_words(file, *outputs, remarks, reading);
     if (!figures) return figures;
     if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
@@ -68,14 +69,14 @@ class ProgramRun {
     if (!logs) return base::failure(logs.error());
     figures->files.insert(figures->files.end(), logs->begin(), logs->end());
     if (job_.arguments.parameters && parameters_) {
-      const auto written = write_parameters(*job_.arguments.parameters, *parameters_);
+      const auto written = results::write_parameters(*job_.arguments.parameters, *parameters_);
       if (!written) return base::failure(written.error());
     }
     return figures;
   }
 
-  base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs, RemarkOutput& remarks,
-                                               const Reading& reading) {
+  base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs,
+                                               results::RemarkOutput& remarks, const Reading& reading) {
     Progress progress{.work = "moving", .total = file.size()};
     gcode::ReaderOptions options = job_.reader_options(file);
     options.remarks = remarks.sink();

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <leadscrew/cli/outputs.hpp>
-#include <leadscrew/cli/remark_output.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/remark_output.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -30,8 +29,17 @@ bool is_below(const std::filesystem::path& path, const std::filesystem::path& fo
 
 }  // namespace
 
-RemarkOutput::RemarkOutput(const std::string& program, std::vector<std::string> taken, Say say)
-    : folder_(std::filesystem::path(program).parent_path().string()), taken_(std::move(taken)), say_(std::move(say)) {
+base::Result<void> write_parameters(const std::string& path, const std::vector<gcode::NumberedValue>& values) {
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  if (auto written = file->write(gcode::parameter_file_text(values)); !written) return written;
+  return file->publish_durably();
+}
+
+RemarkOutput::RemarkOutput(const std::string& program, std::function<bool(const std::string&)> is_taken, Say say)
+    : folder_(std::filesystem::path(program).parent_path().string()),
+      is_taken_(std::move(is_taken)),
+      say_(std::move(say)) {
   if (folder_.empty()) folder_ = ".";
 }
 
@@ -44,9 +52,9 @@ void RemarkOutput::take(const gcode::Remark& remark) {
   base::Result<void> done;
   switch (remark.kind) {
     case Kind::message:
-      return say_(fmt::format("{}:{}: {}\n", remark.place.file, remark.place.line, results::printable(remark.text)));
+      return say_(fmt::format("{}:{}: {}\n", remark.place.file, remark.place.line, printable(remark.text)));
     case Kind::print:
-      return say_(results::printable(remark.text) + '\n');
+      return say_(printable(remark.text) + '\n');
     case Kind::log_open:
     case Kind::log_append:
       done = open(remark);
@@ -72,11 +80,9 @@ base::Result<std::string> RemarkOutput::path_of(const gcode::Remark& remark) con
     return base::failure(
         log_problem(remark, fmt::format("log file {} is no regular file", path.string()), "give another name"));
   }
-  for (const std::string& taken : taken_) {
-    if (is_same_output(path.string(), taken)) {
-      return base::failure(log_problem(remark, fmt::format("log file {} is read or written otherwise", path.string()),
-                                       "give another name"));
-    }
+  if (is_taken_(path.string())) {
+    return base::failure(log_problem(remark, fmt::format("log file {} is read or written otherwise", path.string()),
+                                     "give another name"));
   }
   return path.lexically_normal().string();
 }
@@ -124,4 +130,4 @@ base::Result<std::vector<std::string>> RemarkOutput::publish() {
   return paths;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results
