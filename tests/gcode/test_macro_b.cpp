@@ -72,7 +72,7 @@ TEST(Macros, TellWhatIsWrong) {
       {"G65 A1\nM30\n", "1:1 missing-word; "},
       {"G65 P1 N1\nM30\n", "1:8 unused-word; "},
       {"G65 P1 L-1\nM30\n", "1:1 bad-value; "},
-      {"G65 P1 I1 I1 I1 I1 I1 I1 I1 I1 I1 I1\nM30\n", "1:35 too-many-arguments; "},
+      {"G65 P1 I1 I1 I1 I1 I1 I1 I1 I1 I1 I1 I1\nM30\n", "1:38 too-many-arguments; "},
       {"G90 G65 P1\nM30\n", "1:5 bad-o-word; "},
       {"o1 if [1]\nM30\n", "1:1 unsupported-o-word; "},
   };

@@ -86,6 +86,21 @@ TEST(ParametersOfCalls, MayBeVacant) {
   EXPECT_EQ(parameters.get(2), 20);
 }
 
+TEST(ParametersOfCalls, AreThirtyThreeOfMacros) {
+  Parameters parameters;
+  parameters.set(33, 330);
+  parameters.set(34, 340);
+  std::array<double, Parameters::macro_locals> arguments;
+  arguments.fill(std::numeric_limits<double>::quiet_NaN());
+  ASSERT_TRUE(parameters.enter_call(arguments));
+  EXPECT_EQ(parameters.get(33), std::nullopt);
+  parameters.set(33, 5);
+  parameters.set(34, 6);
+  parameters.leave_call();
+  EXPECT_EQ(parameters.get(33), 330);
+  EXPECT_EQ(parameters.get(34), 6);
+}
+
 TEST(ParametersOfCalls, HaveLocalNamesOfTheirOwn) {
   Parameters parameters;
   parameters.set("A", 1);

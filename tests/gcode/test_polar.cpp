@@ -70,6 +70,8 @@ TEST(PolarWords, AreRefusedWhereTheyMeanNothing) {
       {"G0 @", "1:5 bad-number; "},
       {"G0 ^[10**10]", "1:4 bad-value; "},
       {"@1 ^30", "1:1 axis-without-motion; "},
+      {"G0 @1", "1:4 bad-polar; "},
+      {"G18\nG0 @1 ^2", "2:4 bad-polar; "},
   };
   for (const auto& row : rows) EXPECT_EQ(read(std::string(row[0]) + "\nM2\n").problems(), row[1]) << row[0];
 }

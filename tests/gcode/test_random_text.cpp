@@ -55,11 +55,12 @@ RC_GTEST_PROP(RandomBytes, EndInADiagnosticOrAMove, (const std::string& text)) {
 }
 
 RC_GTEST_PROP(RandomWords, EndInADiagnosticOrAMove, ()) {
-  const std::vector<std::string> pieces = {"G", "0", "1",  "2",  "3",   "81",   "83",   "92",   "28",   "10", "L2",
-                                           "P", "X", "Y",  "Z",  "A",   "-",    ".",    "[",    "]",    "#",  "<a>",
-                                           "=", "+", "/",  "**", "MOD", "\n",   "\n",   "\n",   "M",    "T",  "F9",
-                                           "R", "I", "J",  "K",  "Q",   "(",    ")",    "SIN",  "%",    "N",  "S",
-                                           ";", "9", "G2", " ",  "G5",  "G5.1", "G5.2", "G5.3", "G6.2", "L"};
+  const std::vector<std::string> pieces = {
+      "G",    "0",   "1",  "2",  "3",        "81",      "83",    "92",      "28",  "10", "L2",   "P",    "X",
+      "Y",    "Z",   "A",  "-",  ".",        "[",       "]",     "#",       "<a>", "=",  "+",    "/",    "**",
+      "MOD",  "\n",  "\n", "\n", "M",        "T",       "F9",    "R",       "I",   "J",  "K",    "Q",    "(",
+      ")",    "SIN", "%",  "N",  "S",        ";",       "9",     "G2",      " ",   "G5", "G5.1", "G5.2", "G5.3",
+      "G6.2", "L",   "@",  "^",  "(debug,#", "(LOG,%d", "#<_x>", "EXISTS[", "**",  "LT", "(("};
   std::string text;
   for (const auto& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(pieces))) text += piece;
   read_anything(text);

@@ -1,14 +1,19 @@
 #include <leadscrew/cli/drive.hpp>
 #include <leadscrew/cli/drive_checks.hpp>
 #include <leadscrew/cli/drive_view.hpp>
+#include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/drive/checks.hpp>
 #include <leadscrew/drive/drive.hpp>
 #include <leadscrew/results/drive.hpp>
+#include <leadscrew/results/remark_output.hpp>
+#include <mutex>
 
 namespace leadscrew::cli {
 
 namespace {
+
+constexpr std::size_t most_unshown = 1 << 20;  // bytes of messages
 
 drive::Setup setup_of(const Job& job, const std::string& program) {
   drive::Setup setup{job.machine,         job.tools, job.reader_options(),     job.text,
@@ -20,7 +25,10 @@ drive::Setup setup_of(const Job& job, const std::string& program) {
 class ProgramDrive {
  public:
   ProgramDrive(const std::string& program, const Job& job, Console& console, DiagnosticLog& log)
-      : program_(program), job_(job), setup_(setup_of(job, program)), console_(console), log_(log) {}
+      : program_(program), job_(job), setup_(setup_of(job, program)), console_(console), log_(log) {
+    setup_.remarks = remarks_.sink();
+    setup_.parameters_at_end = [this](const auto& values) { parameters_ = values; };
+  }
 
   /// Empty where the log says why.
   std::optional<drive::Figures> execute() {
@@ -38,6 +46,10 @@ class ProgramDrive {
     const auto figures = drive::drive(*file, setup_, onlooker(*file));
     if (!figures) return failed(figures.error());
     if (figures->problem) log_.add(*figures->problem);
+    show_remarks();
+    if (figures->end == drive::Figures::End::done) {
+      if (auto kept = keep(); !kept) return failed(kept.error());
+    }
     return *figures;
   }
 
@@ -45,6 +57,28 @@ class ProgramDrive {
   std::nullopt_t failed(const base::Diagnostic& problem) {
     log_.add(problem);
     return std::nullopt;
+  }
+
+  /// Log files and parameters, once motion has ended well.
+  base::Result<void> keep() {
+    if (const auto logs = remarks_.publish(); !logs) return base::failure(logs.error());
+    if (!job_.arguments.parameters || !parameters_) return {};
+    return results::write_parameters(*job_.arguments.parameters, *parameters_);
+  }
+
+  /// What the program has said since; a view of its own has the terminal while the axes move.
+  void show_remarks() {
+    std::string said;
+    {
+      const std::lock_guard lock(said_mutex_);
+      said.swap(said_);
+    }
+    if (!said.empty()) console_.error_text(said);
+  }
+
+  void hear(const std::string& text) {
+    const std::lock_guard lock(said_mutex_);
+    if (said_.size() < most_unshown) said_ += text;
   }
 
   bool can_wait() const { return !job_.arguments.quiet && !setup_.options.live && drive::Terminal::settings(); }
@@ -69,7 +103,13 @@ class ProgramDrive {
       onlooker.may_start = [this](const planner::Chunk& chunk) { return view_->pause().may_start(chunk); };
     } else if (!setup_.options.live) {
       onlooker.while_moving = [this, size = file.size()](const drive::WordMaker& maker, realtime::Runner& runner) {
+        show_remarks();
         show_progress(maker.bytes_read(), size, runner.counters().words);
+        return false;
+      };
+    } else {
+      onlooker.while_moving = [this](const drive::WordMaker&, const realtime::Runner&) {
+        show_remarks();
         return false;
       };
     }
@@ -88,10 +128,16 @@ class ProgramDrive {
 
   std::string program_;
   const Job& job_;
-  const drive::Setup setup_;
+  drive::Setup setup_;
   Console& console_;
   DiagnosticLog& log_;
-  std::optional<DriveView> view_;  ///< on a terminal
+  std::mutex said_mutex_;
+  std::string said_;  ///< by the program, that is not shown yet
+  results::RemarkOutput remarks_{
+      program_, [this](const std::string& path) { return is_in_use(path, program_, {}, job_.arguments); },
+      [this](const std::string& text) { hear(text); }};
+  std::optional<std::vector<gcode::NumberedValue>> parameters_;  ///< where the program ended
+  std::optional<DriveView> view_;                                ///< on a terminal
   bool has_progress_ = false;
 };
 

@@ -6,7 +6,6 @@
 #include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
-#include <leadscrew/files/output_file.hpp>
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
@@ -208,13 +207,6 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   reading.blocks = reader.blocks();
   reading.seconds = realtime::SystemClocks::processor_seconds() - begin;
   return reading;
-}
-
-base::Result<void> write_parameters(const std::string& path, const std::vector<gcode::NumberedValue>& values) {
-  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
-  if (!file) return base::failure(file.error());
-  if (auto written = file->write(gcode::parameter_file_text(values)); !written) return written;
-  return file->publish_durably();
 }
 
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job) {

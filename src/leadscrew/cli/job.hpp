@@ -54,9 +54,6 @@ struct Reading {
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
                      pipeline::Survey* survey = nullptr);
 
-/// Writes what --parameters keeps, whole or not at all. Errors: those of files::OutputFile.
-base::Result<void> write_parameters(const std::string& path, const std::vector<gcode::NumberedValue>& values);
-
 /// A reader over the file that says nothing: for programs that have been read whole.
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job);
 

@@ -93,6 +93,23 @@ base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile&
   return check_written(written, program, arguments);
 }
 
+bool is_in_use(const std::string& path, const std::string& program, const OutputPaths& paths,
+               const Arguments& arguments) {
+  const drive::Options& drive = arguments.drive;
+  const auto is_used = [&](const std::optional<std::string>& used) { return used && is_same_output(path, *used); };
+  const auto used = {std::optional(program),
+                     arguments.machine,
+                     arguments.tools,
+                     arguments.parameters,
+                     drive.trace,
+                     drive.axes,
+                     drive.events,
+                     drive.state,
+                     drive.resume,
+                     drive.sink};
+  return std::ranges::any_of(used, is_used) || std::ranges::any_of(paths.all(), is_used);
+}
+
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   Outputs outputs(paths, job);
   const bool follows = job.arguments.verb == Arguments::Verb::simulate;

@@ -44,6 +44,10 @@ base::Result<void> check_written(const std::vector<std::string>& paths, const fi
 /// The same of these paths.
 base::Result<void> check_paths(const OutputPaths& paths, const files::InputFile& program, const Arguments& arguments);
 
+/// Whether a path is that of a file which the command reads or writes, so that nothing else may replace it.
+bool is_in_use(const std::string& path, const std::string& program, const OutputPaths& paths,
+               const Arguments& arguments);
+
 class Outputs {
  public:
   /// Opens what was asked for, in folders that are made where they are missing. The job must outlive the outputs.

@@ -47,8 +47,9 @@ class ProgramRun {
                                          const Reading& reading) {
     auto outputs = Outputs::open(paths, job_);
     if (!outputs) return base::failure(outputs.error());
-    results::RemarkOutput remarks(program_, files_in_use(file, paths), is_same_output,
-                                  [this](std::string_view text) { console_.error_text(text); });
+    results::RemarkOutput remarks(
+        program_, [&](const std::string& path) { return is_in_use(path, program_, paths, job_.arguments); },
+        [this](const std::string& text) { console_.error_text(text); });
     auto figures = make_words(file, *outputs, remarks, reading);
     if (!figures) return figures;
     if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
@@ -68,22 +69,10 @@ class ProgramRun {
     if (!logs) return base::failure(logs.error());
     figures->files.insert(figures->files.end(), logs->begin(), logs->end());
     if (job_.arguments.parameters && parameters_) {
-      const auto written = write_parameters(*job_.arguments.parameters, *parameters_);
+      const auto written = results::write_parameters(*job_.arguments.parameters, *parameters_);
       if (!written) return base::failure(written.error());
     }
     return figures;
-  }
-
-  std::vector<std::string> files_in_use(const files::InputFile& file, const OutputPaths& paths) const {
-    std::vector<std::string> used{file.name()};
-    const Arguments& arguments = job_.arguments;
-    for (const auto& path : {arguments.machine, arguments.tools, arguments.parameters}) {
-      if (path) used.push_back(*path);
-    }
-    for (const auto& path : paths.all()) {
-      if (path) used.push_back(*path);
-    }
-    return used;
   }
 
   base::Result<results::RunFigures> make_words(const files::InputFile& file, Outputs& outputs,

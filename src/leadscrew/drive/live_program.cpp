@@ -28,7 +28,7 @@ void LiveProgram::end() {
 
 /// Moves behind an error may begin where no motion leads.
 void LiveProgram::read() {
-  gcode::Reader reader(source(), setup_.machine, setup_.tools, setup_.reader_options(name_),
+  gcode::Reader reader(source(), setup_.machine, setup_.tools, setup_.speaking(setup_.reader_options(name_)),
                        [this](const base::Diagnostic& problem) {
                          if (problem.severity == base::Severity::error) fail(problem);
                        });

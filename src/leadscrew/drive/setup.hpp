@@ -36,6 +36,10 @@ struct Setup {
 
   std::vector<std::string> subprograms = {};  ///< folders of subprograms
 
+  // Of the reading that words are made of, by a thread of its own: as in gcode::ReaderOptions.
+  gcode::RemarkSink remarks = {};
+  std::function<void(const std::vector<gcode::NumberedValue>&)> parameters_at_end = {};
+
   /// Of a program that comes while it moves.
   gcode::ReaderOptions reader_options(const std::string& file) const {
     gcode::ReaderOptions options_of_file = reading;
@@ -47,6 +51,12 @@ struct Setup {
     gcode::ReaderOptions options_of_file = reader_options(file.name());
     options_of_file.opener = file.opener(subprograms);
     return options_of_file;
+  }
+  /// The same, with what the program says on its way.
+  gcode::ReaderOptions speaking(gcode::ReaderOptions quiet) const {
+    quiet.remarks = remarks;
+    quiet.parameters_at_end = parameters_at_end;
+    return quiet;
   }
 };
 

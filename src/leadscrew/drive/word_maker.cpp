@@ -59,8 +59,8 @@ pipeline::MotionSource WordMaker::source_of(const Setup& setup) {
     return pipeline::MotionSource([this](gcode::Move& move) { return live_->moves().give(move); }, setup.machine,
                                   setup.reading.start);
   }
-  return pipeline::MotionSource(counted(program_.source()), setup.machine, setup.tools, setup.reader_options(program_),
-                                nullptr);
+  return pipeline::MotionSource(counted(program_.source()), setup.machine, setup.tools,
+                                setup.speaking(setup.reader_options(program_)), nullptr);
 }
 
 std::int64_t WordMaker::blocks() const {

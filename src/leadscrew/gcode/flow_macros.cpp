@@ -186,7 +186,7 @@ bool Flow::scan_label(std::int64_t number, const TextPlace& from, Label& label, 
 
 /// G65 P9010 L2 A1 B2: the program, and its parameters by letters.
 Flow::Next Flow::macro_call(const Statement& statement, TextLine& line) {
-  std::vector<double> arguments(Parameters::locals, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> arguments(Parameters::macro_locals, std::numeric_limits<double>::quiet_NaN());
   double program = -1, repeats = 1;
   if (!macro_arguments(statement.rest, arguments, program, repeats)) return Next::stop;
   StatementName number = 0;
@@ -233,8 +233,8 @@ bool Flow::macro_arguments(const char* p, std::vector<double>& arguments, double
       last_of_ijk = letter;
       number += 3 * (set_of_ijk - 1);
     }
-    if (number > Parameters::locals) {
-      return reporter_.error("too-many-arguments", column, "there are more than nine I, J and K", "use fewer");
+    if (number > Parameters::macro_locals) {
+      return reporter_.error("too-many-arguments", column, "there are more than ten I, J and K", "use fewer");
     }
     arguments[static_cast<std::size_t>(number) - 1] = value;
   }

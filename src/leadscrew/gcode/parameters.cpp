@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/parameters.hpp>
 
@@ -67,9 +68,10 @@ bool Parameters::enter_call(std::span<const double> arguments) {
   Call& call = calls_.emplace_back();
   call.given = 0;
   call.hidden = hidden_.size();
-  for (std::size_t i = 0; i < locals; ++i) {
+  call.locals = std::clamp(arguments.size(), std::size_t{locals}, std::size_t{macro_locals});
+  for (std::size_t i = 0; i < call.locals; ++i) {
     call.numbered[i] = numbered_[i + 1];
-    call.given |= std::uint32_t{given_[i + 1]} << i;
+    call.given |= std::uint64_t{given_[i + 1]} << i;
     numbered_[i + 1] = i < arguments.size() ? arguments[i] : 0;
     given_[i + 1] = !std::isnan(numbered_[i + 1]);
   }
@@ -78,7 +80,7 @@ bool Parameters::enter_call(std::span<const double> arguments) {
 
 void Parameters::leave_call() {
   const Call& call = calls_.back();
-  for (std::size_t i = 0; i < locals; ++i) {
+  for (std::size_t i = 0; i < call.locals; ++i) {
     numbered_[i + 1] = call.numbered[i];
     given_[i + 1] = (call.given >> i) & 1u;
   }

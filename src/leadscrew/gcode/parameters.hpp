@@ -27,7 +27,8 @@ namespace leadscrew::gcode {
 class Parameters {
  public:
   static constexpr int last = 5601;
-  static constexpr int locals = 30;  ///< #1 … #30 are a call's own
+  static constexpr int locals = 30;        ///< #1 … #30 are a call's own
+  static constexpr int macro_locals = 33;  ///< #1 … #33 are those of a macro of Fanuc's
   static constexpr std::size_t most_names = 10'000;
   static constexpr std::size_t most_calls = 1000;            ///< one within another
   static constexpr std::size_t most_hidden_names = 100'000;  ///< by the calls under way, together
@@ -57,11 +58,11 @@ class Parameters {
   /// False where there are too many names.
   bool set(const std::string& name, double value);
 
-  /// A subroutine begins: #1 … #30 become the arguments, those without one 0 (LinuxCNC), those whose argument is not a
-  /// number without value (Fanuc's vacant arguments); arguments beyond thirty are not read. No local name has a value.
-  /// False, and nothing changes, where most_calls are under way.
+  /// A subroutine begins: #1 … #30, or up to #33 where there are so many arguments, become the arguments, those
+  /// without one 0 (LinuxCNC), those whose argument is not a number without value (Fanuc's vacant arguments). No local
+  /// name has a value. False, and nothing changes, where most_calls are under way.
   bool enter_call(std::span<const double> arguments);
-  /// The subroutine entered last ends: #1 … #30 and the local names are the caller's again. One must be under way.
+  /// The subroutine entered last ends: its numbers and the local names are the caller's again. One must be under way.
   void leave_call();
   std::size_t calls() const { return calls_.size(); }  ///< under way
 
@@ -93,8 +94,9 @@ class Parameters {
     Binding before;
   };
   struct Call {
-    std::array<double, locals> numbered;
-    std::uint32_t given;  ///< bits of those of the numbered that have a value
+    std::array<double, macro_locals> numbered;
+    std::uint64_t given;  ///< bits of those of the numbered that have a value
+    std::size_t locals;   ///< how many numbers are the call's own
     std::size_t hidden;   ///< how much of the trail is its callers'
   };
 

@@ -13,6 +13,10 @@ constexpr double radians_to_degrees = 180 / std::numbers::pi;
 
 void Polar::announce(Block& block) {
   const std::uint32_t column = column_of(block);
+  // LinuxCNC looks at the plane when it reads the block, before its own G17, G18 or G19 holds.
+  if (modal_.plane != Plane::XY) {
+    error("bad-polar", column, "polar words stand outside of G17", "give G17 in a block before, or X and Y");
+  }
   for (const char letter : {'X', 'Y'}) {
     if (!block.has(letter)) continue;
     error("bad-polar", block.column_of(letter), std::string("@ or ^ and ") + letter + " stand in one block",
@@ -73,6 +77,10 @@ void Polar::resolve(Block& block) {
   if (incremental && x == 0 && y == 0) {
     error("bad-polar", column_of(block), "an increment of polar words begins at the origin, which has no angle",
           "give G90, or move away from the origin before");
+    return;
+  }
+  if (x == 0 && y == 0 && !(block.words & angle_bit)) {
+    error("bad-polar", column_of(block), "@ stands alone at the origin, which has no angle", "give ^ as well");
     return;
   }
   double distance = std::hypot(x, y);

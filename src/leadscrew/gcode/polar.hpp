@@ -20,9 +20,10 @@ class Polar : Part {
   explicit Polar(const Context& context) : Part(context) {}
 
   /// Gives the block X and Y words, whose values are not known yet. Error: `bad-polar` where they stand already, beside
-  /// G53, and beside codes other than motions that take axes.
+  /// G53, beside codes other than motions that take axes, and where another plane than that of G17 holds.
   void announce(Block& block);
-  /// Gives them their values, by the modes that hold now. Error: `bad-polar` in G91 at the origin.
+  /// Gives them their values, by the modes that hold now. Error: `bad-polar` at the origin, in G91 or
+  /// without ^.
   void resolve(Block& block);
 
   /// Whether the axis words of the block are a radius and an angle, by G16.

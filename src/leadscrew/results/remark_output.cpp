@@ -5,7 +5,6 @@
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/results/diagnostic_text.hpp>
 #include <leadscrew/results/remark_output.hpp>
-#include <utility>
 
 namespace leadscrew::results {
 
@@ -30,10 +29,16 @@ bool is_below(const std::filesystem::path& path, const std::filesystem::path& fo
 
 }  // namespace
 
-RemarkOutput::RemarkOutput(const std::string& program, std::vector<std::string> taken, IsSame is_same, Say say)
+base::Result<void> write_parameters(const std::string& path, const std::vector<gcode::NumberedValue>& values) {
+  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
+  if (!file) return base::failure(file.error());
+  if (auto written = file->write(gcode::parameter_file_text(values)); !written) return written;
+  return file->publish_durably();
+}
+
+RemarkOutput::RemarkOutput(const std::string& program, std::function<bool(const std::string&)> is_taken, Say say)
     : folder_(std::filesystem::path(program).parent_path().string()),
-      taken_(std::move(taken)),
-      is_same_(std::move(is_same)),
+      is_taken_(std::move(is_taken)),
       say_(std::move(say)) {
   if (folder_.empty()) folder_ = ".";
 }
@@ -75,11 +80,9 @@ base::Result<std::string> RemarkOutput::path_of(const gcode::Remark& remark) con
     return base::failure(
         log_problem(remark, fmt::format("log file {} is no regular file", path.string()), "give another name"));
   }
-  for (const std::string& taken : taken_) {
-    if (is_same_(path.string(), taken)) {
-      return base::failure(log_problem(remark, fmt::format("log file {} is read or written otherwise", path.string()),
-                                       "give another name"));
-    }
+  if (is_taken_(path.string())) {
+    return base::failure(log_problem(remark, fmt::format("log file {} is read or written otherwise", path.string()),
+                                     "give another name"));
   }
   return path.lexically_normal().string();
 }

@@ -1,10 +1,11 @@
 #pragma once
 // What a program says in its remarks, where the user sees it: MSG, DEBUG and PRINT on standard error, LOG in files beside
-// the program, which appear whole when the run is done, or not at all.
+// the program, which appear whole when the run is done, or not at all; and the parameters that it leaves.
 
 #include <functional>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/remark.hpp>
 #include <map>
 #include <memory>
@@ -14,14 +15,17 @@
 
 namespace leadscrew::results {
 
+/// Writes a parameter file, whole or not at all. Errors: those of files::OutputFile.
+base::Result<void> write_parameters(const std::string& path, const std::vector<gcode::NumberedValue>& values);
+
 class RemarkOutput {
  public:
-  using IsSame = std::function<bool(const std::string& path, const std::string& other)>;
-  using Say = std::function<void(std::string_view)>;
+  /// Shows lines of text, by whichever thread reads the program.
+  using Say = std::function<void(const std::string&)>;
 
-  /// `program`: path, or "-", whose log files stand in the working folder. `taken`: files that logs must not replace,
-  /// as `is_same` finds them. `say` gets what is for people.
-  RemarkOutput(const std::string& program, std::vector<std::string> taken, IsSame is_same, Say say);
+  /// `program`: path, or "-", whose log files stand in the working folder. `is_taken`: whether a path is
+  /// that of a file which logs must not replace.
+  RemarkOutput(const std::string& program, std::function<bool(const std::string&)> is_taken, Say say);
 
   /// Refers to this, which must stay where it is.
   gcode::RemarkSink sink();
@@ -37,8 +41,7 @@ class RemarkOutput {
   base::Result<std::string> path_of(const gcode::Remark& remark) const;
 
   std::string folder_;
-  std::vector<std::string> taken_;
-  IsSame is_same_;
+  std::function<bool(const std::string&)> is_taken_;
   Say say_;
   std::map<std::string, std::unique_ptr<files::OutputFile>> logs_;  // by path
   files::OutputFile* log_ = nullptr;                                // that is open
