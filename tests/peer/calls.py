@@ -11,6 +11,7 @@ EVENTS = ("SELECT_TOOL", "CHANGE_TOOL", "SET_SPINDLE_SPEED", "START_SPINDLE_CLOC
           "SET_AUX_OUTPUT_BIT", "CLEAR_AUX_OUTPUT_BIT", "SET_MOTION_OUTPUT_VALUE", "SET_AUX_OUTPUT_VALUE")
 WAITING = ("DWELL", "NURBS_FEED") + EVENTS
 ROUNDING = 0.505e-4  # of a printed number, in its unit
+LEAST_RATE = 0.1  # that rs274 makes of G93, units per minute
 PLANES = {"CANON_PLANE_XY": (0, 1, 2), "CANON_PLANE_XZ": (2, 0, 1), "CANON_PLANE_YZ": (1, 2, 0)}
 
 
@@ -74,6 +75,7 @@ class Motion:
         self.rotary = False
 
     def difference(self, other):
+        """From what the other reader, leadscrew, makes of the same block."""
         if self.name != other.name or len(self.numbers) != len(other.numbers):
             return "another call"
         if self.name in WAITING:
@@ -85,6 +87,8 @@ class Motion:
             return found
         if self.name != "STRAIGHT_TRAVERSE":
             mine, its = ((m.feed[0] if m.rotary else m.feed[0] * m.feed[1] / m.unit) for m in (self, other))
+            if mine == LEAST_RATE > its:
+                its = mine
             if abs(mine - its) > max(3 * ROUNDING, 1e-5 * abs(mine)):
                 return f"feed {its} {mine}"
         return self.frame.difference(other.frame)
