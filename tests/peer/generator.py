@@ -193,7 +193,7 @@ class Program:
 
     # Canned cycles
 
-    CYCLES = {"G81": "", "G82": "P", "G83": "Q", "G85": "", "G73": "Q", "G89": "P", "G86": "P"}
+    CYCLES = {"G81": "", "G82": "P", "G83": "Q", "G85": ""}
 
     def cycle(self):
         if self.inverse:
