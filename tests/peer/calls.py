@@ -1,11 +1,17 @@
-"""Canonical machining calls, as `rs274 -g` and `leadscrew canon` print them, and whether two lists of them move alike."""
+"""Canonical machining calls, as `rs274 -g` and `leadscrew canon` print them, and whether two lists of them do the same."""
 import math
 import re
 
 CALL = re.compile(r"^\s*\d+ N[\d.]*\s*([A-Z_0-9]+)\((.*)\)\s*$")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|nan|inf)")
 STRAIGHT = ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE")
+EVENTS = ("SELECT_TOOL", "CHANGE_TOOL", "SET_SPINDLE_SPEED", "START_SPINDLE_CLOCKWISE", "START_SPINDLE_COUNTERCLOCKWISE",
+          "STOP_SPINDLE_TURNING", "ORIENT_SPINDLE", "MIST_ON", "MIST_OFF", "FLOOD_ON", "FLOOD_OFF", "PROGRAM_STOP",
+          "OPTIONAL_PROGRAM_STOP", "PALLET_SHUTTLE", "SET_MOTION_OUTPUT_BIT", "CLEAR_MOTION_OUTPUT_BIT",
+          "SET_AUX_OUTPUT_BIT", "CLEAR_AUX_OUTPUT_BIT", "SET_MOTION_OUTPUT_VALUE", "SET_AUX_OUTPUT_VALUE")
+WAITING = ("DWELL", "NURBS_FEED") + EVENTS
 ROUNDING = 0.505e-4  # of a printed number, in its unit
+LEAST_RATE = 0.1  # that rs274 makes of G93, units per minute
 PLANES = {"CANON_PLANE_XY": (0, 1, 2), "CANON_PLANE_XZ": (2, 0, 1), "CANON_PLANE_YZ": (1, 2, 0)}
 
 
@@ -69,9 +75,10 @@ class Motion:
         self.rotary = False
 
     def difference(self, other):
+        """From what the other reader, leadscrew, makes of the same block."""
         if self.name != other.name or len(self.numbers) != len(other.numbers):
             return "another call"
-        if self.name in ("DWELL", "NURBS_FEED"):
+        if self.name in WAITING:
             return self.numbers_differ(other, 0)
         if self.unit != other.unit:
             return "another unit"
@@ -80,6 +87,8 @@ class Motion:
             return found
         if self.name != "STRAIGHT_TRAVERSE":
             mine, its = ((m.feed[0] if m.rotary else m.feed[0] * m.feed[1] / m.unit) for m in (self, other))
+            if mine == LEAST_RATE > its:
+                its = mine
             if abs(mine - its) > max(3 * ROUNDING, 1e-5 * abs(mine)):
                 return f"feed {its} {mine}"
         return self.frame.difference(other.frame)
@@ -102,7 +111,7 @@ class Motion:
 
 
 def motions(text):
-    """The calls that move or wait, but for straight ones that lead nowhere."""
+    """The calls that move, wait, or ask for what is no motion, but for straight ones that lead nowhere."""
     found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0), PLANES["CANON_PLANE_XY"]
     position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
     for line in text.splitlines():
@@ -131,7 +140,7 @@ def motions(text):
             frame.tool = Told(numbers, unit)
         elif name == "SET_FEED_RATE":
             feed = (numbers[0], unit)
-        elif name in ("DWELL", "NURBS_FEED"):
+        elif name in WAITING:
             found.append(Motion(name, line, numbers, unit, frame, feed, None))
         elif name in STRAIGHT or name == "ARC_FEED":
             program = frame.to_program(position)
@@ -149,6 +158,9 @@ def motions(text):
             if name not in STRAIGHT or max(steps[:3]) > least or max(steps[3:6]) > 4 * ROUNDING:
                 found.append(motion)
                 position[:len(target)], told_in = target, unit
+    # The end of a program stops what turns and flows, and M30 changes the pallet.
+    while found and found[-1].name in ("STOP_SPINDLE_TURNING", "MIST_OFF", "FLOOD_OFF", "PALLET_SHUTTLE"):
+        found.pop()
     return found
 
 

@@ -6,7 +6,7 @@ while G92 shifts, where rs274 jumps; and under G98 a change of units or offsets 
 which rs274 retracts to the number, not the place, of the level at which the series began; the same under G91, where R
 counts from that level; pecks of less than 0.254 mm, between which rs274 goes above R; axis words of G28 and G30 in a
 turned system, of which rs274 makes axes of the program; M6 with a tool offset or a turned system, after which rs274
-believes to stand elsewhere; and F0 under G93.
+believes to stand elsewhere; F0 under G93; and do behind a break, after which rs274 makes one pass only.
 """
 import math
 import random
@@ -22,6 +22,7 @@ class Program:
         self.systems_turned, self.shift_kept = set(), False
         self.system, self.parameters, self.names = 1, {}, {}
         self.depth = self.labels = 0
+        self.broken_off = False
         self.broken = self.random.random() < 0.12  # one of its blocks is made wrong
 
     # Words
@@ -116,7 +117,8 @@ class Program:
         elif kind == 7:
             self.block(self.random.choice(["M3 S1000", "M4", "M5", "M7", "M8", "M9", "S500", "G40", "M0", "M1", "G80"]))
         else:
-            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.tool or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", ""]))
+            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.tool or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
+                                           "M62 P1", "M63 P0", "M64 P3", "M65 P2", "M67 E1 Q2.5", "M68 E0 Q[1/3]", "M60"]))
 
     # Motion
 
@@ -191,7 +193,7 @@ class Program:
 
     # Canned cycles
 
-    CYCLES = {"G81": "", "G82": "P", "G83": "Q", "G85": "", "G73": "Q", "G89": "P", "G86": "P"}
+    CYCLES = {"G81": "", "G82": "P", "G83": "Q", "G85": ""}
 
     def cycle(self):
         if self.inverse:
@@ -376,6 +378,8 @@ class Program:
         if self.depth > 2:
             return self.line()
         kind, label, counter = self.random.randrange(6), self.label(), 100 + self.labels
+        if kind == 3 and self.broken_off:
+            kind = 1
         if kind == 0:
             self.lines.append(f"{label} if [{self.expression()} GT 1]")
             self.harmless()
@@ -396,6 +400,7 @@ class Program:
             if self.chance(0.3):
                 inner = self.label()
                 self.lines += [f"{inner} if [#{counter} EQ 2]", f"{label} {self.random.choice(['break', 'break'])}", f"{inner} endif"]
+                self.broken_off = True
             self.lines += [f"#{counter}=[#{counter}+1]", f"{label} endwhile"]
         elif kind == 3:
             self.lines += [f"#{counter}=0", f"{label} do"]

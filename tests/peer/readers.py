@@ -43,7 +43,7 @@ def of_peer(program, folder=None, tools=None, parameters=None, ini=None):
 
 def of_leadscrew(command, program, folder=None, options=()):
     try:
-        done = subprocess.run([command, "canon", "--color", "never", "--machine", HERE / "wide.toml", *options, program],
+        done = subprocess.run([command, "canon", "--color", "never", "--dialect", "linuxcnc", "--machine", HERE / "wide.toml", *options, program],
                               cwd=folder, capture_output=True, timeout=LONGEST)
     except subprocess.TimeoutExpired:
         return Outcome(False, "", "takes too long", "")

@@ -69,8 +69,6 @@ std::string_view plain_call(base::Event::Kind kind) {
       return "PROGRAM_STOP()";
     case Kind::optional_pause:
       return "OPTIONAL_PROGRAM_STOP()";
-    case Kind::pallet_pause:
-      return "PALLET_SHUTTLE()";
     case Kind::program_end:
       return "PROGRAM_END()";
     default:
@@ -264,6 +262,9 @@ void CanonWriter::write_event(const base::Event& event, std::string& text) {
     call("START_CHANGE()\n", text);
     call("STOP_SPINDLE_TURNING(0)\n", text);
     call("CHANGE_TOOL(" + value + ")\n", text);
+  } else if (event.kind == Kind::pallet_pause) {
+    call("PALLET_SHUTTLE()\n", text);
+    call("PROGRAM_STOP()\n", text);
   } else if (event.kind == Kind::coolant_off) {
     call("MIST_OFF()\n", text);
     call("FLOOD_OFF()\n", text);
