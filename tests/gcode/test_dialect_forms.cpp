@@ -116,6 +116,15 @@ TEST(DialectForms, AToolWithoutATableHasNoOffsetWhichIsToldOnce) {
   EXPECT_EQ(ends(reading), (std::vector<Point>{{0, 0, 5}, {0, 0, 6}}));
 }
 
+TEST(DialectForms, SomeBeginInG0) {
+  for (const Dialect dialect : {Dialect::haas, Dialect::grbl}) {
+    const Reading reading = read_in(dialect, "G90 X5\nM2\n");
+    EXPECT_EQ(reading.problems(), "");
+    EXPECT_EQ(ends(reading), (std::vector<Point>{{5, 0, 0}}));
+  }
+  EXPECT_EQ(read_in(Dialect::fanuc, "G90 X5\nM2\n").problems(), "1:5 axis-without-motion; ");
+}
+
 TEST(DialectForms, OnlyLinuxcncAsksForAnEnd) {
   EXPECT_EQ(read_in(Dialect::linuxcnc, "G0 X1\n").errors, 1);
   for (const Dialect dialect : {Dialect::leadscrew, Dialect::fanuc, Dialect::grbl, Dialect::marlin}) {

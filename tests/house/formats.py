@@ -309,6 +309,11 @@ def check_drives(schemas):
     schemas.fit("state", json.loads((scratch / "fast.state").read_text(encoding="utf-8")), "the state of a drive")
     schemas.fit("trace", json.loads((scratch / "taken.npy.json").read_text(encoding="utf-8")), "taken.npy.json")
     check_header("went.csv", columns("trace", "XYZ"))
+    # Its last word is of a subprogram in a file of its own.
+    (scratch / "called.ngc").write_text("o<called> sub\nG1 X#1 F6000\nM2\no<called> endsub\n", encoding="utf-8")
+    (scratch / "calls.ngc").write_text("G1 X0.5 F6000\no<called> call [1]\n", encoding="utf-8")
+    json_of(schemas, "drive", "drive", "calls.ngc", "--state", "calls.state")
+    schemas.fit("state", json.loads((scratch / "calls.state").read_text(encoding="utf-8")), "the state in a subprogram")
     json_of(schemas, "drive", "drive", "fast.ngc", "--sink", "sink.csv")
     check_header("sink.csv", columns("trace", "XYZ"))
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <leadscrew/language/normal_form.hpp>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -44,6 +45,27 @@ TEST(NormalForm, IsItsOwn) {
        {"n0010g01x1.500y-.5", "G1 X[#1 + 2] (in)Z-.0", "/g0x1;a", "o1 if [1]", "#5=2 g1x1", "G28 X Y"}) {
     const std::string once = normal_form(line, Dialect::leadscrew);
     EXPECT_EQ(normal_form(once, Dialect::leadscrew), once);
+  }
+}
+
+TEST(NormalForm, IsItsOwnWhateverTheText) {
+  constexpr std::string_view alphabet = "GXMNO#<>[]()/%;*=+-. 0123456789abz@$\t\xff";
+  std::mt19937 random(1980);
+  for (int k = 0; k < 20'000; ++k) {
+    std::string line;
+    for (std::size_t length = random() % 30; line.size() < length;) line += alphabet[random() % alphabet.size()];
+    for (const Dialect dialect : {Dialect::leadscrew, Dialect::fanuc, Dialect::marlin}) {
+      const std::string once = normal_form(line, dialect);
+      ASSERT_EQ(normal_form(once, dialect), once) << line;
+    }
+  }
+}
+
+TEST(NormalForm, TakesDeepTextsInBoundedTime) {
+  for (const char* piece : {"#", "[", "SIN[", "ATAN[1]/", "(", "#<", "X-"}) {
+    std::string line = "X";
+    while (line.size() < 65'000) line += piece;
+    EXPECT_GE(normal_form(line, Dialect::leadscrew).size(), 1u);
   }
 }
 

@@ -19,8 +19,8 @@ using ByteSource = std::function<base::Result<std::size_t>(std::span<char>)>;
 
 /// A text of several, from a place in it.
 struct OpenedText {
-  ByteSource source;
-  std::string name;  ///< for diagnostics
+  ByteSource source;  ///< of its bytes from that place on
+  std::string name;   ///< for diagnostics
 };
 
 /// Opens a text at a byte of it, which is not beyond what has been read of it: of a program its own where the name is

@@ -2,6 +2,7 @@
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
+#include <memory>
 
 namespace leadscrew::cli {
 
@@ -14,13 +15,19 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
     log.add(file.error());
     return rejected(results::check_schema, program, job, log);
   }
-  pipeline::PathSurvey survey(job.machine, job.start);
-  const Reading reading = read_program(*file, job, console, log, &survey);
+  // For JSON as in a run; for a glance, at the pace of reading.
+  std::unique_ptr<pipeline::Survey> survey;
+  if (job.arguments.json) {
+    survey = std::make_unique<pipeline::PathSurvey>(job.machine, job.start);
+  } else {
+    survey = std::make_unique<pipeline::QuickSurvey>(job.machine, job.start);
+  }
+  const Reading reading = read_program(*file, job, console, log, survey.get());
   results::CheckFigures figures{reading.blocks, reading.moves};
   if (log.errors() == 0) {
-    survey.finish();
-    figures.extents = results::extents_of(job.machine, survey.least(), survey.greatest());
-    figures.bound_s = survey.bound_seconds();
+    survey->finish();
+    figures.extents = results::extents_of(job.machine, survey->least(), survey->greatest());
+    figures.bound_s = survey->bound_seconds();
   }
   return {log.status(), results::json_of_check(file->name(), job.machine, figures, log.all()),
           results::check_summary(file->name(), figures, log.all(), console.output_style())};

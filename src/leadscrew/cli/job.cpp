@@ -169,8 +169,8 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 }
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
-                     pipeline::PathSurvey* survey) {
-  const std::int64_t moves_between_checks = survey ? 64 : 4096;  // a survey makes the tool path as well
+                     pipeline::Survey* survey) {
+  const std::int64_t moves_between_checks = survey ? 64 : 4096;  // a survey may make the tool path as well
   if (is_trace(file, job.machine.axis_set())) {
     log.add({base::Severity::error,
              "not-a-program",

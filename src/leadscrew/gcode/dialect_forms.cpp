@@ -41,6 +41,7 @@ constexpr std::array<FormRow, static_cast<std::size_t>(Form::count)> all_forms =
      "G28 U0 W0"},
     {Form::home_by_letters, {in_marlin}, "G28 takes axes without numbers and goes home straight", "G28 X Y"},
     {Form::repeats_by_k, {in_fanuc}, "K of a canned cycle is how often it is done", "G91 G81 X5 Z-3 R-2 K4"},
+    {Form::rapid_at_start, {in_haas, in_grbl}, "G0 is in force where a program begins", "G90 X10 Y5"},
     {Form::end_of_text,
      {in_leadscrew, in_fanuc, in_haas, in_grbl, in_mach3, in_marlin},
      "a program may end without M2, M30 or %",
@@ -109,6 +110,7 @@ DialectForms::DialectForms(const Context& context) : Part(context) {
   for (const FormRow& each : all_forms) {
     if (each.dialects.has(options_.dialect)) forms_ |= 1u << static_cast<unsigned>(each.form);
   }
+  if (has(Form::rapid_at_start)) modal_.motion = Code::G0;
 }
 
 void DialectForms::rewrite(Block& block, const TextLine& line) {

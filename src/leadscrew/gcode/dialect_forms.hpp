@@ -21,6 +21,7 @@ enum class Form : std::uint8_t {
   incremental_home,
   home_by_letters,
   repeats_by_k,
+  rapid_at_start,
   end_of_text,
   program_name,
   checksum,

@@ -42,7 +42,7 @@ constexpr Example examples[] = {
     {Code::G84, "S100 M3\nG0 Z5\nG84 X10 Z-10 R2 F125"},
     {Code::G85, "G0 Z5\nG85 X10 Z-10 R1 F100"},
     {Code::G86, "S500 M3\nG0 Z5\nG86 X10 Z-10 R1 P0 F100"},
-    {Code::G87, "S500 M3\nG0 Z5\nG87 X10 Z-10 R-15 I2 J0 K-8 F100"},
+    {Code::G87, "S500 M3\nG0 Z5\nG87 X10 Z-10 R1 I2 J0 K-8 F100"},
     {Code::G88, "S500 M3\nG0 Z5\nG88 X10 Z-10 R1 P0 F100"},
     {Code::G89, "G0 Z5\nG89 X10 Z-10 R1 P0.3 F100"},
     {Code::G4, "G4 P0.5"},

@@ -92,7 +92,7 @@ class Scanner {
   void word() {
     const std::size_t begin = at_++;
     const std::size_t value_begin = (skip_spaces(), at_);
-    value();
+    value(0);
     std::size_t end = at_;
     while (end > value_begin && is_space(line_[end - 1])) --end;
     const std::string_view written = line_.substr(value_begin, end - value_begin);
@@ -116,8 +116,9 @@ class Scanner {
       if (depth == 0 && (c == '(' || c == ';')) break;
       // A further setting, or a word, behind the value.
       if (c == '=') {
-        if (behind_equals) {
-          end = line_.rfind('#', end);
+        const std::size_t next = line_.rfind('#', end);
+        if (behind_equals && next > at_) {
+          end = next;
           break;
         }
         behind_equals = true;
@@ -127,7 +128,7 @@ class Scanner {
   }
 
   /// A number, an expression, a parameter or a function, with signs before it.
-  void value() {
+  void value(int depth) {
     while (is_space(peek()) || peek() == '+' || peek() == '-') ++at_;
     if (is_numeral(peek()) || peek() == '.') {
       while (is_numeral(peek()) || peek() == '.' || is_space(peek())) ++at_;
@@ -139,11 +140,17 @@ class Scanner {
         while (at_ < line_.size() && line_[at_++] != '>') {
         }
       } else {
-        value();
+        deeper(depth);
       }
     } else {
-      function();
+      function(depth);
     }
+  }
+
+  // What nests deeper is none that is read: it ends the word.
+  void deeper(int depth) {
+    constexpr int deepest = 100;
+    if (depth < deepest) value(depth + 1);
   }
 
   void bracket() {
@@ -155,7 +162,7 @@ class Scanner {
     if (at_ < line_.size()) ++at_;
   }
 
-  void function() {
+  void function(int depth) {
     std::size_t i = at_;
     while (i < line_.size() && is_capital(capital(line_[i]))) ++i;
     while (i < line_.size() && is_space(line_[i])) ++i;
@@ -169,7 +176,7 @@ class Scanner {
       return;
     }
     ++at_;
-    value();
+    deeper(depth);
   }
 
   std::string_view line_;

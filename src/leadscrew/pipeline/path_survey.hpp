@@ -1,57 +1,95 @@
 #pragma once
-// What can be told of a program before motion is planned: how far its path goes, the least time it takes, and F words
-// that no motion can keep, because an axis is slower.
-//
-// Path and bound are those of a run (MotionSource, planner::TimeBound): the tool path with its blends and fits.
+// What can be told of a program before motion is planned: how far its path goes, a time that it takes at least, and F
+// words that no motion can keep.
 
-#include <cstdint>
 #include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/pipeline/feed_check.hpp>
 #include <leadscrew/planner/time_bound.hpp>
 #include <leadscrew/toolpath/builder.hpp>
 #include <optional>
-#include <set>
 
 namespace leadscrew::pipeline {
 
-/// A feed that an axis does not keep up with somewhere in a block, mm/s; degrees/s where rotary axes alone are fed.
-struct FeedExcess {
-  base::Axis axis{};
-  bool is_rotary = false;  ///< degrees/s
-  double asked = 0;
-  double possible = 0;  ///< the least of the block by velocities of axes
-};
-
-class PathSurvey {
+class Survey {
  public:
-  /// From `start`, mm or degrees. The machine must outlive this.
-  PathSurvey(base::Borrowed<machine::Machine> machine, const geometry::Point& start);
+  virtual ~Survey() = default;
 
-  /// Each move of a program without errors, in order. Returns an excess of its feed by more than 0.1 %, once for each
-  /// line of the program, and of no more than 50 lines.
-  std::optional<FeedExcess> observe(const gcode::Move& move);
+  /// Each move of a program without errors, in order. Returns what FeedCheck does of it.
+  virtual std::optional<FeedExcess> observe(const gcode::Move& move) = 0;
   /// No more moves will come.
-  void finish();
+  virtual void finish() {}
+  /// Complete after finish().
+  virtual double bound_seconds() const = 0;
 
-  /// Complete after finish(). Greatest and least coordinates of the tool path, its start included, mm or degrees.
+  /// Complete after finish(). Greatest and least coordinates of the path, its start included, mm or degrees.
   const geometry::Point& least() const { return least_; }
   const geometry::Point& greatest() const { return greatest_; }
-  double bound_seconds() const { return bound_.seconds(); }
+
+ protected:
+  /// From `start`, mm or degrees.
+  explicit Survey(const geometry::Point& start) : least_(start), greatest_(start) {}
+  Survey(const Survey&) = delete;
+  Survey& operator=(const Survey&) = delete;
+
+  geometry::Point least_, greatest_;
+};
+
+/// Path and bound are those of a run (MotionSource, planner::TimeBound): the tool path with its blends and fits.
+class PathSurvey : public Survey {
+ public:
+  /// The machine must outlive this.
+  PathSurvey(base::Borrowed<machine::Machine> machine, const geometry::Point& start);
+
+  std::optional<FeedExcess> observe(const gcode::Move& move) override;
+  void finish() override;
+  double bound_seconds() const override { return bound_.seconds(); }
 
  private:
-  std::optional<FeedExcess> excess_of(const gcode::Move& move) const;
-  void lower(const geometry::PointJet& jet, double rate, FeedExcess& excess) const;
   void take(const toolpath::Element& element);
   void settle();
 
   const machine::Machine& machine_;
   constraints::Constraints constraints_;
+  FeedCheck feeds_;
   toolpath::Builder builder_;
   planner::TimeBound bound_;
-  geometry::Point least_, greatest_;
-  std::set<base::Line> lines_;  ///< whose excess was returned
+};
+
+/// The path as it was programmed, without blends and fits, and a bound by feed and the velocities of axes alone: as quick
+/// as reading. A motion that passes within the tolerances of every joint of blocks takes no less time than this.
+class QuickSurvey : public Survey {
+ public:
+  /// The machine must outlive this.
+  QuickSurvey(base::Borrowed<machine::Machine> machine, const geometry::Point& start);
+
+  std::optional<FeedExcess> observe(const gcode::Move& move) override;
+  void finish() override { end_chain(); }
+  double bound_seconds() const override { return seconds_; }
+
+ private:
+  std::optional<FeedExcess> observe_line(const gcode::Move& move);
+  std::optional<FeedExcess> observe_curve(const gcode::Move& move);
+  void chain_on(const gcode::Move& move);
+  void end_chain();
+
+  // Lines so short that tolerances at their ends are much of them, taken together: from where, to where, by the fastest
+  // of their feeds, mm/s; 0 where there are none.
+  struct Chain {
+    geometry::Point start{}, end{};
+    double feed = 0;
+    double cut = 0;  // mm
+  };
+
+  const machine::Machine& machine_;
+  constraints::Constraints constraints_;
+  FeedCheck feeds_;
+  geometry::Point
+      slowness_{};  ///< the reciprocal of each axis' velocity, s/mm or s/degree; 0 for an axis that is lacking
+  Chain chain_;
+  double seconds_ = 0;
 };
 
 }  // namespace leadscrew::pipeline

@@ -189,7 +189,7 @@ std::string check_summary(const std::string& program, const CheckFigures& readin
   std::string text = fmt::format("{}: {}, {}: {}\n", style(Tone::strong, printable(program)),
                                  counted(reading.blocks, "block"), counted(reading.moves, "move"), problems);
   if (!reading.bound_s) return text;
-  text += row("time", fmt::format("at least {} without a limit of jerk", seconds_text(*reading.bound_s)));
+  text += row("time", fmt::format("at least {} by feed and velocities alone", seconds_text(*reading.bound_s)));
   return text + row("extents", extents_text(reading.extents));
 }
 

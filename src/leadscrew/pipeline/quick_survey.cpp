@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/pipeline/path_survey.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
+#include <leadscrew/toolpath/travel.hpp>
+
+namespace leadscrew::pipeline {
+
+namespace {
+
+// What of a move's length, mm, may be cut off at both its ends. Degrees are not cut.
+double cut_off(const gcode::Move& move) {
+  return move.path_mode == gcode::PathMode::blend ? 2 * std::max(move.tolerance, move.naive_cam_tolerance) : 0;
+}
+
+// Of a line, where what is cut off is more than that share of it, it is taken together with its neighbours.
+constexpr double short_share = 0.05;
+
+// The share of a length that remains.
+double remaining(double length, double cut) {
+  return length > cut ? (length - cut) / length : 0;
+}
+
+// What a path beside the move is long at least: an arc on its inner side, the chord of a curve.
+double least_length(const gcode::Move& move, double length) {
+  if (move.kind != gcode::Move::Kind::arc) return toolpath::line_length(move.start, move.end);
+  const double radius = std::hypot(move.start[base::index(gcode::first_axis(move.plane))] - move.center_first,
+                                   move.start[base::index(gcode::second_axis(move.plane))] - move.center_second);
+  return length * remaining(radius, cut_off(move));
+}
+
+}  // namespace
+
+QuickSurvey::QuickSurvey(base::Borrowed<machine::Machine> machine, const geometry::Point& start)
+    : Survey(start), machine_(*machine), constraints_(machine_), feeds_(constraints_) {
+  for (const base::Axis axis : base::all_axes) {
+    if (machine_.has(axis)) slowness_[base::index(axis)] = 1 / constraints_.of_axis(axis).velocity;
+  }
+}
+
+std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
+  switch (move.kind) {
+    case gcode::Move::Kind::line:
+      return observe_line(move);
+    case gcode::Move::Kind::dwell:
+      end_chain();
+      seconds_ += move.dwell_seconds;
+      return std::nullopt;
+    case gcode::Move::Kind::event:
+      return std::nullopt;
+    default:
+      return observe_curve(move);
+  }
+}
+
+std::optional<FeedExcess> QuickSurvey::observe_line(const gcode::Move& move) {
+  double by_axes = 0, square = 0;
+  for (std::size_t i = 0; i < base::axis_count; ++i) {
+    const double distance = move.end[i] - move.start[i];
+    least_[i] = std::min(least_[i], move.end[i]);
+    greatest_[i] = std::max(greatest_[i], move.end[i]);
+    by_axes = std::max(by_axes, std::fabs(distance) * slowness_[i]);
+    square += i < 3 ? distance * distance : 0;
+  }
+  const double length = std::sqrt(square);
+  const double share = square > 0 ? remaining(length, cut_off(move)) : 0;
+  if (move.feed.mode == gcode::Feed::Mode::units_per_second && square > 0) {
+    const double by_feed = length / move.feed.value;
+    if (share < 1 - short_share) {
+      chain_on(move);
+    } else {
+      end_chain();
+      seconds_ += std::max(by_feed, by_axes) * share;
+    }
+    return by_axes > by_feed ? feeds_.observe(move) : std::nullopt;
+  }
+  end_chain();
+  seconds_ += by_axes * share;
+  return move.feed.mode == gcode::Feed::Mode::rapid ? std::nullopt : feeds_.observe(move);
+}
+
+void QuickSurvey::chain_on(const gcode::Move& move) {
+  if (chain_.feed == 0) chain_.start = move.start;
+  chain_.end = move.end;
+  chain_.feed = std::max(chain_.feed, move.feed.value);
+  chain_.cut = std::max(chain_.cut, cut_off(move));
+  if (toolpath::line_length(chain_.start, chain_.end) * short_share > chain_.cut) end_chain();
+}
+
+void QuickSurvey::end_chain() {
+  if (chain_.feed == 0) return;
+  const double length = toolpath::line_length(chain_.start, chain_.end);
+  seconds_ += length / chain_.feed * remaining(length, chain_.cut);
+  chain_ = {};
+}
+
+std::optional<FeedExcess> QuickSurvey::observe_curve(const gcode::Move& move) {
+  end_chain();
+  for (toolpath::Piece& piece : toolpath::pieces_of(move)) {
+    toolpath::widen(piece, machine_.axis_set(), least_, greatest_);
+  }
+  const double length = toolpath::feed_length(move);
+  if (move.feed.mode == gcode::Feed::Mode::units_per_second) {
+    const double least = std::min(length, least_length(move, length));
+    seconds_ += least / move.feed.value * remaining(least, cut_off(move));
+  }
+  return feeds_.observe(move);
+}
+
+}  // namespace leadscrew::pipeline

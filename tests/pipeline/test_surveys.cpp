@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/pipeline/path_survey.hpp>
+
+#include "random_program.hpp"
+
+// What is told of a program before it moves.
+
+namespace test_surveys {
+
+using namespace leadscrew;
+
+void look(pipeline::Survey& survey, const machine::Machine& machine, const std::string& text) {
+  const machine::ToolTable tools;
+  gcode::Reader reader(gcode::text_source(text), machine, tools, {}, {});
+  gcode::Move move;
+  while (reader.next(move)) survey.observe(move);
+  survey.finish();
+}
+
+// The quick bound is below that of the tool path with its blends and fits, and both know where the path ends.
+RC_GTEST_PROP(Surveys, TheQuickBoundIsTheLesser, ()) {
+  const machine::Machine machine = testing_support::random_machine();
+  const std::string text = testing_support::RandomProgram::make();
+  pipeline::PathSurvey whole(machine, {});
+  pipeline::QuickSurvey quick(machine, {});
+  look(whole, machine, text);
+  look(quick, machine, text);
+  RC_ASSERT(quick.bound_seconds() <= whole.bound_seconds() * (1 + 1e-9));
+}
+
+TEST(Surveys, TakeShortLinesTogether) {
+  std::string text = "G21 G64 P0.01 F1000\n";
+  for (int i = 1; i <= 10'000; ++i) text += "G1 X" + std::to_string(i * 0.001) + "\n";
+  const machine::Machine mill = machine::mill3();
+  pipeline::QuickSurvey quick(mill, {});
+  look(quick, mill, text + "M2\n");
+  EXPECT_NEAR(quick.bound_seconds(), 0.6, 0.6 * 0.06);
+  EXPECT_LE(quick.bound_seconds(), 0.6);
+  EXPECT_NEAR(quick.greatest()[0], 10, 1e-9);
+}
+
+}  // namespace test_surveys
