@@ -78,8 +78,14 @@ TEST(Capi, TakesToolsAsTextAndFromAFile) {
   by_file.tools_file = path.c_str();
   for (const leadscrew_options& options : {by_text, by_file})
     EXPECT_EQ(words_of(program(text, options).get()).back().position[2], 11.5);
+  // Without a table the offset is 0, which a warning says; a table that lacks the tool is the wrong one.
+  EXPECT_EQ(words_of(program(text, no_options()).get()).back().position[2], -1);
+  const std::string other = "T4 P3 Z12.5\n";
+  leadscrew_options by_other = no_options();
+  by_other.tools = other.data();
+  by_other.tools_length = other.size();
   leadscrew_motion* none = nullptr;
-  EXPECT_EQ(leadscrew_motion_of_program(mill().get(), text.data(), text.size(), nullptr, &none, nullptr),
+  EXPECT_EQ(leadscrew_motion_of_program(mill().get(), text.data(), text.size(), &by_other, &none, nullptr),
             LEADSCREW_REJECTED);
 }
 

@@ -81,6 +81,7 @@ TEST(MacroVariables, OfTheSystemAreToldWhereTheyAreNotRead) {
 TEST(MacroVariables, StopTheProgramWithAnAlarm) {
   const Reading reading = read("G0 X1\n#3000=7 (TOOL BROKEN)\nG0 X2 #5000=1\nM30\n", fanuc());
   EXPECT_EQ(reading.problems(), "2:1 program-alarm; ");
+  EXPECT_EQ(reading.diagnostics.back().message, "the program stops here with alarm 7: TOOL BROKEN");
   EXPECT_EQ(reading.lines().size(), 1u);
 }
 

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <leadscrew/gcode/block_reader.hpp>
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/gcode/polar.hpp>
@@ -223,17 +224,17 @@ bool BlockReader::assignment(const char*& p) {
   }
   ++p;
   if (!values_.assigned_value(p, assignment.value)) return false;
-  if (can_assign(assignment)) assignments_.push_back(std::move(assignment));
+  if (can_assign(assignment, p)) assignments_.push_back(std::move(assignment));
   return true;
 }
 
-bool BlockReader::can_assign(const Assignment& assignment) {
+bool BlockReader::can_assign(const Assignment& assignment, const char* rest) {
   const auto& [name, value, column] = assignment;
   if (!name.name.empty()) {
     return name.name.front() != '_' || !Predefined::is_read_only(name.name) || refuse_assignment(assignment);
   }
   if (name.number == 0 || Predefined::is_read_only(name.number)) return refuse_assignment(assignment);
-  if (has_macros(dialect_) && name.number >= Predefined::first_macro_number) return can_assign_macro(assignment);
+  if (has_macros(dialect_) && name.number >= Predefined::first_macro_number) return can_assign_macro(assignment, rest);
   if (!Parameters::is_offset(name.number)) return true;
   if (name.number == Parameters::current_system) {
     reporter_.warning("parameter-without-effect", column, "#5220 selects no coordinate system",
@@ -245,12 +246,14 @@ bool BlockReader::can_assign(const Assignment& assignment) {
 }
 
 // #3000 stops the program with an alarm (Fanuc).
-bool BlockReader::can_assign_macro(const Assignment& assignment) {
+bool BlockReader::can_assign_macro(const Assignment& assignment, const char* rest) {
   const int number = assignment.name.number;
   constexpr int alarm = 3000;
   if (number == alarm) {
-    reporter_.error("program-alarm", assignment.column, "the program stops here with alarm " + text(assignment.value),
-                    "find out why it sets #3000");
+    std::string message = "the program stops here with alarm " + text(assignment.value);
+    skip_blanks(rest);
+    if (*rest == '(') message += ": " + printable({rest + 1, std::strcspn(rest + 1, ")\n")});
+    reporter_.error("program-alarm", assignment.column, std::move(message), "find out why it sets #3000");
     reporter_.stop();
     return false;
   }

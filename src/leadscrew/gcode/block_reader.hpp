@@ -47,9 +47,9 @@ class BlockReader {
   bool checksum(const char*& p, const TextLine& line);
   bool controller_command(const char*& p);
   bool assignment(const char*& p);
-  /// Whether the parameter may be set to this value; reports why not.
-  bool can_assign(const Assignment& assignment);
-  [[gnu::cold]] bool can_assign_macro(const Assignment& assignment);
+  /// Whether the parameter may be set to this value; reports why not. `rest`: of the line, behind the value.
+  bool can_assign(const Assignment& assignment, const char* rest);
+  [[gnu::cold]] bool can_assign_macro(const Assignment& assignment, const char* rest);
   [[gnu::cold]] bool refuse_assignment(const Assignment& assignment);
   void set_number(int number, double value);
   bool comment(const char*& p);
