@@ -124,7 +124,7 @@ void CurveReader::begin_curve(const Block& block) {
   reporter_.keep(block.first_column);
   // Of G93, F may still come.
   Feed feed;
-  if (modal_.feed_mode == FeedMode::per_minute) motion_.feed_of(block, true, true, feed);
+  if (modal_.feed_mode != FeedMode::inverse_time) motion_.feed_of(block, true, true, feed);
 }
 
 void CurveReader::set_order(const Block& block, char letter, int least) {

@@ -31,6 +31,8 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G28_1:
     case Code::G30_1:
       return offsets_.set_home(block);
+    case Code::G52:
+      return offsets_.set_local(block);
     case Code::G92:
     case Code::G92_1:
     case Code::G92_2:

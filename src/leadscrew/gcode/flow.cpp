@@ -15,6 +15,7 @@ constexpr std::int64_t lines_of_reopening = 500;  // what it takes is what so ma
 Flow::Flow(ProgramText& text, const Context& context, const Predefined& predefined)
     : text_(text),
       parameters_(context.parameters),
+      modal_(context.modal),
       reporter_(context.reporter),
       options_(context.options),
       values_(parameters_, predefined, reporter_, options_.dialect),

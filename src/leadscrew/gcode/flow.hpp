@@ -152,6 +152,7 @@ class Flow {
 
   ProgramText& text_;
   Parameters& parameters_;
+  ModalState& modal_;
   Reporter& reporter_;
   const ReaderOptions& options_;
   ExpressionReader values_;

@@ -144,6 +144,7 @@ Flow::Next Flow::begin_call(Call call, const Statement& at) {
   if (has_locals) parameters_.enter_call(call.arguments);
   const TextPlace body = call.body;
   calls_.push_back(std::move(call));
+  modal_.calls = calls_.size();
   return go(body, true) ? Next::line : Next::stop;
 }
 
@@ -173,6 +174,7 @@ Flow::Next Flow::end_call(std::optional<StatementName> block_number, const State
   open_.resize(last.open);
   const bool has_locals = last.kind == CallKind::o_word || last.kind == CallKind::macro;
   if (has_locals) parameters_.leave_call();
+  modal_.fewest_calls = std::min(modal_.fewest_calls, calls_.size() - 1);
   if (last.left > 1 && !block_number) {
     --last.left;
     if (has_locals) parameters_.enter_call(last.arguments);
@@ -180,6 +182,7 @@ Flow::Next Flow::end_call(std::optional<StatementName> block_number, const State
   }
   const TextPlace back = last.return_to;
   calls_.pop_back();
+  modal_.calls = calls_.size();
   if (!go(back, true)) return Next::stop;
   if (!block_number) return Next::line;
   TextLine line;

@@ -14,6 +14,7 @@ Interpreter::Interpreter(const Context& context)
       offsets_(context, motion_),
       transforms_(context),
       polar_(context),
+      saved_modes_(context, outbox_, offsets_),
       check_(context, travel_) {
   modal_.tolerance = machine_.tolerance;
   frame_.position = options_.start;
@@ -27,6 +28,21 @@ Interpreter::Interpreter(const Context& context)
 void Interpreter::execute(const Block& block, base::Line line) {
   modal_.line = line;
   outbox_.clear();
+  if (!modal_.is_plain || block.has(Group::lathe)) return execute_special(block);
+  execute_in_axes(block);
+}
+
+// Diameters are halved as they are read, whatever X belongs to (LinuxCNC); G7 and G8 hold for X of their own block.
+void Interpreter::execute_special(Block block) {
+  if (saved_modes_.leave_calls()) set_path_control({});
+  if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
+  modal_.is_plain = false;
+  if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
+  execute_in_axes(block);
+  modal_.is_plain = !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any();
+}
+
+void Interpreter::execute_in_axes(const Block& block) {
   if (block.words & polar_bits) return execute_polar(block);
   if (modal_.polar && polar_.applies(block)) {
     const Block in_axes = polar_.in_axes(block);
@@ -60,12 +76,15 @@ void Interpreter::begin_block(const Block& block) {
 
   motion_.set_feed(block);
   events_.execute(block);
+  if (block.has(Group::modes) && saved_modes_.execute(block)) set_path_control({});
   set_modes(block);
 }
 
 void Interpreter::finish_block(const Block& block) {
   if (block.has(Group::nonmodal)) dispatch(block.code(Group::nonmodal), block);
   execute_motion(block);
+  if (modal_.constant_surface_speed) events_.follow_surface();
+  if (block.is(Code::G9)) set_path_control({});
   stop(block);
 
   curves_.note_errors();
@@ -83,7 +102,7 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
   const Code motion = block.groups ? block.codes[index(Group::motion)] : modal_.motion;
   if ((block.words & ~plain_words) || (block.groups & ~bit(Group::motion)) || motion > Code::G1 ||
       (axes & ~machine_letters_) || axes == 0 || modal_.feed_mode != FeedMode::per_minute || !frame_.is_offset_only() ||
-      modal_.polar || (block.has('F') && !(block['F'] > 0)) ||
+      modal_.polar || !modal_.is_plain || (block.has('F') && !(block['F'] > 0)) ||
       (motion == Code::G1 && !modal_.feed_known && !block.has('F')) || curves_.open()) {
     return Plain::no;
   }
@@ -140,10 +159,11 @@ void Interpreter::set_modes(const Block& block) {
   if (block.has(Group::units)) frame_.length_unit = block.is(Code::G20) ? 25.4 : 1;
   offsets_.set_tool_length(block);
   if (block.has(Group::system)) {
-    offsets_.select_system(static_cast<int>(index(block.code(Group::system)) - index(Code::G54)) + 1);
+    offsets_.select_system(block);
   }
   transforms_.set(block);
   if (block.has(Group::path)) set_path_control(block);
+  if (block.is(Code::G9)) modal_.effective_mode = PathMode::exact_stop;
   modal_.distance = distance_after(block, modal_);
   if (block.has(Group::arc_distance)) {
     modal_.arc_distance = block.is(Code::G90_1) ? Distance::absolute : Distance::incremental;
@@ -156,7 +176,9 @@ void Interpreter::set_modes(const Block& block) {
 void Interpreter::set_path_control(const Block& block) {
   switch (block.code(Group::path)) {
     case Code::G61:
-      modal_.path_mode = PathMode::exact_path;
+      // LinuxCNC stops nowhere for it, Fanuc's and Haas' controllers do.
+      modal_.path_mode = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas ? PathMode::exact_stop
+                                                                                                 : PathMode::exact_path;
       break;
     case Code::G61_1:
       modal_.path_mode = PathMode::exact_stop;

@@ -14,6 +14,7 @@
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 #include <leadscrew/gcode/polar.hpp>
+#include <leadscrew/gcode/saved_modes.hpp>
 #include <leadscrew/gcode/transforms.hpp>
 
 namespace leadscrew::gcode {
@@ -41,6 +42,9 @@ class Interpreter : Part {
   bool ended() const { return ended_; }
 
  private:
+  /// What G7 and M73 do before a block.
+  [[gnu::noinline]] void execute_special(Block block);
+  void execute_in_axes(const Block& block);
   /// All that is checked and executed before the axes move.
   void begin_block(const Block& block);
   /// The rest of it.
@@ -62,6 +66,7 @@ class Interpreter : Part {
   Offsets offsets_;
   Transforms transforms_;
   Polar polar_;
+  SavedModes saved_modes_;
   BlockCheck check_;
   std::optional<base::Event::Kind> stop_;
   bool ended_ = false;

@@ -1,13 +1,24 @@
+#include <algorithm>
+#include <cmath>
 #include <leadscrew/gcode/machine_events.hpp>
+#include <numbers>
 
 namespace leadscrew::gcode {
 
 using Kind = base::Event::Kind;
 
+namespace {
+
+constexpr double mm_in_metre = 1000;
+constexpr double mm_in_foot = 304.8;
+
+}  // namespace
+
 void MachineEvents::execute(const Block& block) {
-  constexpr std::uint32_t groups =
-      bit(Group::output) | bit(Group::tool) | bit(Group::spindle) | bit(Group::coolant) | bit(Group::nonmodal);
+  constexpr std::uint32_t groups = bit(Group::output) | bit(Group::tool) | bit(Group::spindle) | bit(Group::coolant) |
+                                   bit(Group::nonmodal) | bit(Group::spindle_mode);
   if (!(block.words & (letter_bit('S') | letter_bit('T'))) && !(block.groups & groups)) return;
+  if (block.has(Group::spindle_mode)) set_spindle_mode(block);
   if (block.has('S')) set_speed(block);
   if (block.has('T')) select_tool(block);
   if (block.has(Group::output)) set_output(block);
@@ -17,12 +28,56 @@ void MachineEvents::execute(const Block& block) {
   if (block.is(Code::G4)) dwell(block);
 }
 
+void MachineEvents::set_spindle_mode(const Block& block) {
+  const bool constant_surface = block.is(Code::G96);
+  if (constant_surface && block.has('D') && !(block['D'] > 0)) {
+    error("bad-value", block.column_of('D'), "the largest speed is " + text(block['D']), "D must be above 0");
+    return;
+  }
+  modal_.constant_surface_speed = constant_surface;
+  if (constant_surface) modal_.is_plain = false;
+  // With LinuxCNC the limit is G96's own; with Fanuc, G50's.
+  const bool keeps = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas;
+  if (constant_surface && (!keeps || block.has('D'))) {
+    modal_.most_spindle_speed = block.value_or('D', std::numeric_limits<double>::infinity());
+  }
+}
+
+// LinuxCNC manual, G Codes, "G96, G97": the surface passes the tool at S metres or feet a minute, on the circle that
+// the tool stands on:
+//
+//     speed = S / (2 π |X|),  at most D
+//
+// On the axis itself no speed is enough, so there it is the largest.
+double MachineEvents::speed_on_surface() const {
+  constexpr double fastest = 100'000;  // revolutions per minute; faster than any lathe turns
+  const double x = std::fabs(frame_.to_program(frame_.position)[base::index(base::Axis::X)]);
+  const double most = std::min(modal_.most_spindle_speed, fastest);
+  const double circle = 2 * std::numbers::pi * x;
+  return modal_.surface_speed < most * circle ? modal_.surface_speed / circle : modal_.surface_speed > 0 ? most : 0;
+}
+
+void MachineEvents::follow_surface() {
+  const double speed = speed_on_surface();
+  if (speed == modal_.spindle_speed) return;
+  modal_.spindle_speed = speed;
+  outbox_.emit_event(Kind::spindle_speed, speed);
+}
+
 void MachineEvents::set_speed(const Block& block) {
   if (block['S'] < 0) {
     error("bad-value", block.column_of('S'), "the spindle speed is " + text(block['S']), "S must be 0 or more");
     return;
   }
+  if (block.is(Code::G50)) {
+    modal_.most_spindle_speed = block['S'];
+    return;
+  }
   modal_.spindle_speed = block['S'];
+  if (modal_.constant_surface_speed) {
+    modal_.surface_speed = block['S'] * (frame_.length_unit == 1 ? mm_in_metre : mm_in_foot);
+    modal_.spindle_speed = speed_on_surface();
+  }
   outbox_.emit_event(Kind::spindle_speed, modal_.spindle_speed);
 }
 

@@ -11,14 +11,18 @@ class MachineEvents : Part {
 
   /// S, T, M62 … M68, M6, M3 … M5, M7 … M9 and G4, in this order.
   void execute(const Block& block);
+  /// G96: the spindle's speed where the tool stands now, if that is another.
+  void follow_surface();
 
  private:
+  void set_spindle_mode(const Block& block);
   void set_speed(const Block& block);
   void select_tool(const Block& block);
   void set_output(const Block& block);
   void change_tool(const Block& block);
   void turn_spindle(const Block& block);
   void set_coolant(const Block& block);
+  double speed_on_surface() const;
   void dwell(const Block& block);
 
   Outbox& outbox_;

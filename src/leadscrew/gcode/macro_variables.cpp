@@ -41,7 +41,7 @@ std::optional<double> Predefined::of_macro(int number) const {
     case 4003:
       return modal_.distance == Distance::absolute ? 90 : 91;
     case 4005:
-      return modal_.feed_mode == FeedMode::inverse_time ? 93 : 94;
+      return modal_.feed_mode == FeedMode::inverse_time ? 93 : modal_.feed_mode == FeedMode::per_revolution ? 95 : 94;
     case 4006:
       return frame_.length_unit == 1 ? 21 : 20;
     case 4010:

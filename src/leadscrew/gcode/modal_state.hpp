@@ -3,13 +3,14 @@
 
 #include <leadscrew/gcode/codes.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <limits>
 #include <optional>
 
 namespace leadscrew::gcode {
 
-enum class Distance : std::uint8_t { absolute, incremental };     // G90, G91
-enum class FeedMode : std::uint8_t { per_minute, inverse_time };  // G94, G93
-enum class Retract : std::uint8_t { initial_level, r_level };     // G98, G99
+enum class Distance : std::uint8_t { absolute, incremental };                     // G90, G91
+enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };  // G94, G93, G95
+enum class Retract : std::uint8_t { initial_level, r_level };                     // G98, G99
 
 inline constexpr double seconds_per_minute = 60;
 
@@ -23,7 +24,8 @@ struct ModalState {
   bool polar = false;       ///< G16: axis words of the plane are a radius and an angle
   double polar_radius = 0;  ///< the last ones, as they were written
   double polar_angle = 0;   ///< degrees
-  int system = 1;           ///< the coordinate system in force: 1 … 9 for G54 … G59.3
+  bool diameters = false;   ///< G7: X is a diameter
+  int system = 1;           ///< the coordinate system in force: 1 … 9 for G54 … G59.3, 10 … for G54.1 P1 …
 
   PathMode path_mode = PathMode::blend;       ///< of the program
   double tolerance = 0;                       ///< mm, of the program
@@ -34,15 +36,23 @@ struct ModalState {
   double effective_naive_cam_tolerance = 0;  ///< mm
 
   bool feed_known = false;
-  double linear_feed = 0;    ///< mm/s
-  double angular_feed = 0;   ///< degrees/s
-  double feed_word = 0;      ///< F of G94, as it was written; 0 where none holds
-  double spindle_speed = 0;  ///< as S says it
-  Code spindle = Code::M5;   ///< M3, M4 or M5
-  bool mist = false;         ///< M7
-  bool flood = false;        ///< M8
+  double linear_feed = 0;               ///< mm/s; of G95, at one revolution a minute
+  double angular_feed = 0;              ///< degrees/s; likewise
+  double feed_word = 0;                 ///< F of G94, as it was written; 0 where none holds
+  double spindle_speed = 0;             ///< revolutions per minute, ≥ 0
+  bool constant_surface_speed = false;  ///< G96
+  double surface_speed = 0;             ///< mm/min, what S says in G96
+  double most_spindle_speed = std::numeric_limits<double>::infinity();  ///< revolutions per minute, in G96
+  Code spindle = Code::M5;                                              ///< M3, M4 or M5
+  bool mist = false;                                                    ///< M7
+  bool flood = false;                                                   ///< M8
   std::optional<int> selected_tool;
   int loaded_tool = 0;
+
+  // The calls under way, and the fewest that were since a block was executed last.
+  std::size_t calls = 0;
+  std::size_t fewest_calls = 0;
+  bool is_plain = true;  ///< no mode asks for more than what axis words and F say: no G7, G96, M73
 
   // Of the block in execution.
   Code to_do = Code::none;  ///< its motion

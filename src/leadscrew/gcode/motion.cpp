@@ -56,16 +56,18 @@ bool Motion::is_linear(const base::AxisVector& target) const {
 
 void Motion::set_feed(const Block& block) {
   if (block.has(Group::feed_mode)) {
-    const FeedMode mode = block.code(Group::feed_mode) == Code::G93 ? FeedMode::inverse_time : FeedMode::per_minute;
+    const FeedMode mode = block.is(Code::G93)   ? FeedMode::inverse_time
+                          : block.is(Code::G95) ? FeedMode::per_revolution
+                                                : FeedMode::per_minute;
     // A number that was a duration is no speed.
     if (mode != modal_.feed_mode) modal_.feed_known = false;
-    if (mode != modal_.feed_mode && mode == FeedMode::per_minute) modal_.feed_word = 0;
+    if (mode != modal_.feed_mode && mode != FeedMode::inverse_time) modal_.feed_word = 0;
     modal_.feed_mode = mode;
   }
   if (!block.has('F')) return;
   const double value = block['F'];
   constexpr double least = 1e-6;  // a millimetre in two years
-  if (value == 0 && modal_.feed_mode == FeedMode::per_minute) {
+  if (value == 0 && modal_.feed_mode != FeedMode::inverse_time) {
     modal_.feed_known = false;  // a motion that needs one says that there is none
     return;
   }
@@ -75,7 +77,7 @@ void Motion::set_feed(const Block& block) {
     return;
   }
   modal_.feed_known = true;
-  if (modal_.feed_mode == FeedMode::per_minute) modal_.feed_word = value;
+  if (modal_.feed_mode != FeedMode::inverse_time) modal_.feed_word = value;
   modal_.linear_feed = value * frame_.length_unit / seconds_per_minute;
   modal_.angular_feed = value / seconds_per_minute;
   if (block.has(Group::units) && (block.code(Group::units) == Code::G20) != (frame_.length_unit != 1)) {
@@ -103,7 +105,17 @@ bool Motion::feed_of(const Block& block, bool linear, bool given, Feed& feed) {
     assume_feed();
   }
   feed = {Feed::Mode::units_per_second, linear ? modal_.linear_feed : modal_.angular_feed};
-  return true;
+  return modal_.feed_mode != FeedMode::per_revolution || feed_per_revolution(block, feed);
+}
+
+// Of G95: as the spindle is to turn while the block begins (LinuxCNC manual, G Codes, "G93, G94, G95").
+bool Motion::feed_per_revolution(const Block& block, Feed& feed) {
+  if (modal_.spindle_speed > 0) {
+    feed.value *= modal_.spindle_speed;
+    return true;
+  }
+  return error("spindle-stands", motion_column(block), "a feed per revolution while the spindle has no speed",
+               "give S before, or G94");
 }
 
 void Motion::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {

@@ -39,6 +39,7 @@ class Motion : Part {
     int turns = 1;
   };
 
+  bool feed_per_revolution(const Block& block, Feed& feed);
   bool arc_center(const Block& block, PlanePoint start, PlanePoint& center);
   bool report_circle(const Block& block, const ArcCircle& circle);
   bool plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan);

@@ -1,9 +1,13 @@
+#include <cmath>
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 
 namespace leadscrew::gcode {
 
 namespace {
+
+constexpr int most_of_fanuc = 300;  // G54.1 P
+constexpr int most_of_haas = 99;    // G154 P
 
 // Calls f(axis, value of its word in mm or degrees) for each axis word.
 template <class F>
@@ -28,28 +32,44 @@ void Offsets::set_tool_length(const Block& block) {
   if (code == Code::G43_1) {
     offset = frame_.tool();
     for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { offset[base::index(axis)] = value; });
-  } else if (code == Code::G43) {
-    std::optional<int> number = modal_.loaded_tool;
-    if (block.has('H')) number = as_integer(block['H']);
-    // LinuxCNC manual, G Codes, "G43": H0 is the tool in the spindle. With Fanuc it is no offset.
-    const bool is_of_spindle = options_.dialect == Dialect::leadscrew || options_.dialect == Dialect::linuxcnc;
-    if (number == 0 && is_of_spindle) number = modal_.loaded_tool;
-    if (!number || *number < 0) {
-      error("bad-value", block.column_of('H'), "the tool number is " + text(block['H']),
-            "H must be an integer of 0 or more");
-      return;
-    }
-    const machine::Tool* const tool = *number == 0 ? nullptr : tools_.find(*number);
-    if (*number != 0 && !tool && tools_.tools().empty()) {
-      note_missing_table(block);
-    } else if (*number != 0 && !tool) {
-      error("unknown-tool", block.has('H') ? block.column_of('H') : block.column_of(Group::tool_length),
-            "tool " + std::to_string(*number) + " is not in the tool table", "give a tool table that holds it");
-      return;
-    }
+  } else if (code != Code::G49) {
+    bool known = false;
+    const machine::Tool* const tool = tool_of(block, known);
+    if (!known) return;
     if (tool) offset = tool->offset;
+    if (const auto wear = tool ? wear_.find(tool->number) : wear_.end(); wear != wear_.end()) {
+      offset[base::index(base::Axis::Z)] += wear->second;
+    }
+    for (std::size_t i = 0; i < base::axis_count; ++i) {
+      if (code == Code::G44) offset[i] = -offset[i];
+      if (code == Code::G43_2) offset[i] += frame_.tool()[i];
+    }
   }
   frame_.set_tool(offset);
+}
+
+// The tool whose offset G43, G43.2 or G44 takes; nullptr where that is none. `known`: nothing was wrong.
+const machine::Tool* Offsets::tool_of(const Block& block, bool& known) {
+  std::optional<int> number = modal_.loaded_tool;
+  if (block.has('H')) number = as_integer(block['H']);
+  // LinuxCNC manual, G Codes, "G43": H0 is the tool in the spindle. With Fanuc it is no offset.
+  const bool is_of_spindle = options_.dialect == Dialect::leadscrew || options_.dialect == Dialect::linuxcnc;
+  if (number == 0 && is_of_spindle) number = modal_.loaded_tool;
+  if (!number || *number < 0) {
+    error("bad-value", block.column_of('H'), "the tool number is " + text(block['H']),
+          "H must be an integer of 0 or more");
+    return nullptr;
+  }
+  const machine::Tool* const tool = *number == 0 ? nullptr : tools_.find(*number);
+  if (*number != 0 && !tool && (tools_.tools().empty() || has_registers())) {
+    note_missing_table(block);
+  } else if (*number != 0 && !tool) {
+    error("unknown-tool", block.has('H') ? block.column_of('H') : block.column_of(Group::tool_length),
+          "tool " + std::to_string(*number) + " is not in the tool table", "give a tool table that holds it");
+    return nullptr;
+  }
+  known = true;
+  return tool;
 }
 
 // Said once: without a table no tool has an offset.
@@ -69,32 +89,56 @@ void Offsets::begin() {
 
 void Offsets::select_system(int number) {
   modal_.system = number;
-  parameters_.set(Parameters::current_system, number);
+  if (number <= Parameters::numbered_systems) parameters_.set(Parameters::current_system, number);
   frame_.set_system(parameters_.system(number));
 }
 
-// G10 L2 sets a system, G10 L20 sets it so that the tool stands at the coordinates given.
+void Offsets::select_system(const Block& block) {
+  const Code code = block.code(Group::system);
+  if (code != Code::G54_1 && code != Code::G154) {
+    select_system(static_cast<int>(index(code) - index(Code::G54)) + 1);
+    return;
+  }
+  if (!block.has('P')) return;
+  const int most = code == Code::G154 ? most_of_haas : most_of_fanuc;
+  const std::optional<int> which = as_integer(block['P']);
+  if (!which || *which < 1 || *which > most) {
+    error("bad-value", block.column_of('P'), name(code) + " has P" + text(block['P']),
+          "an integer from 1 to " + std::to_string(most));
+    return;
+  }
+  select_system(Parameters::numbered_systems + *which);
+}
+
+// The number of the coordinate system that G10 sets.
+std::optional<int> Offsets::system_of(const Block& block, int kind) {
+  const bool is_further = kind == 20 && has_registers();
+  const int least = is_further ? 1 : 0, most = is_further ? most_of_fanuc : Parameters::numbered_systems;
+  const std::optional<int> which = as_integer(block['P']);
+  if (!which || *which < least || *which > most) {
+    error("bad-value", block.column_of('P'), "there is no coordinate system P" + text(block['P']),
+          is_further ? "1 to 300 for G54.1 P1 to P300" : "0 for the one in force, 1 to 9 for G54 to G59.3");
+    return std::nullopt;
+  }
+  if (is_further) return Parameters::numbered_systems + *which;
+  return *which == 0 ? modal_.system : *which;
+}
+
+// G10 L2 sets a system, G10 L20 sets it so that the tool stands at the coordinates given; with Fanuc and Haas, L20 sets
+// one of G54.1 or G154 as L2 sets the others.
 void Offsets::set_system(const Block& block) {
   if (!block.has('L') || !block.has('P')) return;
   const std::optional<int> kind = as_integer(block['L']);
-  if (kind == 1 || kind == 10 || kind == 11) {
-    error("unsupported-code", block.column_of('L'), "G10 L" + std::to_string(*kind) + " is not supported",
-          "set tools in the tool table; L2 and L20 are supported");
-    return;
-  }
+  if (kind == 1 || (kind && 10 <= *kind && *kind <= 13)) return set_tool(block, *kind);
   if (kind != 2 && kind != 20) {
-    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), "L2 or L20");
+    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), "L1, L2, L10, L11 or L20");
     return;
   }
-  const std::optional<int> which = as_integer(block['P']);
-  if (!which || *which < 0 || *which > 9) {
-    error("bad-value", block.column_of('P'), "there is no coordinate system P" + text(block['P']),
-          "0 for the one in force, 1 to 9 for G54 to G59.3");
-    return;
-  }
-  const int number = *which == 0 ? modal_.system : *which;
+  const std::optional<int> which = system_of(block, *kind);
+  if (!which) return;
+  const int number = *which;
   CoordinateSystem system = parameters_.system(number);
-  if (kind == 2) {
+  if (kind == 2 || has_registers()) {
     for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { system.origin[base::index(axis)] = value; });
     if (block.has('R')) system.rotation = block['R'];
   } else if (block.has('R')) {
@@ -114,6 +158,76 @@ void Offsets::set_system(const Block& block) {
   }
   parameters_.set_system(number, system);
   if (number == modal_.system) frame_.set_system(system);
+}
+
+// Fanuc and Haas keep geometry and wear in registers, whether or not there is such a tool.
+bool Offsets::has_registers() const {
+  return options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas;
+}
+
+// LinuxCNC manual, G Codes, "G10 L1", "G10 L10", "G10 L11". The offset in force stays what it is until G43.
+void Offsets::set_tool(const Block& block, int kind) {
+  const std::optional<int> number = as_integer(block['P']);
+  constexpr int most_registers = 9999;
+  if (!number || *number < 1 || (has_registers() && *number > most_registers)) {
+    error("bad-value", block.column_of('P'), "there is no tool P" + text(block['P']), "an integer of 1 or more");
+    return;
+  }
+  const machine::Tool* const found = tools_.find(*number);
+  if (!found && !has_registers()) {
+    error("unknown-tool", block.column_of('P'), "tool " + std::to_string(*number) + " is not in the tool table",
+          "give a tool table that holds it");
+    return;
+  }
+  machine::Tool tool;
+  tool.number = *number;
+  if (found) tool = *found;
+  if (has_registers() && kind != 1) {
+    set_register(block, kind, tool);
+  } else if (kind > 11) {
+    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), "L1, L2, L10, L11 or L20");
+    return;
+  } else {
+    tool.offset = offset_to_reach(block, kind, tool.offset);
+    if (block.has('R')) tool.diameter = 2 * std::fabs(block['R']) * frame_.length_unit;
+  }
+  tools_.set(std::move(tool));
+}
+
+// Fanuc: R of L10 is a length, of L11 its wear, of L12 a radius, of L13 its wear, which no tool table keeps.
+void Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
+  if (!block.has('R')) return;
+  const bool adds = modal_.distance == Distance::incremental;
+  const double value = block['R'] * frame_.length_unit;
+  double& length = tool.offset[base::index(base::Axis::Z)];
+  if (kind == 10) length = adds ? length + value : value;
+  if (kind == 11) wear_[tool.number] = adds ? wear_[tool.number] + value : value;
+  if (kind == 12) tool.diameter = std::fabs(adds ? tool.diameter + 2 * value : 2 * value);
+}
+
+// L1: as given. L10: with it the tool stands at the coordinates given; L11: at those of G59.3 without shift.
+base::AxisVector Offsets::offset_to_reach(const Block& block, int kind, const base::AxisVector& before) const {
+  Frame there = frame_;
+  there.set_tool({});
+  if (kind == 11) {
+    there.set_system(parameters_.system(Parameters::numbered_systems));
+    there.set_shift({});
+  }
+  const base::AxisVector stands = there.to_program(frame_.position);
+  base::AxisVector offset = before;
+  for_each_axis_word(block, frame_, [&](base::Axis axis, double value) {
+    const std::size_t i = base::index(axis);
+    offset[i] = kind == 1 ? value : stands[i] - value;
+  });
+  return offset;
+}
+
+void Offsets::set_local(const Block& block) {
+  base::AxisVector shift = frame_.shift();
+  for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { shift[base::index(axis)] = value; });
+  parameters_.set_axes(Parameters::g92_shift, shift);
+  parameters_.set(Parameters::g92_active, 1);
+  frame_.set_shift(shift);
 }
 
 void Offsets::set_shift(const Block& block) {

@@ -2,6 +2,7 @@
 // Where the program's coordinates lie: coordinate systems, shifts, tool lengths, and the places to go home to.
 
 #include <leadscrew/gcode/motion.hpp>
+#include <unordered_map>
 
 namespace leadscrew::gcode {
 
@@ -13,10 +14,14 @@ class Offsets : Part {
   void begin();
   /// G43, G43.1, G43.2, G49.
   void set_tool_length(const Block& block);
-  /// G54 … G59.3, by their numbers 1 … 9.
+  /// G54 … G59.3, G54.1 P1 … P300, G154 P1 … P99.
+  void select_system(const Block& block);
+  /// By their numbers: 1 … 9 for G54 … G59.3, 10 … for G54.1 P1 ….
   void select_system(int number);
   /// G10.
   void set_system(const Block& block);
+  /// G52: the shift is what the axis words say.
+  void set_local(const Block& block);
   /// G92, G92.1, G92.2, G92.3.
   void set_shift(const Block& block);
   /// G28, G30.
@@ -26,8 +31,15 @@ class Offsets : Part {
 
  private:
   void note_missing_table(const Block& block);
+  const machine::Tool* tool_of(const Block& block, bool& known);
+  void set_tool(const Block& block, int kind);
+  bool has_registers() const;
+  void set_register(const Block& block, int kind, machine::Tool& tool);
+  base::AxisVector offset_to_reach(const Block& block, int kind, const base::AxisVector& before) const;
+  std::optional<int> system_of(const Block& block, int kind);
 
   Motion& motion_;
+  std::unordered_map<int, double> wear_;  // of a tool's length, mm, by its number
   bool told_of_table_ = false;
 };
 

@@ -119,11 +119,19 @@ void Parameters::set_axes(int first, const base::AxisVector& value) {
 }
 
 CoordinateSystem Parameters::system(int number) const {
+  if (number > numbered_systems) {
+    const auto found = further_systems_.find(number);
+    return found == further_systems_.end() ? CoordinateSystem{} : found->second;
+  }
   const int first = first_of_system(number);
   return {axes(first), numbered_[static_cast<std::size_t>(first) + base::axis_count]};
 }
 
 void Parameters::set_system(int number, const CoordinateSystem& system) {
+  if (number > numbered_systems) {
+    further_systems_[number] = system;
+    return;
+  }
   const int first = first_of_system(number);
   set_axes(first, system.origin);
   set(first + static_cast<int>(base::axis_count), system.rotation);

@@ -39,6 +39,7 @@ class Parameters {
   static constexpr int current_system = 5220;
   static constexpr int first_system = 5221;  ///< of the numbers of G54 … G59.3
   static constexpr int last_system = 5390;
+  static constexpr int numbered_systems = 9;
   static constexpr int current_position = 5420;
   static constexpr int shows_debug = 5599;  ///< whether (DEBUG,…) says anything
 
@@ -80,7 +81,8 @@ class Parameters {
 
   base::AxisVector axes(int first) const;
   void set_axes(int first, const base::AxisVector& value);
-  CoordinateSystem system(int number) const;  ///< 1 … 9: G54 … G59.3
+  /// 1 … 9: G54 … G59.3, which have numbers; 10 … 309: G54.1 P1 … P300, which have none.
+  CoordinateSystem system(int number) const;
   void set_system(int number, const CoordinateSystem& system);
 
  private:
@@ -106,7 +108,8 @@ class Parameters {
   std::array<double, last + 1> numbered_{};
   std::bitset<last + 1> given_;
   std::unordered_map<std::string, Binding> named_;  // its elements stay where they are
-  std::vector<int> loaded_;                         // numbers, ascending
+  std::unordered_map<int, CoordinateSystem> further_systems_;
+  std::vector<int> loaded_;  // numbers, ascending
   std::vector<Call> calls_;
   std::vector<Hidden> hidden_;
   std::optional<double> returned_;

@@ -15,7 +15,7 @@ namespace leadscrew::gcode {
 /// All of it must outlive the parts.
 struct Context {
   const machine::Machine& machine;
-  const machine::ToolTable& tools;
+  machine::ToolTable& tools;  ///< the program's own: G10 changes it
   const ReaderOptions& options;
   Parameters& parameters;
   Frame& frame;
@@ -44,7 +44,7 @@ class Part {
   }
 
   const machine::Machine& machine_;
-  const machine::ToolTable& tools_;
+  machine::ToolTable& tools_;
   const ReaderOptions& options_;
   Parameters& parameters_;
   Frame& frame_;

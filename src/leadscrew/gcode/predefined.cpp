@@ -35,6 +35,7 @@ double plane_number(Plane plane) {
 }
 
 double system_number(int system) {
+  if (system > Parameters::numbered_systems) return number_of(Code::G54_1);
   return number_of(static_cast<Code>(index(Code::G54) + static_cast<std::size_t>(system) - 1));
 }
 
@@ -84,8 +85,8 @@ constexpr PredefinedRow predefined_rows[] = {
     {"_IMPERIAL", [](const Predefined& p) -> double { return p.frame().length_unit != 1; }},
     {"_INCREMENTAL", [](const Predefined& p) -> double { return p.modal().distance == Distance::incremental; }},
     {"_INVERSE_TIME", [](const Predefined& p) -> double { return p.modal().feed_mode == FeedMode::inverse_time; }},
-    {"_LATHE_DIAMETER_MODE", always_off},
-    {"_LATHE_RADIUS_MODE", always_on},
+    {"_LATHE_DIAMETER_MODE", [](const Predefined& p) -> double { return p.modal().diameters; }},
+    {"_LATHE_RADIUS_MODE", [](const Predefined& p) -> double { return !p.modal().diameters; }},
     {"_LINE", [](const Predefined& p) -> double { return static_cast<double>(base::number(p.line())); }},
     {"_METRIC", [](const Predefined& p) -> double { return p.frame().length_unit == 1; }},
     {"_MIST", [](const Predefined& p) -> double { return p.modal().mist; }},
@@ -101,16 +102,16 @@ constexpr PredefinedRow predefined_rows[] = {
      }},
     {"_SELECTED_TOOL", [](const Predefined& p) -> double { return p.modal().selected_tool.value_or(-1); }},
     {"_SPEED_OVERRIDE", always_on},
-    {"_SPINDLE_CSS_MODE", always_off},
+    {"_SPINDLE_CSS_MODE", [](const Predefined& p) -> double { return p.modal().constant_surface_speed; }},
     {"_SPINDLE_CW", [](const Predefined& p) -> double { return p.modal().spindle == Code::M3; }},
     {"_SPINDLE_ON",
      [](const Predefined& p) -> double { return p.modal().spindle == Code::M3 || p.modal().spindle == Code::M4; }},
-    {"_SPINDLE_RPM_MODE", always_on},
+    {"_SPINDLE_RPM_MODE", [](const Predefined& p) -> double { return !p.modal().constant_surface_speed; }},
     {"_TASK", always_off},
     {"_TOOL_OFFSET", [](const Predefined& p) -> double { return p.has_tool_offset(); }},
     {"_U", at_program<Axis::U>},
     {"_UNITS_PER_MINUTE", [](const Predefined& p) -> double { return p.modal().feed_mode == FeedMode::per_minute; }},
-    {"_UNITS_PER_REV", always_off},
+    {"_UNITS_PER_REV", [](const Predefined& p) -> double { return p.modal().feed_mode == FeedMode::per_revolution; }},
     {"_V", at_program<Axis::V>},
     {"_VALUE", [](const Predefined& p) -> double { return p.parameters().returned().value_or(0); }},
     {"_VALUE_RETURNED", [](const Predefined& p) -> double { return p.parameters().returned().has_value(); }},

@@ -27,7 +27,8 @@ class Reader::Implementation {
       : options_(std::move(options)),
         text_(std::move(source), options_.opener, options_.file),
         reporter_(options_.file, std::move(sink)),
-        context_{machine, tools, options_, parameters_, frame_, reporter_, modal_},
+        tools_(tools),
+        context_{machine, tools_, options_, parameters_, frame_, reporter_, modal_},
         predefined_(context_),
         blocks_reader_(context_, predefined_),
         interpreter_(context_),
@@ -217,6 +218,7 @@ class Reader::Implementation {
   Parameters parameters_;
   Frame frame_;
   ModalState modal_;
+  machine::ToolTable tools_;
   Context context_;
   Predefined predefined_;
   BlockReader blocks_reader_;

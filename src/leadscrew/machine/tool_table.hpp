@@ -31,6 +31,16 @@ class ToolTable {
     const auto tool = std::find_if(tools_.begin(), tools_.end(), [&](const Tool& t) { return t.number == number; });
     return tool == tools_.end() ? nullptr : &*tool;
   }
+  /// Adds a tool, or puts it in the place of the one of its number.
+  void set(Tool tool) {
+    const auto found =
+        std::find_if(tools_.begin(), tools_.end(), [&](const Tool& t) { return t.number == tool.number; });
+    if (found == tools_.end()) {
+      tools_.push_back(std::move(tool));
+    } else {
+      *found = std::move(tool);
+    }
+  }
   /// All of them.
   const std::vector<Tool>& tools() const { return tools_; }
 

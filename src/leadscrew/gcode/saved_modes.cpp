@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <leadscrew/gcode/saved_modes.hpp>
+
+namespace leadscrew::gcode {
+
+bool SavedModes::execute(const Block& block) {
+  leave_calls();
+  const Code code = block.code(Group::modes);
+  if (code == Code::M70 || code == Code::M73) {
+    keep(code == Code::M73);
+    return false;
+  }
+  const bool has_any = !kept_.empty() && kept_.back().calls == modal_.calls;
+  if (code == Code::M71) {
+    if (has_any) kept_.pop_back();
+    return false;
+  }
+  if (!has_any) return error("missing-modes", block.column_of(Group::modes), "no modes are kept", "give M70 before");
+  bring_back(kept_.back());
+  return true;
+}
+
+void SavedModes::keep(bool comes_back) {
+  if (kept_.empty() || kept_.back().calls < modal_.calls) kept_.emplace_back();
+  const bool has_tool_length = std::ranges::any_of(frame_.tool(), [](double offset) { return offset != 0; });
+  kept_.back() = {modal_.calls, comes_back, modal_, frame_.length_unit, has_tool_length};
+  modal_.is_plain = false;
+}
+
+bool SavedModes::leave_calls() {
+  bool any = false;
+  for (; !kept_.empty() && kept_.back().calls > modal_.fewest_calls; kept_.pop_back()) {
+    if (!kept_.back().comes_back) continue;
+    bring_back(kept_.back());
+    any = true;
+  }
+  modal_.fewest_calls = modal_.calls;
+  return any;
+}
+
+void SavedModes::bring_back(const Kept& kept) {
+  const ModalState& before = kept.modal;
+  frame_.length_unit = kept.length_unit;
+  modal_.plane = before.plane;
+  modal_.distance = before.distance;
+  modal_.arc_distance = before.arc_distance;
+  modal_.retract = before.retract;
+  modal_.diameters = before.diameters;
+  modal_.path_mode = before.path_mode;
+  modal_.tolerance = before.tolerance;
+  modal_.naive_cam_tolerance = before.naive_cam_tolerance;
+  modal_.feed_mode = before.feed_mode;
+  modal_.feed_known = before.feed_known;
+  modal_.feed_word = before.feed_word;
+  modal_.linear_feed = before.linear_feed;
+  modal_.angular_feed = before.angular_feed;
+  if (modal_.system != before.system) offsets_.select_system(before.system);
+  // As LinuxCNC does, by the code: G43 is that of the tool in the spindle.
+  const machine::Tool* const tool = kept.has_tool_length ? tools_.find(modal_.loaded_tool) : nullptr;
+  frame_.set_tool(tool ? tool->offset : base::AxisVector{});
+  bring_back_machine(before);
+}
+
+void SavedModes::bring_back_machine(const ModalState& before) {
+  using Kind = base::Event::Kind;
+  modal_.constant_surface_speed = before.constant_surface_speed;
+  modal_.surface_speed = before.surface_speed;
+  modal_.most_spindle_speed = before.most_spindle_speed;
+  if (modal_.spindle_speed != before.spindle_speed) outbox_.emit_event(Kind::spindle_speed, before.spindle_speed);
+  modal_.spindle_speed = before.spindle_speed;
+  if (modal_.spindle != before.spindle) {
+    modal_.spindle = before.spindle;
+    outbox_.emit_event(before.spindle == Code::M3   ? Kind::spindle_clockwise
+                       : before.spindle == Code::M4 ? Kind::spindle_counterclockwise
+                                                    : Kind::spindle_stop,
+                       before.spindle == Code::M5 ? 0 : before.spindle_speed);
+  }
+  const bool off = (modal_.mist && !before.mist) || (modal_.flood && !before.flood);
+  if (off) outbox_.emit_event(Kind::coolant_off);
+  if (before.mist && (off || !modal_.mist)) outbox_.emit_event(Kind::coolant_mist);
+  if (before.flood && (off || !modal_.flood)) outbox_.emit_event(Kind::coolant_flood);
+  modal_.mist = before.mist;
+  modal_.flood = before.flood;
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,43 @@
+#pragma once
+// Modes that a program keeps and brings back: M70 … M73 (LinuxCNC manual, M Codes).
+//
+// Each call has modes of its own to keep, once: M70 and M73 keep them, M72 brings them back, M71 forgets them. What M73
+// has kept comes back where the call ends, however it ends. Units, plane, distance and feed modes, F, S, the coordinate
+// system, path control, retract mode, diameters, spindle and coolant are kept; the motion in force is not.
+
+#include <leadscrew/gcode/offsets.hpp>
+#include <vector>
+
+namespace leadscrew::gcode {
+
+class SavedModes : Part {
+ public:
+  SavedModes(const Context& context, Outbox& outbox, Offsets& offsets)
+      : Part(context), outbox_(outbox), offsets_(offsets) {}
+
+  /// M70 … M73; whether modes came back. An error where M72 has none to bring back.
+  bool execute(const Block& block);
+  /// What M73 kept in calls that have ended comes back; whether any did.
+  bool leave_calls();
+  /// Whether any are kept.
+  bool any() const { return !kept_.empty(); }
+
+ private:
+  struct Kept {
+    std::size_t calls = 0;  ///< how many were under way
+    bool comes_back = false;
+    ModalState modal;
+    double length_unit = 1;
+    bool has_tool_length = false;
+  };
+
+  void keep(bool comes_back);
+  void bring_back(const Kept& kept);
+  void bring_back_machine(const ModalState& before);
+
+  Outbox& outbox_;
+  Offsets& offsets_;
+  std::vector<Kept> kept_;  // by calls, ascending
+};
+
+}  // namespace leadscrew::gcode
