@@ -95,6 +95,15 @@ TEST(CannedCycles, FollowPatternsOfHoles) {
   EXPECT_EQ(read("G70 I10 J0 L4\nM2\n", haas).problems(), "1:1 missing-cycle; ");
 }
 
+// Before G98 or G99 has been said.
+TEST(CannedCycles, RetractAsTheDialectBegins) {
+  const std::string drill = "G21 G90 G0 Z10\nG81 X1 Z-1 R2 F100\nM2\n", down = "r1,0,10 r1,0,2 f1,0,-1 ";
+  for (const Dialect dialect : {Dialect::leadscrew, Dialect::linuxcnc})
+    EXPECT_EQ(story(drill, dialect), down + "r1,0,2");
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas, Dialect::mach3})
+    EXPECT_EQ(story(drill, dialect), down + "r1,0,10");
+}
+
 TEST(CannedCycles, LookAtTheSpindleAsLinuxCncDoes) {
   Conditions linuxcnc;
   linuxcnc.options.dialect = Dialect::linuxcnc;

@@ -54,7 +54,6 @@ TEST(Posts, AreManyOfAllDialects) {
 TEST(Posts, AreRead) {
   for (const fs::path& path : posts()) {
     const std::string name = path.filename().string();
-    if (not_read().contains(name)) continue;
     const auto dialect = dialect_of(name.substr(0, name.find('-')));
     ASSERT_TRUE(dialect) << name;
     Conditions conditions;
@@ -62,6 +61,10 @@ TEST(Posts, AreRead) {
     conditions.options.file = name;
     conditions.options.dialect = *dialect;
     const Reading reading = read(text_of(path), conditions);
+    if (not_read().contains(name)) {
+      EXPECT_GT(reading.errors, 0) << name << " is read: take it off the list";
+      continue;
+    }
     for (const base::Diagnostic& problem : reading.diagnostics) {
       if (problem.severity != base::Severity::error) continue;
       ADD_FAILURE() << name << ":" << problem.place.line << ": " << problem.message << " [" << problem.code << "]\n    "

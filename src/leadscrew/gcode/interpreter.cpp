@@ -21,7 +21,8 @@ Interpreter::Interpreter(const Context& context)
   parameters_.load(options_.parameters);
   offsets_.begin();
   travel_.note_outside();
-  if (options_.dialect == Dialect::linuxcnc) modal_.retract = Retract::r_level;
+  if (options_.dialect == Dialect::leadscrew || options_.dialect == Dialect::linuxcnc)
+    modal_.retract = Retract::r_level;
   set_path_control({});
 }
 
