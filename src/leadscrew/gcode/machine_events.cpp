@@ -16,15 +16,19 @@ constexpr double mm_in_foot = 304.8;
 
 void MachineEvents::execute(const Block& block) {
   constexpr std::uint32_t groups = bit(Group::output) | bit(Group::tool) | bit(Group::spindle) | bit(Group::coolant) |
-                                   bit(Group::nonmodal) | bit(Group::spindle_mode);
+                                   bit(Group::nonmodal) | bit(Group::spindle_mode) | bit(Group::overrides) |
+                                   bit(Group::user);
   if (!(block.words & (letter_bit('S') | letter_bit('T'))) && !(block.groups & groups)) return;
   if (block.has(Group::spindle_mode)) set_spindle_mode(block);
   if (block.has('S')) set_speed(block);
   if (block.has('T')) select_tool(block);
   if (block.has(Group::output)) set_output(block);
   if (block.is(Code::M6)) change_tool(block);
+  if (block.is(Code::M61)) functions_.set_tool_number(block);
   if (block.has(Group::spindle)) turn_spindle(block);
   if (block.has(Group::coolant)) set_coolant(block);
+  if (block.has(Group::overrides)) functions_.set_overrides(block);
+  if (block.is(Code::M100)) functions_.call_builder(block);
   if (block.is(Code::G4)) dwell(block);
 }
 
@@ -107,6 +111,7 @@ void MachineEvents::change_tool(const Block& block) {
 }
 
 void MachineEvents::turn_spindle(const Block& block) {
+  if (block.is(Code::M19)) return functions_.orient_spindle(block);
   modal_.spindle = block.code(Group::spindle);
   switch (modal_.spindle) {
     case Code::M3:
@@ -120,6 +125,7 @@ void MachineEvents::turn_spindle(const Block& block) {
 
 void MachineEvents::set_output(const Block& block) {
   const Code code = block.code(Group::output);
+  if (code == Code::M66) return functions_.wait_for_input(block);
   if (row(code).needs.bits & ~block.words) return;
   const bool analog = code == Code::M67 || code == Code::M68;
   const char letter = analog ? 'E' : 'P';

@@ -1,15 +1,15 @@
 #pragma once
 // What a block asks of the machine besides motion: spindle, tool, outputs, coolant, dwell.
 
-#include <leadscrew/gcode/outbox.hpp>
+#include <leadscrew/gcode/machine_functions.hpp>
 
 namespace leadscrew::gcode {
 
 class MachineEvents : Part {
  public:
-  MachineEvents(const Context& context, Outbox& outbox) : Part(context), outbox_(outbox) {}
+  MachineEvents(const Context& context, Outbox& outbox) : Part(context), functions_(context), outbox_(outbox) {}
 
-  /// S, T, M62 … M68, M6, M3 … M5, M7 … M9 and G4, in this order.
+  /// S, T, M62 … M68, M6, M61, M3 … M5, M19, M7 … M9, M48 … M53, M100 … M199 and G4, in this order.
   void execute(const Block& block);
   /// G96: the spindle's speed where the tool stands now, if that is another.
   void follow_surface();
@@ -25,6 +25,7 @@ class MachineEvents : Part {
   double speed_on_surface() const;
   void dwell(const Block& block);
 
+  MachineFunctions functions_;
   Outbox& outbox_;
 };
 

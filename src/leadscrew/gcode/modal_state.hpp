@@ -46,6 +46,10 @@ struct ModalState {
   Code spindle = Code::M5;                                              ///< M3, M4 or M5
   bool mist = false;                                                    ///< M7
   bool flood = false;                                                   ///< M8
+  bool feed_override = true;                                            ///< M48 … M53: whether the machine obeys it
+  bool speed_override = true;                                           ///< likewise
+  bool adaptive_feed = false;
+  bool feed_hold = true;
   std::optional<int> selected_tool;
   int loaded_tool = 0;
 

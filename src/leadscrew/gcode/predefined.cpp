@@ -51,12 +51,8 @@ double at_machine(const Predefined& p) {
 constexpr double always_off(const Predefined&) {
   return 0;
 }
-constexpr double always_on(const Predefined&) {
-  return 1;
-}
 
-// In the order of the alphabet. Spindles and coolant are as the program has left them, overrides as they are when a
-// program begins.
+// In the order of the alphabet. Spindles, coolant and overrides are as the program has left them.
 constexpr PredefinedRow predefined_rows[] = {
     {"_A", at_program<Axis::A>},
     {"_ABSOLUTE", [](const Predefined& p) -> double { return p.modal().distance == Distance::absolute; }},
@@ -69,7 +65,7 @@ constexpr PredefinedRow predefined_rows[] = {
     {"_ABS_X", at_machine<Axis::X>},
     {"_ABS_Y", at_machine<Axis::Y>},
     {"_ABS_Z", at_machine<Axis::Z>},
-    {"_ADAPTIVE_FEED", always_off},
+    {"_ADAPTIVE_FEED", [](const Predefined& p) -> double { return p.modal().adaptive_feed; }},
     {"_B", at_program<Axis::B>},
     {"_C", at_program<Axis::C>},
     {"_CALL_LEVEL", [](const Predefined& p) -> double { return static_cast<double>(p.parameters().calls()); }},
@@ -78,8 +74,8 @@ constexpr PredefinedRow predefined_rows[] = {
     {"_CURRENT_POCKET", [](const Predefined& p) -> double { return p.pocket_of(p.modal().loaded_tool); }},
     {"_CURRENT_TOOL", [](const Predefined& p) -> double { return p.modal().loaded_tool; }},
     {"_FEED", [](const Predefined& p) -> double { return p.modal().feed_word; }},
-    {"_FEED_HOLD", always_on},
-    {"_FEED_OVERRIDE", always_on},
+    {"_FEED_HOLD", [](const Predefined& p) -> double { return p.modal().feed_hold; }},
+    {"_FEED_OVERRIDE", [](const Predefined& p) -> double { return p.modal().feed_override; }},
     {"_FLOOD", [](const Predefined& p) -> double { return p.modal().flood; }},
     {"_IJK_ABSOLUTE_MODE", [](const Predefined& p) -> double { return p.modal().arc_distance == Distance::absolute; }},
     {"_IMPERIAL", [](const Predefined& p) -> double { return p.frame().length_unit != 1; }},
@@ -101,7 +97,7 @@ constexpr PredefinedRow predefined_rows[] = {
        return p.modal().selected_tool ? p.pocket_of(*p.modal().selected_tool) : -1;
      }},
     {"_SELECTED_TOOL", [](const Predefined& p) -> double { return p.modal().selected_tool.value_or(-1); }},
-    {"_SPEED_OVERRIDE", always_on},
+    {"_SPEED_OVERRIDE", [](const Predefined& p) -> double { return p.modal().speed_override; }},
     {"_SPINDLE_CSS_MODE", [](const Predefined& p) -> double { return p.modal().constant_surface_speed; }},
     {"_SPINDLE_CW", [](const Predefined& p) -> double { return p.modal().spindle == Code::M3; }},
     {"_SPINDLE_ON",

@@ -79,6 +79,10 @@ void SavedModes::bring_back_machine(const ModalState& before) {
   if (off) outbox_.emit_event(Kind::coolant_off);
   if (before.mist && (off || !modal_.mist)) outbox_.emit_event(Kind::coolant_mist);
   if (before.flood && (off || !modal_.flood)) outbox_.emit_event(Kind::coolant_flood);
+  modal_.feed_override = before.feed_override;
+  modal_.speed_override = before.speed_override;
+  modal_.adaptive_feed = before.adaptive_feed;
+  modal_.feed_hold = before.feed_hold;
   modal_.mist = before.mist;
   modal_.flood = before.flood;
 }

@@ -3,7 +3,7 @@
 //
 // Each call has modes of its own to keep, once: M70 and M73 keep them, M72 brings them back, M71 forgets them. What M73
 // has kept comes back where the call ends, however it ends. Units, plane, distance and feed modes, F, S, the coordinate
-// system, path control, retract mode, diameters, spindle and coolant are kept; the motion in force is not.
+// system, path control, retract mode, diameters, spindle, coolant and overrides are kept; the motion in force is not.
 
 #include <leadscrew/gcode/offsets.hpp>
 #include <vector>

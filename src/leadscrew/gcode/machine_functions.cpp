@@ -1,0 +1,110 @@
+#include <leadscrew/gcode/machine_functions.hpp>
+
+namespace leadscrew::gcode {
+
+void MachineFunctions::note_untold(int number, std::uint32_t column, const char* what) {
+  if (noted_.test(static_cast<std::size_t>(number))) return;
+  noted_.set(static_cast<std::size_t>(number));
+  reporter_.warning("machine-not-told", column,
+                    "M" + std::to_string(number) + " (" + what + ") is read and the machine is not told of it",
+                    "outputs, M62 to M68, reach the machine");
+}
+
+void MachineFunctions::set_overrides(const Block& block) {
+  const Code code = block.code(Group::overrides);
+  const bool on = block.value_or('P', 1) != 0;
+  switch (code) {
+    case Code::M50:
+      modal_.feed_override = on;
+      break;
+    case Code::M51:
+      modal_.speed_override = on;
+      break;
+    case Code::M52:
+      modal_.adaptive_feed = on;
+      break;
+    case Code::M53:
+      modal_.feed_hold = on;
+      break;
+    default:
+      modal_.feed_override = modal_.speed_override = code == Code::M48;
+      if (code == Code::M48) return;  // as it is without it
+      break;
+  }
+  note_untold(row(code).tenths / 10, block.column_of(Group::overrides), row(code).summary);
+}
+
+void MachineFunctions::set_tool_number(const Block& block) {
+  if (!block.has('Q')) return;
+  const std::optional<int> tool = as_integer(block['Q']);
+  if (!tool || *tool < 0) {
+    error("bad-value", block.column_of('Q'), "the tool number is " + text(block['Q']),
+          "Q must be an integer of 0 or more");
+    return;
+  }
+  if (*tool != 0 && !tools_.tools().empty() && !tools_.find(*tool)) {
+    error("unknown-tool", block.column_of('Q'), "tool " + std::to_string(*tool) + " is not in the tool table",
+          "give a tool table that holds it");
+    return;
+  }
+  modal_.loaded_tool = *tool;
+}
+
+void MachineFunctions::orient_spindle(const Block& block) {
+  modal_.spindle = Code::M5;
+  const double angle = block.value_or('R', 0);
+  if (!(0 <= angle && angle <= 360)) {
+    error("bad-value", block.column_of('R'), "the spindle's angle is " + text(angle),
+          "R must be from 0 to 360 degrees");
+    return;
+  }
+  if (block.has('Q') && !(block['Q'] > 0)) {
+    error("bad-value", block.column_of('Q'), "the timeout is " + text(block['Q']) + " s", "Q must be above 0");
+    return;
+  }
+  const double turn = block.value_or('P', 0);
+  if (turn != 0 && turn != 1 && turn != 2) {
+    error("bad-value", block.column_of('P'), "M19 has P" + text(turn),
+          "0 for the shortest way, 1 for clockwise, 2 for counterclockwise");
+    return;
+  }
+  note_untold(row(Code::M19).tenths / 10, block.column_of(Group::spindle), row(Code::M19).summary);
+}
+
+void MachineFunctions::wait_for_input(const Block& block) {
+  const std::uint32_t column = block.column_of(Group::output);
+  const bool digital = block.has('P'), analog = block.has('E');
+  if (digital == analog) {
+    error(digital ? "ambiguous-word" : "missing-word", column,
+          digital ? "M66 asks for two inputs" : "M66 names no input", "give P, a digital one, or E, an analog one");
+    return;
+  }
+  const char letter = digital ? 'P' : 'E';
+  const std::optional<int> input = as_integer(block[letter]);
+  if (!input || *input < 0 || *input >= base::most_outputs) {
+    error("bad-value", block.column_of(letter), "the number of the input is " + text(block[letter]),
+          std::string(1, letter) + " must be an integer of 0 to " + std::to_string(base::most_outputs - 1));
+    return;
+  }
+  constexpr int at_once = 0, rise = 1, on = 3, last = 4;
+  const std::optional<int> wait = as_integer(block.value_or('L', at_once));
+  if (!wait || *wait < at_once || *wait > last || (analog && *wait != at_once)) {
+    error("bad-value", block.column_of('L'), "M66 has L" + text(block['L']),
+          analog ? "an analog input is read at once: L0" : "an integer from 0 to 4");
+    return;
+  }
+  if (*wait != at_once && !(block.value_or('Q', 0) > 0)) {
+    error("bad-value", block.has('Q') ? block.column_of('Q') : column, "M66 waits for no time",
+          "give Q, the seconds it waits at most");
+    return;
+  }
+  constexpr int answer = 5399;
+  parameters_.set(answer, *wait == rise || *wait == on ? -1 : 0);
+  note_untold(row(Code::M66).tenths / 10, column, row(Code::M66).summary);
+}
+
+void MachineFunctions::call_builder(const Block& block) {
+  note_untold(block.user_code, block.column_of(Group::user), "a function of the machine's builder");
+}
+
+}  // namespace leadscrew::gcode
