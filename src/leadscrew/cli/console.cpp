@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/progress_text.hpp>
 #include <leadscrew/files/descriptor.hpp>
 #include <leadscrew/results/diagnostic_text.hpp>
 
@@ -63,7 +62,7 @@ void Console::progress(const Progress& progress) {
   if (now - drawn_at_ < std::chrono::milliseconds(100)) return;
   drawn_at_ = now;
   const double elapsed = std::chrono::duration<double>(now - begun_).count();
-  const std::string text = "\r" + progress_text(progress, elapsed, progress_width() - 1) + "\033[K";
+  const std::string text = "\r" + results::progress_text(progress, elapsed, progress_width() - 1) + "\033[K";
   drawn_ = true;
   static_cast<void>(files::write_all(STDERR_FILENO, text, "standard error"));
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <leadscrew/base/result.hpp>
+#include <leadscrew/results/progress_text.hpp>
 #include <leadscrew/results/style.hpp>
 #include <string>
 #include <string_view>
@@ -15,13 +16,7 @@ using results::Tone;
 
 enum class ColorChoice { automatic, always, never };
 
-/// How far a long piece of work has come.
-struct Progress {
-  std::string_view work;              ///< "reading", "moving"
-  std::int64_t bytes = 0, total = 0;  ///< of the file that is read
-  std::int64_t words = 0;
-  double motion_seconds = 0;  ///< of the words made so far
-};
+using results::Progress;
 
 class Console {
  public:

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/cli/progress_text.hpp>
 #include <leadscrew/results/program_text.hpp>
+#include <leadscrew/results/progress_text.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::string progress_text(const Progress& progress, double elapsed_seconds, int 
   return text.substr(0, static_cast<std::size_t>(std::max(width, 0)));
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results
