@@ -48,14 +48,14 @@ TEST(CannedCycles, BreakChips) {
 }
 
 TEST(CannedCycles, Tap) {
-  EXPECT_EQ(story(head + "G84 X10 Z-5 R2 P0.5\nM2\n"), "r10,0,10 r10,0,2 f10,0,-5 ccw dwell0.5 f10,0,2 cw");
-  EXPECT_EQ(story(head + "M4\nG74 X10 Z-5 R2\nM2\n"), "ccw r10,0,10 r10,0,2 f10,0,-5 cw f10,0,2 ccw");
+  EXPECT_EQ(story(head + "G84 X10 Z-5 R2 P0.5\nM2\n"), "r10,0,10 r10,0,2 f10,0,-5 stop ccw dwell0.5 f10,0,2 stop cw");
+  EXPECT_EQ(story(head + "M4\nG74 X10 Z-5 R2\nM2\n"), "ccw r10,0,10 r10,0,2 f10,0,-5 stop cw f10,0,2 stop ccw");
 }
 
 // A machine that taps rigidly turns the spindle for the cycle alone.
 TEST(CannedCycles, TapWithASpindleThatStood) {
   EXPECT_EQ(story("G0 Z10\nG98 G84 X10 Z-5 R2 F100\nM2\n", Dialect::fanuc),
-            "r10,0,10 r10,0,2 f10,0,-5 ccw f10,0,2 stop r10,0,10");
+            "r10,0,10 r10,0,2 f10,0,-5 stop ccw f10,0,2 stop stop r10,0,10");
 }
 
 TEST(CannedCycles, Bore) {

@@ -19,7 +19,7 @@ const char* actions_of(Code code) {
       return "pdwc";
     case Code::G74:
     case Code::G84:
-      return "dvwrtc";
+      return "dsvwrstc";
     case Code::G76_bore:
       return "dwoacht";
     case Code::G85:
