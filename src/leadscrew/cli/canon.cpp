@@ -7,7 +7,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::size_t bytes_at_a_time = 64 * 1024;
+constexpr std::size_t bytes_at_a_time = std::size_t{64} * 1024;
 constexpr std::int64_t moves_between_looks = 4096;
 
 /// Prints as it reads, up to the first error; reads on, to find the others.

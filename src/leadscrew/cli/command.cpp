@@ -49,14 +49,13 @@ std::string_view schema_of(Arguments::Verb command) {
       return results::simulate_schema;
     case Arguments::Verb::drive:
       return results::drive_schema;
-    case Arguments::Verb::canon:
-      break;  // has no --json
     case Arguments::Verb::pulse:
     case Arguments::Verb::study:
     case Arguments::Verb::design:
     case Arguments::Verb::explain:
     case Arguments::Verb::format:
-      break;  // work on no program
+    case Arguments::Verb::canon:
+      break;  // no result of a program in JSON
   }
   return results::run_schema;
 }

@@ -37,8 +37,8 @@ bool Motion::arc_center(const Block& block, PlanePoint start, PlanePoint& center
     return error("missing-word", motion_column(block), "the arc has neither a centre nor a radius",
                  std::string("give ") + first_letter + " and " + second_letter + ", or R");
   }
-  double a = block.value_or(first_letter, 0) * frame_.length_unit;
-  double b = block.value_or(second_letter, 0) * frame_.length_unit;
+  const double a = block.value_or(first_letter, 0) * frame_.length_unit;
+  const double b = block.value_or(second_letter, 0) * frame_.length_unit;
   if (modal_.arc_distance == Distance::incremental) {
     center = {start.first + a, start.second + b};
     return true;

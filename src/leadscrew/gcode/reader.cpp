@@ -140,7 +140,7 @@ class Reader::Implementation {
 
   // M97, M98 or M99: what else stands in the block is executed before.
   [[gnu::noinline]] bool call(const TextLine& line) {
-    Block calling = block_;
+    const Block calling = block_;
     block_.groups &= ~bit(Group::call);
     block_.words &= ~row(calling.code(Group::call)).words.bits;
     execute(line);

@@ -96,7 +96,7 @@ void Remarks::execute(std::string_view text) {
     return begins_with(text, each.word) && (!each.has_text || text.substr(each.word.size()).starts_with(','));
   });
   if (row == std::end(rows)) return;
-  const std::int64_t column = reporter_.column(text.data());
+  const std::int64_t column = reporter_.column(&text.front());
   text.remove_prefix(row->word.size() + (row->has_text ? 1 : 0));
   switch (row->action) {
     case Action::say:

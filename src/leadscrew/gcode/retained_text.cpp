@@ -27,7 +27,7 @@ base::Result<std::size_t> RetainedText::read(std::int64_t& offset, std::span<cha
     offset += static_cast<std::int64_t>(count);
     return count;
   }
-  const auto got = live_(buffer);
+  auto got = live_(buffer);
   if (!got) return got;
   const std::size_t count = std::min(*got, buffer.size());
   if (is_kept_ && kept_.size() + count > most) {

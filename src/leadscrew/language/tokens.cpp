@@ -137,8 +137,8 @@ class Scanner {
     } else if (peek() == '#') {
       ++at_;
       if (peek() == '<') {
-        while (at_ < line_.size() && line_[at_++] != '>') {
-        }
+        const std::size_t end = line_.find('>', at_);
+        at_ = end == std::string_view::npos ? line_.size() : end + 1;
       } else {
         deeper(depth);
       }

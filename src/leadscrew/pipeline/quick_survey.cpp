@@ -96,7 +96,7 @@ void QuickSurvey::end_chain() {
 
 std::optional<FeedExcess> QuickSurvey::observe_curve(const gcode::Move& move) {
   end_chain();
-  for (toolpath::Piece& piece : toolpath::pieces_of(move)) {
+  for (const toolpath::Piece& piece : toolpath::pieces_of(move)) {
     toolpath::widen(piece, machine_.axis_set(), least_, greatest_);
   }
   const double length = toolpath::feed_length(move);
