@@ -88,6 +88,7 @@ TEST(ConstantSurfaceSpeed, IsBoundedByG50OfLathes) {
 
 TEST(LocalSystem, IsTheShiftOfG92) {
   EXPECT_EQ(end_of("G0 X1 Y1\nG52 X10\nG0 X0 Y0\nM2\n"), (Point{10, 0, 0}));
+  EXPECT_EQ(read("G52\nM2\n").problems(), "1:1 missing-word; ");
   EXPECT_EQ(end_of("G52 X10\nG52 Y3\nG0 X0 Y0\nM2\n"), (Point{10, 3, 0}));
   EXPECT_EQ(end_of("G0 X1\nG92 X5\nG52 X1\nG0 X1\nG0 Y#5211\nM2\n"), (Point{2, 1, 0}));
 }
@@ -98,6 +99,13 @@ TEST(ToolTable, IsSetByG10) {
   EXPECT_EQ(end_of("G10 L2 P9 Z10\nG92 Z7\nG0 Z8\nG10 L11 P2 Z1\nG92.1\nG43 H2\nG59.3 G0 Z1 X1\nM2\n", with_tools()),
             (Point{1, 0, 1}));
   EXPECT_EQ(read("G10 L1 P77 Z1\nM2\n", with_tools()).problems(), "1:8 unknown-tool; ");
+}
+
+TEST(ToolTable, IsSetInATurnedSystem) {
+  const Reading reading =
+      read_well("G10 L2 P1 R30 X7\nG0 X5 Y5\nG10 L10 P2 X2\nG43 H2\nG0 A#5420 B#5421\nM2\n", with_tools());
+  EXPECT_NEAR(at(reading.lines().back().end, base::Axis::A), 2, 1e-9);
+  EXPECT_NEAR(at(reading.lines().back().end, base::Axis::B), 5, 1e-9);
 }
 
 TEST(ToolTable, OfFanucIsRegisters) {
@@ -145,6 +153,11 @@ TEST(KeptModes, ComeBack) {
   EXPECT_EQ(end_of("G10 L2 P2 X5\nM70\nG55\nM72\nG0 X1\nM2\n"), (Point{1, 0, 0}));
   EXPECT_EQ(read_well("G61\nM70\nG64\nM72\nG0 X1\nM2\n").lines()[0].path_mode, PathMode::exact_path);
   EXPECT_EQ(end_of("M70\nG7\nM72\nG0 X3\nM2\n"), (Point{3, 0, 0}));
+}
+
+TEST(KeptModes, AreToolLengthsToo) {
+  EXPECT_EQ(end_of("G43 H2\nM70\nG49\nM72\nG0 Z1\nM2\n", with_tools()), (Point{0, 0, 6}));
+  EXPECT_EQ(end_of("G43.1 Z3\nM70\nG49\nM72\nG0 Z1\nM2\n"), (Point{0, 0, 4}));
 }
 
 TEST(KeptModes, BringBackTheSpindleAndCoolant) {

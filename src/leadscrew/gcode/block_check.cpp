@@ -26,6 +26,8 @@ std::string example_of(Code code) {
       return "give P, seconds: G4 P0.5";
     case Code::G10:
       return "G10 L2 P1 X0 Y0 Z0";
+    case Code::G52:
+      return "G52 X0";
     case Code::G92:
       return "G92 X0";
     case Code::G43_1:
@@ -178,7 +180,7 @@ void BlockCheck::check_presence(const Block& block) {
     const std::uint32_t column = block.column_of(row(code).group);
     check_needs(block, code, column);
     if (axes) return;
-    if (code == Code::G92 || code == Code::G43_1) {
+    if (code == Code::G52 || code == Code::G92 || code == Code::G43_1) {
       error("missing-word", column, name(code) + " lacks axis words", example_of(code));
     }
   });

@@ -213,12 +213,23 @@ base::AxisVector Offsets::offset_to_reach(const Block& block, int kind, const ba
     there.set_system(parameters_.system(Parameters::numbered_systems));
     there.set_shift({});
   }
-  const base::AxisVector stands = there.to_program(frame_.position);
   base::AxisVector offset = before;
+  if (kind == 1) {
+    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { offset[base::index(axis)] = value; });
+    return offset;
+  }
+  // Coordinates that are not given stay, where the axes are turned: then the offset of all of them is another.
+  const base::AxisVector stands = there.to_program(frame_.position);
+  base::AxisVector short_by{};
   for_each_axis_word(block, frame_, [&](base::Axis axis, double value) {
     const std::size_t i = base::index(axis);
-    offset[i] = kind == 1 ? value : stands[i] - value;
+    short_by[i] = stands[i] - value;
   });
+  const base::AxisVector in_machine = there.direction_to_machine(short_by);
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    if (block.has(base::letter(axis)) || !there.is_separate(axis)) offset[i] = in_machine[i];
+  }
   return offset;
 }
 

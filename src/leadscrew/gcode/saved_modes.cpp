@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <leadscrew/gcode/saved_modes.hpp>
 
 namespace leadscrew::gcode {
@@ -22,8 +21,7 @@ bool SavedModes::execute(const Block& block) {
 
 void SavedModes::keep(bool comes_back) {
   if (kept_.empty() || kept_.back().calls < modal_.calls) kept_.emplace_back();
-  const bool has_tool_length = std::ranges::any_of(frame_.tool(), [](double offset) { return offset != 0; });
-  kept_.back() = {modal_.calls, comes_back, modal_, frame_.length_unit, has_tool_length};
+  kept_.back() = {modal_.calls, comes_back, modal_, frame_.length_unit, frame_.tool()};
   modal_.is_plain = false;
 }
 
@@ -55,9 +53,7 @@ void SavedModes::bring_back(const Kept& kept) {
   modal_.linear_feed = before.linear_feed;
   modal_.angular_feed = before.angular_feed;
   if (modal_.system != before.system) offsets_.select_system(before.system);
-  // As LinuxCNC does, by the code: G43 is that of the tool in the spindle.
-  const machine::Tool* const tool = kept.has_tool_length ? tools_.find(modal_.loaded_tool) : nullptr;
-  frame_.set_tool(tool ? tool->offset : base::AxisVector{});
+  frame_.set_tool(kept.tool_length);
   bring_back_machine(before);
 }
 

@@ -2,7 +2,7 @@
 // Modes that a program keeps and brings back: M70 … M73 (LinuxCNC manual, M Codes).
 //
 // Each call has modes of its own to keep, once: M70 and M73 keep them, M72 brings them back, M71 forgets them. What M73
-// has kept comes back where the call ends, however it ends. Units, plane, distance and feed modes, F, S, the coordinate
+// has kept comes back where the call ends, however it ends. Units, plane, distance and feed modes, F, S, tool length, the coordinate
 // system, path control, retract mode, diameters, spindle, coolant and overrides are kept; the motion in force is not.
 
 #include <leadscrew/gcode/offsets.hpp>
@@ -28,7 +28,7 @@ class SavedModes : Part {
     bool comes_back = false;
     ModalState modal;
     double length_unit = 1;
-    bool has_tool_length = false;
+    base::AxisVector tool_length{};
   };
 
   void keep(bool comes_back);
