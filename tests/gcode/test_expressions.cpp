@@ -89,6 +89,8 @@ TEST(Expressions, HaveTheValuesOfTheStandard) {
       {"EXISTS[#<name>]", 1},
       {"EXISTS[#<other>]", 0},
       {"EXISTS[#4]", 1},
+      {"EXISTS[#99999]", 0},
+      {"EXISTS[#-3]", 0},
       {"s i n [ 3 0 ]", 0.5},
       {"[ 7 m o d 4 ]", 3},
       {"[ 2 * * 3 ]", 8},

@@ -119,6 +119,17 @@ TEST(Subprograms, TellWhatIsWrongWithThem) {
   for (const auto& row : rows) EXPECT_EQ(read(row.text).problems(), row.problems) << row.text;
 }
 
+TEST(Subprograms, TakeValuesOnBothSidesOfRemarks) {
+  EXPECT_EQ(xs("o1 sub\ng0 x[#1+10*#2]\no1 endsub\no1 call [1] (a (b) c) [2] (d) ; [3]\nm2\n"), "21 ");
+  EXPECT_EQ(read("o1 sub\no1 endsub (a) b\no1 call\nm2\n").problems(), "2:15 bad-o-word; ");
+}
+
+// LinuxCNC takes any name: the subroutine is the one that the return stands in.
+TEST(Subprograms, ReturnUnderAnyName) {
+  EXPECT_EQ(xs("o1 sub\no2 if [#1 gt 0]\no2 return [7]\no2 endif\no1 endsub [8]\no1 call [1]\ng0 x#<_value>\nm2\n"),
+            "7 ");
+}
+
 TEST(Subprograms, OfProgramNumbersAreCalledByM98) {
   const std::string program =
       "%\nO1 (MAIN)\ng91\nm98 p100 l3\nm98 p0200\nm98 p100 l0\nm30\n:100\ng0 x1\nm99\nO200\ng0 x10\nm99\n%\n";

@@ -164,14 +164,26 @@ bool ExpressionReader::exists(const char*& p, double& value, int depth) {
     return reporter_.error("bad-parameter", reporter_.column(p), shown(*p) + " stands where a parameter should",
                            "write EXISTS[#<name>]");
   }
+  // Numbers exist where there are so many; that there are not is no error here (LinuxCNC).
+  const char* q = p + 1;
+  double number = 0;
   ParameterName name;
-  if (!parameter_name(++p, name, depth)) return false;
+  skip_blanks(q);
+  bool is_there = true;
+  if (*q != '<') {
+    if (!any_value(q, number, depth + 1)) return false;
+    const std::optional<int> index = as_integer(number);
+    is_there = index && 0 < *index && *index <= Parameters::last;
+    p = q;
+  } else {
+    if (!parameter_name(++p, name, depth)) return false;
+    is_there = parameters_.get(name.name) || predefined_.get(name.name);
+  }
   if (*p != ']') {
     return reporter_.error("unclosed-bracket", reporter_.column(open), "this bracket is not closed", "add ']'");
   }
   skip_blanks(++p);
-  // Numbers exist always (LinuxCNC).
-  value = name.name.empty() || parameters_.get(name.name) || predefined_.get(name.name);
+  value = is_there;
   return true;
 }
 

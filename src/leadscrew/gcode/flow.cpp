@@ -69,9 +69,22 @@ bool Flow::return_to_line(TextLine& line) {
   return true;
 }
 
-/// Nothing but a remark may stand there.
+/// Over blanks and remarks; one that does not end is left where it begins.
+void Flow::skip_remarks(const char*& p) {
+  for (skip_blanks(p); *p == '('; skip_blanks(p)) {
+    const char* end = p;
+    int depth = 0;
+    do {
+      depth += (*end == '(') - (*end == ')');
+    } while (depth > 0 && *++end != '\n');
+    if (depth > 0) return;
+    p = end + 1;
+  }
+}
+
+/// Nothing but remarks may stand there.
 bool Flow::at_end(const char* p) {
-  skip_blanks(p);
+  skip_remarks(p);
   if (*p == '\n' || *p == ';' || *p == '(') return true;
   return reporter_.error("bad-o-word", reporter_.column(p), gcode::shown(*p) + " stands behind the statement",
                          "a statement has a line for itself");

@@ -97,6 +97,7 @@ class Flow {
   bool scan(TextLine& line, Statement& statement, Look&& look);
   bool skip_to(TextLine& line, Keyword opener, StatementName name, Keywords wanted, Statement& found);
   Next error(const Statement& at, std::string_view code, std::string message, std::string hint);
+  static void skip_remarks(const char*& p);
   bool at_end(const char* p);
   bool bracketed_value(const char*& p, double& value);
   bool condition(const char*& p, bool& holds);

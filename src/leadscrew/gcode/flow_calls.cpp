@@ -115,7 +115,7 @@ const Flow::Sub* Flow::open_sub(StatementName name, bool is_program, TextLine& l
 Flow::Next Flow::call(const Statement& statement, TextLine& line) {
   Call call{.kind = CallKind::o_word, .name = statement.name};
   const char* p = statement.rest;
-  for (skip_blanks(p); *p == '['; skip_blanks(p)) {
+  for (skip_remarks(p); *p == '['; skip_remarks(p)) {
     double value = 0;
     if (!values_.value(p, value)) return Next::stop;
     if (call.arguments.size() == Parameters::locals) {
@@ -148,10 +148,10 @@ Flow::Next Flow::begin_call(Call call, const Statement& at) {
   return go(body, true) ? Next::line : Next::stop;
 }
 
-/// endsub or return.
+/// endsub or return. A return may have any name: it is that of the subroutine it stands in (LinuxCNC).
 Flow::Next Flow::return_from(const Statement& statement) {
   const bool is_inside = !calls_.empty() && calls_.back().kind == CallKind::o_word;
-  if (!is_inside || calls_.back().name != statement.name) {
+  if (!is_inside || (statement.keyword == Keyword::endsub && calls_.back().name != statement.name)) {
     return error(
         statement, "return-outside-sub",
         shown(statement.keyword, statement.name) + " stands outside " + statements_.text(statement.name) + " sub",
