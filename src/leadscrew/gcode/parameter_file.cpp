@@ -1,3 +1,5 @@
+#include <fast_float/fast_float.h>
+
 #include <charconv>
 #include <cmath>
 #include <leadscrew/base/number_text.hpp>
@@ -31,7 +33,7 @@ class ParameterLine {
     skip_blanks(p);
     if (*p == '+') ++p;
     const char* const value_begin = p;
-    const auto value = std::from_chars(p, line.end, read.value);
+    const auto value = fast_float::from_chars(p, line.end, read.value);
     p = value.ptr;
     skip_blanks(p);
     if (value.ec != std::errc() || !std::isfinite(read.value) || (*p != '\n' && *p != '#' && *p != ';')) {
