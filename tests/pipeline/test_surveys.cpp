@@ -32,6 +32,19 @@ RC_GTEST_PROP(Surveys, TheQuickBoundIsTheLesser, ()) {
   RC_ASSERT(quick.bound_seconds() <= whole.bound_seconds() * (1 + 1e-9));
 }
 
+// Lines that are short in X, Y and Z while a rotary axis goes far.
+TEST(Surveys, CountNoDegreesAsLength) {
+  machine::Machine machine = machine::mill3();
+  machine.axes[base::index(base::Axis::A)] = {-1000, 1000, 120, 80, 500, 0.001};
+  const std::string text = "G21 G64 P0.007 F600\nG1 Z0.001 A-200\nG1 Y-0.001 Z0\nM2\n";
+  pipeline::PathSurvey whole(machine, {});
+  pipeline::QuickSurvey quick(machine, {});
+  look(whole, machine, text);
+  look(quick, machine, text);
+  EXPECT_GT(whole.bound_seconds(), 1);
+  EXPECT_LE(quick.bound_seconds(), whole.bound_seconds());
+}
+
 TEST(Surveys, TakeShortLinesTogether) {
   std::string text = "G21 G64 P0.01 F1000\n";
   for (int i = 1; i <= 10'000; ++i) text += "G1 X" + std::to_string(i * 0.001) + "\n";

@@ -21,9 +21,14 @@ double remaining(double length, double cut) {
   return length > cut ? (length - cut) / length : 0;
 }
 
+// In X, Y and Z.
+double distance_of(const geometry::Point& start, const geometry::Point& end) {
+  return std::hypot(end[0] - start[0], end[1] - start[1], end[2] - start[2]);
+}
+
 // What a path beside the move is long at least: an arc on its inner side, the chord of a curve.
 double least_length(const gcode::Move& move, double length) {
-  if (move.kind != gcode::Move::Kind::arc) return toolpath::line_length(move.start, move.end);
+  if (move.kind != gcode::Move::Kind::arc) return distance_of(move.start, move.end);
   const double radius = std::hypot(move.start[base::index(gcode::first_axis(move.plane))] - move.center_first,
                                    move.start[base::index(gcode::second_axis(move.plane))] - move.center_second);
   return length * remaining(radius, cut_off(move));
@@ -53,30 +58,34 @@ std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
   }
 }
 
+// What is cut off a blended line's ends is told of X, Y and Z; of how much rotary axes cut off, nothing is.
 std::optional<FeedExcess> QuickSurvey::observe_line(const gcode::Move& move) {
-  double by_axes = 0, square = 0;
+  const double cut = cut_off(move);
+  double by_axes = 0, uncut = 0, square = 0;
   for (std::size_t i = 0; i < base::axis_count; ++i) {
-    const double distance = move.end[i] - move.start[i];
+    const double distance = std::fabs(move.end[i] - move.start[i]);
     least_[i] = std::min(least_[i], move.end[i]);
     greatest_[i] = std::max(greatest_[i], move.end[i]);
-    by_axes = std::max(by_axes, std::fabs(distance) * slowness_[i]);
+    uncut = std::max(uncut, distance * slowness_[i]);
+    if (i < 3 || cut == 0) by_axes = std::max(by_axes, (distance - cut) * slowness_[i]);
     square += i < 3 ? distance * distance : 0;
   }
-  const double length = std::sqrt(square);
-  const double share = square > 0 ? remaining(length, cut_off(move)) : 0;
-  if (move.feed.mode == gcode::Feed::Mode::units_per_second && square > 0) {
-    const double by_feed = length / move.feed.value;
-    if (share < 1 - short_share) {
-      chain_on(move);
-    } else {
-      end_chain();
-      seconds_ += std::max(by_feed, by_axes) * share;
-    }
-    return by_axes > by_feed ? feeds_.observe(move) : std::nullopt;
+  if (move.feed.mode == gcode::Feed::Mode::rapid || square == 0) {
+    end_chain();
+    seconds_ += by_axes;
+    return move.feed.mode == gcode::Feed::Mode::rapid ? std::nullopt : feeds_.observe(move);
   }
-  end_chain();
-  seconds_ += by_axes * share;
-  return move.feed.mode == gcode::Feed::Mode::rapid ? std::nullopt : feeds_.observe(move);
+  const double length = std::sqrt(square);
+  const bool by_time = move.feed.mode == gcode::Feed::Mode::per_second;
+  const double by_feed = by_time ? 1 / move.feed.value : length / move.feed.value;
+  const double share = remaining(length, cut);
+  if (!by_time && share < 1 - short_share) {
+    chain_on(move);
+  } else {
+    end_chain();
+    seconds_ += std::max(by_feed * share, by_axes);
+  }
+  return by_time || uncut > by_feed ? feeds_.observe(move) : std::nullopt;
 }
 
 void QuickSurvey::chain_on(const gcode::Move& move) {
@@ -84,12 +93,12 @@ void QuickSurvey::chain_on(const gcode::Move& move) {
   chain_.end = move.end;
   chain_.feed = std::max(chain_.feed, move.feed.value);
   chain_.cut = std::max(chain_.cut, cut_off(move));
-  if (toolpath::line_length(chain_.start, chain_.end) * short_share > chain_.cut) end_chain();
+  if (distance_of(chain_.start, chain_.end) * short_share > chain_.cut) end_chain();
 }
 
 void QuickSurvey::end_chain() {
   if (chain_.feed == 0) return;
-  const double length = toolpath::line_length(chain_.start, chain_.end);
+  const double length = distance_of(chain_.start, chain_.end);
   seconds_ += length / chain_.feed * remaining(length, chain_.cut);
   chain_ = {};
 }
