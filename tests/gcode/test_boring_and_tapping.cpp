@@ -52,6 +52,13 @@ TEST(CannedCycles, Tap) {
   EXPECT_EQ(story(head + "M4\nG74 X10 Z-5 R2\nM2\n"), "ccw r10,0,10 r10,0,2 f10,0,-5 stop cw f10,0,2 stop ccw");
 }
 
+// LinuxCNC feeds out to the clear level, others to R.
+TEST(CannedCycles, TapOut) {
+  const std::string tap = head + "G98 G84 X10 Z-5 R2\nM2\n", in = "r10,0,10 r10,0,2 f10,0,-5 stop ccw ";
+  EXPECT_EQ(story(tap, Dialect::linuxcnc), in + "f10,0,10 stop cw");
+  EXPECT_EQ(story(tap, Dialect::fanuc), in + "f10,0,2 stop cw r10,0,10");
+}
+
 // A machine that taps rigidly turns the spindle for the cycle alone.
 TEST(CannedCycles, TapWithASpindleThatStood) {
   EXPECT_EQ(story("G0 Z10\nG98 G84 X10 Z-5 R2 F100\nM2\n", Dialect::fanuc),

@@ -76,7 +76,7 @@ TEST(Turn, AddsToThatOfTheSystem) {
 TEST(Turn, TurnsIncrementsAndArcs) {
   const Reading reading = read_well("F60 G68 X0 Y0 R90\nG91 G1 X10\nG2 X10 I5\nM2\n", fanuc());
   ASSERT_EQ(reading.arcs().size(), 1u);
-  const Move& arc = reading.arcs()[0];
+  const Move arc = reading.arcs()[0];
   EXPECT_NEAR(arc.start[1], 10, 1e-12);
   EXPECT_NEAR(arc.end[1], 20, 1e-12);
   EXPECT_NEAR(arc.center_second, 15, 1e-12);

@@ -193,13 +193,17 @@ class Program:
 
     # Canned cycles
 
-    CYCLES = {"G81": "", "G82": "P", "G83": "Q", "G85": ""}
+    CYCLES = {"G73": "Q", "G74": "P", "G81": "", "G82": "P", "G83": "Q", "G84": "P", "G85": "", "G86": "P", "G89": "P"}
+    # rs274 taps along the axes of G17 in all planes, and takes no L with the two below G81.
+    TAPS = ("G74", "G84")
+    NO_REPEATS = ("G73", "G74")
 
     def cycle(self):
         if self.inverse:
             self.inverse = False
             self.block(f"G94 F{self.random.randint(10, 900)}")
-        if self.rotated and self.plane != "XY":
+        code = self.random.choice(self.cycles)
+        if (self.rotated or code in self.TAPS) and self.plane != "XY":
             self.block(self.set_plane("XY"))
         first, second = self.plane
         normal = next(axis for axis in "XYZ" if axis not in self.plane)
@@ -207,16 +211,15 @@ class Program:
         self.incremental = False
         if self.chance(0.4):
             self.block(self.set_distance(True))
-        code = self.random.choice(self.cycles)
-        if code == "G86":
-            self.block("M3 S1000")
+        if code in ("G74", "G84", "G86"):
+            self.block("M4 S1000" if code == "G74" else "M3 S1000")
         clear = self.value(1, 15)
         bottom = -self.value(1, 15) if self.incremental else clear - self.value(1, 20)
         words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.8)]
         words += [self.word(normal, bottom), self.word("R", clear)]
         words += [f"P{self.random.uniform(0, 2):.2f}"] if "P" in self.CYCLES[code] else []
         words += [self.word("Q", abs(self.value(1.013, 7.177)))] if "Q" in self.CYCLES[code] else []
-        words += [f"L{self.random.randint(1, 3)}"] if self.chance(0.15) else []
+        words += [f"L{self.random.randint(1, 3)}"] if self.chance(0.15) and code not in self.NO_REPEATS else []
         self.moved = False  # units or the system have changed since the series began
         self.retract = self.random.choice(["G98", "G99"])
         self.block(self.retract, code, *words)
@@ -254,7 +257,7 @@ class Program:
         words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.7)]
         words += [self.word(normal, self.value(-30, 5))] if self.chance(0.12) else []
         words += [self.word("R", self.value(1, 12))] if self.chance(0.12) else []
-        words += [f"L{self.random.randint(1, 3)}"] if words and self.chance(0.08) else []
+        words += [f"L{self.random.randint(1, 3)}"] if words and self.chance(0.08) and code not in self.NO_REPEATS else []
         if words:
             self.block(self.random.choice(["", "", "", code]), *words)
 

@@ -9,7 +9,7 @@ namespace {
 
 // What a cycle does from R on, a character an action:
 //
-//     p  down in pecks       d  down at feed      b  to the bottom at rapid    r  up to R at feed    k  to K at feed
+//     p  down in pecks       d  down at feed      b  to the bottom at rapid    r  out at feed    k  to K at feed
 //     c  to the clear level  w  dwell             a  aside, off the wall       h  back over the hole
 //     o  orient the spindle  s  stop it           v  reverse it                t  turn it as before  m  wait for the operator
 const char* actions_of(Code code) {
@@ -127,7 +127,7 @@ DrillCycle::Step DrillCycle::in_hole() {
     case 'b':
       return at_level(Kind::rapid, plan_.bottom);
     case 'r':
-      return at_level(Kind::feed, plan_.r_level);
+      return at_level(Kind::feed, plan_.out_level);
     case 'k':
       return at_level(Kind::feed, plan_.level);
     case 'c':

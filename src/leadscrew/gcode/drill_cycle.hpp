@@ -30,6 +30,7 @@ class DrillCycle {
     Pattern pattern;
     double r_level = 0;      ///< ≥ bottom
     double clear_level = 0;  ///< ≥ r_level; where the tool waits between holes
+    double out_level = 0;    ///< ≥ r_level; to which a cycle that goes out at feed does so
     double bottom = 0;
     double peck = 0;             ///< G73, G83: mm, > 0: the first
     double peck_step = 0;        ///< mm, ≥ 0: by which each is less than the one before
