@@ -53,7 +53,10 @@ TEST(CannedCycles, Tap) {
 }
 
 // LinuxCNC feeds out to the clear level, others to R.
-TEST(CannedCycles, TapOut) {
+TEST(CannedCycles, GoOutAtFeed) {
+  const std::string bore = head + "G98 G89 X10 Z-5 R2 P1\nM2\n", down = "r10,0,10 r10,0,2 f10,0,-5 dwell1 ";
+  EXPECT_EQ(story(bore, Dialect::linuxcnc), down + "f10,0,10");
+  EXPECT_EQ(story(bore, Dialect::mach3), down + "f10,0,2 r10,0,10");
   const std::string tap = head + "G98 G84 X10 Z-5 R2\nM2\n", in = "r10,0,10 r10,0,2 f10,0,-5 stop ccw ";
   EXPECT_EQ(story(tap, Dialect::linuxcnc), in + "f10,0,10 stop cw");
   EXPECT_EQ(story(tap, Dialect::fanuc), in + "f10,0,2 stop cw r10,0,10");

@@ -28,10 +28,10 @@ bool CannedCycles::plan_levels(const Block& block, DrillCycle::Plan& plan) {
   plan.r_level = *series_->r * unit + (absolute ? zero : series_->initial_level);
   plan.bottom = *series_->bottom * unit + (absolute ? zero : plan.r_level);
   plan.clear_level = modal_.retract == Retract::r_level ? plan.r_level : std::max(plan.r_level, series_->initial_level);
-  // LinuxCNC taps out to the clear level, others, and boring cycles, to R (LinuxCNC manual, G74, G84, G85).
-  const bool taps = plan.code == Code::G74 || plan.code == Code::G84;
+  // LinuxCNC's cycles feed out to the clear level, but for G85, which feeds to R, as all do elsewhere (LinuxCNC manual,
+  // G74, G84, G85, G89).
   const bool as_linuxcnc = options_.dialect == Dialect::leadscrew || options_.dialect == Dialect::linuxcnc;
-  plan.out_level = taps && as_linuxcnc ? plan.clear_level : plan.r_level;
+  plan.out_level = as_linuxcnc && plan.code != Code::G85 ? plan.clear_level : plan.r_level;
   if (plan.bottom <= plan.r_level) return true;
   return error("cycle-levels", block.has(drill_letter) ? block.column_of(drill_letter) : motion_column(block),
                "the bottom at " + text(plan.bottom) + " mm is above R at " + text(plan.r_level) + " mm",
