@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <leadscrew/gcode/number.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <ostream>
@@ -60,6 +61,13 @@ struct Conditions {
   ReaderOptions options;
 };
 
+/// What is read is of a dialect.
+inline Conditions in_dialect(Dialect dialect) {
+  Conditions conditions;
+  conditions.options.dialect = dialect;
+  return conditions;
+}
+
 inline Reading read_source(ByteSource source, const Conditions& conditions) {
   Reading reading;
   Reader reader(std::move(source), conditions.machine, conditions.tools, conditions.options,
@@ -85,6 +93,13 @@ inline Reading read_well(std::string_view text, const Conditions& conditions = {
 
 inline double at(const base::AxisVector& position, base::Axis axis) {
   return position[base::index(axis)];
+}
+
+/// Where X comes to, line by line: "1 2 3 ".
+inline std::string ends_along_x(const Reading& reading) {
+  std::string result;
+  for (const Move& move : reading.lines()) result += text(at(move.end, base::Axis::X)) + " ";
+  return result;
 }
 
 /// Coordinates along X, Y and Z.

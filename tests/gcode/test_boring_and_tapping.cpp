@@ -11,11 +11,9 @@ namespace test_boring_and_tapping {
 
 // "r10,0,2 f10,0,-5 cw dwell0.5": rapids, feeds, spindle events and dwells behind the first rapid.
 std::string story(std::string_view text, Dialect dialect = Dialect::leadscrew) {
-  Conditions conditions;
-  conditions.options.dialect = dialect;
   std::ostringstream out;
   bool begun = false;
-  for (const Move& move : read_well(text, conditions).moves) {
+  for (const Move& move : read_well(text, in_dialect(dialect)).moves) {
     using Kind = base::Event::Kind;
     if (move.kind == Move::Kind::dwell) out << "dwell" << move.dwell_seconds << " ";
     if (move.kind == Move::Kind::event && begun) {
@@ -100,8 +98,7 @@ TEST(CannedCycles, FollowPatternsOfHoles) {
   EXPECT_EQ(story(drill + "G71 I10 J0 K90 L2\nM2\n", Dialect::haas),
             "r10,0,10 r10,0,1 f10,0,-1 r10,0,1 r0,10,1 f0,10,-1 r0,10,1");
   EXPECT_EQ(story(drill + "G72 I10 J90 L2\nM2\n", Dialect::haas), "r0,0,1 f0,0,-1 r0,0,1 r0,10,1 f0,10,-1 r0,10,1");
-  Conditions haas;
-  haas.options.dialect = Dialect::haas;
+  const Conditions haas = in_dialect(Dialect::haas);
   EXPECT_EQ(read("G70 I10 J0 L4\nM2\n", haas).problems(), "1:1 missing-cycle; ");
 }
 
@@ -115,8 +112,7 @@ TEST(CannedCycles, RetractAsTheDialectBegins) {
 }
 
 TEST(CannedCycles, LookAtTheSpindleAsLinuxCncDoes) {
-  Conditions linuxcnc;
-  linuxcnc.options.dialect = Dialect::linuxcnc;
+  const Conditions linuxcnc = in_dialect(Dialect::linuxcnc);
   const std::string stands = "G0 Z10\nF100\n";
   EXPECT_EQ(read(stands + "G84 X1 Z-1 R1\nM2\n", linuxcnc).problems(), "3:1 spindle-stands; ");
   EXPECT_EQ(read(stands + "G86 X1 Z-1 R1 P1\nM2\n", linuxcnc).problems(), "3:1 spindle-stands; ");

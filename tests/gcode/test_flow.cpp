@@ -8,15 +8,8 @@
 namespace leadscrew::gcode {
 namespace test_flow {
 
-// Where X comes to, move by move: "1 2 3 ".
-std::string xs_of(const Reading& reading) {
-  std::string result;
-  for (const Move& move : reading.lines()) result += text(at(move.end, base::Axis::X)) + " ";
-  return result;
-}
-
 std::string xs(std::string_view program, const Conditions& conditions = {}) {
-  return xs_of(read_well(program, conditions));
+  return ends_along_x(read_well(program, conditions));
 }
 
 TEST(Flow, RepeatsWhileAConditionHolds) {

@@ -8,17 +8,9 @@
 namespace leadscrew::gcode {
 namespace test_macro_b {
 
-Conditions fanuc() {
-  Conditions conditions;
-  conditions.options.dialect = Dialect::fanuc;
-  return conditions;
-}
-
 // Where X comes to, move by move: "1 2 3 ".
 std::string macro_xs(std::string_view program) {
-  std::string result;
-  for (const Move& move : read_well(program, fanuc()).lines()) result += text(at(move.end, base::Axis::X)) + " ";
-  return result;
+  return ends_along_x(read_well(program, in_dialect(Dialect::fanuc)));
 }
 
 TEST(Macros, GoToBlocks) {
@@ -76,7 +68,8 @@ TEST(Macros, TellWhatIsWrong) {
       {"G90 G65 P1\nM30\n", "1:5 bad-o-word; "},
       {"o1 if [1]\nM30\n", "1:1 unsupported-o-word; "},
   };
-  for (const auto& row : rows) EXPECT_EQ(read(row.text, fanuc()).problems(), row.problems) << row.text;
+  for (const auto& row : rows)
+    EXPECT_EQ(read(row.text, in_dialect(Dialect::fanuc)).problems(), row.problems) << row.text;
 }
 
 TEST(Macros, AreNotOfOtherDialects) {
@@ -85,13 +78,13 @@ TEST(Macros, AreNotOfOtherDialects) {
 }
 
 TEST(Macros, WithoutEndEnd) {
-  Conditions conditions = fanuc();
+  Conditions conditions = in_dialect(Dialect::fanuc);
   conditions.options.fuel = 1000;
   EXPECT_EQ(read("N5 GOTO 5\nM30\n", conditions).problems(), "1:1 fuel-exhausted; ");
   std::string chain;
   for (int i = 1; i <= 500; ++i) chain += "GOTO " + std::to_string(i) + "\nN" + std::to_string(i) + "\n";
   EXPECT_EQ(read(chain + "M30\n", conditions).diagnostics.at(0).code, "fuel-exhausted");
-  EXPECT_EQ(read(chain + "M30\n", fanuc()).problems(), "");
+  EXPECT_EQ(read(chain + "M30\n", in_dialect(Dialect::fanuc)).problems(), "");
   EXPECT_EQ(read("DO1\nEND1\nM30\n", conditions).problems(), "1:1 fuel-exhausted; ");
 }
 

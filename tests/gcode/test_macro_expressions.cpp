@@ -3,14 +3,9 @@
 namespace leadscrew::gcode {
 namespace test_macro_expressions {
 
-Conditions fanuc() {
-  Conditions conditions;
-  conditions.options.dialect = Dialect::fanuc;
-  return conditions;
-}
-
 double macro_value(const std::string& blocks, const std::string& text) {
-  const Reading reading = read_well(blocks + "#100=" + text + "\nG90 G21 G53 G0 X-300\nG53 X#100\nM30\n", fanuc());
+  const Reading reading =
+      read_well(blocks + "#100=" + text + "\nG90 G21 G53 G0 X-300\nG53 X#100\nM30\n", in_dialect(Dialect::fanuc));
   return at(reading.lines().back().end, base::Axis::X);
 }
 
@@ -62,7 +57,7 @@ TEST(MacroVariables, AreVacantBeforeTheyAreSet) {
 }
 
 TEST(MacroVariables, LeaveOutTheWordsThatTheyAreVacantIn) {
-  const Reading reading = read_well("G0 X1 Y2\nX#1 Y5\nM30\n", fanuc());
+  const Reading reading = read_well("G0 X1 Y2\nX#1 Y5\nM30\n", in_dialect(Dialect::fanuc));
   EXPECT_EQ(xyz(reading.lines().back().end), (Point{1, 5, 0}));
 }
 
@@ -73,13 +68,13 @@ TEST(MacroVariables, OfTheSystemTellModesAndPositions) {
 }
 
 TEST(MacroVariables, OfTheSystemAreToldWhereTheyAreNotRead) {
-  EXPECT_EQ(read("#1=#2001\nM30\n", fanuc()).problems(), "1:4 unsupported-parameter; ");
-  EXPECT_EQ(read("#3003=1\nM30\n", fanuc()).problems(), "1:1 unsupported-parameter; ");
-  EXPECT_EQ(read("#0=1\nM30\n", fanuc()).problems(), "1:1 read-only-parameter; ");
+  EXPECT_EQ(read("#1=#2001\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:4 unsupported-parameter; ");
+  EXPECT_EQ(read("#3003=1\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:1 unsupported-parameter; ");
+  EXPECT_EQ(read("#0=1\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:1 read-only-parameter; ");
 }
 
 TEST(MacroVariables, StopTheProgramWithAnAlarm) {
-  const Reading reading = read("G0 X1\n#3000=7 (TOOL BROKEN)\nG0 X2 #5000=1\nM30\n", fanuc());
+  const Reading reading = read("G0 X1\n#3000=7 (TOOL BROKEN)\nG0 X2 #5000=1\nM30\n", in_dialect(Dialect::fanuc));
   EXPECT_EQ(reading.problems(), "2:1 program-alarm; ");
   EXPECT_EQ(reading.diagnostics.back().message, "the program stops here with alarm 7: TOOL BROKEN");
   EXPECT_EQ(reading.lines().size(), 1u);

@@ -11,14 +11,8 @@
 namespace leadscrew::gcode {
 namespace test_transforms {
 
-Conditions fanuc() {
-  Conditions conditions;
-  conditions.options.dialect = Dialect::fanuc;
-  return conditions;
-}
-
 void expect_ends(std::string_view text, const std::vector<Point>& ends) {
-  const Reading reading = read_well(text, fanuc());
+  const Reading reading = read_well(text, in_dialect(Dialect::fanuc));
   std::vector<Point> found;
   for (const Move& move : reading.moves) {
     if (move.kind != Move::Kind::event) found.push_back(xyz(move.end));
@@ -74,7 +68,7 @@ TEST(Turn, AddsToThatOfTheSystem) {
 }
 
 TEST(Turn, TurnsIncrementsAndArcs) {
-  const Reading reading = read_well("F60 G68 X0 Y0 R90\nG91 G1 X10\nG2 X10 I5\nM2\n", fanuc());
+  const Reading reading = read_well("F60 G68 X0 Y0 R90\nG91 G1 X10\nG2 X10 I5\nM2\n", in_dialect(Dialect::fanuc));
   ASSERT_EQ(reading.arcs().size(), 1u);
   const Move arc = reading.arcs()[0];
   EXPECT_NEAR(arc.start[1], 10, 1e-12);
@@ -92,7 +86,7 @@ TEST(Scale, TakesAxesByThemselves) {
 }
 
 TEST(Scale, TurnsArcsRoundWhereItMirrors) {
-  const Reading reading = read_well("F60 G51 X0 Y0 Z0 I-2. J2. K1.\nG2 X10 Y0 I5 J0\nM2\n", fanuc());
+  const Reading reading = read_well("F60 G51 X0 Y0 Z0 I-2. J2. K1.\nG2 X10 Y0 I5 J0\nM2\n", in_dialect(Dialect::fanuc));
   ASSERT_EQ(reading.arcs().size(), 1u);
   EXPECT_EQ(reading.arcs()[0].turns, 1);
   EXPECT_NEAR(reading.arcs()[0].center_first, -10, 1e-12);
@@ -104,8 +98,8 @@ TEST(Scale, ScalesCycles) {
 }
 
 TEST(Scale, NeedsANumberThatIsNotZero) {
-  EXPECT_EQ(read("G51 X0 Y0\nM2\n", fanuc()).problems(), "1:1 missing-word; ");
-  EXPECT_EQ(read("G51 X0 Y0 P0.\nM2\n", fanuc()).problems(), "1:11 bad-value; ");
+  EXPECT_EQ(read("G51 X0 Y0\nM2\n", in_dialect(Dialect::fanuc)).problems(), "1:1 missing-word; ");
+  EXPECT_EQ(read("G51 X0 Y0 P0.\nM2\n", in_dialect(Dialect::fanuc)).problems(), "1:11 bad-value; ");
 }
 
 TEST(Mirror, IsAtACoordinate) {
@@ -138,7 +132,7 @@ TEST(Transforms, MakeCurvesOfArcs) {
     text << std::fixed << "F600 G51 X0 Y0 Z0 I" << a << " J" << b << " K1.\n"
          << "G18 G68 X0 Z0 R" << angle << "\nG17 G3 X" << end_x << " Y" << end_y << " I" << i_word << " J" << j_word
          << " Z" << pitch << "\nM2\n";
-    const Reading reading = read_well(text.str(), fanuc());
+    const Reading reading = read_well(text.str(), in_dialect(Dialect::fanuc));
     const std::vector<Move> curves = reading.of(Move::Kind::nurbs);
     ASSERT_EQ(curves.size(), 1u) << text.str();
     const NurbsCurve& curve = curves[0].curve;

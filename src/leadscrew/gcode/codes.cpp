@@ -104,7 +104,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   unread(with_axes(g(Code::G72_2, 722, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 2", manual, "QDIRP"))),
   with_axes(g(Code::G92, 920, Group::nonmodal, all, "shifts coordinates so that the tool stands at those given", "NIST IR 6556, 3.5.18")),
   g(Code::G92_1, 921, Group::nonmodal, {L, C, B, M}, "no shift, and forgets it", "NIST IR 6556, 3.5.18"),
-  g(Code::G92_2, 922, Group::nonmodal, {L, C, M}, "no shift for now", "NIST IR 6556, 3.5.18"),
+  g(Code::G92_2, 922, Group::nonmodal, {L, C, M}, "no shift, until G92.3 brings it back", "NIST IR 6556, 3.5.18"),
   g(Code::G92_3, 923, Group::nonmodal, {L, C, M}, "the shift that was kept", "NIST IR 6556, 3.5.18"),
   g(Code::G5_high_speed, 50, Group::nonmodal, {F}, "high-speed machining, which is always on here", fanuc_manual, "P"),
   g(Code::G5_1_high_speed, 51, Group::nonmodal, {F, H}, "contour control, which is always on here", fanuc_manual, "QR"),

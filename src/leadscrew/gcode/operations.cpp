@@ -30,19 +30,6 @@ constexpr FunctionName function_names[] = {
     {"TAN", Function::tan},   {"BIN", Function::bin, true}, {"BCD", Function::bcd, true},
 };
 
-// Whether the word stands at p, in any case and with blanks between its letters; p then moves behind it.
-bool take(const char*& p, std::string_view word) {
-  const char* q = p;
-  for (const char c : word) {
-    skip_blanks(q);
-    if (upper(*q) != c) return false;
-    ++q;
-  }
-  p = q;
-  skip_blanks(p);
-  return true;
-}
-
 double remainder_of(double a, double b) {
   const double rest = std::fmod(a, b);
   return rest < 0 ? rest + std::fabs(b) : rest;
@@ -93,7 +80,7 @@ const OperatorName* operator_at(const char*& p, int loosest, Dialect dialect) {
     if (candidate.name.front() != first) continue;
     const int level = level_of(candidate, dialect);
     const char* q = p;
-    if (level == 0 || !take(q, candidate.name)) continue;
+    if (level == 0 || !take_letters(q, candidate.name)) continue;
     if (level < loosest) return nullptr;
     p = q;
     return &candidate;
@@ -104,7 +91,7 @@ const OperatorName* operator_at(const char*& p, int loosest, Dialect dialect) {
 const FunctionName* function_at(const char*& p, Dialect dialect) {
   for (const FunctionName& candidate : function_names) {
     const char* q = p;
-    if ((candidate.of_macros_only && !has_macros(dialect)) || !take(q, candidate.name) || *q != '[') continue;
+    if ((candidate.of_macros_only && !has_macros(dialect)) || !take_letters(q, candidate.name) || *q != '[') continue;
     p = q;
     return &candidate;
   }

@@ -81,6 +81,19 @@ constexpr char upper(char c) {
   return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
+/// Whether the letters stand at p, in any case and with blanks between; p then moves behind them and the blanks there.
+inline bool take_letters(const char*& p, std::string_view letters) {
+  const char* q = p;
+  for (const char c : letters) {
+    skip_blanks(q);
+    if (upper(*q) != c) return false;
+    ++q;
+  }
+  p = q;
+  skip_blanks(p);
+  return true;
+}
+
 /// The operator that stands at p and binds as tightly as `loosest` or tighter, or nullptr; p then stands behind it.
 const OperatorName* operator_at(const char*& p, int loosest, Dialect dialect);
 /// How tightly it binds.

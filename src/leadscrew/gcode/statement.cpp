@@ -50,19 +50,6 @@ constexpr bool ends_statement(char c) {
   return c == '\n' || c == ';' || c == '(';
 }
 
-/// Whether the letters stand at p, in any case and with blanks between; p then moves behind them and the blanks there.
-bool take_letters(const char*& p, std::string_view letters) {
-  const char* q = p;
-  for (const char c : letters) {
-    skip_blanks(q);
-    if (upper(*q) != c) return false;
-    ++q;
-  }
-  p = q;
-  skip_blanks(p);
-  return true;
-}
-
 /// The keyword of an O word, all letters that stand there.
 Keyword o_keyword(const char*& p) {
   std::array<char, 10> letters;
