@@ -7,33 +7,47 @@ namespace leadscrew::gcode {
 
 namespace {
 
-// What a cycle does from R on, a character an action:
-//
-//     p  down in pecks       d  down at feed      b  to the bottom at rapid    r  out at feed    k  to K at feed
-//     c  to the clear level  w  dwell             a  aside, off the wall       h  back over the hole
-//     o  orient the spindle  s  stop it           v  reverse it                t  turn it as before  m  wait for the operator
-const char* actions_of(Code code) {
+using DrillAction = DrillCycle::Action;
+
+// What each cycle does from R on.
+constexpr DrillAction of_g83[] = {DrillAction::peck, DrillAction::down, DrillAction::dwell, DrillAction::clear};
+constexpr DrillAction of_g84[] = {DrillAction::down, DrillAction::stop, DrillAction::reverse, DrillAction::dwell,
+                                  DrillAction::out,  DrillAction::stop, DrillAction::start,   DrillAction::clear};
+constexpr DrillAction of_g76_bore[] = {DrillAction::down,  DrillAction::dwell, DrillAction::orient, DrillAction::aside,
+                                       DrillAction::clear, DrillAction::back,  DrillAction::start};
+constexpr DrillAction of_g85[] = {DrillAction::down, DrillAction::out, DrillAction::clear};
+constexpr DrillAction of_g86[] = {DrillAction::down, DrillAction::dwell, DrillAction::stop, DrillAction::clear,
+                                  DrillAction::start};
+constexpr DrillAction of_g87[] = {DrillAction::aside, DrillAction::orient,    DrillAction::plunge, DrillAction::back,
+                                  DrillAction::start, DrillAction::bore_back, DrillAction::down,   DrillAction::orient,
+                                  DrillAction::aside, DrillAction::clear,     DrillAction::back,   DrillAction::start};
+constexpr DrillAction of_g88[] = {DrillAction::down,  DrillAction::dwell, DrillAction::stop,
+                                  DrillAction::pause, DrillAction::clear, DrillAction::start};
+constexpr DrillAction of_g89[] = {DrillAction::down, DrillAction::dwell, DrillAction::out, DrillAction::clear};
+constexpr DrillAction of_drilling[] = {DrillAction::down, DrillAction::dwell, DrillAction::clear};
+
+std::span<const DrillAction> actions_of(Code code) {
   switch (code) {
     case Code::G73:
     case Code::G83:
-      return "pdwc";
+      return of_g83;
     case Code::G74:
     case Code::G84:
-      return "dsvwrstc";
+      return of_g84;
     case Code::G76_bore:
-      return "dwoacht";
+      return of_g76_bore;
     case Code::G85:
-      return "drc";
+      return of_g85;
     case Code::G86:
-      return "dwsct";
+      return of_g86;
     case Code::G87:
-      return "aobhtkdoacht";
+      return of_g87;
     case Code::G88:
-      return "dwsmct";
+      return of_g88;
     case Code::G89:
-      return "dwrc";
+      return of_g89;
     default:
-      return "dwc";
+      return of_drilling;
   }
 }
 
@@ -83,7 +97,7 @@ DrillCycle::Step DrillCycle::next() {
       return at_level(Kind::rapid, level);
     case Phase::to_r_level:
       phase_ = Phase::in_hole;
-      action_ = actions_of(plan_.code);
+      actions_ = actions_of(plan_.code);
       peck_level_ = plan_.r_level;
       pecks_ = 0;
       return at_level(Kind::rapid, plan_.r_level);
@@ -108,7 +122,7 @@ DrillCycle::Step DrillCycle::peck() {
   const double deeper = plan_.peck_step > 0 ? peck_level_ - size
                                             : plan_.r_level - (pecks_ + 1) * plan_.peck;  // exact where all are equal
   if (!(deeper > plan_.bottom + least_rest)) {
-    ++action_;
+    actions_ = actions_.subspan(1);
     return in_hole();
   }
   ++pecks_;
@@ -119,37 +133,40 @@ DrillCycle::Step DrillCycle::peck() {
 
 DrillCycle::Step DrillCycle::in_hole() {
   using Kind = Step::Kind;
-  if (*action_ == 'p') return peck();
-  while (*action_ == 'w' && !plan_.dwells) ++action_;
-  switch (*action_ == 0 ? '\0' : *action_++) {
-    case 'd':
-      return at_level(Kind::feed, plan_.bottom);
-    case 'b':
-      return at_level(Kind::rapid, plan_.bottom);
-    case 'r':
-      return at_level(Kind::feed, plan_.out_level);
-    case 'k':
-      return at_level(Kind::feed, plan_.level);
-    case 'c':
-      return at_level(Kind::rapid, plan_.clear_level);
-    case 'w':
-      return {Kind::dwell, position_};
-    case 'a':
-      return move_aside(1);
-    case 'h':
-      return move_aside(-1);
-    case 'o':
-      return {Kind::spindle_orient, position_};
-    case 's':
-      return {Kind::spindle_stop, position_};
-    case 'v':
-      return {Kind::spindle_reverse, position_};
-    case 't':
-      return {Kind::spindle_start, position_};
-    case 'm':
-      return {Kind::pause, position_};
-    default:
-      break;
+  while (!actions_.empty() && actions_.front() == Action::dwell && !plan_.dwells) actions_ = actions_.subspan(1);
+  if (!actions_.empty()) {
+    const Action action = actions_.front();
+    if (action == Action::peck) return peck();
+    actions_ = actions_.subspan(1);
+    switch (action) {
+      case Action::peck:
+      case Action::down:
+        return at_level(Kind::feed, plan_.bottom);
+      case Action::plunge:
+        return at_level(Kind::rapid, plan_.bottom);
+      case Action::out:
+        return at_level(Kind::feed, plan_.out_level);
+      case Action::bore_back:
+        return at_level(Kind::feed, plan_.level);
+      case Action::clear:
+        return at_level(Kind::rapid, plan_.clear_level);
+      case Action::dwell:
+        return {Kind::dwell, position_};
+      case Action::aside:
+        return move_aside(1);
+      case Action::back:
+        return move_aside(-1);
+      case Action::orient:
+        return {Kind::spindle_orient, position_};
+      case Action::stop:
+        return {Kind::spindle_stop, position_};
+      case Action::reverse:
+        return {Kind::spindle_reverse, position_};
+      case Action::start:
+        return {Kind::spindle_start, position_};
+      case Action::pause:
+        return {Kind::pause, position_};
+    }
   }
   ++hole_;
   phase_ = hole_ < plan_.repeats ? Phase::approach : Phase::done;

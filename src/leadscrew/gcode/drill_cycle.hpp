@@ -5,8 +5,10 @@
 //     ──┐ lift to R where the tool is below it
 //       └──▶ approach at the old level ──▶ down to R ──▶ what the cycle does there ──▶ clear level ──▶ next hole
 
+#include <cstdint>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/gcode/codes.hpp>
+#include <span>
 
 namespace leadscrew::gcode {
 
@@ -49,6 +51,24 @@ class DrillCycle {
     base::AxisVector target{};
   };
 
+  /// What a cycle may do from R on.
+  enum class Action : std::uint8_t {
+    peck,       ///< down in pecks, each followed by its way out and back in
+    down,       ///< to the bottom at feed
+    plunge,     ///< to the bottom at rapid
+    out,        ///< up at feed, to Plan::out_level
+    bore_back,  ///< at feed to Plan::level
+    clear,      ///< up at rapid, to Plan::clear_level
+    dwell,      ///< where the plan dwells
+    aside,      ///< by Plan::aside, off the wall
+    back,       ///< over the hole again
+    orient,     ///< the spindle stops at an angle
+    stop,       ///< the spindle stops
+    reverse,    ///< the spindle turns the other way
+    start,      ///< the spindle turns as before
+    pause,      ///< waits for the operator
+  };
+
   /// How far from the bottom of the hole a peck goes back to cutting feed (LinuxCNC: 0.010 inch).
   static constexpr double peck_clearance = 0.254;  // mm
   /// What is left of a hole and less than this goes with the last peck (LinuxCNC: 1e-6 of a unit).
@@ -78,8 +98,8 @@ class DrillCycle {
   Phase phase_ = Phase::done;
   base::AxisVector position_{};
   int hole_ = 0;
-  const char* action_ = "";  // the next of the cycle's
-  double peck_level_ = 0;    // to which the pecks so far have gone
+  std::span<const Action> actions_;  // of the hole, those still to come
+  double peck_level_ = 0;            // to which the pecks so far have gone
   int pecks_ = 0;
 };
 
