@@ -8,7 +8,7 @@
 namespace test_layout {
 
 TEST(Layout, OfErrors) {
-  EXPECT_EQ(sizeof(leadscrew_error), 848U);
+  EXPECT_EQ(sizeof(leadscrew_error), 1104U);
   EXPECT_EQ(offsetof(leadscrew_error, size), 0U);
   EXPECT_EQ(offsetof(leadscrew_error, severity), 8U);
   EXPECT_EQ(offsetof(leadscrew_error, line), 16U);
@@ -16,6 +16,7 @@ TEST(Layout, OfErrors) {
   EXPECT_EQ(offsetof(leadscrew_error, code), 32U);
   EXPECT_EQ(offsetof(leadscrew_error, message), 80U);
   EXPECT_EQ(offsetof(leadscrew_error, hint), 592U);
+  EXPECT_EQ(offsetof(leadscrew_error, file), 848U);  // the first version's end
 }
 
 TEST(Layout, OfWords) {
@@ -27,10 +28,12 @@ TEST(Layout, OfWords) {
   EXPECT_EQ(offsetof(leadscrew_word, feed), 96U);
   EXPECT_EQ(offsetof(leadscrew_word, line), 104U);
   EXPECT_EQ(offsetof(leadscrew_word, state), 112U);
+  EXPECT_EQ(offsetof(leadscrew_word, file), 114U);
+  EXPECT_EQ(offsetof(leadscrew_word, visit), 116U);
 }
 
 TEST(Layout, OfEvents) {
-  EXPECT_EQ(sizeof(leadscrew_event), 56U);
+  EXPECT_EQ(sizeof(leadscrew_event), 64U);
   EXPECT_EQ(offsetof(leadscrew_event, tick), 8U);
   EXPECT_EQ(offsetof(leadscrew_event, path_length), 16U);
   EXPECT_EQ(offsetof(leadscrew_event, value), 24U);
@@ -38,10 +41,12 @@ TEST(Layout, OfEvents) {
   EXPECT_EQ(offsetof(leadscrew_event, output), 40U);
   EXPECT_EQ(offsetof(leadscrew_event, waits), 44U);
   EXPECT_EQ(offsetof(leadscrew_event, code), 48U);
+  EXPECT_EQ(offsetof(leadscrew_event, file), 56U);  // the first version's end
+  EXPECT_EQ(offsetof(leadscrew_event, visit), 60U);
 }
 
 TEST(Layout, OfOptions) {
-  EXPECT_EQ(sizeof(leadscrew_options), 152U);
+  EXPECT_EQ(sizeof(leadscrew_options), 168U);
   EXPECT_EQ(offsetof(leadscrew_options, start), 8U);
   EXPECT_EQ(offsetof(leadscrew_options, slice), 80U);
   EXPECT_EQ(offsetof(leadscrew_options, on_event), 88U);
@@ -52,6 +57,8 @@ TEST(Layout, OfOptions) {
   EXPECT_EQ(offsetof(leadscrew_options, tools_length), 128U);
   EXPECT_EQ(offsetof(leadscrew_options, tools_file), 136U);
   EXPECT_EQ(offsetof(leadscrew_options, on_progress), 144U);
+  EXPECT_EQ(offsetof(leadscrew_options, on_subprogram), 152U);
+  EXPECT_EQ(offsetof(leadscrew_options, fuel), 160U);
 }
 
 TEST(Layout, OfMoves) {
@@ -72,7 +79,7 @@ TEST(Layout, OfMoves) {
 }
 
 TEST(Layout, OfStates) {
-  EXPECT_EQ(sizeof(leadscrew_state), 336U);
+  EXPECT_EQ(sizeof(leadscrew_state), 344U);
   EXPECT_EQ(offsetof(leadscrew_state, position), 8U);
   EXPECT_EQ(offsetof(leadscrew_state, velocity), 80U);
   EXPECT_EQ(offsetof(leadscrew_state, acceleration), 152U);
@@ -82,6 +89,8 @@ TEST(Layout, OfStates) {
   EXPECT_EQ(offsetof(leadscrew_state, feed), 312U);
   EXPECT_EQ(offsetof(leadscrew_state, line), 320U);
   EXPECT_EQ(offsetof(leadscrew_state, state), 328U);
+  EXPECT_EQ(offsetof(leadscrew_state, file), 332U);
+  EXPECT_EQ(offsetof(leadscrew_state, visit), 336U);  // the first version's end
 }
 
 }  // namespace test_layout

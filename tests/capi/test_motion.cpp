@@ -87,6 +87,75 @@ TEST(Capi, TellsEventsInOrder) {
   EXPECT_EQ(codes, (std::vector<std::string>{"M8", "S", "M3", "M2"}));
 }
 
+constexpr char side[] = "o<side> sub\nG91 G1 X#1 F1200\nG90\no<side> endsub\nM2\n";
+
+/// A folder of one subprogram, and what it was asked for.
+struct Folder {
+  std::vector<std::string> asked;
+
+  leadscrew_options options() {
+    leadscrew_options options = no_options();
+    options.user = this;
+    options.on_subprogram = [](const char* name, const char** text, std::size_t* length, void* user) {
+      static_cast<Folder*>(user)->asked.emplace_back(name);
+      *text = side;
+      *length = sizeof side - 1;
+      return std::strcmp(name, "side") == 0 ? 0 : 1;
+    };
+    return options;
+  }
+};
+
+TEST(Capi, CallsSubprogramsOfTheHost) {
+  Folder folder;
+  const Motion motion =
+      program("G21 G90 G64 P0.01\no<Side> call [10]\no<side> call [5]\nG1 Y3\nM2\n", folder.options());
+  const auto words = words_of(motion.get());
+  EXPECT_EQ(folder.asked, std::vector<std::string>{"side"});
+  expect_same(words, pipeline_words("G21 G90 G64 P0.01\nG1 X10 F1200\nX15\nY3\nM2\n"), false);
+  const leadscrew_word &first = words[words.size() / 4], &second = words[words.size() * 2 / 3], &last = words.back();
+  EXPECT_EQ(first.line, 2);
+  EXPECT_EQ(first.file, 1);
+  EXPECT_EQ(second.line, 2);
+  EXPECT_EQ(second.file, 1);
+  EXPECT_GT(second.visit, first.visit);
+  EXPECT_EQ(last.line, 5);
+  EXPECT_EQ(last.file, 0);
+  EXPECT_GT(last.visit, second.visit);
+}
+
+TEST(Capi, SaysWhichSubprogramIsMissing) {
+  Folder folder;
+  const leadscrew_options options = folder.options();
+  const std::string text = "G21\no<edge> call\nM2\n";
+  leadscrew_motion* motion = nullptr;
+  leadscrew_error error = sized_error();
+  EXPECT_EQ(leadscrew_motion_of_program(mill().get(), text.data(), text.size(), &options, &motion, &error),
+            LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "missing-sub");
+  EXPECT_EQ(error.line, 2);
+  EXPECT_EQ(folder.asked, std::vector<std::string>{"edge"});
+}
+
+TEST(Capi, EndsLoopsWhoseFuelIsUsedUp) {
+  const std::string text = "G21 G90\n#1=0\no1 while [#1 lt 50]\n#1=[#1+1]\no1 endwhile\nM2\n";
+  leadscrew_options options = no_options();
+  leadscrew_error error = sized_error();
+  const auto code = [&](std::int64_t fuel) {
+    leadscrew_motion* motion = nullptr;
+    options.fuel = fuel;
+    const int result = leadscrew_motion_of_program(mill().get(), text.data(), text.size(), &options, &motion, &error);
+    leadscrew_motion_free(motion);
+    return result;
+  };
+  EXPECT_EQ(code(0), LEADSCREW_OK);
+  EXPECT_EQ(code(1000), LEADSCREW_OK);
+  EXPECT_EQ(code(50), LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "fuel-exhausted");
+  EXPECT_EQ(code(-1), LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "fuel");
+}
+
 TEST(Capi, WaitsForMovesAndGoesOn) {
   const Motion motion = moves();
   EXPECT_EQ(words_of(motion.get()).size(), 0U);

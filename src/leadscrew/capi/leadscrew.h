@@ -66,6 +66,8 @@ typedef struct leadscrew_error {
   char code[48];     /**< stable, such as "arc-radius" */
   char message[512]; /**< what was found */
   char hint[256];    /**< what would be right; may be empty */
+  /* Here the error of the first version ended. */
+  char file[256]; /**< of the text: the program's name, or a subprogram's; may be empty */
 } leadscrew_error;
 
 /** One servo period. */
@@ -77,7 +79,9 @@ typedef struct leadscrew_word {
   double feed;                     /**< by the axes that feed is counted by */
   int64_t line;                    /**< of the program, or of the move */
   uint8_t state;                   /**< 0 at rest, 1 speed changes, 2 speed is constant */
-  uint8_t reserved[7];             /**< 0 */
+  uint8_t reserved;                /**< 0 */
+  uint16_t file;  /**< that the line is in: 0 the program, n the text that on_subprogram gave as the nth */
+  uint32_t visit; /**< how many times the program had gone back or to another text before, modulo 2^20 */
 } leadscrew_word;
 
 /** What a program asks of the machine besides motion: "M3", "S", "T", "M6", "M8", "M67" … */
@@ -90,6 +94,8 @@ typedef struct leadscrew_event {
   int32_t output;     /**< number of an output */
   int32_t waits;      /**< does motion rest for it? */
   char code[8];       /**< as the program has it */
+  int32_t file;       /**< as a word's */
+  int32_t visit;      /**< as a word's */
 } leadscrew_event;
 
 /** Called once for each event, in order. `user` is that of the options. */
@@ -99,6 +105,10 @@ typedef void (*leadscrew_error_function)(const leadscrew_error* error, void* use
 /** `share`, 0 … 1: so much of the program has been read; 0 of moves. Returns 0 to go on; else work ends with
  * LEADSCREW_INTERRUPTED, motion at rest on its path. */
 typedef int (*leadscrew_progress_function)(double share, void* user);
+/** The text of a subprogram that the program calls and does not hold, by the name in `o<name> call`, in small letters, or
+ * the number in `M98 P` and `o100 call`. Returns 0 and sets `text` and its length, which are copied before anything else is
+ * called; not 0 where there is none. */
+typedef int (*leadscrew_subprogram_function)(const char* name, const char** text, size_t* length, void* user);
 
 /** How a motion is made. All 0 but its size, it is as if none were given. */
 typedef struct leadscrew_options {
@@ -113,7 +123,9 @@ typedef struct leadscrew_options {
   const char* tools;      /**< the tool table of a program, as LinuxCNC writes it ("T1 P1 D3.175 Z0.511"); NULL: none */
   size_t tools_length;    /**< bytes of it */
   const char* tools_file; /**< in its place, the path of a file that holds it; NULL: none */
-  leadscrew_progress_function on_progress; /**< asked every few KiB read, every few ms of planning; may be NULL */
+  leadscrew_progress_function on_progress;     /**< asked every few KiB read, every few ms of planning; may be NULL */
+  leadscrew_subprogram_function on_subprogram; /**< asked once for each name; NULL: there are none beside the program */
+  int64_t fuel; /**< lines that a program may read in loops and subprograms, more are an error; 0: 100 million */
 } leadscrew_options;
 
 /** Kinds of moves. */
@@ -154,6 +166,8 @@ typedef struct leadscrew_state {
   double feed;                         /**< by the axes that feed is counted by */
   int64_t line;                        /**< of the program, or of the move */
   int32_t state;                       /**< 0 at rest, 1 speed changes, 2 speed is constant */
+  int32_t file;                        /**< as a word's */
+  int32_t visit;                       /**< as a word's */
   int32_t reserved;                    /**< 0 */
 } leadscrew_state;
 

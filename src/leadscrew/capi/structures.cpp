@@ -27,6 +27,18 @@ gcode::NurbsCurve curve_of(const leadscrew_move& move) {
   return curve;
 }
 
+host::SubprogramText subprograms_of(const leadscrew_options& given) {
+  return [function = given.on_subprogram, user = given.user](const std::string& name) -> base::Result<std::string> {
+    const char* text = nullptr;
+    std::size_t length = 0;
+    if (function(name.c_str(), &text, &length, user) != 0 || text == nullptr) {
+      return base::failure(
+          base::problem("missing-sub", "there is no subprogram " + name, "on_subprogram gives its text"));
+    }
+    return std::string(text, length);
+  };
+}
+
 }  // namespace
 
 leadscrew_error error_of(const base::Diagnostic& diagnostic) {
@@ -38,6 +50,7 @@ leadscrew_error error_of(const base::Diagnostic& diagnostic) {
   copy_text(error.code, diagnostic.code);
   copy_text(error.message, diagnostic.message);
   copy_text(error.hint, diagnostic.hint);
+  copy_text(error.file, diagnostic.place.file);
   return error;
 }
 
@@ -48,6 +61,8 @@ leadscrew_event event_of(const base::PassedEvent& from) {
   event.path_length = from.path_length;
   event.value = from.value;
   event.line = base::number(from.line);
+  event.file = base::file(from.line);
+  event.visit = base::visit(from.line);
   event.output = from.output;
   event.waits = from.waits ? 1 : 0;
   copy_text(event.code, base::code_of(from.kind));
@@ -62,6 +77,8 @@ leadscrew_word word_of(const base::Word& from) {
   word.speed = from.speed;
   word.feed = from.feed;
   word.line = base::number(from.line);
+  word.file = static_cast<std::uint16_t>(base::file(from.line));
+  word.visit = static_cast<std::uint32_t>(base::visit(from.line));
   word.state = static_cast<std::uint8_t>(from.state);
   return word;
 }
@@ -77,6 +94,8 @@ leadscrew_state state_of(const host::TrajectoryState& from) {
   state.speed = from.speed;
   state.feed = from.feed;
   state.line = base::number(from.line);
+  state.file = base::file(from.line);
+  state.visit = base::visit(from.line);
   state.state = static_cast<std::int32_t>(from.state);
   return state;
 }
@@ -123,6 +142,10 @@ base::Result<host::MotionOptions> options_of(const leadscrew_options& given, con
     return base::failure(base::problem("slice", "a slice of less than nothing", "seconds, more than 0; 0 for 0.05"));
   if (given.slice > 0) options.slice = given.slice;
   if (given.file != nullptr) options.file = given.file;
+  if (given.fuel < 0)
+    return base::failure(base::problem("fuel", "fuel for less than no line", "lines, 1 or more; 0 for 100 million"));
+  if (given.fuel > 0) options.fuel = given.fuel;
+  if (given.on_subprogram != nullptr) options.subprogram = subprograms_of(given);
   if (given.on_event != nullptr) {
     options.on_event = [function = given.on_event, user = given.user](const base::PassedEvent& passed) {
       const leadscrew_event event = event_of(passed);

@@ -30,9 +30,10 @@ gcode::ByteSource asking_source(std::string_view text, std::function<bool(double
   };
 }
 
-gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOptions& options) {
+gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOptions& options,
+                                const std::shared_ptr<ProgramTexts>& texts) {
   gcode::ReaderOptions reading{.file = options.file, .start = options.start, .dialect = machine.dialect};
-  reading.opener = options.opener;
+  reading.opener = [texts](const std::string& name, std::int64_t offset) { return texts->open(name, offset); };
   reading.fuel = options.fuel;
   return reading;
 }
@@ -44,10 +45,10 @@ Motion::Motion(machine::Machine machine, MotionOptions options)
   begin();
 }
 
-Motion::Motion(machine::Machine machine, MotionOptions options, std::string text)
+Motion::Motion(machine::Machine machine, MotionOptions options, std::shared_ptr<ProgramTexts> texts)
     : machine_(std::move(machine)),
       options_(std::move(options)),
-      text_(std::move(text)),
+      texts_(std::move(texts)),
       moves_(machine_, options_.start) {
   moves_.finish();
   begin();
@@ -58,8 +59,9 @@ base::Result<std::unique_ptr<Motion>> Motion::of_program(machine::Machine machin
                                                          const gcode::DiagnosticSink& diagnostics) {
   std::optional<base::Diagnostic> first;
   const auto share = std::make_shared<double>(0);
-  gcode::Reader reader(asking_source(text, options.goes_on, share), machine, options.tools,
-                       reading_of(machine, options), [&](const base::Diagnostic& diagnostic) {
+  auto texts = std::make_shared<ProgramTexts>(std::move(text), options.subprogram);
+  gcode::Reader reader(asking_source(texts->program(), options.goes_on, share), machine, options.tools,
+                       reading_of(machine, options, texts), [&](const base::Diagnostic& diagnostic) {
                          if (diagnostic.severity == base::Severity::error && !first) first = diagnostic;
                          if (diagnostics) diagnostics(diagnostic);
                        });
@@ -70,16 +72,16 @@ base::Result<std::unique_ptr<Motion>> Motion::of_program(machine::Machine machin
   }
   if (reader.source_failure()) return base::failure(*reader.source_failure());
   if (first) return base::failure(*first);
-  return std::unique_ptr<Motion>(new Motion(std::move(machine), std::move(options), std::move(text)));
+  return std::unique_ptr<Motion>(new Motion(std::move(machine), std::move(options), std::move(texts)));
 }
 
 /// Makes what is made of a program or of moves: of this motion's program, or else of `moves`.
 template <class Joined>
 void Motion::join(std::optional<Joined>& joined, pipeline::MoveInput moves) const {
   const auto share = std::make_shared<double>(0);
-  if (text_) {
-    joined.emplace(asking_source(*text_, options_.goes_on, share), machine_, options_.tools,
-                   reading_of(machine_, options_), nullptr);
+  if (texts_) {
+    joined.emplace(asking_source(texts_->program(), options_.goes_on, share), machine_, options_.tools,
+                   reading_of(machine_, options_, texts_), nullptr);
   } else {
     joined.emplace(std::move(moves), machine_, options_.start);
   }
@@ -130,7 +132,7 @@ base::Result<void> Motion::reset(const base::AxisVector& position) {
   if (progress() != pipeline::Progress::ended)
     return base::failure(base::problem("motion-moves", "motion has not come to its end", "take words until it has"));
   if (auto inside = check_position(position, machine_); !inside) return inside;
-  text_.reset();
+  texts_.reset();
   moves_.restart(position);
   options_.start = position;
   begin();

@@ -18,6 +18,7 @@
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/host/move_queue.hpp>
 #include <leadscrew/host/moves.hpp>
+#include <leadscrew/host/program_texts.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <leadscrew/pipeline/program.hpp>
@@ -37,9 +38,9 @@ struct MotionOptions {
   double slice = 0.05;
   pipeline::EventSink on_event{};  ///< of a program; with the word in whose period it happens
   // Of programs alone.
-  std::string file{};          ///< for places in diagnostics
-  machine::ToolTable tools{};  ///< that it may ask for
-  base::TextOpener opener{};   ///< of its subprograms' texts, and of its own from a place in it (gcode::ReaderOptions)
+  std::string file{};               ///< for places in diagnostics
+  machine::ToolTable tools{};       ///< that it may ask for
+  SubprogramText subprogram{};      ///< asked once for each that the program calls and does not hold
   std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
   /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
@@ -98,14 +99,14 @@ class Motion {
   const base::AxisVector& end() const { return moves_.end(); }
 
  private:
-  Motion(machine::Machine machine, MotionOptions options, std::string text);
+  Motion(machine::Machine machine, MotionOptions options, std::shared_ptr<ProgramTexts> texts);
   void begin();
   template <class Joined>
   void join(std::optional<Joined>& joined, pipeline::MoveInput moves) const;
 
   const machine::Machine machine_;
   MotionOptions options_;
-  std::optional<std::string> text_;  ///< of a program
+  std::shared_ptr<ProgramTexts> texts_;  ///< of a program; else none
   MoveQueue moves_;
   std::optional<pipeline::Program> program_;
 };
