@@ -114,7 +114,7 @@ RC_GTEST_PROP(GreatestSquare, KeepsTheChordError, ()) {
   RC_ASSERT(std::abs(step_length * step_length / (8 * radius) / machine.chord_error - 1) <= 1e-12);
   // A tolerance that leaves more than the machine's chord error leaves as much more to x; one that leaves less, nothing.
   const double more = *rc::gen::element(0.5, 1.0, 4.0);
-  const double with_tolerance = Constraints(machine).greatest_square({jet, 1e9, more * machine.chord_error});
+  const double with_tolerance = Constraints(machine).greatest_square({jet, 1e9, {more * machine.chord_error, {}}});
   RC_ASSERT(std::abs(with_tolerance / square - std::max(1.0, more)) <= 1e-12);
   if (machine.chord_error < 1e-3 * radius) {
     const double chord = radius - std::sqrt(radius * radius - step_length * step_length / 4);

@@ -62,7 +62,7 @@ TEST(Builder, TellsMovesByTheSpaceOfTolerancesWhereRotaryAxesMoveBesides) {
     const Piece line = only_piece(move);
     EXPECT_DOUBLE_EQ(geometry::length(line.curve), 5);
     EXPECT_DOUBLE_EQ(line.feed, 10);
-    EXPECT_DOUBLE_EQ(line.greatest_speed(geometry::jets(line.curve, 1)), 10 * 5.0 / 3);
+    EXPECT_DOUBLE_EQ(line.greatest_speed(1, geometry::jets(line.curve, 1)), 10 * 5.0 / 3);
   }
 
   Move helix = blended(line_to({0, 2 * 2 / std::numbers::pi, 0, turned}));
@@ -88,7 +88,7 @@ TEST(Builder, TellsMovesByFeedWhereOnlyLinearAxesMove) {
 TEST(Builder, TellsMovesOfRotaryAxesInMillimetresAndTheirFeedInDegrees) {
   const Piece rotary = only_piece(blended(line_to({0, 0, 0, turned * 3 / 4, turned})));
   EXPECT_DOUBLE_EQ(geometry::length(rotary.curve), 5);
-  EXPECT_DOUBLE_EQ(rotary.greatest_speed(geometry::jets(rotary.curve, 1)), 10 * 4 / turned);
+  EXPECT_DOUBLE_EQ(rotary.greatest_speed(1, geometry::jets(rotary.curve, 1)), 10 * 4 / turned);
 }
 
 TEST(Builder, StopsAtNoEarlierMoveForOneThatDoesNotMove) {

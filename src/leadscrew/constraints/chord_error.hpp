@@ -23,8 +23,8 @@ class ChordError {
 
   template <typename Take>
   void rows(const Place& at, const Take& take) const {
-    const double bend = geometry::tip_curvature(at.jet);
-    const double allowed = std::max(chord_error_, at.sagitta);
+    const double bend = at.chords.bend ? *at.chords.bend : geometry::tip_curvature(at.jet);
+    const double allowed = std::max(chord_error_, at.chords.sagitta);
     take(0, SquareRow{8 * allowed / (bend * period_ * period_)});  // infinite where the path is straight
   }
 

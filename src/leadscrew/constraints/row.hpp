@@ -16,14 +16,23 @@
 #include <cmath>
 #include <leadscrew/geometry/point.hpp>
 #include <limits>
+#include <optional>
 
 namespace leadscrew::constraints {
+
+/// Of chords between words.
+struct Chords {
+  double sagitta = 0;  ///< that the tolerance leaves for them, mm; ≥ 0
+  /// How much the tool tip's path bends against them, 1/mm, ≥ 0; none: the axes are the tip's coordinates, and their
+  /// curvature is meant.
+  std::optional<double> bend{};
+};
 
 /// A place on a path: what limits are asked at.
 struct Place {
   const geometry::PointJet& jet;  ///< axis positions and derivatives by path length, mm or degrees
   double feed = 0;                ///< greatest speed by the programmed feed, units of path length per second; > 0
-  double sagitta = 0;             ///< that the tolerance leaves for chords between words, mm; ≥ 0
+  Chords chords{};
 };
 
 /// How the path is travelled at one instant: ṡ, s̈, s⃛, units of path length and seconds.

@@ -106,7 +106,7 @@ base::PathPlace PathStretch::at(double s) const {
 double PathStretch::greatest_speed(double s) const {
   const Part& part = part_at(s);
   const double on_piece = std::clamp(s - part.begin, 0.0, part.piece.axes().length());
-  return part.piece.greatest_speed(part.piece.axes().jets(on_piece));
+  return part.piece.greatest_speed(on_piece, part.piece.axes().jets(on_piece));
 }
 
 std::optional<Places> plan_return(const PathStretch& stretch, const machine::Machine& machine, double longest_hop) {

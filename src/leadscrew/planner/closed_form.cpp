@@ -189,7 +189,7 @@ void ClosedForm::override_feed(double factor) {
 /// it.
 std::optional<ClosedForm::Motion> ClosedForm::change(const PathState& from) const {
   const toolpath::Piece piece = whole(section_);
-  const double feed = piece.greatest_speed(piece.axes().jets(0)) * factor_;
+  const double feed = piece.greatest_speed(0, piece.axes().jets(0)) * factor_;
   const double left = section_.length() - from.s;
   const auto distance = [&](double speed) {
     return change_speed(from.speed, from.acceleration, speed, limits_).distance +

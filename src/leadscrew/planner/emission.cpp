@@ -222,8 +222,9 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
   const auto look_at = [&](std::size_t piece, double s, Side side) {
     return one_sided_jets(section.piece(piece).axes(), s - section.offset(piece), side);
   };
-  const auto place = [&](std::size_t piece, const geometry::PointJet& jet) {
-    return constraints::Place{jet, feed_factor * section.piece(piece).greatest_speed(jet)};
+  const auto place = [&](std::size_t piece, double s, const geometry::PointJet& jet) {
+    const double on_piece = s - section.offset(piece);
+    return constraints::Place{jet, feed_factor * section.piece(piece).greatest_speed(on_piece, jet)};
   };
   base::AxisSet moving;
   for (std::size_t p = first; p <= last; ++p) moving.insert(section.piece(p).axes().moving());
@@ -241,7 +242,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
     before = at;
     while (piece < last && section.offset(piece + 1) < at.s) ++piece;
     const geometry::PointJet jet = look_at(piece, at.s, k == 0 ? Side::right : Side::left);
-    peaks.look(constraints, place(piece, jet), at, turns(jet) ? between_looks : 1);
+    peaks.look(constraints, place(piece, at.s, jet), at, turns(jet) ? between_looks : 1);
   }
   // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
   LimitRatios ratios = peaks.greatest();
@@ -251,7 +252,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
     for (const Side side : {Side::left, Side::right}) {
       const std::size_t on = side == Side::left ? p - 1 : p;
       const geometry::PointJet jet = look_at(on, s, side);
-      constraints.raise(place(on, jet), rates(at), ratios);
+      constraints.raise(place(on, s, jet), rates(at), ratios);
     }
   }
   const machine::Derivatives greatest = ratios.by_derivative();

@@ -54,7 +54,7 @@ class Placement {
       const geometry::PointJet jet = section_.jets(s, side);
       const machine::Derivatives t = tangent_limits(jet, constraints_);
       const double speed = std::sqrt(constraints_.greatest_square(
-          {jet, range_.feed_factor * section_.greatest_speed(s, side, jet), section_.sagitta(s, side)}));
+          {jet, range_.feed_factor * section_.greatest_speed(s, side, jet), section_.chords(s, side, jet)}));
       // Where jerk is next to no limit, what counts is how long speed rises: far less than that is short enough.
       const double rise = std::min(speed / t.acceleration, std::sqrt(length() / t.acceleration));
       const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
@@ -115,7 +115,7 @@ class Placement {
     sample.a = t.acceleration;
     sample.j = t.jerk;
     const double feed = range_.feed_factor * section_.greatest_speed(s, side, jet);
-    const constraints::Place place{jet, feed, section_.sagitta(s, side)};
+    const constraints::Place place{jet, feed, section_.chords(s, side, jet)};
     double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
     double second = 0, third = 0;
     for (const numeric::Jet<>& q : jet) {

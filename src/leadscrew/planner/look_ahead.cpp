@@ -25,7 +25,7 @@ void LookAhead::append(const toolpath::Piece& piece) {
   for (const double s : {0.0, length / 2}) {
     const geometry::PointJet jet = piece.axes().jets(s);
     const machine::Derivatives limits = tangent_limits(jet, constraints_);
-    const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(jet)}, hardly_moves);
+    const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(s, jet)}, hardly_moves);
     for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
       if (std::abs(jet[axis].first) > 1e-12) moving_.set(axis);
     }

@@ -124,7 +124,7 @@ machine::Derivatives line_limits(const geometry::Line& line, const constraints::
 
 RestToRest plan_piece(const toolpath::Piece& piece, const constraints::Constraints& constraints) {
   const geometry::PointJet jet = piece.axes().jets(0);
-  const double feed = piece.greatest_speed(jet);  // everywhere the same
+  const double feed = piece.greatest_speed(0, jet);  // everywhere the same
   if (const geometry::Arc* arc = piece.axes().arc()) return plan(*arc, feed, constraints);
   return rest_to_rest(piece.axes().length(), constraints.along_tangent({jet, feed}));
 }

@@ -186,11 +186,12 @@ void Planner::keep_in_force(const base::Event& event) {
 /// Does the piece go on with the section? Otherwise the section ends before it.
 bool Planner::take(const toolpath::Piece& piece) {
   if (last_) {
-    const geometry::PointJet leaving = last_->axes().jets(last_->axes().length());
+    const double end = last_->axes().length();
+    const geometry::PointJet leaving = last_->axes().jets(end);
     const geometry::PointJet entering = piece.axes().jets(0);
-    const double square =
-        std::min(constraints_.greatest_square({leaving, last_->greatest_speed(leaving), last_->sagitta}),
-                 squared(piece.greatest_speed(entering)));
+    const double square = std::min(
+        constraints_.greatest_square({leaving, last_->greatest_speed(end, leaving), chords_of(*last_, leaving)}),
+        squared(piece.greatest_speed(0, entering)));
     if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
       look_ahead_.close();
       return false;

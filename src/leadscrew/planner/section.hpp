@@ -2,6 +2,7 @@
 // A section of path: smooth pieces joined with continuous curvature, travelled from rest to rest.
 
 #include <deque>
+#include <leadscrew/constraints/row.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <vector>
@@ -17,6 +18,11 @@ geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side
 
 /// Does the direction of the path turn here: is any q″ other than 0?
 bool turns(const geometry::PointJet& jet);
+
+/// Of those between words on a piece, where its axes have these derivatives.
+inline constraints::Chords chords_of(const toolpath::Piece& piece, [[maybe_unused]] const geometry::PointJet& jet) {
+  return {.sagitta = piece.sagitta, .bend = {}};
+}
 
 class Section {
  public:
@@ -42,10 +48,13 @@ class Section {
   std::size_t borders(double from, double to) const;
   /// By programmed feed, units/s; `jet` is the section's there.
   double greatest_speed(double s, Side side, const geometry::PointJet& jet) const {
-    return pieces_[piece_at(s, side)].greatest_speed(jet);
+    const std::size_t index = piece_at(s, side);
+    return pieces_[index].greatest_speed(s - offsets_[index], jet);
   }
-  /// That is left for chords between words, mm.
-  double sagitta(double s, Side side) const { return pieces_[piece_at(s, side)].sagitta; }
+  /// Of those between words there; likewise.
+  constraints::Chords chords(double s, Side side, const geometry::PointJet& jet) const {
+    return chords_of(pieces_[piece_at(s, side)], jet);
+  }
 
  private:
   std::deque<toolpath::Piece> pieces_;

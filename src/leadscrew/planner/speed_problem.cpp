@@ -83,7 +83,7 @@ class SpeedProblem::Builder {
   Look look(double s, Side side) const {
     const geometry::PointJet jet = section_.jets(s, side);
     const double feed = feed_factor_ * section_.greatest_speed(s, side, jet);
-    const double square = constraints_.greatest_square({jet, feed, section_.sagitta(s, side)});
+    const double square = constraints_.greatest_square({jet, feed, section_.chords(s, side, jet)});
     const bool by_feed = square == squared(feed);
     return {constraints_.row_pairs({jet, infinity}), (turns(jet) && !by_feed ? turning_margin : feed_margin) * square};
   }

@@ -61,8 +61,8 @@ void TimeBound::add_straight(const geometry::Line& line, const toolpath::Piece& 
   const geometry::PointJet jet = line.jets(0);
   Interval interval;
   interval.length = line.length();
-  interval.x_max = interval.x_end_max = velocity_limit(jet, piece);
-  interval.straight_b = constraints_.along_tangent({jet, piece.greatest_speed(jet)}).acceleration;
+  interval.x_max = interval.x_end_max = velocity_limit(0, jet, piece);
+  interval.straight_b = constraints_.along_tangent({jet, piece.greatest_speed(0, jet)}).acceleration;
   add(interval);
 }
 
@@ -88,8 +88,8 @@ void TimeBound::add_curved(const toolpath::Piece& piece) {
     }
     Interval interval;
     interval.length = s_next - s;
-    interval.x_max = velocity_limit(here, piece);
-    interval.x_end_max = velocity_limit(next, piece);
+    interval.x_max = velocity_limit(s, here, piece);
+    interval.x_end_max = velocity_limit(s_next, next, piece);
     add_rows(axes.jets((s + s_next) / 2), interval);
     add(interval);
     here = next;
@@ -98,8 +98,8 @@ void TimeBound::add_curved(const toolpath::Piece& piece) {
   }
 }
 
-double TimeBound::velocity_limit(const geometry::PointJet& jet, const toolpath::Piece& piece) const {
-  const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(jet)});
+double TimeBound::velocity_limit(double s, const geometry::PointJet& jet, const toolpath::Piece& piece) const {
+  const double speed = constraints_.greatest_speed({jet, piece.greatest_speed(s, jet)});
   return speed * speed;
 }
 

@@ -58,7 +58,7 @@ class TimeBound {
   static double greatest_start(const Interval& interval, double x_end);
   static double greatest_end(const Interval& interval, double x_begin);
   static double duration(const Interval& interval, double x_begin, double x_end);
-  double velocity_limit(const geometry::PointJet& jet, const toolpath::Piece& piece) const;
+  double velocity_limit(double s, const geometry::PointJet& jet, const toolpath::Piece& piece) const;
   void add_rows(const geometry::PointJet& middle, Interval& interval) const;
 
   constraints::Constraints constraints_;

@@ -73,9 +73,9 @@ struct Piece {
 
   /// How axes travel it.
   AxisPath axes() const { return AxisPath(curve); }
-  /// By feed, along the curve where it has these derivatives, units of its length per second; infinite where the axes
-  /// stand by which feed is counted.
-  double greatest_speed(const geometry::PointJet& jet) const {
+  /// By feed, units of the curve's length per second; infinite where what feed is counted by stands. `jet` is that of
+  /// axes() at s, 0 ≤ s ≤ length.
+  double greatest_speed([[maybe_unused]] double s, const geometry::PointJet& jet) const {
     return feed_axes == FeedAxes::none ? feed : feed / rate(jet, feed_axes);
   }
   /// Are they equally fast wherever they are the same curve?

@@ -99,10 +99,11 @@ bool Sampling::suits_spline(const Leg& leg, double turn) const {
 }
 
 Division Sampling::at_corner(const Piece& before, const Piece& behind, double tolerance) const {
-  const geometry::PointJet leaving = geometry::jets(before.curve, geometry::length(before.curve)),
-                           entering = geometry::jets(behind.curve, 0);
+  const double length = geometry::length(before.curve);
+  const geometry::PointJet leaving = geometry::jets(before.curve, length), entering = geometry::jets(behind.curve, 0);
   const Point in = derivative(leaving, &numeric::Jet<>::first), out = derivative(entering, &numeric::Jet<>::first);
-  const double speed = std::max(before.greatest_speed(leaving) * norm(in), behind.greatest_speed(entering) * norm(out));
+  const double speed =
+      std::max(before.greatest_speed(length, leaving) * norm(in), behind.greatest_speed(0, entering) * norm(out));
   return beside_blend(tolerance, in, out, speed, is_line(before.curve) && is_line(behind.curve));
 }
 
