@@ -1,7 +1,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <leadscrew/numeric/elementary.hpp>
 #include <leadscrew/numeric/sine.hpp>
 
@@ -86,16 +85,11 @@ DoubleDouble negated(DoubleDouble x) {
 /// Turned by so many quarters.
 template <typename T>
 SinePair<T> turned(const SinePair<T>& sines, double quarters) {
-  switch (static_cast<std::int64_t>(quarters) & 3) {
-    case 0:
-      return sines;
-    case 1:
-      return {sines.cosine, negated(sines.sine)};
-    case 2:
-      return {negated(sines.sine), negated(sines.cosine)};
-    default:
-      return {negated(sines.cosine), sines.sine};
-  }
+  const double quadrant = quarters - 4 * std::floor(quarters * 0.25);
+  if (quadrant == 0) return sines;
+  if (quadrant == 1) return {sines.cosine, negated(sines.sine)};
+  if (quadrant == 2) return {negated(sines.sine), negated(sines.cosine)};
+  return {negated(sines.cosine), sines.sine};
 }
 
 /// π/2 behind the digits that a double-double has of it.
