@@ -9,6 +9,7 @@
 #include <leadscrew/config/file_text.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/config/machine_keys.hpp>
+#include <leadscrew/config/rotary_keys.hpp>
 #include <leadscrew/config/toml_values.hpp>
 #include <map>
 #include <optional>
@@ -47,6 +48,7 @@ class MachineReader {
       read_machine_keys(*root);
       read_laser(*root);
       read_axes(*root);
+      read_chain(*root);
       judge();
     }
     if (problems_.empty()) return std::move(machine_);
@@ -139,6 +141,18 @@ class MachineReader {
     if (is_second(*table, "power", laser_powers, "machine-laser")) laser.power = machine::Laser::Power::spindle_speed;
     if (const auto output = value<std::int64_t>(*table, "output", field::laser_output)) laser.output = *output;
     if (const auto follow = value<bool>(*table, "follow_feed", "follow_feed")) laser.follow_feed = *follow;
+  }
+
+  void read_chain(const toml::table& root) {
+    if (const toml::node* node = root.get(geometry_key)) {
+      const toml::table* table = table_of(*node, geometry_key, fmt::format("[{}]", geometry_key), "geometry");
+      if (table != nullptr) check_keys(*table, geometry_keys, false);
+    }
+    const RotaryTold told{[this](auto code, Position at, std::string message, std::string hint) {
+                            report(code, at, std::move(message), std::move(hint));
+                          },
+                          [this](const base::Subject& subject, Position at) { positions_[slot_of(subject)] = at; }};
+    machine_.rotary_chain = read_rotary_chain(root, machine_.kinematics, told);
   }
 
   void read_axes(const toml::table& root) {

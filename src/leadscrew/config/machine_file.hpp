@@ -29,7 +29,7 @@ inline constexpr std::size_t most_machine_problems = 100;
 
 /// `file` is for places; a machine without a name has the file's, less its ending. Codes: `input-too-large`;
 /// `machine-nesting` (text_limits.hpp), `machine-syntax`, `machine-key` (not known), `machine-type`, `machine-missing`,
-/// those of machine::validate(), `too-many-problems`.
+/// those of read_rotary_chain() and machine::validate(), `too-many-problems`.
 MachineOrProblems read_machine(std::string_view text, const std::string& file);
 
 /// The file at `path`. Codes: `io-open`, `io-read`, and those of read_machine().

@@ -7,10 +7,6 @@ namespace leadscrew::config {
 
 namespace {
 
-/// Named by the contract, and not yet more than names.
-constexpr std::array<std::string_view, 6> later_kinematics = {"table-table-ac", "table-table-bc", "head-head-bc",
-                                                              "head-head-ac",   "head-b-table-c", "head-b-table-a"};
-
 void append(std::vector<std::string_view>& texts, std::span<const Key> keys, base::Axis axis) {
   for (const Key& key : keys) texts.push_back(text_of(key, axis));
 }
@@ -26,6 +22,7 @@ std::vector<std::string_view> all_axis_keys(base::Axis axis) {
   std::vector<std::string_view> texts;
   append(texts, axis_keys, axis);
   texts.push_back(drive_key);
+  if (base::is_rotary(axis)) texts.insert(texts.end(), chain_axis_keys.begin(), chain_axis_keys.end());
   return texts;
 }
 
@@ -50,12 +47,10 @@ std::string drive_section_of(base::Axis axis) {
 }
 
 void explain_kinematics(base::Diagnostic& problem, std::string_view kinematics) {
-  if (std::ranges::find(later_kinematics, kinematics) != later_kinematics.end()) {
-    problem.message = "kinematics \"" + std::string(kinematics) + "\" is not built yet";
-    problem.hint = "built: cartesian";
-  } else if (base::nearest(kinematics, std::array<std::string_view, 1>{"cartesian"})) {
-    problem.hint = "did you mean cartesian?";
-  }
+  std::vector<std::string_view> known = {machine::cartesian};
+  for (const machine::KinematicsPreset& preset : machine::kinematics_presets) known.push_back(preset.name);
+  if (std::ranges::find(known, kinematics) != known.end()) return;
+  if (const auto meant = base::nearest(kinematics, known)) problem.hint = "did you mean " + std::string(*meant) + "?";
 }
 
 }  // namespace leadscrew::config

@@ -24,6 +24,17 @@ inline constexpr std::array<std::string_view, 2> smoothings = {"splines", "least
 /// What its programs are written in: a name of machine::Dialect.
 inline constexpr std::string_view dialect_key = "dialect";
 
+/// Of machines with two rotary axes that turn the tool against the workpiece: machine::RotaryChain. The third is a table.
+inline constexpr std::string_view orientation_tolerance_key = "orientation_tolerance_deg",
+                                  pole_cone_key = "pole_cone_deg", geometry_key = "kinematics_geometry",
+                                  tool_zero_key = "tool_zero_mm";
+inline constexpr std::array<std::string_view, 1> geometry_keys = {tool_zero_key};
+/// Of [axis.A], beside those of every axis.
+inline constexpr std::string_view carries_key = "carries", point_key = "point_mm", direction_key = "direction",
+                                  order_key = "order", sign_key = "sign";
+inline constexpr std::array<std::string_view, 5> chain_axis_keys = {carries_key, point_key, direction_key, order_key,
+                                                                    sign_key};
+
 /// A number of the machine itself, in the unit that it has there.
 struct MachineNumber {
   std::string_view field, key;
@@ -35,8 +46,11 @@ inline constexpr std::array machine_numbers = {
 
 /// Outside tables.
 inline constexpr auto machine_keys = [] {
-  std::array<std::string_view, 8 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  std::array<std::string_view, 11 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
   for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
+  keys[keys.size() - 8] = orientation_tolerance_key;
+  keys[keys.size() - 7] = pole_cone_key;
+  keys[keys.size() - 6] = geometry_key;
   keys[keys.size() - 5] = dialect_key;
   keys[keys.size() - 4] = smoothing_key;
   keys[keys.size() - 3] = spindle_waits_key;
@@ -116,7 +130,7 @@ std::string section_of(base::Axis axis);
 /// "axis.X.drive"
 std::string drive_section_of(base::Axis axis);
 
-/// Of a kinematics that is not known: says whether it is one of the contract, or probably a misspelt one.
+/// Of a kinematics that is not known: says which was probably meant.
 void explain_kinematics(base::Diagnostic& problem, std::string_view kinematics);
 
 }  // namespace leadscrew::config

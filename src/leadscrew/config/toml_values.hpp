@@ -1,6 +1,6 @@
 #pragma once
-// Values of TOML as machine files need them: what a node is, and what is wrong with it. For machine_file.cpp alone, which
-// with it is all that includes toml++.
+// Values of TOML as machine files need them: what a node is, and what is wrong with it. For machine_file.cpp and
+// rotary_keys.cpp, which with it are all that includes toml++.
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

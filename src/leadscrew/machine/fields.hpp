@@ -13,6 +13,9 @@ inline constexpr std::string_view tolerance = "tolerance";
 inline constexpr std::string_view chord_error = "chord error";
 inline constexpr std::string_view axes = "axes";
 inline constexpr std::string_view laser_output = "laser output";
+inline constexpr std::string_view tool_zero = "tool zero";
+inline constexpr std::string_view orientation_tolerance = "orientation tolerance";
+inline constexpr std::string_view pole_cone = "pole cone";
 
 // Of an axis.
 inline constexpr std::string_view travel = "travel";
@@ -20,6 +23,13 @@ inline constexpr std::string_view velocity = "velocity";
 inline constexpr std::string_view acceleration = "acceleration";
 inline constexpr std::string_view jerk = "jerk";
 inline constexpr std::string_view blu = "basic length unit";
+
+// Of a rotary axis in a chain.
+inline constexpr std::string_view carries = "carries";
+inline constexpr std::string_view direction = "direction";
+inline constexpr std::string_view point = "point";
+inline constexpr std::string_view order = "order";
+inline constexpr std::string_view sign = "sign";
 
 // Of its screw; tables have entries.
 inline constexpr std::string_view pitch_errors = "pitch errors";

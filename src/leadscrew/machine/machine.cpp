@@ -60,10 +60,7 @@ Machine mill3() {
 
 std::vector<base::Diagnostic> validate(const Machine& machine) {
   std::vector<base::Diagnostic> problems;
-  if (machine.kinematics != "cartesian") {
-    problems.push_back(problem("machine-kinematics", "kinematics \"" + machine.kinematics + "\" is not known",
-                               "known: cartesian", {.field = field::kinematics}));
-  }
+  check_kinematics(machine, problems);
   if (!base::is_valid(machine.period)) {
     problems.push_back(problem(
         "machine-period", "a servo period of " + text(static_cast<double>(machine.period.nanoseconds) / 1e3) + " us",

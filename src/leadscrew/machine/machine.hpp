@@ -10,6 +10,7 @@
 #include <leadscrew/machine/dialect.hpp>
 #include <leadscrew/machine/drive.hpp>
 #include <leadscrew/machine/laser.hpp>
+#include <leadscrew/machine/rotary_chain.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <optional>
@@ -41,11 +42,12 @@ enum class Smoothing : std::uint8_t {
 
 /// What it can do. Sound where validate() finds nothing.
 struct Machine {
-  std::string name;                      ///< for people
-  std::string kinematics = "cartesian";  ///< "cartesian": each axis is one coordinate of the program
-  base::Period period;                   ///< a word each
-  double tolerance = 0.01;               ///< mm; of G64 without P; ≥ 0
-  double chord_error = 0.001;            ///< mm; > 0
+  std::string name;  ///< for people
+  /// "cartesian": each axis is one coordinate of the program; or a name of kinematics_presets.
+  std::string kinematics = std::string(cartesian);
+  base::Period period;                                           ///< a word each
+  double tolerance = 0.01;                                       ///< mm; of G64 without P; ≥ 0
+  double chord_error = 0.001;                                    ///< mm; > 0
   std::array<std::optional<AxisLimits>, base::axis_count> axes;  ///< an axis the machine lacks is empty
   std::array<ScrewErrors, base::axis_count> screws;  ///< no motion knows of them; steps::Compensation makes them good
   std::array<AxisDrive, base::axis_count> drives;    ///< for simulation
@@ -53,8 +55,9 @@ struct Machine {
   Smoothing smoothing = Smoothing::splines;  ///< under G64
   /// Does motion rest for M3, M4 and M5?
   bool spindle_waits = true;
-  Dialect dialect = Dialect::leadscrew;  ///< of its programs
-  std::optional<Laser> laser;            ///< empty where there is none
+  Dialect dialect = Dialect::leadscrew;     ///< of its programs
+  std::optional<Laser> laser;               ///< empty where there is none
+  std::optional<RotaryChain> rotary_chain;  ///< empty where it is cartesian
 
   /// Is there this axis?
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
@@ -78,7 +81,7 @@ struct Machine {
 Machine mill3();
 
 /// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`,
-/// those of check_step_times(), check_screw(), check_drive() and check_laser(), and `pitch-axis` for screws of axes that the machine
+/// those of check_step_times(), check_screw(), check_drive(), check_laser() and check_kinematics(), and `pitch-axis` for screws of axes that the machine
 /// lacks.
 std::vector<base::Diagnostic> validate(const Machine& machine);
 

@@ -177,10 +177,10 @@ template <std::size_t N, typename T>
 struct SineCosine {
   Jet<N, T> sine, cosine;
 };
+/// Given both of f's value.
 template <std::size_t N, typename T>
-SineCosine<N, T> sine_cosine(const Jet<N, T>& f) {
-  using std::sin, std::cos;
-  SineCosine<N, T> result{sin(f[0]), cos(f[0])};
+SineCosine<N, T> sine_cosine_from(T sine_of_value, T cosine_of_value, const Jet<N, T>& f) {
+  SineCosine<N, T> result{sine_of_value, cosine_of_value};
   const Jet<N, T> rate = differentiated(f);
   for (std::size_t k = 0; k < N; ++k) {
     const T sine = product_derivative(result.cosine, rate, k, 0, k);
@@ -189,6 +189,11 @@ SineCosine<N, T> sine_cosine(const Jet<N, T>& f) {
     result.cosine[k + 1] = cosine;
   }
   return result;
+}
+template <std::size_t N, typename T>
+SineCosine<N, T> sine_cosine(const Jet<N, T>& f) {
+  using std::sin, std::cos;
+  return sine_cosine_from<N, T>(sin(f[0]), cos(f[0]), f);
 }
 template <std::size_t N, typename T>
 Jet<N, T> sin(const Jet<N, T>& f) {
