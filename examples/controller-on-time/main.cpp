@@ -51,7 +51,9 @@ int main(int argc, char** argv) {
   realtime::Runner runner({.period = mill.period},
                           {.next = [&] { return motion.next(); },
                            .refuse = [&] { motion.planner().refuse(); },
-                           .override_feed = [&](double factor) { motion.planner().override_feed(factor); }},
+                           .override_feed = [&](double factor) { motion.planner().override_feed(factor); },
+                           .come_to_rest = [&] { motion.planner().come_to_rest(); },
+                           .is_held = [&] { return motion.planner().is_held(); }},
                           {.take =
                                [&](const base::Word& word) {
                                  if (!to_file.take(word)) return false;

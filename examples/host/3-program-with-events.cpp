@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   // With the word in whose period it happens: motion rests for M3 and M6, coolant is switched on the way.
   options.on_event = [&](const base::PassedEvent& event) {
     std::printf("%7.3f s  line %2lld  %s\n", static_cast<double>(base::count(event.tick)) * 1e-3,
-                static_cast<long long>(base::number(event.line)), std::string(base::code_of(event.kind)).c_str());
+                static_cast<long long>(base::number(event.line)), std::string(base::code_of(event)).c_str());
     if (event.kind == base::Event::Kind::spindle_clockwise) holds = true;
   };
   auto motion = host::Motion::of_program(machine::mill3(), program, options);

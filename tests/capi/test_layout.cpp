@@ -33,7 +33,7 @@ TEST(Layout, OfWords) {
 }
 
 TEST(Layout, OfEvents) {
-  EXPECT_EQ(sizeof(leadscrew_event), 64U);
+  EXPECT_EQ(sizeof(leadscrew_event), 72U);
   EXPECT_EQ(offsetof(leadscrew_event, tick), 8U);
   EXPECT_EQ(offsetof(leadscrew_event, path_length), 16U);
   EXPECT_EQ(offsetof(leadscrew_event, value), 24U);
@@ -43,6 +43,7 @@ TEST(Layout, OfEvents) {
   EXPECT_EQ(offsetof(leadscrew_event, code), 48U);
   EXPECT_EQ(offsetof(leadscrew_event, file), 56U);  // the first version's end
   EXPECT_EQ(offsetof(leadscrew_event, visit), 60U);
+  EXPECT_EQ(offsetof(leadscrew_event, q), 64U);
 }
 
 TEST(Layout, OfOptions) {

@@ -1,23 +1,49 @@
-// Functions of the machine that no event carries: what is checked of them, what parameters say of them afterwards.
+// Functions of the machine: the events that they become, what is checked of them, what parameters say of them
+// afterwards.
 
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
 namespace test_machine_functions {
 
+using Kind = base::Event::Kind;
+
 // X of the last line, which a program sets from a parameter.
 double answer(std::string_view text) {
-  const Reading reading = read(text);
-  EXPECT_EQ(reading.errors, 0) << text;
+  const Reading reading = read_well(text);
   return reading.lines().empty() ? 0 : xyz(reading.lines().back().end).x;
 }
 
-TEST(Overrides, AreKeptAndSaidOnce) {
+// Of a program without errors: "M50 value=0; ", with what says more than the code.
+std::string told(std::string_view text, const Conditions& conditions = {}) {
+  std::string result;
+  for (const base::Event& event : read_well(text, conditions).events()) {
+    result += base::code_of(event);
+    if (base::has_output(event.kind)) result += " output=" + std::to_string(event.output);
+    if (base::has_value(event.kind)) result += " value=" + base::text(event.value);
+    if (base::has_q(event.kind)) result += " q=" + base::text(event.q);
+    result += event.waits ? " waits; " : "; ";
+  }
+  return result;
+}
+
+TEST(Overrides, AreKept) {
   EXPECT_EQ(answer("M50 P0\nG0 X[1 + #<_feed_override> + 10 * #<_speed_override>]\nM2\n"), 11);
   EXPECT_EQ(answer("M49\nM48\nG0 X[1 + #<_feed_override> + 10 * #<_speed_override>]\nM2\n"), 12);
   EXPECT_EQ(answer("M52\nM53 P0\nG0 X[1 + #<_adaptive_feed> + 10 * #<_feed_hold>]\nM2\n"), 2);
   EXPECT_EQ(answer("M70\nM49\nM72\nG0 X[1 + #<_feed_override>]\nM2\n"), 2);
-  EXPECT_EQ(read("M49\nM49\nM48\nM2\n").problems(), "1:1 machine-not-told; ");
+}
+
+TEST(Overrides, TravelWithThePath) {
+  EXPECT_EQ(told("M48\nM49\nM50\nM50 P0\nM51 P1\nM51 P0\nM52\nM52 P0\nM53\nM53 P0\nM2\n"),
+            "M48; M49; M50 value=1; M50 value=0; M51 value=1; M51 value=0; M52 value=1; M52 value=0; M53 value=1; "
+            "M53 value=0; M2 waits; ");
+}
+
+TEST(Overrides, ComeBackWithTheModes) {
+  EXPECT_EQ(told("M49\nM70\nM48\nM52\nM53 P0\nM72\nM2\n"),
+            "M49; M48; M52 value=1; M53 value=0; M50 value=0; M51 value=0; M52 value=0; M53 value=1; M2 waits; ");
+  EXPECT_EQ(told("M70\nM48\nM72\nM2\n"), "M48; M2 waits; ");
 }
 
 TEST(ToolNumber, IsSetWithoutAChange) {
@@ -32,17 +58,27 @@ TEST(ToolNumber, IsSetWithoutAChange) {
   EXPECT_EQ(read("M61 Q7\nM2\n", conditions).problems(), "1:5 unknown-tool; ");
 }
 
-TEST(SpindleOrientation, IsChecked) {
-  EXPECT_EQ(read("M19 R90 Q1 P2\nM19\nM2\n").problems(), "1:1 machine-not-told; ");
+TEST(SpindleOrientation, IsWaitedFor) {
+  EXPECT_EQ(told("M19 R90.5 Q1.5 P2\nM19\nM2\n"),
+            "M19 output=2 value=90.5 q=1.5 waits; M19 output=0 value=0 q=0 waits; M2 waits; ");
   EXPECT_EQ(read("M19 R361\nM2\n").problems(), "1:5 bad-value; ");
   EXPECT_EQ(read("M19 Q0\nM2\n").problems(), "1:5 bad-value; ");
   EXPECT_EQ(read("M19 P3\nM2\n").problems(), "1:5 bad-value; ");
 }
 
+// LinuxCNC manual, "M66 Wait on Input": of an input that is always off.
 TEST(Inputs, AreOff) {
   EXPECT_EQ(answer("M66 P0 L0\nG0 X[5 + #5399]\nM2\n"), 5);
+  EXPECT_EQ(answer("M66 P0 L1 Q1\nG0 X[5 + #5399]\nM2\n"), 4);
+  EXPECT_EQ(answer("M66 P0 L2 Q1\nG0 X[5 + #5399]\nM2\n"), 4);
   EXPECT_EQ(answer("M66 P0 L3 Q1\nG0 X[5 + #5399]\nM2\n"), 4);
   EXPECT_EQ(answer("M66 P0 L4 Q1\nG0 X[5 + #5399]\nM2\n"), 5);
+  EXPECT_EQ(answer("M66 E3\nG0 X[5 + #5399]\nM2\n"), 5);
+}
+
+TEST(Inputs, AreWaitedFor) {
+  EXPECT_EQ(told("M66 P0\nM66 P63 L3 Q2.5\nM66 E1 L0\nM2\n"),
+            "M66 output=0 value=0 q=0 waits; M66 output=63 value=3 q=2.5 waits; M66 output=1 waits; M2 waits; ");
   EXPECT_EQ(read("M66 L0\nM2\n").problems(), "1:1 missing-word; ");
   EXPECT_EQ(read("M66 P0 E0\nM2\n").problems(), "1:1 ambiguous-word; ");
   EXPECT_EQ(read("M66 P64\nM2\n").problems(), "1:5 bad-value; ");
@@ -51,12 +87,21 @@ TEST(Inputs, AreOff) {
   EXPECT_EQ(read("M66 P0 L3\nM2\n").problems(), "1:1 bad-value; ");
 }
 
-TEST(BuildersFunctions, AreSaidOnceEach) {
-  EXPECT_EQ(read("M101 P1 Q2\nM101\nM199\nM2\n").problems(), "1:1 machine-not-told; 3:1 machine-not-told; ");
+TEST(BuildersFunctions, AreCalledWithPAndQ) {
+  EXPECT_EQ(told("M101 P1 Q-2.5\nM199\nM100 Q3\nM2\n"),
+            "M101 value=1 q=-2.5 waits; M199 value=-1 q=-1 waits; M100 value=-1 q=3 waits; M2 waits; ");
   Conditions haas;
   haas.options.dialect = Dialect::haas;
-  EXPECT_EQ(read("M88\nM31\nM89\nM88\nM30\n", haas).problems(),
-            "1:1 machine-not-told; 2:1 machine-not-told; 3:1 machine-not-told; ");
+  EXPECT_EQ(told("M88\nM31\nM30\n", haas), "M88 value=-1 q=-1 waits; M31 value=-1 q=-1 waits; M2 waits; ");
+}
+
+TEST(BuildersFunctions, StandInTheTableByTheirNumbers) {
+  base::Event event{Kind::user_function};
+  for (const auto& [number, code] :
+       {std::pair(0, "M0"), {9, "M9"}, {10, "M10"}, {99, "M99"}, {100, "M100"}, {199, "M199"}}) {
+    event.output = number;
+    EXPECT_EQ(base::code_of(event), code);
+  }
 }
 
 }  // namespace test_machine_functions

@@ -123,7 +123,7 @@ TEST(HostMotion, RestsOnItsPathWhenItsPlanningIsInterrupted) {
 TEST(HostMotion, TellsEventsWithTheirWords) {
   std::vector<std::string> codes;
   host::MotionOptions options;
-  options.on_event = [&](const base::PassedEvent& event) { codes.emplace_back(base::code_of(event.kind)); };
+  options.on_event = [&](const base::PassedEvent& event) { codes.emplace_back(base::code_of(event)); };
   words_of(*program("G21 G90\nG1 X5 F3000\nM8\nX10\nM3 S100\nX0\nM2\n", options));
   EXPECT_EQ(codes, (std::vector<std::string>{"M8", "S", "M3", "M2"}));
 }

@@ -97,7 +97,7 @@ TEST(Runner, GivesAnEventAgainThatTheSinkHasNoRoomFor) {
   int asked = 0;
   const auto take_event = [&](const base::PassedEvent& event) {
     if (++asked % 3 != 0) return false;
-    given.push_back(std::string(base::code_of(event.kind)) + std::to_string(base::count(event.tick)));
+    given.push_back(std::string(base::code_of(event)) + std::to_string(base::count(event.tick)));
     return true;
   };
   std::int64_t words = 0;

@@ -4,6 +4,8 @@
 // Some of it motion rests for; all else travels with the path: it happens where motion passes the place between two
 // blocks at which the program asks for it.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/base/time.hpp>
@@ -37,17 +39,34 @@ struct Event {
     digital_output_off,              ///< M65; as M63
     analog_output_with_motion,       ///< M67; output: its number; value: what it is set to
     analog_output,                   ///< M68; likewise
+    /// M19; value: angle, degrees; output: direction, 0 the shorter, 1 clockwise, 2 counterclockwise; q: s that it may
+    /// take, 0: as long as it takes.
+    spindle_orientation,
+    overrides_on,      ///< M48: those of feed and spindle are obeyed
+    overrides_off,     ///< M49: they are not
+    feed_override,     ///< M50; value: 1 obeyed, 0 not
+    spindle_override,  ///< M51; likewise
+    adaptive_feed,     ///< M52; likewise
+    feed_hold,         ///< M53; likewise
+    /// M66 P; output: number of the input; value: L, what is waited for: 0 nothing, 1 that it rises, 2 that it falls, 3
+    /// that it is on, 4 that it is off; q: s that this may take.
+    digital_input,
+    analog_input,  ///< M66 E; output: number of the input, which is read at once
+    /// M100 … M199, of Fanuc's and Haas' machines also lower ones; output: that number; value: P; q: Q; -1 where there is
+    /// none.
+    user_function,
   };
   Kind kind = Kind::program_end;  ///< what
   double value = 0;               ///< as Kind says; else 0
   Line line{};                    ///< of the block
-  std::int32_t output = 0;        ///< number of an output, 0 … most_outputs − 1
+  std::int32_t output = 0;        ///< number of an output or input, 0 … most_outputs − 1, or as Kind says
   bool waits = true;              ///< motion rests for it
+  double q = 0;                   ///< as Kind says; else 0
 
   friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// Digital outputs there are, and analog ones (LinuxCNC, "motion" component: at most 64 of each).
+/// Digital outputs there are, analog ones, and inputs of either kind (LinuxCNC, "motion" component: at most 64 of each).
 inline constexpr std::int32_t most_outputs = 64;
 
 /// Does it take effect as the next motion begins, however long that takes (M62, M63, M67)?
@@ -68,9 +87,11 @@ constexpr bool is_of_program(Event::Kind kind) {
   return kind != Event::Kind::programmed_feed;
 }
 
-/// Is it of an output that has a number?
+/// Does its output say more than its kind and code?
 constexpr bool has_output(Event::Kind kind) {
-  return kind >= Event::Kind::digital_output_on_with_motion;
+  using Kind = Event::Kind;
+  return (kind >= Kind::digital_output_on_with_motion && kind <= Kind::spindle_orientation) ||
+         kind == Kind::digital_input || kind == Kind::analog_input;
 }
 
 /// Does its value say more than its kind?
@@ -85,17 +106,51 @@ constexpr bool has_value(Event::Kind kind) {
     case Kind::programmed_feed:
     case Kind::analog_output_with_motion:
     case Kind::analog_output:
+    case Kind::spindle_orientation:
+    case Kind::feed_override:
+    case Kind::spindle_override:
+    case Kind::adaptive_feed:
+    case Kind::feed_hold:
+    case Kind::digital_input:
+    case Kind::user_function:
       return true;
     default:
       return false;
   }
 }
 
-/// As a program writes it: "M8", "S".
-constexpr std::string_view code_of(Event::Kind kind) {
-  constexpr std::string_view codes[] = {"M5", "M3",  "M4", "S", "M7",  "M8",  "M9",  "T",   "M6",  "M0",
-                                        "M1", "M60", "M2", "F", "M62", "M63", "M64", "M65", "M67", "M68"};
-  return codes[static_cast<std::size_t>(kind)];
+/// Does its q say more than its kind?
+constexpr bool has_q(Event::Kind kind) {
+  using Kind = Event::Kind;
+  return kind == Kind::spindle_orientation || kind == Kind::digital_input || kind == Kind::user_function;
+}
+
+namespace detail {
+inline constexpr std::size_t user_functions = 200;  // M0 … M199, each in as many characters as the longest
+inline constexpr std::size_t longest_code = 4;
+constexpr std::array<char, user_functions * longest_code> make_user_codes() {
+  std::array<char, user_functions * longest_code> codes{};
+  for (std::size_t number = 0; number < user_functions; ++number) {
+    char* code = &codes[number * longest_code];
+    *code++ = 'M';
+    if (number >= 100) *code++ = static_cast<char>('0' + number / 100);
+    if (number >= 10) *code++ = static_cast<char>('0' + number / 10 % 10);
+    *code = static_cast<char>('0' + number % 10);
+  }
+  return codes;
+}
+inline constexpr std::array<char, user_functions * longest_code> user_codes = make_user_codes();
+}  // namespace detail
+
+/// As a program writes it: "M8", "S", "M101".
+constexpr std::string_view code_of(const Event& event) {
+  constexpr std::string_view codes[] = {"M5",  "M3",  "M4",  "S",   "M7",  "M8",  "M9",  "T",   "M6",  "M0",
+                                        "M1",  "M60", "M2",  "F",   "M62", "M63", "M64", "M65", "M67", "M68",
+                                        "M19", "M48", "M49", "M50", "M51", "M52", "M53", "M66", "M66"};
+  if (event.kind != Event::Kind::user_function) return codes[static_cast<std::size_t>(event.kind)];
+  const auto number = static_cast<std::size_t>(event.output);
+  if (number >= detail::user_functions) return "M";
+  return {&detail::user_codes[number * detail::longest_code], number < 10 ? 2U : number < 100 ? 3U : 4U};
 }
 
 /// An event that has happened: in the period that ends with the word of `tick`.

@@ -84,18 +84,19 @@ typedef struct leadscrew_word {
   uint32_t visit; /**< how many times the program had gone back or to another text before, modulo 2^20 */
 } leadscrew_word;
 
-/** What a program asks of the machine besides motion: "M3", "S", "T", "M6", "M8", "M67" … */
+/** What a program asks of the machine besides motion: "M3", "S", "T", "M6", "M8", "M49", "M67", "M101" … */
 typedef struct leadscrew_event {
   size_t size;        /**< of this structure, sizeof */
   int64_t tick;       /**< of the word in whose period it happens */
   double path_length; /**< where */
-  double value;       /**< speed of the spindle, number of the tool, … */
-  int64_t line;       /**< of the program */
-  int32_t output;     /**< number of an output */
-  int32_t waits;      /**< does motion rest for it? */
-  char code[8];       /**< as the program has it */
-  int32_t file;       /**< as a word's */
-  int32_t visit;      /**< as a word's */
+  double value;   /**< speed or angle of the spindle, number of the tool, 0 or 1 of M50 to M53, L of M66, P of M100 … */
+  int64_t line;   /**< of the program */
+  int32_t output; /**< number of an output, input or function; direction of M19 */
+  int32_t waits;  /**< does motion rest for it? */
+  char code[8];   /**< as the program has it */
+  int32_t file;   /**< as a word's */
+  int32_t visit;  /**< as a word's */
+  double q;       /**< Q of M19 and M66, s, 0: none; of M100 to M199, -1: none */
 } leadscrew_event;
 
 /** Called once for each event, in order. `user` is that of the options. */

@@ -64,8 +64,9 @@ leadscrew_event event_of(const base::PassedEvent& from) {
   event.file = base::file(from.line);
   event.visit = base::visit(from.line);
   event.output = from.output;
+  event.q = from.q;
   event.waits = from.waits ? 1 : 0;
-  copy_text(event.code, base::code_of(from.kind));
+  copy_text(event.code, base::code_of(from));
   return event;
 }
 

@@ -99,7 +99,9 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
                               .refuse = [this] { source_.planner().refuse(); },
                               .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
                               .lets = std::move(may_start),
-                              .slice = [this](double seconds) { source_.planner().slice(seconds); }};
+                              .slice = [this](double seconds) { source_.planner().slice(seconds); },
+                              .come_to_rest = [this] { source_.planner().come_to_rest(); },
+                              .is_held = [this] { return source_.planner().is_held(); }};
   if (!live_) return planning;
   planning.drought = [this] { return source_.wants_moves() ? std::optional(live_->moves().drought()) : std::nullopt; };
   planning.end_for_now = [this] { live_->moves().end_for_now(); };

@@ -97,6 +97,23 @@ std::string_view output_call(base::Event::Kind kind) {
   }
 }
 
+// Of what a program lets the operator change.
+std::string_view override_call(base::Event::Kind kind) {
+  using Kind = base::Event::Kind;
+  switch (kind) {
+    case Kind::feed_override:
+      return "FEED_OVERRIDE()\n";
+    case Kind::spindle_override:
+      return "SPEED_OVERRIDE(0)\n";
+    case Kind::adaptive_feed:
+      return "ADAPTIVE_FEED()\n";
+    case Kind::feed_hold:
+      return "FEED_HOLD()\n";
+    default:
+      return {};
+  }
+}
+
 void add_fixed(double value, std::string& text) {
   constexpr int decimals = 4;
   char digits[400];
@@ -268,6 +285,42 @@ void CanonWriter::write_event(const base::Event& event, std::string& text) {
   } else if (event.kind == Kind::coolant_off) {
     call("MIST_OFF()\n", text);
     call("FLOOD_OFF()\n", text);
+  } else {
+    write_function(event, text);
+  }
+}
+
+// M66 is not told there; of M100 … M199 rs274 knows none.
+void CanonWriter::write_function(const base::Event& event, std::string& text) {
+  using Kind = base::Event::Kind;
+  const auto allow = [&](Kind kind, bool on) {
+    call(on ? "ENABLE_" : "DISABLE_", text);
+    text += override_call(kind);
+  };
+  switch (event.kind) {
+    case Kind::spindle_orientation:
+      call("ORIENT_SPINDLE(0", text);
+      first_argument_ = false;
+      number(event.value, text);
+      text += ", " + std::to_string(event.output) + ")\n";
+      if (event.q == 0) return;
+      call("SPINDLE.0.WAIT_ORIENT_COMPLETE(", text);
+      number(event.q, text);
+      text += ")\n";
+      return;
+    case Kind::overrides_on:
+    case Kind::overrides_off:
+      allow(Kind::feed_override, event.kind == Kind::overrides_on);
+      return allow(Kind::spindle_override, event.kind == Kind::overrides_on);
+    case Kind::user_function:
+      call(base::code_of(event), text);
+      text += '(';
+      number(event.value, text);
+      number(event.q, text);
+      text += ")\n";
+      return;
+    default:
+      if (!override_call(event.kind).empty()) allow(event.kind, event.value != 0);
   }
 }
 

@@ -47,6 +47,7 @@ class CanonWriter {
   void write_feed(const Move& move, std::string& text);
   void write_arc(const Move& move, const Frame& frame, std::string& text);
   void write_event(const base::Event& event, std::string& text);
+  void write_function(const base::Event& event, std::string& text);
 
   void call(std::string_view name, std::string& text);
   void number(double value, std::string& text);

@@ -7,7 +7,7 @@ namespace leadscrew::gcode {
 
 class MachineEvents : Part {
  public:
-  MachineEvents(const Context& context, Outbox& outbox) : Part(context), functions_(context), outbox_(outbox) {}
+  MachineEvents(const Context& context, Outbox& outbox) : Part(context), functions_(context, outbox), outbox_(outbox) {}
 
   /// S, T, M62 … M68, M6, M61, M3 … M5, M19, M7 … M9, M48 … M53, M100 … M199 and G4, in this order.
   void execute(const Block& block);

@@ -2,36 +2,30 @@
 
 namespace leadscrew::gcode {
 
-void MachineFunctions::note_untold(int number, std::uint32_t column, const char* what) {
-  if (noted_.test(static_cast<std::size_t>(number))) return;
-  noted_.set(static_cast<std::size_t>(number));
-  reporter_.warning("machine-not-told", column,
-                    "M" + std::to_string(number) + " (" + what + ") is read and the machine is not told of it",
-                    "outputs, M62 to M68, reach the machine");
-}
+using Kind = base::Event::Kind;
 
 void MachineFunctions::set_overrides(const Block& block) {
-  const Code code = block.code(Group::overrides);
   const bool on = block.value_or('P', 1) != 0;
-  switch (code) {
+  switch (block.code(Group::overrides)) {
     case Code::M50:
       modal_.feed_override = on;
-      break;
+      return outbox_.emit_event(Kind::feed_override, on);
     case Code::M51:
       modal_.speed_override = on;
-      break;
+      return outbox_.emit_event(Kind::spindle_override, on);
     case Code::M52:
       modal_.adaptive_feed = on;
-      break;
+      return outbox_.emit_event(Kind::adaptive_feed, on);
     case Code::M53:
       modal_.feed_hold = on;
-      break;
+      return outbox_.emit_event(Kind::feed_hold, on);
+    case Code::M48:
+      modal_.feed_override = modal_.speed_override = true;
+      return outbox_.emit_event(Kind::overrides_on);
     default:
-      modal_.feed_override = modal_.speed_override = code == Code::M48;
-      if (code == Code::M48) return;  // as it is without it
-      break;
+      modal_.feed_override = modal_.speed_override = false;
+      return outbox_.emit_event(Kind::overrides_off);
   }
-  note_untold(row(code).tenths / 10, block.column_of(Group::overrides), row(code).summary);
 }
 
 void MachineFunctions::set_tool_number(const Block& block) {
@@ -68,7 +62,7 @@ void MachineFunctions::orient_spindle(const Block& block) {
           "0 for the shortest way, 1 for clockwise, 2 for counterclockwise");
     return;
   }
-  note_untold(row(Code::M19).tenths / 10, block.column_of(Group::spindle), row(Code::M19).summary);
+  outbox_.emit_event(Kind::spindle_orientation, angle, static_cast<std::int32_t>(turn), block.value_or('Q', 0));
 }
 
 void MachineFunctions::wait_for_input(const Block& block) {
@@ -86,7 +80,7 @@ void MachineFunctions::wait_for_input(const Block& block) {
           std::string(1, letter) + " must be an integer of 0 to " + std::to_string(base::most_outputs - 1));
     return;
   }
-  constexpr int at_once = 0, rise = 1, on = 3, last = 4;
+  constexpr int at_once = 0, off = 4, last = off;
   const std::optional<int> wait = as_integer(block.value_or('L', at_once));
   if (!wait || *wait < at_once || *wait > last || (analog && *wait != at_once)) {
     error("bad-value", block.column_of('L'), "M66 has L" + text(block['L']),
@@ -99,12 +93,14 @@ void MachineFunctions::wait_for_input(const Block& block) {
     return;
   }
   constexpr int answer = 5399;
-  parameters_.set(answer, *wait == rise || *wait == on ? -1 : 0);
-  note_untold(row(Code::M66).tenths / 10, column, row(Code::M66).summary);
+  parameters_.set(answer, *wait == at_once || *wait == off ? 0 : -1);
+  outbox_.emit_event(digital ? Kind::digital_input : Kind::analog_input, *wait, *input,
+                     *wait == at_once ? 0 : block['Q']);
 }
 
 void MachineFunctions::call_builder(const Block& block) {
-  note_untold(block.user_code, block.column_of(Group::user), "a function of the machine's builder");
+  constexpr double absent = -1;
+  outbox_.emit_event(Kind::user_function, block.value_or('P', absent), block.user_code, block.value_or('Q', absent));
 }
 
 }  // namespace leadscrew::gcode

@@ -17,17 +17,32 @@ Move& Outbox::emit(Move::Kind kind) {
   return move;
 }
 
-void Outbox::emit_event(base::Event::Kind kind, double value, std::int32_t output) {
-  prepare_event(emit(Move::Kind::event), kind, value, output);
+void Outbox::emit_event(base::Event::Kind kind, double value, std::int32_t output, double q) {
+  prepare_event(emit(Move::Kind::event), kind, value, output, q);
 }
 
-void Outbox::prepare_event(Move& move, base::Event::Kind kind, double value, std::int32_t output) const {
-  using Kind = base::Event::Kind;
-  const bool turns_spindle =
-      kind == Kind::spindle_clockwise || kind == Kind::spindle_counterclockwise || kind == Kind::spindle_stop;
-  const bool waits = kind == Kind::tool_change || (turns_spindle && machine_.spindle_waits);
+void Outbox::prepare_event(Move& move, base::Event::Kind kind, double value, std::int32_t output, double q) const {
   prepare(move, Move::Kind::event, modal_.line);
-  move.event = {kind, value, modal_.line, output, waits};
+  move.event = {kind, value, modal_.line, output, waits_for(kind), q};
+}
+
+// Whether motion rests for an event that is no pause and no end.
+bool Outbox::waits_for(base::Event::Kind kind) const {
+  using Kind = base::Event::Kind;
+  switch (kind) {
+    case Kind::spindle_clockwise:
+    case Kind::spindle_counterclockwise:
+    case Kind::spindle_stop:
+      return machine_.spindle_waits;
+    case Kind::tool_change:
+    case Kind::spindle_orientation:
+    case Kind::digital_input:
+    case Kind::analog_input:
+    case Kind::user_function:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace leadscrew::gcode

@@ -15,10 +15,10 @@ class Outbox : Part {
 
   /// Adds a move of no length from where the program stands, which takes no time.
   Move& emit(Move::Kind kind);
-  void emit_event(base::Event::Kind kind, double value = 0, std::int32_t output = 0);
+  void emit_event(base::Event::Kind kind, double value = 0, std::int32_t output = 0, double q = 0);
 
   /// Makes of a move an event where the program stands.
-  void prepare_event(Move& move, base::Event::Kind kind, double value = 0, std::int32_t output = 0) const;
+  void prepare_event(Move& move, base::Event::Kind kind, double value = 0, std::int32_t output = 0, double q = 0) const;
 
   /// The move that was added first of those not yet taken; false where there is none.
   bool take(Move& move);
@@ -43,6 +43,8 @@ class Outbox : Part {
   }
 
  private:
+  bool waits_for(base::Event::Kind kind) const;
+
   std::array<Move, 16> moves_;
   std::size_t size_ = 0;
   std::size_t next_ = 0;

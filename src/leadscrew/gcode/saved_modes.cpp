@@ -75,12 +75,21 @@ void SavedModes::bring_back_machine(const ModalState& before) {
   if (off) outbox_.emit_event(Kind::coolant_off);
   if (before.mist && (off || !modal_.mist)) outbox_.emit_event(Kind::coolant_mist);
   if (before.flood && (off || !modal_.flood)) outbox_.emit_event(Kind::coolant_flood);
-  modal_.feed_override = before.feed_override;
-  modal_.speed_override = before.speed_override;
-  modal_.adaptive_feed = before.adaptive_feed;
-  modal_.feed_hold = before.feed_hold;
   modal_.mist = before.mist;
   modal_.flood = before.flood;
+  bring_back_overrides(before);
+}
+
+void SavedModes::bring_back_overrides(const ModalState& before) {
+  using Kind = base::Event::Kind;
+  const auto bring_back = [&](bool ModalState::* mode, Kind kind) {
+    if (modal_.*mode != before.*mode) outbox_.emit_event(kind, before.*mode);
+    modal_.*mode = before.*mode;
+  };
+  bring_back(&ModalState::feed_override, Kind::feed_override);
+  bring_back(&ModalState::speed_override, Kind::spindle_override);
+  bring_back(&ModalState::adaptive_feed, Kind::adaptive_feed);
+  bring_back(&ModalState::feed_hold, Kind::feed_hold);
 }
 
 }  // namespace leadscrew::gcode

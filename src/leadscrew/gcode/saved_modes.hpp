@@ -34,6 +34,7 @@ class SavedModes : Part {
   void keep(bool comes_back);
   void bring_back(const Kept& kept);
   void bring_back_machine(const ModalState& before);
+  void bring_back_overrides(const ModalState& before);
 
   Outbox& outbox_;
   Offsets& offsets_;

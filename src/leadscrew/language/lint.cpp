@@ -63,6 +63,7 @@ void Lint::see_event(const base::Event& event) {
       told_of_spindle_ = false;
       break;
     case Kind::spindle_stop:
+    case Kind::spindle_orientation:
       spindle_on_ = false;
       break;
     default:

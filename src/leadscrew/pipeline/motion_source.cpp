@@ -57,7 +57,7 @@ std::optional<planner::Chunk> MotionSource::next() {
   }
   std::optional<planner::Chunk> chunk;
   wants_moves_ = false;
-  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_) reading_ = read_move();
+  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_ && !planner_.stands_held()) reading_ = read_move();
   return chunk;
 }
 

@@ -63,6 +63,8 @@ class LookAhead {
   bool is_closed() const { return closed_; }
   /// Has nothing been planned yet?
   bool is_untouched() const { return untouched_; }
+  /// Does motion rest where the next chunk begins?
+  bool stands() const { return !window_ && !continuation_; }
   /// Has all been planned that there is and will be?
   bool is_done() const { return closed_ && begin_ >= section_.length(); }
   /// Was no motion found, not even over the shortest distance from rest to rest? No chunk comes any more.

@@ -12,6 +12,80 @@ using numeric::DoubleDouble;
 
 constexpr double negligible_length = 1e-9;  // in the units of path length: below it is rounding
 
+/// What an event leaves behind that a later one of the same undoes.
+enum class Effect : std::uint8_t {
+  none,
+  spindle,
+  spindle_speed,
+  mist,
+  flood,
+  coolant_off,
+  tool_prepared,
+  tool,
+  digital_output,
+  analog_output,
+  programmed_feed,
+  overrides,
+  feed_override,
+  spindle_override,
+  adaptive_feed,
+  feed_hold,
+};
+
+Effect effect_of(base::Event::Kind kind) {
+  using Kind = base::Event::Kind;
+  switch (kind) {
+    case Kind::spindle_stop:
+    case Kind::spindle_clockwise:
+    case Kind::spindle_counterclockwise:
+    case Kind::spindle_orientation:
+      return Effect::spindle;
+    case Kind::spindle_speed:
+      return Effect::spindle_speed;
+    case Kind::coolant_mist:
+      return Effect::mist;
+    case Kind::coolant_flood:
+      return Effect::flood;
+    case Kind::coolant_off:
+      return Effect::coolant_off;
+    case Kind::tool_prepare:
+      return Effect::tool_prepared;
+    case Kind::tool_change:
+      return Effect::tool;
+    case Kind::digital_output_on_with_motion:
+    case Kind::digital_output_off_with_motion:
+    case Kind::digital_output_on:
+    case Kind::digital_output_off:
+      return Effect::digital_output;
+    case Kind::analog_output_with_motion:
+    case Kind::analog_output:
+      return Effect::analog_output;
+    case Kind::programmed_feed:
+      return Effect::programmed_feed;
+    case Kind::overrides_on:
+    case Kind::overrides_off:
+      return Effect::overrides;
+    case Kind::feed_override:
+      return Effect::feed_override;
+    case Kind::spindle_override:
+      return Effect::spindle_override;
+    case Kind::adaptive_feed:
+      return Effect::adaptive_feed;
+    case Kind::feed_hold:
+      return Effect::feed_hold;
+    default:
+      return Effect::none;
+  }
+}
+
+bool undoes(const base::Event& event, const base::Event& before) {
+  const Effect now = effect_of(event.kind), then = effect_of(before.kind);
+  if (now == Effect::coolant_off && (then == Effect::mist || then == Effect::flood)) return true;
+  if (now == Effect::overrides && (then == Effect::feed_override || then == Effect::spindle_override)) return true;
+  const bool is_of_output = now == Effect::digital_output || now == Effect::analog_output;
+  return now == then && (!is_of_output || event.output == before.output);
+}
+
 }  // namespace
 
 std::optional<Chunk> Planner::pop() {
@@ -51,8 +125,7 @@ std::optional<Chunk> Planner::pop() {
       continue;
     }
     if (const auto* event = std::get_if<base::Event>(&element)) {
-      events_.push_back(*event);
-      line_ = event->line;
+      rest_for(*event);
       waiting_.pop_front();
       continue;
     }
@@ -137,49 +210,11 @@ void Planner::pass_events(const toolpath::Piece& piece, double s) {
 
 /// Of events that undo one another, the last.
 void Planner::keep_in_force(const base::Event& event) {
-  using Kind = base::Event::Kind;
-  const auto group = [](Kind kind) {
-    switch (kind) {
-      case Kind::spindle_stop:
-      case Kind::spindle_clockwise:
-      case Kind::spindle_counterclockwise:
-        return 1;
-      case Kind::spindle_speed:
-        return 2;
-      case Kind::coolant_mist:
-        return 3;
-      case Kind::coolant_flood:
-        return 4;
-      case Kind::coolant_off:
-        return 5;
-      case Kind::tool_prepare:
-        return 6;
-      case Kind::tool_change:
-        return 7;
-      case Kind::digital_output_on_with_motion:
-      case Kind::digital_output_off_with_motion:
-      case Kind::digital_output_on:
-      case Kind::digital_output_off:
-        return 8;
-      case Kind::analog_output_with_motion:
-      case Kind::analog_output:
-        return 9;
-      case Kind::programmed_feed:
-        return 10;
-      case Kind::pause:
-      case Kind::optional_pause:
-      case Kind::pallet_pause:
-      case Kind::program_end:
-        return 0;
-    }
-    return 0;
-  };
-  if (group(event.kind) == 0) return;
-  std::erase_if(events_, [&](const base::Event& before) {
-    const bool is_coolant = before.kind == Kind::coolant_mist || before.kind == Kind::coolant_flood;
-    const bool is_alike = group(before.kind) == group(event.kind) && before.output == event.output;
-    return is_alike || (event.kind == Kind::coolant_off && is_coolant);
-  });
+  travelling_.rest_for(event);
+  take_factor();
+  const Effect effect = effect_of(event.kind);
+  if (effect == Effect::none) return;
+  std::erase_if(events_, [&](const base::Event& before) { return undoes(event, before); });
   events_.push_back(event);
 }
 
@@ -239,20 +274,49 @@ void Planner::slice(double seconds) {
 }
 
 void Planner::override_feed(double factor) {
+  asked_.hold = factor == 0;
+  if (!asked_.hold) asked_.feed = factor;
+  take_factor();
+}
+
+void Planner::adapt_feed(double factor) {
+  asked_.adaptive = factor;
+  take_factor();
+}
+
+void Planner::come_to_rest() {
+  asked_.must_rest = true;
+  take_factor();
+}
+
+/// What is asked for, as far as the events allow that motion has passed by the end of the last chunk.
+void Planner::take_factor() {
+  const double factor = asked_.factor(travelling_.overrides());
+  if (factor == feed_factor_) return;
   feed_factor_ = factor;
   look_ahead_.override_feed(factor);
+}
+
+/// Motion rests for an event, which comes before the next chunk.
+void Planner::rest_for(const base::Event& event) {
+  events_.push_back(event);
+  line_ = event.line;
+  travelling_.rest_for(event);
+  take_factor();
 }
 
 void Planner::refuse() {
   position_ = rest_before_;
   line_ = line_before_;
   travelling_.refuse();
+  take_factor();
   if (closed_form_) return go_on_from(closed_form_->rest_before());
   look_ahead_.refuse();
 }
 
 Chunk Planner::follow_events(Chunk chunk) {
   travelling_.place(chunk, std::exchange(events_, {}));
+  take_factor();
   chunk.rest = position_;
   chunk.rest_line = line_;
   return chunk;

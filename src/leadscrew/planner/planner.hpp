@@ -16,6 +16,7 @@
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <leadscrew/planner/overrides.hpp>
 #include <leadscrew/planner/travelling_events.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <limits>
@@ -58,10 +59,20 @@ class Planner {
   /// sliced.
   void slice(double seconds);
   /// Feed override, 0 … 2: programmed feed (not rapid motion) is multiplied by it from the next chunk on, as soon as
-  /// the limits allow. 0 holds: motion comes to rest and no chunk comes until the factor is greater.
+  /// the limits allow. 0 holds: motion comes to rest and no chunk comes until the factor is greater. As far as the path's
+  /// events allow (overrides.hpp): M49 and M50 P0 make it 1 from the chunk behind their place on, M53 P0 ends a hold;
+  /// what was asked last counts again when they do.
   void override_feed(double factor);
+  /// Adaptive feed, 0 … 1: a second factor, where the program has asked for it by M52. 0 holds.
+  void adapt_feed(double factor);
+  /// Motion comes to rest as soon as the limits allow, whatever the program says, and no chunk comes any more.
+  void come_to_rest();
+  /// What the program allows behind the last chunk.
+  const AllowedOverrides& allowed_overrides() const { return travelling_.overrides(); }
   /// Did the last pop() give no chunk because motion is held?
   bool is_held() const { return feed_factor_ == 0 && (last_ || !waiting_.empty()); }
+  /// Does motion stand still because it is held, so that no more of the path need be known?
+  bool stands_held() const { return is_held() && (!last_ || (look_ahead_.stands() && !closed_form_)); }
   /// The chunk that was popped last was not taken in time: motion has come to rest by the stop tail of the chunk
   /// before. The next chunk goes on from there.
   void refuse();
@@ -95,6 +106,8 @@ class Planner {
   std::optional<Chunk> plan();
   void go_on_from(double s);
   Chunk follow_events(Chunk chunk);
+  void rest_for(const base::Event& event);
+  void take_factor();
 
   struct Start {
     double path_length = 0;
@@ -110,7 +123,8 @@ class Planner {
   std::optional<Start> start_;  ///< not reached yet
   std::optional<geometry::Point> started_at_;
   double slice_ = std::numeric_limits<double>::infinity();
-  double feed_factor_ = 1;
+  AskedOverrides asked_;
+  double feed_factor_ = 1;                 ///< in force
   double dwelt_ = 0;                       ///< s handed out of the dwell that is the next element
   std::vector<base::Event> events_;        ///< waiting for the chunk they come before
   TravellingEvents travelling_;            ///< all others

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <leadscrew/planner/motion.hpp>
+#include <leadscrew/planner/overrides.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <vector>
 
@@ -17,14 +18,20 @@ class TravellingEvents {
   void begin_at(double path_length, std::int64_t number);
   /// Those on the chunk's pieces that no chunk before has handed out. `before`: to happen before it begins.
   void place(Chunk& chunk, const std::vector<base::Event>& before);
+  /// An event that motion rests for, before the next chunk.
+  void rest_for(const base::Event& event) { next_.overrides.pass(event); }
   /// Motion has come to rest by the tail of the chunk before the last.
   void refuse();
+  /// What is allowed behind the last chunk.
+  const AllowedOverrides& overrides() const { return next_.overrides; }
 
  private:
-  /// How far motion has come: along the path, and the number of the first event that it has not passed.
+  /// How far motion has come: along the path, the number of the first event that it has not passed, and what those
+  /// before have allowed.
   struct Reached {
     double path_length = 0;
     std::int64_t number = 0;
+    AllowedOverrides overrides{};
   };
 
   double entered_ = 0;          ///< path length of the pieces so far

@@ -15,6 +15,7 @@ constexpr double least_in_motion = 0.03;  // s of motion, in which the way to re
 }  // namespace
 
 void Feeder::request(double factor, bool stop) {
+  if (stop && !stopping_ && planning_.come_to_rest) planning_.come_to_rest();
   stopping_ = stop;
   const double asked = stop ? 0 : factor;
   if (asked == factor_) return;
@@ -31,7 +32,11 @@ bool Feeder::step() {
 
 /// Motion that is held is planned to its rest, and no further.
 bool Feeder::wants_more() const {
-  return (factor_ > 0 || in_motion_) && controller_.seconds_ahead() < std::max(look_ahead_.seconds(), patience_);
+  return (!is_held() || in_motion_) && controller_.seconds_ahead() < std::max(look_ahead_.seconds(), patience_);
+}
+
+bool Feeder::is_held() const {
+  return planning_.is_held ? stopping_ || planning_.is_held() : factor_ == 0;
 }
 
 /// s of motion that are planned before any of it begins, from rest.
@@ -71,7 +76,7 @@ bool Feeder::take_next() {
     if (!held_.empty()) return has_ended_ = true;
     if (drought) return false;
     in_motion_ = false;
-    if (factor_ > 0) last_ = accepted_;
+    if (!is_held()) last_ = accepted_;
     return false;
   }
   if (!held_.empty() && chunk->begins_at_rest()) {

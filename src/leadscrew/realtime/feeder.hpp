@@ -49,6 +49,12 @@ struct Planning {
   std::function<std::optional<Drought>()> drought = {};
   /// Motion is to rest where the moves end that are known by now. Goes with `drought`.
   std::function<void()> end_for_now = {};
+  /// Motion is to come to rest and end, whatever the program says of overrides (planner::Planner::come_to_rest).
+  /// Absent: override_feed(0) does it.
+  std::function<void()> come_to_rest = {};
+  /// Is motion held? A program may not let override_feed(0) hold it (M53), or come to where it does. Absent: it is by
+  /// override_feed(0).
+  std::function<bool()> is_held = {};
 };
 
 /// Keeps the cycle supplied: plans as far ahead of it as look_ahead_time.hpp says, and hands chunks over.
@@ -86,6 +92,7 @@ class Feeder {
 
  private:
   bool wants_more() const;
+  bool is_held() const;
   void set_slice();
   bool is_held_back() const { return held_back() > 0 && !in_motion_; }
   double held_back() const;

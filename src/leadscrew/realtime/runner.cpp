@@ -60,6 +60,7 @@ Counters Runner::counters() const {
   counters.starvations = controller_.starvations();
   counters.seconds_ahead = seconds_ahead_.load(std::memory_order_relaxed);
   counters.override_factor = asked_.load(std::memory_order_relaxed);
+  counters.allowed_overrides = allowed_overrides_.load(std::memory_order_relaxed);
   counters.ended = has_ended();
   counters.too_long_to_rest = too_long_to_rest_.load(std::memory_order_acquire);
   return counters;
@@ -129,6 +130,8 @@ bool Runner::make_due(std::int64_t due) noexcept {
 bool Runner::take_events() noexcept {
   for (; event_ != nullptr; event_ = controller_.next_event()) {
     if (sink_.event && !sink_.event(planner::passed_at(waiting_->tick, *event_))) return false;
+    passed_overrides_.pass(*event_);
+    allowed_overrides_.store(passed_overrides_, std::memory_order_relaxed);
   }
   return true;
 }

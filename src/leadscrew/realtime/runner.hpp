@@ -24,6 +24,7 @@
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/interpolator/controller.hpp>
+#include <leadscrew/planner/overrides.hpp>
 #include <leadscrew/realtime/feeder.hpp>
 #include <leadscrew/realtime/histogram.hpp>
 #include <leadscrew/realtime/ring.hpp>
@@ -58,15 +59,16 @@ struct RunnerOptions {
 
 /// What has happened so far.
 struct Counters {
-  std::int64_t words = 0;         ///< published
-  std::int64_t overruns = 0;      ///< periods that the cyclic thread slept through
-  std::int64_t slips = 0;         ///< periods by which the schedule gave way to the sink
-  std::int64_t late_chunks = 0;   ///< chunks that came after the motion they continue had been stopped
-  std::int64_t starvations = 0;   ///< stop tails that ran because nothing followed
-  double seconds_ahead = 0;       ///< planned, not begun
-  double override_factor = 1;     ///< asked for; 0: held
-  bool ended = false;             ///< the last word has been taken, or nobody wants it
-  bool too_long_to_rest = false;  ///< a stop path was longer than the sink can hold: it was cut off
+  std::int64_t words = 0;                         ///< published
+  std::int64_t overruns = 0;                      ///< periods that the cyclic thread slept through
+  std::int64_t slips = 0;                         ///< periods by which the schedule gave way to the sink
+  std::int64_t late_chunks = 0;                   ///< chunks that came after the motion they continue had been stopped
+  std::int64_t starvations = 0;                   ///< stop tails that ran because nothing followed
+  double seconds_ahead = 0;                       ///< planned, not begun
+  double override_factor = 1;                     ///< asked for; 0: held
+  planner::AllowedOverrides allowed_overrides{};  ///< by the program, where motion is
+  bool ended = false;                             ///< the last word has been taken, or nobody wants it
+  bool too_long_to_rest = false;                  ///< a stop path was longer than the sink can hold: it was cut off
 };
 
 /// Plans in one thread and makes words on time in another.
@@ -122,6 +124,7 @@ class Runner {
   const planner::PlacedEvent* event_ = nullptr;  ///< likewise, of its period
   std::int64_t taken_ = 0;                       ///< words, by the sink
   std::int64_t published_ = 0;                   ///< of these
+  planner::AllowedOverrides passed_overrides_;   ///< by the events that it has passed
 
   // Told by one thread to others.
   std::atomic<bool> begun_{false}, ended_{false}, halted_{false}, too_long_to_rest_{false};
@@ -129,6 +132,8 @@ class Runner {
   std::atomic<std::int64_t> words_{0}, overruns_{0}, slips_{0}, late_chunks_{0};
   std::atomic<double> seconds_ahead_{0}, asked_{1};
   std::atomic<bool> stop_asked_{false};
+  static_assert(std::atomic<planner::AllowedOverrides>::is_always_lock_free);
+  std::atomic<planner::AllowedOverrides> allowed_overrides_{planner::AllowedOverrides{}};
   std::thread planner_thread_, cyclic_thread_;
 };
 

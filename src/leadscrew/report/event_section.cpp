@@ -16,12 +16,14 @@ void put_event_section(std::string& page, const PageContent& content) {
   put(page,
       "<section id=\"events\"><h2>Events</h2>\n<p class=\"note\">Each with the first word that motion reaches at its "
       "place, or behind it.</p>\n<div class=\"scroll\"><table><thead><tr><th>Line</th><th class=\"text\">Code</th>"
-      "<th>Output</th><th>Value</th><th>At</th><th>Along the path</th><th class=\"text\">Motion</th></tr></thead>"
+      "<th>Output</th><th>Value</th><th>Q</th><th>At</th><th>Along the path</th><th "
+      "class=\"text\">Motion</th></tr></thead>"
       "<tbody>\n");
   for (const base::PassedEvent& event : events) {
-    put(page, "<tr><td>", std::to_string(base::number(event.line)), "</td><td class=\"text\">",
-        base::code_of(event.kind), "</td><td>", base::has_output(event.kind) ? std::to_string(event.output) : "",
-        "</td><td>", base::has_value(event.kind) ? base::text(event.value) : "", "</td><td>",
+    put(page, "<tr><td>", std::to_string(base::number(event.line)), "</td><td class=\"text\">", base::code_of(event),
+        "</td><td>", base::has_output(event.kind) ? std::to_string(event.output) : "", "</td><td>",
+        base::has_value(event.kind) ? base::text(event.value) : "", "</td><td>",
+        base::has_q(event.kind) ? base::text(event.q) : "", "</td><td>",
         readable_time(base::seconds(event.tick, content.period)), "</td><td>", readable(event.path_length),
         " mm</td><td class=\"text\">", event.waits ? "rests" : "goes on", "</td></tr>\n");
   }

@@ -4,7 +4,7 @@
 namespace leadscrew::trace {
 
 EventWriter::EventWriter(base::ByteSink sink, base::Period period) : rows_(std::move(sink), 256), period_(period) {
-  rows_.text() = "tick,t,s,line,code,output,value\n";
+  rows_.text() = "tick,t,s,line,code,output,value,q\n";
 }
 
 base::Result<void> EventWriter::write(const base::PassedEvent& event) {
@@ -20,11 +20,13 @@ base::Result<void> EventWriter::write(const base::PassedEvent& event) {
   text += ',';
   put(base::write_integer(digits, base::number(event.line)));
   text += ',';
-  text += base::code_of(event.kind);
+  text += base::code_of(event);
   text += ',';
   if (base::has_output(event.kind)) put(base::write_integer(digits, event.output));
   text += ',';
   if (base::has_value(event.kind)) put(base::write_digits(digits, event.value));
+  text += ',';
+  if (base::has_q(event.kind)) put(base::write_digits(digits, event.q));
   text += '\n';
   return rows_.flush_if_full();
 }

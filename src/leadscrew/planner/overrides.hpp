@@ -1,0 +1,62 @@
+#pragma once
+// The factor of the feed that is in force: what a host asks for, as far as the program lets it (LinuxCNC manual, M48 to
+// M53).
+//
+//     factor = (feed override, or 1 behind M49 and M50 P0) · (adaptive feed behind M52, else 1)
+//     0 where motion is held, but behind M53 P0
+//
+// What is not obeyed is remembered and counts as soon as the program allows it again.
+
+#include <leadscrew/base/event.hpp>
+
+namespace leadscrew::planner {
+
+/// What a program lets a host change, by the events that motion has passed.
+struct AllowedOverrides {
+  bool feed = true;       ///< M48, M49, M50
+  bool hold = true;       ///< M53
+  bool adaptive = false;  ///< M52
+  bool spindle = true;    ///< M48, M49, M51: the host's matter
+
+  void pass(const base::Event& event) {
+    using Kind = base::Event::Kind;
+    switch (event.kind) {
+      case Kind::overrides_on:
+      case Kind::overrides_off:
+        feed = spindle = event.kind == Kind::overrides_on;
+        return;
+      case Kind::feed_override:
+        feed = event.value != 0;
+        return;
+      case Kind::spindle_override:
+        spindle = event.value != 0;
+        return;
+      case Kind::feed_hold:
+        hold = event.value != 0;
+        return;
+      case Kind::adaptive_feed:
+        adaptive = event.value != 0;
+        return;
+      default:
+        return;
+    }
+  }
+
+  friend bool operator==(const AllowedOverrides&, const AllowedOverrides&) = default;
+};
+
+/// What a host asks for.
+struct AskedOverrides {
+  double feed = 1;         ///< > 0 … 2
+  double adaptive = 1;     ///< 0 … 1
+  bool hold = false;       ///< motion is to rest
+  bool must_rest = false;  ///< whatever the program says
+
+  /// 0 … 2.
+  double factor(const AllowedOverrides& allowed) const {
+    if (must_rest || (hold && allowed.hold)) return 0;
+    return (allowed.feed ? feed : 1) * (allowed.adaptive ? adaptive : 1);
+  }
+};
+
+}  // namespace leadscrew::planner
