@@ -156,6 +156,55 @@ TEST(Capi, EndsLoopsWhoseFuelIsUsedUp) {
   EXPECT_STREQ(error.code, "fuel");
 }
 
+TEST(Capi, TellsFunctionsOfTheMachine) {
+  const std::string text = "G21 G90\nM19 R90 Q1.5 P2\nM66 P3 L4 Q2\nG1 X5 F3000\nM50 P0\nM101 P1 Q-2\nM2\n";
+  std::vector<leadscrew_event> events;
+  leadscrew_options options = no_options();
+  options.user = &events;
+  options.on_event = [](const leadscrew_event* event, void* user) {
+    static_cast<std::vector<leadscrew_event>*>(user)->push_back(*event);
+  };
+  words_of(program(text, options).get());
+  const struct {
+    const char* code;
+    int waits, output;
+    double value, q;
+  } rows[] = {{"M19", 1, 2, 90, 1.5}, {"M66", 1, 3, 4, 2}, {"M50", 0, 0, 0, 0}, {"M101", 1, 101, 1, -2}};
+  ASSERT_EQ(events.size(), std::size(rows) + 1);
+  for (std::size_t i = 0; i < std::size(rows); ++i) {
+    EXPECT_STREQ(events[i].code, rows[i].code);
+    EXPECT_EQ(events[i].waits, rows[i].waits) << i;
+    EXPECT_EQ(events[i].output, rows[i].output) << i;
+    EXPECT_EQ(events[i].value, rows[i].value) << i;
+    EXPECT_EQ(events[i].q, rows[i].q) << i;
+  }
+}
+
+TEST(Capi, AsksForInputs) {
+  leadscrew_options options = no_options();
+  options.has_inputs = 1;
+  const Motion motion = program("G21 G90 F3000\nG1 X5\nM66 P0\nG1 X[10 * #5399]\nM2\n", options);
+  EXPECT_EQ(leadscrew_motion_input_is(motion.get(), 1, nullptr), LEADSCREW_REJECTED);
+  words_of(motion.get());
+  EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_WANTS_INPUT);
+  EXPECT_EQ(leadscrew_motion_input_is(motion.get(), 1, nullptr), LEADSCREW_OK);
+  EXPECT_EQ(words_of(motion.get()).back().position[0], 10);
+  EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_ENDED);
+}
+
+TEST(Capi, AdaptsTheFeedBehindM52) {
+  const Motion motion = program("G21 G90 G61 F3000\nG1 X50\nM52\nG1 X100\nM2\n");
+  EXPECT_EQ(leadscrew_motion_adapt(motion.get(), 2, nullptr), LEADSCREW_REJECTED);
+  EXPECT_EQ(leadscrew_motion_adapt(motion.get(), 0.2, nullptr), LEADSCREW_OK);
+  double before = 0, behind = 0;
+  for (const leadscrew_word& word : words_of(motion.get())) {
+    if (std::abs(word.position[0] - 25) < 0.1) before = word.feed;
+    if (std::abs(word.position[0] - 75) < 0.1) behind = word.feed;
+  }
+  EXPECT_NEAR(before, 50, 1e-6);
+  EXPECT_NEAR(behind, 10, 1e-6);
+}
+
 TEST(Capi, WaitsForMovesAndGoesOn) {
   const Motion motion = moves();
   EXPECT_EQ(words_of(motion.get()).size(), 0U);

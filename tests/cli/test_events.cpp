@@ -28,7 +28,7 @@ TEST(Events, AreWrittenWithTheirWordsAndPlaces) {
   ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--events", "e.csv", "--trace", "t.csv"}).status, 0);
   const auto events = rows_of(folder.read("e.csv")), words = rows_of(folder.read("t.csv"));
   ASSERT_EQ(events.size(), 8u);
-  EXPECT_EQ(events[0], (std::vector<std::string>{"tick", "t", "s", "line", "code", "output", "value"}));
+  EXPECT_EQ(events[0], (std::vector<std::string>{"tick", "t", "s", "line", "code", "output", "value", "q"}));
   const std::vector<std::vector<std::string>> expected = {
       {"2", "S", "", "1200"}, {"2", "M3", "", "1200"}, {"5", "S", "", "800"}, {"4", "M67", "2", "0.5"},
       {"6", "M8", "", ""},    {"8", "M62", "3", ""},   {"9", "M2", "", ""}};

@@ -9,11 +9,35 @@
 namespace leadscrew::cli::testing {
 namespace test_remark_output {
 
-TEST(RemarkOutput, SaysMessagesOnceAndOnlyWhereItRuns) {
+TEST(RemarkOutput, SaysMessagesOnce) {
   const Folder folder;
   folder.write("a.ngc", "G21 F600\n#<r>=2\n(MSG,begin)\nG1 X1 (DEBUG,r is %d#<r>)\n(PRINT,done)\nM2\n");
   EXPECT_EQ(leadscrew(folder, {"run", "a.ngc", "--quiet"}).errors, "a.ngc:3: begin\na.ngc:4: r is 2\ndone\n");
+  EXPECT_EQ(leadscrew(folder, {"check", "a.ngc"}).errors, "a.ngc:3: begin\na.ngc:4: r is 2\ndone\n");
   EXPECT_EQ(leadscrew(folder, {"check", "a.ngc", "--quiet"}).errors, "");
+}
+
+TEST(RemarkOutput, TellsMessagesInTheJsonOfCheck) {
+  const Folder folder;
+  folder.write("a.ngc", "(LOGOPEN,b.txt)\n(LOG,new)\n(MSG,begin)\nG0 X1 (PRINT,at %d#5021)\nM2\n");
+  const auto json = leadscrew(folder, {"check", "a.ngc", "--json"}).json();
+  EXPECT_EQ(json["message_count"], 2);
+  ASSERT_EQ(json["messages"].size(), 2U);
+  EXPECT_EQ(json["messages"][0]["kind"], "message");
+  EXPECT_EQ(json["messages"][0]["text"], "begin");
+  EXPECT_EQ(json["messages"][0]["line"], 3);
+  EXPECT_EQ(json["messages"][0]["column"], 2);
+  EXPECT_EQ(json["messages"][1]["kind"], "print");
+  EXPECT_EQ(json["messages"][1]["text"], "at 1");
+  EXPECT_EQ(folder.names(), (Names{"a.ngc"}));
+}
+
+TEST(RemarkOutput, KeepsTheFirstThousandMessages) {
+  const Folder folder;
+  folder.write("a.ngc", "o1 repeat [1500]\n(PRINT,again)\no1 endrepeat\nM2\n");
+  const auto json = leadscrew(folder, {"check", "a.ngc", "--json", "--quiet"}).json();
+  EXPECT_EQ(json["message_count"], 1500);
+  EXPECT_EQ(json["messages"].size(), 1000U);
 }
 
 TEST(RemarkOutput, ShowsNoControlCharacters) {

@@ -50,6 +50,28 @@ TEST(CannedCycles, Tap) {
   EXPECT_EQ(story(head + "M4\nG74 X10 Z-5 R2\nM2\n"), "ccw r10,0,10 r10,0,2 f10,0,-5 stop cw f10,0,2 stop ccw");
 }
 
+// The codes of all events behind the first line, with their values.
+std::string events_of(const std::string& text) {
+  std::string codes;
+  for (const Move& move : read_well(text).moves) {
+    if (move.kind == Move::Kind::event) codes += std::string(base::code_of(move.event)) + ' ';
+  }
+  return codes;
+}
+
+// LinuxCNC, G84: a tap goes as fast as the spindle turns, whatever the operator asks.
+TEST(CannedCycles, TapWithoutOverrides) {
+  const std::string tap = "G84 X10 Z-5 R2\nM2\n";
+  EXPECT_EQ(events_of("S1000 M3 F100\n" + tap), "S M3 M49 M5 M4 M5 M3 M48 M2 ");
+  EXPECT_EQ(events_of("S1000 M3 F100 M50 P0\n" + tap), "S M3 M50 M49 M5 M4 M5 M3 M51 M2 ");
+  EXPECT_EQ(events_of("S1000 M3 F100 M51 P0\n" + tap), "S M3 M51 M49 M5 M4 M5 M3 M50 M2 ");
+  EXPECT_EQ(events_of("S1000 M3 F100 M49\n" + tap), "S M3 M49 M49 M5 M4 M5 M3 M2 ");
+}
+
+TEST(CannedCycles, OrientTheSpindleWhereTheyLeaveTheWall) {
+  EXPECT_EQ(events_of("S1000 M3 F100\nG87 X9 Y9 Z-5 R3 I1 J2 K-3\nM2\n"), "S M3 M5 M19 M3 M5 M19 M3 M2 ");
+}
+
 // LinuxCNC feeds out to the clear level, others to R.
 TEST(CannedCycles, GoOutAtFeed) {
   const std::string bore = head + "G98 G89 X10 Z-5 R2 P1\nM2\n", down = "r10,0,10 r10,0,2 f10,0,-5 dwell1 ";

@@ -1,6 +1,8 @@
 // Functions of the machine: the events that they become, what is checked of them, what parameters say of them
 // afterwards.
 
+#include <leadscrew/base/number_text.hpp>
+
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
@@ -20,8 +22,8 @@ std::string told(std::string_view text, const Conditions& conditions = {}) {
   for (const base::Event& event : read_well(text, conditions).events()) {
     result += base::code_of(event);
     if (base::has_output(event.kind)) result += " output=" + std::to_string(event.output);
-    if (base::has_value(event.kind)) result += " value=" + base::text(event.value);
-    if (base::has_q(event.kind)) result += " q=" + base::text(event.q);
+    if (base::has_value(event.kind)) result += " value=" + base::text(event.value, 9);
+    if (base::has_q(event.kind)) result += " q=" + base::text(event.q, 9);
     result += event.waits ? " waits; " : "; ";
   }
   return result;

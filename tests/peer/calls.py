@@ -2,13 +2,15 @@
 import math
 import re
 
-CALL = re.compile(r"^\s*\d+ N[\d.]*\s*([A-Z_0-9]+)\((.*)\)\s*$")
+CALL = re.compile(r"^\s*\d+ N[\d.]*\s*([A-Z_0-9.]+)\((.*)\)\s*$")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|nan|inf)")
 STRAIGHT = ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE")
 EVENTS = ("SELECT_TOOL", "CHANGE_TOOL", "SET_SPINDLE_SPEED", "START_SPINDLE_CLOCKWISE", "START_SPINDLE_COUNTERCLOCKWISE",
           "STOP_SPINDLE_TURNING", "ORIENT_SPINDLE", "MIST_ON", "MIST_OFF", "FLOOD_ON", "FLOOD_OFF", "PROGRAM_STOP",
           "OPTIONAL_PROGRAM_STOP", "PALLET_SHUTTLE", "SET_MOTION_OUTPUT_BIT", "CLEAR_MOTION_OUTPUT_BIT",
-          "SET_AUX_OUTPUT_BIT", "CLEAR_AUX_OUTPUT_BIT", "SET_MOTION_OUTPUT_VALUE", "SET_AUX_OUTPUT_VALUE")
+          "SET_AUX_OUTPUT_BIT", "CLEAR_AUX_OUTPUT_BIT", "SET_MOTION_OUTPUT_VALUE", "SET_AUX_OUTPUT_VALUE",
+          "SPINDLE.0.WAIT_ORIENT_COMPLETE", "ENABLE_FEED_OVERRIDE", "DISABLE_FEED_OVERRIDE", "ENABLE_SPEED_OVERRIDE",
+          "DISABLE_SPEED_OVERRIDE", "ENABLE_ADAPTIVE_FEED", "DISABLE_ADAPTIVE_FEED", "ENABLE_FEED_HOLD", "DISABLE_FEED_HOLD")
 WAITING = ("DWELL", "NURBS_FEED") + EVENTS
 ROUNDING = 0.505e-4  # of a printed number, in its unit
 LEAST_RATE = 0.1  # that rs274 makes of G93, units per minute
@@ -113,6 +115,7 @@ class Motion:
 def motions(text):
     """The calls that move, wait, or ask for what is no motion, but for straight ones that lead nowhere."""
     found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0), PLANES["CANON_PLANE_XY"]
+    threads = False
     position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
     for line in text.splitlines():
         call = CALL.match(line)
@@ -140,6 +143,11 @@ def motions(text):
             frame.tool = Told(numbers, unit)
         elif name == "SET_FEED_RATE":
             feed = (numbers[0], unit)
+        elif name == "START_SPEED_FEED_SYNC" and found and found[-1].name == "DISABLE_FEED_OVERRIDE":
+            found.pop()  # threads are cut without; the calls around them are not the program's
+            threads = True
+        elif name == "ENABLE_FEED_OVERRIDE" and threads:
+            threads = False
         elif name in WAITING:
             found.append(Motion(name, line, numbers, unit, frame, feed, None))
         elif name in STRAIGHT or name == "ARC_FEED":
@@ -158,8 +166,8 @@ def motions(text):
             if name not in STRAIGHT or max(steps[:3]) > least or max(steps[3:6]) > 4 * ROUNDING:
                 found.append(motion)
                 position[:len(target)], told_in = target, unit
-    # The end of a program stops what turns and flows, and M30 changes the pallet.
-    while found and found[-1].name in ("STOP_SPINDLE_TURNING", "MIST_OFF", "FLOOD_OFF", "PALLET_SHUTTLE"):
+    # The end of a program stops what turns and flows, allows overrides, and M30 changes the pallet.
+    while found and found[-1].name in ("STOP_SPINDLE_TURNING", "MIST_OFF", "FLOOD_OFF", "PALLET_SHUTTLE", "ENABLE_FEED_OVERRIDE"):
         found.pop()
     return found
 

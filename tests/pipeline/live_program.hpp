@@ -57,6 +57,7 @@ class LiveProgram {
 
   referee::Verdict conclude() { return referee_.conclude(); }
   const constraints::LimitRatios& plan() const { return plan_; }
+  const planner::AllowedOverrides& allowed() const { return planner_.allowed_overrides(); }
   std::int64_t refused_windows() const { return planner_.refused_windows(); }
   std::int64_t late = 0;
   double longest_wait = 0;       ///< s of motion handed out before a change of the feed was planned

@@ -82,6 +82,11 @@ constexpr bool is_pause(Event::Kind kind) {
   return kind == Kind::pause || kind == Kind::optional_pause || kind == Kind::pallet_pause;
 }
 
+/// Does a program ask for the value of an input?
+constexpr bool is_input(Event::Kind kind) {
+  return kind == Event::Kind::digital_input || kind == Event::Kind::analog_input;
+}
+
 /// Does a block ask for it? Not where it only says how motion was programmed.
 constexpr bool is_of_program(Event::Kind kind) {
   return kind != Event::Kind::programmed_feed;
@@ -90,8 +95,7 @@ constexpr bool is_of_program(Event::Kind kind) {
 /// Does its output say more than its kind and code?
 constexpr bool has_output(Event::Kind kind) {
   using Kind = Event::Kind;
-  return (kind >= Kind::digital_output_on_with_motion && kind <= Kind::spindle_orientation) ||
-         kind == Kind::digital_input || kind == Kind::analog_input;
+  return (kind >= Kind::digital_output_on_with_motion && kind <= Kind::spindle_orientation) || is_input(kind);
 }
 
 /// Does its value say more than its kind?

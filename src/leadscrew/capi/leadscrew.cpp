@@ -250,6 +250,14 @@ int leadscrew_motion_override(leadscrew_motion* motion, double factor, leadscrew
   return within(motion, error, [&](host::Motion& m) { return code_of(m.override_feed(factor), error); });
 }
 
+int leadscrew_motion_adapt(leadscrew_motion* motion, double factor, leadscrew_error* error) {
+  return within(motion, error, [&](host::Motion& m) { return code_of(m.adapt_feed(factor), error); });
+}
+
+int leadscrew_motion_input_is(leadscrew_motion* motion, double value, leadscrew_error* error) {
+  return within(motion, error, [&](host::Motion& m) { return code_of(m.input_is(value), error); });
+}
+
 int leadscrew_motion_abort(leadscrew_motion* motion) {
   return within(motion, nullptr, [](host::Motion& m) {
     m.abort();

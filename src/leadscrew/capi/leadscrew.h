@@ -126,7 +126,9 @@ typedef struct leadscrew_options {
   const char* tools_file; /**< in its place, the path of a file that holds it; NULL: none */
   leadscrew_progress_function on_progress;     /**< asked every few KiB read, every few ms of planning; may be NULL */
   leadscrew_subprogram_function on_subprogram; /**< asked once for each name; NULL: there are none beside the program */
-  int64_t fuel; /**< lines that a program may read in loops and subprograms, more are an error; 0: 100 million */
+  int64_t fuel;       /**< lines that a program may read in loops and subprograms, more are an error; 0: 100 million */
+  int32_t has_inputs; /**< not 0: leadscrew_motion_input_is() says what inputs are (M66); 0: they are off */
+  int32_t reserved_input; /**< 0 */
 } leadscrew_options;
 
 /** Kinds of moves. */
@@ -153,7 +155,13 @@ typedef struct leadscrew_move {
 } leadscrew_move;
 
 /** Why leadscrew_motion_next() gave less than it was asked for. */
-enum { LEADSCREW_MOVING = 0, LEADSCREW_WANTS_MOVES = 1, LEADSCREW_HELD = 2, LEADSCREW_ENDED = 3 };
+enum {
+  LEADSCREW_MOVING = 0,
+  LEADSCREW_WANTS_MOVES = 1,
+  LEADSCREW_HELD = 2,
+  LEADSCREW_ENDED = 3,
+  LEADSCREW_WANTS_INPUT = 4
+};
 
 /** Axes at one instant, mm or degrees and seconds. Where acceleration or jerk step, the value behind the step. */
 typedef struct leadscrew_state {
@@ -211,11 +219,17 @@ LEADSCREW_API int leadscrew_motion_finish(leadscrew_motion* motion);
  * been given. Time is not bounded: it plans. */
 LEADSCREW_API int leadscrew_motion_next(leadscrew_motion* motion, leadscrew_word* words, size_t word_size,
                                         size_t capacity, size_t* count, leadscrew_error* error);
-/** LEADSCREW_MOVING … LEADSCREW_ENDED; LEADSCREW_ENDED of NULL. */
+/** LEADSCREW_MOVING … LEADSCREW_WANTS_INPUT; LEADSCREW_ENDED of NULL. */
 LEADSCREW_API int leadscrew_motion_progress(const leadscrew_motion* motion);
 
-/** Feed, but that of rapids, is multiplied by 0 … 2; 0 holds, until it is more. */
+/** Feed, but that of rapids, is multiplied by 0 … 2; 0 holds, until it is more. As far as the program allows (M48 to M50,
+ * M53): what it does not is remembered, and counts when it does. */
 LEADSCREW_API int leadscrew_motion_override(leadscrew_motion* motion, double factor, leadscrew_error* error);
+/** A second factor, 0 … 1, where the program asks for it by M52. */
+LEADSCREW_API int leadscrew_motion_adapt(leadscrew_motion* motion, double factor, leadscrew_error* error);
+/** At LEADSCREW_WANTS_INPUT: what the input is that the last event, M66, asks for, 0 or 1 of a digital one; -1: the time
+ * for it is over. Motion goes on as the program does. */
+LEADSCREW_API int leadscrew_motion_input_is(leadscrew_motion* motion, double value, leadscrew_error* error);
 /** Motion ends, at rest on its path, as soon as limits and slice allow; moves behind that are forgotten. */
 LEADSCREW_API int leadscrew_motion_abort(leadscrew_motion* motion);
 /** At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */

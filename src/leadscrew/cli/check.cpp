@@ -1,5 +1,6 @@
 #include <leadscrew/cli/check.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/results/messages.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
 #include <memory>
@@ -22,8 +23,12 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
   } else {
     survey = std::make_unique<pipeline::QuickSurvey>(job.machine, job.start);
   }
-  const Reading reading = read_program(*file, job, console, log, survey.get());
-  results::CheckFigures figures{reading.blocks, reading.moves};
+  results::Messages messages([&](const std::string& text) {
+    if (!job.arguments.quiet) console.error_text(text);
+  });
+  const Reading reading = read_program(*file, job, console, log, survey.get(), messages.sink());
+  results::CheckFigures figures{
+      .blocks = reading.blocks, .moves = reading.moves, .messages = messages.kept(), .message_count = messages.count()};
   if (log.errors() == 0) {
     survey->finish();
     figures.extents = results::extents_of(job.machine, survey->least(), survey->greatest());

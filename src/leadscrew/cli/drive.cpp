@@ -97,8 +97,8 @@ class ProgramDrive {
       };
       onlooker.observe = [this](const drive::Feedback& feedback) { view_->observe(feedback); };
       onlooker.while_returning = [this](double seconds) { return view_->go_back(seconds); };
-      onlooker.while_moving = [this](const drive::WordMaker&, realtime::Runner& runner) {
-        return view_->go_on(runner);
+      onlooker.while_moving = [this](const drive::WordMaker& maker, realtime::Runner& runner) {
+        return view_->go_on(maker, runner);
       };
       onlooker.may_start = [this](const planner::Chunk& chunk) { return view_->pause().may_start(chunk); };
     } else if (!setup_.options.live) {

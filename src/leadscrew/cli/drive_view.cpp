@@ -49,7 +49,8 @@ void DriveView::observe(const drive::Feedback& feedback) {
   map_.visit(feedback.actual);
 }
 
-bool DriveView::go_on(realtime::Runner& runner) {
+bool DriveView::go_on(const drive::WordMaker& maker, realtime::Runner& runner) {
+  waits_for_input_ = maker.waits_for_input();
   const bool is_asked = obey_keys(runner);
   draw(runner);
   return is_asked;
@@ -81,7 +82,9 @@ bool DriveView::stands_at_pause(const realtime::Counters& counters) const {
 }
 
 std::string DriveView::wait_text(const realtime::Counters& counters) const {
-  if (held_) return style_(Tone::warning, "  HELD");
+  const planner::AllowedOverrides& allowed = counters.allowed_overrides;
+  if (held_) return style_(Tone::warning, allowed.hold ? "  HELD" : "  hold not obeyed (M53 P0)");
+  if (waits_for_input_) return style_(Tone::warning, "  WAITS for an input (M66)");
   if (!stands_at_pause(counters)) return {};
   return style_(Tone::warning, fmt::format("  PAUSED in line {}: space goes on", base::number(*pause_.line())));
 }
@@ -105,8 +108,8 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
   const realtime::Counters counters = runner.counters();
   const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
   std::string text = place_text();
-  text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}", last_.word.feed * 60, factor_ * 100,
-                      wait_text(counters), end);
+  text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}{}", last_.word.feed * 60, factor_ * 100,
+                      counters.allowed_overrides.feed ? "" : " not obeyed (M49)", wait_text(counters), end);
   if (!job_.arguments.drive.sink) {
     text += fmt::format("slides {:6.1f} /min by tachometers, behind by {:.4f}{}", last_.measured_feed * 60,
                         last_.following_error, end);

@@ -19,7 +19,7 @@ class DriveView {
   drive::Pause& pause() { return pause_; }
   /// Draws ten times a second, and does what keys ask for: space holds and resumes, also at M0; + and − change the feed
   /// by 10 %. True if q was pressed.
-  bool go_on(realtime::Runner& runner);
+  bool go_on(const drive::WordMaker& maker, realtime::Runner& runner);
   /// The same before there are words, while axes go back for so many seconds.
   bool go_back(double seconds);
 
@@ -43,7 +43,7 @@ class DriveView {
   drive::Feedback last_{};
   drive::Pause pause_;
   double factor_ = 1;  ///< of the feed, when it is not held
-  bool held_ = false;
+  bool held_ = false, waits_for_input_ = false;
   std::int64_t drawn_ = 0;  ///< ns
 };
 

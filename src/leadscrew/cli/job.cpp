@@ -169,7 +169,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 }
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
-                     pipeline::Survey* survey) {
+                     pipeline::Survey* survey, gcode::RemarkSink remarks) {
   const std::int64_t moves_between_checks = survey ? 64 : 4096;  // a survey may make the tool path as well
   if (is_trace(file, job.machine.axis_set())) {
     log.add({base::Severity::error,
@@ -183,7 +183,9 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   const double begin = realtime::SystemClocks::processor_seconds();
   Progress progress{.work = "reading", .total = file.size()};
   console.begin_progress();
-  gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, job.reader_options(file),
+  gcode::ReaderOptions options = job.reader_options(file);
+  options.remarks = std::move(remarks);
+  gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, std::move(options),
                        [&](const base::Diagnostic& problem) { log.add(problem); });
   std::optional<language::Lint> lint;
   if (job.arguments.lint) lint.emplace(job.machine, job.arguments.stock_top);

@@ -52,7 +52,7 @@ struct Reading {
 /// Reads the program whole; its problems, and those of its file, go to the log, and feeds beyond the machine with a
 /// survey, which gets all moves up to the first error.
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
-                     pipeline::Survey* survey = nullptr);
+                     pipeline::Survey* survey = nullptr, gcode::RemarkSink remarks = {});
 
 /// A reader over the file that says nothing: for programs that have been read whole.
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job);

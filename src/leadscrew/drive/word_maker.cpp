@@ -3,6 +3,7 @@
 #include <leadscrew/drive/live_program.hpp>
 #include <leadscrew/drive/word_maker.hpp>
 #include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/realtime/schedule.hpp>
 #include <utility>
 
 namespace leadscrew::drive {
@@ -32,6 +33,7 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
     : program_(program),
       live_(setup.options.live ? std::make_unique<LiveProgram>(setup, program.name()) : nullptr),
       source_(source_of(setup)),
+      lead_(setup.options.lead + slice_duration),
       sink_(link, setup.machine, first.position, most_waiting(setup)) {
   source_.unchanged = [this] { return program_.unchanged(); };
   source_.stop_when(files::interrupted);
@@ -98,7 +100,12 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
   realtime::Planning planning{.next = [this] { return next_chunk(); },
                               .refuse = [this] { source_.planner().refuse(); },
                               .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
-                              .lets = std::move(may_start),
+                              .lets =
+                                  [this, may_start = std::move(may_start)](const planner::Chunk& chunk) {
+                                    if (!inputs_let(chunk) || (may_start && !may_start(chunk))) return false;
+                                    input_wait_.end();
+                                    return true;
+                                  },
                               .slice = [this](double seconds) { source_.planner().slice(seconds); },
                               .come_to_rest = [this] { source_.planner().come_to_rest(); },
                               .is_held = [this] { return source_.planner().is_held(); }};
@@ -106,6 +113,10 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
   planning.drought = [this] { return source_.wants_moves() ? std::optional(live_->moves().drought()) : std::nullopt; };
   planning.end_for_now = [this] { live_->moves().end_for_now(); };
   return planning;
+}
+
+bool WordMaker::inputs_let(const planner::Chunk& chunk) {
+  return input_wait_.may_start(chunk, runner_->counters().seconds_ahead <= 0, lead_, realtime::now());
 }
 
 std::optional<planner::Chunk> WordMaker::next_chunk() {

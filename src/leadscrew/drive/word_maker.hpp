@@ -6,6 +6,7 @@
 #include <atomic>
 #include <functional>
 #include <leadscrew/drive/guarded_sink.hpp>
+#include <leadscrew/drive/input_wait.hpp>
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/pipeline/motion_source.hpp>
@@ -34,6 +35,8 @@ class WordMaker {
   realtime::Runner& runner() { return *runner_; }
   /// Bytes of the program that were read. Anybody's.
   std::int64_t bytes_read() const { return bytes_read_.load(std::memory_order_relaxed); }
+  /// Does motion wait for an input (M66), which does not come? Anybody's.
+  bool waits_for_input() const { return input_wait_.waits(); }
   /// Has the runner ended because the last word of the program was made? Anybody's.
   bool has_come_to_end() const {
     return runner_->has_ended() && !has_failed_.load(std::memory_order_acquire) && !sink_.has_refused() &&
@@ -58,12 +61,15 @@ class WordMaker {
   pipeline::MotionSource source_of(const Setup& setup);
   realtime::Planning planning(MayStart may_start);
   std::optional<planner::Chunk> next_chunk();
+  bool inputs_let(const planner::Chunk& chunk);
 
   const files::InputFile& program_;
   std::atomic<std::int64_t> bytes_read_{0};
   std::unique_ptr<LiveProgram> live_;  ///< none: the program was read before
   pipeline::MotionSource source_;      ///< the planner's thread's, from start() to conclude()
   std::atomic<bool> has_failed_{false};
+  InputWait input_wait_;  ///< the planner's thread's
+  const double lead_;     ///< s that words are made ahead of their time
   GuardedSink sink_;
   std::optional<realtime::Runner> runner_;
   realtime::Counters counters_;

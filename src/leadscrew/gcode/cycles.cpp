@@ -249,13 +249,41 @@ void CannedCycles::drill_pattern(const Block& block) {
   if (plan.repeats > 0) begin(block, plan);
 }
 
+// Of a step that is neither a move nor a dwell. False where it asks for nothing.
+bool CannedCycles::prepare_event(Move& move, DrillCycle::Step::Kind kind) const {
+  using Event = base::Event::Kind;
+  using Kind = DrillCycle::Step::Kind;
+  switch (kind) {
+    case Kind::pause:
+      outbox_.prepare_event(move, Event::pause);
+      return true;
+    case Kind::spindle_orient:
+      outbox_.prepare_event(move, Event::spindle_orientation);
+      return true;
+    case Kind::overrides_off:
+      outbox_.prepare_event(move, Event::overrides_off);
+      return true;
+    case Kind::overrides_on:
+      if (modal_.feed_override && modal_.speed_override) {
+        outbox_.prepare_event(move, Event::overrides_on);
+        return true;
+      }
+      if (!modal_.feed_override && !modal_.speed_override) return false;
+      outbox_.prepare_event(move, modal_.feed_override ? Event::feed_override : Event::spindle_override, 1);
+      return true;
+    default:
+      outbox_.prepare_event(move, spindle_event(kind), kind == Kind::spindle_stop ? 0 : modal_.spindle_speed);
+      return true;
+  }
+}
+
 base::Event::Kind CannedCycles::spindle_event(DrillCycle::Step::Kind kind) const {
   using Event = base::Event::Kind;
   using Kind = DrillCycle::Step::Kind;
   const Code code = cycle_.plan().code;
   const bool standing = modal_.spindle == Code::M5;
   const bool clockwise = standing ? code != Code::G74 : modal_.spindle == Code::M3;
-  if (kind == Kind::spindle_stop || kind == Kind::spindle_orient) return Event::spindle_stop;
+  if (kind == Kind::spindle_stop) return Event::spindle_stop;
   if (kind == Kind::spindle_start && standing) return Event::spindle_stop;
   return clockwise == (kind == Kind::spindle_start) ? Event::spindle_clockwise : Event::spindle_counterclockwise;
 }
@@ -270,10 +298,8 @@ bool CannedCycles::next(Move& move) {
       return true;
     }
     if (step.kind != Kind::rapid && step.kind != Kind::feed) {
-      outbox_.prepare_event(
-          move, step.kind == Kind::pause ? base::Event::Kind::pause : spindle_event(step.kind),
-          step.kind == Kind::spindle_start || step.kind == Kind::spindle_reverse ? modal_.spindle_speed : 0);
-      return true;
+      if (prepare_event(move, step.kind)) return true;
+      continue;
     }
     if (step.target == frame_.position) continue;
     outbox_.prepare(move, Move::Kind::line, modal_.line);

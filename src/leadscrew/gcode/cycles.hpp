@@ -34,6 +34,7 @@ class CannedCycles : Part {
   void plan_series(const Block& block, DrillCycle::Plan& plan);
   void set_cycle_feed(const Block& block);
   void begin(const Block& block, const DrillCycle::Plan& plan);
+  bool prepare_event(Move& move, DrillCycle::Step::Kind kind) const;
   base::Event::Kind spindle_event(DrillCycle::Step::Kind kind) const;
 
   // What holds for the canned cycles since the last other motion: numbers as they were written, which are read in the

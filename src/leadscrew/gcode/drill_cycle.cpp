@@ -11,16 +11,18 @@ using DrillAction = DrillCycle::Action;
 
 // What each cycle does from R on.
 constexpr DrillAction of_g83[] = {DrillAction::peck, DrillAction::down, DrillAction::dwell, DrillAction::clear};
-constexpr DrillAction of_g84[] = {DrillAction::down, DrillAction::stop, DrillAction::reverse, DrillAction::dwell,
-                                  DrillAction::out,  DrillAction::stop, DrillAction::start,   DrillAction::clear};
-constexpr DrillAction of_g76_bore[] = {DrillAction::down,  DrillAction::dwell, DrillAction::orient, DrillAction::aside,
-                                       DrillAction::clear, DrillAction::back,  DrillAction::start};
+constexpr DrillAction of_g84[] = {
+    DrillAction::no_overrides, DrillAction::down, DrillAction::stop,  DrillAction::reverse,         DrillAction::dwell,
+    DrillAction::out,          DrillAction::stop, DrillAction::start, DrillAction::overrides_again, DrillAction::clear};
+constexpr DrillAction of_g76_bore[] = {DrillAction::down,  DrillAction::dwell, DrillAction::stop, DrillAction::orient,
+                                       DrillAction::aside, DrillAction::clear, DrillAction::back, DrillAction::start};
 constexpr DrillAction of_g85[] = {DrillAction::down, DrillAction::out, DrillAction::clear};
 constexpr DrillAction of_g86[] = {DrillAction::down, DrillAction::dwell, DrillAction::stop, DrillAction::clear,
                                   DrillAction::start};
-constexpr DrillAction of_g87[] = {DrillAction::aside, DrillAction::orient,    DrillAction::plunge, DrillAction::back,
-                                  DrillAction::start, DrillAction::bore_back, DrillAction::down,   DrillAction::orient,
-                                  DrillAction::aside, DrillAction::clear,     DrillAction::back,   DrillAction::start};
+constexpr DrillAction of_g87[] = {DrillAction::aside, DrillAction::stop,   DrillAction::orient,    DrillAction::plunge,
+                                  DrillAction::back,  DrillAction::start,  DrillAction::bore_back, DrillAction::down,
+                                  DrillAction::stop,  DrillAction::orient, DrillAction::aside,     DrillAction::clear,
+                                  DrillAction::back,  DrillAction::start};
 constexpr DrillAction of_g88[] = {DrillAction::down,  DrillAction::dwell, DrillAction::stop,
                                   DrillAction::pause, DrillAction::clear, DrillAction::start};
 constexpr DrillAction of_g89[] = {DrillAction::down, DrillAction::dwell, DrillAction::out, DrillAction::clear};
@@ -164,6 +166,10 @@ DrillCycle::Step DrillCycle::in_hole() {
         return {Kind::spindle_reverse, position_};
       case Action::start:
         return {Kind::spindle_start, position_};
+      case Action::no_overrides:
+        return {Kind::overrides_off, position_};
+      case Action::overrides_again:
+        return {Kind::overrides_on, position_};
       case Action::pause:
         return {Kind::pause, position_};
     }

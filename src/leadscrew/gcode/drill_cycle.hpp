@@ -46,27 +46,40 @@ class DrillCycle {
   };
 
   struct Step {
-    enum class Kind { rapid, feed, dwell, spindle_start, spindle_reverse, spindle_stop, spindle_orient, pause };
+    enum class Kind {
+      rapid,
+      feed,
+      dwell,
+      spindle_start,
+      spindle_reverse,
+      spindle_stop,
+      spindle_orient,
+      overrides_off,
+      overrides_on,
+      pause
+    };
     Kind kind = Kind::rapid;
     base::AxisVector target{};
   };
 
   /// What a cycle may do from R on.
   enum class Action : std::uint8_t {
-    peck,       ///< down in pecks, each followed by its way out and back in
-    down,       ///< to the bottom at feed
-    plunge,     ///< to the bottom at rapid
-    out,        ///< up at feed, to Plan::out_level
-    bore_back,  ///< at feed to Plan::level
-    clear,      ///< up at rapid, to Plan::clear_level
-    dwell,      ///< where the plan dwells
-    aside,      ///< by Plan::aside, off the wall
-    back,       ///< over the hole again
-    orient,     ///< the spindle stops at an angle
-    stop,       ///< the spindle stops
-    reverse,    ///< the spindle turns the other way
-    start,      ///< the spindle turns as before
-    pause,      ///< waits for the operator
+    peck,             ///< down in pecks, each followed by its way out and back in
+    down,             ///< to the bottom at feed
+    plunge,           ///< to the bottom at rapid
+    out,              ///< up at feed, to Plan::out_level
+    bore_back,        ///< at feed to Plan::level
+    clear,            ///< up at rapid, to Plan::clear_level
+    dwell,            ///< where the plan dwells
+    aside,            ///< by Plan::aside, off the wall
+    back,             ///< over the hole again
+    orient,           ///< the spindle, which stands, turns to its angle
+    stop,             ///< the spindle stops
+    reverse,          ///< the spindle turns the other way
+    start,            ///< the spindle turns as before
+    no_overrides,     ///< the operator's are not obeyed
+    overrides_again,  ///< they are, as before
+    pause,            ///< waits for the operator
   };
 
   /// How far from the bottom of the hole a peck goes back to cutting feed (LinuxCNC: 0.010 inch).

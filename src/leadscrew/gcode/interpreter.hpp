@@ -37,6 +37,9 @@ class Interpreter : Part {
   /// The next move of the block executed last; false after its last.
   bool next(Move& move);
 
+  /// What the M66 handed out last has found.
+  void input_is(double value) { events_.set_input(value); }
+
   /// The program ends here, without saying so.
   void end(base::Line line);
   bool ended() const { return ended_; }

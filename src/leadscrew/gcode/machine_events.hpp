@@ -13,6 +13,8 @@ class MachineEvents : Part {
   void execute(const Block& block);
   /// G96: the spindle's speed where the tool stands now, if that is another.
   void follow_surface();
+  /// What the M66 handed out last has found.
+  void set_input(double value) { functions_.set_input(value); }
 
  private:
   void set_spindle_mode(const Block& block);

@@ -92,10 +92,14 @@ void MachineFunctions::wait_for_input(const Block& block) {
           "give Q, the seconds it waits at most");
     return;
   }
-  constexpr int answer = 5399;
-  parameters_.set(answer, *wait == at_once || *wait == off ? 0 : -1);
+  set_input(*wait == at_once || *wait == off ? 0 : -1);
   outbox_.emit_event(digital ? Kind::digital_input : Kind::analog_input, *wait, *input,
                      *wait == at_once ? 0 : block['Q']);
+}
+
+void MachineFunctions::set_input(double value) {
+  constexpr int found = 5399;
+  parameters_.set(found, value);
 }
 
 void MachineFunctions::call_builder(const Block& block) {

@@ -18,6 +18,8 @@ class MachineFunctions : Part {
   void orient_spindle(const Block& block);
   /// M66: #5399 becomes what an input that is always off gives: 0, or -1 where the wait for another ends by its timeout.
   void wait_for_input(const Block& block);
+  /// What M66 has found, in place of that.
+  void set_input(double value);
   /// M100 … M199, and with Fanuc and Haas what else has no meaning here.
   void call_builder(const Block& block);
 

@@ -90,6 +90,7 @@ struct ReaderOptions {
   /// from the first of them on, up to 16 MiB, and there are no subprograms in files.
   TextOpener opener{};
   std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
+  bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
   bool repeats = false;             ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
@@ -118,6 +119,10 @@ class Reader {
 
   /// The same, at the F word of the block where it has one.
   void warn_of_feed(const Move& move, base::Diagnostic problem);
+
+  /// What the input is that the event handed out last asks for (M66, base::is_input), or -1 where the time for it is
+  /// over: before the next move is asked for, since what follows may depend on it. Without that inputs are off.
+  void input_is(double value);
 
   /// Where the program's coordinates lie, in the block of the move handed out last.
   const Frame& frame() const;

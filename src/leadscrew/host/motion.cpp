@@ -35,6 +35,7 @@ gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOpt
   gcode::ReaderOptions reading{.file = options.file, .start = options.start, .dialect = machine.dialect};
   reading.opener = [texts](const std::string& name, std::int64_t offset) { return texts->open(name, offset); };
   reading.fuel = options.fuel;
+  reading.asks_inputs = options.has_inputs;
   return reading;
 }
 
@@ -105,7 +106,15 @@ base::Result<Trajectory> Motion::plan() const {
     return pipeline::Supply::move;
   });
   Trajectory trajectory(machine_.period, options_.start);
-  while (std::optional<planner::Chunk> chunk = source->next()) trajectory.append(std::move(*chunk));
+  for (;;) {
+    if (std::optional<planner::Chunk> chunk = source->next()) {
+      trajectory.append(std::move(*chunk));
+    } else if (source->wants_input()) {
+      source->input_is({});
+    } else {
+      break;
+    }
+  }
   if (source->failure()) return base::failure(*source->failure());
   return trajectory;
 }
@@ -120,6 +129,28 @@ base::Result<void> Motion::override_feed(double factor) {
   if (!(factor >= 0 && factor <= 2))
     return base::failure(base::problem("override", "a feed override of " + base::text(factor, 9), "0 to 2"));
   program_->override_feed(factor);
+  return {};
+}
+
+base::Result<void> Motion::adapt_feed(double factor) {
+  if (!(factor >= 0 && factor <= 1))
+    return base::failure(base::problem("override", "an adaptive feed of " + base::text(factor, 9), "0 to 1"));
+  program_->adapt_feed(factor);
+  return {};
+}
+
+std::optional<base::Event> Motion::input() const {
+  return progress() == pipeline::Progress::wants_input ? program_->input() : std::nullopt;
+}
+
+base::Result<void> Motion::input_is(double value) {
+  if (!input()) {
+    return base::failure(base::problem("input-idle", "an input is told that no program asks for",
+                                       "wait until progress() says that it wants one"));
+  }
+  if (!std::isfinite(value))
+    return base::failure(base::problem("move-finite", "the value of an input is not finite", "a number"));
+  program_->input_is(value);
   return {};
 }
 

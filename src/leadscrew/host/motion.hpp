@@ -42,6 +42,8 @@ struct MotionOptions {
   machine::ToolTable tools{};       ///< that it may ask for
   SubprogramText subprogram{};      ///< asked once for each that the program calls and does not hold
   std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
+  /// The host says what inputs are (M66), by input_is(). Otherwise they are off.
+  bool has_inputs = false;
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
   /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
   /// `interrupted`; motion comes to rest.
@@ -85,8 +87,17 @@ class Motion {
   /// Why motion ended before its path did.
   const std::optional<base::Diagnostic>& failure() const { return program_->failure(); }
 
-  /// Programmed feed (not rapids) is multiplied by this, 0 … 2; 0 holds. Errors: `override`.
+  /// Programmed feed (not rapids) is multiplied by this, 0 … 2; 0 holds. As far as the program allows (M48 to M50, M53):
+  /// what it does not is remembered, and counts when it does. Errors: `override`.
   base::Result<void> override_feed(double factor);
+  /// Adaptive feed, 0 … 1: a second factor of the feed where the program asks for it, by M52; 0 holds. Errors:
+  /// `override`.
+  base::Result<void> adapt_feed(double factor);
+  /// The M66 that motion rests for while progress() is wants_input; none otherwise.
+  std::optional<base::Event> input() const;
+  /// What that has found: the input's value, 0 or 1 of a digital one, or -1 where the time for it is over. Errors:
+  /// `input-idle` where none is asked for, `move-finite`.
+  base::Result<void> input_is(double value);
   /// Motion ends, at rest on its path, within a slice and what the limits need; what was pushed behind is forgotten.
   void abort();
   /// After its last word: stands here, mm or degrees, and waits for moves; words count from 0 again. Errors:

@@ -16,6 +16,7 @@ MotionSource::MotionSource(gcode::ByteSource source, base::Borrowed<machine::Mac
                            base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
                            gcode::DiagnosticSink diagnostics)
     : MotionSource([this](gcode::Move& move) { return read(move); }, machine, options.start) {
+  asks_inputs_ = options.asks_inputs;
   gcode::ReaderOptions reading = options;
   if (reading.opener) {
     reading.opener = [this, opener = options.opener](const std::string& name, std::int64_t offset) {
@@ -57,7 +58,8 @@ std::optional<planner::Chunk> MotionSource::next() {
   }
   std::optional<planner::Chunk> chunk;
   wants_moves_ = false;
-  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_ && !planner_.stands_held()) reading_ = read_move();
+  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_ && !input_ && !planner_.stands_held())
+    reading_ = read_move();
   return chunk;
 }
 
@@ -96,6 +98,7 @@ bool MotionSource::read_move() {
     if (move.path_mode == gcode::PathMode::blend) tolerance_ = std::max(tolerance_, move.tolerance);
     if (on_move) on_move(move);
     builder_.push(move);
+    if (asks_inputs_ && move.kind == gcode::Move::Kind::event && base::is_input(move.event.kind)) input_ = move.event;
   } else {
     builder_.finish();
   }

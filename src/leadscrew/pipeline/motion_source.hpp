@@ -64,6 +64,16 @@ class MotionSource {
   std::int64_t blocks() const { return reader_ ? reader_->blocks() : 0; }
   /// Was there no chunk for want of moves that are not known yet?
   bool wants_moves() const { return wants_moves_; }
+  /// Was there no chunk because the program asks for an input (ReaderOptions::asks_inputs)? All before it has been handed
+  /// out.
+  bool wants_input() const { return input_ && !is_cut_short() && !planner_.is_held(); }
+  /// The M66 that asks.
+  const std::optional<base::Event>& input() const { return input_; }
+  /// What it has found (Reader::input_is); none: as if the input were off. Reads on.
+  void input_is(std::optional<double> value) {
+    if (value) reader_->input_is(*value);
+    input_.reset();
+  }
   /// No chunk comes any more.
   void abort() { aborted_ = true; }
   /// Has the motion failed, or been aborted?
@@ -92,6 +102,8 @@ class MotionSource {
   planner::Planner planner_;
   bool reading_ = true;
   bool wants_moves_ = false;
+  bool asks_inputs_ = false;
+  std::optional<base::Event> input_;  ///< that is asked for
   bool aborted_ = false;
 };
 

@@ -39,6 +39,10 @@ Progress Program::find_word() {
   if (ended_) return Progress::ended;
   while (interpolator_.wants_chunk()) {
     if (plan_next()) continue;
+    if (source_.wants_input()) {
+      tell_events(interpolator_.events_of_part(), interpolator_.tick());
+      return Progress::wants_input;
+    }
     if (!source_.is_cut_short()) {
       if (source_.wants_moves()) return Progress::wants_moves;
       if (source_.planner().is_held()) return Progress::held;

@@ -46,6 +46,7 @@ enum class Progress : std::uint8_t {
   wants_moves,  ///< what is known of the path has been planned as far as it can be; more moves may come
   held,         ///< at rest, until the feed override is above 0
   ended,        ///< the last word, at rest, has been made
+  wants_input,  ///< at rest, until input_is() says what the input is that the program asks for
 };
 
 /// A program that has an error must not be moved: read it whole first (gcode::Reader), then run it. The machine and the
@@ -71,6 +72,13 @@ class Program {
   void slice(double seconds) { source_.planner().slice(seconds); }
   /// The same.
   void override_feed(double factor) { source_.planner().override_feed(factor); }
+
+  /// Adaptive feed, as of planner::Planner.
+  void adapt_feed(double factor) { source_.planner().adapt_feed(factor); }
+  /// The M66 that the program waits at, while it wants_input.
+  const std::optional<base::Event>& input() const { return source_.input(); }
+  /// What it has found: the input's value, or -1 where the time for it is over. The program is read on from there.
+  void input_is(double value) { source_.input_is(value); }
 
   /// Before the first word: who is told of events.
   void on_event(EventSink sink) { events_ = std::move(sink); }

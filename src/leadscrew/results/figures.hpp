@@ -5,6 +5,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
+#include <leadscrew/gcode/remark.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
 #include <leadscrew/pipeline/path_survey.hpp>
@@ -65,6 +66,9 @@ struct CheckFigures {
   /// Of a program without errors.
   std::vector<Extent> extents{};
   std::optional<double> bound_s{};  ///< as pipeline::Summary has it
+  // What the program says.
+  std::vector<gcode::Remark> messages{};  ///< the first of them
+  std::int64_t message_count = 0;         ///< of all
 };
 
 /// Of an F word; the reader knows its place.

@@ -21,6 +21,18 @@ Json list_of(const std::vector<base::Diagnostic>& diagnostics) {
   return list;
 }
 
+Json list_of(const std::vector<gcode::Remark>& messages) {
+  Json list = Json::list();
+  for (const gcode::Remark& message : messages) {
+    list.push_back(Json::object({{"file", message.place.file},
+                                 {"line", message.place.line},
+                                 {"column", message.place.column},
+                                 {"kind", message.kind == gcode::Remark::Kind::print ? "print" : "message"},
+                                 {"text", message.text}}));
+  }
+  return list;
+}
+
 Json axis_object(base::Axis axis, double velocity, double acceleration, double jerk) {
   return Json::object({{"name", std::string(1, base::letter(axis))},
                        {"velocity_ratio", velocity},
@@ -166,6 +178,8 @@ Json json_of_check(const std::string& program, const machine::Machine& machine, 
                        {"bound_s", reading.bound_s},
                        {"errors", count(diagnostics, base::Severity::error)},
                        {"warnings", count(diagnostics, base::Severity::warning)},
+                       {"message_count", reading.message_count},
+                       {"messages", list_of(reading.messages)},
                        {"diagnostics", list_of(diagnostics)}});
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <leadscrew/files/input_file.hpp>
-#include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/messages.hpp>
 #include <leadscrew/results/remark_output.hpp>
 
 namespace leadscrew::results {
@@ -52,9 +52,8 @@ void RemarkOutput::take(const gcode::Remark& remark) {
   base::Result<void> done;
   switch (remark.kind) {
     case Kind::message:
-      return say_(fmt::format("{}:{}: {}\n", remark.place.file, remark.place.line, printable(remark.text)));
     case Kind::print:
-      return say_(printable(remark.text) + '\n');
+      return say_(text_of(remark));
     case Kind::log_open:
     case Kind::log_append:
       done = open(remark);

@@ -45,6 +45,8 @@ void Builder::push(const gcode::Move& move) {
       flush();
       settle_events(move.event.kind != base::Event::Kind::program_end);
       settled_.emplace_back(move.event);
+      // What follows may depend on what the input is: the event comes out before it is known.
+      if (base::is_input(move.event.kind)) settled_.emplace_back(Dwell{move.start, 0, move.line});
       return;
     default:
       move_along(move);

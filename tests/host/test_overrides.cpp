@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "paths.hpp"
+
+// What a host asks of the feed, as far as the program allows it (LinuxCNC manual, M48 to M53).
+
+namespace test_overrides {
+
+using namespace leadscrew;
+using namespace leadscrew::host_tests;
+
+/// Of the word nearest to X, mm/s.
+double feed_at(const std::vector<base::Word>& words, double x) {
+  return std::ranges::min_element(words, {}, [x](const base::Word& word) { return std::abs(word.position[0] - x); })
+      ->feed;
+}
+
+constexpr const char* through_m49 = "G21 G90 G61 F3000\nG1 X100\nM49\nX200\nM48\nX300\nM2\n";
+
+TEST(HostOverrides, AreNotObeyedBehindM49AndComeBack) {
+  for (const double factor : {0.5, 2.0}) {
+    const auto motion = program(through_m49);
+    ASSERT_TRUE(motion->override_feed(factor));
+    const auto words = words_of(*motion);
+    EXPECT_NEAR(feed_at(words, 50), 50 * factor, 1e-6);
+    EXPECT_NEAR(feed_at(words, 150), 50, 1e-6);
+    EXPECT_NEAR(feed_at(words, 250), 50 * factor, 1e-6);
+    EXPECT_EQ(words.back().position[0], 300);
+  }
+}
+
+/// Not before the place, and within a slice and the time of a word behind it.
+TEST(HostOverrides, ChangeAtTheirPlace) {
+  host::MotionOptions options;
+  std::optional<base::PassedEvent> passed;
+  options.on_event = [&](const base::PassedEvent& event) {
+    if (base::code_of(event) == "M49") passed = event;
+  };
+  const auto motion = program(through_m49, options);
+  ASSERT_TRUE(motion->override_feed(0.5));
+  const auto words = words_of(*motion);
+  ASSERT_TRUE(passed);
+  const auto begin = std::ranges::find_if(words, [](const base::Word& word) { return word.feed > 25 + 1e-6; });
+  ASSERT_NE(begin, words.end());
+  EXPECT_GE(begin->tick, passed->tick);
+  EXPECT_LE(base::count(begin->tick) - base::count(passed->tick), 60);
+}
+
+TEST(HostOverrides, RememberWhatWasAskedMeanwhile) {
+  const auto motion = program(through_m49);
+  std::vector<base::Word> words(1), all;
+  for (bool asked = false; motion->next(words) > 0;) {
+    all.push_back(words[0]);
+    if (!asked && words[0].position[0] > 120) {
+      ASSERT_TRUE(motion->override_feed(0.2));
+      asked = true;
+    }
+  }
+  EXPECT_NEAR(feed_at(all, 50), 50, 1e-6);
+  EXPECT_NEAR(feed_at(all, 150), 50, 1e-6);
+  EXPECT_NEAR(feed_at(all, 250), 10, 1e-6);
+}
+
+TEST(HostOverrides, OfOneKindBehindM50) {
+  const auto motion = program("G21 G90 G61 F3000\nG1 X100\nM50 P0\nX200\nM50\nX300\nM51 P0\nX400\nM2\n");
+  ASSERT_TRUE(motion->override_feed(0.5));
+  const auto words = words_of(*motion);
+  EXPECT_NEAR(feed_at(words, 150), 50, 1e-6);
+  EXPECT_NEAR(feed_at(words, 250), 25, 1e-6);
+  EXPECT_NEAR(feed_at(words, 350), 25, 1e-6);
+}
+
+TEST(HostOverrides, HoldWhereM53AllowsIt) {
+  const auto motion = program("G21 G90 G61 F3000\nG1 X100\nM53 P0\nX200\nM53\nX300\nM2\n");
+  std::vector<base::Word> words(1);
+  while (words[0].position[0] < 120 && motion->next(words) > 0) {
+  }
+  ASSERT_TRUE(motion->override_feed(0));
+  base::Word last = words[0];
+  for (; motion->next(words) > 0; last = words[0]) {
+    if (last.position[0] < 200) ASSERT_NEAR(words[0].feed, 50, 1e-6);
+  }
+  EXPECT_EQ(motion->progress(), pipeline::Progress::held);
+  EXPECT_GT(last.position[0], 200);
+  EXPECT_LT(last.position[0], 220);
+  ASSERT_TRUE(motion->override_feed(1));
+  EXPECT_EQ(words_of(*motion).back().position[0], 300);
+  EXPECT_EQ(motion->progress(), pipeline::Progress::ended);
+}
+
+TEST(HostOverrides, DoNotReadOnWhileTheyHold) {
+  std::string text = "G21 G90 G61 F3000\n";
+  for (int i = 0; i < 20'000; ++i) text += "G1 X" + std::to_string(i % 7) + " Y" + std::to_string(i % 11) + "\n";
+  const auto motion = program(text + "M2\n");
+  ASSERT_TRUE(motion->override_feed(0));
+  std::vector<base::Word> words(100);
+  for (int times = 0; times < 3; ++times) motion->next(words);
+  EXPECT_EQ(motion->progress(), pipeline::Progress::held);
+  EXPECT_LT(motion->summary().blocks, 100);
+}
+
+TEST(HostOverrides, AdaptWhereM52AsksForIt) {
+  const auto motion = program("G21 G90 G61 F3000\nG1 X100\nM52\nX200\nM49\nX300\nM52 P0\nX400\nM2\n");
+  ASSERT_TRUE(motion->override_feed(0.8));
+  ASSERT_TRUE(motion->adapt_feed(0.5));
+  const auto words = words_of(*motion);
+  EXPECT_NEAR(feed_at(words, 50), 40, 1e-6);
+  EXPECT_NEAR(feed_at(words, 150), 20, 1e-6);
+  EXPECT_NEAR(feed_at(words, 250), 25, 1e-6);
+  EXPECT_NEAR(feed_at(words, 350), 50, 1e-6);
+  EXPECT_EQ(motion->adapt_feed(1.1).error().code, "override");
+  EXPECT_EQ(motion->adapt_feed(-0.1).error().code, "override");
+}
+
+}  // namespace test_overrides
