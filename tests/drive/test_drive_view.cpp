@@ -114,6 +114,31 @@ TEST(DriveView, ShowsThePartAndObeysItsKeys) {
   EXPECT_TRUE(running.shows("stopped"));
 }
 
+TEST(DriveView, ObeysItsKeysAsFarAsTheProgramAllows) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nM49\nM53 P0\nG2 X0 Y0 I60 J0 F3000\nM2\n");
+  OnTerminal running(folder, {"drive", "part.ngc", "--state", "state"});
+  EXPECT_TRUE(running.shows("override 100 % not obeyed (M49)"));
+  running.press("--");
+  EXPECT_TRUE(running.shows("override  80 % not obeyed (M49)"));
+  running.press(" ");
+  EXPECT_TRUE(running.shows("hold not obeyed (M53 P0)"));
+  running.forget();
+  EXPECT_TRUE(running.shows("feed   3000.0 /min"));
+  running.press("q");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 130);
+}
+
+TEST(DriveView, SaysThatItWaitsForAnInput) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM66 P0 L3 Q1\nG1 X6\nM2\n");
+  OnTerminal running(folder, {"drive", "part.ngc"});
+  EXPECT_TRUE(running.shows("WAITS for an input (M66)"));
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 0);
+}
+
 TEST(DriveView, PausesAtM0AndM1UntilAskedToGoOn) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM0\nG1 X6\nM1\nG1 X7\nM2\n");

@@ -5,6 +5,7 @@
 #include <leadscrew/drive/link.hpp>
 #include <leadscrew/drive/pause.hpp>
 #include <leadscrew/drive/terminal.hpp>
+#include <leadscrew/drive/word_maker.hpp>
 #include <leadscrew/realtime/runner.hpp>
 #include <leadscrew/results/part_map.hpp>
 
