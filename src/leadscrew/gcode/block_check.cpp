@@ -190,6 +190,8 @@ void BlockCheck::check_presence(const Block& block) {
       error("bad-g53", column, "G53 stands without G0 or G1 in force", "G53 G0 X0");
     } else if (distance_after(block, modal_) == Distance::incremental) {
       error("bad-g53", column, "G53 cannot be incremental", "give G90");
+    } else if (frame_.tip_control()) {
+      error("tip-control", column, "G53 while tool centre point control is on", "G49 before it");
     }
   }
   if (is_canned_cycle(modal_.to_do) && !(block.words & (letter_bit('X') | letter_bit('Y') | letter_bit('Z')))) {

@@ -17,6 +17,7 @@ Interpreter::Interpreter(const Context& context)
       saved_modes_(context, outbox_, offsets_),
       check_(context, travel_) {
   modal_.tolerance = machine_.tolerance;
+  if (machine_.rotary_chain) modal_.orientation_tolerance = machine_.rotary_chain->orientation_tolerance;
   frame_.position = options_.start;
   parameters_.load(options_.parameters);
   offsets_.begin();
@@ -103,7 +104,7 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
   const Code motion = block.groups ? block.codes[index(Group::motion)] : modal_.motion;
   if ((block.words & ~plain_words) || (block.groups & ~bit(Group::motion)) || motion > Code::G1 ||
       (axes & ~machine_letters_) || axes == 0 || modal_.feed_mode != FeedMode::per_minute || !frame_.is_offset_only() ||
-      modal_.polar || !modal_.is_plain || (block.has('F') && !(block['F'] > 0)) ||
+      frame_.tip_control() || modal_.polar || !modal_.is_plain || (block.has('F') && !(block['F'] > 0)) ||
       (motion == Code::G1 && !modal_.feed_known && !block.has('F')) || curves_.open()) {
     return Plain::no;
   }
@@ -186,7 +187,7 @@ void Interpreter::set_path_control(const Block& block) {
       break;
     case Code::G64:
       modal_.path_mode = PathMode::blend;
-      for (const char letter : {'P', 'Q'}) {
+      for (const char letter : {'P', 'Q', 'E'}) {
         if (block.value_or(letter, 0) < 0) {
           error("bad-value", block.column_of(letter), "the tolerance is " + text(block[letter]),
                 std::string(1, letter) + " must be 0 or more");
@@ -194,6 +195,8 @@ void Interpreter::set_path_control(const Block& block) {
         }
       }
       modal_.tolerance = block.has('P') ? block['P'] * frame_.length_unit : machine_.tolerance;
+      modal_.orientation_tolerance = machine_.rotary_chain ? machine_.rotary_chain->orientation_tolerance : 0;
+      if (block.has('E') && !block.is(Code::M67) && !block.is(Code::M68)) modal_.orientation_tolerance = block['E'];
       modal_.naive_cam_tolerance.reset();
       if (block.has('Q')) modal_.naive_cam_tolerance = block['Q'] * frame_.length_unit;
       break;

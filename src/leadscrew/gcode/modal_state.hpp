@@ -30,6 +30,7 @@ struct ModalState {
   PathMode path_mode = PathMode::blend;       ///< of the program
   double tolerance = 0;                       ///< mm, of the program
   std::optional<double> naive_cam_tolerance;  ///< mm, of the program
+  double orientation_tolerance = 0;           ///< degrees, of the program or the machine
   // What moves carry of it, overridden where the options say so.
   PathMode effective_mode = PathMode::blend;
   double effective_tolerance = 0;            ///< mm

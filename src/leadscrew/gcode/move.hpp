@@ -1,6 +1,7 @@
 #pragma once
 // What one block of a part program asks for, as plain data: the interface between the reader and the tool path.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
@@ -109,6 +110,12 @@ struct Move {
   int turns = 0;
 
   NurbsCurve curve;  ///< of a nurbs: its first control point is at start, its last at end, and not all are at start
+
+  /// Tool centre point control (G43.4): X, Y and Z of all places are those of the tool's tip in the workpiece as it lies
+  /// with all rotary axes at 0, and not of the machine's axes.
+  bool is_of_tip = false;
+  std::array<double, 3> tool{};      ///< of the tip: X, Y and Z of the tool's offset, mm
+  double orientation_tolerance = 0;  ///< of the tip: E of G64, or the machine's, degrees; 0 unless path_mode is blend
 
   double dwell_seconds = 0;  ///< ≥ 0
   base::Event event;         ///< of an event

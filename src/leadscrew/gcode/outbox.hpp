@@ -38,11 +38,15 @@ class Outbox : Part {
     move.center_first = move.center_second = 0;
     move.turns = 0;
     move.curve.clear();
+    move.is_of_tip = false;
+    if (frame_.tip_control()) set_tip(move);
     move.dwell_seconds = 0;
     move.event = {};
   }
 
  private:
+  [[gnu::cold]] void set_tip(Move& move) const;
+
   std::array<Move, 16> moves_;
   std::size_t size_ = 0;
   std::size_t next_ = 0;

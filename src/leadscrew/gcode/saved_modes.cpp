@@ -53,6 +53,7 @@ void SavedModes::bring_back(const Kept& kept) {
   modal_.linear_feed = before.linear_feed;
   modal_.angular_feed = before.angular_feed;
   if (modal_.system != before.system) offsets_.select_system(before.system);
+  if (frame_.tip_control()) frame_.end_tip_control();
   frame_.set_tool(kept.tool_length);
   bring_back_machine(before);
 }

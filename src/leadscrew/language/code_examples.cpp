@@ -98,6 +98,7 @@ constexpr Example examples[] = {
     {Code::G43, "T1 M6\nG43 H1\nG0 Z5"},
     {Code::G43_1, "G43.1 Z50"},
     {Code::G43_2, "G43 H1\nG43.2 H1"},
+    {Code::G43_4, "G43.4 H1\nG1 X10 A15 C30 F600\nG49"},
     {Code::G44, "G44 H1"},
     {Code::G49, "G43 H1\nG49"},
     {Code::G98, "G0 Z5\nG98 G81 X10 Z-5 R1 F200\nX20"},

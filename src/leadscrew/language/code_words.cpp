@@ -95,6 +95,7 @@ constexpr Row rows[] = {
     {Code::G54_1, Code::G154, 'P', "which system", number},
     {Code::G64, Code::G64, 'P', "how far the path may leave the corners; without it the machine's tolerance", length},
     {Code::G64, Code::G64, 'Q', "how far chains of short lines may be smoothed; without it P", length},
+    {Code::G64, Code::G64, 'E', "how far the tool's direction may leave the programmed one; without it the machine's", degrees},
     {Code::G96, Code::G96, 'D', "greatest speed of the spindle", "1/min"},
     {Code::G68, Code::G68, 'R', "angle, counterclockwise", degrees},
     {Code::M62, Code::M65, 'P', "number of the output, 0 to 63", number},

@@ -190,7 +190,7 @@ bool Planner::take(const toolpath::Piece& piece) {
     const geometry::PointJet leaving = last_->axes().jets(end);
     const geometry::PointJet entering = piece.axes().jets(0);
     const double square = std::min(
-        constraints_.greatest_square({leaving, last_->greatest_speed(end, leaving), chords_of(*last_, leaving)}),
+        constraints_.greatest_square({leaving, last_->greatest_speed(end, leaving), chords_of(*last_, end, leaving)}),
         squared(piece.greatest_speed(0, entering)));
     if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
       look_ahead_.close();

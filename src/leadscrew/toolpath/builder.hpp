@@ -14,6 +14,7 @@
 #include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/smoother.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,7 @@ class Builder {
   /// By blends and fits.
   Builder() = default;
   /// As the machine asks for (machine::Smoothing), with what its period keeps of tolerances for chords between words. It
-  /// must outlive the builder.
+  /// must outlive the builder. Moves of the tool's tip need one that has a chain of rotary axes.
   explicit Builder(base::Borrowed<machine::Machine> machine);
 
   void push(const gcode::Move& move);
@@ -37,6 +38,8 @@ class Builder {
 
  private:
   void move_along(const gcode::Move& move);
+  void change_transformation(const gcode::Move& move);
+  Allowance allowance_of(const gcode::Move& move, const Piece& piece) const;
   void blend(Leg leg);
   template <class Blending>
   void settle(std::optional<Blending>& blending);
@@ -51,6 +54,8 @@ class Builder {
   Sampling sampling_;
   bool seeks_least_time_ = false;  ///< by racing lines
   std::optional<Smoother> smoother_;
+  /// Of the moves being pushed; none: their coordinates are the machine's axes'.
+  std::shared_ptr<const kinematics::Transformation> transformation_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event
   std::deque<Element> settled_;
