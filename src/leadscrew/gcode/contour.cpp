@@ -124,6 +124,23 @@ bool make_corner(ContourPiece& one, ContourPiece& two, const ContourCorner& corn
   return true;
 }
 
+// Neighbours meet. What has been swallowed goes: a piece that is small, or the smaller of it and the one before where it
+// has been turned round.
+void close_gaps(Contour& contour) {
+  for (std::size_t i = 0; i + 1 < contour.size();) {
+    const double size = size_of(contour[i]);
+    const bool is_turned = !goes_one_way(contour[i]);
+    if (size >= least_piece && !is_turned) {
+      join(contour[i], contour[i + 1]);
+      ++i;
+      continue;
+    }
+    const bool before_goes = is_turned && i > 0 && size_of(contour[i - 1]) <= size;
+    contour.erase(contour.begin() + static_cast<std::ptrdiff_t>(before_goes ? i - 1 : i));
+    i = i > 1 ? i - 2 : 0;
+  }
+}
+
 // One step of an offset, small against every piece.
 bool step_aside(Contour& contour, double aside) {
   const Contour before = contour;
@@ -140,15 +157,7 @@ bool step_aside(Contour& contour, double aside) {
     }
     made.push_back(piece);
   }
-  for (std::size_t i = 0; i + 1 < made.size();) {
-    if (size_of(made[i]) < least_piece) {
-      made.erase(made.begin() + static_cast<std::ptrdiff_t>(i));
-      i -= i > 0;
-      continue;
-    }
-    join(made[i], made[i + 1]);
-    ++i;
-  }
+  close_gaps(made);
   contour = std::move(made);
   return !contour.empty() && std::ranges::all_of(contour, goes_one_way);
 }

@@ -210,19 +210,29 @@ std::vector<LatheMove> LatheCycles::plan_roughing(Attitude& attitude) {
     refuse("bad-contour", "the contour is too narrow for the distance D", "a smaller D");
     return {};
   }
-  std::vector<LatheMove> moves =
-      Roughing(contour, block_.value_or('I', 1), block_.value_or('R', 0.5), pockets()).moves();
-  if (moves.empty()) refuse("too-many-passes", "the cycle takes more than 200000 moves", "a greater I");
+  Roughing roughing(contour, block_.value_or('I', 1), block_.value_or('R', 0.5), pockets());
+  std::vector<LatheMove> moves = roughing.moves();
+  if (roughing.outcome() == Roughing::Outcome::too_many) {
+    refuse("too-many-passes", "the cycle takes more than 200000 moves", "a greater I");
+  } else if (roughing.outcome() == Roughing::Outcome::open) {
+    refuse("bad-contour", "the contour does not reach up to where a cut begins",
+           "start the cycle farther off the contour");
+  }
   return moves;
+}
+
+// Whether Z changes one way only, as seen from the end of the first piece to that of the last (LinuxCNC).
+bool LatheCycles::goes_along_z() const {
+  Attitude attitude;
+  attitude.face(contour_[1].end, contour_.back().end);
+  return std::all_of(contour_.begin() + 1, contour_.end(),
+                     [&](const ContourPiece& piece) { return goes_one_way(attitude.in(piece)); });
 }
 
 // Pass by pass, from D to E off the contour; each begins at the start.
 std::vector<LatheMove> LatheCycles::plan_finishing(Attitude& attitude) {
   Contour contour;
-  Attitude along_z;
-  const bool is_along_z = prepare(along_z, false, contour);
-  if (is_along_z) attitude = along_z;
-  if (!is_along_z && !prepare(attitude, true, contour)) {
+  if (!prepare(attitude, !goes_along_z(), contour)) {
     refuse("bad-contour", "the contour goes back along Z and along X", "or a fillet does not fit");
     return {};
   }

@@ -45,6 +45,7 @@ class LatheCycles : Part {
   void add_corner(const Block& block);
   bool is_finishing() const { return block_.is(Code::G70); }
   bool is_along_x() const;
+  bool goes_along_z() const;
   Pockets pockets() const;
   std::vector<LatheMove> plan();
   std::vector<LatheMove> plan_roughing(Attitude& attitude);

@@ -42,7 +42,7 @@ Roughing::Roughing(const Contour& contour, double depth, double retract, Pockets
 }
 
 void Roughing::line(PlanePoint end, bool rapid) {
-  moves_.push_back({rapid, 0, end, {}});
+  if (distance(tool_, end) > contour_tolerance) moves_.push_back({rapid, 0, end, {}});
   tool_ = end;
 }
 
@@ -159,10 +159,13 @@ bool Roughing::cut() {
 }
 
 std::vector<LatheMove> Roughing::moves() {
-  line(tool_, true);
+  moves_.push_back({true, 0, tool_, {}});
   if (pockets_ == Pockets::only) skip_first_fall();
   while (at_ < contour_.size()) {
-    if (moves_.size() > most_lathe_moves) return {};
+    if (moves_.size() > most_lathe_moves) {
+      outcome_ = Outcome::too_many;
+      return {};
+    }
     if (!falls(at_)) {
       pockets_ == Pockets::pass ? pass_over_pockets() : follow_to_pocket();
       continue;
@@ -174,6 +177,7 @@ std::vector<LatheMove> Roughing::moves() {
     if (std::fabs(tool_.second - level_) > contour_tolerance) {
       ++at_;
     } else if (!cut()) {
+      outcome_ = Outcome::open;
       return {};
     }
   }

@@ -35,8 +35,16 @@ class Roughing {
   /// The first piece of the contour leads to it from where the tool starts. 0 < depth of a cut; 0 ≤ retract.
   Roughing(const Contour& contour, double depth, double retract, Pockets pockets);
 
-  /// All moves, from the start on; empty where there would be more than most_lathe_moves.
+  /// How that went.
+  enum class Outcome : std::uint8_t {
+    planned,
+    too_many,  ///< there would be more than most_lathe_moves
+    open,      ///< nothing ends a cut
+  };
+
+  /// All moves, from the start on; none where they cannot be planned.
   std::vector<LatheMove> moves();
+  Outcome outcome() const { return outcome_; }
 
  private:
   void line(PlanePoint end, bool rapid = false);
@@ -61,6 +69,7 @@ class Roughing {
   double start_level_ = 0;  // from which levels count
   bool in_pocket_ = false;  // Pockets::only: levels count from the top of a pocket
   double pocket_level_ = 0;
+  Outcome outcome_ = Outcome::planned;
 };
 
 }  // namespace leadscrew::gcode
