@@ -57,6 +57,7 @@ void LatheCycles::begin(const Block& block) {
   const bool is_sound = check_words(block);
   motion_.feed_of(block, true, block.has('F'), feed_);
   motion_.line_to(block, target, {});
+  modal_.motion = Code::G0;
   frame_.position = target;
   if (!is_sound) return;
   reporter_.keep(block.column_of(Group::nonmodal));
@@ -168,6 +169,11 @@ void LatheCycles::end() {
     return;
   }
   const std::vector<LatheMove> moves = plan();
+  // The motion in force behind a cycle is that of its last move (LinuxCNC).
+  if (!moves.empty()) {
+    const LatheMove& last = moves.back();
+    modal_.motion = last.rapid ? Code::G0 : last.turn == 0 ? Code::G1 : last.turn > 0 ? Code::G3 : Code::G2;
+  }
   if (moves.empty() || !place(moves)) moves_.clear();
   next_ = 0;
 }
