@@ -6,9 +6,9 @@ namespace leadscrew::gcode {
 
 namespace {
 
-constexpr double least_piece = 1e-3;     // pieces that are smaller go (LinuxCNC)
-constexpr double least_gap = 1e-2;       // along Z; a smaller one is closed by a corner (LinuxCNC)
-constexpr std::size_t most_steps = 500;  // of an offset
+constexpr double least_piece = 1e-3;            // pieces that are smaller go (LinuxCNC)
+constexpr double least_gap = 1e-2;              // along Z; a smaller one is closed by a corner (LinuxCNC)
+constexpr std::size_t most_offset_steps = 500;  // of an offset
 
 PlanePoint operator+(PlanePoint a, PlanePoint b) {
   return {a.first + b.first, a.second + b.second};
@@ -25,7 +25,7 @@ double dot(PlanePoint a, PlanePoint b) {
 double cross(PlanePoint a, PlanePoint b) {
   return a.first * b.second - a.second * b.first;
 }
-PlanePoint middle(PlanePoint a, PlanePoint b) {
+PlanePoint midway(PlanePoint a, PlanePoint b) {
   return 0.5 * (a + b);
 }
 PlanePoint unit_of(PlanePoint a) {
@@ -33,12 +33,12 @@ PlanePoint unit_of(PlanePoint a) {
 }
 
 double radius_of(const ContourPiece& piece) {
-  return distance(piece.start, piece.center);
+  return span_of(piece.start, piece.center);
 }
 
 // How large a piece is: no step of an offset is more than half of it.
 double size_of(const ContourPiece& piece) {
-  const double chord = distance(piece.start, piece.end);
+  const double chord = span_of(piece.start, piece.end);
   return piece.is_arc() ? std::min(chord, radius_of(piece)) : chord;
 }
 
@@ -61,27 +61,27 @@ void shift_aside(ContourPiece& piece, double aside) {
 PlanePoint meet_line_circle(const ContourPiece& line, const ContourPiece& arc, PlanePoint to) {
   const PlanePoint along = unit_of(line.end - line.start);
   const PlanePoint foot = line.start + dot(arc.center - line.start, along) * along;
-  const double off = distance(foot, arc.center), radius = radius_of(arc);
+  const double off = span_of(foot, arc.center), radius = radius_of(arc);
   const double half = std::sqrt(std::max(0.0, radius * radius - off * off));
   const PlanePoint one = foot + half * along, other = foot - half * along;
-  return distance(one, to) <= distance(other, to) ? one : other;
+  return span_of(one, to) <= span_of(other, to) ? one : other;
 }
 
 // On the line of centres c apart lies the chord at (c² + a² − b²)/2c from the first.
 PlanePoint meet_circles(const ContourPiece& one, const ContourPiece& two, PlanePoint to) {
-  const double apart = distance(one.center, two.center), a = radius_of(one), b = radius_of(two);
+  const double apart = span_of(one.center, two.center), a = radius_of(one), b = radius_of(two);
   if (!(apart > contour_tolerance)) return to;
   const PlanePoint along = unit_of(two.center - one.center), across{-along.second, along.first};
   const double at = (apart * apart + a * a - b * b) / (2 * apart);
   const double half = std::sqrt(std::max(0.0, a * a - at * at));
   const PlanePoint foot = one.center + at * along;
   const PlanePoint left = foot + half * across, right = foot - half * across;
-  return distance(left, to) <= distance(right, to) ? left : right;
+  return span_of(left, to) <= span_of(right, to) ? left : right;
 }
 
 // Where the lines or circles of two neighbours meet, nearest to where they should; in the middle where they do not.
 PlanePoint meeting_of(const ContourPiece& one, const ContourPiece& two) {
-  const PlanePoint to = middle(one.end, two.start);
+  const PlanePoint to = midway(one.end, two.start);
   if (one.is_arc() && two.is_arc()) return meet_circles(one, two, to);
   if (one.is_arc()) return meet_line_circle(two, one, to);
   if (two.is_arc()) return meet_line_circle(one, two, to);
@@ -93,7 +93,7 @@ PlanePoint meeting_of(const ContourPiece& one, const ContourPiece& two) {
 }
 
 void join(ContourPiece& one, ContourPiece& two) {
-  if (distance(one.end, two.start) >= contour_tolerance) one.end = two.start = meeting_of(one, two);
+  if (span_of(one.end, two.start) >= contour_tolerance) one.end = two.start = meeting_of(one, two);
 }
 
 // Which way the contour bends from one piece to the next: positive to the left.
@@ -153,7 +153,7 @@ bool step_aside(Contour& contour, double aside) {
       ContourPiece back = made.back(), ahead = piece;
       shift_aside(back, -aside);
       shift_aside(ahead, -aside);
-      made.push_back({made.back().end, piece.start, middle(back.end, ahead.start), aside > 0 ? 1 : -1});
+      made.push_back({made.back().end, piece.start, midway(back.end, ahead.start), aside > 0 ? 1 : -1});
     }
     made.push_back(piece);
   }
@@ -164,7 +164,7 @@ bool step_aside(Contour& contour, double aside) {
 
 }  // namespace
 
-double distance(PlanePoint a, PlanePoint b) {
+double span_of(PlanePoint a, PlanePoint b) {
   return std::hypot(a.first - b.first, a.second - b.second);
 }
 
@@ -219,7 +219,7 @@ bool round_corners(Contour& contour, const std::vector<ContourCorner>& corners) 
 bool offset(Contour& contour, double aside) {
   double done = 0;
   for (std::size_t step = 0; done != aside; ++step) {
-    if (step == most_steps) return false;
+    if (step == most_offset_steps) return false;
     double size = std::fabs(aside - done);
     for (const ContourPiece& piece : contour) size = std::min(size, size_of(piece) / 2);
     const bool is_last = size == std::fabs(aside - done);
@@ -227,7 +227,7 @@ bool offset(Contour& contour, double aside) {
     done = is_last ? aside : done + std::copysign(size, aside);
   }
   for (std::size_t i = 0; i + 1 < contour.size(); ++i) {
-    contour[i].end = contour[i + 1].start = middle(contour[i].end, contour[i + 1].start);
+    contour[i].end = contour[i + 1].start = midway(contour[i].end, contour[i + 1].start);
   }
   return true;
 }

@@ -50,7 +50,8 @@ class Attitude {
 
 using Contour = std::vector<ContourPiece>;
 
-double distance(PlanePoint a, PlanePoint b);
+/// From point to point.
+double span_of(PlanePoint a, PlanePoint b);
 
 /// Whether the piece, in its attitude, never goes back along Z.
 bool goes_one_way(const ContourPiece& piece);

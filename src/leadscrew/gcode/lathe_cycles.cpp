@@ -286,7 +286,7 @@ bool LatheCycles::place(const std::vector<LatheMove>& moves) {
   PlanePoint start = in_plane(frame_.position, Plane::ZX);
   for (const LatheMove& move : moves) {
     Planned planned{move.rapid, move.turn, placed(move.end), placed(move.center)};
-    if (distance(start, planned.end) < contour_tolerance * unit) continue;
+    if (span_of(start, planned.end) < contour_tolerance * unit) continue;
     if (planned.turn != 0) {
       const ArcCircle circle =
           circle_by_center(start, planned.end, planned.center, planned.turn, 1, arc_tolerance(frame_.length_unit != 1));

@@ -18,7 +18,7 @@ Contour cut_at_turning_points(const Contour& contour) {
       made.push_back(piece);
       continue;
     }
-    const double radius = distance(piece.start, piece.center);
+    const double radius = span_of(piece.start, piece.center);
     const PlanePoint turning{piece.center.first, piece.center.second + piece.turn * radius};
     made.push_back({piece.start, turning, piece.center, piece.turn});
     made.push_back({turning, piece.end, piece.center, piece.turn});
@@ -42,7 +42,7 @@ Roughing::Roughing(const Contour& contour, double depth, double retract, Pockets
 }
 
 void Roughing::line(PlanePoint end, bool rapid) {
-  if (distance(tool_, end) > contour_tolerance) moves_.push_back({rapid, 0, end, {}});
+  if (span_of(tool_, end) > contour_tolerance) moves_.push_back({rapid, 0, end, {}});
   tool_ = end;
 }
 
@@ -51,7 +51,7 @@ void Roughing::along(std::size_t i, PlanePoint end, bool rapid) {
   const ContourPiece& piece = contour_[i];
   if (!piece.is_arc()) return line(end, rapid);
   const bool goes_on = piece.turn < 0 && !moves_.empty() && moves_.back().turn == piece.turn &&
-                       distance(moves_.back().center, piece.center) < contour_tolerance;
+                       span_of(moves_.back().center, piece.center) < contour_tolerance;
   if (goes_on) {
     moves_.back().end = end;
   } else {
@@ -69,7 +69,7 @@ bool Roughing::crossing(const ContourPiece& piece, double level, double& z) {
   const auto [low, high] = std::minmax(piece.start.second, piece.end.second);
   if (low > level + contour_tolerance || high < level - contour_tolerance) return false;
   if (piece.is_arc()) {
-    const double radius = distance(piece.start, piece.center), up = level - piece.center.second;
+    const double radius = span_of(piece.start, piece.center), up = level - piece.center.second;
     const double side = piece.start.first + piece.end.first >= 2 * piece.center.first ? 1 : -1;
     z = piece.center.first + side * std::sqrt(std::max(0.0, radius * radius - up * up));
   } else if (high - low < contour_tolerance) {
@@ -87,7 +87,7 @@ void Roughing::descend() {
   double z = 0;
   const bool ends_above = level_ < piece.end.second || !crossing(piece, level_, z);
   const PlanePoint target = ends_above ? piece.end : PlanePoint{z, level_};
-  if (piece.is_arc() && distance(tool_, target) <= contour_tolerance) {
+  if (piece.is_arc() && span_of(tool_, target) <= contour_tolerance) {
     tool_ = target;
     return;
   }
@@ -112,7 +112,7 @@ void Roughing::follow_to_pocket() {
   for (; at_ < contour_.size(); ++at_) {
     if (falls(at_)) return enter_pocket();
     const PlanePoint end = contour_[at_].end;
-    if (contour_[at_].is_arc() && distance(tool_, end) <= least_arc) {
+    if (contour_[at_].is_arc() && span_of(tool_, end) <= least_arc) {
       tool_ = end;
     } else {
       along(at_, end);
@@ -126,7 +126,7 @@ void Roughing::pass_over_pockets() {
     double z = 0;
     if (falls(at_) || !crossing(contour_[at_], tool_.second, z)) continue;
     line({z, tool_.second});
-    if (!contour_[at_].is_arc() || distance(tool_, contour_[at_].end) > least_arc) along(at_, contour_[at_].end);
+    if (!contour_[at_].is_arc() || span_of(tool_, contour_[at_].end) > least_arc) along(at_, contour_[at_].end);
     tool_ = contour_[at_].end;
   }
 }
@@ -134,7 +134,7 @@ void Roughing::pass_over_pockets() {
 // There and, off the cut by R along both axes, back again.
 void Roughing::cut_to(PlanePoint end) {
   const PlanePoint start = tool_;
-  const double off = std::min(retract_, distance(start, end) / 2);
+  const double off = std::min(retract_, span_of(start, end) / 2);
   line(end);
   line({end.first + off, end.second + off}, true);
   line({start.first - off, start.second + off}, true);
@@ -146,9 +146,9 @@ bool Roughing::cut() {
   for (std::size_t i = at_ + 1; i < contour_.size(); ++i) {
     PlanePoint end{0, tool_.second};
     if (!crossing(contour_[i], tool_.second, end.first) || end.first - contour_tolerance > tool_.first) continue;
-    if (distance(end, tool_) >= contour_tolerance) {
+    if (span_of(end, tool_) >= contour_tolerance) {
       cut_to(end);
-    } else if (distance(tool_, contour_[i].start) < contour_tolerance) {
+    } else if (span_of(tool_, contour_[i].start) < contour_tolerance) {
       at_ = i;  // the next piece begins here
       return true;
     }
