@@ -181,15 +181,15 @@ TEST(ThreadingCycle, RefusesWhatMakesNoThread) {
   EXPECT_EQ(problems("Z-10 I-1 J0.2 K0.5"), "3:1 missing-word; ");
   EXPECT_EQ(problems("P1 I-1 J0.2 K0.5"), "3:1 missing-word; ");
   EXPECT_EQ(problems("P0 Z-10 I-1 J0.2 K0.5"), "3:5 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I0 J0.2 K0.5"), "3:12 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J0 K0.5"), "3:16 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J0.5 K0.5"), "3:21 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 R0.5"), "3:26 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 L4"), "3:26 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 H0.5"), "3:26 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 E8 L3"), "3:26 bad-value; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 B3"), "3:26 unused-word; ");
-  EXPECT_EQ(problems("P1 Z-10 I-1 J1e-9 K0.5 R2"), "3:1 too-many-passes; ");
+  EXPECT_EQ(problems("P1 Z-10 I0 J0.2 K0.5"), "3:13 bad-value; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0 K0.5"), "3:17 bad-value; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0.5 K0.5"), "3:22 bad-value; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 R0.5"), "3:27 bad-value; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 L4"), "3:27 bad-value; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 H0.5"), "3:27 bad-value; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 E8 L3"), "3:27 bad-value; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0.2 K0.5 B3"), "3:27 unused-word; ");
+  EXPECT_EQ(problems("P1 Z-10 I-1 J0.0001 K0.5 R2"), "3:1 too-many-passes; ");
   EXPECT_EQ(problems("P1 Z-600 I-1 J0.2 K0.5"), "3:8 travel; ");
   EXPECT_EQ(problems("P30 Z-10 I-1 J0.2 K0.5"), "3:1 thread-too-fast; ");
 }
