@@ -189,6 +189,12 @@ TEST(LatheFinishing, ComesNearerPassByPass) {
             "r10.5,0 f10.5,-9.5 f14,-9.5 r16,2 r10,0 f10,-10 f14,-10");
 }
 
+// The tool stands where the contour's last side leads to, inside a bore: passes are inside as well.
+TEST(LatheFinishing, StaysAtTheSideOfTheTool) {
+  EXPECT_EQ(story(head + sub("G1 X21 Z0\nZ8\nX16\n") + "G0 X14 Z8\nG70 Q100 D1 P2\nM2\n", 1),
+            "r21,8 r20.5,0 f20.5,7.5 f16,7.5 r21,8 r21,0 f21,8 f16,8");
+}
+
 // Fillets touch both sides; the chamfer has the same ends.
 TEST(LatheFinishing, RoundsCorners) {
   EXPECT_EQ(story(head + sub("G1 X10 Z0\nZ-10 A2\nX20 A3\nZ-20\n") + "G0 X22 Z2\nG70 Q100\nM2\n", 1),
@@ -238,6 +244,7 @@ TEST(LatheContours, AreRefusedWhereTheyCannotBeCut) {
   EXPECT_EQ(problems("X10 Z0\nG2 X14 Z-4 R1\n"), "4:1 arc-radius; ");
   EXPECT_EQ(problems("X10 Z0\nU1 X11\nZ-4\n"), "4:1 ambiguous-word; ");
   EXPECT_EQ(problems("X10 Z0\nZ-4 A1 C1\nX14\n"), "4:8 ambiguous-word; ");
+  EXPECT_EQ(problems("X10 Z0\nZ-4 A3\nX12\nZ-9\n"), "8:1 bad-contour; ");
   EXPECT_EQ(problems("X10 Z0\nZ-600\nX14\n"), "7:1 travel; ");
 }
 

@@ -7,6 +7,7 @@ namespace leadscrew::gcode {
 namespace {
 
 constexpr double least_piece = 1e-3;            // pieces that are smaller go (LinuxCNC)
+constexpr double backward_slack = 1e-3;         // along Z (LinuxCNC)
 constexpr double least_gap = 1e-2;              // along Z; a smaller one is closed by a corner (LinuxCNC)
 constexpr std::size_t most_offset_steps = 500;  // of an offset
 
@@ -119,9 +120,14 @@ bool make_corner(ContourPiece& one, ContourPiece& two, const ContourCorner& corn
   shift_aside(first, -aside);
   shift_aside(second, -aside);
   between = {first.end, second.start, center, corner.is_chamfer ? 0 : way > 0 ? 1 : -1};
+  // It fits where it leaves something of both sides.
+  const auto is_left = [](const ContourPiece& piece, PlanePoint start, PlanePoint end) {
+    return piece.is_arc() || dot(piece.end - piece.start, end - start) >= 0;
+  };
+  const bool fits = is_left(one, one.start, first.end) && is_left(two, second.start, two.end);
   one.end = first.end;
   two.start = second.start;
-  return true;
+  return fits;
 }
 
 // Neighbours meet. What has been swallowed goes: a piece that is small, or the smaller of it and the one before where it
@@ -141,7 +147,7 @@ void close_gaps(Contour& contour) {
   }
 }
 
-// One step of an offset, small against every piece.
+// One step of an offset, small against every piece. The last piece may go beyond its circle's top by a little.
 bool step_aside(Contour& contour, double aside) {
   const Contour before = contour;
   Contour made;
@@ -159,7 +165,10 @@ bool step_aside(Contour& contour, double aside) {
   }
   close_gaps(made);
   contour = std::move(made);
-  return !contour.empty() && std::ranges::all_of(contour, goes_one_way);
+  if (contour.empty()) return false;
+  const ContourPiece& last = contour.back();
+  return last.end.first - last.start.first <= backward_slack &&
+         std::all_of(contour.begin(), contour.end() - 1, goes_one_way);
 }
 
 }  // namespace
@@ -193,13 +202,12 @@ ContourPiece Attitude::in(const ContourPiece& piece) const {
 
 // An arc goes one way where both its ends are on the same side of its centre.
 bool goes_one_way(const ContourPiece& piece) {
-  constexpr double slack = 1e-3;  // LinuxCNC
   const double along = piece.end.first - piece.start.first;
-  if (!piece.is_arc()) return along <= slack;
+  if (!piece.is_arc()) return along <= backward_slack;
   // Z decreases over the top counterclockwise, below the centre clockwise.
   const double entry = piece.turn * (piece.start.second - piece.center.second);
   const double exit = piece.turn * (piece.end.second - piece.center.second);
-  return entry >= -slack && exit >= -slack && along <= -slack;
+  return entry >= -backward_slack && exit >= -backward_slack && along <= -backward_slack;
 }
 
 bool round_corners(Contour& contour, const std::vector<ContourCorner>& corners) {

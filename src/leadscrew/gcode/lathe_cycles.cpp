@@ -191,14 +191,21 @@ bool LatheCycles::prepare(Attitude& attitude, bool turned, Contour& contour) con
 }
 
 // Moves the contour, but for the way to it, towards where the tool starts.
-bool LatheCycles::offset_to_start(Contour& contour, double aside) {
+bool LatheCycles::offset_to_start(Contour& contour, PlanePoint start, double aside) {
   const ContourPiece approach = contour.front();
-  const PlanePoint last = contour.back().start;
+  const PlanePoint last = contour.back().start, end = contour.back().end;
   const auto along = [&](PlanePoint to) {
     return PlanePoint{to.first - approach.start.first, to.second - approach.start.second};
   };
   const PlanePoint to_first = along(approach.end), to_last = along(last);
-  const bool is_right = to_last.first * to_first.second - to_last.second * to_first.first >= 0;
+  double side = to_last.first * to_first.second - to_last.second * to_first.first;
+  // From the last piece itself nothing is seen; the tool stood at one side of the chord of the whole.
+  if (std::fabs(side) < contour_tolerance) {
+    const PlanePoint tool{start.first - approach.end.first, start.second - approach.end.second};
+    const PlanePoint chord{end.first - approach.end.first, end.second - approach.end.second};
+    side = tool.first * chord.second - tool.second * chord.first;
+  }
+  const bool is_right = side >= 0;
   contour.erase(contour.begin());
   if (!offset(contour, is_right ? aside : -aside)) return false;
   contour.insert(contour.begin(), {approach.start, contour.front().start, {}, 0});
@@ -212,7 +219,7 @@ std::vector<LatheMove> LatheCycles::plan_roughing(Attitude& attitude) {
            "or a fillet does not fit");
     return {};
   }
-  if (!offset_to_start(contour, block_.value_or('D', 0))) {
+  if (!offset_to_start(contour, attitude.in(start_), block_.value_or('D', 0))) {
     refuse("bad-contour", "the contour is too narrow for the distance D", "a smaller D");
     return {};
   }
@@ -247,7 +254,7 @@ std::vector<LatheMove> LatheCycles::plan_finishing(Attitude& attitude) {
   std::vector<LatheMove> moves;
   for (int pass = passes; pass > 0; --pass) {
     Contour of_pass = contour;
-    if (!offset_to_start(of_pass, (pass - 1) * (first - last) / passes + last)) {
+    if (!offset_to_start(of_pass, attitude.in(start_), (pass - 1) * (first - last) / passes + last)) {
       refuse("bad-contour", "the contour is too narrow for the distances D and E", "smaller ones");
       return {};
     }

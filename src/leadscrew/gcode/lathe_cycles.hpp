@@ -51,7 +51,7 @@ class LatheCycles : Part {
   std::vector<LatheMove> plan_roughing(Attitude& attitude);
   std::vector<LatheMove> plan_finishing(Attitude& attitude);
   bool prepare(Attitude& attitude, bool turned, Contour& contour) const;
-  static bool offset_to_start(Contour& contour, double aside);
+  static bool offset_to_start(Contour& contour, PlanePoint start, double aside);
   bool place(const std::vector<LatheMove>& moves);
   bool is_inside(const Planned& move, PlanePoint start);
   bool refuse(std::string_view code, std::string message, std::string hint);
