@@ -8,7 +8,7 @@ STRAIGHT = ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE")
 EVENTS = ("SELECT_TOOL", "CHANGE_TOOL", "SET_SPINDLE_SPEED", "START_SPINDLE_CLOCKWISE", "START_SPINDLE_COUNTERCLOCKWISE",
           "STOP_SPINDLE_TURNING", "ORIENT_SPINDLE", "MIST_ON", "MIST_OFF", "FLOOD_ON", "FLOOD_OFF", "PROGRAM_STOP",
           "OPTIONAL_PROGRAM_STOP", "PALLET_SHUTTLE", "SET_MOTION_OUTPUT_BIT", "CLEAR_MOTION_OUTPUT_BIT",
-          "SET_AUX_OUTPUT_BIT", "CLEAR_AUX_OUTPUT_BIT", "SET_MOTION_OUTPUT_VALUE", "SET_AUX_OUTPUT_VALUE")
+          "START_SPEED_FEED_SYNC", "STOP_SPEED_FEED_SYNCH", "RIGID_TAP", "SET_AUX_OUTPUT_BIT", "CLEAR_AUX_OUTPUT_BIT", "SET_MOTION_OUTPUT_VALUE", "SET_AUX_OUTPUT_VALUE")
 WAITING = ("DWELL", "NURBS_FEED") + EVENTS
 ROUNDING = 0.505e-4  # of a printed number, in its unit
 LEAST_RATE = 0.1  # that rs274 makes of G93, units per minute
@@ -73,6 +73,7 @@ class Motion:
         self.name, self.text, self.numbers, self.unit, self.frame = name, text, numbers, unit, frame
         self.feed, self.start = feed, start  # start: coordinates of the program, in its unit
         self.rotary = False
+        self.in_step = False  # with the spindle: its feed is not F
 
     def difference(self, other):
         """From what the other reader, leadscrew, makes of the same block."""
@@ -85,7 +86,7 @@ class Motion:
         found = self.numbers_differ(other, self.slack_of_center())
         if found:
             return found
-        if self.name != "STRAIGHT_TRAVERSE":
+        if self.name != "STRAIGHT_TRAVERSE" and not self.in_step:
             mine, its = ((m.feed[0] if m.rotary else m.feed[0] * m.feed[1] / m.unit) for m in (self, other))
             if mine == LEAST_RATE > its:
                 its = mine
@@ -113,6 +114,7 @@ class Motion:
 def motions(text):
     """The calls that move, wait, or ask for what is no motion, but for straight ones that lead nowhere."""
     found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0), PLANES["CANON_PLANE_XY"]
+    in_step = False
     position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
     for line in text.splitlines():
         call = CALL.match(line)
@@ -141,6 +143,7 @@ def motions(text):
         elif name == "SET_FEED_RATE":
             feed = (numbers[0], unit)
         elif name in WAITING:
+            in_step = name == "START_SPEED_FEED_SYNC" or (in_step and name != "STOP_SPEED_FEED_SYNCH")
             found.append(Motion(name, line, numbers, unit, frame, feed, None))
         elif name in STRAIGHT or name == "ARC_FEED":
             program = frame.to_program(position)
@@ -154,6 +157,7 @@ def motions(text):
             motion = Motion(name, line, numbers, unit, frame, feed, start)
             steps = [abs(a - b) for a, b in zip(target, position)]
             least = 3 * ROUNDING * (unit + told_in)
+            motion.in_step = in_step
             motion.rotary = max(steps[:3]) <= least and name != "ARC_FEED"
             if name not in STRAIGHT or max(steps[:3]) > least or max(steps[3:6]) > 4 * ROUNDING:
                 found.append(motion)

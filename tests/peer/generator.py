@@ -137,6 +137,38 @@ class Program:
         axes = [axis for axis in "XYZ" if self.chance(0.6)] or ["Z"]
         self.block("G53", self.random.choice(["G0", f"G1 {self.feed()}"]), *(self.word(axis, self.value(-30, 30)) for axis in axes))
 
+    def thread(self):
+        """G33, G33.1 and G76, with the spindle turning; G0 behind them."""
+        self.block(self.random.choice(["M3", "M4"]), f"S{self.random.randint(20, 300)}")
+        kind = self.random.randrange(3)
+        if kind == 0:
+            for _ in range(self.random.randint(1, 2)):
+                axes = [axis for axis in "XYZ" if self.chance(0.5)] or ["Z"]
+                self.block("G33", *(self.word(axis, self.value(-30, 30)) for axis in axes), self.word("K", self.value(0.2, 3)))
+        elif kind == 1:
+            factor = f"I{self.random.uniform(0.5, 3):.2f}" if self.chance(0.4) else ""
+            self.block("G33.1", self.word("Z", self.value(-60, -31)), self.word("K", self.value(0.2, 3)), factor)
+        else:
+            self.threading_cycle()
+        self.block("G0", self.word("Z", self.value(31, 40)))
+        self.block("M5")
+
+    def threading_cycle(self):
+        halved = self.chance(0.3)
+        if halved:
+            self.block("G7")
+        self.block("G0", self.word("X", self.value(20, 30)), self.word("Z", self.value(5, 9)))
+        first = self.value(0.1, 0.4)
+        words = [self.word("P", self.value(0.3, 3)), self.word("Z", self.value(-30, -12)), self.word("J", first),
+                 self.word("I", self.random.choice([-1, 1]) * self.value(0.5, 3)), self.word("K", first + self.value(0.05, 1))]
+        words += [f"R{self.random.uniform(1, 2.5):.2f}"] if self.chance(0.6) else []
+        words += [f"Q{self.random.choice([29, 29.5, 30, -15])}"] if self.chance(0.5) else []
+        words += [f"H{self.random.randint(0, 2)}"] if self.chance(0.4) else []
+        words += [self.word("E", self.value(0.2, 4)), f"L{self.random.randint(0, 3)}"] if self.chance(0.5) else []
+        self.block("G76", *words)
+        if halved:
+            self.block("G8")
+
     def to_known_place(self, first, second):
         """Where an arc may begin in coordinates of the program: (first, second) of the plane."""
         start = [self.value(-30, 30), self.value(-30, 30)]
@@ -464,6 +496,8 @@ class Program:
             self.assignment()
         elif kind < 0.93:
             self.machine_line()
+        elif kind < 0.95:
+            self.thread()
         elif self.flow:
             self.flow_statement()
         else:

@@ -37,6 +37,10 @@ struct Event {
     digital_output_off,              ///< M65; as M63
     analog_output_with_motion,       ///< M67; output: its number; value: what it is set to
     analog_output,                   ///< M68; likewise
+    /// G33, G76; value: mm of path in a revolution of the spindle, from its index on where motion rests for it (`waits`); 0:
+    /// motion is no longer in step. Degrees where only rotary axes move.
+    spindle_in_step,
+    rigid_tap,  ///< G33.1; likewise, in and, behind the spindle's reversal, out again
   };
   Kind kind = Kind::program_end;  ///< what
   double value = 0;               ///< as Kind says; else 0
@@ -70,7 +74,7 @@ constexpr bool is_of_program(Event::Kind kind) {
 
 /// Is it of an output that has a number?
 constexpr bool has_output(Event::Kind kind) {
-  return kind >= Event::Kind::digital_output_on_with_motion;
+  return kind >= Event::Kind::digital_output_on_with_motion && kind <= Event::Kind::analog_output;
 }
 
 /// Does its value say more than its kind?
@@ -85,6 +89,8 @@ constexpr bool has_value(Event::Kind kind) {
     case Kind::programmed_feed:
     case Kind::analog_output_with_motion:
     case Kind::analog_output:
+    case Kind::spindle_in_step:
+    case Kind::rigid_tap:
       return true;
     default:
       return false;
@@ -93,8 +99,8 @@ constexpr bool has_value(Event::Kind kind) {
 
 /// As a program writes it: "M8", "S".
 constexpr std::string_view code_of(Event::Kind kind) {
-  constexpr std::string_view codes[] = {"M5", "M3",  "M4", "S", "M7",  "M8",  "M9",  "T",   "M6",  "M0",
-                                        "M1", "M60", "M2", "F", "M62", "M63", "M64", "M65", "M67", "M68"};
+  constexpr std::string_view codes[] = {"M5",  "M3", "M4", "S",   "M7",  "M8",  "M9",  "T",   "M6",  "M0",  "M1",
+                                        "M60", "M2", "F",  "M62", "M63", "M64", "M65", "M67", "M68", "G33", "G33.1"};
   return codes[static_cast<std::size_t>(kind)];
 }
 

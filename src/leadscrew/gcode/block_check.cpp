@@ -194,9 +194,19 @@ void BlockCheck::check_presence(const Block& block) {
       error("tip-control", column, "G53 while tool centre point control is on", "G49 before it");
     }
   }
+  check_threading(block);
   if (is_canned_cycle(modal_.to_do) && !(block.words & (letter_bit('X') | letter_bit('Y') | letter_bit('Z')))) {
     error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "X, Y or Z");
   }
+}
+
+// What G33, G33.1 and G76 need, which no other motion does.
+void BlockCheck::check_threading(const Block& block) {
+  const Code motion = modal_.to_do;
+  if (motion != Code::G33 && motion != Code::G33_1 && motion != Code::G76) return;
+  check_needs(block, motion, motion_column(block));
+  if (block.words & axis_letter_bits) return;
+  error("missing-word", motion_column(block), name(motion) + " lacks axis words", example_of(motion) + " Z-10");
 }
 
 /// "P belongs to G2, G3 and G4"

@@ -97,8 +97,7 @@ std::string_view output_call(base::Event::Kind kind) {
   }
 }
 
-void add_fixed(double value, std::string& text) {
-  constexpr int decimals = 4;
+void add_fixed(double value, std::string& text, int decimals = 4) {
   char digits[400];
   char* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
   std::string_view shown(digits, static_cast<std::size_t>(end - digits));
@@ -271,7 +270,44 @@ void CanonWriter::write_event(const base::Event& event, std::string& text) {
   }
 }
 
+bool CanonWriter::write_in_step(const Move& move, const Frame& frame, int system, std::string& text) {
+  const base::Event::Kind kind = move.event.kind;
+  const bool is_event = move.kind == Move::Kind::event;
+  if (is_event && (kind == base::Event::Kind::spindle_in_step || kind == base::Event::Kind::rigid_tap)) {
+    printed_.in_step = move.event.value > 0;
+    printed_.tap = kind == base::Event::Kind::rigid_tap ? Tap::in : Tap::no;
+    if (!printed_.in_step) {
+      call("STOP_SPEED_FEED_SYNCH()\n", text);
+      return true;
+    }
+    write_frame(frame, system, text);
+    write_path(move, text);
+    call("START_SPEED_FEED_SYNC(", text);
+    constexpr int decimals = 6;
+    add_fixed(move.event.value / printed_.unit, text, decimals);
+    text += ",0)\n";
+    return true;
+  }
+  if (printed_.tap == Tap::in && !is_event) {
+    printed_.tap = Tap::back;
+    call("RIGID_TAP(", text);
+    axes(frame.to_program(move.end), 0, 3, text);
+    text += ")\n";
+    return true;
+  }
+  if (printed_.tap != Tap::no) return true;
+  if (is_event) return false;
+  write_straight(move, frame, text);
+  return true;
+}
+
+void CanonWriter::write_straight(const Move& move, const Frame& frame, std::string& text) {
+  call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE(" : "STRAIGHT_FEED(", text);
+  coordinates(frame.to_program(move.end), text);
+}
+
 void CanonWriter::write(const Move& move, const Frame& frame, int system, std::string& text) {
+  if ((printed_.in_step || move.kind == Move::Kind::event) && write_in_step(move, frame, system, text)) return;
   if (move.kind == Move::Kind::event) return write_event(move.event, text);
   if (move.kind == Move::Kind::dwell) {
     call("DWELL(", text);
@@ -289,8 +325,7 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, std::s
       // Its points are not printed there either.
       return call("NURBS_FEED(" + std::to_string(move.curve.points.size()) + ", ...)\n", text);
     default:
-      call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE(" : "STRAIGHT_FEED(", text);
-      return coordinates(frame.to_program(move.end), text);
+      return write_straight(move, frame, text);
   }
 }
 

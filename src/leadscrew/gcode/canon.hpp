@@ -29,6 +29,9 @@ class CanonWriter {
   void write(const Move& move, const Frame& frame, int system, std::string& text);
 
  private:
+  /// Of a rigid tap, which is one call: its way in comes next, or its way back.
+  enum class Tap : std::uint8_t { no, in, back };
+
   /// What was printed last: mm, degrees, and as each name says.
   struct Printed {
     double unit = 1;  ///< mm
@@ -39,7 +42,9 @@ class CanonWriter {
     PathMode path_mode = PathMode::blend;
     double tolerance = 0, naive_cam_tolerance = 0;  ///< mm
     bool path_known = false;
-    double feed = 0;  ///< mm or degrees a minute
+    double feed = 0;       ///< mm or degrees a minute
+    bool in_step = false;  ///< with the spindle
+    Tap tap = Tap::no;
   };
 
   void write_frame(const Frame& frame, int system, std::string& text);
@@ -47,6 +52,9 @@ class CanonWriter {
   void write_feed(const Move& move, std::string& text);
   void write_arc(const Move& move, const Frame& frame, std::string& text);
   void write_event(const base::Event& event, std::string& text);
+  /// Of motion in step with the spindle; false where the move is not of it.
+  bool write_in_step(const Move& move, const Frame& frame, int system, std::string& text);
+  void write_straight(const Move& move, const Frame& frame, std::string& text);
 
   void call(std::string_view name, std::string& text);
   void number(double value, std::string& text);

@@ -38,6 +38,20 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G92_2:
     case Code::G92_3:
       return offsets_.set_shift(block);
+    case Code::G33:
+      return threading_.thread(block);
+    case Code::G33_1:
+      return threading_.tap(block);
+    case Code::G76:
+      return threading_.cycle(block);
+    case Code::G70:
+    case Code::G71:
+    case Code::G71_1:
+    case Code::G71_2:
+    case Code::G72:
+    case Code::G72_1:
+    case Code::G72_2:
+      return lathe_cycles_.begin(block);
     case Code::G70_bolts:
     case Code::G71_bolts:
     case Code::G72_bolts:

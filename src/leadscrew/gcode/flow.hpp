@@ -50,6 +50,8 @@ class Flow {
   [[gnu::noinline]] Next take(TextLine& line);
   /// Executes the M97, M98 or M99 of a block; `line` is the block's.
   [[gnu::noinline]] Next execute(const Block& block, const TextLine& line);
+  /// Calls the subroutine `number` that a lathe cycle has for its contour; `at`: the column of the number.
+  [[gnu::cold]] Next call_contour(double number, std::uint32_t at, const TextLine& line);
   /// The text has ended: what is still open is reported. `stop` where there is any.
   [[gnu::noinline]] Next end_of_text();
 

@@ -148,6 +148,19 @@ Flow::Next Flow::begin_call(Call call, const Statement& at) {
   return go(body, true) ? Next::line : Next::stop;
 }
 
+Flow::Next Flow::call_contour(double number, std::uint32_t at, const TextLine& line) {
+  text_.keep(line);
+  Statement statement;
+  statement.column = at;
+  TextLine of_block = line;
+  Call call{.kind = CallKind::o_word};
+  if (!statements_.number(number, at, call.name)) return Next::stop;
+  const Sub* const sub = find_sub(call.name, false, of_block);
+  if (!sub) return Next::stop;
+  call.body = call.program = sub->body;
+  return begin_call(std::move(call), statement);
+}
+
 /// endsub or return. A return may have any name: it is that of the subroutine it stands in (LinuxCNC).
 Flow::Next Flow::return_from(const Statement& statement) {
   const bool is_inside = !calls_.empty() && calls_.back().kind == CallKind::o_word;

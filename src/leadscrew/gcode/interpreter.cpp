@@ -11,6 +11,8 @@ Interpreter::Interpreter(const Context& context)
       motion_(context, travel_, outbox_),
       curves_(context, motion_, travel_, outbox_),
       cycles_(context, motion_, travel_, outbox_),
+      threading_(context, motion_, travel_, outbox_),
+      lathe_cycles_(context, motion_, travel_),
       offsets_(context, motion_),
       transforms_(context),
       polar_(context),
@@ -36,12 +38,26 @@ void Interpreter::execute(const Block& block, base::Line line) {
 
 // Diameters are halved as they are read, whatever X belongs to (LinuxCNC); G7 and G8 hold for X of their own block.
 void Interpreter::execute_special(Block block) {
+  if (lathe_cycles_.is_open()) {
+    if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
+    return lathe_cycles_.add(block);
+  }
   if (saved_modes_.leave_calls()) set_path_control({});
   if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
   modal_.is_plain = false;
   if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
   execute_in_axes(block);
-  modal_.is_plain = !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any();
+  modal_.is_plain = is_plain();
+}
+
+bool Interpreter::is_plain() const {
+  return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open();
+}
+
+void Interpreter::end_contour() {
+  outbox_.clear();
+  lathe_cycles_.end();
+  modal_.is_plain = is_plain();
 }
 
 void Interpreter::execute_in_axes(const Block& block) {
@@ -94,6 +110,8 @@ void Interpreter::finish_block(const Block& block) {
   curves_.spoil();
   outbox_.clear();
   cycles_.abandon();
+  threading_.abandon();
+  lathe_cycles_.abandon();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }
@@ -140,7 +158,8 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
 }
 
 bool Interpreter::next(Move& move) {
-  if (outbox_.take(move) || cycles_.next(move)) return true;
+  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || lathe_cycles_.next(move, outbox_))
+    return true;
   if (!stop_) return false;
   outbox_.prepare(move, Move::Kind::event, modal_.line);
   move.event = {*stop_, 0, modal_.line};

@@ -10,11 +10,13 @@
 #include <leadscrew/gcode/block_check.hpp>
 #include <leadscrew/gcode/curves.hpp>
 #include <leadscrew/gcode/cycles.hpp>
+#include <leadscrew/gcode/lathe_cycles.hpp>
 #include <leadscrew/gcode/machine_events.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 #include <leadscrew/gcode/polar.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
+#include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/gcode/transforms.hpp>
 
 namespace leadscrew::gcode {
@@ -37,6 +39,12 @@ class Interpreter : Part {
   /// The next move of the block executed last; false after its last.
   bool next(Move& move);
 
+  /// The block of the lathe cycle whose contour comes next, from the subprogram of its number Q to the end of that;
+  /// null where there is none. Blocks between are executed as the contour's.
+  const Block* contour() const { return lathe_cycles_.is_open() ? &lathe_cycles_.block() : nullptr; }
+  /// The contour's subprogram has ended.
+  [[gnu::cold]] void end_contour();
+
   /// The program ends here, without saying so.
   void end(base::Line line);
   bool ended() const { return ended_; }
@@ -56,6 +64,7 @@ class Interpreter : Part {
   /// What a motion or a code of group 0 does.
   void dispatch(Code code, const Block& block);  // dispatch.cpp
   void stop(const Block& block);
+  bool is_plain() const;
 
   Outbox outbox_;
   MachineEvents events_;
@@ -63,6 +72,8 @@ class Interpreter : Part {
   Motion motion_;
   CurveReader curves_;
   CannedCycles cycles_;
+  Threading threading_;
+  LatheCycles lathe_cycles_;
   Offsets offsets_;
   Transforms transforms_;
   Polar polar_;

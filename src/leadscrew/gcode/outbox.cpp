@@ -32,7 +32,8 @@ void Outbox::prepare_event(Move& move, base::Event::Kind kind, double value, std
   using Kind = base::Event::Kind;
   const bool turns_spindle =
       kind == Kind::spindle_clockwise || kind == Kind::spindle_counterclockwise || kind == Kind::spindle_stop;
-  const bool waits = kind == Kind::tool_change || (turns_spindle && machine_.spindle_waits);
+  const bool in_step = kind == Kind::spindle_in_step || kind == Kind::rigid_tap;
+  const bool waits = kind == Kind::tool_change || in_step || (turns_spindle && machine_.spindle_waits);
   prepare(move, Move::Kind::event, modal_.line);
   move.event = {kind, value, modal_.line, output, waits};
 }

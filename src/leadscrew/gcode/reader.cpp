@@ -119,7 +119,14 @@ class Reader::Implementation {
     }
     if (block_.has(Group::call)) return call(line);
     execute(line);
+    if (const Block* const cycle = interpreter_.contour(); cycle && contour_calls_ == 0) call_contour(*cycle, line);
     return false;
+  }
+
+  // The subprogram of a lathe cycle; its blocks are the contour until it ends.
+  [[gnu::cold]] void call_contour(const Block& cycle, const TextLine& line) {
+    contour_calls_ = modal_.calls + 1;
+    follow(flow_.call_contour(cycle['Q'], cycle.column_of('Q'), line), line.id);
   }
 
   void execute(const TextLine& line) {
@@ -149,6 +156,11 @@ class Reader::Implementation {
   }
 
   void follow(Flow::Next next, base::Line line) {
+    if (modal_.calls < contour_calls_) {
+      contour_calls_ = 0;
+      interpreter_.end_contour();
+      pending_ = true;
+    }
     if (next == Flow::Next::program_end) interpreter_.end(line);
     pending_ = pending_ || next == Flow::Next::program_end;
     done_ = done_ || next == Flow::Next::stop || next == Flow::Next::program_end;
@@ -229,6 +241,7 @@ class Reader::Implementation {
   bool has_printer_commands_;
   Block block_;
   std::int64_t blocks_ = 0;
+  std::size_t contour_calls_ = 0;  // calls under way within the contour of a lathe cycle; 0 without one
   Delimiter delimiter_ = Delimiter::unknown;
   bool empty_ = true;     // nothing but blanks so far
   bool pending_ = false;  // the interpreter has moves of a block read before

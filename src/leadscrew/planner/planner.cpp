@@ -170,6 +170,8 @@ void Planner::keep_in_force(const base::Event& event) {
       case Kind::optional_pause:
       case Kind::pallet_pause:
       case Kind::program_end:
+      case Kind::spindle_in_step:
+      case Kind::rigid_tap:
         return 0;
     }
     return 0;
