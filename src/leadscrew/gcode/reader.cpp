@@ -119,7 +119,16 @@ class Reader::Implementation {
     }
     if (block_.has(Group::call)) return call(line);
     execute(line);
+    if (modal_.calls_macro || block_.has(Group::modal_call)) call_modal(line);
     return false;
+  }
+
+  // G67, and the macro of G66 behind a block that has moved.
+  [[gnu::cold]] void call_modal(const TextLine& line) {
+    if (reporter_.failed() || interpreter_.ended()) return;
+    if (block_.has(Group::modal_call)) follow(flow_.end_modal_call(block_.column_of(Group::modal_call)), line.id);
+    const bool has_place = block_.words & (axis_letter_bits | letter_bit('I') | letter_bit('J') | letter_bit('K'));
+    if (!done_ && modal_.to_do != Code::none && has_place) follow(flow_.call_modal(line), line.id);
   }
 
   void execute(const TextLine& line) {
