@@ -110,7 +110,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_1_high_speed, 51, Group::nonmodal, {F, H}, "contour control, which is always on here", fanuc_manual, "QR"),
   g(Code::G8_high_speed, 80, Group::nonmodal, {F, H}, "look-ahead, which is always on here", fanuc_manual, "P"),
   g(Code::G103, 1030, Group::nonmodal, {L, H}, "limits look-ahead, which bounds itself here", haas_manual, "P"),
-  g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness, which G64 P says here", haas_manual, "PE"),
+  g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness: E is what P of G64 is", haas_manual, "PE"),
 
   g(Code::G17, 170, Group::plane, all, "plane XY", "NIST IR 6556, 3.5.6"),
   unread(g(Code::G17_1, 171, Group::plane, linuxcnc, "plane UV", manual)),
@@ -166,6 +166,12 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned", fanuc_manual),
   g(Code::G15, 150, Group::polar, {L, F, H, M}, "axis words are not polar", fanuc_manual),
   g(Code::G16, 160, Group::polar, {L, F, H, M}, "axis words are a radius and an angle", fanuc_manual),
+  g(Code::G62, 620, Group::path, {F}, "slows down at inner corners, which the axes' limits do here: as G64", fanuc_manual),
+  g(Code::G63, 630, Group::path, {F}, "tapping mode: as G64", fanuc_manual),
+  with_axes(g(Code::G100, 1000, Group::mirror, {H}, "no mirror, of the axes given or of all", haas_manual)),
+  with_axes(g(Code::G101, 1010, Group::mirror, {H}, "mirrors the axes given at 0 of the program, whatever their numbers", haas_manual)),
+  g(Code::G110, 1100, Group::system, {H}, "coordinate systems 1 to 20 of G154, as G110 to G129", haas_manual),
+  g(Code::G67, 670, Group::modal_call, {L, F}, "ends G66", fanuc_manual),
 
   m(Code::M0, 0, Group::stop, all, "pause", "NIST IR 6556, 3.6.1"),
   m(Code::M1, 1, Group::stop, all, "pause, where the operator wants one", "NIST IR 6556, 3.6.1"),
@@ -186,6 +192,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   m(Code::M5, 5, Group::spindle, all, "spindle stops", "NIST IR 6556, 3.6.2"),
   m(Code::M19, 19, Group::spindle, no_small, "orients the spindle", manual_m, "RQP"),
   m(Code::M29, 29, Group::user, fanuc, "rigid tapping, which is always on here", fanuc_manual),
+  m(Code::M56, 56, Group::user, {B}, "parking on or off, which a machine here does not do", "grbl 1.1 commands", "P"),
   m(Code::M7, 7, Group::coolant, all, "mist coolant on", "NIST IR 6556, 3.6.4"),
   m(Code::M8, 8, Group::coolant, all, "flood coolant on", "NIST IR 6556, 3.6.4"),
   m(Code::M9, 9, Group::coolant, all, "coolant off", "NIST IR 6556, 3.6.4"),
@@ -203,6 +210,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   m(Code::M98, 98, Group::call, no_small, "calls a subprogram", manual_m, "PL", "P"),
   m(Code::M99, 99, Group::call, no_small, "returns from a subprogram; in a main program, begins again", manual_m, "P"),
   g(Code::G65, 650, Group::call, {L, F, H}, "calls a macro with arguments", fanuc_manual, "PL", "P"),
+  g(Code::G66, 660, Group::call, {L, F}, "calls a macro with arguments behind each block that moves, until G67", fanuc_manual, "PL", "P"),
   m(Code::M100, 100, Group::user, linuxcnc, "function of the machine's builder, of M100 to M199", manual_m, "PQ"),
 }};
 // clang-format on
@@ -234,6 +242,9 @@ constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_nu
       codes[dialect][static_cast<std::size_t>(row.tenths / unit)] = row.code;
       if (row.code != Code::M100) continue;
       for (std::size_t number = 100; number < count; ++number) codes[dialect][number] = row.code;
+    }
+    for (std::size_t tenths = 1110; letter == 'G' && tenths <= 1290; tenths += 10) {
+      codes[dialect][tenths] = codes[dialect][1100];
     }
   }
   // Each of these machines has functions of its builder's.
@@ -280,8 +291,8 @@ std::string name(Group group) {
       "modal group 0",  "modal group 1",  "modal group 2",  "modal group 3",  "modal group 4",  "modal group 5",
       "modal group 6",  "modal group 7",  "modal group 8",  "modal group 10", "modal group 11", "modal group 12",
       "modal group 13", "modal group 14", "modal group 15", "modal group 16", "modal group 17", "modal group 22",
-      "M group 4",      "M group 5",      "M group 6",      "M group 7",      "M group 8",      "M group 9",
-      "M group 10",     "M group 11",     "M group 12"};
+      "modal group 23", "M group 4",      "M group 5",      "M group 6",      "M group 7",      "M group 8",
+      "M group 9",      "M group 10",     "M group 11",     "M group 12"};
   return group < Group::count ? names[index(group)] : "no modal group";
 }
 

@@ -194,6 +194,7 @@ Flow::Next Flow::end_call(std::optional<StatementName> block_number, const State
     return go(last.body, true) ? Next::line : Next::stop;
   }
   const TextPlace back = last.return_to;
+  if (last.is_modal) activate_modal_calls(active_modal_calls_ + 1);
   calls_.pop_back();
   modal_.calls = calls_.size();
   if (!go(back, true)) return Next::stop;
@@ -211,10 +212,11 @@ Flow::Next Flow::program_number(const Statement& statement) {
 
 Flow::Next Flow::execute(const Block& block, const TextLine& line) {
   text_.keep(line);
-  if (block.is(Code::G65)) {
+  if (block.is(Code::G65) || block.is(Code::G66)) {
     Statement at;
     at.column = block.column_of(Group::call);
-    return error(at, "bad-o-word", "G65 stands behind other words", "G65 begins its block");
+    const std::string code = name(block.code(Group::call));
+    return error(at, "bad-o-word", code + " stands behind other words", code + " begins its block");
   }
   constexpr std::uint32_t own = letter_bit('N') | letter_bit('P') | letter_bit('L');
   const bool stands_alone = !(block.words & ~own) && !(block.groups & ~gcode::bit(Group::call));

@@ -51,7 +51,8 @@ void Interpreter::execute_special(Block block) {
 }
 
 bool Interpreter::is_plain() const {
-  return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open();
+  return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open() &&
+         !modal_.calls_macro;
 }
 
 void Interpreter::end_contour() {
@@ -184,6 +185,7 @@ void Interpreter::set_modes(const Block& block) {
   }
   transforms_.set(block);
   if (block.has(Group::path)) set_path_control(block);
+  if (block.is(Code::G187)) set_smoothness(block);
   if (block.is(Code::G9)) modal_.effective_mode = PathMode::exact_stop;
   modal_.distance = distance_after(block, modal_);
   if (block.has(Group::arc_distance)) {
@@ -200,6 +202,10 @@ void Interpreter::set_path_control(const Block& block) {
       // LinuxCNC stops nowhere for it, Fanuc's and Haas' controllers do.
       modal_.path_mode = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas ? PathMode::exact_stop
                                                                                                  : PathMode::exact_path;
+      break;
+    case Code::G62:
+    case Code::G63:
+      modal_.path_mode = PathMode::blend;
       break;
     case Code::G61_1:
       modal_.path_mode = PathMode::exact_stop;
@@ -226,6 +232,18 @@ void Interpreter::set_path_control(const Block& block) {
   const bool blends = modal_.effective_mode == PathMode::blend;
   modal_.effective_tolerance = blends ? options_.tolerance.value_or(modal_.tolerance) : 0;
   modal_.effective_naive_cam_tolerance = blends ? modal_.naive_cam_tolerance.value_or(modal_.effective_tolerance) : 0;
+}
+
+/// Haas: E of G187 is how far corners may be rounded; without it they are rounded as the machine does.
+void Interpreter::set_smoothness(const Block& block) {
+  const double rounding = block.value_or('E', 0) * frame_.length_unit;
+  if (rounding < 0) {
+    error("bad-value", block.column_of('E'), "corners are to be rounded by " + text(block['E']), "E must be 0 or more");
+    return;
+  }
+  modal_.tolerance = block.has('E') ? rounding : machine_.tolerance;
+  modal_.naive_cam_tolerance.reset();
+  set_path_control({});
 }
 
 void Interpreter::execute_motion(const Block& block) {

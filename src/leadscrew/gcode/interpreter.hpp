@@ -60,6 +60,7 @@ class Interpreter : Part {
   [[gnu::noinline]] void execute_polar(Block block);
   void set_modes(const Block& block);
   void set_path_control(const Block& block);
+  void set_smoothness(const Block& block);
   void execute_motion(const Block& block);
   /// What a motion or a code of group 0 does.
   void dispatch(Code code, const Block& block);  // dispatch.cpp

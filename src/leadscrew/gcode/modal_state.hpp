@@ -57,7 +57,8 @@ struct ModalState {
   // The calls under way, and the fewest that were since a block was executed last.
   std::size_t calls = 0;
   std::size_t fewest_calls = 0;
-  bool is_plain = true;  ///< no mode asks for more than what axis words and F say: no G7, G96, M73
+  bool calls_macro = false;  ///< G66: a macro is called behind each block that moves
+  bool is_plain = true;      ///< no mode asks for more than what axis words and F say: no G7, G96, M73, G66
 
   // Of the block in execution.
   Code to_do = Code::none;  ///< its motion

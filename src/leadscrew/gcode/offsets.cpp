@@ -118,6 +118,7 @@ void Offsets::select_system(int number) {
 
 void Offsets::select_system(const Block& block) {
   const Code code = block.code(Group::system);
+  if (code == Code::G110) return select_system(Parameters::numbered_systems + block.further_system);
   if (code != Code::G54_1 && code != Code::G154) {
     select_system(static_cast<int>(index(code) - index(Code::G54)) + 1);
     return;

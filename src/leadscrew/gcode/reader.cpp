@@ -120,6 +120,7 @@ class Reader::Implementation {
     if (block_.has(Group::call)) return call(line);
     execute(line);
     if (const Block* const cycle = interpreter_.contour(); cycle && contour_calls_ == 0) call_contour(*cycle, line);
+    if (modal_.calls_macro || block_.has(Group::modal_call)) call_modal(line);
     return false;
   }
 
@@ -127,6 +128,14 @@ class Reader::Implementation {
   [[gnu::cold]] void call_contour(const Block& cycle, const TextLine& line) {
     contour_calls_ = modal_.calls + 1;
     follow(flow_.call_contour(cycle['Q'], cycle.column_of('Q'), line), line.id);
+  }
+
+  // G67, and the macro of G66 behind a block that has moved.
+  [[gnu::cold]] void call_modal(const TextLine& line) {
+    if (reporter_.failed() || interpreter_.ended()) return;
+    if (block_.has(Group::modal_call)) follow(flow_.end_modal_call(block_.column_of(Group::modal_call)), line.id);
+    const bool has_place = block_.words & (axis_letter_bits | letter_bit('I') | letter_bit('J') | letter_bit('K'));
+    if (!done_ && modal_.to_do != Code::none && has_place) follow(flow_.call_modal(line), line.id);
   }
 
   void execute(const TextLine& line) {

@@ -22,6 +22,8 @@ class Remarks : Part {
   /// Does what a remark asks for; `text` is what stands between the brackets, or behind ';'. Error: `program-abort`,
   /// behind which nothing is read. Warnings: `unsupported-remark`, `bad-log`.
   void execute(std::string_view text);
+  /// Shows a message that stands in that column, as (MSG,text) does.
+  void show(std::string text, std::int64_t column) const { send(Remark::Kind::message, std::move(text), column); }
 
  private:
   struct Row;

@@ -26,9 +26,10 @@ double feed_of(const gcode::Move& move) {
 }  // namespace
 
 /// A racing line uses all of the tolerance, and acceleration: it leaves nothing for chords between words.
-Builder::Builder(base::Borrowed<machine::Machine> machine)
+Builder::Builder(base::Borrowed<machine::Machine> machine, const geometry::MapTolerance& tables)
     : machine_(&*machine),
       sampling_(*machine),
+      tables_(tables),
       seeks_least_time_(machine->smoothing == machine::Smoothing::least_time && !sampling_.needs_share()) {}
 
 void Builder::push(const gcode::Move& move) {
@@ -116,7 +117,7 @@ void Builder::blend(Leg leg) {
     racing_line_->push(std::move(leg));
   } else {
     settle(racing_line_);
-    if (!smoother_) smoother_.emplace(sampling_);
+    if (!smoother_) smoother_.emplace(sampling_, tables_);
     smoother_->push(std::move(leg));
   }
 }

@@ -25,8 +25,9 @@ class Builder {
   /// By blends and fits.
   Builder() = default;
   /// As the machine asks for (machine::Smoothing), with what its period keeps of tolerances for chords between words. It
-  /// must outlive the builder. Moves of the tool's tip need one that has a chain of rotary axes.
-  explicit Builder(base::Borrowed<machine::Machine> machine);
+  /// must outlive the builder. Moves of the tool's tip need one that has a chain of rotary axes. tables: of blends and
+  /// fits, by arc length.
+  explicit Builder(base::Borrowed<machine::Machine> machine, const geometry::MapTolerance& tables = tables_for_motion);
 
   void push(const gcode::Move& move);
   /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
@@ -52,6 +53,7 @@ class Builder {
   const machine::Machine* machine_ = nullptr;
   std::optional<RacingLine> racing_line_;
   Sampling sampling_;
+  geometry::MapTolerance tables_ = tables_for_motion;
   bool seeks_least_time_ = false;  ///< by racing lines
   std::optional<Smoother> smoother_;
   /// Of the moves being pushed; none: their coordinates are the machine's axes'.
