@@ -289,8 +289,13 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, std::s
       // Its points are not printed there either.
       return call("NURBS_FEED(" + std::to_string(move.curve.points.size()) + ", ...)\n", text);
     default:
-      call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE(" : "STRAIGHT_FEED(", text);
-      return coordinates(frame.to_program(move.end), text);
+      if (move.is_probing()) call("TURN_PROBE_ON()\n", text);
+      call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE("
+           : move.is_probing()                 ? "STRAIGHT_PROBE("
+                                               : "STRAIGHT_FEED(",
+           text);
+      coordinates(frame.to_program(move.end), text);
+      if (move.is_probing()) call("TURN_PROBE_OFF()\n", text);
   }
 }
 

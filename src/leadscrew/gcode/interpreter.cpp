@@ -11,6 +11,7 @@ Interpreter::Interpreter(const Context& context)
       motion_(context, travel_, outbox_),
       curves_(context, motion_, travel_, outbox_),
       cycles_(context, motion_, travel_, outbox_),
+      probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
       transforms_(context),
       polar_(context),

@@ -14,6 +14,7 @@
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 #include <leadscrew/gcode/polar.hpp>
+#include <leadscrew/gcode/probing.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
 #include <leadscrew/gcode/transforms.hpp>
 
@@ -36,6 +37,9 @@ class Interpreter : Part {
 
   /// The next move of the block executed last; false after its last.
   bool next(Move& move);
+
+  /// How the probing move of the block executed last has ended.
+  void probed(const Probed& result) { probing_.probed(result); }
 
   /// The program ends here, without saying so.
   void end(base::Line line);
@@ -63,6 +67,7 @@ class Interpreter : Part {
   Motion motion_;
   CurveReader curves_;
   CannedCycles cycles_;
+  Probing probing_;
   Offsets offsets_;
   Transforms transforms_;
   Polar polar_;
