@@ -16,6 +16,7 @@ MotionSource::MotionSource(gcode::ByteSource source, base::Borrowed<machine::Mac
                            base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
                            gcode::DiagnosticSink diagnostics)
     : MotionSource([this](gcode::Move& move) { return read(move); }, machine, options.start) {
+  probes_ = options.probing == gcode::ProbingMoves::real;
   gcode::ReaderOptions reading = options;
   if (reading.opener) {
     reading.opener = [this, opener = options.opener](const std::string& name, std::int64_t offset) {
@@ -57,8 +58,15 @@ std::optional<planner::Chunk> MotionSource::next() {
   }
   std::optional<planner::Chunk> chunk;
   wants_moves_ = false;
-  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_) reading_ = read_move();
+  if (probing_ends_) return chunk;
+  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_ && !probing_) reading_ = read_move();
   return chunk;
+}
+
+void MotionSource::probed(const gcode::Probed& result) {
+  probing_.reset();
+  if (std::exchange(probing_ends_, false)) planner_.forget_rest();
+  reader_->probed(result);
 }
 
 std::optional<planner::Chunk> MotionSource::pop() {
@@ -96,6 +104,7 @@ bool MotionSource::read_move() {
     if (move.path_mode == gcode::PathMode::blend) tolerance_ = std::max(tolerance_, move.tolerance);
     if (on_move) on_move(move);
     builder_.push(move);
+    if (move.is_probing() && probes_) probing_ = move;
   } else {
     builder_.finish();
   }
