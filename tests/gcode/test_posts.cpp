@@ -75,7 +75,7 @@ TEST(Posts, ThatProbeGoOnFromWhereTheProbeTouches) {
     conditions.machine = six_axes();
     conditions.machine.probe.emplace().planes[base::index(base::Axis::Z)] = -7;
     const Reading reading = read(text_of(fs::path(LEADSCREW_SOURCE_DIR) / "tests/programs/posts" / name), conditions);
-    EXPECT_EQ(reading.problems(), "") << name;
+    EXPECT_EQ(reading.errors, 0) << name << ": " << reading.problems();
     EXPECT_NEAR(at(reading.lines().back().end, base::Axis::Z), z, 1e-9) << name;
   }
 }

@@ -226,7 +226,8 @@ LEADSCREW_API int leadscrew_motion_override(leadscrew_motion* motion, double fac
 LEADSCREW_API int leadscrew_motion_probing(const leadscrew_motion* motion);
 /** The probe has found that, at this position, or at that of the last word (NULL): motion comes to rest as soon as limits
  * and slice allow, and goes on from there as the program does. Words that have been given belong to it: ask for few at a
- * time while probing. The first call counts; LEADSCREW_REJECTED where nothing is being probed. */
+ * time while probing. The first call counts; at the first word along the move, at rest, it says that this is so before the
+ * move begins, which is an error of G38.2 and G38.4. LEADSCREW_REJECTED where nothing is being probed. */
 LEADSCREW_API int leadscrew_motion_probe_found(leadscrew_motion* motion, const double* position,
                                                leadscrew_error* error);
 /** Motion ends, at rest on its path, as soon as limits and slice allow; moves behind that are forgotten. */

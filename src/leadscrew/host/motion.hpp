@@ -95,7 +95,8 @@ class Motion {
   gcode::ProbeSearch probing() const;
   /// The probe has found that, where the axes stand at this position, mm or degrees, or else at that of the last word:
   /// motion comes to rest within a slice and what the limits need, and goes on as the program does. Words that have been
-  /// given belong to it: ask for few of them while probing. The first call counts. Errors: `probe-idle` where nothing is
+  /// given belong to it: ask for few of them while probing. The first call counts; at the first word along the move, at
+  /// rest, it says that this is so before the move begins. Errors: `probe-idle` where nothing is
   /// being probed, `move-finite`.
   base::Result<void> probe_found(const std::optional<base::AxisVector>& position = {});
 

@@ -103,14 +103,25 @@ bool MotionSource::read_move() {
   if (supply == Supply::move) {
     if (move.path_mode == gcode::PathMode::blend) tolerance_ = std::max(tolerance_, move.tolerance);
     if (on_move) on_move(move);
+    if (move.is_probing() && probes_) begin_probing(move);
     builder_.push(move);
-    if (move.is_probing() && probes_) probing_ = move;
   } else {
     builder_.finish();
   }
   if (!settle()) return false;
   if (supply == Supply::end) planner_.finish();
   return supply == Supply::move;
+}
+
+/// A word at least stands at rest before, so that the probe can be looked at.
+void MotionSource::begin_probing(const gcode::Move& move) {
+  probing_ = move;
+  gcode::Move rest;
+  rest.kind = gcode::Move::Kind::dwell;
+  rest.start = rest.end = move.start;
+  rest.line = move.line;
+  rest.dwell_seconds = 2 * machine_.period.seconds();
+  builder_.push(rest);
 }
 
 /// Gives the planner what path is settled; false if that fails.

@@ -91,6 +91,7 @@ class MotionSource {
   gcode::DiagnosticSink watched(gcode::DiagnosticSink diagnostics);
   Supply read(gcode::Move& move);
   bool read_move();
+  void begin_probing(const gcode::Move& move);
   bool settle();
   bool push(toolpath::Element element);
   std::optional<planner::Chunk> pop();
