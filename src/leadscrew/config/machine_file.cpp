@@ -163,13 +163,8 @@ class MachineReader {
     const toml::table* table = section(root, "probe", "probe", std::array{probe_planes_key});
     if (table == nullptr) return;
     machine::Probe& probe = machine_.probe.emplace();
-    const toml::node* node = table->get(probe_planes_key);
-    const toml::table* planes = node == nullptr ? nullptr : node->as_table();
-    if (node != nullptr && planes == nullptr)
-      report("machine-type", node->source().begin, fmt::format("{} is {}", probe_planes_key, type_text(*node)),
-             "{Z = -3}");
+    const toml::table* planes = section(*table, probe_planes_key, "probe.plane_mm", linear_axis_names);
     if (planes == nullptr) return;
-    check_keys(*planes, linear_axis_names, false);
     for (const std::string_view name : linear_axis_names) {
       const auto i = static_cast<std::size_t>(std::ranges::find(axis_names, name) - axis_names.begin());
       probe.planes[i] = number(*planes, name, {.axis = base::all_axes[i], .field = field::probe_plane});
