@@ -46,7 +46,7 @@ TEST(Layout, OfEvents) {
 }
 
 TEST(Layout, OfOptions) {
-  EXPECT_EQ(sizeof(leadscrew_options), 168U);
+  EXPECT_EQ(sizeof(leadscrew_options), 176U);
   EXPECT_EQ(offsetof(leadscrew_options, start), 8U);
   EXPECT_EQ(offsetof(leadscrew_options, slice), 80U);
   EXPECT_EQ(offsetof(leadscrew_options, on_event), 88U);
@@ -59,6 +59,7 @@ TEST(Layout, OfOptions) {
   EXPECT_EQ(offsetof(leadscrew_options, on_progress), 144U);
   EXPECT_EQ(offsetof(leadscrew_options, on_subprogram), 152U);
   EXPECT_EQ(offsetof(leadscrew_options, fuel), 160U);
+  EXPECT_EQ(offsetof(leadscrew_options, has_probe), 168U);
 }
 
 TEST(Layout, OfMoves) {

@@ -169,6 +169,23 @@ class Program:
         if halved:
             self.block("G8")
 
+    def probe(self):
+        """rs274 has no probe: it takes contact at the point programmed for granted, and then believes to stand before it."""
+        if self.inverse:
+            self.inverse = False
+            self.block(f"G94 F{self.random.randint(10, 900)}")
+        axes = [axis for axis in "XYZ" if self.chance(0.5)] or ["Z"]
+        self.block(self.random.choice(["G38.2", "G38.3", "G38.4", "G38.5"]), *(self.word(axis, self.value(-40, 40)) for axis in axes), self.feed())
+        found = self.random.choice(axes)
+        self.lines.append(f"#{31 + 'XYZ'.index(found)}=#{5061 + 'XYZ'.index(found)}")
+        before = self.incremental
+        self.block("G90 G53 G0", *(self.word(axis, self.value(-30, 30)) for axis in "XYZ"))
+        self.incremental = False
+        if before:
+            self.block(self.set_distance(True))
+        if self.chance(0.5):
+            self.lines.append(f"G0 {found}[#{31 + 'XYZ'.index(found)}/2]")
+
     def to_known_place(self, first, second):
         """Where an arc may begin in coordinates of the program: (first, second) of the plane."""
         start = [self.value(-30, 30), self.value(-30, 30)]
@@ -496,8 +513,10 @@ class Program:
             self.assignment()
         elif kind < 0.93:
             self.machine_line()
-        elif kind < 0.95:
+        elif kind < 0.94:
             self.thread()
+        elif kind < 0.95:
+            self.probe()
         elif self.flow:
             self.flow_statement()
         else:

@@ -126,6 +126,9 @@ typedef struct leadscrew_options {
   leadscrew_progress_function on_progress;     /**< asked every few KiB read, every few ms of planning; may be NULL */
   leadscrew_subprogram_function on_subprogram; /**< asked once for each name; NULL: there are none beside the program */
   int64_t fuel; /**< lines that a program may read in loops and subprograms, more are an error; 0: 100 million */
+  int32_t
+      has_probe; /**< not 0: leadscrew_motion_probe_found() ends probing moves; 0: as the machine's simulated probe does */
+  int32_t reserved; /**< 0 */
 } leadscrew_options;
 
 /** Kinds of moves. */
@@ -153,6 +156,9 @@ typedef struct leadscrew_move {
 
 /** Why leadscrew_motion_next() gave less than it was asked for. */
 enum { LEADSCREW_MOVING = 0, LEADSCREW_WANTS_MOVES = 1, LEADSCREW_HELD = 2, LEADSCREW_ENDED = 3 };
+
+/** What a probing move looks for: contact, or its loss. */
+enum { LEADSCREW_NO_PROBING = 0, LEADSCREW_CONTACT = 1, LEADSCREW_LOSS = 2 };
 
 /** Axes at one instant, mm or degrees and seconds. Where acceleration or jerk step, the value behind the step. */
 typedef struct leadscrew_state {
@@ -215,6 +221,15 @@ LEADSCREW_API int leadscrew_motion_progress(const leadscrew_motion* motion);
 
 /** Feed, but that of rapids, is multiplied by 0 … 2; 0 holds, until it is more. */
 LEADSCREW_API int leadscrew_motion_override(leadscrew_motion* motion, double factor, leadscrew_error* error);
+/** What the probing move looks for (G38.2 to G38.5, G31) along which the last word lies, of a motion that has_probe:
+ * LEADSCREW_NO_PROBING … LEADSCREW_LOSS. */
+LEADSCREW_API int leadscrew_motion_probing(const leadscrew_motion* motion);
+/** The probe has found that, at this position, or at that of the last word (NULL): motion comes to rest as soon as limits
+ * and slice allow, and goes on from there as the program does. Words that have been given belong to it: ask for few at a
+ * time while probing. The first call counts; at the first word along the move, at rest, it says that this is so before the
+ * move begins, which is an error of G38.2 and G38.4. LEADSCREW_REJECTED where nothing is being probed. */
+LEADSCREW_API int leadscrew_motion_probe_found(leadscrew_motion* motion, const double* position,
+                                               leadscrew_error* error);
 /** Motion ends, at rest on its path, as soon as limits and slice allow; moves behind that are forgotten. */
 LEADSCREW_API int leadscrew_motion_abort(leadscrew_motion* motion);
 /** At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */

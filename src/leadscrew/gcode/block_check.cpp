@@ -26,6 +26,8 @@ std::string example_of(Code code) {
       return "give P, seconds: G4 P0.5";
     case Code::G10:
       return "G10 L2 P1 X0 Y0 Z0";
+    case Code::G31:
+      return "G31 Z-10 F100";
     case Code::G52:
       return "G52 X0";
     case Code::G92:
@@ -180,7 +182,7 @@ void BlockCheck::check_presence(const Block& block) {
     const std::uint32_t column = block.column_of(row(code).group);
     check_needs(block, code, column);
     if (axes) return;
-    if (code == Code::G52 || code == Code::G92 || code == Code::G43_1) {
+    if (code == Code::G31 || code == Code::G52 || code == Code::G92 || code == Code::G43_1) {
       error("missing-word", column, name(code) + " lacks axis words", example_of(code));
     }
   });
@@ -195,6 +197,8 @@ void BlockCheck::check_presence(const Block& block) {
     }
   }
   check_threading(block);
+  if (is_probing(modal_.to_do) && !axes)
+    error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "G38.2 Z-10 F100");
   if (is_canned_cycle(modal_.to_do) && !(block.words & (letter_bit('X') | letter_bit('Y') | letter_bit('Z')))) {
     error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "X, Y or Z");
   }

@@ -302,8 +302,13 @@ bool CanonWriter::write_in_step(const Move& move, const Frame& frame, int system
 }
 
 void CanonWriter::write_straight(const Move& move, const Frame& frame, std::string& text) {
-  call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE(" : "STRAIGHT_FEED(", text);
+  if (move.is_probing()) call("TURN_PROBE_ON()\n", text);
+  call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE("
+       : move.is_probing()                 ? "STRAIGHT_PROBE("
+                                           : "STRAIGHT_FEED(",
+       text);
   coordinates(frame.to_program(move.end), text);
+  if (move.is_probing()) call("TURN_PROBE_OFF()\n", text);
 }
 
 void CanonWriter::write(const Move& move, const Frame& frame, int system, std::string& text) {

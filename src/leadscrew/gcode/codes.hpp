@@ -150,6 +150,9 @@ std::string name(char letter, int tenths);
 constexpr bool is_canned_cycle(Code code) {
   return (Code::G81 <= code && code <= Code::G89) || code == Code::G73 || code == Code::G74 || code == Code::G76_bore;
 }
+constexpr bool is_probing(Code code) {
+  return Code::G38_2 <= code && code <= Code::G38_5;
+}
 constexpr bool is_arc(Code code) {
   return code == Code::G2 || code == Code::G3;
 }

@@ -31,6 +31,14 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G28_1:
     case Code::G30_1:
       return offsets_.set_home(block);
+    case Code::G31:
+      curves_.forget_tangent();
+      return probing_.skip(block);
+    case Code::G38_2:
+    case Code::G38_3:
+    case Code::G38_4:
+    case Code::G38_5:
+      return probing_.probe(block);
     case Code::G52:
       return offsets_.set_local(block);
     case Code::G92:

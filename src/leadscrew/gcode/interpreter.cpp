@@ -13,6 +13,7 @@ Interpreter::Interpreter(const Context& context)
       cycles_(context, motion_, travel_, outbox_),
       threading_(context, motion_, travel_, outbox_),
       lathe_cycles_(context, motion_, travel_),
+      probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
       transforms_(context),
       polar_(context),

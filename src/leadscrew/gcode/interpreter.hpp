@@ -15,6 +15,7 @@
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 #include <leadscrew/gcode/polar.hpp>
+#include <leadscrew/gcode/probing.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
 #include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/gcode/transforms.hpp>
@@ -44,6 +45,8 @@ class Interpreter : Part {
   const Block* contour() const { return lathe_cycles_.is_open() ? &lathe_cycles_.block() : nullptr; }
   /// The contour's subprogram has ended.
   [[gnu::cold]] void end_contour();
+  /// How the probing move of the block executed last has ended.
+  void probed(const Probed& result) { probing_.probed(result); }
 
   /// The program ends here, without saying so.
   void end(base::Line line);
@@ -75,6 +78,7 @@ class Interpreter : Part {
   CannedCycles cycles_;
   Threading threading_;
   LatheCycles lathe_cycles_;
+  Probing probing_;
   Offsets offsets_;
   Transforms transforms_;
   Polar polar_;

@@ -25,6 +25,13 @@ constexpr base::Axis normal_axis(Plane plane) {
   return plane == Plane::XY ? base::Axis::Z : plane == Plane::ZX ? base::Axis::Y : base::Axis::X;
 }
 
+/// What a probing move looks for.
+enum class ProbeSearch : std::uint8_t {
+  nothing,  ///< it is none
+  contact,  ///< G38.2, G38.3, G31: ends where the probe touches
+  loss,     ///< G38.4, G38.5: ends where it touches no more
+};
+
 /// What happens where two blocks meet.
 enum class PathMode : std::uint8_t {
   exact_path,  ///< G61: on the path, without a needless stop
@@ -89,15 +96,16 @@ struct Move {
     event,  ///< `event` happens here
   };
 
-  Kind kind = Kind::line;                ///< its shape
-  PathMode path_mode = PathMode::blend;  ///< how it is joined to the next
-  Plane plane = Plane::XY;               ///< of an arc
-  base::Line line{};                     ///< source line
-  base::AxisVector start{};              ///< machine coordinates, mm or degrees; the end of the move before
-  base::AxisVector end{};                ///< machine coordinates, mm or degrees
-  Feed feed;                             ///< how fast, along it
-  double tolerance = 0;                  ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
-  double naive_cam_tolerance = 0;        ///< mm; Q of G64, or P where Q was not given; 0 unless path_mode is blend
+  Kind kind = Kind::line;                     ///< its shape
+  PathMode path_mode = PathMode::blend;       ///< how it is joined to the next
+  Plane plane = Plane::XY;                    ///< of an arc
+  ProbeSearch probes = ProbeSearch::nothing;  ///< a line that a probe ends: motion rests before and behind it
+  base::Line line{};                          ///< source line
+  base::AxisVector start{};                   ///< machine coordinates, mm or degrees; the end of the move before
+  base::AxisVector end{};                     ///< machine coordinates, mm or degrees
+  Feed feed;                                  ///< how fast, along it
+  double tolerance = 0;                       ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
+  double naive_cam_tolerance = 0;             ///< mm; Q of G64, or P where Q was not given; 0 unless path_mode is blend
 
   /// Arc: machine coordinates of the centre along first_axis and second_axis, mm. Both ends lie on the circle around it
   /// to within a few units in the last place: a programmed centre that is off by less than the tolerance has been moved
@@ -119,6 +127,9 @@ struct Move {
 
   double dwell_seconds = 0;  ///< ≥ 0
   base::Event event;         ///< of an event
+
+  /// Does a probe end it?
+  bool is_probing() const { return probes != ProbeSearch::nothing; }
 };
 
 }  // namespace leadscrew::gcode

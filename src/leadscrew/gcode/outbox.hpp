@@ -29,6 +29,7 @@ class Outbox : Part {
     move.kind = kind;
     move.path_mode = modal_.effective_mode;
     move.plane = modal_.plane;
+    move.probes = ProbeSearch::nothing;
     move.line = line;
     move.start = frame_.position;
     move.end = frame_.position;

@@ -74,6 +74,8 @@ class Reader::Implementation {
     }
   }
 
+  void probed(const Probed& result) { interpreter_.probed(result); }
+
   const Frame& frame() const { return frame_; }
   int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
   std::int64_t blocks() const { return blocks_; }
@@ -276,6 +278,9 @@ void Reader::warn(const Move& move, base::Diagnostic problem) {
 }
 void Reader::warn_of_feed(const Move& move, base::Diagnostic problem) {
   implementation_->warn_of_feed(move, std::move(problem));
+}
+void Reader::probed(const Probed& result) {
+  implementation_->probed(result);
 }
 const Frame& Reader::frame() const {
   return implementation_->frame();

@@ -49,6 +49,7 @@
 #include <leadscrew/gcode/dialect.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/gcode/parameter_file.hpp>
+#include <leadscrew/gcode/probed.hpp>
 #include <leadscrew/gcode/remark.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -89,8 +90,9 @@ struct ReaderOptions {
   /// Loops and subprograms go back in the text: where it is opened anew. None: the reader keeps what it has read of it
   /// from the first of them on, up to 16 MiB, and there are no subprograms in files.
   TextOpener opener{};
-  std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
-  bool repeats = false;             ///< M99 in the main program: goes on from its beginning; otherwise ends it
+  std::int64_t fuel = 100'000'000;                 ///< lines that are read in loops and subprograms, at most; ≥ 0
+  ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31
+  bool repeats = false;  ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
@@ -118,6 +120,11 @@ class Reader {
 
   /// The same, at the F word of the block where it has one.
   void warn_of_feed(const Move& move, base::Diagnostic problem);
+
+  /// How the probing move handed out last has ended, where the machine has a probe of its own (ProbingMoves::real):
+  /// before the next move is asked for, since what follows may depend on it. Error: `probe-failed`, where G38.2 or G38.4
+  /// did not find what it looks for.
+  void probed(const Probed& result);
 
   /// Where the program's coordinates lie, in the block of the move handed out last.
   const Frame& frame() const;

@@ -35,6 +35,7 @@ gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOpt
   gcode::ReaderOptions reading{.file = options.file, .start = options.start, .dialect = machine.dialect};
   reading.opener = [texts](const std::string& name, std::int64_t offset) { return texts->open(name, offset); };
   reading.fuel = options.fuel;
+  if (options.has_probe) reading.probing = gcode::ProbingMoves::real;
   return reading;
 }
 
@@ -105,7 +106,15 @@ base::Result<Trajectory> Motion::plan() const {
     return pipeline::Supply::move;
   });
   Trajectory trajectory(machine_.period, options_.start);
-  while (std::optional<planner::Chunk> chunk = source->next()) trajectory.append(std::move(*chunk));
+  for (;;) {
+    if (std::optional<planner::Chunk> chunk = source->next()) {
+      trajectory.append(std::move(*chunk));
+    } else if (source->waits_for_probe()) {
+      source->probed({true, false, source->rest(), source->rest()});
+    } else {
+      break;
+    }
+  }
   if (source->failure()) return base::failure(*source->failure());
   return trajectory;
 }
@@ -113,6 +122,7 @@ base::Result<Trajectory> Motion::plan() const {
 std::size_t Motion::next(std::span<base::Word> words) {
   std::size_t count = 0;
   while (count < words.size() && program_->prepare()) count += program_->cycle(words.subspan(count)).size();
+  if (options_.has_probe && count > 0) last_position_ = words[count - 1].position;
   return count;
 }
 
@@ -120,6 +130,22 @@ base::Result<void> Motion::override_feed(double factor) {
   if (!(factor >= 0 && factor <= 2))
     return base::failure(base::problem("override", "a feed override of " + base::text(factor, 9), "0 to 2"));
   program_->override_feed(factor);
+  return {};
+}
+
+gcode::ProbeSearch Motion::probing() const {
+  const gcode::Move* const move = program_->probing();
+  return move == nullptr ? gcode::ProbeSearch::nothing : move->probes;
+}
+
+base::Result<void> Motion::probe_found(const std::optional<base::AxisVector>& position) {
+  if (probing() == gcode::ProbeSearch::nothing) {
+    return base::failure(base::problem("probe-idle", "a probe has found something while nothing is being probed",
+                                       "ask what the last word is probing before"));
+  }
+  if (position && !std::ranges::all_of(*position, [](double value) { return std::isfinite(value); }))
+    return base::failure(base::problem("move-finite", "a coordinate of the place is not finite", "mm or degrees"));
+  program_->probe_found(position.value_or(last_position_));
   return {};
 }
 

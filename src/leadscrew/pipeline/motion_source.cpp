@@ -16,6 +16,7 @@ MotionSource::MotionSource(gcode::ByteSource source, base::Borrowed<machine::Mac
                            base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
                            gcode::DiagnosticSink diagnostics)
     : MotionSource([this](gcode::Move& move) { return read(move); }, machine, options.start) {
+  probes_ = options.probing == gcode::ProbingMoves::real;
   gcode::ReaderOptions reading = options;
   if (reading.opener) {
     reading.opener = [this, opener = options.opener](const std::string& name, std::int64_t offset) {
@@ -57,8 +58,15 @@ std::optional<planner::Chunk> MotionSource::next() {
   }
   std::optional<planner::Chunk> chunk;
   wants_moves_ = false;
-  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_) reading_ = read_move();
+  if (probing_ends_) return chunk;
+  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_ && !probing_) reading_ = read_move();
   return chunk;
+}
+
+void MotionSource::probed(const gcode::Probed& result) {
+  probing_.reset();
+  if (std::exchange(probing_ends_, false)) planner_.forget_rest();
+  reader_->probed(result);
 }
 
 std::optional<planner::Chunk> MotionSource::pop() {
@@ -95,6 +103,7 @@ bool MotionSource::read_move() {
   if (supply == Supply::move) {
     if (move.path_mode == gcode::PathMode::blend) tolerance_ = std::max(tolerance_, move.tolerance);
     if (on_move) on_move(move);
+    if (move.is_probing() && probes_) begin_probing(move);
     builder_.push(move);
   } else {
     builder_.finish();
@@ -102,6 +111,17 @@ bool MotionSource::read_move() {
   if (!settle()) return false;
   if (supply == Supply::end) planner_.finish();
   return supply == Supply::move;
+}
+
+/// A word at least stands at rest before, so that the probe can be looked at.
+void MotionSource::begin_probing(const gcode::Move& move) {
+  probing_ = move;
+  gcode::Move rest;
+  rest.kind = gcode::Move::Kind::dwell;
+  rest.start = rest.end = move.start;
+  rest.line = move.line;
+  rest.dwell_seconds = 2 * machine_.period.seconds();
+  builder_.push(rest);
 }
 
 /// Gives the planner what path is settled; false if that fails.

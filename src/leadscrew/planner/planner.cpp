@@ -253,6 +253,15 @@ void Planner::refuse() {
   look_ahead_.refuse();
 }
 
+void Planner::forget_rest() {
+  waiting_.clear();
+  last_.reset();
+  closed_form_.reset();
+  look_ahead_.clear();
+  dwelt_ = 0;
+  travelling_.forget_rest();
+}
+
 Chunk Planner::follow_events(Chunk chunk) {
   travelling_.place(chunk, std::exchange(events_, {}));
   chunk.rest = position_;

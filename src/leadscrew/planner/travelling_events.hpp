@@ -19,6 +19,8 @@ class TravellingEvents {
   void place(Chunk& chunk, const std::vector<base::Event>& before);
   /// Motion has come to rest by the tail of the chunk before the last.
   void refuse();
+  /// Motion has come to rest by the tail of the last chunk, and what was entered and lies behind is no more.
+  void forget_rest();
 
  private:
   /// How far motion has come: along the path, and the number of the first event that it has not passed.

@@ -125,6 +125,7 @@ void PieceSource::begin(const gcode::Move& move) {
   end_ = whole_.to;
   end_tolerance_ = whole_.tolerance;
   end_line_ = move.line;
+  probes_ = move.is_probing();
   ++block_;
   largest_tolerance_ = std::max(largest_tolerance_, whole_.tolerance);
   next_piece_ = 0;
@@ -195,7 +196,10 @@ void PieceSource::read_ahead() {
   if (!ahead_) ahead_.emplace();
   while (moves_(*ahead_)) {
     using Kind = gcode::Move::Kind;
-    if (ahead_->kind != Kind::dwell && ahead_->kind != Kind::event) return;
+    if (ahead_->kind != Kind::dwell && ahead_->kind != Kind::event) {
+      if (any_move() && (probes_ || ahead_->is_probing())) stops_.push_back({end_, end_tolerance_, ahead_->line});
+      return;
+    }
     const bool rests =
         ahead_->kind == Kind::dwell || (ahead_->event.waits && ahead_->event.kind != base::Event::Kind::program_end);
     if (rests && any_move()) stops_.push_back({end_, end_tolerance_, ahead_->line});

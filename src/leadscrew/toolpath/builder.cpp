@@ -36,11 +36,7 @@ void Builder::push(const gcode::Move& move) {
   change_transformation(move);
   switch (move.kind) {
     case gcode::Move::Kind::dwell:
-      flush();
-      settle_events(true);
-      settled_.emplace_back(
-          Dwell{transformation_ ? transformation_->axes_of(move.start) : move.start, move.dwell_seconds, move.line});
-      return;
+      return rest(move.start, move.dwell_seconds, move.line);
     case gcode::Move::Kind::event:
       if (!move.event.waits) {
         passed_.push_back({0, move.event});
@@ -51,8 +47,16 @@ void Builder::push(const gcode::Move& move) {
       settled_.emplace_back(move.event);
       return;
     default:
+      if (move.is_probing()) rest(move.start, 0, move.line);
       move_along(move);
+      if (move.is_probing()) rest(move.end, 0, move.line);
   }
+}
+
+void Builder::rest(const base::AxisVector& place, double seconds, base::Line line) {
+  flush();
+  settle_events(true);
+  settled_.emplace_back(Dwell{transformation_ ? transformation_->axes_of(place) : place, seconds, line});
 }
 
 /// Motion rests where coordinates begin to mean something else.

@@ -38,6 +38,7 @@ class Builder {
   std::optional<Element> pop();
 
  private:
+  void rest(const base::AxisVector& place, double seconds, base::Line line);
   void move_along(const gcode::Move& move);
   void change_transformation(const gcode::Move& move);
   Allowance allowance_of(const gcode::Move& move, const Piece& piece) const;
