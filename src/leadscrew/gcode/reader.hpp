@@ -63,9 +63,8 @@ namespace leadscrew::gcode {
 using base::ByteSource;
 using base::TextOpener;
 
-class Frame;  // frame.hpp
-
-class Frame;  // frame.hpp
+class Frame;        // frame.hpp
+struct ModalState;  // modal_state.hpp
 
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);
@@ -121,7 +120,8 @@ class Reader {
 
   /// Where the program's coordinates lie, in the block of the move handed out last.
   const Frame& frame() const;
-  int system() const;  ///< the coordinate system in force there: 1 … 9, G54 … G59.3
+  int system() const;               ///< the coordinate system in force there: 1 … 9, G54 … G59.3
+  const ModalState& modal() const;  ///< the modes in force there
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far
