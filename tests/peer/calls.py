@@ -153,6 +153,8 @@ def motions(text):
             if surface_speed != numbers + most_speed:
                 found.append(Motion(name, line, numbers + most_speed, unit, frame, feed, None))
             surface_speed = numbers + most_speed
+        elif name == "DWELL" and numbers[0] == 0:
+            continue  # no time
         elif name in WAITING:
             found.append(Motion(name, line, numbers, unit, frame, feed, None))
         elif name in STRAIGHT or name == "ARC_FEED":
