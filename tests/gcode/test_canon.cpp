@@ -26,7 +26,7 @@ std::string calls(std::string_view program, const machine::Machine& machine = si
   std::string text;
   writer.begin(text);
   Move move;
-  while (reader.next(move)) writer.write(move, reader.frame(), reader.system(), text);
+  while (reader.next(move)) writer.write(move, reader.frame(), reader.system(), reader.modal(), text);
   EXPECT_TRUE(problems.empty()) << problems.front().message;
   std::string bare;
   int number = 0;
@@ -128,6 +128,38 @@ TEST(Canon, SaysPathControlAndCurves) {
             "SET_MOTION_CONTROL_MODE(CANON_EXACT_STOP)\n"
             "STRAIGHT_TRAVERSE(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
             "SET_FEED_RATE(100.0000)\nNURBS_FEED(4, ...)\nPROGRAM_END()\n");
+}
+
+TEST(Canon, FeedPerRevolutionStaysAsWritten) {
+  EXPECT_EQ(calls("G21 G61 M3 S100 G95 F0.2\nG1 X1\nS200\nX2\nG94 F100 X3\nM2\n"),
+            "SET_SPINDLE_SPEED(0, 100.0000)\n"
+            "START_SPINDLE_CLOCKWISE(0)\n"
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+            "SET_FEED_MODE(0, 1)\n"
+            "SET_FEED_RATE(0.2000)\n"
+            "STRAIGHT_FEED(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_SPINDLE_SPEED(0, 200.0000)\n"
+            "STRAIGHT_FEED(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_FEED_MODE(0, 0)\n"
+            "SET_FEED_RATE(100.0000)\n"
+            "STRAIGHT_FEED(3.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "PROGRAM_END()\n");
+}
+
+TEST(Canon, SurfaceSpeedStaysAsWritten) {
+  EXPECT_EQ(calls("G21 G61 G0 X2\nG96 D2500 S250 M3\nG0 X10\nX5\nS100\nG97 S300\nX4\nM2\n"),
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+            "STRAIGHT_TRAVERSE(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_SPINDLE_MODE(0 2500.0000)\n"
+            "SET_SPINDLE_SPEED(0, 250.0000)\n"
+            "START_SPINDLE_CLOCKWISE(0)\n"
+            "STRAIGHT_TRAVERSE(10.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "STRAIGHT_TRAVERSE(5.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_SPINDLE_SPEED(0, 100.0000)\n"
+            "SET_SPINDLE_MODE(0 0.0000)\n"
+            "SET_SPINDLE_SPEED(0, 300.0000)\n"
+            "STRAIGHT_TRAVERSE(4.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "PROGRAM_END()\n");
 }
 
 }  // namespace test_canon

@@ -71,7 +71,8 @@ class Motion:
 
     def __init__(self, name, text, numbers, unit, frame, feed, start):
         self.name, self.text, self.numbers, self.unit, self.frame = name, text, numbers, unit, frame
-        self.feed, self.start = feed, start  # start: coordinates of the program, in its unit
+        # The feed, its unit and SET_FEED_MODE's number; start: coordinates of the program, in its unit.
+        self.feed, self.start = feed, start
         self.rotary = False
         self.in_step = False  # with the spindle: its feed is not F
 
@@ -88,6 +89,8 @@ class Motion:
             return found
         if self.name != "STRAIGHT_TRAVERSE" and not self.in_step:
             mine, its = ((m.feed[0] if m.rotary else m.feed[0] * m.feed[1] / m.unit) for m in (self, other))
+            if self.feed[2] != other.feed[2]:
+                return "another feed mode"
             if mine == LEAST_RATE > its:
                 its = mine
             if abs(mine - its) > max(3 * ROUNDING, 1e-5 * abs(mine)):
@@ -113,8 +116,9 @@ class Motion:
 
 def motions(text):
     """The calls that move, wait, or ask for what is no motion, but for straight ones that lead nowhere."""
-    found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0), PLANES["CANON_PLANE_XY"]
+    found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0, 0), PLANES["CANON_PLANE_XY"]
     in_step = False
+    most_speed, surface_speed = [0.0, 0.0], None  # of G96
     position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
     for line in text.splitlines():
         call = CALL.match(line)
@@ -141,7 +145,18 @@ def motions(text):
         elif name == "USE_TOOL_LENGTH_OFFSET":
             frame.tool = Told(numbers, unit)
         elif name == "SET_FEED_RATE":
-            feed = (numbers[0], unit)
+            feed = (numbers[0], unit, feed[2])
+        elif name == "SET_FEED_MODE":
+            feed = (0.0, unit, numbers[1])
+        elif name == "SET_SPINDLE_MODE":
+            most_speed = numbers
+        elif name == "SET_SPINDLE_SPEED" and most_speed[1] > 0:
+            # Said again it changes nothing; the limit is a part of it.
+            if surface_speed != numbers + most_speed:
+                found.append(Motion(name, line, numbers + most_speed, unit, frame, feed, None))
+            surface_speed = numbers + most_speed
+        elif name == "DWELL" and numbers[0] == 0:
+            continue  # no time
         elif name in WAITING:
             in_step = name == "START_SPEED_FEED_SYNC" or (in_step and name != "STOP_SPEED_FEED_SYNCH")
             found.append(Motion(name, line, numbers, unit, frame, feed, None))

@@ -1,25 +1,30 @@
 """Programs made by a grammar, the same for the same seed: lines, arcs and helices, canned cycles, offsets, homes, modes,
-expressions, parameters and flow, most of them sound and some not.
+expressions, parameters and flow, most of them sound and some not; further.py has the rest.
 
 What is left out on purpose: a change of units while a tool offset is in force, which rs274 does not convert; R of G10
 while G92 shifts, where rs274 jumps; and under G98 a change of units or offsets within a series of canned cycles, after
 which rs274 retracts to the number, not the place, of the level at which the series began; the same under G91, where R
 counts from that level; pecks of less than 0.254 mm, between which rs274 goes above R; axis words of G28 and G30 in a
-turned system, of which rs274 makes axes of the program; M6 with a tool offset or a turned system, after which rs274
-believes to stand elsewhere; F0 under G93; and do behind a break, after which rs274 makes one pass only.
+turned system, of which rs274 makes axes of the program; M6 behind a tool offset, a curve or with a turned system, after
+which rs274 believes to stand elsewhere; F0 under G93; do behind a break, after which rs274 makes one pass only; a kept
+feed that no F has followed under another feed mode, which rs274 loses; and G43 H0 behind G10 L1, L10 or L11, since rs274
+takes T1 for loaded where no tool is.
 """
 import math
 import random
 
+from further import Further
 
-class Program:
+
+class Program(Further):
     def __init__(self, seed, flow=True):
         self.random = random.Random(seed)
         self.flow = flow
         self.lines, self.subs = [], []
-        self.inches = self.incremental = self.absolute_arcs = self.inverse = False
+        self.inches = self.incremental = self.absolute_arcs = self.inverse = self.diameters = False
         self.plane, self.rotated, self.tool = "XY", False, False
         self.systems_turned, self.shift_kept = set(), False
+        self.place_unsure = self.table_changed = False  # what rs274 takes for its place and its tools
         self.system, self.parameters, self.names = 1, {}, {}
         self.depth = self.labels = 0
         self.broken_off = False
@@ -56,6 +61,7 @@ class Program:
         return f"#{number}" if kind < 0.98 else f"[#{number}*1]"
 
     def word(self, letter, value):
+        value *= 2 if letter == "X" and self.diameters else 1
         letter = letter.lower() if self.chance(0.1) else letter
         return letter + (" " if self.chance(0.02) else "") + self.number(value)
 
@@ -64,7 +70,7 @@ class Program:
         words = [word for word in words if word]
         if self.chance(0.1):
             self.random.shuffle(words)
-        text = ("" if self.chance(0.1) else " ").join(words)
+        text = ("" if self.chance(0.1) else " (remark) " if self.chance(0.02) else " ").join(words)
         if self.chance(0.03):
             text = f"N{self.random.randint(1, 99999)} {text}"
         if self.chance(0.02):
@@ -117,7 +123,7 @@ class Program:
         elif kind == 7:
             self.block(self.random.choice(["M3 S1000", "M4", "M5", "M7", "M8", "M9", "S500", "G40", "M0", "M1", "G80"]))
         else:
-            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.tool or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
+            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.place_unsure or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
                                            "M62 P1", "M63 P0", "M64 P3", "M65 P2", "M67 E1 Q2.5", "M68 E0 Q[1/3]", "M60"]))
 
     # Motion
@@ -339,7 +345,7 @@ class Program:
             self.block(self.random.choice(["G92.1", "G92.2", "G92.3"]))
         elif kind == 5:
             self.block("G43.1", self.word("Z", self.value(-20, 20)))
-            self.tool = True
+            self.tool = self.place_unsure = True
         elif kind == 6:
             self.block("G49")
             self.tool = False
@@ -348,8 +354,8 @@ class Program:
         elif kind == 8:
             self.block(self.random.choice(["G28.1", "G30.1"]))
         else:
-            self.block(f"G43 H{self.random.randint(0, 3)}")
-            self.tool = True
+            self.block(f"G43 H{self.random.randint(1 if self.table_changed else 0, 3)}")
+            self.tool = self.place_unsure = True
 
     def keep_plane(self):
         if self.rotated and self.plane != "XY":
@@ -499,7 +505,9 @@ class Program:
 
     def statement(self):
         kind = self.random.random()
-        if kind < 0.25:
+        if self.chance(0.25):
+            self.further()
+        elif kind < 0.25:
             self.line()
         elif kind < 0.42:
             self.arc()

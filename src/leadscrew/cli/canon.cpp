@@ -24,7 +24,7 @@ Status print_calls(const files::InputFile& file, const Job& job, Console& consol
   for (std::int64_t count = 1; reader.next(move) && written == Status::done; ++count) {
     if (count % moves_between_looks == 0 && files::interrupted()) break;
     if (log.errors() > 0) continue;
-    writer.write(move, reader.frame(), reader.system(), text);
+    writer.write(move, reader.frame(), reader.system(), reader.modal(), text);
     if (text.size() < bytes_at_a_time) continue;
     written = write_output(console, text);
     text.clear();

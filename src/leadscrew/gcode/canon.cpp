@@ -206,11 +206,16 @@ void CanonWriter::write_path(const Move& move, std::string& text) {
   text += ")\n";
 }
 
-// In G93 the rate that the block's length and duration make.
-void CanonWriter::write_feed(const Move& move, std::string& text) {
+// In G93 the rate that the block's length and duration make, in G95 that of a revolution.
+void CanonWriter::write_feed(const Move& move, const ModalState& modal, std::string& text) {
+  const bool per_revolution = modal.feed_mode == FeedMode::per_revolution;
+  if (per_revolution != printed_.per_revolution) write_feed_mode(per_revolution, text);
   const double along = move.feed.mode == Feed::Mode::per_second ? path_length(move) : 1;
+  const double value = !per_revolution        ? move.feed.value
+                       : is_rotary_only(move) ? modal.angular_feed
+                                              : modal.linear_feed;
   const double unit = is_rotary_only(move) ? 1 : printed_.unit;
-  const double feed = move.feed.value * along * seconds_in_minute / unit;
+  const double feed = value * along * seconds_in_minute / unit;
   // Only what is seen in four decimals is another feed.
   if (std::fabs(feed - printed_.feed) < 1e-9 * std::fabs(feed)) return;
   printed_.feed = feed;
@@ -311,8 +316,13 @@ void CanonWriter::write_straight(const Move& move, const Frame& frame, std::stri
   if (move.is_probing()) call("TURN_PROBE_OFF()\n", text);
 }
 
-void CanonWriter::write(const Move& move, const Frame& frame, int system, std::string& text) {
+void CanonWriter::write(const Move& move, const Frame& frame, int system, const ModalState& modal, std::string& text) {
   if ((printed_.in_step || move.kind == Move::Kind::event) && write_in_step(move, frame, system, text)) return;
+  if (modal.constant_surface_speed || printed_.surface_speed) {
+    write_spindle_mode(modal, text);
+    const bool is_speed = move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::spindle_speed;
+    if (is_speed && modal.constant_surface_speed) return;
+  }
   if (move.kind == Move::Kind::event) return write_event(move.event, text);
   if (move.kind == Move::Kind::dwell) {
     call("DWELL(", text);
@@ -322,7 +332,7 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, std::s
   }
   write_frame(frame, system, text);
   write_path(move, text);
-  if (move.feed.mode != Feed::Mode::rapid) write_feed(move, text);
+  if (move.feed.mode != Feed::Mode::rapid) write_feed(move, modal, text);
   switch (move.kind) {
     case Move::Kind::arc:
       return write_arc(move, frame, text);

@@ -71,6 +71,7 @@ class Flow {
   struct Sub {
     TextPlace body;
     bool is_program = false;  // begins with a program number, ends with M99
+    bool is_met = false;      // passed over, or called before
   };
   struct Call {
     CallKind kind = CallKind::o_word;
@@ -141,6 +142,7 @@ class Flow {
   const Sub* known_sub(StatementName name) const;
   bool index_subs(int file, TextLine& line);
   bool add_sub(StatementName name, const Sub& sub, const Statement& at);
+  bool meet_sub(const Statement& statement);
   const Sub* open_sub(StatementName name, bool is_program, TextLine& line);
   std::optional<std::int64_t> repeats(const Block& block);
 

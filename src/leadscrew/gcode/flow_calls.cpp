@@ -23,7 +23,7 @@ Flow::Next Flow::define(const Statement& statement, TextLine& line) {
                  "end that one before");
   }
   if (!at_end(statement.rest)) return Next::stop;
-  if (!add_sub(statement.name, {text_.place(), false}, statement)) return Next::stop;
+  if (!add_sub(statement.name, {text_.place(), false}, statement) || !meet_sub(statement)) return Next::stop;
   Statement found;
   if (!skip_to(line, Keyword::sub, statement.name, bit(Keyword::endsub), found)) return Next::stop;
   return Next::line;
@@ -36,10 +36,23 @@ bool Flow::add_sub(StatementName name, const Sub& sub, const Statement& at) {
   }
   const auto [found, is_new] = subs_.emplace(key(sub.body.file, name), sub);
   if (is_new || found->second.body == sub.body) return true;
+  // LinuxCNC takes the first, and minds only another `sub` that it comes to (meet_sub).
+  if (options_.dialect == Dialect::linuxcnc) return true;
   return reporter_.error("duplicate-sub", at.column,
                          "subprogram " + statements_.file_name(name) + " has begun in line " +
                              std::to_string(found->second.body.line - 1) + " already",
                          "give one of them another name");
+}
+
+/// LinuxCNC comes to a definition once, and not where the subroutine has been called before.
+bool Flow::meet_sub(const Statement& statement) {
+  if (options_.dialect != Dialect::linuxcnc) return true;
+  Sub& sub = subs_.find(key(text_.place().file, statement.name))->second;
+  if (sub.body == text_.place() && !std::exchange(sub.is_met, true)) return true;
+  return reporter_.error(
+      "misplaced-sub", statement.column,
+      "the program comes to " + shown(Keyword::sub, statement.name) + ", which it has called or passed over before",
+      "define subroutines before their first call, or behind the program's M2");
 }
 
 const Flow::Sub* Flow::known_sub(StatementName name) const {
@@ -129,6 +142,7 @@ Flow::Next Flow::call(const Statement& statement, TextLine& line) {
   const Sub* const sub = find_sub(statement.name, false, line);
   if (!sub) return Next::stop;
   call.body = call.program = sub->body;
+  subs_.find(key(sub->body.file, statement.name))->second.is_met = true;
   return begin_call(std::move(call), statement);
 }
 
@@ -290,6 +304,7 @@ Flow::Next Flow::return_program(const Block& block, const TextLine& line) {
   if (number) return go_to_block(static_cast<std::int64_t>(*number), of_block, at);
   if (options_.repeats) {
     open_.clear();
+    for (auto& [place, sub] : subs_) sub.is_met = false;
     return go({}, true) ? Next::line : Next::stop;
   }
   reporter_.report(base::Severity::note, "program-repeats", {reporter_.file(), line.number, at.column},

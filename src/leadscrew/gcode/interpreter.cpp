@@ -250,8 +250,11 @@ void Interpreter::set_smoothness(const Block& block) {
 void Interpreter::execute_motion(const Block& block) {
   // A motion that could not be told keeps the one in force.
   if (block.has(Group::motion)) {
-    if (block.code(Group::motion) != modal_.motion) curves_.forget_tangent();
-    modal_.motion = block.code(Group::motion);
+    const Code motion = block.code(Group::motion);
+    // LinuxCNC goes on with what was in force before (manual, G Codes, "Modal Groups": G5 is not among them).
+    const bool is_once = options_.dialect == Dialect::linuxcnc && (motion == Code::G5 || motion == Code::G5_1);
+    if (motion != modal_.motion && !is_once) curves_.forget_tangent();
+    if (!is_once) modal_.motion = motion;
   }
   const Code to_do = modal_.to_do;
   if (modal_.motion == Code::G80 || (to_do != Code::none && !is_canned_cycle(to_do))) cycles_.end_series();

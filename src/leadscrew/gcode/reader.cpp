@@ -78,6 +78,7 @@ class Reader::Implementation {
 
   const Frame& frame() const { return frame_; }
   int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
+  const ModalState& modal() const { return modal_; }
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
   const std::optional<base::Diagnostic>& source_failure() const {
@@ -287,6 +288,9 @@ const Frame& Reader::frame() const {
 }
 int Reader::system() const {
   return implementation_->system();
+}
+const ModalState& Reader::modal() const {
+  return implementation_->modal();
 }
 std::int64_t Reader::blocks() const {
   return implementation_->blocks();

@@ -31,7 +31,8 @@
 //                              exactly as the radii of an arc must agree; its first point need not be given.
 //
 // G5 … G5.3 are LinuxCNC's, with all nine axes: in G5 and G5.1 the other ones go in proportion to the parameter, in
-// G5.2 they are coordinates of the control points. G6.2 is Fanuc's G06.2. Before its end a curve of many blocks takes
+// G5.2 they are coordinates of the control points. In LinuxCNC's dialect G5 and G5.1 hold for their block alone, and move
+// X and Y. G6.2 is Fanuc's G06.2. Before its end a curve of many blocks takes
 // nothing but points, knots, F, parameters and remarks: anything else is an unfinished-curve.
 //
 // A diagnostic's `source` is the line of its place, with as many bytes as the text has, so that the caret stands at its
@@ -64,9 +65,8 @@ namespace leadscrew::gcode {
 using base::ByteSource;
 using base::TextOpener;
 
-class Frame;  // frame.hpp
-
-class Frame;  // frame.hpp
+class Frame;        // frame.hpp
+struct ModalState;  // modal_state.hpp
 
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);
@@ -128,7 +128,8 @@ class Reader {
 
   /// Where the program's coordinates lie, in the block of the move handed out last.
   const Frame& frame() const;
-  int system() const;  ///< the coordinate system in force there: 1 … 9, G54 … G59.3
+  int system() const;               ///< the coordinate system in force there: 1 … 9, G54 … G59.3
+  const ModalState& modal() const;  ///< the modes in force there
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far

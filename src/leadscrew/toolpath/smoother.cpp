@@ -93,14 +93,8 @@ struct Cut {
 /// The blend of a corner within a tolerance, which takes at most these lengths of its neighbours.
 std::optional<Cut> cut_within(double tolerance, const Stretch& before, double most_before, const Stretch& behind,
                               double most_behind, const Sampling& sampling, const geometry::MapTolerance& tables) {
-  Corner corner{before.piece.curve,
-                behind.piece.curve,
-                before.programmed,
-                behind.programmed,
-                most_before,
-                most_behind,
-                true,
-                tables};
+  Corner corner{before.piece.curve, behind.piece.curve, before.programmed, behind.programmed, most_before, most_behind};
+  corner.tables = tables;
   const double spent = std::max(before.spent, behind.spent);
   const Division division = sampling.at_corner(before.piece, behind.piece, tolerance);
   if (division.rounding == Rounding::none) return std::nullopt;
