@@ -5,5 +5,6 @@
 
 #include <leadscrew/machine/drive.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/machine/probe.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
 #include <leadscrew/machine/step_times.hpp>

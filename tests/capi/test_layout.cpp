@@ -60,7 +60,8 @@ TEST(Layout, OfOptions) {
   EXPECT_EQ(offsetof(leadscrew_options, on_progress), 144U);
   EXPECT_EQ(offsetof(leadscrew_options, on_subprogram), 152U);
   EXPECT_EQ(offsetof(leadscrew_options, fuel), 160U);
-  EXPECT_EQ(offsetof(leadscrew_options, has_inputs), 168U);
+  EXPECT_EQ(offsetof(leadscrew_options, has_probe), 168U);
+  EXPECT_EQ(offsetof(leadscrew_options, has_inputs), 172U);
 }
 
 TEST(Layout, OfMoves) {

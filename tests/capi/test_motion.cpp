@@ -288,4 +288,34 @@ TEST(Capi, AbortsAtRestAndStartsAnew) {
   }
 }
 
+TEST(Capi, EndsProbingMovesWhereTheHostsProbeTouches) {
+  leadscrew_options options = no_options();
+  options.has_probe = 1;
+  for (const bool measured : {false, true}) {
+    const Motion motion = program("G21 F600\nG1 X1\nG38.2 Z-20\nG38.4 Z0\nG0 X[0-#5063]\nM2\n", options);
+    EXPECT_EQ(leadscrew_motion_probe_found(motion.get(), nullptr, nullptr), LEADSCREW_REJECTED);
+    leadscrew_word word{};
+    double lost = 0, contact = 0;
+    bool touching = false;
+    for (std::size_t count = 1; count == 1;) {
+      ASSERT_EQ(leadscrew_motion_next(motion.get(), &word, sizeof word, 1, &count, nullptr), LEADSCREW_OK);
+      const int looks_for = leadscrew_motion_probing(motion.get());
+      touching = word.position[2] <= -5;
+      if (looks_for == LEADSCREW_CONTACT && touching && contact == 0) {
+        contact = word.position[2];
+        ASSERT_EQ(leadscrew_motion_probe_found(motion.get(), nullptr, nullptr), LEADSCREW_OK);
+      }
+      if (looks_for == LEADSCREW_LOSS && !touching && lost == 0) {
+        lost = measured ? -5 : word.position[2];
+        const double place[LEADSCREW_AXES] = {1, 0, -5};
+        ASSERT_EQ(leadscrew_motion_probe_found(motion.get(), measured ? place : nullptr, nullptr), LEADSCREW_OK);
+      }
+    }
+    EXPECT_NEAR(contact, -5, 0.02);
+    EXPECT_DOUBLE_EQ(word.position[0], -lost);
+    EXPECT_EQ(leadscrew_motion_progress(motion.get()), LEADSCREW_ENDED);
+  }
+  EXPECT_EQ(leadscrew_motion_probing(nullptr), LEADSCREW_NO_PROBING);
+}
+
 }  // namespace test_motion

@@ -113,5 +113,25 @@ TEST(Laser, IsRefusedWhereItIsWrong) {
   EXPECT_EQ(problems_of(one_axis + "[laser]\nfeed = true\n"), Texts{"8:1 machine-key"});
 }
 
+TEST(Probe, HasPlanesOfLinearAxes) {
+  EXPECT_FALSE(read_machine(one_axis, "m")->probe);
+  EXPECT_EQ(read_machine(one_axis + "[probe]\n", "m")->probe, machine::Probe{});
+  const auto read = read_machine(one_axis + "[probe]\nplane_mm = {X = -3.5}\n", "m");
+  ASSERT_TRUE(read);
+  machine::Probe expected;
+  expected.planes[0] = -3.5;
+  EXPECT_EQ(read->probe, expected);
+}
+
+TEST(Probe, IsRefusedWhereItIsWrong) {
+  EXPECT_EQ(problems_of("probe = 5\n" + one_axis), Texts{"1:9 machine-type"});
+  EXPECT_EQ(problems_of(one_axis + "[probe]\nplane = 5\n"), Texts{"8:1 machine-key"});
+  EXPECT_EQ(problems_of(one_axis + "[probe]\nplane_mm = 5\n"), Texts{"8:12 machine-type"});
+  EXPECT_EQ(problems_of(one_axis + "[probe]\nplane_mm = {X = \"3\"}\n"), Texts{"8:17 machine-type"});
+  EXPECT_EQ(problems_of(one_axis + "[probe]\nplane_mm = {X = nan}\n"), Texts{"8:17 machine-probe"});
+  EXPECT_EQ(problems_of(one_axis + "[probe]\nplane_mm = {Z = -3}\n"), Texts{"8:17 machine-probe"});
+  EXPECT_EQ(problems_of(one_axis + "[probe]\nplane_mm = {A = 3}\n"), Texts{"8:13 machine-key"});
+}
+
 }  // namespace test_values
 }  // namespace leadscrew::config::testing

@@ -26,7 +26,7 @@ std::string calls(std::string_view program, const machine::Machine& machine = si
   std::string text;
   writer.begin(text);
   Move move;
-  while (reader.next(move)) writer.write(move, reader.frame(), reader.system(), text);
+  while (reader.next(move)) writer.write(move, reader.frame(), reader.system(), reader.modal(), text);
   EXPECT_TRUE(problems.empty()) << problems.front().message;
   std::string bare;
   int number = 0;
@@ -97,6 +97,32 @@ TEST(Canon, FunctionsOfTheMachine) {
             "M101(1.0000, 2.0000)\nPROGRAM_END()\n");
 }
 
+TEST(Canon, ThreadsAndTaps) {
+  EXPECT_EQ(calls("G20 G18 G61 S100 M3\nG33 Z-1 K0.1\nG33.1 X0.5 Z-2 K.05 I2\nG0 X1 Z0\nG76 P.1 Z-1 I-.1 J.05 K.1 E.1 "
+                  "L2\nM2\n"),
+            "SET_SPINDLE_SPEED(0, 100.0000)\nSTART_SPINDLE_CLOCKWISE(0)\n"
+            "USE_LENGTH_UNITS(CANON_UNITS_INCHES)\nSELECT_PLANE(CANON_PLANE_XZ)\n"
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+            "START_SPEED_FEED_SYNC(0.100000,0)\n"
+            "STRAIGHT_FEED(0.0000, 0.0000, -1.0000, 0.0000, 0.0000, 0.0000)\nSTOP_SPEED_FEED_SYNCH()\n"
+            "START_SPEED_FEED_SYNC(0.050000,0)\nRIGID_TAP(0.5000, 0.0000, -2.0000)\nSTOP_SPEED_FEED_SYNCH()\n"
+            "STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "STRAIGHT_TRAVERSE(1.0500, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "STRAIGHT_TRAVERSE(0.8500, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "START_SPEED_FEED_SYNC(0.100000,0)\n"
+            "STRAIGHT_FEED(0.8500, 0.0000, -0.9000, 0.0000, 0.0000, 0.0000)\n"
+            "START_SPEED_FEED_SYNC(0.141421,0)\n"
+            "STRAIGHT_FEED(0.9500, 0.0000, -1.0000, 0.0000, 0.0000, 0.0000)\nSTOP_SPEED_FEED_SYNCH()\n"
+            "STRAIGHT_TRAVERSE(1.0500, 0.0000, -1.0000, 0.0000, 0.0000, 0.0000)\n"
+            "STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "STRAIGHT_TRAVERSE(0.8000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "START_SPEED_FEED_SYNC(0.100000,0)\n"
+            "STRAIGHT_FEED(0.8000, 0.0000, -0.9000, 0.0000, 0.0000, 0.0000)\n"
+            "START_SPEED_FEED_SYNC(0.141421,0)\n"
+            "STRAIGHT_FEED(0.9000, 0.0000, -1.0000, 0.0000, 0.0000, 0.0000)\nSTOP_SPEED_FEED_SYNCH()\n"
+            "STRAIGHT_TRAVERSE(1.0000, 0.0000, -1.0000, 0.0000, 0.0000, 0.0000)\nPROGRAM_END()\n");
+}
+
 TEST(Canon, HasUVWWhereTheMachineHas) {
   EXPECT_EQ(
       calls("G21 G61\nG0 X1 W-0.00001\nM2\n", nine_axes()),
@@ -110,6 +136,38 @@ TEST(Canon, SaysPathControlAndCurves) {
             "SET_MOTION_CONTROL_MODE(CANON_EXACT_STOP)\n"
             "STRAIGHT_TRAVERSE(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
             "SET_FEED_RATE(100.0000)\nNURBS_FEED(4, ...)\nPROGRAM_END()\n");
+}
+
+TEST(Canon, FeedPerRevolutionStaysAsWritten) {
+  EXPECT_EQ(calls("G21 G61 M3 S100 G95 F0.2\nG1 X1\nS200\nX2\nG94 F100 X3\nM2\n"),
+            "SET_SPINDLE_SPEED(0, 100.0000)\n"
+            "START_SPINDLE_CLOCKWISE(0)\n"
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+            "SET_FEED_MODE(0, 1)\n"
+            "SET_FEED_RATE(0.2000)\n"
+            "STRAIGHT_FEED(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_SPINDLE_SPEED(0, 200.0000)\n"
+            "STRAIGHT_FEED(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_FEED_MODE(0, 0)\n"
+            "SET_FEED_RATE(100.0000)\n"
+            "STRAIGHT_FEED(3.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "PROGRAM_END()\n");
+}
+
+TEST(Canon, SurfaceSpeedStaysAsWritten) {
+  EXPECT_EQ(calls("G21 G61 G0 X2\nG96 D2500 S250 M3\nG0 X10\nX5\nS100\nG97 S300\nX4\nM2\n"),
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+            "STRAIGHT_TRAVERSE(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_SPINDLE_MODE(0 2500.0000)\n"
+            "SET_SPINDLE_SPEED(0, 250.0000)\n"
+            "START_SPINDLE_CLOCKWISE(0)\n"
+            "STRAIGHT_TRAVERSE(10.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "STRAIGHT_TRAVERSE(5.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "SET_SPINDLE_SPEED(0, 100.0000)\n"
+            "SET_SPINDLE_MODE(0 0.0000)\n"
+            "SET_SPINDLE_SPEED(0, 300.0000)\n"
+            "STRAIGHT_TRAVERSE(4.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "PROGRAM_END()\n");
 }
 
 }  // namespace test_canon

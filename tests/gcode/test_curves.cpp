@@ -65,6 +65,21 @@ TEST(CubicSpline, GoesOnBehindWhatIsNoMotion) {
   EXPECT_EQ(points_of(reading.of(Move::Kind::nurbs).at(1)).at(1), (Point{11, 3, 0}));
 }
 
+TEST(CubicSpline, HoldsForItsBlockAloneInLinuxCnc) {
+  const Conditions linuxcnc = in_dialect(Dialect::linuxcnc);
+  const Reading reading = read_well("G21 F60 G1 X1\nG5 X3 Y3 I1 J1 P1 Q1\nG5 X5 Y5 P0 Q1\nX9\nM2\n", linuxcnc);
+  EXPECT_EQ(points_of(reading.of(Move::Kind::nurbs).at(1)).at(1), (Point{2, 2, 0}));
+  EXPECT_EQ(reading.lines().at(1).end[0], 9);
+  EXPECT_EQ(read("F60 G5 X3 Y3 I1 J1 P1 Q1\nX9\nM2\n", linuxcnc).problems(), "2:1 axis-without-motion; ");
+  EXPECT_EQ(read("F60 G5 X3 I1 J1 P1 Q1\nG0 X3\nX9\nG5 X4 P1 Q1\nM2\n", linuxcnc).problems(), "4:1 missing-word; ");
+}
+
+TEST(CubicSpline, TakesNoOtherAxesInLinuxCnc) {
+  const Conditions linuxcnc = in_dialect(Dialect::linuxcnc);
+  EXPECT_EQ(read("F60 G5 X3 Z3 I1 J1 P1 Q1\nM2\n", linuxcnc).problems(), "1:5 unused-word; ");
+  EXPECT_EQ(read("F60 G5.1 X3 I1\nM2\n", linuxcnc).problems(), "1:5 missing-word; ");
+}
+
 TEST(CubicSpline, MayCloseInItself) {
   const Move loop = curve_of("F60 G5 I10 J10 P-10 Q10\nM2\n");
   EXPECT_EQ(points_of(loop), (std::vector<Point>{{0, 0, 0}, {10, 10, 0}, {-10, 10, 0}, {0, 0, 0}}));

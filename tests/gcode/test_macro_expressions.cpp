@@ -69,8 +69,29 @@ TEST(MacroVariables, OfTheSystemTellModesAndPositions) {
 
 TEST(MacroVariables, OfTheSystemAreToldWhereTheyAreNotRead) {
   EXPECT_EQ(read("#1=#2001\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:4 unsupported-parameter; ");
-  EXPECT_EQ(read("#3003=1\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:1 unsupported-parameter; ");
+  EXPECT_EQ(read("#3007=1\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:1 unsupported-parameter; ");
   EXPECT_EQ(read("#0=1\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:1 read-only-parameter; ");
+}
+
+TEST(MacroVariables, PauseTheProgramWithAMessage) {
+  std::vector<std::string> messages;
+  Conditions conditions = in_dialect(Dialect::fanuc);
+  conditions.options.remarks = [&](const Remark& remark) { messages.emplace_back(remark.text); };
+  const Reading reading = read_well("G0 X1.\n#3006=1 (TURN THE PART)\n#3006=2\nG0 X2.\nM30\n", conditions);
+  EXPECT_EQ(messages, (std::vector<std::string>{"TURN THE PART", "2"}));
+  ASSERT_EQ(reading.events().size(), 3u);
+  EXPECT_EQ(reading.events()[0].kind, base::Event::Kind::pause);
+  EXPECT_EQ(reading.events()[1].kind, base::Event::Kind::pause);
+  EXPECT_EQ(ends_along_x(reading), "1 2 ");
+}
+
+TEST(MacroVariables, OfClocksAndHoldsAreSet) {
+  EXPECT_EQ(read("#3001=0 #3002=0\nM30\n", in_dialect(Dialect::fanuc)).problems(), "");
+  EXPECT_EQ(read("#3003=1\n#3004=7\nM30\n", in_dialect(Dialect::fanuc)).problems(),
+            "1:1 parameter-without-effect; 2:1 parameter-without-effect; ");
+  EXPECT_EQ(read("#1=#3001\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:4 unsupported-parameter; ");
+  // In other dialects they are numbers like others.
+  EXPECT_EQ(ends_along_x(read_well("#3006=4\nG0 X#3006\nM2\n")), "4 ");
 }
 
 TEST(MacroVariables, StopTheProgramWithAnAlarm) {

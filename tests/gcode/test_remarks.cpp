@@ -111,8 +111,7 @@ TEST(Remarks, WriteNoLogsOutsideOfTheFolder) {
 TEST(Remarks, TellWhatIsNotWritten) {
   EXPECT_EQ(tell("(LOG,x)\n(LOG,y)\nM2\n").reading.problems(), "1:2 bad-log; ");
   EXPECT_EQ(tell("(LOGOPEN, )\nM2\n").reading.problems(), "1:2 bad-log; ");
-  EXPECT_EQ(tell("(PROBEOPEN a.txt)\n(PROBECLOSE)\n(py,x=1)\nM2\n").reading.problems(),
-            "1:2 unsupported-remark; 2:2 unsupported-remark; 3:2 unsupported-remark; ");
+  EXPECT_EQ(tell("(py,x=1)\nM2\n").reading.problems(), "1:2 unsupported-remark; ");
 }
 
 TEST(Remarks, StopTheProgram) {

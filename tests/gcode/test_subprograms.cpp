@@ -67,6 +67,17 @@ TEST(Subprograms, HaveNamesOfAnyCase) {
   EXPECT_EQ(xs("#7=100\no100 sub\ng0 x#1\no100 endsub\no[#7] call [3]\no#7 call [5]\nm2\n"), "3 5 ");
 }
 
+// As rs274 has them: the first of a number, and none that the program comes to twice.
+TEST(Subprograms, AreTheFirstOfTheirNumberInLinuxCnc) {
+  const Conditions linuxcnc = of(Dialect::linuxcnc);
+  EXPECT_EQ(xs("m98 p0002\nm2\nO0002\ng0 x1\nm99\nO2\ng0 x2\nm99\n", linuxcnc), "1 ");
+  EXPECT_EQ(xs("o1 call\nm2\no1 sub\ng0 x1\no1 endsub\no1 sub\ng0 x2\no1 endsub\n", linuxcnc), "1 ");
+  EXPECT_EQ(read("o1 sub\no1 endsub\no1 sub\no1 endsub\nm2\n", linuxcnc).problems(), "3:1 misplaced-sub; ");
+  EXPECT_EQ(read("o1 call\no1 sub\no1 endsub\nm2\n", linuxcnc).problems(), "2:1 misplaced-sub; ");
+  EXPECT_EQ(read("o2 repeat [2]\no1 sub\no1 endsub\no2 endrepeat\nm2\n", linuxcnc).problems(), "2:1 misplaced-sub; ");
+  EXPECT_EQ(xs("o1 call\no1 sub\ng0 x1\no1 endsub\nm2\n"), "1 ");
+}
+
 TEST(Subprograms, CallThemselves) {
   EXPECT_EQ(xs("o1 sub\no2 if [#1 gt 0]\no1 call [#1-1]\no2 endif\ng0 x[#1+1]\no1 endsub\no1 call [3]\nm2\n"),
             "1 2 3 4 ");

@@ -28,6 +28,7 @@ gcode::Conditions conditions_of(Dialect dialect) {
   machine::Tool tool;
   tool.number = 1;
   conditions.tools = machine::ToolTable({tool});
+  conditions.machine.rotary_chain = machine::preset_chain("table-table-ac");
   conditions.options.dialect = dialect;
   return conditions;
 }

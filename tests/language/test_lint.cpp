@@ -32,6 +32,10 @@ TEST(Lint, FindsNothingInAPlainProgram) {
   EXPECT_EQ(found_in(ready + "G0 X10 Y10\nG1 Z-2 F20\nX50 F600\nG0 Z5\nX0\nM5\nM2\n"), "");
 }
 
+TEST(Lint, FindsNothingInProbing) {
+  EXPECT_EQ(found_in("G0 X0 Z5\nG38.2 Z-1 F20\nG38.2 X9\nM2\n"), "");
+}
+
 TEST(Lint, FindsRapidsBelowTheTop) {
   EXPECT_EQ(found_in(ready + "G0 Z-2\nX10\nZ5\nX0\nM2\n"), "4 lint-rapid; 5 lint-rapid; ");
   EXPECT_EQ(found_in(ready + "G0 Z1\nX10\nM2\n", 2.0), "4 lint-rapid; 5 lint-rapid; ");

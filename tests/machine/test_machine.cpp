@@ -25,6 +25,59 @@ TEST(BuiltInMill, IsSoundAndHasTheDocumentedLimits) {
   EXPECT_EQ(mill.period.nanoseconds, 1'000'000);
 }
 
+/// A mill with a table-table of A and C.
+Machine mill_of_five_axes() {
+  Machine machine = leadscrew::machine::mill3();
+  machine.axes[leadscrew::base::index(Axis::A)] = machine.axes[leadscrew::base::index(Axis::C)] = machine.axes[0];
+  machine.kinematics = "table-table-ac";
+  machine.rotary_chain = leadscrew::machine::preset_chain(machine.kinematics);
+  return machine;
+}
+
+TEST(Chain, OfAMachineIsSound) {
+  EXPECT_TRUE(leadscrew::machine::validate(mill_of_five_axes()).empty());
+  EXPECT_FALSE(leadscrew::machine::preset_chain("cartesian"));
+}
+
+struct SpoiledChain {
+  std::string_view code;
+  std::function<void(Machine&)> spoil;
+};
+
+class ChainValidation : public testing::TestWithParam<SpoiledChain> {};
+
+TEST_P(ChainValidation, NamesTheOneThingThatIsWrong) {
+  Machine machine = mill_of_five_axes();
+  GetParam().spoil(machine);
+  const auto problems = leadscrew::machine::validate(machine);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].code, GetParam().code);
+  EXPECT_FALSE(problems[0].hint.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Spoils, ChainValidation,
+    testing::Values(
+        SpoiledChain{"machine-kinematics", [](Machine& m) { m.axes[0].reset(); }},
+        SpoiledChain{"machine-kinematics", [](Machine& m) { m.rotary_chain.reset(); }},
+        SpoiledChain{"machine-kinematics", [](Machine& m) { m.kinematics = "cartesian"; }},
+        SpoiledChain{"rotary-axis", [](Machine& m) { m.rotary_chain->axes[1].axis = Axis::A; }},
+        SpoiledChain{"rotary-axis", [](Machine& m) { m.rotary_chain->axes[1].axis = Axis::X; }},
+        SpoiledChain{"rotary-direction", [](Machine& m) { m.rotary_chain->axes[0].direction = {1, 0, 2e-3}; }},
+        SpoiledChain{"rotary-point", [](Machine& m) { m.rotary_chain->axes[0].point[2] = INFINITY; }},
+        SpoiledChain{"rotary-order", [](Machine& m) { m.rotary_chain->axes[0].order = 0; }},
+        SpoiledChain{"rotary-order", [](Machine& m) { m.rotary_chain->axes[0].order = 2; }},
+        SpoiledChain{"rotary-sign", [](Machine& m) { m.rotary_chain->axes[1].sign = 2; }},
+        SpoiledChain{"rotary-parallel", [](Machine& m) { m.rotary_chain->axes[1].direction = {1, 1e-4, 0}; }},
+        SpoiledChain{"rotary-parallel",
+                     [](Machine& m) {
+                       m.rotary_chain->axes[0].direction = {0, 0, 1};
+                       m.rotary_chain->axes[1].direction = {0, 1, 0};
+                     }},
+        SpoiledChain{"tool-zero", [](Machine& m) { m.rotary_chain->tool_zero[0] = std::nan(""); }},
+        SpoiledChain{"orientation-tolerance", [](Machine& m) { m.rotary_chain->orientation_tolerance = 0; }},
+        SpoiledChain{"pole-cone", [](Machine& m) { m.rotary_chain->pole_cone = 11; }}));
+
 struct Spoiled {
   std::string_view code;
   std::function<void(Machine&)> spoil;

@@ -8,6 +8,7 @@ STRAIGHT = ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE")
 EVENTS = ("SELECT_TOOL", "CHANGE_TOOL", "SET_SPINDLE_SPEED", "START_SPINDLE_CLOCKWISE", "START_SPINDLE_COUNTERCLOCKWISE",
           "STOP_SPINDLE_TURNING", "ORIENT_SPINDLE", "MIST_ON", "MIST_OFF", "FLOOD_ON", "FLOOD_OFF", "PROGRAM_STOP",
           "OPTIONAL_PROGRAM_STOP", "PALLET_SHUTTLE", "SET_MOTION_OUTPUT_BIT", "CLEAR_MOTION_OUTPUT_BIT",
+          "START_SPEED_FEED_SYNC", "STOP_SPEED_FEED_SYNCH", "RIGID_TAP",
           "SET_AUX_OUTPUT_BIT", "CLEAR_AUX_OUTPUT_BIT", "SET_MOTION_OUTPUT_VALUE", "SET_AUX_OUTPUT_VALUE",
           "SPINDLE.0.WAIT_ORIENT_COMPLETE", "ENABLE_FEED_OVERRIDE", "DISABLE_FEED_OVERRIDE", "ENABLE_SPEED_OVERRIDE",
           "DISABLE_SPEED_OVERRIDE", "ENABLE_ADAPTIVE_FEED", "DISABLE_ADAPTIVE_FEED", "ENABLE_FEED_HOLD", "DISABLE_FEED_HOLD")
@@ -73,8 +74,10 @@ class Motion:
 
     def __init__(self, name, text, numbers, unit, frame, feed, start):
         self.name, self.text, self.numbers, self.unit, self.frame = name, text, numbers, unit, frame
-        self.feed, self.start = feed, start  # start: coordinates of the program, in its unit
+        # The feed, its unit and SET_FEED_MODE's number; start: coordinates of the program, in its unit.
+        self.feed, self.start = feed, start
         self.rotary = False
+        self.in_step = False  # with the spindle: its feed is not F
 
     def difference(self, other):
         """From what the other reader, leadscrew, makes of the same block."""
@@ -87,8 +90,10 @@ class Motion:
         found = self.numbers_differ(other, self.slack_of_center())
         if found:
             return found
-        if self.name != "STRAIGHT_TRAVERSE":
+        if self.name != "STRAIGHT_TRAVERSE" and not self.in_step:
             mine, its = ((m.feed[0] if m.rotary else m.feed[0] * m.feed[1] / m.unit) for m in (self, other))
+            if self.feed[2] != other.feed[2]:
+                return "another feed mode"
             if mine == LEAST_RATE > its:
                 its = mine
             if abs(mine - its) > max(3 * ROUNDING, 1e-5 * abs(mine)):
@@ -114,8 +119,10 @@ class Motion:
 
 def motions(text):
     """The calls that move, wait, or ask for what is no motion, but for straight ones that lead nowhere."""
-    found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0), PLANES["CANON_PLANE_XY"]
+    found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0, 0), PLANES["CANON_PLANE_XY"]
     threads = False
+    in_step = False
+    most_speed, surface_speed = [0.0, 0.0], None  # of G96
     position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
     for line in text.splitlines():
         call = CALL.match(line)
@@ -142,13 +149,25 @@ def motions(text):
         elif name == "USE_TOOL_LENGTH_OFFSET":
             frame.tool = Told(numbers, unit)
         elif name == "SET_FEED_RATE":
-            feed = (numbers[0], unit)
+            feed = (numbers[0], unit, feed[2])
         elif name == "START_SPEED_FEED_SYNC" and found and found[-1].name == "DISABLE_FEED_OVERRIDE":
             found.pop()  # threads are cut without; the calls around them are not the program's
             threads = True
         elif name == "ENABLE_FEED_OVERRIDE" and threads:
             threads = False
+        elif name == "SET_FEED_MODE":
+            feed = (0.0, unit, numbers[1])
+        elif name == "SET_SPINDLE_MODE":
+            most_speed = numbers
+        elif name == "SET_SPINDLE_SPEED" and most_speed[1] > 0:
+            # Said again it changes nothing; the limit is a part of it.
+            if surface_speed != numbers + most_speed:
+                found.append(Motion(name, line, numbers + most_speed, unit, frame, feed, None))
+            surface_speed = numbers + most_speed
+        elif name == "DWELL" and numbers[0] == 0:
+            continue  # no time
         elif name in WAITING:
+            in_step = name == "START_SPEED_FEED_SYNC" or (in_step and name != "STOP_SPEED_FEED_SYNCH")
             found.append(Motion(name, line, numbers, unit, frame, feed, None))
         elif name in STRAIGHT or name == "ARC_FEED":
             program = frame.to_program(position)
@@ -162,6 +181,7 @@ def motions(text):
             motion = Motion(name, line, numbers, unit, frame, feed, start)
             steps = [abs(a - b) for a, b in zip(target, position)]
             least = 3 * ROUNDING * (unit + told_in)
+            motion.in_step = in_step
             motion.rotary = max(steps[:3]) <= least and name != "ARC_FEED"
             if name not in STRAIGHT or max(steps[:3]) > least or max(steps[3:6]) > 4 * ROUNDING:
                 found.append(motion)

@@ -1,25 +1,30 @@
 """Programs made by a grammar, the same for the same seed: lines, arcs and helices, canned cycles, offsets, homes, modes,
-expressions, parameters and flow, most of them sound and some not.
+expressions, parameters and flow, most of them sound and some not; further.py has the rest.
 
 What is left out on purpose: a change of units while a tool offset is in force, which rs274 does not convert; R of G10
 while G92 shifts, where rs274 jumps; and under G98 a change of units or offsets within a series of canned cycles, after
 which rs274 retracts to the number, not the place, of the level at which the series began; the same under G91, where R
 counts from that level; pecks of less than 0.254 mm, between which rs274 goes above R; axis words of G28 and G30 in a
-turned system, of which rs274 makes axes of the program; M6 with a tool offset or a turned system, after which rs274
-believes to stand elsewhere; F0 under G93; and do behind a break, after which rs274 makes one pass only.
+turned system, of which rs274 makes axes of the program; M6 behind a tool offset, a curve or with a turned system, after
+which rs274 believes to stand elsewhere; F0 under G93; do behind a break, after which rs274 makes one pass only; a kept
+feed that no F has followed under another feed mode, which rs274 loses; and G43 H0 behind G10 L1, L10 or L11, since rs274
+takes T1 for loaded where no tool is.
 """
 import math
 import random
 
+from further import Further
 
-class Program:
+
+class Program(Further):
     def __init__(self, seed, flow=True):
         self.random = random.Random(seed)
         self.flow = flow
         self.lines, self.subs = [], []
-        self.inches = self.incremental = self.absolute_arcs = self.inverse = False
+        self.inches = self.incremental = self.absolute_arcs = self.inverse = self.diameters = False
         self.plane, self.rotated, self.tool = "XY", False, False
         self.systems_turned, self.shift_kept = set(), False
+        self.place_unsure = self.table_changed = False  # what rs274 takes for its place and its tools
         self.system, self.parameters, self.names = 1, {}, {}
         self.depth = self.labels = 0
         self.broken_off = False
@@ -56,6 +61,7 @@ class Program:
         return f"#{number}" if kind < 0.98 else f"[#{number}*1]"
 
     def word(self, letter, value):
+        value *= 2 if letter == "X" and self.diameters else 1
         letter = letter.lower() if self.chance(0.1) else letter
         return letter + (" " if self.chance(0.02) else "") + self.number(value)
 
@@ -64,7 +70,7 @@ class Program:
         words = [word for word in words if word]
         if self.chance(0.1):
             self.random.shuffle(words)
-        text = ("" if self.chance(0.1) else " ").join(words)
+        text = ("" if self.chance(0.1) else " (remark) " if self.chance(0.02) else " ").join(words)
         if self.chance(0.03):
             text = f"N{self.random.randint(1, 99999)} {text}"
         if self.chance(0.02):
@@ -117,7 +123,7 @@ class Program:
         elif kind == 7:
             self.block(self.random.choice(["M3 S1000", "M4", "M5", "M7", "M8", "M9", "S500", "G40", "M0", "M1", "G80"]))
         else:
-            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.tool or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
+            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.place_unsure or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
                                            "M62 P1", "M63 P0", "M64 P3", "M65 P2", "M67 E1 Q2.5", "M68 E0 Q[1/3]", "M60",
                                            "M19 R45.5", "M19 R90 P2 Q1.5", "M48", "M49", "M50 P0", "M50", "M51 P0", "M52", "M52 P0", "M53 P0",
                                            "M53", "M66 P1 L0", "M66 E2"]))
@@ -138,6 +144,55 @@ class Program:
             self.block(self.set_distance(False))
         axes = [axis for axis in "XYZ" if self.chance(0.6)] or ["Z"]
         self.block("G53", self.random.choice(["G0", f"G1 {self.feed()}"]), *(self.word(axis, self.value(-30, 30)) for axis in axes))
+
+    def thread(self):
+        """G33, G33.1 and G76, with the spindle turning; G0 behind them."""
+        self.block(self.random.choice(["M3", "M4"]), f"S{self.random.randint(20, 300)}")
+        kind = self.random.randrange(3)
+        if kind == 0:
+            for _ in range(self.random.randint(1, 2)):
+                axes = [axis for axis in "XYZ" if self.chance(0.5)] or ["Z"]
+                self.block("G33", *(self.word(axis, self.value(-30, 30)) for axis in axes), self.word("K", self.value(0.2, 3)))
+        elif kind == 1:
+            factor = f"I{self.random.uniform(0.5, 3):.2f}" if self.chance(0.4) else ""
+            self.block("G33.1", self.word("Z", self.value(-60, -31)), self.word("K", self.value(0.2, 3)), factor)
+        else:
+            self.threading_cycle()
+        self.block("G0", self.word("Z", self.value(31, 40)))
+        self.block("M5")
+
+    def threading_cycle(self):
+        halved = self.chance(0.3)
+        if halved:
+            self.block("G7")
+        self.block("G0", self.word("X", self.value(20, 30)), self.word("Z", self.value(5, 9)))
+        first = self.value(0.1, 0.4)
+        words = [self.word("P", self.value(0.3, 3)), self.word("Z", self.value(-30, -12)), self.word("J", first),
+                 self.word("I", self.random.choice([-1, 1]) * self.value(0.5, 3)), self.word("K", first + self.value(0.05, 1))]
+        words += [f"R{self.random.uniform(1, 2.5):.2f}"] if self.chance(0.6) else []
+        words += [f"Q{self.random.choice([29, 29.5, 30, -15])}"] if self.chance(0.5) else []
+        words += [f"H{self.random.randint(0, 2)}"] if self.chance(0.4) else []
+        words += [self.word("E", self.value(0.2, 4)), f"L{self.random.randint(0, 3)}"] if self.chance(0.5) else []
+        self.block("G76", *words)
+        if halved:
+            self.block("G8")
+
+    def probe(self):
+        """rs274 has no probe: it takes contact at the point programmed for granted, and then believes to stand before it."""
+        if self.inverse:
+            self.inverse = False
+            self.block(f"G94 F{self.random.randint(10, 900)}")
+        axes = [axis for axis in "XYZ" if self.chance(0.5)] or ["Z"]
+        self.block(self.random.choice(["G38.2", "G38.3", "G38.4", "G38.5"]), *(self.word(axis, self.value(-40, 40)) for axis in axes), self.feed())
+        found = self.random.choice(axes)
+        self.lines.append(f"#{31 + 'XYZ'.index(found)}=#{5061 + 'XYZ'.index(found)}")
+        before = self.incremental
+        self.block("G90 G53 G0", *(self.word(axis, self.value(-30, 30)) for axis in "XYZ"))
+        self.incremental = False
+        if before:
+            self.block(self.set_distance(True))
+        if self.chance(0.5):
+            self.lines.append(f"G0 {found}[#{31 + 'XYZ'.index(found)}/2]")
 
     def to_known_place(self, first, second):
         """Where an arc may begin in coordinates of the program: (first, second) of the plane."""
@@ -292,7 +347,7 @@ class Program:
             self.block(self.random.choice(["G92.1", "G92.2", "G92.3"]))
         elif kind == 5:
             self.block("G43.1", self.word("Z", self.value(-20, 20)))
-            self.tool = True
+            self.tool = self.place_unsure = True
         elif kind == 6:
             self.block("G49")
             self.tool = False
@@ -301,8 +356,8 @@ class Program:
         elif kind == 8:
             self.block(self.random.choice(["G28.1", "G30.1"]))
         else:
-            self.block(f"G43 H{self.random.randint(0, 3)}")
-            self.tool = True
+            self.block(f"G43 H{self.random.randint(1 if self.table_changed else 0, 3)}")
+            self.tool = self.place_unsure = True
 
     def keep_plane(self):
         if self.rotated and self.plane != "XY":
@@ -452,7 +507,9 @@ class Program:
 
     def statement(self):
         kind = self.random.random()
-        if kind < 0.25:
+        if self.chance(0.25):
+            self.further()
+        elif kind < 0.25:
             self.line()
         elif kind < 0.42:
             self.arc()
@@ -466,6 +523,10 @@ class Program:
             self.assignment()
         elif kind < 0.93:
             self.machine_line()
+        elif kind < 0.94:
+            self.thread()
+        elif kind < 0.95:
+            self.probe()
         elif self.flow:
             self.flow_statement()
         else:

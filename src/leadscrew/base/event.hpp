@@ -55,6 +55,10 @@ struct Event {
     /// M100 … M199, of Fanuc's and Haas' machines also lower ones; output: that number; value: P; q: Q; -1 where there is
     /// none.
     user_function,
+    /// G33, G76; value: mm of path in a revolution of the spindle, from its index on where motion rests for it (`waits`); 0:
+    /// motion is no longer in step. Degrees where only rotary axes move.
+    spindle_in_step,
+    rigid_tap,  ///< G33.1; likewise, in and, behind the spindle's reversal, out again
   };
   Kind kind = Kind::program_end;  ///< what
   double value = 0;               ///< as Kind says; else 0
@@ -117,6 +121,8 @@ constexpr bool has_value(Event::Kind kind) {
     case Kind::feed_hold:
     case Kind::digital_input:
     case Kind::user_function:
+    case Kind::spindle_in_step:
+    case Kind::rigid_tap:
       return true;
     default:
       return false;
@@ -150,7 +156,8 @@ inline constexpr std::array<char, user_functions * longest_code> user_codes = ma
 constexpr std::string_view code_of(const Event& event) {
   constexpr std::string_view codes[] = {"M5",  "M3",  "M4",  "S",   "M7",  "M8",  "M9",  "T",   "M6",  "M0",
                                         "M1",  "M60", "M2",  "F",   "M62", "M63", "M64", "M65", "M67", "M68",
-                                        "M19", "M48", "M49", "M50", "M51", "M52", "M53", "M66", "M66"};
+                                        "M19", "M48", "M49", "M50", "M51", "M52", "M53", "M66", "M66", "M100",
+                                        "G33", "G33.1"};
   if (event.kind != Event::Kind::user_function) return codes[static_cast<std::size_t>(event.kind)];
   const auto number = static_cast<std::size_t>(event.output);
   if (number >= detail::user_functions) return "M";

@@ -34,6 +34,7 @@ struct leadscrew_trajectory {
 };
 
 static_assert(LEADSCREW_AXES == base::axis_count);
+static_assert(LEADSCREW_LOSS == static_cast<int>(gcode::ProbeSearch::loss));
 
 namespace {
 
@@ -256,6 +257,17 @@ int leadscrew_motion_adapt(leadscrew_motion* motion, double factor, leadscrew_er
 
 int leadscrew_motion_input_is(leadscrew_motion* motion, double value, leadscrew_error* error) {
   return within(motion, error, [&](host::Motion& m) { return code_of(m.input_is(value), error); });
+}
+
+int leadscrew_motion_probing(const leadscrew_motion* motion) {
+  return motion == nullptr ? static_cast<int>(LEADSCREW_NO_PROBING) : static_cast<int>(motion->motion->probing());
+}
+
+int leadscrew_motion_probe_found(leadscrew_motion* motion, const double* position, leadscrew_error* error) {
+  return within(motion, error, [&](host::Motion& m) {
+    if (position == nullptr) return code_of(m.probe_found(), error);
+    return code_of(m.probe_found(axes_of(position)), error);
+  });
 }
 
 int leadscrew_motion_abort(leadscrew_motion* motion) {

@@ -126,9 +126,10 @@ typedef struct leadscrew_options {
   const char* tools_file; /**< in its place, the path of a file that holds it; NULL: none */
   leadscrew_progress_function on_progress;     /**< asked every few KiB read, every few ms of planning; may be NULL */
   leadscrew_subprogram_function on_subprogram; /**< asked once for each name; NULL: there are none beside the program */
-  int64_t fuel;       /**< lines that a program may read in loops and subprograms, more are an error; 0: 100 million */
+  int64_t fuel; /**< lines that a program may read in loops and subprograms, more are an error; 0: 100 million */
+  int32_t
+      has_probe; /**< not 0: leadscrew_motion_probe_found() ends probing moves; 0: as the machine's simulated probe does */
   int32_t has_inputs; /**< not 0: leadscrew_motion_input_is() says what inputs are (M66); 0: they are off */
-  int32_t reserved_input; /**< 0 */
 } leadscrew_options;
 
 /** Kinds of moves. */
@@ -162,6 +163,9 @@ enum {
   LEADSCREW_ENDED = 3,
   LEADSCREW_WANTS_INPUT = 4
 };
+
+/** What a probing move looks for: contact, or its loss. */
+enum { LEADSCREW_NO_PROBING = 0, LEADSCREW_CONTACT = 1, LEADSCREW_LOSS = 2 };
 
 /** Axes at one instant, mm or degrees and seconds. Where acceleration or jerk step, the value behind the step. */
 typedef struct leadscrew_state {
@@ -230,6 +234,15 @@ LEADSCREW_API int leadscrew_motion_adapt(leadscrew_motion* motion, double factor
 /** At LEADSCREW_WANTS_INPUT: what the input is that the last event, M66, asks for, 0 or 1 of a digital one; -1: the time
  * for it is over. Motion goes on as the program does. */
 LEADSCREW_API int leadscrew_motion_input_is(leadscrew_motion* motion, double value, leadscrew_error* error);
+/** What the probing move looks for (G38.2 to G38.5, G31) along which the last word lies, of a motion that has_probe:
+ * LEADSCREW_NO_PROBING … LEADSCREW_LOSS. */
+LEADSCREW_API int leadscrew_motion_probing(const leadscrew_motion* motion);
+/** The probe has found that, at this position, or at that of the last word (NULL): motion comes to rest as soon as limits
+ * and slice allow, and goes on from there as the program does. Words that have been given belong to it: ask for few at a
+ * time while probing. The first call counts; at the first word along the move, at rest, it says that this is so before the
+ * move begins, which is an error of G38.2 and G38.4. LEADSCREW_REJECTED where nothing is being probed. */
+LEADSCREW_API int leadscrew_motion_probe_found(leadscrew_motion* motion, const double* position,
+                                               leadscrew_error* error);
 /** Motion ends, at rest on its path, as soon as limits and slice allow; moves behind that are forgotten. */
 LEADSCREW_API int leadscrew_motion_abort(leadscrew_motion* motion);
 /** At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */

@@ -12,7 +12,9 @@ constexpr std::int64_t moves_between_looks = 4096;
 
 /// Prints as it reads, up to the first error; reads on, to find the others.
 Status print_calls(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log) {
-  gcode::Reader reader(file.source(), job.machine, job.tools, job.reader_options(file),
+  gcode::ReaderOptions options = job.reader_options(file);
+  options.probing = gcode::ProbingMoves::programmed;
+  gcode::Reader reader(file.source(), job.machine, job.tools, options,
                        [&](const base::Diagnostic& problem) { log.add(problem); });
   gcode::CanonWriter writer(job.machine.axis_set());
   std::string text;
@@ -22,7 +24,7 @@ Status print_calls(const files::InputFile& file, const Job& job, Console& consol
   for (std::int64_t count = 1; reader.next(move) && written == Status::done; ++count) {
     if (count % moves_between_looks == 0 && files::interrupted()) break;
     if (log.errors() > 0) continue;
-    writer.write(move, reader.frame(), reader.system(), text);
+    writer.write(move, reader.frame(), reader.system(), reader.modal(), text);
     if (text.size() < bytes_at_a_time) continue;
     written = write_output(console, text);
     text.clear();

@@ -47,6 +47,7 @@ class MachineReader {
     if (const auto root = parse()) {
       read_machine_keys(*root);
       read_laser(*root);
+      read_probe(*root);
       read_axes(*root);
       read_chain(*root);
       judge();
@@ -131,12 +132,18 @@ class MachineReader {
            fmt::format("one of \"{}\"", fmt::join(machine::dialect_names, "\", \"")));
   }
 
+  /// The table of that key, [name], its keys checked; null where there is none.
+  const toml::table* section(const toml::table& parent, std::string_view key, std::string_view name,
+                             std::span<const std::string_view> keys) {
+    const toml::node* node = parent.get(key);
+    const toml::table* table = node == nullptr ? nullptr : table_of(*node, name, fmt::format("[{}]", name), key);
+    if (table != nullptr) check_keys(*table, keys, false);
+    return table;
+  }
+
   void read_laser(const toml::table& root) {
-    const toml::node* node = root.get("laser");
-    if (node == nullptr) return;
-    const toml::table* table = table_of(*node, "laser", "[laser]", "laser");
+    const toml::table* table = section(root, "laser", "laser", laser_keys);
     if (table == nullptr) return;
-    check_keys(*table, laser_keys, false);
     machine::Laser& laser = machine_.laser.emplace();
     if (is_second(*table, "power", laser_powers, "machine-laser")) laser.power = machine::Laser::Power::spindle_speed;
     if (const auto output = value<std::int64_t>(*table, "output", field::laser_output)) laser.output = *output;
@@ -144,15 +151,24 @@ class MachineReader {
   }
 
   void read_chain(const toml::table& root) {
-    if (const toml::node* node = root.get(geometry_key)) {
-      const toml::table* table = table_of(*node, geometry_key, fmt::format("[{}]", geometry_key), "geometry");
-      if (table != nullptr) check_keys(*table, geometry_keys, false);
-    }
+    section(root, geometry_key, geometry_key, geometry_keys);
     const RotaryTold told{[this](auto code, Position at, std::string message, std::string hint) {
                             report(code, at, std::move(message), std::move(hint));
                           },
                           [this](const base::Subject& subject, Position at) { positions_[slot_of(subject)] = at; }};
     machine_.rotary_chain = read_rotary_chain(root, machine_.kinematics, told);
+  }
+
+  void read_probe(const toml::table& root) {
+    const toml::table* table = section(root, "probe", "probe", std::array{probe_planes_key});
+    if (table == nullptr) return;
+    machine::Probe& probe = machine_.probe.emplace();
+    const toml::table* planes = section(*table, probe_planes_key, "probe.plane_mm", linear_axis_names);
+    if (planes == nullptr) return;
+    for (const std::string_view name : linear_axis_names) {
+      const auto i = static_cast<std::size_t>(std::ranges::find(axis_names, name) - axis_names.begin());
+      probe.planes[i] = number(*planes, name, {.axis = base::all_axes[i], .field = field::probe_plane});
+    }
   }
 
   void read_axes(const toml::table& root) {
@@ -237,12 +253,8 @@ class MachineReader {
   }
 
   void read_drive(const toml::table& axis_table, base::Axis axis) {
-    const toml::node* node = axis_table.get(drive_key);
-    if (node == nullptr) return;
-    const std::string section = drive_section_of(axis);
-    const toml::table* table = table_of(*node, section, "[" + section + "]", "drive");
+    const toml::table* table = section(axis_table, drive_key, drive_section_of(axis), all_drive_keys(axis));
     if (table == nullptr) return;
-    check_keys(*table, all_drive_keys(axis), false);
     machine::AxisDrive& drive = machine_.drives[base::index(axis)];
     for (std::size_t k = 0; k < drive_keys.size(); ++k) {
       drive.*machine::drive_numbers[k].value =

@@ -46,15 +46,16 @@ inline constexpr std::array machine_numbers = {
 
 /// Outside tables.
 inline constexpr auto machine_keys = [] {
-  std::array<std::string_view, 11 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  std::array<std::string_view, 12 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
   for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
-  keys[keys.size() - 8] = orientation_tolerance_key;
-  keys[keys.size() - 7] = pole_cone_key;
-  keys[keys.size() - 6] = geometry_key;
-  keys[keys.size() - 5] = dialect_key;
-  keys[keys.size() - 4] = smoothing_key;
-  keys[keys.size() - 3] = spindle_waits_key;
-  keys[keys.size() - 2] = "laser";
+  keys[keys.size() - 9] = orientation_tolerance_key;
+  keys[keys.size() - 8] = pole_cone_key;
+  keys[keys.size() - 7] = geometry_key;
+  keys[keys.size() - 6] = dialect_key;
+  keys[keys.size() - 5] = smoothing_key;
+  keys[keys.size() - 4] = spindle_waits_key;
+  keys[keys.size() - 3] = "laser";
+  keys[keys.size() - 2] = "probe";
   keys.back() = "axis";
   return keys;
 }();
@@ -118,6 +119,10 @@ std::string_view axis_key_of(base::Axis axis, std::string_view field);
 /// Of [laser], and what its power may be.
 inline constexpr std::array<std::string_view, 3> laser_keys = {"power", "output", "follow_feed"};
 inline constexpr std::array<std::string_view, 2> laser_powers = {"M67", "S"};
+
+/// Of [probe], and the axes that its planes may be of.
+inline constexpr std::string_view probe_planes_key = "plane_mm";
+inline constexpr std::array<std::string_view, 6> linear_axis_names = {"X", "Y", "Z", "U", "V", "W"};
 
 /// Every key of [axis.X], of [axis.X.drive], and those without which there is no axis.
 std::vector<std::string_view> all_axis_keys(base::Axis axis);

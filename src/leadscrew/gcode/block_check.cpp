@@ -26,6 +26,8 @@ std::string example_of(Code code) {
       return "give P, seconds: G4 P0.5";
     case Code::G10:
       return "G10 L2 P1 X0 Y0 Z0";
+    case Code::G31:
+      return "G31 Z-10 F100";
     case Code::G52:
       return "G52 X0";
     case Code::G92:
@@ -180,7 +182,7 @@ void BlockCheck::check_presence(const Block& block) {
     const std::uint32_t column = block.column_of(row(code).group);
     check_needs(block, code, column);
     if (axes) return;
-    if (code == Code::G52 || code == Code::G92 || code == Code::G43_1) {
+    if (code == Code::G31 || code == Code::G52 || code == Code::G92 || code == Code::G43_1) {
       error("missing-word", column, name(code) + " lacks axis words", example_of(code));
     }
   });
@@ -190,11 +192,25 @@ void BlockCheck::check_presence(const Block& block) {
       error("bad-g53", column, "G53 stands without G0 or G1 in force", "G53 G0 X0");
     } else if (distance_after(block, modal_) == Distance::incremental) {
       error("bad-g53", column, "G53 cannot be incremental", "give G90");
+    } else if (frame_.tip_control()) {
+      error("tip-control", column, "G53 while tool centre point control is on", "G49 before it");
     }
   }
+  check_threading(block);
+  if (is_probing(modal_.to_do) && !axes)
+    error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "G38.2 Z-10 F100");
   if (is_canned_cycle(modal_.to_do) && !(block.words & (letter_bit('X') | letter_bit('Y') | letter_bit('Z')))) {
     error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "X, Y or Z");
   }
+}
+
+// What G33, G33.1 and G76 need, which no other motion does.
+void BlockCheck::check_threading(const Block& block) {
+  const Code motion = modal_.to_do;
+  if (motion != Code::G33 && motion != Code::G33_1 && motion != Code::G76) return;
+  check_needs(block, motion, motion_column(block));
+  if (block.words & axis_letter_bits) return;
+  error("missing-word", motion_column(block), name(motion) + " lacks axis words", example_of(motion) + " Z-10");
 }
 
 /// "P belongs to G2, G3 and G4"

@@ -22,6 +22,7 @@ class BlockCheck : Part {
   void check_words(const Block& block);
   void check_axes(const Block& block);
   void check_presence(const Block& block);
+  void check_threading(const Block& block);
   void check_needs(const Block& block, Code code, std::uint32_t column);
   std::string users_of(char letter) const;
 

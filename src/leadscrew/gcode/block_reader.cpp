@@ -28,6 +28,14 @@ constexpr std::array<std::uint8_t, 256> classes = make_classes();
 // Bounds every sum of offsets, so that coordinates are finite.
 constexpr double largest_value = 1e9;
 
+// Variables of the system that macros set (Fanuc custom macro B, "System Variables").
+constexpr int alarm = 3000, clock_of_milliseconds = 3001, clock_of_hours = 3002, single_block = 3003, holds = 3004,
+              message_stop = 3006;
+
+constexpr bool is_clock(int number) {
+  return number == clock_of_milliseconds || number == clock_of_hours;
+}
+
 constexpr unsigned index_of(char letter) {
   return static_cast<unsigned>(letter - 'A');
 }
@@ -84,7 +92,7 @@ bool BlockReader::read(const TextLine& line, Block& block) {
     }
   }
   block.complete = in_step;
-  if (!assignments_.empty()) assign();
+  if (!assignments_.empty()) assign(block);
   if (remark_.data() != nullptr) {
     if (in_step) remarks_.execute(remark_);
     remark_ = {};
@@ -159,7 +167,9 @@ bool BlockReader::refuse_repeated(unsigned letter, std::uint32_t column) {
 // Problems with a code do not lose the place in the line: reading goes on behind them.
 bool BlockReader::g_word(double value, std::uint32_t column, Block& block) {
   const std::optional<int> tenths = tenths_of(value);
-  return code_word('G', tenths ? g_code(dialect_, *tenths) : Code::none, value, column, block);
+  const Code code = tenths ? g_code(dialect_, *tenths) : Code::none;
+  if (code == Code::G110) block.further_system = static_cast<std::int16_t>(*tenths / 10 - 109);
+  return code_word('G', code, value, column, block);
 }
 
 bool BlockReader::m_word(double value, std::uint32_t column, Block& block) {
@@ -245,27 +255,49 @@ bool BlockReader::can_assign(const Assignment& assignment, const char* rest) {
                          "at most 1e9 in magnitude");
 }
 
-// #3000 stops the program with an alarm (Fanuc).
+// #3000 stops the program with an alarm, #3006 pauses it with a message (Fanuc).
 bool BlockReader::can_assign_macro(const Assignment& assignment, const char* rest) {
   const int number = assignment.name.number;
-  constexpr int alarm = 3000;
+  skip_blanks(rest);
+  const std::string remark = *rest == '(' ? printable({rest + 1, std::strcspn(rest + 1, ")\n")}) : std::string();
   if (number == alarm) {
     std::string message = "the program stops here with alarm " + text(assignment.value);
-    skip_blanks(rest);
-    if (*rest == '(') message += ": " + printable({rest + 1, std::strcspn(rest + 1, ")\n")});
+    if (!remark.empty()) message += ": " + remark;
     reporter_.error("program-alarm", assignment.column, std::move(message), "find out why it sets #3000");
     reporter_.stop();
     return false;
   }
+  if (number == message_stop) {
+    message_ = remark.empty() ? text(assignment.value) : remark;
+    return true;
+  }
+  if (is_clock(number)) return true;
+  if (number == single_block || number == holds) {
+    reporter_.warning("parameter-without-effect", assignment.column,
+                      "#" + std::to_string(number) + " keeps nobody from holding the program here",
+                      "single blocks, feed hold and overrides stay as they are");
+    return true;
+  }
   if (!Predefined::is_macro_offset(number)) {
-    return reporter_.error("unsupported-parameter", assignment.column,
-                           "#" + std::to_string(number) + " is a system variable that cannot be set",
-                           "#1 to #999 are variables; of the system's can be set #3000 and #5221 to #5390");
+    return reporter_.error(
+        "unsupported-parameter", assignment.column,
+        "#" + std::to_string(number) + " is a system variable that cannot be set",
+        "#1 to #999 are variables; of the system's can be set #3000 to #3004, #3006 and #5221 to #5390");
   }
   return std::fabs(assignment.value) <= largest_value ||
          reporter_.error("bad-value", assignment.column,
                          "an offset of " + text(assignment.value) + " is out of all bounds",
                          "at most 1e9 in magnitude");
+}
+
+// The number of the system's variable is one that can_assign_macro() lets pass.
+void BlockReader::set_of_system(const Assignment& assignment, Block& block) {
+  if (assignment.name.number != message_stop) return;
+  remarks_.show(message_, assignment.column);
+  if (block.has(Group::stop)) return;
+  block.groups |= bit(Group::stop);
+  block.codes[index(Group::stop)] = Code::M0;
+  block.code_columns[index(Group::stop)] = block.first_column;
 }
 
 void BlockReader::set_number(int number, double value) {
@@ -285,9 +317,13 @@ bool BlockReader::refuse_assignment(const Assignment& assignment) {
 }
 
 // Settings take effect when the whole line has been read, each in its turn (3.3.2.1).
-void BlockReader::assign() {
+void BlockReader::assign(Block& block) {
   for (const Assignment& assignment : assignments_) {
-    if (assignment.name.name.empty()) {
+    const int number = assignment.name.number;
+    const bool is_of_system = assignment.name.name.empty() && alarm <= number && number <= message_stop;
+    if (is_of_system && has_macros(dialect_)) {
+      set_of_system(assignment, block);
+    } else if (assignment.name.name.empty()) {
       set_number(assignment.name.number, assignment.value);
     } else if (!parameters_.set(assignment.name.name, assignment.value)) {
       reporter_.error("too-many-parameters", assignment.column,

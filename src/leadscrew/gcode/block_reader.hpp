@@ -55,13 +55,15 @@ class BlockReader {
   bool comment(const char*& p);
   [[gnu::cold]] bool nested_comment(const char* open, const char*& p);
   void note_remark(const char* begin, const char* end);
-  void assign();
+  void assign(Block& block);
+  [[gnu::cold]] void set_of_system(const Assignment& assignment, Block& block);
 
   Parameters& parameters_;
   Reporter& reporter_;
   ExpressionReader values_;
   Remarks remarks_;
   std::vector<Assignment> assignments_;
+  std::string message_;      // of #3006
   std::string_view remark_;  // of the line, that asks for something; null for none
   Dialect dialect_;
   bool block_delete_;

@@ -114,8 +114,7 @@ std::string_view override_call(base::Event::Kind kind) {
   }
 }
 
-void add_fixed(double value, std::string& text) {
-  constexpr int decimals = 4;
+void add_fixed(double value, std::string& text, int decimals = 4) {
   char digits[400];
   char* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
   std::string_view shown(digits, static_cast<std::size_t>(end - digits));
@@ -224,11 +223,16 @@ void CanonWriter::write_path(const Move& move, std::string& text) {
   text += ")\n";
 }
 
-// In G93 the rate that the block's length and duration make.
-void CanonWriter::write_feed(const Move& move, std::string& text) {
+// In G93 the rate that the block's length and duration make, in G95 that of a revolution.
+void CanonWriter::write_feed(const Move& move, const ModalState& modal, std::string& text) {
+  const bool per_revolution = modal.feed_mode == FeedMode::per_revolution;
+  if (per_revolution != printed_.per_revolution) write_feed_mode(per_revolution, text);
   const double along = move.feed.mode == Feed::Mode::per_second ? path_length(move) : 1;
+  const double value = !per_revolution        ? move.feed.value
+                       : is_rotary_only(move) ? modal.angular_feed
+                                              : modal.linear_feed;
   const double unit = is_rotary_only(move) ? 1 : printed_.unit;
-  const double feed = move.feed.value * along * seconds_in_minute / unit;
+  const double feed = value * along * seconds_in_minute / unit;
   // Only what is seen in four decimals is another feed.
   if (std::fabs(feed - printed_.feed) < 1e-9 * std::fabs(feed)) return;
   printed_.feed = feed;
@@ -324,7 +328,54 @@ void CanonWriter::write_function(const base::Event& event, std::string& text) {
   }
 }
 
-void CanonWriter::write(const Move& move, const Frame& frame, int system, std::string& text) {
+bool CanonWriter::write_in_step(const Move& move, const Frame& frame, int system, std::string& text) {
+  const base::Event::Kind kind = move.event.kind;
+  const bool is_event = move.kind == Move::Kind::event;
+  if (is_event && (kind == base::Event::Kind::spindle_in_step || kind == base::Event::Kind::rigid_tap)) {
+    printed_.in_step = move.event.value > 0;
+    printed_.tap = kind == base::Event::Kind::rigid_tap ? Tap::in : Tap::no;
+    if (!printed_.in_step) {
+      call("STOP_SPEED_FEED_SYNCH()\n", text);
+      return true;
+    }
+    write_frame(frame, system, text);
+    write_path(move, text);
+    call("START_SPEED_FEED_SYNC(", text);
+    constexpr int decimals = 6;
+    add_fixed(move.event.value / printed_.unit, text, decimals);
+    text += ",0)\n";
+    return true;
+  }
+  if (printed_.tap == Tap::in && !is_event) {
+    printed_.tap = Tap::back;
+    call("RIGID_TAP(", text);
+    axes(frame.to_program(move.end), 0, 3, text);
+    text += ")\n";
+    return true;
+  }
+  if (printed_.tap != Tap::no) return true;
+  if (is_event) return false;
+  write_straight(move, frame, text);
+  return true;
+}
+
+void CanonWriter::write_straight(const Move& move, const Frame& frame, std::string& text) {
+  if (move.is_probing()) call("TURN_PROBE_ON()\n", text);
+  call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE("
+       : move.is_probing()                 ? "STRAIGHT_PROBE("
+                                           : "STRAIGHT_FEED(",
+       text);
+  coordinates(frame.to_program(move.end), text);
+  if (move.is_probing()) call("TURN_PROBE_OFF()\n", text);
+}
+
+void CanonWriter::write(const Move& move, const Frame& frame, int system, const ModalState& modal, std::string& text) {
+  if ((printed_.in_step || move.kind == Move::Kind::event) && write_in_step(move, frame, system, text)) return;
+  if (modal.constant_surface_speed || printed_.surface_speed) {
+    write_spindle_mode(modal, text);
+    const bool is_speed = move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::spindle_speed;
+    if (is_speed && modal.constant_surface_speed) return;
+  }
   if (move.kind == Move::Kind::event) return write_event(move.event, text);
   if (move.kind == Move::Kind::dwell) {
     call("DWELL(", text);
@@ -334,7 +385,7 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, std::s
   }
   write_frame(frame, system, text);
   write_path(move, text);
-  if (move.feed.mode != Feed::Mode::rapid) write_feed(move, text);
+  if (move.feed.mode != Feed::Mode::rapid) write_feed(move, modal, text);
   switch (move.kind) {
     case Move::Kind::arc:
       return write_arc(move, frame, text);
@@ -342,8 +393,7 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, std::s
       // Its points are not printed there either.
       return call("NURBS_FEED(" + std::to_string(move.curve.points.size()) + ", ...)\n", text);
     default:
-      call(move.feed.mode == Feed::Mode::rapid ? "STRAIGHT_TRAVERSE(" : "STRAIGHT_FEED(", text);
-      return coordinates(frame.to_program(move.end), text);
+      return write_straight(move, frame, text);
   }
 }
 

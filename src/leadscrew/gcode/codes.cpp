@@ -60,15 +60,15 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_2, 52, Group::motion, linuxcnc, "NURBS with uniform knots: begins, or a control point", manual, "PL"),
   g(Code::G5_3, 53, Group::motion, linuxcnc, "NURBS with uniform knots: ends", manual),
   g(Code::G6_2, 62, Group::motion, {L, F}, "NURBS with knots", fanuc_manual, "PKR", "", "KR"),
-  unread(g(Code::G33, 330, Group::motion, no_small, "line in step with the spindle", manual, "K", "K")),
-  unread(g(Code::G33_1, 331, Group::motion, linuxcnc, "rigid tapping in step with the spindle", manual, "KI", "K")),
-  unread(g(Code::G38_2, 382, Group::motion, {L, C, B}, "probe towards the workpiece, contact expected", manual)),
-  unread(g(Code::G38_3, 383, Group::motion, {L, C, B}, "probe towards the workpiece", manual)),
-  unread(g(Code::G38_4, 384, Group::motion, {L, C, B}, "probe away from the workpiece, loss of contact expected", manual)),
-  unread(g(Code::G38_5, 385, Group::motion, {L, C, B}, "probe away from the workpiece", manual)),
+  g(Code::G33, 330, Group::motion, no_small, "line in step with the spindle, which is taken to turn at S", manual, "K"),
+  g(Code::G33_1, 331, Group::motion, linuxcnc, "rigid tapping in step with the spindle", manual, "KI", "K"),
+  g(Code::G38_2, 382, Group::motion, {L, C, B, R}, "probes to contact, which must come", manual),
+  g(Code::G38_3, 383, Group::motion, {L, C, B, R}, "probes to contact", manual),
+  g(Code::G38_4, 384, Group::motion, {L, C, B, R}, "probes to loss of contact, which must come", manual),
+  g(Code::G38_5, 385, Group::motion, {L, C, B, R}, "probes to loss of contact", manual),
   also(g(Code::G73, 730, Group::motion, no_small, "drilling cycle that breaks chips", manual, "RLQ"), "PIJK"),
   also(g(Code::G74, 740, Group::motion, no_small, "left-hand tapping cycle", manual, "RLP"), "QJ"),
-  unread(g(Code::G76, 760, Group::motion, linuxcnc, "threading cycle", manual, "PIJKRQHLE", "PIJK")),
+  g(Code::G76, 760, Group::motion, linuxcnc, "threading cycle", manual, "PIJKRQHLE", "PIJK"),
   g(Code::G76_bore, 760, Group::motion, {F, H, M}, "fine boring cycle: the tool leaves the wall before it retracts", fanuc_manual, "RLPQIJ"),
   g(Code::G80, 800, Group::motion, all, "no motion is in force", "NIST IR 6556, 3.5.15"),
   g(Code::G81, 810, Group::motion, no_small, "drilling cycle", nist_cycles, "RL"),
@@ -88,20 +88,20 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G28_1, 281, Group::nonmodal, {L, C, B, M}, "home of G28 is where the tool stands", manual),
   with_axes(g(Code::G30, 300, Group::nonmodal, no_marlin, "goes to the second home, by the point given", "NIST IR 6556, 3.5.8", "")),
   g(Code::G30_1, 301, Group::nonmodal, {L, C, B}, "home of G30 is where the tool stands", manual),
-  unread(with_axes(g(Code::G31, 310, Group::nonmodal, {L, F, H, M}, "skip: a line that a signal ends", fanuc_manual))),
+  with_axes(g(Code::G31, 310, Group::nonmodal, {L, F, H, M}, "skip: a line that contact of the probe ends", fanuc_manual, "P")),
   with_axes(g(Code::G52, 520, Group::nonmodal, no_small, "local coordinate system", manual)),
   g(Code::G53, 530, Group::nonmodal, no_marlin, "axis words are machine coordinates", "NIST IR 6556, 3.5.12"),
   unread(g(Code::G60, 600, Group::nonmodal, fanuc, "approach from one side", fanuc_manual)),
-  unread(with_axes(g(Code::G70, 700, Group::nonmodal, linuxcnc, "lathe finishing cycle", manual, "QEDP"))),
+  with_axes(g(Code::G70, 700, Group::nonmodal, linuxcnc, "lathe finishing cycle", manual, "QEDP", "Q")),
   g(Code::G70_bolts, 700, Group::nonmodal, {H}, "the cycle in force on a circle", haas_manual, "IJL", "IL"),
-  unread(with_axes(g(Code::G71, 710, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z", manual, "QDIRP"))),
+  with_axes(g(Code::G71, 710, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z", manual, "QDIR", "Q")),
   g(Code::G71_bolts, 710, Group::nonmodal, {H}, "the cycle in force on an arc", haas_manual, "IJKL", "IKL"),
-  unread(with_axes(g(Code::G71_1, 711, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 1", manual, "QDIRP"))),
-  unread(with_axes(g(Code::G71_2, 712, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 2", manual, "QDIRP"))),
-  unread(with_axes(g(Code::G72, 720, Group::nonmodal, linuxcnc, "lathe roughing cycle along X", manual, "QDIRP"))),
+  with_axes(g(Code::G71_1, 711, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 1", manual, "QDIR", "Q")),
+  with_axes(g(Code::G71_2, 712, Group::nonmodal, linuxcnc, "lathe roughing cycle along Z with pockets, method 2", manual, "QDIR", "Q")),
+  with_axes(g(Code::G72, 720, Group::nonmodal, linuxcnc, "lathe roughing cycle along X", manual, "QDIR", "Q")),
   g(Code::G72_bolts, 720, Group::nonmodal, {H}, "the cycle in force along a line", haas_manual, "IJL", "IL"),
-  unread(with_axes(g(Code::G72_1, 721, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 1", manual, "QDIRP"))),
-  unread(with_axes(g(Code::G72_2, 722, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 2", manual, "QDIRP"))),
+  with_axes(g(Code::G72_1, 721, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 1", manual, "QDIR", "Q")),
+  with_axes(g(Code::G72_2, 722, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 2", manual, "QDIR", "Q")),
   with_axes(g(Code::G92, 920, Group::nonmodal, all, "shifts coordinates so that the tool stands at those given", "NIST IR 6556, 3.5.18")),
   g(Code::G92_1, 921, Group::nonmodal, {L, C, B, M}, "no shift, and forgets it", "NIST IR 6556, 3.5.18"),
   g(Code::G92_2, 922, Group::nonmodal, {L, C, M}, "no shift, until G92.3 brings it back", "NIST IR 6556, 3.5.18"),
@@ -110,7 +110,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_1_high_speed, 51, Group::nonmodal, {F, H}, "contour control, which is always on here", fanuc_manual, "QR"),
   g(Code::G8_high_speed, 80, Group::nonmodal, {F, H}, "look-ahead, which is always on here", fanuc_manual, "P"),
   g(Code::G103, 1030, Group::nonmodal, {L, H}, "limits look-ahead, which bounds itself here", haas_manual, "P"),
-  g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness, which G64 P says here", haas_manual, "PE"),
+  g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness: E is what P of G64 is", haas_manual, "PE"),
 
   g(Code::G17, 170, Group::plane, all, "plane XY", "NIST IR 6556, 3.5.6"),
   unread(g(Code::G17_1, 171, Group::plane, linuxcnc, "plane UV", manual)),
@@ -135,6 +135,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G43, 430, Group::tool_length, no_small, "tool length offset of the tool table", "NIST IR 6556, 3.5.11", "H"),
   with_axes(g(Code::G43_1, 431, Group::tool_length, {L, C, B}, "tool length offset as given", manual)),
   g(Code::G43_2, 432, Group::tool_length, linuxcnc, "adds the tool length offset of a tool", manual, "H", "H"),
+  g(Code::G43_4, 434, Group::tool_length, {L, F}, "tool centre point control: the tool's tip is where the program says, however rotary axes turn", fanuc_manual, "H"),
   g(Code::G44, 440, Group::tool_length, fanuc, "tool length offset of the tool table, negative", fanuc_manual, "H"),
   g(Code::G49, 490, Group::tool_length, no_marlin, "no tool length offset", "NIST IR 6556, 3.5.11"),
   g(Code::G98, 980, Group::retract, no_small, "cycles retract to where the tool was; so begin programs of fanuc, haas and mach3", "NIST IR 6556, 3.5.20"),
@@ -156,7 +157,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G154, 1540, Group::system, {L, H}, "further coordinate system, of its number P", haas_manual, "P", "P"),
   g(Code::G61, 610, Group::path, no_marlin, "exact path; in Fanuc's and Haas' dialect exact stop", "NIST IR 6556, 3.5.14"),
   g(Code::G61_1, 611, Group::path, linuxcnc, "exact stop", "NIST IR 6556, 3.5.14"),
-  g(Code::G64, 640, Group::path, no_small, "rounds corners within a tolerance", "NIST IR 6556, 3.5.14", "PQ"),
+  also(g(Code::G64, 640, Group::path, no_small, "rounds corners within a tolerance", "NIST IR 6556, 3.5.14", "PQ"), "E"),
   g(Code::G96, 960, Group::spindle_mode, no_small, "constant surface speed: the spindle's speed follows X", manual, "D", "S"),
   g(Code::G97, 970, Group::spindle_mode, no_small, "S is revolutions per minute", manual),
   g(Code::G7, 70, Group::lathe, linuxcnc, "X is a diameter", manual),
@@ -165,6 +166,12 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned", fanuc_manual),
   g(Code::G15, 150, Group::polar, {L, F, H, M}, "axis words are not polar", fanuc_manual),
   g(Code::G16, 160, Group::polar, {L, F, H, M}, "axis words are a radius and an angle", fanuc_manual),
+  g(Code::G62, 620, Group::path, {F}, "slows down at inner corners, which the axes' limits do here: as G64", fanuc_manual),
+  g(Code::G63, 630, Group::path, {F}, "tapping mode: as G64", fanuc_manual),
+  with_axes(g(Code::G100, 1000, Group::mirror, {H}, "no mirror, of the axes given or of all", haas_manual)),
+  with_axes(g(Code::G101, 1010, Group::mirror, {H}, "mirrors the axes given at 0 of the program, whatever their numbers", haas_manual)),
+  g(Code::G110, 1100, Group::system, {H}, "coordinate systems 1 to 20 of G154, as G110 to G129", haas_manual),
+  g(Code::G67, 670, Group::modal_call, {L, F}, "ends G66", fanuc_manual),
 
   m(Code::M0, 0, Group::stop, all, "pause", "NIST IR 6556, 3.6.1"),
   m(Code::M1, 1, Group::stop, all, "pause, where the operator wants one", "NIST IR 6556, 3.6.1"),
@@ -185,6 +192,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   m(Code::M5, 5, Group::spindle, all, "spindle stops", "NIST IR 6556, 3.6.2"),
   m(Code::M19, 19, Group::spindle, no_small, "orients the spindle", manual_m, "RQP"),
   m(Code::M29, 29, Group::user, fanuc, "rigid tapping, which is always on here", fanuc_manual),
+  m(Code::M56, 56, Group::user, {B}, "parking on or off, which a machine here does not do", "grbl 1.1 commands", "P"),
   m(Code::M7, 7, Group::coolant, all, "mist coolant on", "NIST IR 6556, 3.6.4"),
   m(Code::M8, 8, Group::coolant, all, "flood coolant on", "NIST IR 6556, 3.6.4"),
   m(Code::M9, 9, Group::coolant, all, "coolant off", "NIST IR 6556, 3.6.4"),
@@ -202,6 +210,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   m(Code::M98, 98, Group::call, no_small, "calls a subprogram", manual_m, "PL", "P"),
   m(Code::M99, 99, Group::call, no_small, "returns from a subprogram; in a main program, begins again", manual_m, "P"),
   g(Code::G65, 650, Group::call, {L, F, H}, "calls a macro with arguments", fanuc_manual, "PL", "P"),
+  g(Code::G66, 660, Group::call, {L, F}, "calls a macro with arguments behind each block that moves, until G67", fanuc_manual, "PL", "P"),
   m(Code::M100, 100, Group::user, linuxcnc, "function of the machine's builder, of M100 to M199", manual_m, "PQ"),
 }};
 // clang-format on
@@ -233,6 +242,9 @@ constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_nu
       codes[dialect][static_cast<std::size_t>(row.tenths / unit)] = row.code;
       if (row.code != Code::M100) continue;
       for (std::size_t number = 100; number < count; ++number) codes[dialect][number] = row.code;
+    }
+    for (std::size_t tenths = 1110; letter == 'G' && tenths <= 1290; tenths += 10) {
+      codes[dialect][tenths] = codes[dialect][1100];
     }
   }
   // Each of these machines has functions of its builder's.
@@ -279,8 +291,8 @@ std::string name(Group group) {
       "modal group 0",  "modal group 1",  "modal group 2",  "modal group 3",  "modal group 4",  "modal group 5",
       "modal group 6",  "modal group 7",  "modal group 8",  "modal group 10", "modal group 11", "modal group 12",
       "modal group 13", "modal group 14", "modal group 15", "modal group 16", "modal group 17", "modal group 22",
-      "M group 4",      "M group 5",      "M group 6",      "M group 7",      "M group 8",      "M group 9",
-      "M group 10",     "M group 11",     "M group 12"};
+      "modal group 23", "M group 4",      "M group 5",      "M group 6",      "M group 7",      "M group 8",
+      "M group 9",      "M group 10",     "M group 11",     "M group 12"};
   return group < Group::count ? names[index(group)] : "no modal group";
 }
 

@@ -71,7 +71,7 @@ bool CurveReader::first_offset(const Block& block, PlanePoint& offset) {
       return error("missing-word", motion_column(block), "G5.1 has no control point away from its start",
                    "give I and J, from the start");
     }
-  } else if (!any && tangent_) {
+  } else if (!any && tangent_ && tangent_at_ == frame_.position) {
     offset = *tangent_;
     return true;
   } else if (!both) {
@@ -79,6 +79,18 @@ bool CurveReader::first_offset(const Block& block, PlanePoint& offset) {
                  any ? "give both, or neither behind another G5" : "give both, from the start");
   }
   return spline_offset(block, 'I', 'J', offset);
+}
+
+// LinuxCNC's curves have no other axes (manual, G Codes, "G5" and "G5.1").
+bool CurveReader::is_of_dialect(const Block& block) {
+  constexpr std::uint32_t others = axis_letter_bits & ~(letter_bit('X') | letter_bit('Y'));
+  if (options_.dialect != Dialect::linuxcnc) return true;
+  if (block.words & others) {
+    return error("unused-word", motion_column(block), name(modal_.to_do) + " stands beside another axis than X and Y",
+                 "dialect leadscrew takes it");
+  }
+  if (modal_.to_do == Code::G5 || block.has('I') == block.has('J')) return true;
+  return error("missing-word", motion_column(block), "G5.1 has I or J only", "give both, from the start");
 }
 
 void CurveReader::spline(const Block& block) {
@@ -90,6 +102,7 @@ void CurveReader::spline(const Block& block) {
     error("bad-plane", motion_column(block), name(modal_.to_do) + " stands in G18 or G19",
           "curves of G5 and G5.1 need G17");
   }
+  known = known && is_of_dialect(block);
   known &= first_offset(block, from_start);
   if (cubic) {
     if (!block.has('P') || !block.has('Q')) {
@@ -99,6 +112,7 @@ void CurveReader::spline(const Block& block) {
     }
     // The next curve goes on as this one ends, also where what follows is only read.
     tangent_ = PlanePoint{-from_end.first, -from_end.second};
+    tangent_at_ = target;
   }
   make_bezier(curve_, cubic ? 3 : 2, frame_.position, target);
   base::AxisVector& second = curve_.points[1].position;

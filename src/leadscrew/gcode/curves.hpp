@@ -45,6 +45,7 @@ class CurveReader : Part {
  private:
   bool spline_offset(const Block& block, char first, char second, PlanePoint& offset);
   bool first_offset(const Block& block, PlanePoint& offset);
+  bool is_of_dialect(const Block& block);
   void begin_curve(const Block& block);
   void add_to_nurbs(const Block& block);
   void begin_nurbs_with_knots(const Block& block);
@@ -79,6 +80,7 @@ class CurveReader : Part {
   NurbsCurve curve_;
   // Of G5, for the next one: from its end, as seen from there, mm along X and Y of the machine.
   std::optional<PlanePoint> tangent_;
+  base::AxisVector tangent_at_{};  // where that curve ends
 };
 
 }  // namespace leadscrew::gcode

@@ -31,6 +31,14 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G28_1:
     case Code::G30_1:
       return offsets_.set_home(block);
+    case Code::G31:
+      curves_.forget_tangent();
+      return probing_.skip(block);
+    case Code::G38_2:
+    case Code::G38_3:
+    case Code::G38_4:
+    case Code::G38_5:
+      return probing_.probe(block);
     case Code::G52:
       return offsets_.set_local(block);
     case Code::G92:
@@ -38,6 +46,20 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G92_2:
     case Code::G92_3:
       return offsets_.set_shift(block);
+    case Code::G33:
+      return threading_.thread(block);
+    case Code::G33_1:
+      return threading_.tap(block);
+    case Code::G76:
+      return threading_.cycle(block);
+    case Code::G70:
+    case Code::G71:
+    case Code::G71_1:
+    case Code::G71_2:
+    case Code::G72:
+    case Code::G72_1:
+    case Code::G72_2:
+      return lathe_cycles_.begin(block);
     case Code::G70_bolts:
     case Code::G71_bolts:
     case Code::G72_bolts:

@@ -30,6 +30,7 @@ class Flow {
  public:
   static constexpr std::size_t most_calls = 64;
   static constexpr std::size_t most_calls_of_linuxcnc = 9;
+  static constexpr std::size_t most_modal_calls = 4;      ///< G66, one within another (Fanuc)
   static constexpr std::size_t most_open = 100;           ///< loops and conditions
   static constexpr std::size_t most_remembered = 65'536;  ///< places, of each kind
 
@@ -50,6 +51,12 @@ class Flow {
   [[gnu::noinline]] Next take(TextLine& line);
   /// Executes the M97, M98 or M99 of a block; `line` is the block's.
   [[gnu::noinline]] Next execute(const Block& block, const TextLine& line);
+  /// Calls the subroutine `number` that a lathe cycle has for its contour; `at`: the column of the number.
+  [[gnu::cold]] Next call_contour(double number, std::uint32_t at, const TextLine& line);
+  /// Behind a block that has moved, where ModalState::calls_macro: the macro of G66; `line` is the block's.
+  [[gnu::noinline]] Next call_modal(const TextLine& line);
+  /// G67, in that column.
+  [[gnu::noinline]] Next end_modal_call(std::uint32_t column);
   /// The text has ended: what is still open is reported. `stop` where there is any.
   [[gnu::noinline]] Next end_of_text();
 
@@ -64,6 +71,7 @@ class Flow {
   struct Sub {
     TextPlace body;
     bool is_program = false;  // begins with a program number, ends with M99
+    bool is_met = false;      // passed over, or called before
   };
   struct Call {
     CallKind kind = CallKind::o_word;
@@ -74,6 +82,7 @@ class Flow {
     std::int64_t left = 1;  // how many times it is still to be executed, this one included
     std::size_t open = 0;   // loops and conditions outside it
     std::vector<double> arguments;
+    bool is_modal = false;  // by G66
   };
   struct Open {
     Keyword keyword = Keyword::if_;  // if_, while_, do_, repeat, macro_do
@@ -133,6 +142,7 @@ class Flow {
   const Sub* known_sub(StatementName name) const;
   bool index_subs(int file, TextLine& line);
   bool add_sub(StatementName name, const Sub& sub, const Statement& at);
+  bool meet_sub(const Statement& statement);
   const Sub* open_sub(StatementName name, bool is_program, TextLine& line);
   std::optional<std::int64_t> repeats(const Block& block);
 
@@ -142,11 +152,16 @@ class Flow {
   Next macro_while(const Statement& statement, TextLine& line);
   Next macro_end(const Statement& statement);
   Next macro_call(const Statement& statement, TextLine& line);
-  bool macro_arguments(const char* p, std::vector<double>& arguments, double& program, double& repeats);
+  bool macro_arguments(const Statement& statement, std::vector<double>& arguments, double& program, double& repeats);
   Next go_to_value(const char* p, TextLine& line, const Statement& at);
   Next go_to_block(std::int64_t number, TextLine& line, const Statement& at);
   bool find_label(std::int64_t number, TextLine& line, const Statement& at, Label& label);
   bool scan_label(std::int64_t number, const TextPlace& from, Label& label, int& count);
+
+  // flow_modal_calls.cpp
+  Next begin_modal_call(Call call, const Statement& at);
+  void activate_modal_calls(std::size_t count);
+  Next modal_call_inside(const Statement& at);
 
   TextPlace program_begin() const { return calls_.empty() ? TextPlace{} : calls_.back().program; }
   std::size_t first_open() const { return calls_.empty() ? 0 : calls_.back().open; }
@@ -161,7 +176,9 @@ class Flow {
 
   std::vector<Call> calls_;
   std::vector<Open> open_;
-  bool counts_ = false;  // control has gone back, or to a subprogram
+  std::vector<Call> modal_calls_;       // of G66; the one given last is called first
+  std::size_t active_modal_calls_ = 0;  // what moves within the macro of one calls those before it
+  bool counts_ = false;                 // control has gone back, or to a subprogram
   std::int64_t fuel_;
   std::int64_t visits_ = 0;
   std::optional<base::Diagnostic> failure_;

@@ -23,7 +23,7 @@ Flow::Next Flow::define(const Statement& statement, TextLine& line) {
                  "end that one before");
   }
   if (!at_end(statement.rest)) return Next::stop;
-  if (!add_sub(statement.name, {text_.place(), false}, statement)) return Next::stop;
+  if (!add_sub(statement.name, {text_.place(), false}, statement) || !meet_sub(statement)) return Next::stop;
   Statement found;
   if (!skip_to(line, Keyword::sub, statement.name, bit(Keyword::endsub), found)) return Next::stop;
   return Next::line;
@@ -36,10 +36,23 @@ bool Flow::add_sub(StatementName name, const Sub& sub, const Statement& at) {
   }
   const auto [found, is_new] = subs_.emplace(key(sub.body.file, name), sub);
   if (is_new || found->second.body == sub.body) return true;
+  // LinuxCNC takes the first, and minds only another `sub` that it comes to (meet_sub).
+  if (options_.dialect == Dialect::linuxcnc) return true;
   return reporter_.error("duplicate-sub", at.column,
                          "subprogram " + statements_.file_name(name) + " has begun in line " +
                              std::to_string(found->second.body.line - 1) + " already",
                          "give one of them another name");
+}
+
+/// LinuxCNC comes to a definition once, and not where the subroutine has been called before.
+bool Flow::meet_sub(const Statement& statement) {
+  if (options_.dialect != Dialect::linuxcnc) return true;
+  Sub& sub = subs_.find(key(text_.place().file, statement.name))->second;
+  if (sub.body == text_.place() && !std::exchange(sub.is_met, true)) return true;
+  return reporter_.error(
+      "misplaced-sub", statement.column,
+      "the program comes to " + shown(Keyword::sub, statement.name) + ", which it has called or passed over before",
+      "define subroutines before their first call, or behind the program's M2");
 }
 
 const Flow::Sub* Flow::known_sub(StatementName name) const {
@@ -129,6 +142,7 @@ Flow::Next Flow::call(const Statement& statement, TextLine& line) {
   const Sub* const sub = find_sub(statement.name, false, line);
   if (!sub) return Next::stop;
   call.body = call.program = sub->body;
+  subs_.find(key(sub->body.file, statement.name))->second.is_met = true;
   return begin_call(std::move(call), statement);
 }
 
@@ -146,6 +160,19 @@ Flow::Next Flow::begin_call(Call call, const Statement& at) {
   calls_.push_back(std::move(call));
   modal_.calls = calls_.size();
   return go(body, true) ? Next::line : Next::stop;
+}
+
+Flow::Next Flow::call_contour(double number, std::uint32_t at, const TextLine& line) {
+  text_.keep(line);
+  Statement statement;
+  statement.column = at;
+  TextLine of_block = line;
+  Call call{.kind = CallKind::o_word};
+  if (!statements_.number(number, at, call.name)) return Next::stop;
+  const Sub* const sub = find_sub(call.name, false, of_block);
+  if (!sub) return Next::stop;
+  call.body = call.program = sub->body;
+  return begin_call(std::move(call), statement);
 }
 
 /// endsub or return. A return may have any name: it is that of the subroutine it stands in (LinuxCNC).
@@ -181,6 +208,7 @@ Flow::Next Flow::end_call(std::optional<StatementName> block_number, const State
     return go(last.body, true) ? Next::line : Next::stop;
   }
   const TextPlace back = last.return_to;
+  if (last.is_modal) activate_modal_calls(active_modal_calls_ + 1);
   calls_.pop_back();
   modal_.calls = calls_.size();
   if (!go(back, true)) return Next::stop;
@@ -198,10 +226,11 @@ Flow::Next Flow::program_number(const Statement& statement) {
 
 Flow::Next Flow::execute(const Block& block, const TextLine& line) {
   text_.keep(line);
-  if (block.is(Code::G65)) {
+  if (block.is(Code::G65) || block.is(Code::G66)) {
     Statement at;
     at.column = block.column_of(Group::call);
-    return error(at, "bad-o-word", "G65 stands behind other words", "G65 begins its block");
+    const std::string code = name(block.code(Group::call));
+    return error(at, "bad-o-word", code + " stands behind other words", code + " begins its block");
   }
   constexpr std::uint32_t own = letter_bit('N') | letter_bit('P') | letter_bit('L');
   const bool stands_alone = !(block.words & ~own) && !(block.groups & ~gcode::bit(Group::call));
@@ -275,6 +304,7 @@ Flow::Next Flow::return_program(const Block& block, const TextLine& line) {
   if (number) return go_to_block(static_cast<std::int64_t>(*number), of_block, at);
   if (options_.repeats) {
     open_.clear();
+    for (auto& [place, sub] : subs_) sub.is_met = false;
     return go({}, true) ? Next::line : Next::stop;
   }
   reporter_.report(base::Severity::note, "program-repeats", {reporter_.file(), line.number, at.column},

@@ -1,4 +1,4 @@
-// Fanuc's custom macros: IF, WHILE, DO, END, GOTO, G65, and block numbers as places to go to.
+// Fanuc's custom macros: IF, WHILE, DO, END, GOTO, G65 and G66, and block numbers as places to go to.
 
 #include <array>
 #include <cmath>
@@ -184,13 +184,16 @@ bool Flow::scan_label(std::int64_t number, const TextPlace& from, Label& label, 
   return !text_.failure();
 }
 
-/// G65 P9010 L2 A1 B2: the program, and its parameters by letters.
+/// G65 P9010 L2 A1 B2, or G66: the program, and its parameters by letters.
 Flow::Next Flow::macro_call(const Statement& statement, TextLine& line) {
   std::vector<double> arguments(Parameters::macro_locals, std::numeric_limits<double>::quiet_NaN());
   double program = -1, repeats = 1;
-  if (!macro_arguments(statement.rest, arguments, program, repeats)) return Next::stop;
+  if (!macro_arguments(statement, arguments, program, repeats)) return Next::stop;
   StatementName number = 0;
-  if (program < 0) return error(statement, "missing-word", "G65 lacks P", "give the number of the macro");
+  if (program < 0) {
+    return error(statement, "missing-word", std::string(name(statement.keyword)) + " lacks P",
+                 "give the number of the macro");
+  }
   if (!statements_.number(program, statement.column, number)) return Next::stop;
   const std::optional<int> count = as_integer(repeats);
   if (!count || *count < 0) {
@@ -199,14 +202,17 @@ Flow::Next Flow::macro_call(const Statement& statement, TextLine& line) {
   }
   const Sub* const sub = find_sub(number, true, line);
   if (!sub) return Next::stop;
-  if (*count == 0) return Next::line;
   Call call{.kind = CallKind::macro, .name = number, .body = sub->body, .program = sub->body, .left = *count};
   call.arguments = std::move(arguments);
+  if (statement.keyword == Keyword::modal_call) return begin_modal_call(std::move(call), statement);
+  if (*count == 0) return Next::line;
   return begin_call(std::move(call), statement);
 }
 
 /// Letters that come again are I, J and K, of the second way to give arguments: #4 #5 #6, #7 #8 #9 and so on.
-bool Flow::macro_arguments(const char* p, std::vector<double>& arguments, double& program, double& repeats) {
+bool Flow::macro_arguments(const Statement& statement, std::vector<double>& arguments, double& program,
+                           double& repeats) {
+  const char* p = statement.rest;
   int set_of_ijk = 0;
   char last_of_ijk = 'K' + 1;
   for (skip_blanks(p); *p != '\n' && *p != ';'; skip_blanks(p)) {
@@ -220,7 +226,8 @@ bool Flow::macro_arguments(const char* p, std::vector<double>& arguments, double
     const bool is_letter = 'A' <= letter && letter <= 'Z';
     int number = is_letter ? argument_numbers[static_cast<std::size_t>(letter - 'A')] : 0;
     if (number == 0 && letter != 'P' && letter != 'L') {
-      return reporter_.error("unused-word", column, "G65 takes no " + gcode::shown(*p),
+      return reporter_.error("unused-word", column,
+                             std::string(name(statement.keyword)) + " takes no " + gcode::shown(*p),
                              "A to K, M and Q to Z without G, L, N, O and P are arguments");
     }
     double value = 0;

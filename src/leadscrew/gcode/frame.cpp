@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/kinematics/transformation.hpp>
 #include <numbers>
 
 namespace leadscrew::gcode {
@@ -82,6 +83,24 @@ void Frame::combine() {
   for (std::size_t i = 0; i < 3; ++i) inner[i] += transform_offset_[i];
   const base::AxisVector turned = system_.rotation == 0 ? inner : times(rotation, inner);
   for (std::size_t i = 0; i < base::axis_count; ++i) offset_[i] = system_.origin[i] + turned[i] + tool_[i];
+  for (std::size_t i = 0; tip_control_ && i < 3; ++i) offset_[i] -= tool_[i];
+}
+
+base::AxisVector Frame::axes_of(const base::AxisVector& place) const {
+  return tip_control_ ? tip_control_->axes_of(place) : place;
+}
+
+void Frame::begin_tip_control(const machine::Machine& machine) {
+  tip_control_ = std::make_shared<const kinematics::Transformation>(
+      kinematics::Transformation{kinematics::chain_of(machine), {tool_[0], tool_[1], tool_[2]}});
+  position = tip_control_->tip_of(position);
+  combine();
+}
+
+void Frame::end_tip_control() {
+  position = axes_of(position);
+  tip_control_ = nullptr;
+  combine();
 }
 
 void Frame::set_system(const CoordinateSystem& system) {

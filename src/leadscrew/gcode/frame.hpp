@@ -10,6 +10,14 @@
 #include <array>
 #include <cstddef>
 #include <leadscrew/base/axes.hpp>
+#include <memory>
+
+namespace leadscrew::kinematics {
+struct Transformation;
+}
+namespace leadscrew::machine {
+struct Machine;
+}
 
 namespace leadscrew::gcode {
 
@@ -45,6 +53,15 @@ class Frame {
   void set_shift(const base::AxisVector& shift);
   void set_tool(const base::AxisVector& tool);
 
+  /// Tool centre point control: "machine coordinates" of X, Y and Z are those of the tool's tip in the workpiece, and the
+  /// tool is not added to them. nullptr: they are the axes'.
+  const kinematics::Transformation* tip_control() const { return tip_control_.get(); }
+  /// Of the tool in force; the position stays the same place of the axes.
+  void begin_tip_control(const machine::Machine& machine);
+  void end_tip_control();
+  /// Where the axes are while the program stands at a place.
+  base::AxisVector axes_of(const base::AxisVector& place) const;
+
   const ProgramTransform& transform() const { return transform_; }
   void set_transform(const ProgramTransform& transform);
 
@@ -79,6 +96,7 @@ class Frame {
   ProgramTransform transform_;
   base::AxisVector shift_{};
   base::AxisVector tool_{};
+  std::shared_ptr<const kinematics::Transformation> tip_control_;
   // Q(p) = transform_matrix_ p + transform_offset_; machine = matrix_ p + offset_; p = inverse_ (machine − offset_), of
   // X, Y and Z.
   Matrix transform_matrix_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

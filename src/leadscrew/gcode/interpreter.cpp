@@ -11,12 +11,16 @@ Interpreter::Interpreter(const Context& context)
       motion_(context, travel_, outbox_),
       curves_(context, motion_, travel_, outbox_),
       cycles_(context, motion_, travel_, outbox_),
+      threading_(context, motion_, travel_, outbox_),
+      lathe_cycles_(context, motion_, travel_),
+      probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
       transforms_(context),
       polar_(context),
       saved_modes_(context, outbox_, offsets_),
       check_(context, travel_) {
   modal_.tolerance = machine_.tolerance;
+  if (machine_.rotary_chain) modal_.orientation_tolerance = machine_.rotary_chain->orientation_tolerance;
   frame_.position = options_.start;
   parameters_.load(options_.parameters);
   offsets_.begin();
@@ -35,12 +39,27 @@ void Interpreter::execute(const Block& block, base::Line line) {
 
 // Diameters are halved as they are read, whatever X belongs to (LinuxCNC); G7 and G8 hold for X of their own block.
 void Interpreter::execute_special(Block block) {
+  if (lathe_cycles_.is_open()) {
+    if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
+    return lathe_cycles_.add(block);
+  }
   if (saved_modes_.leave_calls()) set_path_control({});
   if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
   modal_.is_plain = false;
   if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
   execute_in_axes(block);
-  modal_.is_plain = !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any();
+  modal_.is_plain = is_plain();
+}
+
+bool Interpreter::is_plain() const {
+  return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open() &&
+         !modal_.calls_macro;
+}
+
+void Interpreter::end_contour() {
+  outbox_.clear();
+  lathe_cycles_.end();
+  modal_.is_plain = is_plain();
 }
 
 void Interpreter::execute_in_axes(const Block& block) {
@@ -93,6 +112,8 @@ void Interpreter::finish_block(const Block& block) {
   curves_.spoil();
   outbox_.clear();
   cycles_.abandon();
+  threading_.abandon();
+  lathe_cycles_.abandon();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }
@@ -103,7 +124,7 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
   const Code motion = block.groups ? block.codes[index(Group::motion)] : modal_.motion;
   if ((block.words & ~plain_words) || (block.groups & ~bit(Group::motion)) || motion > Code::G1 ||
       (axes & ~machine_letters_) || axes == 0 || modal_.feed_mode != FeedMode::per_minute || !frame_.is_offset_only() ||
-      modal_.polar || !modal_.is_plain || (block.has('F') && !(block['F'] > 0)) ||
+      frame_.tip_control() || modal_.polar || !modal_.is_plain || (block.has('F') && !(block['F'] > 0)) ||
       (motion == Code::G1 && !modal_.feed_known && !block.has('F')) || curves_.open()) {
     return Plain::no;
   }
@@ -139,7 +160,8 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
 }
 
 bool Interpreter::next(Move& move) {
-  if (outbox_.take(move) || cycles_.next(move)) return true;
+  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || lathe_cycles_.next(move, outbox_))
+    return true;
   if (!stop_) return false;
   outbox_.prepare(move, Move::Kind::event, modal_.line);
   move.event = {*stop_, 0, modal_.line};
@@ -164,6 +186,7 @@ void Interpreter::set_modes(const Block& block) {
   }
   transforms_.set(block);
   if (block.has(Group::path)) set_path_control(block);
+  if (block.is(Code::G187)) set_smoothness(block);
   if (block.is(Code::G9)) modal_.effective_mode = PathMode::exact_stop;
   modal_.distance = distance_after(block, modal_);
   if (block.has(Group::arc_distance)) {
@@ -181,12 +204,16 @@ void Interpreter::set_path_control(const Block& block) {
       modal_.path_mode = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas ? PathMode::exact_stop
                                                                                                  : PathMode::exact_path;
       break;
+    case Code::G62:
+    case Code::G63:
+      modal_.path_mode = PathMode::blend;
+      break;
     case Code::G61_1:
       modal_.path_mode = PathMode::exact_stop;
       break;
     case Code::G64:
       modal_.path_mode = PathMode::blend;
-      for (const char letter : {'P', 'Q'}) {
+      for (const char letter : {'P', 'Q', 'E'}) {
         if (block.value_or(letter, 0) < 0) {
           error("bad-value", block.column_of(letter), "the tolerance is " + text(block[letter]),
                 std::string(1, letter) + " must be 0 or more");
@@ -194,6 +221,8 @@ void Interpreter::set_path_control(const Block& block) {
         }
       }
       modal_.tolerance = block.has('P') ? block['P'] * frame_.length_unit : machine_.tolerance;
+      modal_.orientation_tolerance = machine_.rotary_chain ? machine_.rotary_chain->orientation_tolerance : 0;
+      if (block.has('E') && !block.is(Code::M67) && !block.is(Code::M68)) modal_.orientation_tolerance = block['E'];
       modal_.naive_cam_tolerance.reset();
       if (block.has('Q')) modal_.naive_cam_tolerance = block['Q'] * frame_.length_unit;
       break;
@@ -206,11 +235,26 @@ void Interpreter::set_path_control(const Block& block) {
   modal_.effective_naive_cam_tolerance = blends ? modal_.naive_cam_tolerance.value_or(modal_.effective_tolerance) : 0;
 }
 
+/// Haas: E of G187 is how far corners may be rounded; without it they are rounded as the machine does.
+void Interpreter::set_smoothness(const Block& block) {
+  const double rounding = block.value_or('E', 0) * frame_.length_unit;
+  if (rounding < 0) {
+    error("bad-value", block.column_of('E'), "corners are to be rounded by " + text(block['E']), "E must be 0 or more");
+    return;
+  }
+  modal_.tolerance = block.has('E') ? rounding : machine_.tolerance;
+  modal_.naive_cam_tolerance.reset();
+  set_path_control({});
+}
+
 void Interpreter::execute_motion(const Block& block) {
   // A motion that could not be told keeps the one in force.
   if (block.has(Group::motion)) {
-    if (block.code(Group::motion) != modal_.motion) curves_.forget_tangent();
-    modal_.motion = block.code(Group::motion);
+    const Code motion = block.code(Group::motion);
+    // LinuxCNC goes on with what was in force before (manual, G Codes, "Modal Groups": G5 is not among them).
+    const bool is_once = options_.dialect == Dialect::linuxcnc && (motion == Code::G5 || motion == Code::G5_1);
+    if (motion != modal_.motion && !is_once) curves_.forget_tangent();
+    if (!is_once) modal_.motion = motion;
   }
   const Code to_do = modal_.to_do;
   if (modal_.motion == Code::G80 || (to_do != Code::none && !is_canned_cycle(to_do))) cycles_.end_series();

@@ -10,11 +10,14 @@
 #include <leadscrew/gcode/block_check.hpp>
 #include <leadscrew/gcode/curves.hpp>
 #include <leadscrew/gcode/cycles.hpp>
+#include <leadscrew/gcode/lathe_cycles.hpp>
 #include <leadscrew/gcode/machine_events.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 #include <leadscrew/gcode/polar.hpp>
+#include <leadscrew/gcode/probing.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
+#include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/gcode/transforms.hpp>
 
 namespace leadscrew::gcode {
@@ -39,6 +42,13 @@ class Interpreter : Part {
 
   /// What the M66 handed out last has found.
   void input_is(double value) { events_.set_input(value); }
+  /// The block of the lathe cycle whose contour comes next, from the subprogram of its number Q to the end of that;
+  /// null where there is none. Blocks between are executed as the contour's.
+  const Block* contour() const { return lathe_cycles_.is_open() ? &lathe_cycles_.block() : nullptr; }
+  /// The contour's subprogram has ended.
+  [[gnu::cold]] void end_contour();
+  /// How the probing move of the block executed last has ended.
+  void probed(const Probed& result) { probing_.probed(result); }
 
   /// The program ends here, without saying so.
   void end(base::Line line);
@@ -55,10 +65,12 @@ class Interpreter : Part {
   [[gnu::noinline]] void execute_polar(Block block);
   void set_modes(const Block& block);
   void set_path_control(const Block& block);
+  void set_smoothness(const Block& block);
   void execute_motion(const Block& block);
   /// What a motion or a code of group 0 does.
   void dispatch(Code code, const Block& block);  // dispatch.cpp
   void stop(const Block& block);
+  bool is_plain() const;
 
   Outbox outbox_;
   MachineEvents events_;
@@ -66,6 +78,9 @@ class Interpreter : Part {
   Motion motion_;
   CurveReader curves_;
   CannedCycles cycles_;
+  Threading threading_;
+  LatheCycles lathe_cycles_;
+  Probing probing_;
   Offsets offsets_;
   Transforms transforms_;
   Polar polar_;

@@ -79,6 +79,7 @@ void MachineEvents::set_speed(const Block& block) {
   }
   modal_.spindle_speed = block['S'];
   if (modal_.constant_surface_speed) {
+    modal_.surface_speed_word = block['S'];
     modal_.surface_speed = block['S'] * (frame_.length_unit == 1 ? mm_in_metre : mm_in_foot);
     modal_.spindle_speed = speed_on_surface();
   }
@@ -94,8 +95,12 @@ void MachineEvents::select_tool(const Block& block) {
     return;
   }
   if (*tool != 0 && !tools_.tools().empty() && !tools_.find(*tool)) {
-    reporter_.warning("unknown-tool", block.column_of('T'),
-                      "tool " + std::to_string(*tool) + " is not in the tool table", "its offsets are not known");
+    const std::string message = "tool " + std::to_string(*tool) + " is not in the tool table";
+    if (options_.dialect == Dialect::linuxcnc) {
+      error("unknown-tool", block.column_of('T'), message, "LinuxCNC selects tools of its table alone");
+    } else {
+      reporter_.warning("unknown-tool", block.column_of('T'), message, "its offsets are not known");
+    }
   }
   modal_.selected_tool = tool;
   outbox_.emit_event(Kind::tool_prepare, *tool);

@@ -30,6 +30,7 @@ struct ModalState {
   PathMode path_mode = PathMode::blend;       ///< of the program
   double tolerance = 0;                       ///< mm, of the program
   std::optional<double> naive_cam_tolerance;  ///< mm, of the program
+  double orientation_tolerance = 0;           ///< degrees, of the program or the machine
   // What moves carry of it, overridden where the options say so.
   PathMode effective_mode = PathMode::blend;
   double effective_tolerance = 0;            ///< mm
@@ -42,6 +43,7 @@ struct ModalState {
   double spindle_speed = 0;             ///< revolutions per minute, ≥ 0
   bool constant_surface_speed = false;  ///< G96
   double surface_speed = 0;             ///< mm/min, what S says in G96
+  double surface_speed_word = 0;        ///< S of G96, as it was written
   double most_spindle_speed = std::numeric_limits<double>::infinity();  ///< revolutions per minute, in G96
   Code spindle = Code::M5;                                              ///< M3, M4 or M5
   bool mist = false;                                                    ///< M7
@@ -56,7 +58,8 @@ struct ModalState {
   // The calls under way, and the fewest that were since a block was executed last.
   std::size_t calls = 0;
   std::size_t fewest_calls = 0;
-  bool is_plain = true;  ///< no mode asks for more than what axis words and F say: no G7, G96, M73
+  bool calls_macro = false;  ///< G66: a macro is called behind each block that moves
+  bool is_plain = true;      ///< no mode asks for more than what axis words and F say: no G7, G96, M73, G66
 
   // Of the block in execution.
   Code to_do = Code::none;  ///< its motion

@@ -1,6 +1,7 @@
 #pragma once
 // What one block of a part program asks for, as plain data: the interface between the reader and the tool path.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/base/axes.hpp>
@@ -23,6 +24,13 @@ constexpr base::Axis second_axis(Plane plane) {
 constexpr base::Axis normal_axis(Plane plane) {
   return plane == Plane::XY ? base::Axis::Z : plane == Plane::ZX ? base::Axis::Y : base::Axis::X;
 }
+
+/// What a probing move looks for.
+enum class ProbeSearch : std::uint8_t {
+  nothing,  ///< it is none
+  contact,  ///< G38.2, G38.3, G31: ends where the probe touches
+  loss,     ///< G38.4, G38.5: ends where it touches no more
+};
 
 /// What happens where two blocks meet.
 enum class PathMode : std::uint8_t {
@@ -88,15 +96,16 @@ struct Move {
     event,  ///< `event` happens here
   };
 
-  Kind kind = Kind::line;                ///< its shape
-  PathMode path_mode = PathMode::blend;  ///< how it is joined to the next
-  Plane plane = Plane::XY;               ///< of an arc
-  base::Line line{};                     ///< source line
-  base::AxisVector start{};              ///< machine coordinates, mm or degrees; the end of the move before
-  base::AxisVector end{};                ///< machine coordinates, mm or degrees
-  Feed feed;                             ///< how fast, along it
-  double tolerance = 0;                  ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
-  double naive_cam_tolerance = 0;        ///< mm; Q of G64, or P where Q was not given; 0 unless path_mode is blend
+  Kind kind = Kind::line;                     ///< its shape
+  PathMode path_mode = PathMode::blend;       ///< how it is joined to the next
+  Plane plane = Plane::XY;                    ///< of an arc
+  ProbeSearch probes = ProbeSearch::nothing;  ///< a line that a probe ends: motion rests before and behind it
+  base::Line line{};                          ///< source line
+  base::AxisVector start{};                   ///< machine coordinates, mm or degrees; the end of the move before
+  base::AxisVector end{};                     ///< machine coordinates, mm or degrees
+  Feed feed;                                  ///< how fast, along it
+  double tolerance = 0;                       ///< mm; P of G64, or the machine's; 0 unless path_mode is blend
+  double naive_cam_tolerance = 0;             ///< mm; Q of G64, or P where Q was not given; 0 unless path_mode is blend
 
   /// Arc: machine coordinates of the centre along first_axis and second_axis, mm. Both ends lie on the circle around it
   /// to within a few units in the last place: a programmed centre that is off by less than the tolerance has been moved
@@ -110,8 +119,17 @@ struct Move {
 
   NurbsCurve curve;  ///< of a nurbs: its first control point is at start, its last at end, and not all are at start
 
+  /// Tool centre point control (G43.4): X, Y and Z of all places are those of the tool's tip in the workpiece as it lies
+  /// with all rotary axes at 0, and not of the machine's axes.
+  bool is_of_tip = false;
+  std::array<double, 3> tool{};      ///< of the tip: X, Y and Z of the tool's offset, mm
+  double orientation_tolerance = 0;  ///< of the tip: E of G64, or the machine's, degrees; 0 unless path_mode is blend
+
   double dwell_seconds = 0;  ///< ≥ 0
   base::Event event;         ///< of an event
+
+  /// Does a probe end it?
+  bool is_probing() const { return probes != ProbeSearch::nothing; }
 };
 
 }  // namespace leadscrew::gcode

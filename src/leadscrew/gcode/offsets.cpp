@@ -28,6 +28,7 @@ int home_of(const Block& block) {
 void Offsets::set_tool_length(const Block& block) {
   if (!block.has(Group::tool_length)) return;
   const Code code = block.code(Group::tool_length);
+  if (frame_.tip_control()) frame_.end_tip_control();
   base::AxisVector offset{};
   if (code == Code::G43_1) {
     offset = frame_.tool();
@@ -46,6 +47,28 @@ void Offsets::set_tool_length(const Block& block) {
     }
   }
   frame_.set_tool(offset);
+  if (code == Code::G43_4) begin_tip_control(block);
+}
+
+// From here on the program says where the tip is (Fanuc, "Tool center point control", type 1): its coordinates are those
+// of the workpiece as it lies with all rotary axes at 0.
+void Offsets::begin_tip_control(const Block& block) {
+  if (!machine_.rotary_chain) {
+    error("tip-control", block.column_of(Group::tool_length),
+          "tool centre point control on a machine whose rotary axes have no kinematics",
+          "kinematics = \"table-table-ac\" in the machine file, or another of its names");
+    return;
+  }
+  frame_.begin_tip_control(machine_);
+}
+
+// Places of the machine's axes are none of the program's.
+bool Offsets::fails_under_tip_control(const Block& block) {
+  if (!frame_.tip_control()) return false;
+  const Code code = block.code(Group::nonmodal);
+  error("tip-control", block.column_of(Group::nonmodal), name(code) + " while tool centre point control is on",
+        "G49 before it");
+  return true;
 }
 
 // The tool whose offset G43, G43.2 or G44 takes; nullptr where that is none. `known`: nothing was wrong.
@@ -95,6 +118,7 @@ void Offsets::select_system(int number) {
 
 void Offsets::select_system(const Block& block) {
   const Code code = block.code(Group::system);
+  if (code == Code::G110) return select_system(Parameters::numbered_systems + block.further_system);
   if (code != Code::G54_1 && code != Code::G154) {
     select_system(static_cast<int>(index(code) - index(Code::G54)) + 1);
     return;
@@ -263,6 +287,7 @@ void Offsets::set_shift(const Block& block) {
 
 // By the point of the axis words, if there are any, to the stored place; with axis words, those axes only (LinuxCNC).
 void Offsets::go_home(const Block& block) {
+  if (fails_under_tip_control(block)) return;
   const base::AxisVector home = parameters_.axes(home_of(block));
   const bool all = !(block.words & axis_letter_bits);
   if (!all && !has_form(options_.dialect, Form::home_by_letters))
@@ -276,6 +301,7 @@ void Offsets::go_home(const Block& block) {
 }
 
 void Offsets::set_home(const Block& block) {
+  if (fails_under_tip_control(block)) return;
   parameters_.set_axes(home_of(block), frame_.position);
 }
 

@@ -31,6 +31,8 @@ class Offsets : Part {
 
  private:
   void note_missing_table(const Block& block);
+  void begin_tip_control(const Block& block);
+  bool fails_under_tip_control(const Block& block);
   const machine::Tool* tool_of(const Block& block, bool& known);
   void set_tool(const Block& block, int kind);
   bool has_registers() const;

@@ -1,4 +1,5 @@
 #include <leadscrew/gcode/outbox.hpp>
+#include <leadscrew/kinematics/transformation.hpp>
 
 namespace leadscrew::gcode {
 
@@ -9,6 +10,12 @@ bool Outbox::take(Move& move) {
   move = std::move(moves_[next_]);
   moves_[next_++].curve = std::move(memory);
   return true;
+}
+
+void Outbox::set_tip(Move& move) const {
+  move.is_of_tip = true;
+  move.tool = frame_.tip_control()->tool;
+  move.orientation_tolerance = modal_.effective_mode == PathMode::blend ? modal_.orientation_tolerance : 0;
 }
 
 Move& Outbox::emit(Move::Kind kind) {
@@ -39,6 +46,8 @@ bool Outbox::waits_for(base::Event::Kind kind) const {
     case Kind::digital_input:
     case Kind::analog_input:
     case Kind::user_function:
+    case Kind::spindle_in_step:
+    case Kind::rigid_tap:
       return true;
     default:
       return false;

@@ -29,6 +29,7 @@ class Outbox : Part {
     move.kind = kind;
     move.path_mode = modal_.effective_mode;
     move.plane = modal_.plane;
+    move.probes = ProbeSearch::nothing;
     move.line = line;
     move.start = frame_.position;
     move.end = frame_.position;
@@ -38,12 +39,15 @@ class Outbox : Part {
     move.center_first = move.center_second = 0;
     move.turns = 0;
     move.curve.clear();
+    move.is_of_tip = false;
+    if (frame_.tip_control()) set_tip(move);
     move.dwell_seconds = 0;
     move.event = {};
   }
 
  private:
   bool waits_for(base::Event::Kind kind) const;
+  [[gnu::cold]] void set_tip(Move& move) const;
 
   std::array<Move, 16> moves_;
   std::size_t size_ = 0;

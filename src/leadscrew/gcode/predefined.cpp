@@ -138,7 +138,7 @@ double Predefined::position(base::Axis axis) const {
 }
 
 double Predefined::machine_position(base::Axis axis) const {
-  return frame_.position[base::index(axis)] / frame_.unit(axis);
+  return frame_.axes_of(frame_.position)[base::index(axis)] / frame_.unit(axis);
 }
 
 bool Predefined::has_tool_offset() const {

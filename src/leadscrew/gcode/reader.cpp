@@ -75,9 +75,11 @@ class Reader::Implementation {
   }
 
   void input_is(double value) { interpreter_.input_is(value); }
+  void probed(const Probed& result) { interpreter_.probed(result); }
 
   const Frame& frame() const { return frame_; }
   int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
+  const ModalState& modal() const { return modal_; }
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
   const std::optional<base::Diagnostic>& source_failure() const {
@@ -121,7 +123,23 @@ class Reader::Implementation {
     }
     if (block_.has(Group::call)) return call(line);
     execute(line);
+    if (const Block* const cycle = interpreter_.contour(); cycle && contour_calls_ == 0) call_contour(*cycle, line);
+    if (modal_.calls_macro || block_.has(Group::modal_call)) call_modal(line);
     return false;
+  }
+
+  // The subprogram of a lathe cycle; its blocks are the contour until it ends.
+  [[gnu::cold]] void call_contour(const Block& cycle, const TextLine& line) {
+    contour_calls_ = modal_.calls + 1;
+    follow(flow_.call_contour(cycle['Q'], cycle.column_of('Q'), line), line.id);
+  }
+
+  // G67, and the macro of G66 behind a block that has moved.
+  [[gnu::cold]] void call_modal(const TextLine& line) {
+    if (reporter_.failed() || interpreter_.ended()) return;
+    if (block_.has(Group::modal_call)) follow(flow_.end_modal_call(block_.column_of(Group::modal_call)), line.id);
+    const bool has_place = block_.words & (axis_letter_bits | letter_bit('I') | letter_bit('J') | letter_bit('K'));
+    if (!done_ && modal_.to_do != Code::none && has_place) follow(flow_.call_modal(line), line.id);
   }
 
   void execute(const TextLine& line) {
@@ -151,6 +169,11 @@ class Reader::Implementation {
   }
 
   void follow(Flow::Next next, base::Line line) {
+    if (modal_.calls < contour_calls_) {
+      contour_calls_ = 0;
+      interpreter_.end_contour();
+      pending_ = true;
+    }
     if (next == Flow::Next::program_end) interpreter_.end(line);
     pending_ = pending_ || next == Flow::Next::program_end;
     done_ = done_ || next == Flow::Next::stop || next == Flow::Next::program_end;
@@ -231,6 +254,7 @@ class Reader::Implementation {
   bool has_printer_commands_;
   Block block_;
   std::int64_t blocks_ = 0;
+  std::size_t contour_calls_ = 0;  // calls under way within the contour of a lathe cycle; 0 without one
   Delimiter delimiter_ = Delimiter::unknown;
   bool empty_ = true;     // nothing but blanks so far
   bool pending_ = false;  // the interpreter has moves of a block read before
@@ -260,11 +284,17 @@ void Reader::warn_of_feed(const Move& move, base::Diagnostic problem) {
 void Reader::input_is(double value) {
   implementation_->input_is(value);
 }
+void Reader::probed(const Probed& result) {
+  implementation_->probed(result);
+}
 const Frame& Reader::frame() const {
   return implementation_->frame();
 }
 int Reader::system() const {
   return implementation_->system();
+}
+const ModalState& Reader::modal() const {
+  return implementation_->modal();
 }
 std::int64_t Reader::blocks() const {
   return implementation_->blocks();

@@ -31,7 +31,8 @@
 //                              exactly as the radii of an arc must agree; its first point need not be given.
 //
 // G5 … G5.3 are LinuxCNC's, with all nine axes: in G5 and G5.1 the other ones go in proportion to the parameter, in
-// G5.2 they are coordinates of the control points. G6.2 is Fanuc's G06.2. Before its end a curve of many blocks takes
+// G5.2 they are coordinates of the control points. In LinuxCNC's dialect G5 and G5.1 hold for their block alone, and move
+// X and Y. G6.2 is Fanuc's G06.2. Before its end a curve of many blocks takes
 // nothing but points, knots, F, parameters and remarks: anything else is an unfinished-curve.
 //
 // A diagnostic's `source` is the line of its place, with as many bytes as the text has, so that the caret stands at its
@@ -49,6 +50,7 @@
 #include <leadscrew/gcode/dialect.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/gcode/parameter_file.hpp>
+#include <leadscrew/gcode/probed.hpp>
 #include <leadscrew/gcode/remark.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -63,9 +65,8 @@ namespace leadscrew::gcode {
 using base::ByteSource;
 using base::TextOpener;
 
-class Frame;  // frame.hpp
-
-class Frame;  // frame.hpp
+class Frame;        // frame.hpp
+struct ModalState;  // modal_state.hpp
 
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);
@@ -89,9 +90,10 @@ struct ReaderOptions {
   /// Loops and subprograms go back in the text: where it is opened anew. None: the reader keeps what it has read of it
   /// from the first of them on, up to 16 MiB, and there are no subprograms in files.
   TextOpener opener{};
-  std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
+  std::int64_t fuel = 100'000'000;                 ///< lines that are read in loops and subprograms, at most; ≥ 0
   bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
-  bool repeats = false;             ///< M99 in the main program: goes on from its beginning; otherwise ends it
+  ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31
+  bool repeats = false;  ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
@@ -123,10 +125,15 @@ class Reader {
   /// What the input is that the event handed out last asks for (M66, base::is_input), or -1 where the time for it is
   /// over: before the next move is asked for, since what follows may depend on it. Without that inputs are off.
   void input_is(double value);
+  /// How the probing move handed out last has ended, where the machine has a probe of its own (ProbingMoves::real):
+  /// before the next move is asked for, since what follows may depend on it. Error: `probe-failed`, where G38.2 or G38.4
+  /// did not find what it looks for.
+  void probed(const Probed& result);
 
   /// Where the program's coordinates lie, in the block of the move handed out last.
   const Frame& frame() const;
-  int system() const;  ///< the coordinate system in force there: 1 … 9, G54 … G59.3
+  int system() const;               ///< the coordinate system in force there: 1 … 9, G54 … G59.3
+  const ModalState& modal() const;  ///< the modes in force there
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far

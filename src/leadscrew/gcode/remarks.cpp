@@ -7,7 +7,7 @@
 namespace leadscrew::gcode {
 
 struct Remarks::Row {
-  enum class Action : std::uint8_t { say, open, log, close, abort, unsupported };
+  enum class Action : std::uint8_t { say, open, log, close, open_probe, close_probe, abort, unsupported };
 
   std::string_view word;
   bool has_text;  ///< which stands behind a comma
@@ -87,8 +87,8 @@ void Remarks::execute(std::string_view text) {
       {"LOGCLOSE", false, Action::close},
       {"LOG", true, Action::log},
       {"ABORT", true, Action::abort},
-      {"PROBEOPEN", false, Action::unsupported},
-      {"PROBECLOSE", false, Action::unsupported},
+      {"PROBEOPEN", false, Action::open_probe, Kind::probe_open},
+      {"PROBECLOSE", false, Action::close_probe},
       {"PY", true, Action::unsupported},
   };
   text = without_blanks_before(text);
@@ -104,7 +104,13 @@ void Remarks::execute(std::string_view text) {
       if (options_.remarks) send(row->kind, row->expands ? expanded(text) : std::string(text), column);
       return;
     case Action::open:
-      return open_log(*row, without_blanks(text), column);
+      log_is_open_ = open_log(*row, without_blanks(text), column, "(LOGOPEN,log.txt)");
+      return;
+    case Action::open_probe:
+      if (!open_log(*row, without_blanks(text), column, "(PROBEOPEN points.txt)")) send(Kind::probe_close, {}, column);
+      return;
+    case Action::close_probe:
+      return send(Kind::probe_close, {}, column);
     case Action::log:
       return log(text, column);
     case Action::close:
@@ -115,7 +121,7 @@ void Remarks::execute(std::string_view text) {
       return abort(without_blanks(text), column);
     case Action::unsupported:
       reporter_.warning("unsupported-remark", column, std::string(row->word) + " is not done",
-                        "MSG, DEBUG, PRINT, LOG, LOGOPEN, LOGAPPEND, LOGCLOSE and ABORT are");
+                        "MSG, DEBUG, PRINT, LOG, LOGOPEN, LOGAPPEND, LOGCLOSE, PROBEOPEN, PROBECLOSE and ABORT are");
       return;
   }
 }
@@ -125,17 +131,18 @@ void Remarks::send(Remark::Kind kind, std::string text, std::int64_t column) con
   options_.remarks({kind, std::move(text), {reporter_.file(), base::number(reporter_.line()), column}});
 }
 
-void Remarks::open_log(const Row& row, std::string_view name, std::int64_t column) {
-  log_is_open_ = false;
+// Whether it is open now.
+bool Remarks::open_log(const Row& row, std::string_view name, std::int64_t column, std::string_view example) {
   if (name.empty()) {
-    reporter_.warning("bad-log", column, std::string(row.word) + " names no file", "(LOGOPEN,log.txt)");
+    reporter_.warning("bad-log", column, std::string(row.word) + " names no file", std::string(example));
   } else if (leads_outside(name)) {
     reporter_.warning("bad-log", column, "log file " + std::string(name) + " would not be in the program's folder",
                       "it is not written; give a name without '/' at the beginning and without '..'");
   } else {
-    log_is_open_ = true;
     send(row.kind, std::string(name), column);
+    return true;
   }
+  return false;
 }
 
 void Remarks::log(std::string_view text, std::int64_t column) {

@@ -53,6 +53,7 @@ void SavedModes::bring_back(const Kept& kept) {
   modal_.linear_feed = before.linear_feed;
   modal_.angular_feed = before.angular_feed;
   if (modal_.system != before.system) offsets_.select_system(before.system);
+  if (frame_.tip_control()) frame_.end_tip_control();
   frame_.set_tool(kept.tool_length);
   bring_back_machine(before);
 }
@@ -61,6 +62,7 @@ void SavedModes::bring_back_machine(const ModalState& before) {
   using Kind = base::Event::Kind;
   modal_.constant_surface_speed = before.constant_surface_speed;
   modal_.surface_speed = before.surface_speed;
+  modal_.surface_speed_word = before.surface_speed_word;
   modal_.most_spindle_speed = before.most_spindle_speed;
   if (modal_.spindle_speed != before.spindle_speed) outbox_.emit_event(Kind::spindle_speed, before.spindle_speed);
   modal_.spindle_speed = before.spindle_speed;

@@ -1,5 +1,6 @@
 #include <leadscrew/gcode/statement.hpp>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace leadscrew::gcode {
@@ -36,6 +37,7 @@ constexpr KeywordName o_keywords[] = {
     {"END", Keyword::macro_end},
     {"GOTO", Keyword::go_to},
     {"G65", Keyword::macro_call},
+    {"G66", Keyword::modal_call},
 };
 
 constexpr char lower(char c) {
@@ -128,14 +130,21 @@ bool StatementReader::read(const TextLine& line, Statement& statement) {
   statement.column = reporter_.column(p);
   if (upper(*p) == 'O') return read_o_word(p + 1, statement);
   if (*p == ':') return read_program_number(p + 1, statement);
-  const char* q = p;
-  if (has_macro_calls_ && take_letters(q, "G65") && !is_digit(*q) && *q != '.') {
-    statement.keyword = Keyword::macro_call;
+  if (!read_macro_call(p, statement) && macros_) read_macro(p, statement);
+  return true;
+}
+
+/// G65 and G66.
+bool StatementReader::read_macro_call(const char* p, Statement& statement) const {
+  for (const auto& [has, letters, keyword] : {std::tuple(has_macro_calls_, "G65", Keyword::macro_call),
+                                              std::tuple(has_modal_calls_, "G66", Keyword::modal_call)}) {
+    const char* q = p;
+    if (!has || !take_letters(q, letters) || is_digit(*q) || *q == '.') continue;
+    statement.keyword = keyword;
     statement.rest = q;
     return true;
   }
-  if (macros_) read_macro(p, statement);
-  return true;
+  return false;
 }
 
 /// Numbers of loops are told without their condition being read.

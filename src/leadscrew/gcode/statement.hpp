@@ -43,6 +43,7 @@ enum class Keyword : std::uint8_t {
   macro_end,
   go_to,
   macro_call,  ///< G65
+  modal_call,  ///< G66
 };
 
 /// As messages call it: "endwhile".
@@ -59,7 +60,7 @@ struct Statement {
 };
 
 namespace detail {
-/// What a line's first character says of it: block, perhaps GOTO or G65, or look on.
+/// What a line's first character says of it: block, perhaps GOTO, G65 or G66, or look on.
 enum class LineStart : std::uint8_t { block, g, number, other };
 
 constexpr std::array<LineStart, 256> make_line_starts() {
@@ -82,6 +83,7 @@ class StatementReader {
         reporter_(reporter),
         macros_(dialect == Dialect::fanuc || dialect == Dialect::haas),
         has_macro_calls_(g_code(dialect, 650) == Code::G65),
+        has_modal_calls_(g_code(dialect, 660) == Code::G66),
         block_delete_(block_delete) {}
 
   /// Whether the line may be a statement: lines of words are told by a look at their first letter.
@@ -120,12 +122,14 @@ class StatementReader {
   bool read_program_number(const char* p, Statement& statement);
   bool read_name(const char*& p, StatementName& name);
   bool read_bracketed_name(const char*& p, StatementName& name);
+  bool read_macro_call(const char* p, Statement& statement) const;
   void read_macro(const char* p, Statement& statement) const;
 
   ExpressionReader& values_;
   Reporter& reporter_;
   bool macros_;           // IF, WHILE, DO, END, GOTO
   bool has_macro_calls_;  // G65
+  bool has_modal_calls_;  // G66
   bool block_delete_;
   std::unordered_map<std::string, StatementName> numbers_;  // of names, from first_named on
   std::vector<std::string> names_;

@@ -44,10 +44,10 @@ void Transforms::set_mirror(const Block& block, ProgramTransform& transform) con
   for (const base::Axis axis : linear_axes) {
     const std::size_t i = base::index(axis);
     const char letter = base::letter(axis);
-    if (block.is(Code::G50_1) && (all || block.has(letter))) transform.mirrored[i] = false;
-    if (block.is(Code::G51_1) && block.has(letter)) {
+    if ((block.is(Code::G50_1) || block.is(Code::G100)) && (all || block.has(letter))) transform.mirrored[i] = false;
+    if ((block.is(Code::G51_1) || block.is(Code::G101)) && block.has(letter)) {
       transform.mirrored[i] = true;
-      transform.mirror_at[i] = block[letter] * frame_.length_unit;
+      transform.mirror_at[i] = block.is(Code::G101) ? 0 : block[letter] * frame_.length_unit;
     }
   }
 }

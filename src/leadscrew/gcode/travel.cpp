@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <leadscrew/gcode/nurbs.hpp>
 #include <leadscrew/gcode/travel.hpp>
 #include <limits>
@@ -41,9 +43,10 @@ void Travel::report_travel(base::Axis axis, double value, std::uint32_t column) 
 }
 
 void Travel::note_outside() {
+  const base::AxisVector position = frame_.axes_of(frame_.position);
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    if (low_[i] <= frame_.position[i] && frame_.position[i] <= high_[i]) {
+    if (low_[i] <= position[i] && position[i] <= high_[i]) {
       outside_.erase(axis);
     } else {
       outside_.insert(axis);
@@ -57,7 +60,7 @@ bool Travel::fails_outside(const Block& block) {
   for (const base::Axis axis : base::all_axes) {
     if (!outside_.contains(axis) || reported_outside_.contains(axis) || reporter_.muted()) continue;
     reported_outside_.insert(axis);
-    report_travel(axis, frame_.position[base::index(axis)], motion_column(block));
+    report_travel(axis, frame_.axes_of(frame_.position)[base::index(axis)], motion_column(block));
   }
   return true;
 }
@@ -79,6 +82,32 @@ bool Travel::axis_inside(base::Axis axis, double value, std::uint32_t column) {
 }
 
 bool Travel::inside_travel(const Block& block, const base::AxisVector& target) {
+  return frame_.tip_control() ? tip_inside(block, target) : places_inside(block, frame_.position, target);
+}
+
+// The tip goes straight and the axes do not: they are looked at where rotary axes have turned by a few degrees each.
+bool Travel::tip_inside(const Block& block, const base::AxisVector& target) {
+  constexpr double step = 3, most = 360;  // degrees
+  double turned = 0;
+  for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::C})
+    turned = std::max(turned, std::fabs(target[base::index(axis)] - frame_.position[base::index(axis)]));
+  const int parts = static_cast<int>(std::min(turned, most) / step) + 1;
+  base::AxisVector from = frame_.axes_of(frame_.position);
+  bool inside = true;
+  for (int k = 1; k <= parts; ++k) {
+    base::AxisVector place = target;
+    if (k < parts) {
+      for (std::size_t i = 0; i < place.size(); ++i)
+        place[i] = frame_.position[i] + (target[i] - frame_.position[i]) * k / parts;
+    }
+    const base::AxisVector to = frame_.axes_of(place);
+    inside &= places_inside(block, from, to);
+    from = to;
+  }
+  return inside;
+}
+
+bool Travel::places_inside(const Block& block, const base::AxisVector& from, const base::AxisVector& target) {
   bool inside = outside_.empty() && reported_outside_.empty();
   for (std::size_t i = 0; i < target.size(); ++i) inside &= low_[i] <= target[i] && target[i] <= high_[i];
   if (inside) return true;
@@ -86,7 +115,7 @@ bool Travel::inside_travel(const Block& block, const base::AxisVector& target) {
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
     const char letter = base::letter(axis);
-    if (target[i] == frame_.position[i] && !block.has(letter)) continue;
+    if (target[i] == from[i] && !block.has(letter)) continue;
     inside &= axis_inside(axis, target[i], block.has(letter) ? block.column_of(letter) : motion_column(block));
   }
   // An axis that stays outside keeps the others from moving.
@@ -95,6 +124,7 @@ bool Travel::inside_travel(const Block& block, const base::AxisVector& target) {
 }
 
 bool Travel::bulge_inside(const Block& block, base::Axis axis, double low, double high) {
+  if (frame_.tip_control()) return true;  // low and high are the tip's: where it leads the axes is asked of the path
   const std::size_t i = base::index(axis);
   const bool below = low < low_[i];
   if (!below && high <= high_[i]) return true;
@@ -104,6 +134,10 @@ bool Travel::bulge_inside(const Block& block, base::Axis axis, double low, doubl
 }
 
 void Travel::curve_inside(const Block& block, const NurbsCurve& curve) {
+  if (frame_.tip_control()) {
+    inside_travel(block, curve.points.back().position);
+    return;
+  }
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
     bulge_inside(block, axis, reach_beyond(curve, axis, -1, low_[i]), reach_beyond(curve, axis, 1, high_[i]));

@@ -30,6 +30,8 @@ class Travel : Part {
   const base::AxisVector& high() const { return high_; }
 
  private:
+  bool places_inside(const Block& block, const base::AxisVector& from, const base::AxisVector& to);
+  bool tip_inside(const Block& block, const base::AxisVector& target);
   bool axis_inside(base::Axis axis, double value, std::uint32_t column);
   void report_travel(base::Axis axis, double value, std::uint32_t column);
 

@@ -11,7 +11,6 @@ using numeric::Jet;
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double length_agreement = 1e-13;    // of the length
 constexpr double straight_deviation = 1e-15;  // mm or degrees
 constexpr double straight_share = 1e-9;       // of the curve, at most
 constexpr double negligible_length = 1e-13;   // mm or degrees: what is shorter is not subdivided
@@ -49,9 +48,9 @@ class Mapper {
     return numeric::integrate_gauss_8([&](double x) { return curve_.speed(metric_, x); }, a, b);
   }
 
-  /// Whether the sum of the halves stands for the whole: to 1e-13 or to rounding.
+  /// Whether the sum of the halves stands for the whole: within the tolerance or to rounding.
   bool agrees(double whole, double halves, double width) const {
-    return std::abs(whole - halves) <= length_agreement * halves + 16 * epsilon * reach_ * width;
+    return std::abs(whole - halves) <= tolerance_.length * halves + 16 * epsilon * reach_ * width;
   }
 
   Node node(double x) const {

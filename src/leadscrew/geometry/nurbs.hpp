@@ -47,9 +47,10 @@ NurbsForm form_of(const Programmed& curve) {
 /// the curvature and the reciprocal of the length of a span. g″ has a step where two pieces of the table meet, and so
 /// has q‴: jerk by about as much, relative, where motion along a bend is as fast as jerk allows.
 struct MapTolerance {
-  double speed = 1e-7;   ///< |g − 1|
-  double first = 1e-5;   ///< |g′| / k
-  double second = 1e-4;  ///< |g″| / k²
+  double speed = 1e-7;    ///< |g − 1|
+  double first = 1e-5;    ///< |g′| / k
+  double second = 1e-4;   ///< |g″| / k²
+  double length = 1e-13;  ///< of a piece of the table, relative
 };
 
 struct NurbsTable;

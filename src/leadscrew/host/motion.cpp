@@ -36,6 +36,7 @@ gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOpt
   reading.opener = [texts](const std::string& name, std::int64_t offset) { return texts->open(name, offset); };
   reading.fuel = options.fuel;
   reading.asks_inputs = options.has_inputs;
+  if (options.has_probe) reading.probing = gcode::ProbingMoves::real;
   return reading;
 }
 
@@ -111,6 +112,8 @@ base::Result<Trajectory> Motion::plan() const {
       trajectory.append(std::move(*chunk));
     } else if (source->wants_input()) {
       source->input_is({});
+    } else if (source->waits_for_probe()) {
+      source->probed({true, false, source->rest(), source->rest()});
     } else {
       break;
     }
@@ -122,6 +125,7 @@ base::Result<Trajectory> Motion::plan() const {
 std::size_t Motion::next(std::span<base::Word> words) {
   std::size_t count = 0;
   while (count < words.size() && program_->prepare()) count += program_->cycle(words.subspan(count)).size();
+  if (options_.has_probe && count > 0) last_position_ = words[count - 1].position;
   return count;
 }
 
@@ -151,6 +155,22 @@ base::Result<void> Motion::input_is(double value) {
   if (!std::isfinite(value))
     return base::failure(base::problem("move-finite", "the value of an input is not finite", "a number"));
   program_->input_is(value);
+  return {};
+}
+
+gcode::ProbeSearch Motion::probing() const {
+  const gcode::Move* const move = program_->probing();
+  return move == nullptr ? gcode::ProbeSearch::nothing : move->probes;
+}
+
+base::Result<void> Motion::probe_found(const std::optional<base::AxisVector>& position) {
+  if (probing() == gcode::ProbeSearch::nothing) {
+    return base::failure(base::problem("probe-idle", "a probe has found something while nothing is being probed",
+                                       "ask what the last word is probing before"));
+  }
+  if (position && !std::ranges::all_of(*position, [](double value) { return std::isfinite(value); }))
+    return base::failure(base::problem("move-finite", "a coordinate of the place is not finite", "mm or degrees"));
+  program_->probe_found(position.value_or(last_position_));
   return {};
 }
 

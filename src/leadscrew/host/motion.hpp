@@ -44,6 +44,8 @@ struct MotionOptions {
   std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
   /// The host says what inputs are (M66), by input_is(). Otherwise they are off.
   bool has_inputs = false;
+  /// Probing moves (G38.2 … G38.5, G31) end where probe_found() says so. Otherwise as the machine's simulated probe does.
+  bool has_probe = false;
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
   /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
   /// `interrupted`; motion comes to rest.
@@ -76,7 +78,8 @@ class Motion {
   void finish() { moves_.finish(); }
 
   /// All of it, planned from its beginning to its end as nobody intervenes: of a program, or of the moves that have been
-  /// pushed so far, with rest behind the last. Words stay those that they are; this plans beside them. Errors:
+  /// pushed so far, with rest behind the last. A probe of its own touches
+  /// where probing moves lead. Words stay those that they are; this plans beside them. Errors:
   /// `motion-moves` where next() has taken some of the moves already; failure().
   base::Result<Trajectory> plan() const;
 
@@ -98,6 +101,16 @@ class Motion {
   /// What that has found: the input's value, 0 or 1 of a digital one, or -1 where the time for it is over. Errors:
   /// `input-idle` where none is asked for, `move-finite`.
   base::Result<void> input_is(double value);
+  /// What the probing move looks for along which the last word lies: of motions with a probe of their own
+  /// (MotionOptions::has_probe).
+  gcode::ProbeSearch probing() const;
+  /// The probe has found that, where the axes stand at this position, mm or degrees, or else at that of the last word:
+  /// motion comes to rest within a slice and what the limits need, and goes on as the program does. Words that have been
+  /// given belong to it: ask for few of them while probing. The first call counts; at the first word along the move, at
+  /// rest, it says that this is so before the move begins. Errors: `probe-idle` where nothing is
+  /// being probed, `move-finite`.
+  base::Result<void> probe_found(const std::optional<base::AxisVector>& position = {});
+
   /// Motion ends, at rest on its path, within a slice and what the limits need; what was pushed behind is forgotten.
   void abort();
   /// After its last word: stands here, mm or degrees, and waits for moves; words count from 0 again. Errors:
@@ -120,6 +133,7 @@ class Motion {
   std::shared_ptr<ProgramTexts> texts_;  ///< of a program; else none
   MoveQueue moves_;
   std::optional<pipeline::Program> program_;
+  base::AxisVector last_position_{};  ///< of the last word; of motions with a probe alone
 };
 
 }  // namespace leadscrew::host

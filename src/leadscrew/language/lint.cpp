@@ -37,7 +37,7 @@ std::vector<base::Diagnostic> Lint::see(const Move& move, const gcode::Frame& fr
     if (std::hypot(move.start[0] - x_, move.start[1] - y_) > rounding) depth_ = std::numeric_limits<double>::infinity();
     if (move.feed.mode == gcode::Feed::Mode::rapid) {
       see_rapid(move, top);
-    } else {
+    } else if (!move.is_probing()) {  // which cuts nothing
       see_feed(move, top);
       see_unit(move, frame);
     }

@@ -16,6 +16,7 @@ inline constexpr std::string_view laser_output = "laser output";
 inline constexpr std::string_view tool_zero = "tool zero";
 inline constexpr std::string_view orientation_tolerance = "orientation tolerance";
 inline constexpr std::string_view pole_cone = "pole cone";
+inline constexpr std::string_view probe_plane = "probe plane";  // of an axis
 
 // Of an axis.
 inline constexpr std::string_view travel = "travel";

@@ -82,6 +82,7 @@ std::vector<base::Diagnostic> validate(const Machine& machine) {
   }
   check_screws(problems, machine);
   if (machine.laser) check_laser(*machine.laser, problems);
+  if (machine.probe) check_probe(machine, problems);
   if (!any)
     problems.push_back(problem("machine-axes", "the machine has no axis", "give at least one, such as [axis.X]",
                                {.field = field::axes}));

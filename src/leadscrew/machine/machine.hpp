@@ -10,6 +10,7 @@
 #include <leadscrew/machine/dialect.hpp>
 #include <leadscrew/machine/drive.hpp>
 #include <leadscrew/machine/laser.hpp>
+#include <leadscrew/machine/probe.hpp>
 #include <leadscrew/machine/rotary_chain.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
 #include <leadscrew/machine/step_times.hpp>
@@ -58,6 +59,7 @@ struct Machine {
   Dialect dialect = Dialect::leadscrew;     ///< of its programs
   std::optional<Laser> laser;               ///< empty where there is none
   std::optional<RotaryChain> rotary_chain;  ///< empty where it is cartesian
+  std::optional<Probe> probe;               ///< for simulation; empty where none is simulated
 
   /// Is there this axis?
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
@@ -81,8 +83,8 @@ struct Machine {
 Machine mill3();
 
 /// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`,
-/// those of check_step_times(), check_screw(), check_drive(), check_laser() and check_kinematics(), and `pitch-axis` for screws of axes that the machine
-/// lacks.
+/// those of check_step_times(), check_screw(), check_drive(), check_laser(), check_probe() and check_kinematics(), and
+/// `pitch-axis` for screws of axes that the machine lacks.
 std::vector<base::Diagnostic> validate(const Machine& machine);
 
 }  // namespace leadscrew::machine

@@ -42,6 +42,10 @@ bool has_sound_direction(const RotaryAxis& axis) {
   return is_finite(axis.direction) && std::abs(length_of(axis.direction) - 1) <= unit_tolerance;
 }
 
+bool has_sound_order(const RotaryAxis& axis) {
+  return axis.order == 1 || axis.order == 2;
+}
+
 void check_rotary_axis(const RotaryAxis& axis, std::vector<base::Diagnostic>& problems) {
   const auto report = [&](std::string_view code, const std::string& what, std::string hint, std::string_view field) {
     problems.push_back(base::problem(code, of_axis(axis, what), std::move(hint), {.axis = axis.axis, .field = field}));
@@ -58,7 +62,7 @@ void check_rotary_axis(const RotaryAxis& axis, std::vector<base::Diagnostic>& pr
   if (!is_finite(axis.point)) {
     report("rotary-point", "the point on it is " + text_of(axis.point), "three finite numbers, mm", field::point);
   }
-  if (axis.order != 1 && axis.order != 2) {
+  if (!has_sound_order(axis)) {
     report("rotary-order", "the order is " + std::to_string(axis.order),
            "1, nearest the bed or the ram, or 2, the one behind it", field::order);
   }
@@ -136,7 +140,7 @@ void check_chain(const RotaryChain& chain, std::vector<base::Diagnostic>& proble
         "rotary-order",
         of_axis(b, "the order is " + std::to_string(b.order) + ", as that of axis " + base::letter(a.axis)),
         "1 for the one nearest the bed or the ram, 2 for the one behind it", {.axis = b.axis, .field = field::order}));
-  } else {
+  } else if (has_sound_order(a) && has_sound_order(b)) {
     check_angles(chain, problems);
   }
   check_numbers(chain, problems);

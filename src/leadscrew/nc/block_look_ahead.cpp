@@ -45,7 +45,9 @@ double BlockLookAhead::rest_rate(const PlannedBlock& planned) const {
 
 /// Speed at which both can meet; 0 where the path must rest.
 double BlockLookAhead::junction(const PlannedBlock& before, const PlannedBlock& after) const {
-  if (before.stops || before.block.kind == Block::Kind::dwell || after.block.kind == Block::Kind::dwell) return 0;
+  if (before.stops || after.from_rest || before.block.kind == Block::Kind::dwell ||
+      after.block.kind == Block::Kind::dwell)
+    return 0;
   const double out = numeric::norm(before.exit), in = numeric::norm(after.entry);
   double speed = std::min(greatest_rate(before) * out, greatest_rate(after) * in);
   // Chords of one curve turn as it does, but for what the lattice does not show.

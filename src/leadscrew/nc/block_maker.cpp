@@ -226,7 +226,8 @@ Planned BlockMaker::plan(Block block, const Part& part) {
   if (!planned) return give_up(std::move(planned.error()));
   const LatticeVector delta = whole_delta(block);
   for (std::size_t i = 0; i < delta.size(); ++i) at_[i] += delta[i];
-  planned->stops = move_.path_mode == gcode::PathMode::exact_stop && !left_;
+  planned->stops = (move_.is_probing() || move_.path_mode == gcode::PathMode::exact_stop) && !left_;
+  planned->from_rest = move_.is_probing();
   return planned;
 }
 

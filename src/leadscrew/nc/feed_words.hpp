@@ -27,6 +27,7 @@ struct PlannedBlock {
   double greatest_rate = 0;  ///< commands/s: that no axis exceeds its velocity, nor its acceleration in the curve
   double rate = 0;           ///< commands/s, programmed
   bool stops = false;        ///< at its end, whatever follows
+  bool from_rest = false;    ///< at its start, whatever comes before
   bool goes_on = false;      ///< along the curve whose chord the block before was
 };
 

@@ -95,6 +95,12 @@ SinePair<T> turned(const SinePair<T>& sines, double quarters) {
 /// π/2 behind the digits that a double-double has of it.
 constexpr double quarter_third_part = 1.4973849048591833e-33;
 
+/// |x| < 2⁵¹. Without a call: the cycle makes none of the library's.
+double nearest_whole(double x) {
+  constexpr double units = 0x1.8p52;  // from here on doubles are whole
+  return (x + units) - units;
+}
+
 }  // namespace
 
 DoubleDouble sqrt(DoubleDouble a) {
@@ -113,7 +119,7 @@ DoubleDouble hypot(DoubleDouble x, DoubleDouble y, DoubleDouble z) {
 
 SinePair<DoubleDouble> sine_cosine(DoubleDouble angle) {
   const DoubleDouble quarter = two_pi * 0.25;
-  const double quarters = std::nearbyint(angle.hi / quarter.hi);
+  const double quarters = nearest_whole(angle.hi / quarter.hi);
   const DoubleDouble rest = angle - two_product(quarters, quarter.hi) - two_product(quarters, quarter.lo);
   return turned(sines_near_zero(rest + -quarters * quarter_third_part), quarters);
 }
@@ -136,7 +142,7 @@ DoubleDouble atan2(DoubleDouble y, DoubleDouble x) {
 }
 
 SinePair<double> sines_of_degrees(double angle) {
-  const double quarters = std::nearbyint(angle * (1.0 / 90));
+  const double quarters = nearest_whole(angle * (1.0 / 90));
   const double rest = angle - 90 * quarters;
   const DoubleDouble radians = two_product(rest, radians_of_degree.hi);
   const Sines near = sines({radians.hi, radians.lo + rest * radians_of_degree.lo});
@@ -144,7 +150,7 @@ SinePair<double> sines_of_degrees(double angle) {
 }
 
 SinePair<DoubleDouble> sines_of_degrees(DoubleDouble angle) {
-  const double quarters = std::nearbyint(angle.hi * (1.0 / 90));
+  const double quarters = nearest_whole(angle.hi * (1.0 / 90));
   return turned(sines_near_zero((angle + -90 * quarters) * radians_of_degree), quarters);
 }
 

@@ -17,6 +17,7 @@ MotionSource::MotionSource(gcode::ByteSource source, base::Borrowed<machine::Mac
                            gcode::DiagnosticSink diagnostics)
     : MotionSource([this](gcode::Move& move) { return read(move); }, machine, options.start) {
   asks_inputs_ = options.asks_inputs;
+  probes_ = options.probing == gcode::ProbingMoves::real;
   gcode::ReaderOptions reading = options;
   if (reading.opener) {
     reading.opener = [this, opener = options.opener](const std::string& name, std::int64_t offset) {
@@ -58,9 +59,16 @@ std::optional<planner::Chunk> MotionSource::next() {
   }
   std::optional<planner::Chunk> chunk;
   wants_moves_ = false;
-  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_ && !input_ && !planner_.stands_held())
+  if (probing_ends_) return chunk;
+  while (!failure_ && !(chunk = pop()) && reading_ && !wants_moves_ && !input_ && !probing_ && !planner_.stands_held())
     reading_ = read_move();
   return chunk;
+}
+
+void MotionSource::probed(const gcode::Probed& result) {
+  probing_.reset();
+  if (std::exchange(probing_ends_, false)) planner_.forget_rest();
+  reader_->probed(result);
 }
 
 std::optional<planner::Chunk> MotionSource::pop() {
@@ -97,6 +105,7 @@ bool MotionSource::read_move() {
   if (supply == Supply::move) {
     if (move.path_mode == gcode::PathMode::blend) tolerance_ = std::max(tolerance_, move.tolerance);
     if (on_move) on_move(move);
+    if (move.is_probing() && probes_) begin_probing(move);
     builder_.push(move);
     if (asks_inputs_ && move.kind == gcode::Move::Kind::event && base::is_input(move.event.kind)) input_ = move.event;
   } else {
@@ -105,6 +114,17 @@ bool MotionSource::read_move() {
   if (!settle()) return false;
   if (supply == Supply::end) planner_.finish();
   return supply == Supply::move;
+}
+
+/// A word at least stands at rest before, so that the probe can be looked at.
+void MotionSource::begin_probing(const gcode::Move& move) {
+  probing_ = move;
+  gcode::Move rest;
+  rest.kind = gcode::Move::Kind::dwell;
+  rest.start = rest.end = move.start;
+  rest.line = move.line;
+  rest.dwell_seconds = 2 * machine_.period.seconds();
+  builder_.push(rest);
 }
 
 /// Gives the planner what path is settled; false if that fails.

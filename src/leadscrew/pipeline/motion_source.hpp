@@ -62,6 +62,19 @@ class MotionSource {
 
   /// Blocks of the program read so far.
   std::int64_t blocks() const { return reader_ ? reader_->blocks() : 0; }
+  /// Was there no chunk because a probing move is under way that a real probe ends (gcode::ProbingMoves::real)? All of it
+  /// has been handed out.
+  bool waits_for_probe() const { return probing_ && !is_cut_short(); }
+  /// The probing move that is being handed out; none otherwise.
+  const std::optional<gcode::Move>& probing() const { return probing_; }
+  /// Of that move no more chunks come.
+  void end_probing() { probing_ends_ = true; }
+  /// Motion rests by the tail of the last chunk, and this is what the probe has found: reads on from there. What is left of
+  /// the probing move is forgotten.
+  void probed(const gcode::Probed& result);
+  /// Where motion rests by the tail of the last chunk, mm or degrees.
+  const geometry::Point& rest() const { return planner_.rest(); }
+
   /// Was there no chunk for want of moves that are not known yet?
   bool wants_moves() const { return wants_moves_; }
   /// Was there no chunk because the program asks for an input (ReaderOptions::asks_inputs)? All before it has been handed
@@ -88,6 +101,7 @@ class MotionSource {
   gcode::DiagnosticSink watched(gcode::DiagnosticSink diagnostics);
   Supply read(gcode::Move& move);
   bool read_move();
+  void begin_probing(const gcode::Move& move);
   bool settle();
   bool push(toolpath::Element element);
   std::optional<planner::Chunk> pop();
@@ -104,6 +118,9 @@ class MotionSource {
   bool wants_moves_ = false;
   bool asks_inputs_ = false;
   std::optional<base::Event> input_;  ///< that is asked for
+  bool probes_ = false;  ///< a real probe ends probing moves
+  std::optional<gcode::Move> probing_;
+  bool probing_ends_ = false;
   bool aborted_ = false;
 };
 

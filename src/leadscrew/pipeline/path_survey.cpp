@@ -1,4 +1,5 @@
 #include <leadscrew/pipeline/path_survey.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/travel.hpp>
 
 namespace leadscrew::pipeline {
@@ -8,7 +9,7 @@ PathSurvey::PathSurvey(base::Borrowed<machine::Machine> machine, const geometry:
       machine_(*machine),
       constraints_(machine_),
       feeds_(constraints_),
-      builder_(machine),
+      builder_(machine, toolpath::tables_for_times),
       bound_(constraints_) {}
 
 std::optional<FeedExcess> PathSurvey::observe(const gcode::Move& move) {

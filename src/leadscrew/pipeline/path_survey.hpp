@@ -37,7 +37,8 @@ class Survey {
   geometry::Point least_, greatest_;
 };
 
-/// Path and bound are those of a run (MotionSource, planner::TimeBound): the tool path with its blends and fits.
+/// Path and bound are those of a run (MotionSource, planner::TimeBound): the tool path with its blends and fits, whose
+/// tables of arc length suffice for a time.
 class PathSurvey : public Survey {
  public:
   /// The machine must outlive this.

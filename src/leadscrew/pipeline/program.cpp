@@ -43,6 +43,14 @@ Progress Program::find_word() {
       tell_events(interpolator_.events_of_part(), interpolator_.tick());
       return Progress::wants_input;
     }
+    if (source_.waits_for_probe() && (found_ || !source_.planner().is_held())) {
+      if (interpolator_.has_stop_tail_left()) {
+        stop();
+      } else {
+        conclude_probing();
+      }
+      continue;
+    }
     if (!source_.is_cut_short()) {
       if (source_.wants_moves()) return Progress::wants_moves;
       if (source_.planner().is_held()) return Progress::held;
@@ -90,6 +98,26 @@ void Program::stop() {
   interpolator_.run_stop_tail();
 }
 
+const gcode::Move* Program::probing() const {
+  const std::optional<gcode::Move>& move = source_.probing();
+  return move && move->line == last_line_ ? &*move : nullptr;
+}
+
+void Program::probe_found(const base::AxisVector& position) {
+  if (probing() == nullptr || found_) return;
+  found_ = gcode::Probed{true, base::count(line_begin_) == summary_.words, position, position};
+  source_.end_probing();
+}
+
+/// The probing move has ended, at rest.
+void Program::conclude_probing() {
+  const geometry::Point& rest = source_.rest();
+  gcode::Probed result = found_.value_or(gcode::Probed{false, false, rest, rest});
+  result.rest = rest;
+  source_.probed(result);
+  found_.reset();
+}
+
 bool Program::plan_next() {
   std::optional<planner::Chunk> chunk = source_.next();
   summary_.blocks = source_.blocks();
@@ -128,6 +156,8 @@ void Program::account(const gcode::Move& move) {
 }
 
 void Program::account(const base::Word& word) {
+  if (word.line != last_line_) line_begin_ = word.tick;
+  last_line_ = word.line;
   summary_.words = base::count(word.tick);
   summary_.time_s = base::seconds(word.tick, machine_.period);
 }

@@ -109,6 +109,14 @@ class Program {
   /// one. prepare() must have said true; not empty.
   std::span<const base::Word> cycle(std::span<base::Word> words);
 
+  /// The probing move (G38.2 … G38.5, G31) along which the last word lies, which a real probe ends
+  /// (gcode::ProbingMoves::real); none otherwise.
+  const gcode::Move* probing() const;
+  /// The probe has found what that move looks for, at this position, mm or degrees: motion comes to rest within a slice and
+  /// what the limits need, and goes on from there as the program does. Of several calls the first counts. Nothing without
+  /// a probing move.
+  void probe_found(const base::AxisVector& position);
+
   /// Will the next prepare() read or plan, or is the motion of the next word there already?
   bool will_plan() const { return !ended_ && interpolator_.wants_chunk(); }
 
@@ -124,6 +132,7 @@ class Program {
   Progress find_word();
   bool plan_next();
   void stop();
+  void conclude_probing();
   void tell_events(std::size_t count, base::Tick tick);
   void account(const gcode::Move& move);
   void account(const base::Word& word);
@@ -136,7 +145,10 @@ class Program {
   planner::Chunk chunk_;
   EventSink events_;
   std::function<void(const gcode::Move&)> moves_;
-  std::size_t told_ = 0;  ///< events of the chunk
+  std::size_t told_ = 0;                ///< events of the chunk
+  std::optional<gcode::Probed> found_;  ///< by the probe, along the move that is under way
+  base::Line last_line_{};              ///< of the last word
+  base::Tick line_begin_{};             ///< of the first word of that line
   bool bound_is_known_ = false;
   Progress progress_ = Progress::moving;
   bool ended_ = false;  ///< but for the last word

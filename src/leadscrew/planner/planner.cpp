@@ -225,7 +225,7 @@ bool Planner::take(const toolpath::Piece& piece) {
     const geometry::PointJet leaving = last_->axes().jets(end);
     const geometry::PointJet entering = piece.axes().jets(0);
     const double square = std::min(
-        constraints_.greatest_square({leaving, last_->greatest_speed(end, leaving), chords_of(*last_, leaving)}),
+        constraints_.greatest_square({leaving, last_->greatest_speed(end, leaving), chords_of(*last_, end, leaving)}),
         squared(piece.greatest_speed(0, entering)));
     if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
       look_ahead_.close();
@@ -312,6 +312,15 @@ void Planner::refuse() {
   take_factor();
   if (closed_form_) return go_on_from(closed_form_->rest_before());
   look_ahead_.refuse();
+}
+
+void Planner::forget_rest() {
+  waiting_.clear();
+  last_.reset();
+  closed_form_.reset();
+  look_ahead_.clear();
+  dwelt_ = 0;
+  travelling_.forget_rest();
 }
 
 Chunk Planner::follow_events(Chunk chunk) {

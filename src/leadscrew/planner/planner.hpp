@@ -76,6 +76,11 @@ class Planner {
   /// The chunk that was popped last was not taken in time: motion has come to rest by the stop tail of the chunk
   /// before. The next chunk goes on from there.
   void refuse();
+  /// Motion has come to rest by the stop tail of the chunk that was popped last: forgets what is left of the path. The next
+  /// element goes on from there.
+  void forget_rest();
+  /// Where motion rests by the stop tail of the chunk that was popped last, mm or degrees.
+  const geometry::Point& rest() const { return position_; }
 
   /// Asked every few milliseconds while planning takes long: once it says true no chunk comes any more, and
   /// is_stopped().

@@ -19,9 +19,12 @@ geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side
 /// Does the direction of the path turn here: is any q″ other than 0?
 bool turns(const geometry::PointJet& jet);
 
-/// Of those between words on a piece, where its axes have these derivatives.
-inline constraints::Chords chords_of(const toolpath::Piece& piece, [[maybe_unused]] const geometry::PointJet& jet) {
-  return {.sagitta = piece.sagitta, .bend = {}};
+/// Of those between words on a piece; `jet` is that of its axes at s.
+inline constraints::Chords chords_of(const toolpath::Piece& piece, double s, const geometry::PointJet& jet) {
+  constraints::Chords chords{.sagitta = piece.sagitta, .bend = {}};
+  if (piece.transformation)
+    chords.bend = kinematics::tip_bend(*piece.transformation, jet, geometry::jets(piece.curve, s));
+  return chords;
 }
 
 class Section {
@@ -53,7 +56,8 @@ class Section {
   }
   /// Of those between words there; likewise.
   constraints::Chords chords(double s, Side side, const geometry::PointJet& jet) const {
-    return chords_of(pieces_[piece_at(s, side)], jet);
+    const std::size_t index = piece_at(s, side);
+    return chords_of(pieces_[index], s - offsets_[index], jet);
   }
 
  private:

@@ -23,14 +23,16 @@ bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& ente
 }
 
 /// How far from here a knot may be, by the turn |q″| h and what it changes by, |q‴| h².
-double finest_step(const geometry::PointJet& jet) {
+double finest_step(const geometry::PointJet& jet, base::AxisSet moving) {
   double second = 0, third = 0;
-  for (const numeric::Jet<>& q : jet) {
+  for (const base::Axis axis : base::all_axes) {
+    if (!moving.contains(axis)) continue;
+    const numeric::Jet<>& q = jet[base::index(axis)];
     second = std::max(second, std::abs(q.second));
     third = std::max(third, std::abs(q.third));
   }
   const double by_turn = second > 0 ? finest_turn / second : infinity;
-  return third > 0 ? std::min(by_turn, std::sqrt(finest_bend / third)) : by_turn;
+  return third > 0 ? std::min(by_turn, std::sqrt(finest_turn / third)) : by_turn;
 }
 
 }  // namespace
@@ -43,12 +45,12 @@ void TimeBound::push(const toolpath::Element& element) {
   }
   const auto* piece = std::get_if<toolpath::Piece>(&element);
   if (!piece) return;
-  if (!is_smooth(leaving_, piece->axes().jets(0))) stop();
-  if (const auto* line = piece->axes().line()) {
-    add_straight(*line, *piece);
+  if (held_ && !is_smooth(leaving_, piece->axes().jets(0))) {
+    stop();
   } else {
-    add_curved(*piece);
+    place_held(false);
   }
+  held_ = *piece;
   leaving_ = piece->axes().jets(piece->axes().length());
   if (piece->stop) stop();
 }
@@ -57,42 +59,57 @@ void TimeBound::finish() {
   stop();
 }
 
+void TimeBound::place_held(bool ends_at_rest) {
+  if (!held_) return;
+  if (const auto* line = held_->axes().line()) {
+    add_straight(*line, *held_);
+  } else {
+    add_curved(*held_, ends_at_rest);
+  }
+  held_.reset();
+  begins_at_rest_ = ends_at_rest;
+}
+
 void TimeBound::add_straight(const geometry::Line& line, const toolpath::Piece& piece) {
   const geometry::PointJet jet = line.jets(0);
-  Interval interval;
+  Interval& interval = waiting_.emplace_back();
   interval.length = line.length();
   interval.x_max = interval.x_end_max = velocity_limit(0, jet, piece);
   interval.straight_b = constraints_.along_tangent({jet, piece.greatest_speed(0, jet)}).acceleration;
-  add(interval);
+  settle_first_half();
 }
 
-void TimeBound::add_curved(const toolpath::Piece& piece) {
+void TimeBound::add_curved(const toolpath::Piece& piece, bool ends_at_rest) {
   const toolpath::AxisPath axes = piece.axes();
+  const base::AxisSet moving = axes.moving();
   const double length = axes.length();
   const std::vector<double> breaks = axes.breaks();
   auto stop_at = breaks.begin();
   double s = 0;
   geometry::PointJet here = axes.jets(0);
+  double step_here = finest_step(here, moving), x_here = velocity_limit(0, here, piece);
   while (s < length) {
-    // Knots crowd towards the ends, where the motion may come from rest or go to it.
-    const double longest = std::min(length / fewest_intervals, finest_step(here));
-    const double graded = std::max(first_interval * longest, grading * std::min(s, length - s));
+    // Knots crowd towards a place where the motion comes from rest or goes to it.
+    const double longest = std::min(length / fewest_intervals, step_here);
+    const double to_rest = std::min(begins_at_rest_ ? s : infinity, ends_at_rest ? length - s : infinity);
+    const double graded = std::max(first_interval * longest, grading * to_rest);
     const double limit = stop_at == breaks.end() ? length : *stop_at;
     const auto next_knot = [&](double step) { return limit - s < 1.5 * step ? limit : s + step; };
     double s_next = next_knot(std::min(longest, graded));
-    geometry::PointJet next = axes.jets(s_next);
+    here = axes.jets(s_next);
+    step_here = finest_step(here, moving);
     // With shorter steps where the curve begins to turn inside the step.
-    for (int halving = 0; halving < most_halvings && finest_step(next) < (s_next - s) / 2; ++halving) {
+    for (int halving = 0; halving < most_halvings && step_here < (s_next - s) / 2; ++halving) {
       s_next = s + (s_next - s) / 2;
-      next = axes.jets(s_next);
+      here = axes.jets(s_next);
+      step_here = finest_step(here, moving);
     }
-    Interval interval;
+    Interval& interval = waiting_.emplace_back();
     interval.length = s_next - s;
-    interval.x_max = velocity_limit(s, here, piece);
-    interval.x_end_max = velocity_limit(s_next, next, piece);
+    interval.x_max = x_here;
+    interval.x_end_max = x_here = velocity_limit(s_next, here, piece);
     add_rows(axes.jets((s + s_next) / 2), interval);
-    add(interval);
-    here = next;
+    settle_first_half();
     s = s_next;
     if (stop_at != breaks.end() && s >= *stop_at) ++stop_at;
   }
@@ -107,19 +124,24 @@ double TimeBound::velocity_limit(double s, const geometry::PointJet& jet, const 
 void TimeBound::add_rows(const geometry::PointJet& middle, Interval& interval) const {
   for (const auto& [row, jerk] : constraints_.row_pairs({middle, infinity}).pairs) {
     if (!row.bounds()) continue;
-    interval.rows[interval.row_count++] = {row.by_x, row.by_b + interval.length * row.by_x, row.limit};
+    const double by_b = row.by_b + interval.length * row.by_x;
+    if (by_b == 0) {
+      interval.x_max = std::min(interval.x_max, row.limit / std::abs(row.by_x));
+    } else {
+      interval.rows[interval.row_count++] = {row.limit / std::abs(by_b), row.by_x / by_b};
+    }
   }
 }
 
-void TimeBound::add(const Interval& interval) {
-  waiting_.push_back(interval);
+void TimeBound::settle_first_half() {
   if (waiting_.size() == most_waiting) settle(most_waiting / 2, infinity);
 }
 
 void TimeBound::stop() {
+  place_held(true);
   settle(waiting_.size(), 0);
   x_begin_ = 0;
-  leaving_ = {};
+  begins_at_rest_ = true;
 }
 
 void TimeBound::settle(std::size_t count, double x_beyond) {
@@ -138,52 +160,38 @@ void TimeBound::settle(std::size_t count, double x_beyond) {
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-/// Each row bounds b from above and from below by straight lines in x, c + m·x; so do the speeds allowed at the end.
-/// The greatest x is where the first pair of an upper and a lower line crosses.
+/// Each row bounds b from above and from below by straight lines in x, c + m·x, of one slope; so do the speeds allowed
+/// at the end. The greatest x is where the first pair of an upper and a lower line crosses.
 double TimeBound::greatest_start(const Interval& interval, double x_end) {
   const double x_end_most = std::min(x_end, interval.x_end_max);
-  if (interval.row_count == 0) return std::min(interval.x_max, x_end_most + 2 * interval.straight_b * interval.length);
-  struct Straight {
-    double c = 0, m = 0;
-  };
-  std::array<Straight, most_rows + 1> upper, lower;
-  std::size_t count = 0;
+  if (interval.is_straight()) return std::min(interval.x_max, x_end_most + 2 * interval.straight_b * interval.length);
   double x = interval.x_max;
-  for (std::size_t i = 0; i < interval.row_count; ++i) {
-    const AccelerationBound& row = interval.rows[i];
-    if (row.by_b == 0) {
-      x = std::min(x, row.limit / std::abs(row.by_x));
-      continue;
+  // x at the most where the upper line of one meets the lower line of another.
+  const auto cross = [&x](double upper_c, double upper_m, double lower_c, double lower_m) {
+    const double closing = lower_m - upper_m, apart = upper_c - lower_c;
+    if (closing > 0 && apart < x * closing) x = apart / closing;
+  };
+  const double per_b = 1 / (2 * interval.length), c_end = x_end_most < infinity ? x_end_most * per_b : infinity;
+  for (std::size_t u = 0; u < interval.row_count; ++u) {
+    const AccelerationBound& upper = interval.rows[u];
+    for (std::size_t l = 0; l < interval.row_count; ++l) {
+      const AccelerationBound& lower = interval.rows[l];
+      cross(upper.limit, -upper.by_x, -lower.limit, -lower.by_x);
     }
-    const double limit = row.limit / std::abs(row.by_b), slope = -row.by_x / row.by_b;
-    upper[count] = {limit, slope};
-    lower[count] = {-limit, slope};
-    ++count;
-  }
-  const double per_b = 1 / (2 * interval.length);
-  lower[count] = {0, -per_b};
-  if (x_end_most < infinity) {
-    upper[count] = {x_end_most * per_b, -per_b};
-    ++count;
-  }
-  for (std::size_t u = 0; u < count; ++u) {
-    for (std::size_t l = 0; l < count; ++l) {
-      const double closing = lower[l].m - upper[u].m;
-      if (closing > 0) x = std::min(x, (upper[u].c - lower[l].c) / closing);
-    }
+    cross(upper.limit, -upper.by_x, 0, -per_b);
+    cross(c_end, -per_b, -upper.limit, -upper.by_x);
   }
   return std::max(x, 0.0);
 }
 
 double TimeBound::greatest_end(const Interval& interval, double x_begin) {
-  if (interval.row_count == 0) {
+  if (interval.is_straight()) {
     return std::min(interval.x_end_max, x_begin + 2 * interval.straight_b * interval.length);
   }
   double b = infinity;
   for (std::size_t i = 0; i < interval.row_count; ++i) {
     const AccelerationBound& row = interval.rows[i];
-    if (row.by_b == 0) continue;
-    b = std::min(b, row.limit / std::abs(row.by_b) - row.by_x / row.by_b * x_begin);
+    b = std::min(b, row.limit - row.by_x * x_begin);
   }
   return std::clamp(x_begin + 2 * interval.length * b, 0.0, interval.x_end_max);
 }
@@ -191,7 +199,7 @@ double TimeBound::greatest_end(const Interval& interval, double x_begin) {
 /// On a straight interval speed rises to a peak below the limit, stays there, and falls; else b is constant.
 double TimeBound::duration(const Interval& interval, double x_begin, double x_end) {
   const double v_begin = std::sqrt(x_begin), v_end = std::sqrt(x_end);
-  if (interval.row_count > 0) return 2 * interval.length / (v_begin + v_end);
+  if (!interval.is_straight()) return 2 * interval.length / (v_begin + v_end);
   const double b = interval.straight_b;
   const double peak = std::min(interval.x_max, (x_begin + x_end) / 2 + b * interval.length);
   const double cruise = std::max(0.0, interval.length - (2 * peak - x_begin - x_end) / (2 * b));

@@ -11,12 +11,13 @@
 //   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x_i, at most K_{i+1}
 //
 // with b constant between knots and the limits kept at both ends of each interval. On lines that is exact with one
-// interval; curves are cut finely enough for 1e-4 of the time.
+// interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it.
 
 #include <array>
 #include <cstddef>
 #include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/toolpath/path.hpp>
+#include <optional>
 #include <vector>
 
 namespace leadscrew::planner {
@@ -35,9 +36,9 @@ class TimeBound {
   double seconds() const { return seconds_; }
 
  private:
-  /// |by_x·x + by_b·b| ≤ limit.
+  /// |b + by_x·x| ≤ limit.
   struct AccelerationBound {
-    double by_x = 0, by_b = 0, limit = 0;
+    double limit = 0, by_x = 0;
   };
   static constexpr std::size_t most_rows = constraints::RowPairs::size;
   /// From one knot to the next. `x` stands for x at the first of them.
@@ -45,14 +46,17 @@ class TimeBound {
     double length = 0;                                ///< > 0
     double x_max = 0, x_end_max = 0;                  ///< by feed and velocities, at its two knots
     std::array<AccelerationBound, most_rows> rows{};  ///< accelerations in its middle, in x and b
-    std::size_t row_count = 0;                        ///< 0: straight
-    double straight_b = 0;                            ///< straight: the greatest |b|, which may change its sign inside
-    double reach = 0;                                 ///< K
+    std::size_t row_count = 0;
+    double straight_b = 0;  ///< straight: the greatest |b|, which may change its sign inside
+    double reach = 0;       ///< K
+
+    bool is_straight() const { return straight_b > 0; }
   };
 
+  void place_held(bool ends_at_rest);
   void add_straight(const geometry::Line& line, const toolpath::Piece& piece);
-  void add_curved(const toolpath::Piece& piece);
-  void add(const Interval& interval);
+  void add_curved(const toolpath::Piece& piece, bool ends_at_rest);
+  void settle_first_half();
   void stop();
   void settle(std::size_t count, double x_beyond);
   static double greatest_start(const Interval& interval, double x_end);
@@ -62,7 +66,9 @@ class TimeBound {
   void add_rows(const geometry::PointJet& middle, Interval& interval) const;
 
   constraints::Constraints constraints_;
+  std::optional<toolpath::Piece> held_;  ///< the last piece, until it is known how it ends
   std::vector<Interval> waiting_;
+  bool begins_at_rest_ = true;    ///< what comes next
   geometry::PointJet leaving_{};  ///< at the end of the last piece
   double x_begin_ = 0;            ///< x where what is waiting begins
   double seconds_ = 0;

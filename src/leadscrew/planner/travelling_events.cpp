@@ -83,4 +83,10 @@ void TravellingEvents::refuse() {
   next_ = rest_ = rest_before_;
 }
 
+void TravellingEvents::forget_rest() {
+  next_ = rest_before_ = rest_;
+  entered_ = rest_.path_length;
+  numbered_ = rest_.number;
+}
+
 }  // namespace leadscrew::planner

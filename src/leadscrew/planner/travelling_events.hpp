@@ -24,6 +24,8 @@ class TravellingEvents {
   void refuse();
   /// What is allowed behind the last chunk.
   const AllowedOverrides& overrides() const { return next_.overrides; }
+  /// Motion has come to rest by the tail of the last chunk, and what was entered and lies behind is no more.
+  void forget_rest();
 
  private:
   /// How far motion has come: along the path, the number of the first event that it has not passed, and what those

@@ -164,8 +164,7 @@ inline constexpr double dense_steps = 1 + 1e-3;    // where there are so many th
 /// The bound of the time without jerk. Finer: nearer to the closed forms and published times of test_time_bound.
 namespace bound {
 inline constexpr std::size_t most_waiting = 2048;  // intervals
-inline constexpr double finest_turn = 0.005;       // rad, of a curve between knots
-inline constexpr double finest_bend = 0.005;       // change of curvature times step
+inline constexpr double finest_turn = 0.005;       // rad, of a curve between knots; and change of curvature times step
 inline constexpr int fewest_intervals = 32;        // of a curve
 inline constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
 inline constexpr int most_halvings = 20;

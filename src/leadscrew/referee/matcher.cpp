@@ -188,6 +188,14 @@ Passage Matcher::passage(std::size_t last) {
   return result;
 }
 
+bool Matcher::is_at_end(double reach) {
+  const std::size_t last = candidates_.last_alive();
+  if (departed_ || (last + 1 == candidates_.count() && candidates_.pull())) return false;
+  const Slot& here = slot(last);
+  return last + 1 == candidates_.count() && here.now.alive &&
+         metric_.distance(candidates_.word(), here.piece.to) <= reach;
+}
+
 std::optional<Finding> Matcher::conclude() {
   const double tolerance = source_.end_tolerance();
   CandidateSet::End end = candidates_.conclude(most_pieces);

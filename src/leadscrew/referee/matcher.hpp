@@ -72,6 +72,9 @@ class Matcher {
   /// The distance of the program's end itself is not reported here.
   std::optional<Finding> conclude();
 
+  /// Is the word before matched to the path's last piece, within `reach`, mm, of its end?
+  bool is_at_end(double reach);
+
   const Point& path_start() const { return start_; }
   const Point& path_end() const { return end_; }   ///< after conclude()
   double deviation() const { return deviation_; }  ///< mm; complete after conclude()

@@ -63,6 +63,18 @@ double sweep_of(const gcode::Move& move, const ArcEnds& ends) {
   return whole + (angle > 0 ? angle : angle + 2 * std::numbers::pi);
 }
 
+bool turns(const gcode::Move& move) {
+  return distance_over(FeedAxes::abc, move.start, move.end) > 0 || moves_in(FeedAxes::abc, move, Piece::Kind::curve);
+}
+
+/// mm. Of the tip, where rotary axes turn it: no more than what keeps its direction within the tolerance of that, whatever
+/// axis turns.
+double tolerance_of(const gcode::Move& move) {
+  if (move.path_mode != gcode::PathMode::blend) return 0;
+  if (!move.is_of_tip || !turns(move)) return move.tolerance;
+  return std::min(move.tolerance, move.orientation_tolerance * millimetres_per_degree);
+}
+
 }  // namespace
 
 double PieceSource::greatest_feed() const {
@@ -103,7 +115,7 @@ void PieceSource::begin(const gcode::Move& move) {
   whole_ = {};
   whole_.line = move.line;
   whole_.block = block_;
-  whole_.tolerance = move.path_mode == gcode::PathMode::blend ? move.tolerance : 0;
+  whole_.tolerance = tolerance_of(move);
   whole_.from = metric_.point(move.start);
   whole_.to = metric_.point(move.end);
   if (block_ == 0) {
@@ -113,6 +125,7 @@ void PieceSource::begin(const gcode::Move& move) {
   end_ = whole_.to;
   end_tolerance_ = whole_.tolerance;
   end_line_ = move.line;
+  probes_ = move.is_probing();
   ++block_;
   largest_tolerance_ = std::max(largest_tolerance_, whole_.tolerance);
   next_piece_ = 0;
@@ -183,7 +196,10 @@ void PieceSource::read_ahead() {
   if (!ahead_) ahead_.emplace();
   while (moves_(*ahead_)) {
     using Kind = gcode::Move::Kind;
-    if (ahead_->kind != Kind::dwell && ahead_->kind != Kind::event) return;
+    if (ahead_->kind != Kind::dwell && ahead_->kind != Kind::event) {
+      if (any_move() && (probes_ || ahead_->is_probing())) stops_.push_back({end_, end_tolerance_, ahead_->line});
+      return;
+    }
     const bool rests =
         ahead_->kind == Kind::dwell || (ahead_->event.waits && ahead_->event.kind != base::Event::Kind::program_end);
     if (rests && any_move()) stops_.push_back({end_, end_tolerance_, ahead_->line});

@@ -51,6 +51,7 @@ class PieceSource {
   MoveSource moves_;
   const Metric& metric_;
   bool has_begun_ = false;
+  bool probes_ = false;               // the move that was read last
   std::optional<gcode::Move> ahead_;  // the move behind the block that is being cut
   std::vector<RequiredStop> stops_;
   std::int64_t block_ = 0, serial_ = 0;

@@ -56,7 +56,18 @@ void RemarkOutput::take(const gcode::Remark& remark) {
       return say_(text_of(remark));
     case Kind::log_open:
     case Kind::log_append:
-      done = open(remark);
+      log_ = nullptr;
+      done = open(remark, log_);
+      break;
+    case Kind::probe_open:
+      points_ = nullptr;
+      done = open(remark, points_);
+      break;
+    case Kind::probe_point:
+      if (points_ != nullptr) done = points_->write(remark.text + '\n');
+      break;
+    case Kind::probe_close:
+      points_ = nullptr;
       break;
     case Kind::log:
       if (log_ != nullptr) done = log_->write(remark.text + '\n');
@@ -86,15 +97,14 @@ base::Result<std::string> RemarkOutput::path_of(const gcode::Remark& remark) con
   return path.lexically_normal().string();
 }
 
-base::Result<void> RemarkOutput::open(const gcode::Remark& remark) {
-  log_ = nullptr;
+base::Result<void> RemarkOutput::open(const gcode::Remark& remark, files::OutputFile*& log) {
   if (failure_) return {};
   const auto path = path_of(remark);
   if (!path) return base::failure(path.error());
   auto& file = logs_[*path];
   const bool appends = remark.kind == gcode::Remark::Kind::log_append;
   if (file && appends) {
-    log_ = file.get();
+    log = file.get();
     return {};
   }
   if (logs_.size() > most_logs) {
@@ -107,7 +117,7 @@ base::Result<void> RemarkOutput::open(const gcode::Remark& remark) {
   if (appends) {
     if (auto continued = continue_file(*file, *path); !continued) return continued;
   }
-  log_ = file.get();
+  log = file.get();
   return {};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a program says in its remarks, where the user sees it: MSG, DEBUG and PRINT on standard error, LOG in files beside
-// the program, which appear whole when the run is done, or not at all; and the parameters that it leaves.
+// What a program says in its remarks, where the user sees it: MSG, DEBUG and PRINT on standard error, LOG, and points that are probed, in
+// files beside the program, which appear whole when the run is done, or not at all; and the parameters that it leaves.
 
 #include <functional>
 #include <leadscrew/base/result.hpp>
@@ -36,7 +36,7 @@ class RemarkOutput {
 
  private:
   void take(const gcode::Remark& remark);
-  base::Result<void> open(const gcode::Remark& remark);
+  base::Result<void> open(const gcode::Remark& remark, files::OutputFile*& log);
   base::Result<void> continue_file(files::OutputFile& file, const std::string& path);
   base::Result<std::string> path_of(const gcode::Remark& remark) const;
 
@@ -45,6 +45,7 @@ class RemarkOutput {
   Say say_;
   std::map<std::string, std::unique_ptr<files::OutputFile>> logs_;  // by path
   files::OutputFile* log_ = nullptr;                                // that is open
+  files::OutputFile* points_ = nullptr;                             // of those that are probed
   std::optional<base::Diagnostic> failure_;                         // the first
 };
 

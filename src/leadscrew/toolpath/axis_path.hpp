@@ -3,12 +3,13 @@
 // plans, interpolates or goes back asks a piece for it (Piece::axes()) and never takes coordinates of a curve for
 // positions of axes.
 //
-// On a Cartesian machine the two are the same, and everything here is inline and passes through. A machine that turns
-// tool or workpiece puts its kinematics between them, pushing positions and jets of the pose through one formula: here,
-// and nowhere else.
+// On a Cartesian machine the two are the same, and everything here is inline and passes through. Under tool centre point
+// control the curve is that of the tool's tip in the workpiece and of the rotary axes; the kinematics of the machine lies
+// between them, pushing positions and jets through one formula: here, and nowhere else.
 
 #include <cstddef>
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/kinematics/transformation.hpp>
 #include <vector>
 
 namespace leadscrew::toolpath {
@@ -16,33 +17,35 @@ namespace leadscrew::toolpath {
 /// Of one piece, which must outlive it. Path length runs from 0 to length().
 class AxisPath {
  public:
-  explicit AxisPath(const geometry::Curve& curve) : curve_(curve) {}
+  /// transformation: between the curve's coordinates and the axes; may be nullptr: they are the same.
+  explicit AxisPath(const geometry::Curve& curve, const kinematics::Transformation* transformation = nullptr)
+      : curve_(curve), transformation_(transformation) {}
 
   double length() const { return geometry::length(curve_); }
-  geometry::Point start() const { return geometry::start(curve_); }
-  geometry::Point end() const { return geometry::end(curve_); }
+  geometry::Point start() const { return axes_of(geometry::start(curve_)); }
+  geometry::Point end() const { return axes_of(geometry::end(curve_)); }
   /// mm or degrees, rounded once; at s ≤ 0 and s ≥ length the start and the end, exactly. For the cycle: takes no
-  /// memory.
-  geometry::Point position(numeric::DoubleDouble s) const { return geometry::evaluate(curve_, s); }
+  /// memory. Under a transformation within a few units in the last place of what it adds up.
+  geometry::Point position(numeric::DoubleDouble s) const { return axes_of(geometry::evaluate(curve_, s)); }
   /// Positions and three derivatives by path length.
-  geometry::PointJet jets(double s) const { return geometry::jets(curve_, s); }
+  geometry::PointJet jets(double s) const { return axes_of(geometry::jets(curve_, s)); }
   /// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.
   std::vector<double> breaks() const { return geometry::breaks(curve_); }
   /// How many polynomials there are from one path length to another, 0 ≤ from ≤ to ≤ length, less one: between two of
-  /// them derivatives may have peaks anywhere.
-  std::size_t borders(double from, double to) const { return geometry::borders(curve_, from, to); }
-  /// Axes that move somewhere on the path; derivatives of the others are 0.
-  base::AxisSet moving() const { return geometry::moving(curve_); }
+  /// them derivatives may have peaks anywhere. A part of a turn counts as one more.
+  std::size_t borders(double from, double to) const;
+  /// Axes that may move somewhere on the path; derivatives of the others are 0.
+  base::AxisSet moving() const;
   /// Are derivatives those of a table of arc length, exact only to its tolerance?
   bool has_table() const { return std::holds_alternative<geometry::Nurbs>(curve_); }
 
   /// Where every axis goes straight, or two of them round a circle at constant rate and the others straight; else none.
   /// For closed forms.
-  const geometry::Line* line() const { return std::get_if<geometry::Line>(&curve_); }
-  const geometry::Arc* arc() const { return std::get_if<geometry::Arc>(&curve_); }
+  const geometry::Line* line() const { return transformation_ ? nullptr : std::get_if<geometry::Line>(&curve_); }
+  const geometry::Arc* arc() const { return transformation_ ? nullptr : std::get_if<geometry::Arc>(&curve_); }
 
   /// For published rules that step the parameter u of a NURBS curve instead of its length: that curve; else none.
-  const geometry::Nurbs* nurbs() const { return std::get_if<geometry::Nurbs>(&curve_); }
+  const geometry::Nurbs* nurbs() const { return transformation_ ? nullptr : std::get_if<geometry::Nurbs>(&curve_); }
   /// Positions at a parameter of nurbs(), which must not be none. For the cycle: takes no memory.
   geometry::Point position_at_parameter(double u) const {
     const geometry::PointJet jets = nurbs()->jets_at(u);
@@ -52,7 +55,13 @@ class AxisPath {
   }
 
  private:
+  template <typename T>
+  kinematics::Coordinates<T> axes_of(const kinematics::Coordinates<T>& path) const {
+    return transformation_ ? transformation_->axes_of(path) : path;
+  }
+
   const geometry::Curve& curve_;
+  const kinematics::Transformation* transformation_;
 };
 
 }  // namespace leadscrew::toolpath

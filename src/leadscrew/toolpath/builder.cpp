@@ -3,6 +3,7 @@
 #include <leadscrew/toolpath/builder.hpp>
 #include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/leg.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
 #include <limits>
 #include <utility>
 
@@ -25,18 +26,17 @@ double feed_of(const gcode::Move& move) {
 }  // namespace
 
 /// A racing line uses all of the tolerance, and acceleration: it leaves nothing for chords between words.
-Builder::Builder(base::Borrowed<machine::Machine> machine)
+Builder::Builder(base::Borrowed<machine::Machine> machine, const geometry::MapTolerance& tables)
     : machine_(&*machine),
       sampling_(*machine),
+      tables_(tables),
       seeks_least_time_(machine->smoothing == machine::Smoothing::least_time && !sampling_.needs_share()) {}
 
 void Builder::push(const gcode::Move& move) {
+  change_transformation(move);
   switch (move.kind) {
     case gcode::Move::Kind::dwell:
-      flush();
-      settle_events(true);
-      settled_.emplace_back(Dwell{move.start, move.dwell_seconds, move.line});
-      return;
+      return rest(move.start, move.dwell_seconds, move.line);
     case gcode::Move::Kind::event:
       if (!move.event.waits) {
         passed_.push_back({0, move.event});
@@ -49,8 +49,40 @@ void Builder::push(const gcode::Move& move) {
       if (base::is_input(move.event.kind)) settled_.emplace_back(Dwell{move.start, 0, move.line});
       return;
     default:
+      if (move.is_probing()) rest(move.start, 0, move.line);
       move_along(move);
+      if (move.is_probing()) rest(move.end, 0, move.line);
   }
+}
+
+void Builder::rest(const base::AxisVector& place, double seconds, base::Line line) {
+  flush();
+  settle_events(true);
+  settled_.emplace_back(Dwell{transformation_ ? transformation_->axes_of(place) : place, seconds, line});
+}
+
+/// Motion rests where coordinates begin to mean something else.
+void Builder::change_transformation(const gcode::Move& move) {
+  const bool is_same = move.is_of_tip ? transformation_ && transformation_->tool == move.tool : !transformation_;
+  if (is_same) return;
+  flush();
+  transformation_.reset();
+  if (!move.is_of_tip) return;
+  transformation_ = std::make_shared<const kinematics::Transformation>(kinematics::chain_of(*machine_), move.tool);
+}
+
+/// Of the tip no more of P than what keeps its direction within E where rotary axes turn: in the space of tolerances a
+/// degree has a length, and no coordinate is farther off than all are together.
+Allowance Builder::allowance_of(const gcode::Move& move, const Piece& piece) const {
+  Allowance allowance{move.tolerance, move.naive_cam_tolerance};
+  if (!transformation_) return allowance;
+  const base::AxisSet moving = geometry::moving(piece.curve);
+  for (const kinematics::Turn& turn : transformation_->chain.turns()) {
+    if (!moving.contains(turn.axis)) continue;
+    const double turned = move.orientation_tolerance * millimetres_per_unit(turn.axis);
+    allowance = lesser(allowance, {turned, turned});
+  }
+  return allowance;
 }
 
 void Builder::move_along(const gcode::Move& move) {
@@ -62,10 +94,19 @@ void Builder::move_along(const gcode::Move& move) {
   const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
   if (!blends) flush();
   if (!blends || pieces.empty()) {
-    for (Piece& piece : pieces) settled_.emplace_back(std::move(piece));
-  } else {
-    const Allowance allowance{move.tolerance, move.naive_cam_tolerance};
     for (Piece& piece : pieces) {
+      piece.transformation = transformation_;
+      settled_.emplace_back(std::move(piece));
+    }
+  } else {
+    for (Piece& piece : pieces) {
+      const Allowance allowance = allowance_of(move, piece);
+      if (allowance.tolerance < least_tolerance) {
+        flush();
+        piece.transformation = transformation_;
+        settled_.emplace_back(std::move(piece));
+        continue;
+      }
       const auto events = events_of(piece);
       blend(Leg{
           std::move(piece.curve), feed, move.line, {}, 0, piece.feed_axes, allowance, {events.begin(), events.end()}});
@@ -77,12 +118,12 @@ void Builder::move_along(const gcode::Move& move) {
 
 /// Motion comes to rest between legs of one kind and of the other: behind one that no racing line takes, splines go on.
 void Builder::blend(Leg leg) {
-  if (seeks_least_time_ && !smoother_ && RacingLine::takes(leg)) {
+  if (seeks_least_time_ && !transformation_ && !smoother_ && RacingLine::takes(leg)) {
     if (!racing_line_) racing_line_.emplace(*machine_);
     racing_line_->push(std::move(leg));
   } else {
     settle(racing_line_);
-    if (!smoother_) smoother_.emplace(sampling_);
+    if (!smoother_) smoother_.emplace(sampling_, tables_);
     smoother_->push(std::move(leg));
   }
 }
@@ -99,7 +140,10 @@ void Builder::settle(std::optional<Blending>& blending) {
 template <class Blending>
 void Builder::take_settled(std::optional<Blending>& blending) {
   if (!blending) return;
-  while (std::optional<Piece> piece = blending->pop()) settled_.emplace_back(std::move(*piece));
+  while (std::optional<Piece> piece = blending->pop()) {
+    piece->transformation = transformation_;
+    settled_.emplace_back(std::move(*piece));
+  }
 }
 
 /// Where the next move begins.

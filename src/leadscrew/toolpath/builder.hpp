@@ -14,6 +14,7 @@
 #include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/smoother.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,8 +25,9 @@ class Builder {
   /// By blends and fits.
   Builder() = default;
   /// As the machine asks for (machine::Smoothing), with what its period keeps of tolerances for chords between words. It
-  /// must outlive the builder.
-  explicit Builder(base::Borrowed<machine::Machine> machine);
+  /// must outlive the builder. Moves of the tool's tip need one that has a chain of rotary axes. tables: of blends and
+  /// fits, by arc length.
+  explicit Builder(base::Borrowed<machine::Machine> machine, const geometry::MapTolerance& tables = tables_for_motion);
 
   void push(const gcode::Move& move);
   /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
@@ -36,7 +38,10 @@ class Builder {
   std::optional<Element> pop();
 
  private:
+  void rest(const base::AxisVector& place, double seconds, base::Line line);
   void move_along(const gcode::Move& move);
+  void change_transformation(const gcode::Move& move);
+  Allowance allowance_of(const gcode::Move& move, const Piece& piece) const;
   void blend(Leg leg);
   template <class Blending>
   void settle(std::optional<Blending>& blending);
@@ -49,8 +54,11 @@ class Builder {
   const machine::Machine* machine_ = nullptr;
   std::optional<RacingLine> racing_line_;
   Sampling sampling_;
+  geometry::MapTolerance tables_ = tables_for_motion;
   bool seeks_least_time_ = false;  ///< by racing lines
   std::optional<Smoother> smoother_;
+  /// Of the moves being pushed; none: their coordinates are the machine's axes'.
+  std::shared_ptr<const kinematics::Transformation> transformation_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event
   std::deque<Element> settled_;

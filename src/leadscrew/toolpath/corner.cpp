@@ -162,8 +162,8 @@ bool is_inside(const Corner& corner, const ControlPoints& blend, double before, 
 
 /// What takes the place of these lengths; none if it is not smooth or a detour.
 std::optional<Blend> blend_of(const geometry::NurbsForm& form, double before, double behind, double taken_before,
-                              double taken_behind, double deviation) {
-  std::vector<geometry::Nurbs> pieces = fitted_pieces(form);
+                              double taken_behind, double deviation, const geometry::MapTolerance& tables) {
+  std::vector<geometry::Nurbs> pieces = fitted_pieces(form, tables);
   if (pieces.size() != 1) return std::nullopt;
   if (pieces.front().length() > most_lengthened * (taken_before + taken_behind)) return std::nullopt;
   const double middle = pieces.front().length() * taken_before / (taken_before + taken_behind);
@@ -196,7 +196,8 @@ std::optional<Blend> swing_wide(const Corner& corner, const PointJet& leaving, c
     for (std::size_t i = 0; i < leaving.size(); ++i)
       form.points[k][i] = entering[i].value - a * leaving[i].first + b * entering[i].first;
   }
-  return blend_of(form, before, behind, before * rate_before, behind * rate_behind, scale * swing.deviation());
+  return blend_of(form, before, behind, before * rate_before, behind * rate_behind, scale * swing.deviation(),
+                  corner.tables);
 }
 
 }  // namespace
@@ -232,7 +233,7 @@ std::optional<Blend> blend(const Corner& corner, double margin) {
     }
     const double taken_before = before * rate_before, taken_behind = behind * rate_behind;
     const double deviation = lines ? std::max(taken_before, taken_behind) * apart / 8 : margin;
-    std::optional<Blend> found = blend_of(form, before, behind, taken_before, taken_behind, deviation);
+    std::optional<Blend> found = blend_of(form, before, behind, taken_before, taken_behind, deviation, corner.tables);
     if (found) return found;
   }
   return std::nullopt;

@@ -11,6 +11,7 @@
 //                           out while that on the other fades in. It cuts the corner by d|t_A − t_B|/8.
 
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/tube_spline.hpp>
 #include <optional>
@@ -25,6 +26,7 @@ struct Corner {
   std::span<const Vertex> programmed_before, programmed_behind;
   double most_before = 0, most_behind = 0;  ///< of each curve's length that the blend may take; > 0
   bool may_swing = true;                    ///< wide, between lines
+  geometry::MapTolerance tables = tables_for_motion;
 };
 
 struct Blend {

@@ -11,10 +11,6 @@ using base::Axis;
 using base::index;
 using geometry::Point;
 
-/// Spans of fits and blends are much shorter than their radii, and what a table of arc length may be off by is told by
-/// the shorter of the two.
-constexpr geometry::MapTolerance table_of_short_spans{1e-7, 1e-6, 1e-6};
-
 struct Turn {
   double radius = 0;
   numeric::DoubleDouble sweep;
@@ -125,8 +121,8 @@ geometry::Curve simplest(const geometry::Curve& curve) {
   return geometry::Line(start, end, distance(to_millimetres(start), to_millimetres(end)));
 }
 
-std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form) {
-  return geometry::smooth_pieces(form, table_of_short_spans, weights_of_length());
+std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form, const geometry::MapTolerance& tables) {
+  return geometry::smooth_pieces(form, tables, weights_of_length());
 }
 
 double rate(const geometry::PointJet& jet, FeedAxes axes) {

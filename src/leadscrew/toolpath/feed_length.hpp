@@ -39,7 +39,13 @@ std::optional<Piece> straight_piece(const geometry::Point& start, const geometry
 /// does.
 geometry::Curve simplest(const geometry::Curve& curve);
 
+/// Tables of arc length for what is fitted and blended. Their spans are much shorter than their radii, and what a table
+/// may be off by is told by the shorter of the two. For times alone, without words, far fewer pieces do: a time
+/// changes by some 1e-8 of it.
+inline constexpr geometry::MapTolerance tables_for_motion{1e-7, 1e-6, 1e-6}, tables_for_times{1e-5, 1e-3, 1e-2, 1e-9};
+
 /// Smooth pieces of what was fitted, by the length of tolerances.
-std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form);
+std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form,
+                                           const geometry::MapTolerance& tables = tables_for_motion);
 
 }  // namespace leadscrew::toolpath

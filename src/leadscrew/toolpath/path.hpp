@@ -70,16 +70,22 @@ struct Piece {
   /// That the tolerance leaves for chords between words, mm: what the curve itself has not spent of it; 0 where the
   /// curve is what was programmed.
   double sagitta = 0;
+  /// Between the curve's coordinates, those of the tool's tip and the rotary axes, and the machine's axes; none: they are
+  /// the same.
+  std::shared_ptr<const kinematics::Transformation> transformation{};
 
   /// How axes travel it.
-  AxisPath axes() const { return AxisPath(curve); }
+  AxisPath axes() const { return AxisPath(curve, transformation.get()); }
   /// By feed, units of the curve's length per second; infinite where what feed is counted by stands. `jet` is that of
   /// axes() at s, 0 ≤ s ≤ length.
-  double greatest_speed([[maybe_unused]] double s, const geometry::PointJet& jet) const {
-    return feed_axes == FeedAxes::none ? feed : feed / rate(jet, feed_axes);
+  double greatest_speed(double s, const geometry::PointJet& jet) const {
+    if (feed_axes == FeedAxes::none) return feed;
+    return feed / rate(transformation ? geometry::jets(curve, s) : jet, feed_axes);
   }
   /// Are they equally fast wherever they are the same curve?
-  bool is_fed_as(const Piece& other) const { return feed == other.feed && feed_axes == other.feed_axes; }
+  bool is_fed_as(const Piece& other) const {
+    return feed == other.feed && feed_axes == other.feed_axes && transformation == other.transformation;
+  }
   base::Line line_at(double s) const {
     if (!lines) return line;
     const auto behind = std::upper_bound(lines->begin(), lines->end(), s,

@@ -46,8 +46,9 @@ State state_at(const Curve& curve, double s, bool backwards) {
 
 }  // namespace
 
-Run::Run(const Leg& leg, double from, bool pinned, bool corner_before)
-    : axes_(axes_of(leg)),
+Run::Run(const Leg& leg, double from, bool pinned, bool corner_before, const geometry::MapTolerance& tables)
+    : tables_(tables),
+      axes_(axes_of(leg)),
       allowance_(leg.allowance),
       start_(geometry::evaluate(leg.curve, from)),
       corner_before_(corner_before),
@@ -205,7 +206,7 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
   while (marks.size() > 1 && marks[1].u <= from) marks.pop_front();
   bool corner = is_first_ && corner_before_;
   is_first_ = false;
-  for (const geometry::Nurbs& curve : fitted_pieces(form)) {
+  for (const geometry::Nurbs& curve : fitted_pieces(form, tables_)) {
     double u = curve.first_parameter();
     std::size_t mark = mark_at(u, 0);
     for (double begin = 0; begin < curve.length();) {

@@ -17,7 +17,7 @@ namespace leadscrew::toolpath {
 class Run {
  public:
   /// From a place on the leg, with its direction and bend if `pinned`, else in any direction.
-  Run(const Leg& leg, double from, bool pinned, bool corner_before);
+  Run(const Leg& leg, double from, bool pinned, bool corner_before, const geometry::MapTolerance& tables);
 
   /// Goes on along the leg, 0 ≤ from < to ≤ its length.
   void extend(const Leg& leg, double from, double to);
@@ -57,6 +57,7 @@ class Run {
   Hold hold_from(double u, std::size_t mark) const;
   double fed_until(const geometry::Nurbs& curve, double begin, double& feed, double& u);
 
+  geometry::MapTolerance tables_;
   FeedAxes axes_;                  ///< by which the feed of all its legs is counted
   Allowance allowance_;            ///< of the last leg
   double u_ = 0;                   ///< as far as it is known

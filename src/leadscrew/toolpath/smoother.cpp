@@ -92,8 +92,9 @@ struct Cut {
 
 /// The blend of a corner within a tolerance, which takes at most these lengths of its neighbours.
 std::optional<Cut> cut_within(double tolerance, const Stretch& before, double most_before, const Stretch& behind,
-                              double most_behind, const Sampling& sampling) {
+                              double most_behind, const Sampling& sampling, const geometry::MapTolerance& tables) {
   Corner corner{before.piece.curve, behind.piece.curve, before.programmed, behind.programmed, most_before, most_behind};
+  corner.tables = tables;
   const double spent = std::max(before.spent, behind.spent);
   const Division division = sampling.at_corner(before.piece, behind.piece, tolerance);
   if (division.rounding == Rounding::none) return std::nullopt;
@@ -306,7 +307,7 @@ void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
 }
 
 void Smoother::begin_run(const Leg& leg, double from, bool pinned) {
-  run_.emplace(leg, from, pinned, std::exchange(corner_, false));
+  run_.emplace(leg, from, pinned, std::exchange(corner_, false), tables_);
 }
 
 /// What has been settled of the run.
@@ -367,7 +368,7 @@ void Smoother::cut_corner(Stretch& behind) {
   for (int k = 0; k < most_tolerances && tolerance > 0; ++k) {
     const Reach before = reach_within(*last_, StretchEnd::last, tolerance, most),
                 beyond = reach_within(behind, StretchEnd::first, tolerance, most_behind);
-    std::optional<Cut> found = cut_within(tolerance, *last_, before.length, behind, beyond.length, sampling_);
+    std::optional<Cut> found = cut_within(tolerance, *last_, before.length, behind, beyond.length, sampling_, tables_);
     if (found && (!cut || found->blend.curve.length() > cut->blend.curve.length())) cut = std::move(found);
     tolerance = std::max(before.beyond, beyond.beyond);
   }

@@ -12,6 +12,7 @@
 //   - Where words are far apart, the tolerance is theirs as well (Sampling).
 
 #include <deque>
+#include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/reduction.hpp>
 #include <leadscrew/toolpath/run.hpp>
@@ -23,8 +24,9 @@ namespace leadscrew::toolpath {
 
 class Smoother {
  public:
-  /// sampling: what is kept of P for chords between words.
-  explicit Smoother(const Sampling& sampling = {}) : sampling_(sampling) {}
+  /// sampling: what is kept of P for chords between words; tables: of blends and fits, by arc length.
+  explicit Smoother(const Sampling& sampling = {}, const geometry::MapTolerance& tables = tables_for_motion)
+      : sampling_(sampling), tables_(tables) {}
 
   /// Of the leg's allowance, P of G64 > 0, mm: no point of the path lies farther from what was programmed there, and no
   /// point of that farther from the path; where legs meet, no farther than both allow. Q of G64 ≥ 0, mm (the naive-CAM
@@ -72,6 +74,7 @@ class Smoother {
   void release();
 
   Sampling sampling_;
+  geometry::MapTolerance tables_;
   Reduction reduction_;
   std::deque<Leg> legs_;          ///< that are not done
   std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins

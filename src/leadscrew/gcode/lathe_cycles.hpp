@@ -1,0 +1,75 @@
+#pragma once
+// LinuxCNC's lathe cycles (LinuxCNC manual, G Codes, "G70", "G71 G72"). The block of the cycle is followed by the
+// subprogram of its number Q, whose blocks make no moves but a contour: G0 to G3, and A and C, fillets and chamfers at
+// their ends. Where the subprogram ends, the cycle is planned and its moves are handed out.
+
+#include <leadscrew/gcode/motion.hpp>
+#include <leadscrew/gcode/roughing.hpp>
+
+namespace leadscrew::gcode {
+
+class LatheCycles : Part {
+ public:
+  static constexpr std::size_t most_pieces = 1000;  ///< of a contour
+
+  LatheCycles(const Context& context, Motion& motion, Travel& travel)
+      : Part(context), motion_(motion), travel_(travel) {}
+
+  /// The block of a cycle: goes to where the cycle starts.
+  [[gnu::cold]] void begin(const Block& block);
+  /// From the block of a cycle to the end of its subprogram.
+  bool is_open() const { return is_open_; }
+  /// The block of the cycle.
+  const Block& block() const { return block_; }
+  /// A block of the contour.
+  [[gnu::cold]] void add(const Block& block);
+  /// The subprogram has ended.
+  [[gnu::cold]] void end();
+
+  /// The next move of the cycle in execution; false where there is none, or no more.
+  bool next(Move& move, const Outbox& outbox) { return next_ < moves_.size() && take(move, outbox); }
+  /// The cycle is not followed: the program stands where it would have ended.
+  void abandon();
+
+ private:
+  /// A move in machine coordinates, mm.
+  struct Planned {
+    bool rapid = false;
+    int turn = 0;
+    PlanePoint end, center;
+  };
+
+  bool check_words(const Block& block);
+  PlanePoint target_of(const Block& block);
+  bool add_arc(const Block& block, ContourPiece& piece);
+  void add_corner(const Block& block);
+  bool is_finishing() const { return block_.is(Code::G70); }
+  bool is_along_x() const;
+  bool goes_along_z() const;
+  Pockets pockets() const;
+  std::vector<LatheMove> plan();
+  std::vector<LatheMove> plan_roughing(Attitude& attitude);
+  std::vector<LatheMove> plan_finishing(Attitude& attitude);
+  bool prepare(Attitude& attitude, bool turned, Contour& contour) const;
+  static bool offset_to_start(Contour& contour, PlanePoint start, double aside);
+  bool place(const std::vector<LatheMove>& moves);
+  bool is_inside(const Planned& move, PlanePoint start);
+  bool refuse(std::string_view code, std::string message, std::string hint);
+  bool take(Move& move, const Outbox& outbox);
+
+  Motion& motion_;
+  Travel& travel_;
+  Block block_;  // of the cycle
+  base::Line line_{};
+  Feed feed_;
+  bool is_open_ = false;
+  std::int64_t errors_before_ = 0;
+  Code motion_code_ = Code::G0;  // in force in the contour
+  PlanePoint start_, position_;  // of the cycle, and where the contour has come to; the program's units
+  Contour contour_;
+  std::vector<ContourCorner> corners_;
+  std::vector<Planned> moves_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,54 @@
+#pragma once
+// Motion in step with the spindle: G33, G33.1 and LinuxCNC's G76 (LinuxCNC manual, G Codes).
+//
+// There is no encoder here: the spindle is taken to turn at the speed that S says. A thread begins at rest, with an event
+// for which the machine waits for the spindle's index (base::Event::Kind::spindle_in_step), goes at lead × S, and ends at
+// rest. So passes at one S line up; within the distance in which motion reaches its speed the lead is short.
+
+#include <leadscrew/gcode/motion.hpp>
+#include <leadscrew/gcode/thread_cycle.hpp>
+
+namespace leadscrew::gcode {
+
+class Threading : Part {
+ public:
+  Threading(const Context& context, Motion& motion, Travel& travel, Outbox& outbox)
+      : Part(context), motion_(motion), travel_(travel), outbox_(outbox) {}
+
+  [[gnu::cold]] void thread(const Block& block);  ///< G33
+  [[gnu::cold]] void tap(const Block& block);     ///< G33.1
+  [[gnu::cold]] void cycle(const Block& block);   ///< G76
+
+  /// The next move of the cycle in execution; false where there is none, or no more.
+  bool next(Move& move) { return in_cycle_ && next_of_cycle(move); }
+  /// The cycle in execution is not followed: the program stands where it would have ended.
+  void abandon();
+
+ private:
+  bool can_turn(const Block& block);
+  bool moves_linear_axes_only(const Block& block);
+  std::optional<double> lead_of(const Block& block);
+  bool is_reached(const Block& block, const base::AxisVector& from, const base::AxisVector& to, double lead);
+  double feed_at(double lead, double factor = 1) const;
+  void go(const base::AxisVector& target, double feed);
+  std::optional<int> count(const Block& block, char letter, int most);
+  bool plan_depths(const Block& block, ThreadCycle::Plan& plan);
+  bool plan_tapers(const Block& block, ThreadCycle::Plan& plan);
+  bool plan_cycle(const Block& block, ThreadCycle::Plan& plan);
+  bool check_passes(const Block& block, const ThreadCycle::Plan& plan);
+  base::AxisVector place(const ThreadCycle::Step& step) const;
+  bool next_event(Move& move, double lead);
+  base::AxisVector target_of(const ThreadCycle::Step& step) const;
+  [[gnu::cold]] bool next_of_cycle(Move& move);
+
+  Motion& motion_;
+  Travel& travel_;
+  Outbox& outbox_;
+  ThreadCycle cycle_;
+  base::AxisVector start_{};  // of the cycle; machine coordinates
+  base::AxisVector end_{};
+  double lead_ = 0;  // in force in the cycle; mm
+  bool in_cycle_ = false;
+};
+
+}  // namespace leadscrew::gcode

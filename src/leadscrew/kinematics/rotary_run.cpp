@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/kinematics/rotary_run.hpp>
+#include <leadscrew/kinematics/solutions.hpp>
+#include <leadscrew/numeric/vectors.hpp>
+#include <limits>
+
+namespace leadscrew::kinematics {
+
+namespace {
+
+constexpr double whole_turn = 360;
+constexpr double angle_rounding = 1e-9;    ///< degrees; so far beyond its end travel is not left
+constexpr double same_angle = 1e-6;        ///< degrees; of ways that meet
+constexpr double half_turn_margin = 1e-6;  ///< degrees; so near half a turn both ways round are open
+
+double square(double x) {
+  return x * x;
+}
+
+Vector normalised(const Vector& v) {
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+/// Whole turns that keep [low, high] inside travel: from the first to the second, none where that is less.
+std::array<double, 2> turns_inside(double low, double high, double travel_min, double travel_max) {
+  return {std::ceil((travel_min - angle_rounding - low) / whole_turn),
+          std::floor((travel_max + angle_rounding - high) / whole_turn)};
+}
+
+/// Where an angle goes from here: the shorter way, or both where they are as long.
+struct NextAngles {
+  std::array<double, 2> angles{};
+  std::size_t count = 1;
+};
+NextAngles next_angles(double now, double wanted) {
+  const double way = std::remainder(wanted - now, whole_turn);
+  NextAngles next{{now + way, now + way - std::copysign(whole_turn, way)}};
+  if (std::abs(way) > whole_turn / 2 - half_turn_margin) next.count = 2;
+  return next;
+}
+
+}  // namespace
+
+RotaryLimits limits_of(const machine::Machine& machine, const Chain& chain) {
+  RotaryLimits limits;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const machine::AxisLimits& axis = machine.limits(chain.turns()[i].axis);
+    limits.travel_min[i] = axis.travel_min;
+    limits.travel_max[i] = axis.travel_max;
+    limits.velocity[i] = axis.velocity;
+  }
+  return limits;
+}
+
+bool RotaryRun::add(const Vector& direction) {
+  if (failure_) return false;
+  cheapest_lost_ = std::numeric_limits<double>::infinity();
+  std::vector<Way> ways;
+  const Vector unit = normalised(direction);
+  const auto found = solutions(chain_, Vector3<double>(unit));
+  if (found.count == 0) {
+    fail(RunFailure::Kind::out_of_reach, found.miss);
+  } else if (count_ == 0) {
+    begin(found, ways);
+  } else {
+    const Vector middle = numeric::sum(last_, 1, unit);
+    for (const Way& way : ways_) extend(way, found, middle, ways);
+  }
+  if (!failure_ && ways.empty()) fail(RunFailure::Kind::travel);
+  if (!failure_ && nodes_.size() + ways.size() > most_nodes) fail(RunFailure::Kind::too_long);
+  if (failure_) return false;
+  prune(ways);
+  record(ways);
+  ways_.swap(ways);
+  last_ = unit;
+  ++count_;
+  return true;
+}
+
+void RotaryRun::begin(const Solutions<double>& found, std::vector<Way>& ways) {
+  for (std::size_t k = 0; k < found.count; ++k) {
+    Way way;
+    way.now = found.angles[k];
+    if (found.is_pole) way.now[0] = before_[0];
+    way.low = way.high = way.now;
+    way.side = found.is_pole ? Side::pole : k == 0 ? Side::first : Side::second;
+    way.start = starts_.size();
+    starts_.push_back(way.now);
+    keep(way, ways);
+  }
+}
+
+/// To all solutions of the next direction.
+void RotaryRun::extend(const Way& way, const Solutions<double>& found, const Vector& middle, std::vector<Way>& ways) {
+  for (std::size_t k = 0; k < found.count; ++k) {
+    const Side side = found.is_pole ? Side::pole : k == 0 ? Side::first : Side::second;
+    const NextAngles first = found.is_pole ? NextAngles{{way.now[0], 0}} : next_angles(way.now[0], found.angles[k][0]);
+    const NextAngles second = next_angles(way.now[1], found.angles[k][1]);
+    for (std::size_t i = 0; i < first.count; ++i) {
+      for (std::size_t j = 0; j < second.count; ++j) step(way, {first.angles[i], second.angles[j]}, side, middle, ways);
+    }
+  }
+}
+
+void RotaryRun::step(const Way& way, const Angles<double>& to, Side side, const Vector& middle,
+                     std::vector<Way>& ways) {
+  const bool changes_side = side != way.side && side != Side::pole && way.side != Side::pole;
+  if (changes_side && !is_straight(way.now, to, middle)) return;
+  Way next = way;
+  next.side = side;
+  next.now = to;
+  for (std::size_t i = 0; i < 2; ++i) {
+    next.cost += square((to[i] - way.now[i]) / limits_.velocity[i]);
+    next.low[i] = std::min(way.low[i], to[i]);
+    next.high[i] = std::max(way.high[i], to[i]);
+  }
+  keep(next, ways);
+}
+
+/// If there are whole turns that keep all of it inside travel.
+void RotaryRun::keep(const Way& way, std::vector<Way>& ways) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto [from, to] = turns_inside(way.low[i], way.high[i], limits_.travel_min[i], limits_.travel_max[i]);
+    if (from <= to) continue;
+    if (way.cost < cheapest_lost_) {
+      cheapest_lost_ = way.cost;
+      lost_axis_ = chain_.turns()[i].axis;
+    }
+    return;
+  }
+  ways.push_back(way);
+}
+
+/// Leaves out what costs more than another way from the same beginning to the same place, and has gone as far.
+void RotaryRun::prune(std::vector<Way>& ways) {
+  std::ranges::stable_sort(ways, {}, &Way::cost);
+  std::size_t kept = 0;
+  for (const Way& way : ways) {
+    const auto is_better = [&](const Way& other) {
+      if (other.start != way.start || other.side != way.side) return false;
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (std::abs(other.now[i] - way.now[i]) > same_angle) return false;
+        if (other.low[i] < way.low[i] - same_angle || other.high[i] > way.high[i] + same_angle) return false;
+      }
+      return true;
+    };
+    if (std::any_of(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(kept), is_better)) continue;
+    ways[kept++] = way;
+  }
+  if (kept > most_ways) is_exact_ = false;
+  ways.resize(std::min(kept, most_ways));
+}
+
+void RotaryRun::record(std::vector<Way>& ways) {
+  for (Way& way : ways) {
+    nodes_.push_back({way.now, way.node});
+    way.node = static_cast<std::uint32_t>(nodes_.size() - 1);
+  }
+}
+
+/// Does linear motion of both axes pass so near the middle of the great circle?
+bool RotaryRun::is_straight(const Angles<double>& from, const Angles<double>& to, const Vector& middle) const {
+  const Vector3<double> held = direction_of(chain_, Angles<double>{(from[0] + to[0]) / 2, (from[1] + to[1]) / 2});
+  const Vector cross = {held[1] * middle[2] - held[2] * middle[1], held[2] * middle[0] - held[0] * middle[2],
+                        held[0] * middle[1] - held[1] * middle[0]};
+  return detail::in_degrees(std::atan2(numeric::norm(cross), numeric::dot(held, middle))) <= tolerance_;
+}
+
+RotaryRun::Choice RotaryRun::best() const {
+  Choice best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (const Way& way : ways_) {
+    Choice choice{&way, {}, way.cost};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto [from, to] = turns_inside(way.low[i], way.high[i], limits_.travel_min[i], limits_.travel_max[i]);
+      const double start = starts_[way.start][i];
+      choice.turns[i] = whole_turn * std::clamp(std::nearbyint((before_[i] - start) / whole_turn), from, to);
+      choice.cost += square((start + choice.turns[i] - before_[i]) / limits_.velocity[i]);
+    }
+    if (choice.cost < best.cost) best = choice;
+  }
+  return best;
+}
+
+double RotaryRun::cost() const {
+  return ways_.empty() ? 0 : best().cost;
+}
+
+std::vector<Angles<double>> RotaryRun::angles() const {
+  std::vector<Angles<double>> all(count_);
+  if (ways_.empty()) return all;
+  const Choice choice = best();
+  std::uint32_t node = choice.way->node;
+  for (std::size_t k = count_; k-- > 0; node = nodes_[node].parent) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      all[k][i] = std::clamp(nodes_[node].angles[i] + choice.turns[i], limits_.travel_min[i], limits_.travel_max[i]);
+    }
+  }
+  return all;
+}
+
+void RotaryRun::fail(RunFailure::Kind kind, double miss) {
+  failure_ = RunFailure{kind, count_, miss, lost_axis_};
+}
+
+}  // namespace leadscrew::kinematics

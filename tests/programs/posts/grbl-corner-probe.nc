@@ -1,0 +1,23 @@
+(XYZ probe block, 3 mm tool, plate 10 mm thick, 12 mm from the edge)
+G21
+G91
+G38.3 Z-20 F100
+G0 Z1
+G38.3 Z-2 F20
+G10 L20 P1 Z10
+G0 Z4
+G0 X-30
+G0 Z-10
+G38.2 X25 F100
+G38.4 X-3 F20
+G10 L20 P1 X-13.5
+G0 X-2
+G0 Z12
+G0 X25 Y-30
+G0 Z-12
+G38.2 Y25 F100
+G38.5 Y-3 F20
+G10 L20 P1 Y-13.5
+G0 Z15
+G90
+M30
