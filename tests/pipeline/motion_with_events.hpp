@@ -13,7 +13,8 @@ struct Motion {
   std::string problems;
 };
 
-inline Motion run(const std::string& text, const machine::Machine& machine = machine::mill3(), double slice = 0) {
+inline Motion run_with_events(const std::string& text, const machine::Machine& machine = machine::mill3(),
+                              double slice = 0) {
   const machine::ToolTable tools;
   Motion motion;
   pipeline::Program program(gcode::text_source(text), machine, tools, {},

@@ -18,7 +18,7 @@ using namespace leadscrew;
 using base::PassedEvent;
 using testing_support::Motion;
 using testing_support::numbered;
-using testing_support::run;
+using testing_support::run_with_events;
 using testing_support::seconds;
 
 std::vector<base::Event> travelling(const std::vector<PassedEvent>& events) {
@@ -79,8 +79,8 @@ std::string dots(const std::function<std::string(int)>& word) {
 class EveryBlock : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryBlock, OfARasterCostsNothing) {
-  const Motion plain = run(raster([](int) { return std::string(); }));
-  const Motion busy = run(raster([](int k) { return numbered(GetParam(), k); }));
+  const Motion plain = run_with_events(raster([](int) { return std::string(); }));
+  const Motion busy = run_with_events(raster([](int k) { return numbered(GetParam(), k); }));
   EXPECT_EQ(busy.problems, "");
   EXPECT_LT(seconds(busy), 1.01 * seconds(plain));
   expect_same_words(busy, plain);
@@ -88,8 +88,8 @@ TEST_P(EveryBlock, OfARasterCostsNothing) {
 }
 
 TEST_P(EveryBlock, OfABendCostsNothing) {
-  const Motion plain = run(bent_lines([](int) { return std::string(); }));
-  const Motion busy = run(bent_lines([](int k) { return numbered(GetParam(), k); }));
+  const Motion plain = run_with_events(bent_lines([](int) { return std::string(); }));
+  const Motion busy = run_with_events(bent_lines([](int k) { return numbered(GetParam(), k); }));
   EXPECT_EQ(busy.problems, "");
   EXPECT_LT(seconds(busy), 1.01 * seconds(plain));
   expect_same_words(busy, plain);
@@ -99,10 +99,10 @@ TEST_P(EveryBlock, OfABendCostsNothing) {
 TEST(EveryDot, OfALasersPictureCostsNothing) {
   machine::Machine machine = machine::mill3();
   machine.spindle_waits = false;
-  const Motion plain = run(dots([](int) { return std::string(); }), machine);
+  const Motion plain = run_with_events(dots([](int) { return std::string(); }), machine);
   machine.laser.emplace();
   for (const char* event : {" S", " M67 E0 Q"}) {
-    const Motion busy = run(dots([&](int k) { return numbered(event, k % 7); }), machine);
+    const Motion busy = run_with_events(dots([&](int k) { return numbered(event, k % 7); }), machine);
     EXPECT_EQ(busy.problems, "");
     EXPECT_LT(seconds(busy), 1.01 * seconds(plain));
     expect_same_words(busy, plain);
@@ -113,8 +113,8 @@ TEST(EveryDot, OfALasersPictureCostsNothing) {
 /// A tolerance of its own for each block takes no longer than the least of them for all.
 TEST(EveryTolerance, OfShortLinesCostsNothing) {
   for (const auto& make : {bent_lines, raster}) {
-    const double least = seconds(run(make([](int) { return std::string(); })));
-    const Motion mixed = run(make([](int k) { return k % 2 == 0 ? "\nG64 P0.01" : "\nG64 P0.012"; }));
+    const double least = seconds(run_with_events(make([](int) { return std::string(); })));
+    const Motion mixed = run_with_events(make([](int k) { return k % 2 == 0 ? "\nG64 P0.01" : "\nG64 P0.012"; }));
     EXPECT_EQ(mixed.problems, "");
     EXPECT_LT(seconds(mixed), 1.01 * least);
   }

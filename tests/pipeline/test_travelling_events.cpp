@@ -27,7 +27,7 @@ using testing_support::Intervention;
 using testing_support::LiveProgram;
 using testing_support::Motion;
 using testing_support::numbered;
-using testing_support::run;
+using testing_support::run_with_events;
 using testing_support::seconds;
 
 /// Never early, no more than a period late, at the place that the event says.
@@ -61,7 +61,7 @@ TEST(TravellingEvents, HappenWhereBlocksMeet) {
   const std::string blocks = "G1 X10\nS1\nX20\nS2\nX25 Y10\nS3\nG3 X15 Y20 I-10 J0\nM8\nG1 X0\nM9\nX-5 Y17\nM2\n";
   const base::AxisVector joints[] = {{10}, {20}, {25, 10}, {15, 20}, {0, 20}};
   for (const char* mode : {"G61", "G61.1", "G64 P0.1", "G64 P0.1 Q0", "G64 P0.002"}) {
-    const Motion motion = run(std::string("G21 G90 G94 G17 F3000 ") + mode + '\n' + blocks);
+    const Motion motion = run_with_events(std::string("G21 G90 G94 G17 F3000 ") + mode + '\n' + blocks);
     EXPECT_EQ(motion.problems, "");
     ASSERT_EQ(motion.events.size(), 6u) << mode;
     expect_in_time(motion.words, motion.events);
@@ -84,7 +84,7 @@ TEST(TravellingEvents, KeepTheirPlacesOnFits) {
                   joints.back()[2], k);
     text += block;
   }
-  const Motion motion = run(text + "M2\n");
+  const Motion motion = run_with_events(text + "M2\n");
   ASSERT_EQ(motion.events.size(), 201u);
   expect_in_time(motion.words, motion.events);
   for (std::size_t k = 1; k < joints.size(); ++k) {
@@ -97,7 +97,8 @@ TEST(TravellingEvents, WaitWhereTheyMust) {
   const auto time = [](const std::string& event, bool spindle_waits) {
     machine::Machine machine = machine::mill3();
     machine.spindle_waits = spindle_waits;
-    const Motion motion = run("G21 G90 G94 F6000 G64 P0.01\nT1 S100\nG1 X20\n" + event + "\nX40\nM2\n", machine);
+    const Motion motion =
+        run_with_events("G21 G90 G94 F6000 G64 P0.01\nT1 S100\nG1 X20\n" + event + "\nX40\nM2\n", machine);
     EXPECT_EQ(motion.problems, "");
     return seconds(motion);
   };
@@ -115,7 +116,7 @@ TEST(TravellingEvents, WaitWhereTheyMust) {
 /// M62, M63 and M67 happen as the next motion begins, all others before the dwell.
 TEST(TravellingEvents, ComeWithMotionWhereTheySaySo) {
   const Motion motion =
-      run("G21 G90 G94 F6000 G61\nG1 X1\nM67 E0 Q5\nM68 E1 Q6\nM62 P2\nS7\nG4 P0.5\nX2\nM67 E3 Q8\nM2\n");
+      run_with_events("G21 G90 G94 F6000 G61\nG1 X1\nM67 E0 Q5\nM68 E1 Q6\nM62 P2\nS7\nG4 P0.5\nX2\nM67 E3 Q8\nM2\n");
   ASSERT_EQ(motion.problems, "");
   std::vector<Kind> kinds;
   for (const PassedEvent& event : motion.events) kinds.push_back(event.kind);
@@ -167,7 +168,7 @@ RC_GTEST_PROP(TravellingEvents, ChangeNoWord, ()) {
   machine.period = {2'000'000};
   const std::string text = with_events(testing_support::RandomProgram::make(5));
   RC_LOG() << text << testing_support::limits_of(machine);
-  const Motion motion = run(text, machine), same = run(without_events(text), machine);
+  const Motion motion = run_with_events(text, machine), same = run_with_events(without_events(text), machine);
   RC_ASSERT(motion.problems.empty() && same.problems.empty());
   RC_ASSERT(motion.words.size() == same.words.size());
   for (std::size_t k = 0; k < motion.words.size(); ++k) {
@@ -225,7 +226,7 @@ void keep_events(int blocks) {
   const std::string text = with_events(testing_support::RandomProgram::make(blocks));
   RC_LOG() << text << testing_support::limits_of(machine);
   const double slice = *rc::gen::element(0.0, 0.0, 0.02);
-  const Motion motion = run(text, machine, slice);
+  const Motion motion = run_with_events(text, machine, slice);
   RC_ASSERT(motion.problems.empty());
   expect_once_and_in_order(motion.events, programmed_events(text, machine));
   expect_in_their_periods(motion.words, motion.events);

@@ -31,7 +31,8 @@ std::optional<FeedExcess> FeedCheck::observe(const gcode::Move& move) {
 
 std::optional<FeedExcess> FeedCheck::excess_of(const gcode::Move& move) const {
   const double asked = programmed_feed(move);
-  if (asked == 0) return std::nullopt;
+  // Of the tip it differs from place to place, as do the directions of the axes.
+  if (asked == 0 || move.is_of_tip) return std::nullopt;
   FeedExcess worst{.asked = asked, .possible = std::numeric_limits<double>::infinity()};
   for (const toolpath::Piece& piece : toolpath::pieces_of(move)) {
     const toolpath::AxisPath axes = piece.axes();

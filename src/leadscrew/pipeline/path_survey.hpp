@@ -71,6 +71,7 @@ class QuickSurvey : public Survey {
   double bound_seconds() const override { return seconds_; }
 
  private:
+  void observe_tip(const gcode::Move& move);
   std::optional<FeedExcess> observe_line(const gcode::Move& move);
   std::optional<FeedExcess> observe_curve(const gcode::Move& move);
   void chain_on(const gcode::Move& move);
@@ -85,6 +86,7 @@ class QuickSurvey : public Survey {
   };
 
   const machine::Machine& machine_;
+  toolpath::TransformationOfMoves transformations_;
   constraints::Constraints constraints_;
   FeedCheck feeds_;
   geometry::Point

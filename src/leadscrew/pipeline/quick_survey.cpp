@@ -44,6 +44,11 @@ QuickSurvey::QuickSurvey(base::Borrowed<machine::Machine> machine, const geometr
 }
 
 std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
+  const bool rests = move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event;
+  if (move.is_of_tip && !rests) {
+    observe_tip(move);
+    return std::nullopt;
+  }
   switch (move.kind) {
     case gcode::Move::Kind::line:
       return observe_line(move);
@@ -56,6 +61,23 @@ std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
     default:
       return observe_curve(move);
   }
+}
+
+// Where the axes go, of which no more is known than that; of the time, what rotary axes and feed take.
+void QuickSurvey::observe_tip(const gcode::Move& move) {
+  end_chain();
+  const auto& transformation = transformations_.of(move, &machine_);
+  const double cut = cut_off(move);
+  double by_axes = 0;
+  for (std::size_t i = 3; i < base::axis_count && cut == 0; ++i)
+    by_axes = std::max(by_axes, std::fabs(move.end[i] - move.start[i]) * slowness_[i]);
+  for (toolpath::Piece& piece : toolpath::pieces_of(move)) {
+    piece.transformation = transformation;
+    toolpath::widen(piece, machine_.axis_set(), least_, greatest_);
+  }
+  const double length = distance_of(move.start, move.end);
+  const bool is_fed = move.feed.mode == gcode::Feed::Mode::units_per_second;
+  seconds_ += std::max(by_axes, is_fed ? length / move.feed.value * remaining(length, cut) : 0);
 }
 
 // What is cut off a blended line's ends is told of X, Y and Z; of how much rotary axes cut off, nothing is.

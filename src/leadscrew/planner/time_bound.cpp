@@ -13,13 +13,13 @@ using namespace tuning::bound;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& entering) {
+bool is_smooth(const geometry::PointJet& leaving, const geometry::PointJet& entering, double negligible) {
   double largest = 0, difference = 0;
   for (std::size_t i = 0; i < leaving.size(); ++i) {
     largest = std::max({largest, std::abs(leaving[i].first), std::abs(entering[i].first)});
     difference = std::max(difference, std::abs(leaving[i].first - entering[i].first));
   }
-  return difference <= negligible_kink * largest;
+  return difference <= negligible * largest;
 }
 
 /// How far from here a knot may be, by the turn |q″| h and what it changes by, |q‴| h².
@@ -45,7 +45,8 @@ void TimeBound::push(const toolpath::Element& element) {
   }
   const auto* piece = std::get_if<toolpath::Piece>(&element);
   if (!piece) return;
-  if (held_ && !is_smooth(leaving_, piece->axes().jets(0))) {
+  const double negligible = piece->transformation ? negligible_tip_kink : negligible_kink;
+  if (held_ && !is_smooth(leaving_, piece->axes().jets(0), negligible)) {
     stop();
   } else {
     place_held(false);
@@ -91,7 +92,10 @@ void TimeBound::add_curved(const toolpath::Piece& piece, bool ends_at_rest) {
   while (s < length) {
     // Knots crowd towards a place where the motion comes from rest or goes to it.
     const double longest = std::min(length / fewest_intervals, step_here);
-    const double to_rest = std::min(begins_at_rest_ ? s : infinity, ends_at_rest ? length - s : infinity);
+    // Behind a line of the tip, which is a curve of the axes, may come a short blend that is as slow.
+    const bool is_slow = piece.transformation != nullptr;
+    const double to_rest =
+        std::min(begins_at_rest_ || is_slow ? s : infinity, ends_at_rest || is_slow ? length - s : infinity);
     const double graded = std::max(first_interval * longest, grading * to_rest);
     const double limit = stop_at == breaks.end() ? length : *stop_at;
     const auto next_knot = [&](double step) { return limit - s < 1.5 * step ? limit : s + step; };

@@ -171,6 +171,7 @@ inline constexpr int most_halvings = 20;
 inline constexpr double grading = 0.1;  // h over the distance from the nearer end
 /// Of a unit tangent: less is taken as smooth, which can only lower the bound.
 inline constexpr double negligible_kink = 1e-6;
+inline constexpr double negligible_tip_kink = 1e-4;  // where kinematics stretch what tables of arc length are off by
 }  // namespace bound
 
 }  // namespace leadscrew::planner::tuning

@@ -196,6 +196,11 @@ bool Matcher::is_at_end(double reach) {
          metric_.distance(candidates_.word(), here.piece.to) <= reach;
 }
 
+bool Matcher::is_on_last_piece(const Point& word) {
+  const Piece& last = slot(candidates_.last_alive()).piece;
+  return nearest_on(metric_, last, word).distance <= last.tolerance + nanometre;
+}
+
 std::optional<Finding> Matcher::conclude() {
   const double tolerance = source_.end_tolerance();
   CandidateSet::End end = candidates_.conclude(most_pieces);

@@ -74,6 +74,8 @@ class Matcher {
 
   /// Is the word before matched to the path's last piece, within `reach`, mm, of its end?
   bool is_at_end(double reach);
+  /// At the end: is this word within the tolerance of the path's last piece?
+  bool is_on_last_piece(const Point& word);
 
   const Point& path_start() const { return start_; }
   const Point& path_end() const { return end_; }   ///< after conclude()

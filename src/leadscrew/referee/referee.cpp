@@ -26,6 +26,7 @@ struct Section {
   FeedCheck feed;
   FeedRipple ripple;
   StopCheck stops;
+  bool has_rested = false;  ///< where it ends
 
   Section(Spaces& spaces, const Metric& metric, base::Period period, Cancellation& cancellation)
       : source([&spaces](gcode::Move& move) { return spaces.next(move); }, metric),
@@ -119,13 +120,21 @@ class Referee::Implementation {
     if (skipped.value > skipped.limit + nanometre) add_rare(t, "skipped path", skipped);
   }
 
-  /// Coordinates begin to mean something else where the motion rests: between the word before and this one, if both are
-  /// as near as that to where the section ends.
+  /// Coordinates begin to mean something else where the motion rests. Does it rest where the section ends, between the
+  /// word before and this one or a little earlier, and come no nearer to that place?
   bool ends_before(const base::AxisVector& position) {
-    const double reach = 2 * section_->stops.greatest_step();
-    if (!section_->stops.is_rest(metric_.point(position_), metric_.point(position))) return false;
-    if (!section_->matcher.is_at_end(reach)) return false;
-    return spaces_.has_next();
+    constexpr double near = 2, leaving = 16;  // steps
+    if (!section_->source.any_move()) return spaces_.has_next();
+    const double step = section_->stops.greatest_step();
+    if (!section_->matcher.is_at_end(leaving * step) || !spaces_.has_next()) {
+      section_->has_rested = false;
+      return false;
+    }
+    const Point here = point(position), &end = section_->source.end();
+    const double before = metric_.distance(point(position_), end);
+    if (before <= near * step && section_->stops.is_rest(metric_.point(position_), metric_.point(position)))
+      section_->has_rested = true;
+    return section_->has_rested && (metric_.distance(here, end) >= before || !section_->matcher.is_on_last_piece(here));
   }
 
   void observe_finite(const base::AxisVector& position, std::optional<double> planned_feed) {

@@ -63,12 +63,10 @@ void Builder::rest(const base::AxisVector& place, double seconds, base::Line lin
 
 /// Motion rests where coordinates begin to mean something else.
 void Builder::change_transformation(const gcode::Move& move) {
-  const bool is_same = move.is_of_tip ? transformation_ && transformation_->tool == move.tool : !transformation_;
-  if (is_same) return;
+  const auto& of_move = transformations_.of(move, machine_);
+  if (of_move == transformation_) return;
   flush();
-  transformation_.reset();
-  if (!move.is_of_tip) return;
-  transformation_ = std::make_shared<const kinematics::Transformation>(kinematics::chain_of(*machine_), move.tool);
+  transformation_ = of_move;
 }
 
 /// Of the tip no more of P than what keeps its direction within E where rotary axes turn: in the space of tolerances a
@@ -94,17 +92,13 @@ void Builder::move_along(const gcode::Move& move) {
   const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
   if (!blends) flush();
   if (!blends || pieces.empty()) {
-    for (Piece& piece : pieces) {
-      piece.transformation = transformation_;
-      settled_.emplace_back(std::move(piece));
-    }
+    for (Piece& piece : pieces) settle_piece(std::move(piece));
   } else {
     for (Piece& piece : pieces) {
       const Allowance allowance = allowance_of(move, piece);
       if (allowance.tolerance < least_tolerance) {
         flush();
-        piece.transformation = transformation_;
-        settled_.emplace_back(std::move(piece));
+        settle_piece(std::move(piece));
         continue;
       }
       const auto events = events_of(piece);
@@ -140,10 +134,22 @@ void Builder::settle(std::optional<Blending>& blending) {
 template <class Blending>
 void Builder::take_settled(std::optional<Blending>& blending) {
   if (!blending) return;
-  while (std::optional<Piece> piece = blending->pop()) {
-    piece->transformation = transformation_;
-    settled_.emplace_back(std::move(*piece));
+  while (std::optional<Piece> piece = blending->pop()) settle_piece(std::move(*piece));
+}
+
+/// Where no rotary axis turns, a line of the tip is a line of the axes.
+void Builder::settle_piece(Piece piece) {
+  piece.transformation = transformation_;
+  const auto* const line = std::get_if<geometry::Line>(&piece.curve);
+  if (transformation_ && line) {
+    const base::AxisSet moving = piece.axes().moving();
+    const auto& turns = transformation_->chain.turns();
+    if (!moving.contains(turns[0].axis) && !moving.contains(turns[1].axis)) {
+      piece.curve = geometry::Line(piece.axes().start(), piece.axes().end(), line->length());
+      piece.transformation = nullptr;
+    }
   }
+  settled_.emplace_back(std::move(piece));
 }
 
 /// Where the next move begins.

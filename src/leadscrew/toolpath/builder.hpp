@@ -14,6 +14,7 @@
 #include <leadscrew/toolpath/path.hpp>
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/smoother.hpp>
+#include <leadscrew/toolpath/transformation_of_moves.hpp>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,6 +42,7 @@ class Builder {
   void rest(const base::AxisVector& place, double seconds, base::Line line);
   void move_along(const gcode::Move& move);
   void change_transformation(const gcode::Move& move);
+  void settle_piece(Piece piece);
   Allowance allowance_of(const gcode::Move& move, const Piece& piece) const;
   void blend(Leg leg);
   template <class Blending>
@@ -59,6 +61,7 @@ class Builder {
   std::optional<Smoother> smoother_;
   /// Of the moves being pushed; none: their coordinates are the machine's axes'.
   std::shared_ptr<const kinematics::Transformation> transformation_;
+  TransformationOfMoves transformations_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event
   std::deque<Element> settled_;
