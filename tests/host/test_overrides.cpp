@@ -79,7 +79,9 @@ TEST(HostOverrides, HoldWhereM53AllowsIt) {
   ASSERT_TRUE(motion->override_feed(0));
   base::Word last = words[0];
   for (; motion->next(words) > 0; last = words[0]) {
-    if (last.position[0] < 200) ASSERT_NEAR(words[0].feed, 50, 1e-6);
+    if (last.position[0] < 200) {
+      ASSERT_NEAR(words[0].feed, 50, 1e-6);
+    }
   }
   EXPECT_EQ(motion->progress(), pipeline::Progress::held);
   EXPECT_GT(last.position[0], 200);

@@ -46,6 +46,17 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G92_2:
     case Code::G92_3:
       return offsets_.set_shift(block);
+    case Code::G70_bolts:
+    case Code::G71_bolts:
+    case Code::G72_bolts:
+      return cycles_.drill_pattern(block);
+    default:
+      dispatch_turning(code, block);
+  }
+}
+
+void Interpreter::dispatch_turning(Code code, const Block& block) {
+  switch (code) {
     case Code::G33:
       return threading_.thread(block);
     case Code::G33_1:
@@ -60,10 +71,6 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G72_1:
     case Code::G72_2:
       return lathe_cycles_.begin(block);
-    case Code::G70_bolts:
-    case Code::G71_bolts:
-    case Code::G72_bolts:
-      return cycles_.drill_pattern(block);
     default:
       if (is_canned_cycle(code)) cycles_.drill(block);
   }

@@ -68,7 +68,8 @@ class Interpreter : Part {
   void set_smoothness(const Block& block);
   void execute_motion(const Block& block);
   /// What a motion or a code of group 0 does.
-  void dispatch(Code code, const Block& block);  // dispatch.cpp
+  void dispatch(Code code, const Block& block);
+  void dispatch_turning(Code code, const Block& block);  // dispatch.cpp
   void stop(const Block& block);
   bool is_plain() const;
 

@@ -147,7 +147,7 @@ void check_chain(const RotaryChain& chain, std::vector<base::Diagnostic>& proble
 }
 
 void check_kinematics(const Machine& machine, std::vector<base::Diagnostic>& problems) {
-  const auto report = [&](std::string message, std::string hint) {
+  const auto report = [&](const std::string& message, std::string hint) {
     problems.push_back(base::problem("machine-kinematics", "kinematics \"" + machine.kinematics + "\" " + message,
                                      std::move(hint), {.field = field::kinematics}));
   };
