@@ -49,11 +49,10 @@ TEST(Events, OfOutputsThatCannotBeAreSaid) {
     const char* block;
     const char* problems;
   } rows[] = {
-      {"M62", "1:1 missing-word; "},          {"M68 Q1", "1:1 missing-word; "},
-      {"M67 E0", "1:1 missing-word; "},       {"M62 P64", "1:5 bad-value; "},
-      {"M65 P-1", "1:5 bad-value; "},         {"M67 E0.5 Q1", "1:5 bad-value; "},
-      {"M62 P0 Q1", "1:8 unused-word; "},     {"M62 P0 G4", "1:5 ambiguous-word; "},
-      {"M62 M63 P0", "1:5 modal-conflict; "}, {"M66 P64", "1:5 bad-value; "},
+      {"M62", "1:1 missing-word; "},      {"M68 Q1", "1:1 missing-word; "},      {"M67 E0", "1:1 missing-word; "},
+      {"M62 P64", "1:5 bad-value; "},     {"M65 P-1", "1:5 bad-value; "},        {"M67 E0.5 Q1", "1:5 bad-value; "},
+      {"M62 P0 Q1", "1:8 unused-word; "}, {"M62 P0 G4", "1:5 ambiguous-word; "}, {"M62 M63 P0", "1:5 modal-conflict; "},
+      {"M66 P64", "1:5 bad-value; "},
   };
   for (const auto& row : rows) {
     EXPECT_EQ(read(std::string(row.block) + "\nM2\n").problems().substr(0, std::string(row.problems).size()),
