@@ -90,7 +90,7 @@ struct ReaderOptions {
   /// Loops and subprograms go back in the text: where it is opened anew. None: the reader keeps what it has read of it
   /// from the first of them on, up to 16 MiB, and there are no subprograms in files.
   TextOpener opener{};
-  std::int64_t fuel = 100'000'000;                 ///< lines that are read in loops and subprograms, at most; ≥ 0
+  std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
   bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
   ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31
   bool repeats = false;  ///< M99 in the main program: goes on from its beginning; otherwise ends it

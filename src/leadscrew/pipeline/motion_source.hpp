@@ -118,7 +118,7 @@ class MotionSource {
   bool wants_moves_ = false;
   bool asks_inputs_ = false;
   std::optional<base::Event> input_;  ///< that is asked for
-  bool probes_ = false;  ///< a real probe ends probing moves
+  bool probes_ = false;               ///< a real probe ends probing moves
   std::optional<gcode::Move> probing_;
   bool probing_ends_ = false;
   bool aborted_ = false;
