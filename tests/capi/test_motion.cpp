@@ -201,8 +201,8 @@ TEST(Capi, AdaptsTheFeedBehindM52) {
     if (std::abs(word.position[0] - 25) < 0.1) before = word.feed;
     if (std::abs(word.position[0] - 75) < 0.1) behind = word.feed;
   }
-  EXPECT_NEAR(before, 50, 1e-6);
-  EXPECT_NEAR(behind, 10, 1e-6);
+  EXPECT_NEAR(before, 50, 1e-5);
+  EXPECT_NEAR(behind, 10, 1e-5);
 }
 
 TEST(Capi, WaitsForMovesAndGoesOn) {

@@ -28,7 +28,7 @@ TEST(RemarkOutput, TellsMessagesInTheJsonOfCheck) {
   EXPECT_EQ(json["messages"][0]["line"], 3);
   EXPECT_EQ(json["messages"][0]["column"], 2);
   EXPECT_EQ(json["messages"][1]["kind"], "print");
-  EXPECT_EQ(json["messages"][1]["text"], "at 1");
+  EXPECT_EQ(json["messages"][1]["text"], "at 0");
   EXPECT_EQ(folder.names(), (Names{"a.ngc"}));
 }
 

@@ -160,7 +160,7 @@ TEST(CheckJson, HasItsKeys) {
   EXPECT_EQ(check.json(), Json::parse(R"({"schema": "leadscrew.check/1", "program": "part.ngc", "machine": "mill3",
       "blocks": 6, "moves": 4, "extents": [{"name": "X", "least": 0.0, "greatest": 10.0},
       {"name": "Y", "least": 0.0, "greatest": 10.0}, {"name": "Z", "least": 0.0, "greatest": 0.0}],
-      "bound_s": 4.04, "errors": 0, "warnings": 0, "diagnostics": []})"));
+      "bound_s": 4.04, "errors": 0, "warnings": 0, "message_count": 0, "messages": [], "diagnostics": []})"));
 }
 
 struct Timing {

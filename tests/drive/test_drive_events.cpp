@@ -101,13 +101,13 @@ TEST(DriveEvents, HappenOnceThoughMotionIsStoppedAndGoesOn) {
 TEST(DriveEvents, OfAnInputThatDoesNotComeTakeTheirTime) {
   const Folder folder;
   const std::string begin = "G21 G90 F3000\nG1 X1\nM66 P0 ", end = "\nG1 X2\nM2\n";
-  folder.write("part.ngc", begin + "L3 Q0.8" + end);
+  folder.write("part.ngc", begin + "L3 Q0.75" + end);
   const auto driven = leadscrew(folder, {"drive", "part.ngc", "--json", "--events", "e.csv"});
   EXPECT_EQ(driven.status, 0) << driven.errors;
-  EXPECT_GE(driven.json()["words"], 800);
+  EXPECT_GE(driven.json()["words"], 750);
   const std::string events = folder.read("e.csv");
-  EXPECT_TRUE(contains(events, ",3,M66,0,3,0.8\n")) << events;
-  EXPECT_LT(leadscrew(folder, {"run", "part.ngc", "--json"}).json()["words"], 800);
+  EXPECT_TRUE(contains(events, ",3,M66,0,3,0.75\n")) << events;
+  EXPECT_LT(leadscrew(folder, {"run", "part.ngc", "--json"}).json()["words"], 750);
 }
 
 }  // namespace test_drive_events

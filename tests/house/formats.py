@@ -186,6 +186,7 @@ def prepare():
     scratch.mkdir(parents=True)
     (scratch / "good.ngc").write_text("G21 G90\nS800 M3\nG1 X1 F600\nM8\nX2 M62 P3\nM67 E2 Q0.5\nG4 P0.01\nG0 X0\n")
     (scratch / "bad.ngc").write_text("G21\nG1 X\nM2\n")
+    (scratch / "says.ngc").write_text("G21 G90\n(MSG,begin)\nG0 X1 (PRINT,%d#<_value>)\nM2\n")
     (scratch / "fast.ngc").write_text("G21 G90\nG1 X9 F30000\nM2\n")
     (scratch / "turn.ngc").write_text("G21 G90\nG1 A30 X5 F600\nA0\nM2\n")
     worn = (machines / "mill6.toml").read_text(encoding="utf-8")
@@ -210,6 +211,7 @@ def check_runs(schemas):
     json_of(schemas, "rejected", "check", square, "--machine", "none.toml", status=4)
     json_of(schemas, "check", "check", "good.ngc")
     json_of(schemas, "check", "check", "fast.ngc")
+    json_of(schemas, "check", "check", "says.ngc")
     json_of(schemas, "check", "check", "bad.ngc", status=3)
 
 

@@ -120,9 +120,10 @@ class Motion:
 def motions(text):
     """The calls that move, wait, or ask for what is no motion, but for straight ones that lead nowhere."""
     found, frame, unit, feed, plane = [], Frame(), 1.0, (0.0, 1.0, 0), PLANES["CANON_PLANE_XY"]
-    threads = False
+    threads, before = False, ""
     in_step = False
     most_speed, surface_speed = [0.0, 0.0], None  # of G96
+    overrides = {"FEED_OVERRIDE": True, "SPEED_OVERRIDE": True}  # whether they are enabled
     position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
     for line in text.splitlines():
         call = CALL.match(line)
@@ -150,9 +151,6 @@ def motions(text):
             frame.tool = Told(numbers, unit)
         elif name == "SET_FEED_RATE":
             feed = (numbers[0], unit, feed[2])
-        elif name == "START_SPEED_FEED_SYNC" and found and found[-1].name == "DISABLE_FEED_OVERRIDE":
-            found.pop()  # threads are cut without; the calls around them are not the program's
-            threads = True
         elif name == "ENABLE_FEED_OVERRIDE" and threads:
             threads = False
         elif name == "SET_FEED_MODE":
@@ -167,6 +165,18 @@ def motions(text):
         elif name == "DWELL" and numbers[0] == 0:
             continue  # no time
         elif name in WAITING:
+            # Threads are cut without; the calls around them are not the program's.
+            if name == "START_SPEED_FEED_SYNC" and before == "DISABLE_FEED_OVERRIDE":
+                threads = True
+                if found and found[-1].name == before:
+                    found.pop()
+                    overrides["FEED_OVERRIDE"] = True
+            before = name
+            enabled, _, what = name.partition("ABLE_")
+            if enabled in ("EN", "DIS"):
+                if overrides.get(what) == (enabled == "EN"):
+                    continue  # what is so already
+                overrides[what] = enabled == "EN"
             in_step = name == "START_SPEED_FEED_SYNC" or (in_step and name != "STOP_SPEED_FEED_SYNCH")
             found.append(Motion(name, line, numbers, unit, frame, feed, None))
         elif name in STRAIGHT or name == "ARC_FEED":

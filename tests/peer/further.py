@@ -84,8 +84,10 @@ class Further:
             self.tool = False
         before = self.modes()
         self.block("M70")
+        self.keeping = True
         for _ in range(self.random.randint(1, 3)):
             self.mode()
+        self.keeping = False
         self.line()
         if self.chance(0.2):
             self.block("M71")
@@ -108,8 +110,10 @@ class Further:
         before, lines, self.lines = self.modes(), self.lines, []
         label = self.label()
         self.lines += [f"{label} sub", "M73"]
+        self.keeping = True
         for _ in range(self.random.randint(1, 3)):
             self.mode()
+        self.keeping = False
         self.line()
         self.lines.append(f"{label} endsub")
         sub, self.lines = self.lines, lines

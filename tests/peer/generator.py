@@ -21,6 +21,7 @@ class Program(Further):
         self.random = random.Random(seed)
         self.flow = flow
         self.lines, self.subs = [], []
+        self.keeping = False  # modes, by M70 or M73
         self.inches = self.incremental = self.absolute_arcs = self.inverse = self.diameters = False
         self.plane, self.rotated, self.tool = "XY", False, False
         self.systems_turned, self.shift_kept = set(), False
@@ -123,9 +124,10 @@ class Program(Further):
         elif kind == 7:
             self.block(self.random.choice(["M3 S1000", "M4", "M5", "M7", "M8", "M9", "S500", "G40", "M0", "M1", "G80"]))
         else:
-            self.block(self.random.choice(["G4 P0.5", "G4 P0", "T1", "T2" if self.place_unsure or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
+            overrides = [] if self.keeping else ["M51 P0", "M52", "M52 P0"]  # rs274 brings none of these back
+            self.block(self.random.choice(overrides + ["G4 P0.5", "G4 P0", "T1", "T2" if self.place_unsure or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
                                            "M62 P1", "M63 P0", "M64 P3", "M65 P2", "M67 E1 Q2.5", "M68 E0 Q[1/3]", "M60",
-                                           "M19 R45.5", "M19 R90 P2 Q1.5", "M48", "M49", "M50 P0", "M50", "M51 P0", "M52", "M52 P0", "M53 P0",
+                                           "M19 R45.5", "M19 R90 P2 Q1.5", "M48", "M49", "M50 P0", "M50", "M53 P0",
                                            "M53", "M66 P1 L0", "M66 E2"]))
 
     # Motion

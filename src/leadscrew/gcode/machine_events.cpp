@@ -112,6 +112,7 @@ void MachineEvents::change_tool(const Block& block) {
     modal_.selected_tool = 0;
   }
   modal_.loaded_tool = *modal_.selected_tool;
+  modal_.spindle = Code::M5;  // it stands (LinuxCNC manual, M Codes, "M6")
   outbox_.emit_event(Kind::tool_change, modal_.loaded_tool);
 }
 

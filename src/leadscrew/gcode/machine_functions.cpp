@@ -62,6 +62,7 @@ void MachineFunctions::orient_spindle(const Block& block) {
           "0 for the shortest way, 1 for clockwise, 2 for counterclockwise");
     return;
   }
+  modal_.spindle = Code::M5;  // it stands (LinuxCNC)
   outbox_.emit_event(Kind::spindle_orientation, angle, static_cast<std::int32_t>(turn), block.value_or('Q', 0));
 }
 
