@@ -80,7 +80,7 @@ TEST(HostOverrides, HoldWhereM53AllowsIt) {
   base::Word last = words[0];
   for (; motion->next(words) > 0; last = words[0]) {
     if (words[0].position[0] < 200) {
-      ASSERT_NEAR(words[0].feed, 50, 0.05);
+      ASSERT_NEAR(words[0].feed, 50, 0.2);  // planned anew, a little slower
     }
   }
   EXPECT_EQ(motion->progress(), pipeline::Progress::held);
