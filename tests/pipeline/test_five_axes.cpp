@@ -231,4 +231,25 @@ TEST(FiveAxes, HoldTheTipWhileTheTableTurns) {
   EXPECT_EQ(last[5], 90);
 }
 
+/// Where axes and tip go differently fast, words tell the feed of the tip, as programmed.
+TEST(FiveAxes, TellTheFeedOfTheTip) {
+  machine::Machine machine = machine::mill3();
+  machine.rotary_chain = machine::preset_chain("table-table-ac");
+  for (const base::Axis axis : {base::Axis::A, base::Axis::C})
+    machine.axes[base::index(axis)] = machine::AxisLimits{-360, 360, 100, 1000, 20000, 0.001};
+  const std::string text = "G21 G90 G61\nG0 X40 Y0 Z0\nG43.4\nG1 X20 C90 F600\nM2\n";
+  const machine::ToolTable tools;
+  pipeline::Program program(gcode::text_source(text), machine, tools, {}, nullptr);
+  double greatest = 0;
+  std::size_t at_feed = 0;
+  while (program.prepare()) {
+    const base::Word word = program.cycle();
+    if (base::number(word.line) != 4) continue;
+    greatest = std::max(greatest, word.feed);
+    if (std::abs(word.feed - 10) <= 1e-6) ++at_feed;
+  }
+  EXPECT_LE(greatest, 10 * (1 + 1e-9));
+  EXPECT_GE(at_feed, 1000U);
+}
+
 }  // namespace test_five_axes
