@@ -7,7 +7,12 @@
 #include <leadscrew/machine/rotary_chain.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
+#include <map>
+#include <optional>
+#include <regex>
+#include <vector>
 
+#include "five_axis_program.hpp"
 #include "live_program.hpp"
 #include "random_program.hpp"
 #include "worst_ratios.hpp"
@@ -19,143 +24,14 @@ namespace test_five_axes {
 
 using namespace leadscrew;
 using testing_support::any;
+using testing_support::five_axes;
+using testing_support::FiveAxisProgram;
 using testing_support::Intervention;
 using testing_support::limits_of;
 using testing_support::LiveProgram;
-using testing_support::logarithmic;
+using testing_support::two_tools;
 using testing_support::worst_judged;
 using testing_support::worst_planned;
-
-double between(double least, double greatest) {
-  return least + (greatest - least) * any(0, 1000001) / 1e6;
-}
-
-machine::Vector place() {
-  return {between(-80, 80), between(-80, 80), between(-80, 80)};
-}
-
-/// A preset with its axes anywhere, or nutating; limits over two decades.
-machine::Machine five_axes() {
-  machine::Machine machine;
-  machine.name = "random five axes";
-  const auto& presets = machine::kinematics_presets;
-  const auto& preset = presets[static_cast<std::size_t>(any(0, static_cast<int>(presets.size())))];
-  machine::RotaryChain chain = *machine::preset_chain(preset.name);
-  for (machine::RotaryAxis& axis : chain.axes) {
-    axis.point = place();
-    axis.sign = any(0, 2) == 0 ? 1 : -1;
-  }
-  if (any(0, 4) == 0) chain.axes[1].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};
-  chain.tool_zero = place();
-  machine.kinematics = preset.name;
-  machine.rotary_chain = chain;
-  const auto give = [&](base::Axis axis) {
-    machine.axes[base::index(axis)] =
-        machine::AxisLimits{-1e5, 1e5, logarithmic(10, 500), logarithmic(100, 1e4), logarithmic(2000, 1e6), 0.001};
-  };
-  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
-  for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);
-  machine.period = {1'000'000};
-  return machine;
-}
-
-class FiveAxisProgram {
- public:
-  explicit FiveAxisProgram(const machine::Machine& machine) {
-    for (std::size_t k = 0; k < 2; ++k) letters_[k] = base::letter(machine.rotary_chain->axes[k].axis);
-  }
-
-  std::string make(int blocks) {
-    text_ = "G21 G90 G94 G17 F1200\n";
-    path_mode();
-    begin();
-    for (int k = 0; k < blocks; ++k) block();
-    return text_ + "M2\n";
-  }
-
- private:
-  void word(char letter, double value) {
-    char word[40];
-    std::snprintf(word, sizeof word, " %c%.3f", letter, value);
-    text_ += word;
-  }
-  void begin() { text_ += "G43.4 H1\n"; }
-  void path_mode() {
-    if (any(0, 5) == 0) {
-      text_ += "G61\n";
-      return;
-    }
-    text_ += "G64";
-    word('P', logarithmic(2e-3, 0.2));
-    if (any(0, 2) == 0) word('E', logarithmic(2e-3, 1));
-    text_ += '\n';
-  }
-  void angles(double most) {
-    for (std::size_t k = 0; k < 2; ++k) word(letters_[k], angle_[k] += between(-most, most));
-  }
-  void line(const char* code, double most, double turn) {
-    text_ += code;
-    for (std::size_t i = 0; i < 3; ++i) word("XYZ"[i], at_[i] += between(-most, most));
-    if (any(0, 3) > 0) angles(turn);
-    text_ += '\n';
-  }
-  void block() {
-    switch (any(0, 12)) {
-      case 0:
-        return line("G0", 30, 40);
-      case 1:
-        text_ += "G1";
-        angles(60);
-        text_ += '\n';
-        return;
-      case 2:
-        return arc();
-      case 3:
-        text_ += "F" + std::to_string(any(100, 6000)) + "\n";
-        return;
-      case 4:
-        text_ += "G4 P0.01\n";
-        return;
-      case 5:
-        return path_mode();
-      case 6:
-        text_ += any(0, 2) == 0 ? "G49\nG43.4 H2\n" : "G43.4 H1\n";
-        return;
-      case 7:
-      case 8:
-        for (int k = any(3, 10); k > 0; --k) line("G1", 0.6, 1.2);
-        return;
-      default:
-        return line("G1", 15, 25);
-    }
-  }
-  /// Half a circle in XY, with the rotary axes going along.
-  void arc() {
-    const double radius = between(0.3, 8);
-    line("G1", 1, 1);
-    text_ += any(0, 2) == 0 ? "G2" : "G3";
-    word('X', at_[0] += 2 * radius);
-    word('Y', at_[1]);
-    word('I', radius);
-    word('J', 0);
-    if (any(0, 2) == 0) angles(20);
-    text_ += '\n';
-  }
-
-  std::string text_;
-  std::array<char, 2> letters_{};
-  std::array<double, 2> angle_{};
-  std::array<double, 3> at_{};
-};
-
-machine::ToolTable two_tools() {
-  machine::Tool first, second;
-  first.number = 1;
-  first.offset[2] = 73.25;
-  second.number = 2;
-  second.offset = {1.5, -2, 41};
-  return machine::ToolTable({first, second});
-}
 
 struct Judged {
   pipeline::Summary summary;
@@ -191,6 +67,96 @@ RC_GTEST_PROP(FiveAxes, KeepEveryLimitAndEveryPoint, ()) {
              << base::number(each.line) << "\n";
   RC_ASSERT(outcome.verdict.violation_count == 0);
   RC_ASSERT(outcome.summary.bound_s <= outcome.summary.time_s * (1 + 1e-6));
+}
+
+/// Is an axis near a limit in the three periods behind a word?
+bool is_bound(const std::vector<base::Word>& words, std::size_t k, const machine::Machine& machine) {
+  const double period = machine.period.seconds();
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    const machine::AxisLimits& limits = machine.limits(axis);
+    const auto q = [&](std::size_t i) { return words[k - 3 + i].position[base::index(axis)]; };
+    const double first = q(3) - q(2), second = q(3) - 2 * q(2) + q(1), third = q(3) - 3 * q(2) + 3 * q(1) - q(0);
+    const bool is_free = std::abs(first) < 0.97 * limits.velocity * period &&
+                         std::abs(second) < 0.97 * limits.acceleration * period * period &&
+                         std::abs(third) < 0.97 * limits.jerk * period * period * period;
+    if (!is_free) return true;
+  }
+  return false;
+}
+
+/// In the middle of tenths of a second on one block in which no axis is near a limit: longer than any change between limits
+/// takes.
+std::vector<const base::Word*> unbound_words(const std::vector<base::Word>& words, const machine::Machine& machine) {
+  constexpr std::size_t half = 50;
+  std::vector<const base::Word*> unbound;
+  std::size_t free_for = 0;
+  for (std::size_t k = 3; k < words.size(); ++k) {
+    const bool goes_on = words[k].line == words[k - 1].line && words[k].state != base::MotionState::rest;
+    free_for = goes_on && !is_bound(words, k, machine) ? free_for + 1 : 0;
+    if (free_for >= 2 * half) unbound.push_back(&words[k - half]);
+  }
+  return unbound;
+}
+
+/// Where no limit binds, the tip goes as fast as programmed. On the programmed path: where a blend joins degrees to
+/// millimetres it has a feed of its own. Chords between words may be as coarse as they like.
+RC_GTEST_PROP(FiveAxes, KeepTheFeedWhereNoLimitBinds, ()) {
+  machine::Machine machine = five_axes();
+  machine.chord_error = 10;
+  const std::string blended = FiveAxisProgram(machine).make(any(1, 6));
+  const std::string text = std::regex_replace(blended, std::regex("G64[^\n]*"), "G61");
+  RC_LOG() << machine.kinematics << "\n" << text << limits_of(machine);
+  const machine::ToolTable tools = two_tools();
+  std::map<std::uint64_t, double> feeds;  // by line, mm/s or degrees/s
+  gcode::Reader reader(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) {});
+  for (gcode::Move move; reader.next(move);) {
+    if (move.feed.mode == gcode::Feed::Mode::units_per_second) feeds[base::number(move.line)] = move.feed.value;
+  }
+  pipeline::Program program(gcode::text_source(text), machine, tools, {}, nullptr);
+  std::vector<base::Word> words;
+  while (program.prepare()) words.push_back(program.cycle());
+  double sum = 0, count = 0;
+  for (const base::Word* word : unbound_words(words, machine)) {
+    const auto feed = feeds.find(base::number(word->line));
+    if (feed == feeds.end()) continue;
+    RC_ASSERT(word->feed >= 0.99 * feed->second);  // where pieces meet, what binds may be too short for words to show
+    sum += word->feed / feed->second;
+    ++count;
+  }
+  RC_ASSERT(sum >= 0.999 * count);
+}
+
+/// Whoever changes the feed, holds it, or keeps the planner from its work.
+RC_GTEST_PROP(FiveAxes, KeepEveryLimitThroughOverridesAndHolds, ()) {
+  constexpr std::int64_t most_ticks = 5'000;
+  const machine::Machine machine = five_axes();
+  const machine::ToolTable tools = two_tools();
+  std::string text;
+  std::optional<std::size_t> ticks;
+  for (int blocks = any(1, 5); !ticks; blocks = std::max(1, blocks / 2)) {
+    text = FiveAxisProgram(machine).make(blocks);
+    LiveProgram whole(text, machine, tools);
+    if (whole.run({}, most_ticks)) ticks = whole.words.size();
+  }
+  RC_LOG() << machine.kinematics << "\n" << text << limits_of(machine);
+  std::vector<Intervention> interventions;
+  std::int64_t at = 0;
+  for (int k = any(1, 6); k > 0; --k) {
+    at += any(0, 1 + static_cast<int>(*ticks) / 2);
+    interventions.push_back(
+        {at, *rc::gen::element(0.0, 0.1, 0.5, 1.0, 2.0), *rc::gen::element<std::int64_t>(0, 0, 45, 300)});
+  }
+  interventions.push_back({at + any(0, 300), 1.0, 0});
+  for (const Intervention& each : interventions)
+    RC_LOG() << "tick " << each.tick << " factor " << each.factor << " silent " << each.silence << '\n';
+  LiveProgram live(text, machine, tools);
+  RC_ASSERT(live.run(interventions, 100 * most_ticks));
+  const referee::Verdict verdict = live.conclude();
+  RC_ASSERT(worst_planned(live.plan()) <= 1 + 1e-9);
+  RC_ASSERT(worst_judged(verdict) <= 1.001);
+  RC_ASSERT(verdict.deviation_mm <= verdict.tolerance_mm + 1e-6);
+  RC_ASSERT(verdict.end_error_mm <= 1e-9);
 }
 
 /// Without a tool and with all rotary axes at 0, tool centre point control changes nothing.

@@ -155,4 +155,10 @@ Vector3<T> direction_of(const Chain& chain, const Angles<T>& degrees) {
   return direction;
 }
 
+/// Compiled once, with the room; whoever is near to it may have it inline.
+extern template Coordinates<double> machine_of(const Chain&, const Coordinates<double>&, const Vector&);
+extern template Coordinates<double> pose_of(const Chain&, const Coordinates<double>&, const Vector&);
+extern template Coordinates<numeric::Jet<>> machine_of(const Chain&, const Coordinates<numeric::Jet<>>&, const Vector&);
+extern template Coordinates<numeric::Jet<>> pose_of(const Chain&, const Coordinates<numeric::Jet<>>&, const Vector&);
+
 }  // namespace leadscrew::kinematics
