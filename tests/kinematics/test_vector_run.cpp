@@ -32,7 +32,7 @@ TEST(VectorRuns, HoldEveryVectorOfEveryChain) {
         at[1] += draw(-20, 20);
         directions.push_back(direction_of(named.chain, at));
       }
-      VectorRun run(named.chain, wide_limits(), {});
+      VectorRun run(named.chain, wide_limits(), {.pole_cone = 0});
       run.begin_at({0, 0, 0}, start);
       double x = 0;
       const bool is_done = std::ranges::all_of(

@@ -9,6 +9,11 @@
 //     programmed   P₀,O₀ ───────────── P₁,O₁ ── P₂,O₂           tip straight, direction on a great circle
 //     vertices     •──•──•──•──•──•──•──•──•────•               tip and angles straight
 //
+// Poles, where the first axis may stand anywhere (FIVE-AXES A4): blended paths are led straight through those that they miss by
+// no more than the cone and seven eighths of E (pole_passes.hpp), and what is left of E there is told with the vertices.
+// Paths that pass farther away go round. Where a path leads through the pole itself and its direction turns there by more than
+// is lost in a quarter of E, the first axis turns while the tip stands.
+//
 // A run is told line by line; at most `most_vertices` are held, and where more come the front half is decided by the best way
 // so far.
 
@@ -16,6 +21,7 @@
 #include <cstdint>
 #include <deque>
 #include <leadscrew/kinematics/chain.hpp>
+#include <leadscrew/kinematics/pole_passes.hpp>
 #include <leadscrew/kinematics/pose.hpp>
 #include <leadscrew/kinematics/rotary_run.hpp>
 #include <optional>
@@ -83,14 +89,27 @@ class VectorRun {
   const Angles<double>& start_angles() const { return start_angles_; }
 
  private:
+  struct Programmed {
+    Vector tip{}, direction{};
+    std::size_t segment = 0;  ///< that ends there
+    double s = 0;
+  };
   struct Vertex {
     Vector tip{}, direction{};
     std::size_t segment = 0;
+    double tolerance = 0;  ///< of the line that ends there
+    double s = 0;
+    bool is_pole = false;
   };
 
-  bool subdivide(const Vertex& from, const Vertex& to);
+  bool follow(bool all);
+  bool subdivide(const Programmed& from, const Programmed& to);
   bool append(const Vertex& vertex);
   void decide(std::size_t count);
+  std::size_t end_of_poles(std::size_t first, std::size_t count) const;
+  void put_poles(std::size_t first, std::size_t end, const std::vector<Angles<double>>& angles);
+  void put(const Vertex& vertex, const Angles<double>& angles, bool is_pole_turn);
+  double turning_error(const Vector& direction, double turn) const;
   bool fail(VectorRunFailure::Kind kind, std::size_t segment);
   bool fail(const RunFailure& failure, std::size_t segment);
 
@@ -98,11 +117,15 @@ class VectorRun {
   RotaryLimits limits_;
   VectorRunSettings settings_;
   std::optional<RotaryRun> choice_;
-  std::deque<Vertex> vertices_;  ///< given to choice_, not yet decided
+  PolePasses passes_;
+  std::deque<Programmed> ahead_;  ///< the first: as far as vertices have been made
+  std::deque<Vertex> vertices_;   ///< given to choice_, not yet decided
   std::vector<RunVertex> decided_;
-  Vertex last_;
   std::size_t segments_ = 0;
-  bool is_start_known_ = false;
+  bool is_free_ = false;         ///< the beginning
+  bool is_start_known_ = false;  ///< has it been decided?
+  Vector last_direction_{};      ///< of the last vertex that is decided
+  double last_s_ = 0;
   Angles<double> start_angles_{};
   std::optional<VectorRunFailure> failure_;
 };
