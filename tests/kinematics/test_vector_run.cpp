@@ -64,11 +64,12 @@ TEST(VectorRuns, HoldEveryVectorOfEveryChain) {
 }
 
 TEST(VectorRuns, DecideLongRunsInParts) {
-  VectorRun run(trunnion(), wide_limits(), {});
+  const Chain chain = trunnion();
+  VectorRun run(chain, wide_limits(), {});
   run.begin_at({0, 0, 0}, {0, 30});
   std::vector<RunVertex> vertices;
   for (int k = 1; k <= 200'000; ++k) {
-    ASSERT_TRUE(run.add({k * 0.1, 0, 0}, direction_of(trunnion(), Angles<double>{k * 0.05, 30})));
+    ASSERT_TRUE(run.add({k * 0.1, 0, 0}, direction_of(chain, Angles<double>{k * 0.05, 30})));
     for (const RunVertex& vertex : run.take()) vertices.push_back(vertex);
   }
   EXPECT_GT(vertices.size(), 100'000u);

@@ -23,6 +23,12 @@ inline double angle_between(const Vector& a, const Vector& b) {
   return std::atan2(std::hypot(cross[0], cross[1], cross[2]), numeric::dot(a, b));
 }
 
+/// Are two unit vectors no farther apart than an angle below a right one, of this sine?
+inline bool is_within(const Vector& a, const Vector& b, double sine) {
+  const Vector cross = cross_product(a, b);
+  return numeric::dot(cross, cross) <= sine * sine && numeric::dot(a, b) > 0;
+}
+
 /// v turned about a unit vector by an angle in radians, right-handed.
 inline Vector turned(const Vector& v, const Vector& axis, double angle) {
   const double along = numeric::dot(axis, v), half = std::sin(angle / 2), sine = std::sin(angle);
@@ -53,6 +59,12 @@ class GreatCircle {
     if (share <= 0) return from_;
     if (share >= 1) return to_;
     return unit_vector(share < 0.5 ? turned(from_, axis_, share * angle_) : turned(to_, axis_, (share - 1) * angle_));
+  }
+  /// May it come so near, radians, to a unit vector or its opposite? Quickly, and never false where it does.
+  bool may_come_near(const Vector& line, double distance) const {
+    const Vector cross = cross_product(line, to_);
+    const double reach = angle_ + distance;
+    return numeric::dot(cross, cross) <= reach * reach;
   }
   /// The share at which it is nearest to a direction or its opposite, inside 0 … 1; where that is at an end, the end.
   double nearest_to_axis(const Vector& line) const;

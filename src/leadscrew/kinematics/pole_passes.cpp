@@ -41,7 +41,7 @@ Vector PolePass::applied(double s, const Vector& direction) const {
                           : direction;
 }
 
-PolePasses::PolePasses(const Chain& chain, double cone) : cone_(cone) {
+PolePasses::PolePasses(const Chain& chain, double cone) : cone_(cone), cone_sine_(std::sin(cone)) {
   if (!(cone > 0)) return;
   const Vector& pole = chain.turns()[0].direction;
   if (chain.cones().difference_sine == 0) poles_.push_back(pole);
@@ -50,7 +50,7 @@ PolePasses::PolePasses(const Chain& chain, double cone) : cone_(cone) {
 
 std::optional<Vector> PolePasses::pole_near(const Vector& direction) const {
   for (const Vector& pole : poles_) {
-    if (angle_between(pole, direction) <= cone_) return pole;
+    if (is_within(pole, direction, cone_sine_)) return pole;
   }
   return std::nullopt;
 }
@@ -58,9 +58,11 @@ std::optional<Vector> PolePasses::pole_near(const Vector& direction) const {
 void PolePasses::observe(const DirectionSegment& segment) {
   end_ = segment.to;
   if (poles_.empty()) return;
-  if (open_ && angle_between(open_->pole, segment.circle.at(0)) > cone_) end_stretch(false);
-  const double share = segment.circle.nearest_to_axis(poles_.front());
-  const std::optional<Vector> pole = pole_near(segment.circle.at(share));
+  if (open_ && !is_within(open_->pole, segment.circle.at(0), cone_sine_)) end_stretch(false);
+  std::optional<Vector> pole;
+  if (segment.circle.may_come_near(poles_.front(), cone_)) {
+    pole = pole_near(segment.circle.at(segment.circle.nearest_to_axis(poles_.front())));
+  }
   if (open_ && (!pole || *pole != open_->pole)) end_stretch(false);
   if (pole) extend(segment, *pole);
   is_at_start_ = false;

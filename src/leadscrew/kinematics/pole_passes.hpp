@@ -55,7 +55,7 @@ struct PolePass {
 class PolePasses {
  public:
   static constexpr double shortest_reach = 16, longest_reach = 50;  ///< H, mm
-  static constexpr double radius = 50;                             ///< mm a radian, of s
+  static constexpr double radius = 50;                              ///< mm a radian, of s
 
   /// The cone is in radians; no passes at 0.
   PolePasses(const Chain& chain, double cone);
@@ -92,7 +92,7 @@ class PolePasses {
   void settle(bool all);
 
   std::vector<Vector> poles_;  ///< that there are
-  double cone_;
+  double cone_, cone_sine_;
   double floor_ = 0;  ///< passes reach back no farther
   double end_ = 0;    ///< s
   bool is_at_start_ = true;

@@ -73,11 +73,14 @@ void RotaryRun::begin_at(const Angles<double>& angles) {
 }
 
 bool RotaryRun::add(const Vector& direction) {
+  const Vector unit = unit_vector(direction);
+  return add(unit, solutions(chain_, unit));
+}
+
+bool RotaryRun::add(const Vector& unit, const Solutions<double>& found) {
   if (failure_) return false;
   cheapest_lost_ = std::numeric_limits<double>::infinity();
   std::vector<Way> ways;
-  const Vector unit = unit_vector(direction);
-  const auto found = solutions(chain_, Vector3<double>(unit));
   if (found.count == 0) {
     fail(RunFailure::Kind::out_of_reach, found.miss);
   } else if (count_ == 0) {

@@ -68,6 +68,8 @@ class RotaryRun {
   /// The next direction from the tip to the spindle, seen from the workpiece; finite, not 0. False where the run cannot be done;
   /// nothing is taken from then on.
   bool add(const Vector& direction);
+  /// The same of a unit vector with its solutions.
+  bool add(const Vector& unit, const Solutions<double>& found);
 
   /// Where it cannot be done.
   const std::optional<RunFailure>& failure() const { return failure_; }

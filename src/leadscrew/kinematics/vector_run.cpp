@@ -22,7 +22,7 @@ Vector at_pole_if_near(const Chain& chain, const Vector& direction) {
   const Vector& pole = chain.turns()[0].direction;
   const double along = numeric::dot(pole, direction);
   const Vector nearer = along < 0 ? Vector{-pole[0], -pole[1], -pole[2]} : pole;
-  return angle_between(nearer, direction) <= reach_rounding ? nearer : direction;
+  return is_within(nearer, direction, reach_rounding) ? nearer : direction;
 }
 
 /// One direction with its angles.
@@ -50,7 +50,7 @@ struct TravelledLine {
   const Chain& chain;
   const DirectionSegment& segment;
   const std::vector<const PolePass*>& passes;
-  double tolerance;  ///< of the chords, degrees
+  double tolerance_sine;  ///< of the chords
 
   Vector at(double share) const {
     Vector direction = at_pole_if_near(chain, segment.circle.at(share));
@@ -63,7 +63,7 @@ struct TravelledLine {
 
   Held held_at(double share) const {
     Held held{share, at(share), {}};
-    held.found = solutions(chain, Vector3<double>(held.direction));
+    held.found = solutions(chain, held.direction);
     return held;
   }
 
@@ -83,7 +83,7 @@ struct TravelledLine {
       for (const StraightTurn& turn : turns) {
         const Vector held = direction_of(
             chain, Angles<double>{turn.from[0] + share * turn.turned[0], turn.from[1] + share * turn.turned[1]});
-        if (detail::in_degrees(angle_between(held, wanted)) > tolerance) return false;
+        if (!is_within(held, wanted, tolerance_sine)) return false;
       }
     }
     return true;
@@ -98,8 +98,11 @@ struct TravelledLine {
     for (const PolePass* pass : passes) {
       for (const double s : {pass->begin(), pass->first, pass->last, pass->end()}) add(segment.share_at(s));
     }
-    const double nearest = segment.circle.nearest_to_axis(chain.turns()[0].direction);
-    if (passes.empty() && held_at(nearest).found.is_pole) add(nearest);
+    const Vector& pole = chain.turns()[0].direction;
+    if (passes.empty() && segment.circle.may_come_near(pole, reach_rounding)) {
+      const double nearest = segment.circle.nearest_to_axis(pole);
+      if (nearest > 0 && nearest < 1 && held_at(nearest).found.is_pole) add(nearest);
+    }
     std::ranges::sort(shares, std::greater<>());
     std::vector<Held> all;
     for (const double share : shares) {
@@ -123,8 +126,9 @@ void VectorRun::begin_at(const Vector& tip, const Angles<double>& angles) {
   choice_.emplace(chain_, limits_, angles, chord_share * settings_.orientation_tolerance);
   choice_->begin_at(angles);
   const Vector direction = at_pole_if_near(chain_, direction_of(chain_, angles));
+  last_found_ = solutions(chain_, direction);
   ahead_.push_back({tip, direction, 0, 0});
-  vertices_.push_back({tip, direction, 0, 0, 0, solutions(chain_, Vector3<double>(direction)).is_pole});
+  vertices_.push_back({tip, direction, 0, 0, 0, last_found_.is_pole});
 }
 
 bool VectorRun::begin_free(const Vector& tip, const Vector& direction, const Angles<double>& before) {
@@ -132,6 +136,7 @@ bool VectorRun::begin_free(const Vector& tip, const Vector& direction, const Ang
   is_free_ = true;
   const Vector unit = at_pole_if_near(chain_, unit_vector(direction));
   ahead_.push_back({tip, unit, 0, 0});
+  last_found_ = solutions(chain_, unit);
   return append({tip, unit, 0, 0, 0, false});
 }
 
@@ -175,9 +180,10 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
   for (const PolePass* pass : passes) {
     left = std::min(left, settings_.orientation_tolerance - detail::in_degrees(pass->greatest));
   }
-  const TravelledLine line{chain_, segment, passes, chord_share * left};
+  const TravelledLine line{chain_, segment, passes, std::sin(radians_of_degree * chord_share * left)};
   std::vector<Held> ahead = line.corners();
-  Held at = line.held_at(0);
+  Held at{0, from.direction, last_found_};
+  if (!passes.empty()) at.direction = line.at(0);
   for (std::size_t parts = 0; !ahead.empty();) {
     const double middle = (at.share + ahead.back().share) / 2;
     const bool is_divisible = middle > at.share && middle < ahead.back().share;
@@ -189,6 +195,7 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
     at = ahead.back();
     ahead.pop_back();
     ++parts;
+    last_found_ = at.found;
     Vertex vertex{to.tip, at.direction, to.segment, (1 - chord_share) * left, to.s, at.found.is_pole};
     if (at.share < 1) {
       vertex.tip = numeric::sum(from.tip, at.share, numeric::difference(to.tip, from.tip));
@@ -200,9 +207,9 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
 }
 
 bool VectorRun::append(const Vertex& vertex) {
-  if (!choice_->add(vertex.direction)) return fail(*choice_->failure(), vertex.segment);
+  if (!choice_->add(vertex.direction, last_found_)) return fail(*choice_->failure(), vertex.segment);
   vertices_.push_back(vertex);
-  vertices_.back().is_pole = solutions(chain_, Vector3<double>(vertex.direction)).is_pole;
+  vertices_.back().is_pole = last_found_.is_pole;
   return true;
 }
 

@@ -122,9 +122,10 @@ class VectorRun {
   std::deque<Vertex> vertices_;   ///< given to choice_, not yet decided
   std::vector<RunVertex> decided_;
   std::size_t segments_ = 0;
-  bool is_free_ = false;         ///< the beginning
-  bool is_start_known_ = false;  ///< has it been decided?
-  Vector last_direction_{};      ///< of the last vertex that is decided
+  Solutions<double> last_found_;  ///< at the last of vertices_
+  bool is_free_ = false;          ///< the beginning
+  bool is_start_known_ = false;   ///< has it been decided?
+  Vector last_direction_{};       ///< of the last vertex that is decided
   double last_s_ = 0;
   Angles<double> start_angles_{};
   std::optional<VectorRunFailure> failure_;
