@@ -15,7 +15,7 @@ constexpr double chord_share = 0.25;  ///< of E, that straight angles may leave 
 constexpr double pole_share = 0.875;  ///< of E, that leading through a pole may take
 constexpr double full_circle = 360;
 constexpr double radians_of_degree = numeric::two_pi.hi / 360;
-constexpr std::size_t most_ahead = std::size_t{1} << 14;  ///< lines that wait for a pole to be left
+constexpr std::size_t most_ahead = std::size_t{1} << 16;  ///< lines that wait for a pole to be left
 
 /// The pole, for a direction that is one within the last digit of vectors.
 Vector at_pole_if_near(const Chain& chain, const Vector& direction) {
@@ -53,12 +53,12 @@ struct TravelledLine {
   double tolerance_sine;  ///< of the chords
 
   Vector at(double share) const {
-    Vector direction = at_pole_if_near(chain, segment.circle.at(share));
+    Vector direction = segment.circle.at(share);
     const double s = segment.from + share * (segment.to - segment.from);
     for (const PolePass* pass : passes) {
       if (pass->begin() < s && s < pass->end()) direction = pass->applied(s, direction);
     }
-    return direction;
+    return at_pole_if_near(chain, direction);
   }
 
   Held held_at(double share) const {
@@ -125,25 +125,25 @@ VectorRun::VectorRun(const Chain& chain, const RotaryLimits& limits, const Vecto
 void VectorRun::begin_at(const Vector& tip, const Angles<double>& angles) {
   choice_.emplace(chain_, limits_, angles, chord_share * settings_.orientation_tolerance);
   choice_->begin_at(angles);
-  const Vector direction = at_pole_if_near(chain_, direction_of(chain_, angles));
+  const Vector unit = unit_vector(direction_of(chain_, angles)), direction = at_pole_if_near(chain_, unit);
   last_found_ = solutions(chain_, direction);
-  ahead_.push_back({tip, direction, 0, 0});
+  ahead_.push_back({tip, unit, 0, 0});
   vertices_.push_back({tip, direction, 0, 0, 0, last_found_.is_pole});
 }
 
 bool VectorRun::begin_free(const Vector& tip, const Vector& direction, const Angles<double>& before) {
   choice_.emplace(chain_, limits_, before, chord_share * settings_.orientation_tolerance);
   is_free_ = true;
-  const Vector unit = at_pole_if_near(chain_, unit_vector(direction));
+  const Vector unit = unit_vector(direction), held = at_pole_if_near(chain_, unit);
   ahead_.push_back({tip, unit, 0, 0});
-  last_found_ = solutions(chain_, unit);
-  return append({tip, unit, 0, 0, 0, false});
+  last_found_ = solutions(chain_, held);
+  return append({tip, held, 0, 0, 0, false});
 }
 
 bool VectorRun::add(const Vector& tip, const Vector& direction) {
   if (failure_) return false;
   const Programmed& from = ahead_.back();
-  const Vector unit = at_pole_if_near(chain_, unit_vector(direction));
+  const Vector unit = unit_vector(direction);
   const GreatCircle circle(from.direction, unit);
   const double turned = circle.angle();
   if (turned > numeric::two_pi.hi / 2 - GreatCircle::least_opening) {
@@ -182,8 +182,7 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
   }
   const TravelledLine line{chain_, segment, passes, std::sin(radians_of_degree * chord_share * left)};
   std::vector<Held> ahead = line.corners();
-  Held at{0, from.direction, last_found_};
-  if (!passes.empty()) at.direction = line.at(0);
+  Held at{0, line.at(0), last_found_};
   for (std::size_t parts = 0; !ahead.empty();) {
     const double middle = (at.share + ahead.back().share) / 2;
     const bool is_divisible = middle > at.share && middle < ahead.back().share;
