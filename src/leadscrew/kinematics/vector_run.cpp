@@ -10,8 +10,11 @@ namespace leadscrew::kinematics {
 
 namespace {
 
-constexpr double greatest_step = 1;   ///< degrees, of either axis in one part
-constexpr double chord_share = 0.25;  ///< of E, that straight angles may leave the great circle by
+constexpr double greatest_step = 1;  ///< degrees, of either axis in one part
+/// Of E, that straight angles may leave the great circle by: a quarter would do (FIVE-AXES A3), but paths of coarse vectors
+/// past a pole take up to a sixth longer then.
+constexpr double chord_share = 1.0 / 64;
+constexpr double side_share = 0.25;  ///< of what is left of E, where sides change or the first axis turns beside a pole
 constexpr double pole_share = 0.875;  ///< of E, that leading through a pole may take
 constexpr double full_circle = 360;
 constexpr double radians_of_degree = numeric::two_pi.hi / 360;
@@ -123,7 +126,7 @@ VectorRun::VectorRun(const Chain& chain, const RotaryLimits& limits, const Vecto
                          : 0) {}
 
 void VectorRun::begin_at(const Vector& tip, const Angles<double>& angles) {
-  choice_.emplace(chain_, limits_, angles, chord_share * settings_.orientation_tolerance);
+  choice_.emplace(chain_, limits_, angles, side_share * settings_.orientation_tolerance);
   choice_->begin_at(angles);
   const Vector unit = unit_vector(direction_of(chain_, angles)), direction = at_pole_if_near(chain_, unit);
   last_found_ = solutions(chain_, direction);
@@ -132,7 +135,7 @@ void VectorRun::begin_at(const Vector& tip, const Angles<double>& angles) {
 }
 
 bool VectorRun::begin_free(const Vector& tip, const Vector& direction, const Angles<double>& before) {
-  choice_.emplace(chain_, limits_, before, chord_share * settings_.orientation_tolerance);
+  choice_.emplace(chain_, limits_, before, side_share * settings_.orientation_tolerance);
   is_free_ = true;
   const Vector unit = unit_vector(direction), held = at_pole_if_near(chain_, unit);
   ahead_.push_back({tip, unit, 0, 0});
@@ -195,7 +198,7 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
     ahead.pop_back();
     ++parts;
     last_found_ = at.found;
-    Vertex vertex{to.tip, at.direction, to.segment, (1 - chord_share) * left, to.s, at.found.is_pole};
+    Vertex vertex{to.tip, at.direction, to.segment, (1 - side_share) * left, to.s, at.found.is_pole};
     if (at.share < 1) {
       vertex.tip = numeric::sum(from.tip, at.share, numeric::difference(to.tip, from.tip));
       vertex.s = from.s + at.share * (to.s - from.s);
@@ -253,7 +256,7 @@ void VectorRun::put_poles(std::size_t first, std::size_t end, const std::vector<
     const double begin = is_begin ? from : last_s_, all = vertices_[end].s - begin;
     const double comes = is_begin ? 0 : turning_error(last_direction_, turn * (from - begin) / all),
                  leaves = turning_error(vertices_[end].direction, turn * (vertices_[end].s - to) / all);
-    if (std::max(comes, leaves) <= chord_share * settings_.orientation_tolerance) {
+    if (std::max(comes, leaves) <= side_share / (1 - side_share) * vertices_[end].tolerance) {
       from = begin;
       to = vertices_[end].s;
     }
@@ -272,8 +275,7 @@ void VectorRun::put(const Vertex& vertex, const Angles<double>& angles, bool is_
     start_angles_ = angles;
     return;
   }
-  const double tolerance =
-      vertex.tolerance > 0 ? vertex.tolerance : (1 - chord_share) * settings_.orientation_tolerance;
+  const double tolerance = vertex.tolerance > 0 ? vertex.tolerance : (1 - side_share) * settings_.orientation_tolerance;
   decided_.push_back({vertex.tip, angles, vertex.segment, tolerance, is_pole_turn});
 }
 
