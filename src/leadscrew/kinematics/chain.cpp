@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/kinematics/chain.hpp>
+#include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/numeric/elementary.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <utility>
@@ -14,20 +15,6 @@ namespace {
 constexpr double pole_rounding = 1e-14;
 
 constexpr Vector tool_direction = {0, 0, 1};
-
-Vector cross_product(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector unit_vector(const Vector& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
-
-/// Radians, 0 … π.
-double angle_between(const Vector& a, const Vector& b) {
-  return std::atan2(numeric::norm(cross_product(a, b)), numeric::dot(a, b));
-}
 
 Turn turn_of(const machine::RotaryAxis& axis) {
   Turn turn{axis.axis, unit_vector(axis.direction), axis.point, static_cast<double>(axis.sign), 3};

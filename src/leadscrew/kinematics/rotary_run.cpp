@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/kinematics/rotary_run.hpp>
 #include <leadscrew/kinematics/solutions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
@@ -16,11 +17,6 @@ constexpr double half_turn_margin = 1e-6;  ///< degrees; so near half a turn bot
 
 double square(double x) {
   return x * x;
-}
-
-Vector normalised(const Vector& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
 }
 
 /// Whole turns that keep [low, high] inside travel: from the first to the second, none where that is less.
@@ -54,12 +50,37 @@ RotaryLimits limits_of(const machine::Machine& machine, const Chain& chain) {
   return limits;
 }
 
+void RotaryRun::begin_at(const Angles<double>& angles) {
+  const Vector direction = direction_of(chain_, angles);
+  const auto found = solutions(chain_, Vector3<double>(direction));
+  Way way;
+  way.now = way.low = way.high = angles;
+  way.side = found.is_pole ? Side::pole : Side::first;
+  if (found.count == 2) {
+    const auto apart = [&](std::size_t k) {
+      return std::abs(std::remainder(found.angles[k][0] - angles[0], whole_turn)) +
+             std::abs(std::remainder(found.angles[k][1] - angles[1], whole_turn));
+    };
+    if (apart(1) < apart(0)) way.side = Side::second;
+  }
+  starts_.push_back(angles);
+  ways_.push_back(way);
+  before_ = angles;
+  is_begun_ = true;
+  record(ways_);
+  last_ = direction;
+  count_ = 1;
+}
+
 bool RotaryRun::add(const Vector& direction) {
+  const Vector unit = unit_vector(direction);
+  return add(unit, solutions(chain_, unit));
+}
+
+bool RotaryRun::add(const Vector& unit, const Solutions<double>& found) {
   if (failure_) return false;
   cheapest_lost_ = std::numeric_limits<double>::infinity();
   std::vector<Way> ways;
-  const Vector unit = normalised(direction);
-  const auto found = solutions(chain_, Vector3<double>(unit));
   if (found.count == 0) {
     fail(RunFailure::Kind::out_of_reach, found.miss);
   } else if (count_ == 0) {
@@ -119,10 +140,17 @@ void RotaryRun::step(const Way& way, const Angles<double>& to, Side side, const 
   keep(next, ways);
 }
 
+/// Whole turns that its beginning may be at, from the first to the second.
+std::array<double, 2> RotaryRun::turns_of(const Way& way, std::size_t axis) const {
+  const auto turns = turns_inside(way.low[axis], way.high[axis], limits_.travel_min[axis], limits_.travel_max[axis]);
+  if (!is_begun_) return turns;
+  return {std::max(turns[0], 0.0), std::min(turns[1], 0.0)};
+}
+
 /// If there are whole turns that keep all of it inside travel.
 void RotaryRun::keep(const Way& way, std::vector<Way>& ways) {
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto [from, to] = turns_inside(way.low[i], way.high[i], limits_.travel_min[i], limits_.travel_max[i]);
+    const auto [from, to] = turns_of(way, i);
     if (from <= to) continue;
     if (way.cost < cheapest_lost_) {
       cheapest_lost_ = way.cost;
@@ -142,6 +170,7 @@ void RotaryRun::prune(std::vector<Way>& ways) {
       if (other.start != way.start || other.side != way.side) return false;
       for (std::size_t i = 0; i < 2; ++i) {
         if (std::abs(other.now[i] - way.now[i]) > same_angle) return false;
+        if (is_begun_) continue;
         if (other.low[i] < way.low[i] - same_angle || other.high[i] > way.high[i] + same_angle) return false;
       }
       return true;
@@ -154,6 +183,7 @@ void RotaryRun::prune(std::vector<Way>& ways) {
 }
 
 void RotaryRun::record(std::vector<Way>& ways) {
+  first_nodes_.push_back(static_cast<std::uint32_t>(nodes_.size()));
   for (Way& way : ways) {
     nodes_.push_back({way.now, way.node});
     way.node = static_cast<std::uint32_t>(nodes_.size() - 1);
@@ -163,9 +193,7 @@ void RotaryRun::record(std::vector<Way>& ways) {
 /// Does linear motion of both axes pass so near the middle of the great circle?
 bool RotaryRun::is_straight(const Angles<double>& from, const Angles<double>& to, const Vector& middle) const {
   const Vector3<double> held = direction_of(chain_, Angles<double>{(from[0] + to[0]) / 2, (from[1] + to[1]) / 2});
-  const Vector cross = {held[1] * middle[2] - held[2] * middle[1], held[2] * middle[0] - held[0] * middle[2],
-                        held[0] * middle[1] - held[1] * middle[0]};
-  return detail::in_degrees(std::atan2(numeric::norm(cross), numeric::dot(held, middle))) <= tolerance_;
+  return detail::in_degrees(angle_between(held, middle)) <= tolerance_;
 }
 
 RotaryRun::Choice RotaryRun::best() const {
@@ -174,7 +202,7 @@ RotaryRun::Choice RotaryRun::best() const {
   for (const Way& way : ways_) {
     Choice choice{&way, {}, way.cost};
     for (std::size_t i = 0; i < 2; ++i) {
-      const auto [from, to] = turns_inside(way.low[i], way.high[i], limits_.travel_min[i], limits_.travel_max[i]);
+      const auto [from, to] = turns_of(way, i);
       const double start = starts_[way.start][i];
       choice.turns[i] = whole_turn * std::clamp(std::nearbyint((before_[i] - start) / whole_turn), from, to);
       choice.cost += square((start + choice.turns[i] - before_[i]) / limits_.velocity[i]);
@@ -199,6 +227,47 @@ std::vector<Angles<double>> RotaryRun::angles() const {
     }
   }
   return all;
+}
+
+/// That of a way at a vertex.
+std::uint32_t RotaryRun::node_of(const Way& way, std::size_t vertex) const {
+  std::uint32_t node = way.node;
+  for (std::size_t k = count_ - 1; k > vertex; --k) node = nodes_[node].parent;
+  return node;
+}
+
+std::vector<Angles<double>> RotaryRun::decide(std::size_t count) {
+  std::vector<Angles<double>> all = angles();
+  if (ways_.empty() || count == 0) return {};
+  all.resize(count);
+  const Choice choice = best();
+  const std::uint32_t decided = node_of(*choice.way, count - 1);
+  const Angles<double> turns = choice.turns;
+  const std::size_t start = choice.way->start;
+  std::erase_if(ways_, [&](const Way& way) { return way.start != start || node_of(way, count - 1) != decided; });
+  for (Way& way : ways_) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (double* angle : {&way.now[i], &way.low[i], &way.high[i]}) *angle += turns[i];
+    }
+  }
+  for (Node& node : nodes_) {
+    for (std::size_t i = 0; i < 2; ++i) node.angles[i] += turns[i];
+  }
+  for (std::size_t i = 0; i < 2; ++i) starts_[start][i] += turns[i];
+  is_begun_ = true;
+  forget(count);
+  return all;
+}
+
+/// The nodes of the first vertices.
+void RotaryRun::forget(std::size_t count) {
+  const std::uint32_t offset = first_nodes_[count];
+  nodes_.erase(nodes_.begin(), nodes_.begin() + offset);
+  first_nodes_.erase(first_nodes_.begin(), first_nodes_.begin() + static_cast<std::ptrdiff_t>(count));
+  for (Node& node : nodes_) node.parent = node.parent >= offset ? node.parent - offset : 0;
+  for (std::uint32_t& first : first_nodes_) first -= offset;
+  for (Way& way : ways_) way.node -= offset;
+  count_ -= count;
 }
 
 void RotaryRun::fail(RunFailure::Kind kind, double miss) {

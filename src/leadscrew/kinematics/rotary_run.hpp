@@ -62,9 +62,14 @@ class RotaryRun {
   RotaryRun(const Chain& chain, const RotaryLimits& limits, const Angles<double>& before, double tolerance)
       : chain_(chain), limits_(limits), before_(before), tolerance_(tolerance) {}
 
+  /// Instead of the first direction: the run goes on from where the axes are, degrees, and no turn is open. Inside travel.
+  void begin_at(const Angles<double>& angles);
+
   /// The next direction from the tip to the spindle, seen from the workpiece; finite, not 0. False where the run cannot be done;
   /// nothing is taken from then on.
   bool add(const Vector& direction);
+  /// The same of a unit vector with its solutions.
+  bool add(const Vector& unit, const Solutions<double>& found);
 
   /// Where it cannot be done.
   const std::optional<RunFailure>& failure() const { return failure_; }
@@ -72,8 +77,13 @@ class RotaryRun {
   bool is_exact() const { return is_exact_; }
   /// Of the best way, s².
   double cost() const;
-  /// Of the best way, degrees, at each vertex.
+  /// Of the best way, degrees, at each vertex; of those that are not decided.
   std::vector<Angles<double>> angles() const;
+  /// Vertices that are not decided.
+  std::size_t size() const { return count_; }
+  /// Decides the first `count` vertices, less than size(), by the best way so far, and gives their angles. What follows goes on
+  /// from there: no longer the best of all ways, but in bounded memory.
+  std::vector<Angles<double>> decide(std::size_t count);
 
  private:
   enum class Side : std::uint8_t { first, second, pole };
@@ -104,6 +114,9 @@ class RotaryRun {
   bool is_straight(const Angles<double>& from, const Angles<double>& to, const Vector& middle) const;
   Choice best() const;
   void fail(RunFailure::Kind kind, double miss = 0);
+  std::array<double, 2> turns_of(const Way& way, std::size_t axis) const;
+  std::uint32_t node_of(const Way& way, std::size_t vertex) const;
+  void forget(std::size_t count);
 
   Chain chain_;
   RotaryLimits limits_;
@@ -111,6 +124,7 @@ class RotaryRun {
   double tolerance_;
   std::vector<Way> ways_;
   std::vector<Node> nodes_;
+  std::vector<std::uint32_t> first_nodes_;  ///< of each vertex
   std::vector<Angles<double>> starts_;
   Vector last_{};  ///< direction, of length 1
   std::size_t count_ = 0;
@@ -118,6 +132,7 @@ class RotaryRun {
   base::Axis lost_axis_ = base::Axis::A;
   std::optional<RunFailure> failure_;
   bool is_exact_ = true;
+  bool is_begun_ = false;  ///< the beginning stands, and its turns
 };
 
 }  // namespace leadscrew::kinematics

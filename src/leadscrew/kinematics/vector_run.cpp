@@ -1,0 +1,307 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <leadscrew/kinematics/great_circle.hpp>
+#include <leadscrew/kinematics/solutions.hpp>
+#include <leadscrew/kinematics/vector_run.hpp>
+#include <utility>
+
+namespace leadscrew::kinematics {
+
+namespace {
+
+constexpr double greatest_step = 1;  ///< degrees, of either axis in one part
+/// Of E, that straight angles may leave the great circle by: a quarter would do (FIVE-AXES A3), but paths of coarse vectors
+/// past a pole take up to a sixth longer then.
+constexpr double chord_share = 1.0 / 64;
+constexpr double side_share = 0.25;  ///< of what is left of E, where sides change or the first axis turns beside a pole
+constexpr double pole_share = 0.875;  ///< of E, that leading through a pole may take
+constexpr double full_circle = 360;
+constexpr double radians_of_degree = numeric::two_pi.hi / 360;
+constexpr std::size_t most_ahead = std::size_t{1} << 16;  ///< lines that wait for a pole to be left
+
+/// The pole, for a direction that is one within the last digit of vectors.
+Vector at_pole_if_near(const Chain& chain, const Vector& direction) {
+  const Vector& pole = chain.turns()[0].direction;
+  const double along = numeric::dot(pole, direction);
+  const Vector nearer = along < 0 ? Vector{-pole[0], -pole[1], -pole[2]} : pole;
+  return is_within(nearer, direction, reach_rounding) ? nearer : direction;
+}
+
+/// One direction with its angles.
+struct Held {
+  double share = 0;
+  Vector direction{};
+  Solutions<double> found;
+};
+
+/// Of one pair of angles to another, the shorter way round.
+struct StraightTurn {
+  Angles<double> from{}, turned{};
+};
+
+/// The angles between two directions on one side. At a pole the first angle is that of the other end.
+StraightTurn straight_turn(const Held& a, const Held& b, std::size_t side) {
+  Angles<double> from = a.found.angles[a.found.is_pole ? 0 : side], to = b.found.angles[b.found.is_pole ? 0 : side];
+  if (a.found.is_pole) from[0] = to[0];
+  if (b.found.is_pole) to[0] = from[0];
+  return {from, {std::remainder(to[0] - from[0], full_circle), std::remainder(to[1] - from[1], full_circle)}};
+}
+
+/// What is travelled along one programmed line.
+struct TravelledLine {
+  const Chain& chain;
+  const DirectionSegment& segment;
+  const std::vector<const PolePass*>& passes;
+  double tolerance_sine;  ///< of the chords
+
+  Vector at(double share) const {
+    Vector direction = segment.circle.at(share);
+    const double s = segment.from + share * (segment.to - segment.from);
+    for (const PolePass* pass : passes) {
+      if (pass->begin() < s && s < pass->end()) direction = pass->applied(s, direction);
+    }
+    return at_pole_if_near(chain, direction);
+  }
+
+  Held held_at(double share) const {
+    Held held{share, at(share), {}};
+    held.found = solutions(chain, held.direction);
+    return held;
+  }
+
+  /// Does linear motion of both axes, on each side, keep the tool near enough?
+  bool is_short_enough(const Held& a, const Held& b) const {
+    if (a.found.count == 0 || b.found.count == 0) return true;  // told where the angles are chosen
+    std::array<StraightTurn, 2> turns;
+    for (std::size_t side = 0; side < 2; ++side) {
+      turns[side] = straight_turn(a, b, side);
+      const Angles<double>& turned = turns[side].turned;
+      if (std::max(std::abs(turned[0]), std::abs(turned[1])) > greatest_step) return false;
+    }
+    const int looks = passes.empty() ? 1 : 3;
+    for (int k = 1; k <= looks; ++k) {
+      const double share = static_cast<double>(k) / (looks + 1);
+      const Vector wanted = at(a.share + share * (b.share - a.share));
+      for (const StraightTurn& turn : turns) {
+        const Vector held = direction_of(
+            chain, Angles<double>{turn.from[0] + share * turn.turned[0], turn.from[1] + share * turn.turned[1]});
+        if (!is_within(held, wanted, tolerance_sine)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Where it must have vertices, from the last to the first.
+  std::vector<Held> corners() const {
+    std::vector<double> shares{1};
+    const auto add = [&](double share) {
+      if (share > 0 && share < 1) shares.push_back(share);
+    };
+    for (const PolePass* pass : passes) {
+      for (const double s : {pass->begin(), pass->first, pass->last, pass->end()}) add(segment.share_at(s));
+    }
+    const Vector& pole = chain.turns()[0].direction;
+    if (passes.empty() && segment.circle.may_come_near(pole, reach_rounding)) {
+      const double nearest = segment.circle.nearest_to_axis(pole);
+      if (nearest > 0 && nearest < 1 && held_at(nearest).found.is_pole) add(nearest);
+    }
+    std::ranges::sort(shares, std::greater<>());
+    std::vector<Held> all;
+    for (const double share : shares) {
+      if (all.empty() || share < all.back().share) all.push_back(held_at(share));
+    }
+    return all;
+  }
+};
+
+}  // namespace
+
+VectorRun::VectorRun(const Chain& chain, const RotaryLimits& limits, const VectorRunSettings& settings)
+    : chain_(chain),
+      limits_(limits),
+      settings_(settings),
+      passes_(chain, settings.blends
+                         ? radians_of_degree * std::min(settings.pole_cone, pole_share * settings.orientation_tolerance)
+                         : 0) {}
+
+void VectorRun::begin_at(const Vector& tip, const Angles<double>& angles) {
+  choice_.emplace(chain_, limits_, angles, side_share * settings_.orientation_tolerance);
+  choice_->begin_at(angles);
+  const Vector unit = unit_vector(direction_of(chain_, angles)), direction = at_pole_if_near(chain_, unit);
+  last_found_ = solutions(chain_, direction);
+  ahead_.push_back({tip, unit, 0, 0});
+  vertices_.push_back({tip, direction, 0, 0, 0, last_found_.is_pole});
+}
+
+bool VectorRun::begin_free(const Vector& tip, const Vector& direction, const Angles<double>& before) {
+  choice_.emplace(chain_, limits_, before, side_share * settings_.orientation_tolerance);
+  is_free_ = true;
+  const Vector unit = unit_vector(direction), held = at_pole_if_near(chain_, unit);
+  ahead_.push_back({tip, unit, 0, 0});
+  last_found_ = solutions(chain_, held);
+  return append({tip, held, 0, 0, 0, false});
+}
+
+bool VectorRun::add(const Vector& tip, const Vector& direction) {
+  if (failure_) return false;
+  const Programmed& from = ahead_.back();
+  const Vector unit = unit_vector(direction);
+  const GreatCircle circle(from.direction, unit);
+  const double turned = circle.angle();
+  if (turned > numeric::two_pi.hi / 2 - GreatCircle::least_opening) {
+    return follow(true) && fail(VectorRunFailure::Kind::opposite, segments_);
+  }
+  const double length = std::hypot(numeric::distance(from.tip, tip), PolePasses::radius * turned);
+  passes_.observe({circle, from.s, from.s + length});
+  ahead_.push_back({tip, unit, segments_++, from.s + length});
+  return follow(false);
+}
+
+/// Makes vertices as far as poles are known, or of all lines.
+bool VectorRun::follow(bool all) {
+  if (all || ahead_.size() > most_ahead) passes_.close();
+  const double until = all || ahead_.size() > most_ahead ? ahead_.back().s : passes_.known_until();
+  while (ahead_.size() > 1 && ahead_[1].s <= until) {
+    if (!subdivide(ahead_[0], ahead_[1])) return false;
+    ahead_.pop_front();
+    passes_.forget_before(ahead_.front().s);
+    if (vertices_.size() <= most_vertices) continue;
+    std::size_t half = vertices_.size() / 2;
+    // Where the pole is left, the vertex behind is decided as well: how far the first axis turns.
+    if (vertices_[half - 1].is_pole && !vertices_[half].is_pole) ++half;
+    decide(half);
+  }
+  return true;
+}
+
+/// Parts of one line, halved until each is nearly a great circle.
+bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
+  const DirectionSegment segment{GreatCircle(from.direction, to.direction), from.s, to.s};
+  const std::vector<const PolePass*> passes = passes_.between(from.s, to.s);
+  double left = settings_.orientation_tolerance;
+  for (const PolePass* pass : passes) {
+    left = std::min(left, settings_.orientation_tolerance - detail::in_degrees(pass->greatest));
+  }
+  const TravelledLine line{chain_, segment, passes, std::sin(radians_of_degree * chord_share * left)};
+  std::vector<Held> ahead = line.corners();
+  Held at{0, line.at(0), last_found_};
+  for (std::size_t parts = 0; !ahead.empty();) {
+    const double middle = (at.share + ahead.back().share) / 2;
+    const bool is_divisible = middle > at.share && middle < ahead.back().share;
+    if (is_divisible && !line.is_short_enough(at, ahead.back())) {
+      if (parts + ahead.size() >= most_parts) return fail(VectorRunFailure::Kind::pole_too_sharp, to.segment);
+      ahead.push_back(line.held_at(middle));
+      continue;
+    }
+    at = ahead.back();
+    ahead.pop_back();
+    ++parts;
+    last_found_ = at.found;
+    Vertex vertex{to.tip, at.direction, to.segment, (1 - side_share) * left, to.s, at.found.is_pole};
+    if (at.share < 1) {
+      vertex.tip = numeric::sum(from.tip, at.share, numeric::difference(to.tip, from.tip));
+      vertex.s = from.s + at.share * (to.s - from.s);
+    }
+    if (!append(vertex)) return false;
+  }
+  return true;
+}
+
+bool VectorRun::append(const Vertex& vertex) {
+  if (!choice_->add(vertex.direction, last_found_)) return fail(*choice_->failure(), vertex.segment);
+  vertices_.push_back(vertex);
+  vertices_.back().is_pole = last_found_.is_pole;
+  return true;
+}
+
+/// The first vertices that are not.
+void VectorRun::decide(std::size_t count) {
+  std::vector<Angles<double>> angles = choice_->angles();
+  if (count < choice_->size()) choice_->decide(count);
+  angles.resize(count);
+  for (std::size_t k = 0; k < count;) {
+    const std::size_t end = end_of_poles(k, count);
+    if (end == k) {
+      put(vertices_[k], angles[k], false);
+      ++k;
+    } else {
+      put_poles(k, end, angles);
+      k = end;
+    }
+  }
+  vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+/// The vertices at a pole from here on end before this one.
+std::size_t VectorRun::end_of_poles(std::size_t first, std::size_t count) const {
+  std::size_t end = first;
+  while (end < count && vertices_[end].is_pole) ++end;
+  return end;
+}
+
+/// By how much the tool leaves a great circle from the pole while the first axis turns, degrees.
+double VectorRun::turning_error(const Vector& direction, double turn) const {
+  return std::sin(radians_of_degree * angle_from_pole(chain_, direction) / 2) * std::abs(turn) / 2;
+}
+
+/// At a pole the first axis is free. It turns evenly from the vertex before to the one behind, where that leaves the great
+/// circles by little; else while the tool stays at the pole; or at rest.
+void VectorRun::put_poles(std::size_t first, std::size_t end, const std::vector<Angles<double>>& angles) {
+  const bool is_left = end < angles.size(), is_begin = !is_start_known_;
+  const double behind = is_left ? angles[end][0] : angles[first][0];
+  const double before = is_begin && is_free_ ? behind : angles[first][0], turn = behind - before;
+  double from = vertices_[first].s, to = vertices_[end - 1].s;
+  if (is_left) {
+    const double begin = is_begin ? from : last_s_, all = vertices_[end].s - begin;
+    const double comes = is_begin ? 0 : turning_error(last_direction_, turn * (from - begin) / all),
+                 leaves = turning_error(vertices_[end].direction, turn * (vertices_[end].s - to) / all);
+    if (std::max(comes, leaves) <= side_share / (1 - side_share) * vertices_[end].tolerance) {
+      from = begin;
+      to = vertices_[end].s;
+    }
+  }
+  for (std::size_t k = first; k < end; ++k) {
+    const double share = to > from ? (vertices_[k].s - from) / (to - from) : 0;
+    put(vertices_[k], {before + share * turn, angles[k][1]}, false);
+  }
+  if (!(to > from) && turn != 0) put(vertices_[end - 1], {behind, angles[end - 1][1]}, true);
+}
+
+void VectorRun::put(const Vertex& vertex, const Angles<double>& angles, bool is_pole_turn) {
+  last_s_ = vertex.s;
+  last_direction_ = vertex.direction;
+  if (!is_pole_turn && !std::exchange(is_start_known_, true)) {
+    start_angles_ = angles;
+    return;
+  }
+  const double tolerance = vertex.tolerance > 0 ? vertex.tolerance : (1 - side_share) * settings_.orientation_tolerance;
+  decided_.push_back({vertex.tip, angles, vertex.segment, tolerance, is_pole_turn});
+}
+
+std::vector<RunVertex> VectorRun::take() {
+  return std::exchange(decided_, {});
+}
+
+bool VectorRun::finish() {
+  if (!choice_) return true;
+  if (!failure_) follow(true);
+  decide(vertices_.size());
+  return !failure_;
+}
+
+bool VectorRun::fail(VectorRunFailure::Kind kind, std::size_t segment) {
+  failure_ = VectorRunFailure{kind, segment, 0, base::Axis::A};
+  return false;
+}
+
+bool VectorRun::fail(const RunFailure& failure, std::size_t segment) {
+  using Kind = VectorRunFailure::Kind;
+  const Kind kind = failure.kind == RunFailure::Kind::out_of_reach ? Kind::out_of_reach
+                    : failure.kind == RunFailure::Kind::travel     ? Kind::travel
+                                                                   : Kind::pole_too_sharp;
+  failure_ = VectorRunFailure{kind, segment, failure.miss, failure.axis};
+  return false;
+}
+
+}  // namespace leadscrew::kinematics
