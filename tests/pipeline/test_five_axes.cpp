@@ -8,6 +8,7 @@
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
 
+#include "five_axes.hpp"
 #include "live_program.hpp"
 #include "random_program.hpp"
 #include "worst_ratios.hpp"
@@ -19,45 +20,16 @@ namespace test_five_axes {
 
 using namespace leadscrew;
 using testing_support::any;
+using testing_support::between;
+using testing_support::five_axes;
 using testing_support::Intervention;
+using testing_support::judge;
+using testing_support::Judged;
 using testing_support::limits_of;
 using testing_support::LiveProgram;
 using testing_support::logarithmic;
 using testing_support::worst_judged;
 using testing_support::worst_planned;
-
-double between(double least, double greatest) {
-  return least + (greatest - least) * any(0, 1000001) / 1e6;
-}
-
-machine::Vector place() {
-  return {between(-80, 80), between(-80, 80), between(-80, 80)};
-}
-
-/// A preset with its axes anywhere, or nutating; limits over two decades.
-machine::Machine five_axes() {
-  machine::Machine machine;
-  machine.name = "random five axes";
-  const auto& presets = machine::kinematics_presets;
-  const auto& preset = presets[static_cast<std::size_t>(any(0, static_cast<int>(presets.size())))];
-  machine::RotaryChain chain = *machine::preset_chain(preset.name);
-  for (machine::RotaryAxis& axis : chain.axes) {
-    axis.point = place();
-    axis.sign = any(0, 2) == 0 ? 1 : -1;
-  }
-  if (any(0, 4) == 0) chain.axes[1].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};
-  chain.tool_zero = place();
-  machine.kinematics = preset.name;
-  machine.rotary_chain = chain;
-  const auto give = [&](base::Axis axis) {
-    machine.axes[base::index(axis)] =
-        machine::AxisLimits{-1e5, 1e5, logarithmic(10, 500), logarithmic(100, 1e4), logarithmic(2000, 1e6), 0.001};
-  };
-  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
-  for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);
-  machine.period = {1'000'000};
-  return machine;
-}
 
 class FiveAxisProgram {
  public:
@@ -147,35 +119,6 @@ class FiveAxisProgram {
   std::array<double, 2> angle_{};
   std::array<double, 3> at_{};
 };
-
-machine::ToolTable two_tools() {
-  machine::Tool first, second;
-  first.number = 1;
-  first.offset[2] = 73.25;
-  second.number = 2;
-  second.offset = {1.5, -2, 41};
-  return machine::ToolTable({first, second});
-}
-
-struct Judged {
-  pipeline::Summary summary;
-  referee::Verdict verdict;
-  int errors = 0;
-};
-
-Judged judge(const std::string& text, const machine::Machine& machine) {
-  Judged outcome;
-  const machine::ToolTable tools = two_tools();
-  pipeline::Program program(gcode::text_source(text), machine, tools, {}, [&](const base::Diagnostic& problem) {
-    if (problem.severity == base::Severity::error) ++outcome.errors;
-  });
-  gcode::Reader judged(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) {});
-  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, machine, machine.period);
-  while (program.prepare()) referee.observe(program.cycle().position);
-  outcome.summary = program.summary();
-  outcome.verdict = referee.conclude();
-  return outcome;
-}
 
 RC_GTEST_PROP(FiveAxes, KeepEveryLimitAndEveryPoint, ()) {
   const machine::Machine machine = five_axes();
