@@ -1,50 +1,15 @@
 #pragma once
-// Random machines of five axes and programs for them, and how the referee finds what becomes of both.
+// Random programs of tool centre point control.
 
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/machine/machine.hpp>
-#include <leadscrew/machine/rotary_chain.hpp>
 #include <string>
 
+#include "five_axes.hpp"
 #include "random_program.hpp"
 
 namespace leadscrew::testing_support {
-
-inline double between(double least, double greatest) {
-  return least + (greatest - least) * any(0, 1000001) / 1e6;
-}
-
-inline machine::Vector place() {
-  return {between(-80, 80), between(-80, 80), between(-80, 80)};
-}
-
-/// A preset with its axes anywhere, or nutating; limits over two decades.
-inline machine::Machine five_axes() {
-  machine::Machine machine;
-  machine.name = "random five axes";
-  const auto& presets = machine::kinematics_presets;
-  const auto& preset = presets[static_cast<std::size_t>(any(0, static_cast<int>(presets.size())))];
-  machine::RotaryChain chain = *machine::preset_chain(preset.name);
-  for (machine::RotaryAxis& axis : chain.axes) {
-    axis.point = place();
-    axis.sign = any(0, 2) == 0 ? 1 : -1;
-  }
-  if (any(0, 4) == 0) chain.axes[1].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};
-  chain.tool_zero = place();
-  machine.kinematics = preset.name;
-  machine.rotary_chain = chain;
-  const auto give = [&](base::Axis axis) {
-    machine.axes[base::index(axis)] =
-        machine::AxisLimits{-1e5, 1e5, logarithmic(10, 500), logarithmic(100, 1e4), logarithmic(2000, 1e6), 0.001};
-  };
-  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
-  for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);
-  machine.period = {1'000'000};
-  return machine;
-}
 
 class FiveAxisProgram {
  public:
@@ -134,14 +99,5 @@ class FiveAxisProgram {
   std::array<double, 2> angle_{};
   std::array<double, 3> at_{};
 };
-
-inline machine::ToolTable two_tools() {
-  machine::Tool first, second;
-  first.number = 1;
-  first.offset[2] = 73.25;
-  second.number = 2;
-  second.offset = {1.5, -2, 41};
-  return machine::ToolTable({first, second});
-}
 
 }  // namespace leadscrew::testing_support

@@ -12,6 +12,7 @@
 #include <regex>
 #include <vector>
 
+#include "five_axes.hpp"
 #include "five_axis_program.hpp"
 #include "live_program.hpp"
 #include "random_program.hpp"
@@ -27,31 +28,13 @@ using testing_support::any;
 using testing_support::five_axes;
 using testing_support::FiveAxisProgram;
 using testing_support::Intervention;
+using testing_support::judge;
+using testing_support::Judged;
 using testing_support::limits_of;
 using testing_support::LiveProgram;
 using testing_support::two_tools;
 using testing_support::worst_judged;
 using testing_support::worst_planned;
-
-struct Judged {
-  pipeline::Summary summary;
-  referee::Verdict verdict;
-  int errors = 0;
-};
-
-Judged judge(const std::string& text, const machine::Machine& machine) {
-  Judged outcome;
-  const machine::ToolTable tools = two_tools();
-  pipeline::Program program(gcode::text_source(text), machine, tools, {}, [&](const base::Diagnostic& problem) {
-    if (problem.severity == base::Severity::error) ++outcome.errors;
-  });
-  gcode::Reader judged(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) {});
-  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, machine, machine.period);
-  while (program.prepare()) referee.observe(program.cycle().position);
-  outcome.summary = program.summary();
-  outcome.verdict = referee.conclude();
-  return outcome;
-}
 
 RC_GTEST_PROP(FiveAxes, KeepEveryLimitAndEveryPoint, ()) {
   const machine::Machine machine = five_axes();

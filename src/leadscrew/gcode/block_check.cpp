@@ -67,6 +67,10 @@ Plane plane_after(const Block& block, const ModalState& modal) {
   }
 }
 
+bool has_vectors(const Block& block, const Frame& frame) {
+  return block.has(Group::tool_length) ? block.is(Code::G43_5) : frame.takes_vectors();
+}
+
 Distance distance_after(const Block& block, const ModalState& modal) {
   if (!block.has(Group::distance)) return modal.distance;
   return block.code(Group::distance) == Code::G90 ? Distance::absolute : Distance::incremental;
@@ -116,14 +120,24 @@ Code BlockCheck::motion_of(const Block& block) {
 bool BlockCheck::repeats_motion(const Block& block) const {
   std::uint32_t words = block.words & row(modal_.motion).repeated_by.bits;
   if (is_arc(modal_.motion)) words &= ~offset_letters | offset_letters_of(plane_after(block, modal_));
-  for_each_code(block, [&](Code code) { words &= ~row(code).words_in(options_.dialect).bits; });
+  if (is_line(modal_.motion)) words |= block.words & vector_words(block);
+  for_each_code(block, [&](Code code) {
+    if (code != Code::G43_5) words &= ~row(code).words_in(options_.dialect).bits;
+  });
   return words != 0;
+}
+
+/// The letters of the tool's direction where lines have one.
+std::uint32_t BlockCheck::vector_words(const Block& block) const {
+  return has_vectors(block, frame_) ? offset_letters : 0;
 }
 
 /// The letters that the block's motion takes.
 std::uint32_t BlockCheck::motion_words(const Block& block) const {
   if (modal_.to_do == Code::none) return 0;
   const std::uint32_t words = row(modal_.to_do).words_in(options_.dialect).bits;
+  // Beside G43.5 they are its own.
+  if (is_line(modal_.to_do) && !block.is(Code::G43_5)) return words | vector_words(block);
   if (is_arc(modal_.to_do)) return words & (~offset_letters | offset_letters_of(plane_after(block, modal_)));
   // P of G6.2 stands where the curve begins.
   if (modal_.to_do == Code::G6_2 && !block.has(Group::motion)) return words & ~letter_bit('P');
@@ -196,12 +210,29 @@ void BlockCheck::check_presence(const Block& block) {
       error("tip-control", column, "G53 while tool centre point control is on", "G49 before it");
     }
   }
+  if (has_vectors(block, frame_)) check_vectors(block);
   check_threading(block);
   if (is_probing(modal_.to_do) && !axes)
     error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "G38.2 Z-10 F100");
   if (is_canned_cycle(modal_.to_do) && !(block.words & (letter_bit('X') | letter_bit('Y') | letter_bit('Z')))) {
     error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "X, Y or Z");
   }
+}
+
+// Under G43.5 rotary axes follow the tool's direction, which lines alone change: no other motion takes I, J or K.
+void BlockCheck::check_vectors(const Block& block) {
+  if (modal_.to_do == Code::none) return;
+  for (const char letter : {'A', 'B', 'C'}) {
+    if (!block.has(letter) || !machine_.has(axis_of_letter(static_cast<unsigned>(letter - 'A')))) continue;
+    error("tool-vector", block.column_of(letter), "a rotary axis where I, J and K tell the tool's direction",
+          "I, J and K instead, or G43.4, under which rotary axes are told");
+    return;
+  }
+  const std::uint32_t words = block.words & offset_letters;
+  if (is_line(modal_.to_do) || words == 0) return;
+  error("tool-vector", block.column[static_cast<unsigned>(std::countr_zero(words))],
+        "I, J or K of " + name(modal_.to_do) + " where they tell the tool's direction",
+        is_arc(modal_.to_do) ? "R instead: the tool keeps its direction along the arc" : "G43.4 or G49 before it");
 }
 
 // What G33, G33.1 and G76 need, which no other motion does.

@@ -23,11 +23,16 @@ class BlockCheck : Part {
   void check_axes(const Block& block);
   void check_presence(const Block& block);
   void check_threading(const Block& block);
+  std::uint32_t vector_words(const Block& block) const;
+  [[gnu::cold]] void check_vectors(const Block& block);
   void check_needs(const Block& block, Code code, std::uint32_t column);
   std::string users_of(char letter) const;
 
   Travel& travel_;
 };
+
+/// Whether the block is executed under G43.5, and I, J and K of lines are the tool's direction.
+bool has_vectors(const Block& block, const Frame& frame);
 
 /// The plane, and the distance mode, in which the block is executed.
 Plane plane_after(const Block& block, const ModalState& modal);

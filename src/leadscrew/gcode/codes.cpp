@@ -136,6 +136,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   with_axes(g(Code::G43_1, 431, Group::tool_length, {L, C, B}, "tool length offset as given", manual)),
   g(Code::G43_2, 432, Group::tool_length, linuxcnc, "adds the tool length offset of a tool", manual, "H", "H"),
   g(Code::G43_4, 434, Group::tool_length, {L, F}, "tool centre point control: the tool's tip is where the program says, however rotary axes turn", fanuc_manual, "H"),
+  g(Code::G43_5, 435, Group::tool_length, {L, F}, "tool centre point control with tool vectors: I J K of lines point from the tip to the spindle", fanuc_manual, "HIJK"),
   g(Code::G44, 440, Group::tool_length, fanuc, "tool length offset of the tool table, negative", fanuc_manual, "H"),
   g(Code::G49, 490, Group::tool_length, no_marlin, "no tool length offset", "NIST IR 6556, 3.5.11"),
   g(Code::G98, 980, Group::retract, no_small, "cycles retract to where the tool was; so begin programs of fanuc, haas and mach3", "NIST IR 6556, 3.5.20"),

@@ -9,6 +9,7 @@ void Interpreter::dispatch(Code code, const Block& block) {
   switch (code) {
     case Code::G0:
     case Code::G1:
+      if (frame_.takes_vectors() && frame_.tip_control()) return vectors_.line(block);
       return motion_.straight(block);
     case Code::G2:
     case Code::G3:

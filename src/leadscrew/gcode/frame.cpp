@@ -100,6 +100,7 @@ void Frame::begin_tip_control(const machine::Machine& machine) {
 void Frame::end_tip_control() {
   position = axes_of(position);
   tip_control_ = nullptr;
+  takes_vectors_ = false;
   combine();
 }
 

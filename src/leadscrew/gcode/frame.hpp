@@ -59,6 +59,9 @@ class Frame {
   /// Of the tool in force; the position stays the same place of the axes.
   void begin_tip_control(const machine::Machine& machine);
   void end_tip_control();
+  /// G43.5: I, J and K of lines are the tool's direction; also where the machine cannot follow it.
+  bool takes_vectors() const { return takes_vectors_; }
+  void take_vectors() { takes_vectors_ = true; }
   /// Where the axes are while the program stands at a place.
   base::AxisVector axes_of(const base::AxisVector& place) const;
 
@@ -97,6 +100,7 @@ class Frame {
   base::AxisVector shift_{};
   base::AxisVector tool_{};
   std::shared_ptr<const kinematics::Transformation> tip_control_;
+  bool takes_vectors_ = false;
   // Q(p) = transform_matrix_ p + transform_offset_; machine = matrix_ p + offset_; p = inverse_ (machine − offset_), of
   // X, Y and Z.
   Matrix transform_matrix_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

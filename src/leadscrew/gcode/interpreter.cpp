@@ -9,6 +9,7 @@ Interpreter::Interpreter(const Context& context)
       events_(context, outbox_),
       travel_(context),
       motion_(context, travel_, outbox_),
+      vectors_(context, motion_, travel_, outbox_),
       curves_(context, motion_, travel_, outbox_),
       cycles_(context, motion_, travel_, outbox_),
       threading_(context, motion_, travel_, outbox_),
@@ -114,6 +115,7 @@ void Interpreter::finish_block(const Block& block) {
   cycles_.abandon();
   threading_.abandon();
   lathe_cycles_.abandon();
+  vectors_.settle();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }
@@ -160,6 +162,16 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
 }
 
 bool Interpreter::next(Move& move) {
+  return vectors_.any() ? next_with_vectors(move) : next_of_block(move);
+}
+
+// What the block makes comes behind the lines that are kept back.
+bool Interpreter::next_with_vectors(Move& move) {
+  while (vectors_.is_open() && next_of_block(move)) vectors_.keep(move);
+  return vectors_.take(move) || (!vectors_.is_open() && next_of_block(move));
+}
+
+bool Interpreter::next_of_block(Move& move) {
   if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || lathe_cycles_.next(move, outbox_))
     return true;
   if (!stop_) return false;
@@ -171,6 +183,7 @@ bool Interpreter::next(Move& move) {
 
 void Interpreter::end(base::Line line) {
   modal_.line = line;
+  vectors_.settle();
   curves_.end();
   outbox_.clear();
   stop_ = base::Event::Kind::program_end;
@@ -181,6 +194,7 @@ void Interpreter::set_modes(const Block& block) {
   modal_.plane = plane_after(block, modal_);
   if (block.has(Group::units)) frame_.length_unit = block.is(Code::G20) ? 25.4 : 1;
   offsets_.set_tool_length(block);
+  if (block.is(Code::G43_5)) vectors_.begin(block);
   if (block.has(Group::system)) {
     offsets_.select_system(block);
   }

@@ -19,6 +19,7 @@
 #include <leadscrew/gcode/saved_modes.hpp>
 #include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/gcode/transforms.hpp>
+#include <leadscrew/gcode/vector_moves.hpp>
 
 namespace leadscrew::gcode {
 
@@ -39,6 +40,14 @@ class Interpreter : Part {
 
   /// The next move of the block executed last; false after its last.
   bool next(Move& move);
+
+  /// Are lines kept back whose rotary axes are not known yet (G43.5)? Before anything asks where those are, settle().
+  bool keeps_back() const { return vectors_.is_open(); }
+  /// Whether the block can be executed all the same.
+  bool goes_on(const Block& block) const { return vectors_.goes_on(block); }
+  [[gnu::cold]] void settle() { vectors_.settle(); }
+  /// Of a line that was kept back, where its move was the last; else null.
+  const KeptPlace* place_of(base::Line line) const { return vectors_.place_of(line); }
 
   /// What the M66 handed out last has found.
   void input_is(double value) { events_.set_input(value); }
@@ -72,11 +81,14 @@ class Interpreter : Part {
   void dispatch_turning(Code code, const Block& block);  // dispatch.cpp
   void stop(const Block& block);
   bool is_plain() const;
+  bool next_of_block(Move& move);
+  [[gnu::noinline]] bool next_with_vectors(Move& move);
 
   Outbox outbox_;
   MachineEvents events_;
   Travel travel_;
   Motion motion_;
+  VectorMoves vectors_;
   CurveReader curves_;
   CannedCycles cycles_;
   Threading threading_;

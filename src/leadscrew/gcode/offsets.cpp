@@ -28,7 +28,8 @@ int home_of(const Block& block) {
 void Offsets::set_tool_length(const Block& block) {
   if (!block.has(Group::tool_length)) return;
   const Code code = block.code(Group::tool_length);
-  if (frame_.tip_control()) frame_.end_tip_control();
+  if (frame_.tip_control() || frame_.takes_vectors()) frame_.end_tip_control();
+  if (code == Code::G43_5) frame_.take_vectors();
   base::AxisVector offset{};
   if (code == Code::G43_1) {
     offset = frame_.tool();
@@ -47,7 +48,7 @@ void Offsets::set_tool_length(const Block& block) {
     }
   }
   frame_.set_tool(offset);
-  if (code == Code::G43_4) begin_tip_control(block);
+  if (code == Code::G43_4 || code == Code::G43_5) begin_tip_control(block);
 }
 
 // From here on the program says where the tip is (Fanuc, "Tool center point control", type 1): its coordinates are those

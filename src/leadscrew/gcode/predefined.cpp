@@ -134,10 +134,12 @@ std::optional<Axis> axis_of_number(int number, int first) {
 }  // namespace
 
 double Predefined::position(base::Axis axis) const {
+  if (settle_ && base::is_rotary(axis)) settle_();
   return frame_.to_program(frame_.position)[base::index(axis)] / frame_.unit(axis);
 }
 
 double Predefined::machine_position(base::Axis axis) const {
+  if (settle_) settle_();
   return frame_.axes_of(frame_.position)[base::index(axis)] / frame_.unit(axis);
 }
 

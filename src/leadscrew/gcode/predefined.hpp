@@ -3,6 +3,7 @@
 // numbers such as #5420 (LinuxCNC manual, "Predefined Named Parameters", "System Parameters" and "Numbered
 // Parameters"). A program reads them and cannot set them.
 
+#include <functional>
 #include <leadscrew/gcode/part.hpp>
 #include <optional>
 #include <string_view>
@@ -13,6 +14,9 @@ class Predefined : Part {
  public:
   /// What the context holds must outlive it.
   explicit Predefined(const Context& context) : Part(context) {}
+
+  /// Called before a place is told that rotary axes have a part in: they may not be known until then.
+  void before_rotary(std::function<void()> settle) { settle_ = std::move(settle); }
 
   /// The value of a name, in capitals and without blanks; std::nullopt where it is not predefined.
   std::optional<double> get(std::string_view name) const;
@@ -49,6 +53,8 @@ class Predefined : Part {
   static constexpr int last_number = 5428;
   std::optional<double> of_number(int number) const;
   double tool_number(int number) const;
+
+  std::function<void()> settle_;
 };
 
 }  // namespace leadscrew::gcode

@@ -35,12 +35,20 @@ class Reader::Implementation {
         flow_(text_, context_, predefined_),
         forms_(context_),
         printer_(reporter_),
-        has_printer_commands_(has_form(options_.dialect, Form::printer_commands)) {}
+        has_printer_commands_(has_form(options_.dialect, Form::printer_commands)) {
+    predefined_.before_rotary([this] {
+      if (interpreter_.keeps_back()) interpreter_.settle();
+    });
+  }
 
   bool next(Move& move) {
     for (;;) {
       if (pending_ && interpreter_.next(move)) return true;
       pending_ = false;
+      if (held_) {
+        if (execute_read(*std::exchange(held_, std::nullopt), move)) return true;
+        continue;
+      }
       if (done_) return finish();
       TextLine line;
       if (reporter_.full()) {
@@ -54,7 +62,11 @@ class Reader::Implementation {
   }
 
   void reject(const Move& move, base::Diagnostic problem) {
-    if (move.line == reporter_.line()) {
+    if (const KeptPlace* const place = interpreter_.place_of(move.line)) {
+      const AtKeptPlace there(reporter_, *place);
+      reporter_.error(problem.code, place->column, std::move(problem.message), std::move(problem.hint),
+                      problem.subject);
+    } else if (move.line == reporter_.line()) {
       reporter_.error(problem.code, block_.first_column, std::move(problem.message), std::move(problem.hint),
                       problem.subject);
     } else {
@@ -67,7 +79,10 @@ class Reader::Implementation {
   }
   void warn(const Move& move, base::Diagnostic problem) { warn_at(block_.first_column, move, std::move(problem)); }
   void warn_at(std::uint32_t column, const Move& move, base::Diagnostic problem) {
-    if (move.line == reporter_.line()) {
+    if (const KeptPlace* const place = interpreter_.place_of(move.line)) {
+      const AtKeptPlace there(reporter_, *place);
+      reporter_.warning(problem.code, place->column, std::move(problem.message), std::move(problem.hint));
+    } else if (move.line == reporter_.line()) {
       reporter_.warning(problem.code, column, std::move(problem.message), std::move(problem.hint));
     } else {
       reporter_.warning_where_kept(problem.code, std::move(problem.message), std::move(problem.hint));
@@ -115,6 +130,19 @@ class Reader::Implementation {
     if (flow_.may_take(line) && !is_block(line)) return false;
     if (has_printer_commands_ && printer_.take(line)) return false;
     if (!block_is_read(line)) return false;
+    if (interpreter_.keeps_back() && !interpreter_.goes_on(block_)) return hold(line);
+    return execute_read(line, move);
+  }
+
+  // A block that asks where rotary axes are waits until all lines before it have been handed out.
+  [[gnu::cold]] bool hold(const TextLine& line) {
+    interpreter_.settle();
+    held_ = line;
+    pending_ = true;
+    return false;
+  }
+
+  bool execute_read(const TextLine& line, Move& move) {
     if (!reporter_.failed()) {
       const Interpreter::Plain plain = interpreter_.execute_plain(block_, line.id, move);
       if (plain != Interpreter::Plain::no) return plain == Interpreter::Plain::move;
@@ -256,8 +284,9 @@ class Reader::Implementation {
   std::int64_t blocks_ = 0;
   std::size_t contour_calls_ = 0;  // calls under way within the contour of a lathe cycle; 0 without one
   Delimiter delimiter_ = Delimiter::unknown;
-  bool empty_ = true;     // nothing but blanks so far
-  bool pending_ = false;  // the interpreter has moves of a block read before
+  std::optional<TextLine> held_;  // read, and not yet executed
+  bool empty_ = true;             // nothing but blanks so far
+  bool pending_ = false;          // the interpreter has moves of a block read before
   bool done_ = false;
 };
 

@@ -146,16 +146,41 @@ void Reporter::warning(std::string_view code, std::int64_t column, std::string m
   warning_at(line_.id, column, text(), code, std::move(message), std::move(hint));
 }
 
+void Reporter::note(std::string_view code, std::int64_t column, std::string message, std::string hint) {
+  warning_at(line_.id, column, text(), code, std::move(message), std::move(hint), base::Severity::note);
+}
+
+KeptPlace Reporter::place(std::uint32_t column) const {
+  return {line_.id, column, std::string(text().substr(0, longest_source + 1))};
+}
+
+Reporter::Present Reporter::go_to(const KeptPlace& place) {
+  const Present present{line_, failed_, muted_};
+  TextLine line;
+  line.begin = line.text = place.text.data();
+  line.end = line.begin + place.text.size();
+  line.number = base::number(place.line);
+  line.id = place.line;
+  begin(line);
+  return present;
+}
+
+void Reporter::go_back(const Present& present) {
+  line_ = present.line;
+  failed_ = present.failed;
+  muted_ = present.muted;
+}
+
 void Reporter::warning_where_kept(std::string_view code, std::string message, std::string hint) {
   warning_at(kept_line_, kept_column_, kept_text_, code, std::move(message), std::move(hint));
 }
 
 void Reporter::warning_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code,
-                          std::string message, std::string hint) {
+                          std::string message, std::string hint, base::Severity severity) {
   if (muted_ || full_ || warnings_ >= most_warnings || was_said(code, line, column)) return;
   ++warnings_;
   const base::Place place = place_of(line, column);
-  send(base::Severity::warning, code, place, std::move(message), std::move(hint), source_of(text, place.column));
+  send(severity, code, place, std::move(message), std::move(hint), source_of(text, place.column));
 }
 
 }  // namespace leadscrew::gcode

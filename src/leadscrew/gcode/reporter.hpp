@@ -12,6 +12,13 @@
 
 namespace leadscrew::gcode {
 
+/// A place in a line that has been read, where something may yet be found.
+struct KeptPlace {
+  base::Line line{};
+  std::uint32_t column = 1;  ///< bytes, from 1
+  std::string text;          ///< of the line, as much as is shown
+};
+
 class Reporter {
  public:
   Reporter(std::string file, DiagnosticSink sink);
@@ -31,8 +38,19 @@ class Reporter {
   [[gnu::cold]] bool error(std::string_view code, std::int64_t column, std::string message, std::string hint,
                            base::Subject subject = {});
   [[gnu::cold]] void warning(std::string_view code, std::int64_t column, std::string message, std::string hint);
+  [[gnu::cold]] void note(std::string_view code, std::int64_t column, std::string message, std::string hint);
   /// Says something about the text as a whole.
   void report(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint);
+
+  /// A column of the line, to come back to.
+  KeptPlace place(std::uint32_t column) const;
+  /// What is reported from now on is of that place's line, and no line has a problem, until go_back().
+  struct Present {
+    TextLine line;
+    bool failed = false, muted = false;
+  };
+  Present go_to(const KeptPlace& place);
+  void go_back(const Present& present);
 
   /// Keeps the line and a column of it, where something begins that further lines belong to.
   void keep(std::int64_t column);
@@ -69,7 +87,7 @@ class Reporter {
   bool error_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code, std::string message,
                 std::string hint, base::Subject subject);
   void warning_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code,
-                  std::string message, std::string hint);
+                  std::string message, std::string hint, base::Severity severity = base::Severity::warning);
   base::Place place_of(base::Line line, std::int64_t column) const {
     return {file_of(line), base::number(line), column};
   }
@@ -96,6 +114,19 @@ class Reporter {
   bool failed_ = false;
   bool muted_ = false;
   bool full_ = false;
+};
+
+/// While it lives, what is reported is of a line read before.
+class AtKeptPlace {
+ public:
+  AtKeptPlace(Reporter& reporter, const KeptPlace& place) : reporter_(reporter), present_(reporter.go_to(place)) {}
+  ~AtKeptPlace() { reporter_.go_back(present_); }
+  AtKeptPlace(const AtKeptPlace&) = delete;
+  AtKeptPlace& operator=(const AtKeptPlace&) = delete;
+
+ private:
+  Reporter& reporter_;
+  Reporter::Present present_;
 };
 
 /// A character as messages show it: 'X', or its code where it has no shape.

@@ -82,23 +82,23 @@ bool Travel::axis_inside(base::Axis axis, double value, std::uint32_t column) {
 }
 
 bool Travel::inside_travel(const Block& block, const base::AxisVector& target) {
-  return frame_.tip_control() ? tip_inside(block, target) : places_inside(block, frame_.position, target);
+  return frame_.tip_control() ? tip_inside(block, frame_.position, target)
+                              : places_inside(block, frame_.position, target);
 }
 
 // The tip goes straight and the axes do not: they are looked at where rotary axes have turned by a few degrees each.
-bool Travel::tip_inside(const Block& block, const base::AxisVector& target) {
+bool Travel::tip_inside(const Block& block, const base::AxisVector& start, const base::AxisVector& target) {
   constexpr double step = 3, most = 360;  // degrees
   double turned = 0;
   for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::C})
-    turned = std::max(turned, std::fabs(target[base::index(axis)] - frame_.position[base::index(axis)]));
+    turned = std::max(turned, std::fabs(target[base::index(axis)] - start[base::index(axis)]));
   const int parts = static_cast<int>(std::min(turned, most) / step) + 1;
-  base::AxisVector from = frame_.axes_of(frame_.position);
+  base::AxisVector from = frame_.axes_of(start);
   bool inside = true;
   for (int k = 1; k <= parts; ++k) {
     base::AxisVector place = target;
     if (k < parts) {
-      for (std::size_t i = 0; i < place.size(); ++i)
-        place[i] = frame_.position[i] + (target[i] - frame_.position[i]) * k / parts;
+      for (std::size_t i = 0; i < place.size(); ++i) place[i] = start[i] + (target[i] - start[i]) * k / parts;
     }
     const base::AxisVector to = frame_.axes_of(place);
     inside &= places_inside(block, from, to);

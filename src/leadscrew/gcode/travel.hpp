@@ -12,6 +12,8 @@ class Travel : Part {
 
   /// Whether a line from where the program stands to the target stays inside; reports what does not.
   bool inside_travel(const Block& block, const base::AxisVector& target);
+  /// The same from another place than where the program stands, under tool centre point control.
+  bool tip_inside(const Block& block, const base::AxisVector& start, const base::AxisVector& target);
   /// Whether an axis that reaches from low to high, mm or degrees, stays inside; reports it where it does not.
   bool bulge_inside(const Block& block, base::Axis axis, double low, double high);
   /// Whether a curve does.
@@ -31,7 +33,6 @@ class Travel : Part {
 
  private:
   bool places_inside(const Block& block, const base::AxisVector& from, const base::AxisVector& to);
-  bool tip_inside(const Block& block, const base::AxisVector& target);
   bool axis_inside(base::Axis axis, double value, std::uint32_t column);
   void report_travel(base::Axis axis, double value, std::uint32_t column);
 

@@ -99,6 +99,7 @@ constexpr Example examples[] = {
     {Code::G43_1, "G43.1 Z50"},
     {Code::G43_2, "G43 H1\nG43.2 H1"},
     {Code::G43_4, "G43.4 H1\nG1 X10 A15 C30 F600\nG49"},
+    {Code::G43_5, "G43.5 H1\nG1 X10 I0.5 J0 K1 F600\nX20 I0.6\nG49"},
     {Code::G44, "G44 H1"},
     {Code::G49, "G43 H1\nG49"},
     {Code::G98, "G0 Z5\nG98 G81 X10 Z-5 R1 F200\nX20"},

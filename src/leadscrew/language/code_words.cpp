@@ -8,6 +8,9 @@ using gcode::Code;
 
 constexpr std::string_view length = "mm or inches", seconds = "s", degrees = "degrees", number = "";
 
+constexpr std::string_view tool_vector =
+    "part of the tool's direction, from the tip to the spindle; of any length, without all three the last one holds";
+
 // Of the codes from the first to the last in the order of gcode::Code; the first row that fits holds.
 struct Row {
   Code first, last;
@@ -90,6 +93,9 @@ constexpr Row rows[] = {
     {Code::G41, Code::G42_1, 'D', "tool of the tool table, or its diameter (G41.1, G42.1)", length},
     {Code::G41, Code::G42_1, 'L', "orientation of the tool, 0 to 9", number},
     {Code::G43, Code::G44, 'H', "tool of the tool table; without it the one in the spindle", number},
+    {Code::G43_5, Code::G43_5, 'I', tool_vector, number},
+    {Code::G43_5, Code::G43_5, 'J', tool_vector, number},
+    {Code::G43_5, Code::G43_5, 'K', tool_vector, number},
     {Code::G51, Code::G51, 'P', "factor of all axes", number},
     {Code::G51, Code::G51, 'I', "factor of X; negative mirrors", number},
     {Code::G51, Code::G51, 'J', "factor of Y; negative mirrors", number},
@@ -153,7 +159,13 @@ WordMeaning meaning_alone(char letter) {
 
 }  // namespace
 
+bool is_of_tool_vector(Code code, char letter) {
+  return (code == Code::G0 || code == Code::G1) && 'I' <= letter && letter <= 'K';
+}
+
 WordMeaning meaning_of(Code code, char letter) {
+  if (is_of_tool_vector(code, letter))
+    return {"under G43.5: part of the tool's direction, from the tip to the spindle", ""};
   if (code != Code::none && gcode::row(code).words.has(letter)) {
     for (const Row& row : rows) {
       if (row.first <= code && code <= row.last && row.letter == letter) return {row.meaning, row.unit};

@@ -17,6 +17,9 @@ struct WordMeaning {
 /// the letter means nothing there.
 WordMeaning meaning_of(gcode::Code code, char letter);
 
+/// Whether a letter beside a code belongs to it under G43.5 alone: I, J and K of lines.
+bool is_of_tool_vector(gcode::Code code, char letter);
+
 /// A small program in which a code stands: of the first dialect of its row; without an error where the code is read.
 std::string_view example_of(gcode::Code code);
 
