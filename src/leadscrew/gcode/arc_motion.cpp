@@ -137,7 +137,12 @@ void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::A
           "give fewer turns");
     return;
   }
-  for (ControlPoint& point : move.curve.points) point.position = frame_.to_machine(point.position);
+  for (ControlPoint& point : move.curve.points) {
+    point.position = frame_.to_machine(point.position);
+    for (std::size_t i = base::index(base::Axis::A); i < base::axis_count; ++i) {
+      if (target[i] == frame_.position[i]) point.position[i] = target[i];
+    }
+  }
   move.curve.points.front().position = frame_.position;
   const PlanePoint programmed = in_plane(frame_.to_program(target), modal_.plane);
   const bool reaches = plan.circle.end.first == programmed.first && plan.circle.end.second == programmed.second;

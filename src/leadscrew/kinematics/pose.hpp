@@ -155,4 +155,12 @@ Vector3<T> direction_of(const Chain& chain, const Angles<T>& degrees) {
   return direction;
 }
 
+/// A vector of the workpiece as the machine sees it.
+template <typename T>
+Vector3<T> in_machine(const Chain& chain, const Angles<T>& degrees, Vector3<T> vector) {
+  for (std::size_t i = 0; i < chain.table_count(); ++i)
+    detail::rotate(vector, chain.turns()[i], numeric::sines_of_degrees(degrees[i]));
+  return vector;
+}
+
 }  // namespace leadscrew::kinematics
