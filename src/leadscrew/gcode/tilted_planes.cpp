@@ -158,7 +158,8 @@ std::optional<double> TiltedPlanes::inside(std::size_t turn, double degrees) con
   return degrees + 360 * std::clamp(std::floor((frame_.position[axis] - degrees) / 360 + 0.5), least, most);
 }
 
-// Of all angles that hold the tool along the normal those that are reached soonest. `side`: P.
+// Of all angles that hold the tool along the normal those that are reached soonest. `side`: P, 1 for the greater tilt, 2
+// for the lesser.
 std::optional<kinematics::Angles<double>> TiltedPlanes::nearest(const Block& block, std::size_t side) {
   const kinematics::Chain& chain = frame_.tilted_plane()->chain;
   const auto before = kinematics::angles_of(chain, frame_.position);
@@ -175,7 +176,8 @@ std::optional<kinematics::Angles<double>> TiltedPlanes::nearest(const Block& blo
     kinematics::Angles<double> angles = found.angles[k];
     if (found.is_pole) angles[0] = before[0];
     for (double& each : angles) each = without_rounding(each);
-    if ((side == 1 && angles[1] < 0) || (side == 2 && angles[1] > 0)) continue;
+    const double other = found.angles[found.count - 1 - k][1];
+    if ((side == 1 && angles[1] < other) || (side == 2 && angles[1] > other)) continue;
     double cost = 0;
     bool fits = true;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -213,7 +215,7 @@ void TiltedPlanes::orient(const Block& block) {
   const std::optional<int> side = as_integer(block.value_or('P', 0));
   if (!side || *side < 0 || *side > 2) {
     error("bad-value", block.column_of('P'), code + " has P" + text(block['P']),
-          "0 for the nearest, 1 or 2 for a tilt above or below 0");
+          "0 for the nearest angles, 1 or 2 for the greater or the lesser tilt");
     return;
   }
   const auto angles = nearest(block, static_cast<std::size_t>(*side));

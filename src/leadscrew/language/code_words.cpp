@@ -111,7 +111,7 @@ constexpr Row rows[] = {
     {Code::G268, Code::G268, 'I', "angle about X", degrees},
     {Code::G268, Code::G268, 'J', "angle about Y", degrees},
     {Code::G268, Code::G268, 'K', "angle about Z", degrees},
-    {Code::G53_1, Code::G53_1, 'P', "0 the nearest angles, 1 a tilt above 0, 2 a tilt below 0", number},
+    {Code::G53_1, Code::G53_1, 'P', "0 the nearest angles, 1 those of the greater tilt, 2 of the lesser", number},
     {Code::M62, Code::M65, 'P', "number of the output, 0 to 63", number},
     {Code::M66, Code::M66, 'P', "number of the digital input", number},
     {Code::M66, Code::M66, 'E', "number of the analog input", number},
