@@ -137,7 +137,12 @@ void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::A
           "give fewer turns");
     return;
   }
-  for (ControlPoint& point : move.curve.points) point.position = frame_.to_machine(point.position);
+  for (ControlPoint& point : move.curve.points) {
+    point.position = frame_.to_machine(point.position);
+    for (std::size_t i = base::index(base::Axis::A); i < base::axis_count; ++i) {
+      if (target[i] == frame_.position[i]) point.position[i] = target[i];
+    }
+  }
   move.curve.points.front().position = frame_.position;
   const PlanePoint programmed = in_plane(frame_.to_program(target), modal_.plane);
   const bool reaches = plan.circle.end.first == programmed.first && plan.circle.end.second == programmed.second;
@@ -170,9 +175,10 @@ void Motion::arc(const Block& block) {
   const bool transforms = !frame_.is_offset_only();
   const PlanePoint start = in_plane(frame_.position, modal_.plane);
   ArcPlan plan;
-  const bool known = transforms ? plan_arc(block, in_plane(frame_.to_program(frame_.position), modal_.plane),
-                                           in_plane(frame_.to_program(target), modal_.plane), plan)
-                                : plan_arc(block, start, in_plane(target, modal_.plane), plan);
+  const PlanePoint end = in_plane(transforms ? frame_.to_program(target) : target, modal_.plane);
+  const bool known =
+      plan_arc(block, transforms ? in_plane(frame_.to_program(frame_.position), modal_.plane) : start, end, plan);
+  const bool reaches = plan.circle.end.first == end.first && plan.circle.end.second == end.second;
   Feed feed;
   feed_of(block, true, block.has('F'), feed);  // also where it closes, and its end is where it begins
   // Only a line comes back from outside at once.
@@ -187,8 +193,10 @@ void Motion::arc(const Block& block) {
 
   Move& arc = outbox_.emit(Move::Kind::arc);
   arc.end = target;
-  arc.end[base::index(first_axis(modal_.plane))] = plan.circle.end.first;
-  arc.end[base::index(second_axis(modal_.plane))] = plan.circle.end.second;
+  if (!reaches) {
+    arc.end[base::index(first_axis(modal_.plane))] = plan.circle.end.first;
+    arc.end[base::index(second_axis(modal_.plane))] = plan.circle.end.second;
+  }
   arc.center_first = plan.circle.center.first;
   arc.center_second = plan.circle.center.second;
   arc.turns = plan.turns;

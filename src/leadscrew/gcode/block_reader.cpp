@@ -192,7 +192,9 @@ bool BlockReader::code_word(char letter, Code code, double value, std::uint32_t 
 
 bool BlockReader::refuse_unknown(char letter, double value, std::uint32_t column) {
   if (std::isnan(value)) return true;
-  const std::optional<int> tenths = tenths_of(value);
+  std::optional<int> tenths = tenths_of(value);
+  if (const auto number = as_integer(value); letter == 'M' && number && 0 <= *number && *number < 1000)
+    tenths = *number * 10;
   const Dialects others = tenths ? dialects_of(letter, *tenths) : Dialects{};
   if (others.empty()) {
     reporter_.error("unknown-code", column, letter + text(value) + " is not known", "docs/gcode.md lists all codes");

@@ -21,6 +21,7 @@ constexpr bool not_read = false;
 // Codes".
 constexpr const char* const manual = "LinuxCNC manual, G Codes";
 constexpr const char* const manual_m = "LinuxCNC manual, M Codes";
+constexpr const char* const kinematics_manual = "LinuxCNC manual, Switchable Kinematics";
 constexpr const char* const fanuc_manual = "Fanuc 0i operator's manual";
 constexpr const char* const haas_manual = "Haas mill operator's manual";
 constexpr const char* const nist_cycles = "NIST IR 6556, 3.5.16";
@@ -91,6 +92,8 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   with_axes(g(Code::G31, 310, Group::nonmodal, {L, F, H, M}, "skip: a line that contact of the probe ends", fanuc_manual, "P")),
   with_axes(g(Code::G52, 520, Group::nonmodal, no_small, "local coordinate system", manual)),
   g(Code::G53, 530, Group::nonmodal, no_marlin, "axis words are machine coordinates", "NIST IR 6556, 3.5.12"),
+  g(Code::G53_1, 531, Group::nonmodal, {L, F}, "turns the rotary axes until the tool is along the normal of the tilted plane; X, Y and Z stand still", fanuc_manual, "P"),
+  g(Code::G253, 2530, Group::nonmodal, {L, H}, "turns the rotary axes until the tool is along the normal of the tilted plane; X, Y and Z stand still", haas_manual),
   unread(g(Code::G60, 600, Group::nonmodal, fanuc, "approach from one side", fanuc_manual)),
   with_axes(g(Code::G70, 700, Group::nonmodal, linuxcnc, "lathe finishing cycle", manual, "QEDP", "Q")),
   g(Code::G70_bolts, 700, Group::nonmodal, {H}, "the cycle in force on a circle", haas_manual, "IJL", "IL"),
@@ -164,7 +167,10 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G7, 70, Group::lathe, linuxcnc, "X is a diameter", manual),
   g(Code::G8, 80, Group::lathe, linuxcnc, "X is a radius", manual),
   with_axes(g(Code::G68, 680, Group::rotation, {L, F, H, M}, "turns coordinates about a point", fanuc_manual, "R", "R")),
-  g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned", fanuc_manual),
+  with_axes(g(Code::G68_2, 682, Group::rotation, {L, F}, "tilted working plane: X Y Z its origin, I J K how it is turned", fanuc_manual, "PQIJK")),
+  with_axes(g(Code::G268, 2680, Group::rotation, {L, H}, "tilted working plane: X Y Z its origin, I J K its turns about the workpiece's X, Y and Z", haas_manual, "QIJK")),
+  g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned, the plane is not tilted", fanuc_manual),
+  g(Code::G269, 2690, Group::rotation, {L, H}, "the plane is not tilted", haas_manual),
   g(Code::G15, 150, Group::polar, {L, F, H, M}, "axis words are not polar", fanuc_manual),
   g(Code::G16, 160, Group::polar, {L, F, H, M}, "axis words are a radius and an angle", fanuc_manual),
   g(Code::G62, 620, Group::path, {F}, "slows down at inner corners, which the axes' limits do here: as G64", fanuc_manual),
@@ -213,6 +219,8 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G65, 650, Group::call, {L, F, H}, "calls a macro with arguments", fanuc_manual, "PL", "P"),
   g(Code::G66, 660, Group::call, {L, F}, "calls a macro with arguments behind each block that moves, until G67", fanuc_manual, "PL", "P"),
   m(Code::M100, 100, Group::user, linuxcnc, "function of the machine's builder, of M100 to M199", manual_m, "PQ"),
+  m(Code::M428, 428, Group::user, linuxcnc, "tool centre point control on, with the tool length offset in force", kinematics_manual),
+  m(Code::M429, 429, Group::user, linuxcnc, "tool centre point control off; the tool length offset stays", kinematics_manual),
 }};
 // clang-format on
 
@@ -233,6 +241,8 @@ constexpr bool rows_in_order() {
 }
 static_assert(rows_in_order(), "a code's row stands at the code's place");
 
+constexpr std::size_t last_user = 199;  // of a builder's functions
+
 template <std::size_t count>
 constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_number(char letter, int unit) {
   std::array<std::array<Code, count>, index(Dialect::count)> codes{};
@@ -242,7 +252,7 @@ constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_nu
       if (row.letter != letter || !row.dialects.has(static_cast<Dialect>(dialect))) continue;
       codes[dialect][static_cast<std::size_t>(row.tenths / unit)] = row.code;
       if (row.code != Code::M100) continue;
-      for (std::size_t number = 100; number < count; ++number) codes[dialect][number] = row.code;
+      for (std::size_t number = 100; number <= last_user; ++number) codes[dialect][number] = row.code;
     }
     for (std::size_t tenths = 1110; letter == 'G' && tenths <= 1290; tenths += 10) {
       codes[dialect][tenths] = codes[dialect][1100];
@@ -250,7 +260,7 @@ constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_nu
   }
   // Each of these machines has functions of its builder's.
   for (const Dialect dialect : {F, H}) {
-    for (std::size_t number = 10; letter == 'M' && number < count; ++number) {
+    for (std::size_t number = 10; letter == 'M' && number <= last_user; ++number) {
       Code& code = codes[index(dialect)][number];
       if (code == Code::none) code = Code::M100;
     }

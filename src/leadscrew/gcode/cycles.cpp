@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <leadscrew/gcode/cycles.hpp>
 
 namespace leadscrew::gcode {
@@ -24,7 +25,8 @@ bool CannedCycles::plan_levels(const Block& block, DrillCycle::Plan& plan) {
     return error("missing-word", motion_column(block), name(plan.code) + " lacks " + missing,
                  "give R and " + std::string(1, drill_letter) + " in the first block of a cycle");
   }
-  const double unit = frame_.length_unit * frame_.scale(plan.drill), zero = frame_.offset()[drill];
+  const double unit = frame_.length_unit * (is_tilted_ ? 1 : frame_.scale(plan.drill));
+  const double zero = is_tilted_ ? 0 : frame_.offset()[drill];
   plan.r_level = *series_->r * unit + (absolute ? zero : series_->initial_level);
   plan.bottom = *series_->bottom * unit + (absolute ? zero : plan.r_level);
   plan.clear_level = modal_.retract == Retract::r_level ? plan.r_level : std::max(plan.r_level, series_->initial_level);
@@ -49,11 +51,34 @@ bool CannedCycles::can_drill(const Block& block) {
   if (modal_.feed_mode == FeedMode::inverse_time) {
     return error("bad-feed-mode", motion_column(block), "a canned cycle in G93", "give G94");
   }
-  if (!frame_.is_separate(normal_axis(modal_.plane))) {
-    return error("unsupported-rotation", motion_column(block), "a canned cycle whose holes are turned off the axis",
-                 "turns take cycles in their own plane only");
+  return can_reach(block);
+}
+
+// Holes go along the tool.
+bool CannedCycles::can_reach(const Block& block) {
+  is_tilted_ = frame_.is_tilted();
+  const base::Axis axis = normal_axis(modal_.plane);
+  if (is_tilted_ && !frame_.is_tool_along(axis)) {
+    return error("tool-not-along", motion_column(block),
+                 std::string("a canned cycle along ") + base::letter(axis) + " of a tilted plane, and the tool is not",
+                 "G53.1 before it");
   }
-  return true;
+  if (is_tilted_ || frame_.is_separate(axis)) return true;
+  return error("unsupported-rotation", motion_column(block), "a canned cycle whose holes are turned off the axis",
+               "turns take cycles in their own plane only");
+}
+
+// A place, in the coordinates of the cycle.
+base::AxisVector CannedCycles::seen(const base::AxisVector& place) const {
+  return is_tilted_ ? frame_.to_program(place) : place;
+}
+
+// The way back. A cycle moves no other axes.
+base::AxisVector CannedCycles::placed(const base::AxisVector& target) const {
+  if (!is_tilted_) return target;
+  base::AxisVector place = frame_.to_machine(target);
+  for (std::size_t i = base::index(base::Axis::A); i < base::axis_count; ++i) place[i] = frame_.position[i];
+  return place;
 }
 
 // How often; 0, where Fanuc and Haas have it, only says what holds for the holes that follow.
@@ -124,7 +149,7 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
   if (block.has(letters[1])) series_->aside_second = block[letters[1]];
   plan.aside[base::index(first)] = series_->aside_first.value_or(0) * frame_.length_unit;
   plan.aside[base::index(second)] = series_->aside_second.value_or(0) * frame_.length_unit;
-  plan.aside = frame_.direction_to_machine(plan.aside);
+  if (!is_tilted_) plan.aside = frame_.direction_to_machine(plan.aside);
   if (plan.code != Code::G87) return;
   const char level = static_cast<char>('I' + base::index(plan.drill));
   if (block.has(level)) series_->level = block[level];
@@ -132,8 +157,9 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
     error("missing-word", motion_column(block), "G87 lacks how far aside the tool goes in, or how far up it bores",
           std::string("give ") + letters[0] + ", " + letters[1] + " and " + level);
   }
-  plan.level = series_->level.value_or(0) * frame_.length_unit * frame_.scale(plan.drill) +
-               (modal_.distance == Distance::absolute ? frame_.offset()[base::index(plan.drill)] : plan.bottom);
+  const double zero = is_tilted_ ? 0 : frame_.offset()[base::index(plan.drill)];
+  plan.level = series_->level.value_or(0) * frame_.length_unit * (is_tilted_ ? 1 : frame_.scale(plan.drill)) +
+               (modal_.distance == Distance::absolute ? zero : plan.bottom);
 }
 
 // A tapping cycle, and one that stops the spindle, goes on with what turned before.
@@ -163,8 +189,8 @@ void CannedCycles::drill(const Block& block) {
   DrillCycle::Plan plan;
   plan.code = modal_.to_do;
   plan.drill = normal_axis(modal_.plane);
-  plan.start = frame_.position;
-  plan.first_hole = motion_.target_of(block);
+  plan.start = seen(frame_.position);
+  plan.first_hole = seen(motion_.target_of(block));
   const std::size_t drill = base::index(plan.drill);
   if (modal_.distance == Distance::incremental) {
     for (std::size_t i = 0; i < base::axis_count; ++i) {
@@ -180,7 +206,7 @@ void CannedCycles::drill(const Block& block) {
   const bool turns = can_turn(block);
   set_cycle_feed(block);
   if (!levels || !turns) {
-    frame_.position = plan.first_hole;
+    frame_.position = placed(plan.first_hole);
     return;
   }
   if (plan.repeats > 0) begin(block, plan);
@@ -194,6 +220,7 @@ void CannedCycles::set_cycle_feed(const Block& block) {
 void CannedCycles::begin(const Block& block, const DrillCycle::Plan& plan) {
   const std::size_t drill = base::index(plan.drill);
   cycle_ = DrillCycle(plan);
+  at_ = plan.start;
   travel_.fails_outside(block);
   const double top = std::max(plan.clear_level, plan.start[drill]);
   // Between the first and the last hole of a row, and between the levels, all is straight: the corners tell.
@@ -204,8 +231,8 @@ void CannedCycles::begin(const Block& block, const DrillCycle::Plan& plan) {
     up[drill] = top;
     base::AxisVector aside = up;
     for (std::size_t k = 0; k < base::axis_count; ++k) aside[k] += plan.aside[k];
-    if (!travel_.inside_travel(block, down) || !travel_.inside_travel(block, up)) return;
-    if (aside != up && !travel_.inside_travel(block, aside)) return;
+    if (!travel_.inside_travel(block, placed(down)) || !travel_.inside_travel(block, placed(up))) return;
+    if (aside != up && !travel_.inside_travel(block, placed(aside))) return;
   }
 }
 
@@ -218,7 +245,7 @@ void CannedCycles::plan_pattern(const Block& block, DrillCycle::Plan& plan) {
   if (block.is(Code::G72_bolts)) {
     plan.pattern.increment[base::index(plan.pattern.first)] = distance * cosine_of_degrees(angle);
     plan.pattern.increment[base::index(plan.pattern.second)] = distance * sine_of_degrees(angle);
-    plan.pattern.increment = frame_.direction_to_machine(plan.pattern.increment);
+    if (!is_tilted_) plan.pattern.increment = frame_.direction_to_machine(plan.pattern.increment);
     return;
   }
   plan.pattern.radius = distance;
@@ -233,11 +260,11 @@ void CannedCycles::drill_pattern(const Block& block) {
           "give the cycle with L0 in the block before");
     return;
   }
-  if (row(code).needs.bits & ~block.words) return;
+  if ((row(code).needs.bits & ~block.words) || !can_reach(block)) return;
   DrillCycle::Plan plan;
   plan.code = series_->code;
   plan.drill = normal_axis(modal_.plane);
-  plan.start = plan.first_hole = frame_.position;
+  plan.start = plan.first_hole = seen(frame_.position);
   // The letters of the pattern are not those of the cycle.
   Block bare = block;
   bare.words &= ~row(code).words.bits;
@@ -288,6 +315,17 @@ base::Event::Kind CannedCycles::spindle_event(DrillCycle::Step::Kind kind) const
   return clockwise == (kind == Kind::spindle_start) ? Event::spindle_clockwise : Event::spindle_counterclockwise;
 }
 
+// In a tilted plane the cycle begins where rounding leaves the program's coordinates.
+bool CannedCycles::stands_at(const base::AxisVector& target) const {
+  if (!is_tilted_) return false;
+  constexpr double rounding = 1e-9;  // mm
+  const base::AxisVector place = placed(target);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::fabs(place[i] - frame_.position[i]) > rounding) return false;
+  }
+  return true;
+}
+
 bool CannedCycles::next(Move& move) {
   using Kind = DrillCycle::Step::Kind;
   while (cycle_.active()) {
@@ -301,18 +339,19 @@ bool CannedCycles::next(Move& move) {
       if (prepare_event(move, step.kind)) return true;
       continue;
     }
-    if (step.target == frame_.position) continue;
+    if (step.target == at_ || stands_at(step.target)) continue;
     outbox_.prepare(move, Move::Kind::line, modal_.line);
-    move.end = step.target;
+    at_ = step.target;
+    move.end = placed(step.target);
     if (step.kind == Kind::feed) move.feed = cycle_feed_;
-    frame_.position = step.target;
+    frame_.position = move.end;
     return true;
   }
   return false;
 }
 
 void CannedCycles::abandon() {
-  if (cycle_.active()) frame_.position = cycle_.end();
+  if (cycle_.active()) frame_.position = placed(cycle_.end());
   cycle_ = {};
 }
 

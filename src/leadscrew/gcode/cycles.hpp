@@ -25,6 +25,10 @@ class CannedCycles : Part {
  private:
   bool can_drill(const Block& block);
   bool can_turn(const Block& block);
+  bool can_reach(const Block& block);
+  bool stands_at(const base::AxisVector& target) const;
+  base::AxisVector seen(const base::AxisVector& place) const;
+  base::AxisVector placed(const base::AxisVector& target) const;
   void plan_repeats(const Block& block, DrillCycle::Plan& plan);
   void plan_dwell(const Block& block, DrillCycle::Plan& plan);
   void plan_pecks(const Block& block, DrillCycle::Plan& plan);
@@ -50,6 +54,9 @@ class CannedCycles : Part {
   Outbox& outbox_;
   std::optional<Series> series_;
   DrillCycle cycle_;
+  // In a tilted plane the cycle is told in the program's coordinates, else in the machine's.
+  bool is_tilted_ = false;
+  base::AxisVector at_{};  // where it stands
   Feed cycle_feed_;
 };
 

@@ -42,6 +42,11 @@ void Interpreter::dispatch(Code code, const Block& block) {
       return probing_.probe(block);
     case Code::G52:
       return offsets_.set_local(block);
+    case Code::G53_1:
+    case Code::G253:
+      curves_.forget_tangent();
+      cycles_.end_series();
+      return tilted_planes_.orient(block);
     case Code::G92:
     case Code::G92_1:
     case Code::G92_2:

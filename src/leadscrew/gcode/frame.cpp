@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/gcode/tilted_plane.hpp>
 #include <leadscrew/kinematics/transformation.hpp>
 #include <numbers>
 
@@ -47,8 +48,10 @@ Matrix3 turn(double degrees, std::size_t first, std::size_t second) {
   return result;
 }
 
-Matrix3 inverse_of(const Matrix3& m) {
-  Matrix3 cofactors{};
+}  // namespace
+
+Frame::Matrix Frame::inverse_of(const Matrix& m) {
+  Matrix cofactors{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
@@ -56,14 +59,12 @@ Matrix3 inverse_of(const Matrix3& m) {
     }
   }
   const double determinant = m[0][0] * cofactors[0][0] + m[0][1] * cofactors[0][1] + m[0][2] * cofactors[0][2];
-  Matrix3 result{};
+  Matrix result{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) result[i][j] = cofactors[j][i] / determinant;
   }
   return result;
 }
-
-}  // namespace
 
 // Of X, Y and Z; the others as they are.
 base::AxisVector Frame::times(const Matrix& matrix, const base::AxisVector& vector) {
@@ -75,6 +76,7 @@ base::AxisVector Frame::times(const Matrix& matrix, const base::AxisVector& vect
 }
 
 void Frame::combine() {
+  if (plane_) return combine_tilted();
   const Matrix rotation = turn(system_.rotation, 0, 1);
   matrix_ = product(rotation, transform_matrix_);
   offset_only_ = matrix_ == identity;

@@ -6,6 +6,11 @@
 // origin and R, a turn about Z, belong to the coordinate system in force (G54 … G59.3, G10 L2), shift to G92, tool to
 // G43 (LinuxCNC, "Coordinate Systems": the G92 offset turns with the system). Q is what a program does to its own
 // coordinates: mirror, scaling, turn (G51.1, G51, G68), in this order (Fanuc).
+//
+// In a tilted working plane (G68.2) the program's coordinates, behind Q, are those of the plane T, and the rest is the
+// machine's kinematics for the rotary axes as they stand:
+//
+//     tip in the workpiece = R(T(Q(program)) + shift) + origin        machine = axes that hold the tip there, with the tool
 
 #include <array>
 #include <cstddef>
@@ -20,6 +25,9 @@ struct Machine;
 }
 
 namespace leadscrew::gcode {
+
+struct PlaneInForce;
+struct TiltedPlane;
 
 /// An origin and a turn about Z.
 struct CoordinateSystem {
@@ -65,6 +73,18 @@ class Frame {
   /// Where the axes are while the program stands at a place.
   base::AxisVector axes_of(const base::AxisVector& place) const;
 
+  /// A tilted working plane, of a machine with a chain of rotary axes. The position stays the same place.
+  [[gnu::cold]] void begin_tilted_plane(const TiltedPlane& plane, const machine::Machine& machine);
+  [[gnu::cold]] void end_tilted_plane();
+  bool is_tilted() const { return plane_ != nullptr; }
+  const PlaneInForce* tilted_plane() const { return plane_.get(); }
+  /// In a tilted plane, after the position of a rotary axis has changed.
+  [[gnu::cold]] void follow_rotary_axes() { combine(); }
+  /// Of a tilted plane, seen from the workpiece as it lies with all rotary axes at 0: a unit vector.
+  std::array<double, 3> plane_normal() const;
+  /// In a tilted plane: does the tool, from its tip to the spindle, point along the program's axis, within 1e-4 rad?
+  bool is_tool_along(base::Axis axis) const;
+
   const ProgramTransform& transform() const { return transform_; }
   void set_transform(const ProgramTransform& transform);
 
@@ -90,10 +110,12 @@ class Frame {
 
  private:
   void combine();
+  [[gnu::cold]] void combine_tilted();
 
   using Matrix = std::array<std::array<double, 3>, 3>;
 
   static base::AxisVector times(const Matrix& matrix, const base::AxisVector& vector);
+  static Matrix inverse_of(const Matrix& matrix);
 
   CoordinateSystem system_;
   ProgramTransform transform_;
@@ -101,6 +123,7 @@ class Frame {
   base::AxisVector tool_{};
   std::shared_ptr<const kinematics::Transformation> tip_control_;
   bool takes_vectors_ = false;
+  std::shared_ptr<const PlaneInForce> plane_;
   // Q(p) = transform_matrix_ p + transform_offset_; machine = matrix_ p + offset_; p = inverse_ (machine − offset_), of
   // X, Y and Z.
   Matrix transform_matrix_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

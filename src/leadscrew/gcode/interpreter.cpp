@@ -16,6 +16,7 @@ Interpreter::Interpreter(const Context& context)
       lathe_cycles_(context, motion_, travel_),
       probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
+      tilted_planes_(context, travel_, outbox_),
       transforms_(context),
       polar_(context),
       saved_modes_(context, outbox_, offsets_),
@@ -54,7 +55,7 @@ void Interpreter::execute_special(Block block) {
 
 bool Interpreter::is_plain() const {
   return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open() &&
-         !modal_.calls_macro;
+         !modal_.calls_macro && !tilted_planes_.is_unfinished();
 }
 
 void Interpreter::end_contour() {
@@ -93,6 +94,7 @@ void Interpreter::begin_block(const Block& block) {
   curves_.check(block);
   modal_.to_do = check_.motion_of(block);
   check_.check(block);
+  if (frame_.is_tilted()) tilted_planes_.check(block);
   if (reporter_.failed()) reporter_.mute();
 
   motion_.set_feed(block);
@@ -193,10 +195,16 @@ void Interpreter::end(base::Line line) {
 void Interpreter::set_modes(const Block& block) {
   modal_.plane = plane_after(block, modal_);
   if (block.has(Group::units)) frame_.length_unit = block.is(Code::G20) ? 25.4 : 1;
+  if (block.has(Group::user)) offsets_.switch_tip_control(block);
   offsets_.set_tool_length(block);
   if (block.is(Code::G43_5)) vectors_.begin(block);
   if (block.has(Group::system)) {
     offsets_.select_system(block);
+  }
+  if (block.has(Group::rotation) || tilted_planes_.is_unfinished()) {
+    const bool was_tilted = frame_.is_tilted();
+    tilted_planes_.set(block);
+    if (was_tilted != frame_.is_tilted()) cycles_.end_series();
   }
   transforms_.set(block);
   if (block.has(Group::path)) set_path_control(block);

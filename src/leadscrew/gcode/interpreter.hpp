@@ -18,6 +18,7 @@
 #include <leadscrew/gcode/probing.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
 #include <leadscrew/gcode/threading.hpp>
+#include <leadscrew/gcode/tilted_planes.hpp>
 #include <leadscrew/gcode/transforms.hpp>
 #include <leadscrew/gcode/vector_moves.hpp>
 
@@ -95,6 +96,7 @@ class Interpreter : Part {
   LatheCycles lathe_cycles_;
   Probing probing_;
   Offsets offsets_;
+  TiltedPlanes tilted_planes_;
   Transforms transforms_;
   Polar polar_;
   SavedModes saved_modes_;

@@ -25,6 +25,7 @@ struct ModalState {
   double polar_radius = 0;  ///< the last ones, as they were written
   double polar_angle = 0;   ///< degrees
   bool diameters = false;   ///< G7: X is a diameter
+  bool tip_by_m = false;    ///< M428: tool centre point control stays on whatever the tool length
   int system = 1;           ///< the coordinate system in force: 1 … 9 for G54 … G59.3, 10 … for G54.1 P1 …
 
   PathMode path_mode = PathMode::blend;       ///< of the program

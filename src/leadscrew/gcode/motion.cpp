@@ -125,6 +125,7 @@ void Motion::line_to(const Block& block, const base::AxisVector& target, const F
   line.end = target;
   line.feed = feed;
   frame_.position = target;
+  if (frame_.is_tilted()) frame_.follow_rotary_axes();
 }
 
 }  // namespace leadscrew::gcode

@@ -48,15 +48,27 @@ void Offsets::set_tool_length(const Block& block) {
     }
   }
   frame_.set_tool(offset);
-  if (code == Code::G43_4 || code == Code::G43_5) begin_tip_control(block);
+  const bool is_of_tip = code == Code::G43_4 || code == Code::G43_5;
+  if (is_of_tip) modal_.tip_by_m = false;
+  if (is_of_tip || modal_.tip_by_m) begin_tip_control(block.column_of(Group::tool_length));
+}
+
+// LinuxCNC's configurations of five axes have these (its manual, "Switchable Kinematics").
+void Offsets::switch_tip_control(const Block& block) {
+  if (block.is(Code::M428) && !frame_.tip_control()) {
+    begin_tip_control(block.column_of(Group::user));
+    modal_.tip_by_m = frame_.tip_control() != nullptr;
+  } else if (block.is(Code::M429)) {
+    if (frame_.tip_control()) frame_.end_tip_control();
+    modal_.tip_by_m = false;
+  }
 }
 
 // From here on the program says where the tip is (Fanuc, "Tool center point control", type 1): its coordinates are those
 // of the workpiece as it lies with all rotary axes at 0.
-void Offsets::begin_tip_control(const Block& block) {
+void Offsets::begin_tip_control(std::uint32_t column) {
   if (!machine_.rotary_chain) {
-    error("tip-control", block.column_of(Group::tool_length),
-          "tool centre point control on a machine whose rotary axes have no kinematics",
+    error("tip-control", column, "tool centre point control on a machine whose rotary axes have no kinematics",
           "kinematics = \"table-table-ac\" in the machine file, or another of its names");
     return;
   }

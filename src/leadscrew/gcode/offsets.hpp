@@ -14,6 +14,8 @@ class Offsets : Part {
   void begin();
   /// G43, G43.1, G43.2, G49.
   void set_tool_length(const Block& block);
+  /// M428, M429.
+  [[gnu::cold]] void switch_tip_control(const Block& block);
   /// G54 … G59.3, G54.1 P1 … P300, G154 P1 … P99.
   void select_system(const Block& block);
   /// By their numbers: 1 … 9 for G54 … G59.3, 10 … for G54.1 P1 ….
@@ -31,7 +33,7 @@ class Offsets : Part {
 
  private:
   void note_missing_table(const Block& block);
-  void begin_tip_control(const Block& block);
+  void begin_tip_control(std::uint32_t column);
   bool fails_under_tip_control(const Block& block);
   const machine::Tool* tool_of(const Block& block, bool& known);
   void set_tool(const Block& block, int kind);

@@ -55,6 +55,7 @@ void SavedModes::bring_back(const Kept& kept) {
   if (modal_.system != before.system) offsets_.select_system(before.system);
   if (frame_.tip_control()) frame_.end_tip_control();
   frame_.set_tool(kept.tool_length);
+  if (modal_.tip_by_m) frame_.begin_tip_control(machine_);
   bring_back_machine(before);
 }
 

@@ -155,6 +155,14 @@ Vector3<T> direction_of(const Chain& chain, const Angles<T>& degrees) {
   return direction;
 }
 
+/// A vector of the workpiece as the machine sees it.
+template <typename T>
+Vector3<T> in_machine(const Chain& chain, const Angles<T>& degrees, Vector3<T> vector) {
+  for (std::size_t i = 0; i < chain.table_count(); ++i)
+    detail::rotate(vector, chain.turns()[i], numeric::sines_of_degrees(degrees[i]));
+  return vector;
+}
+
 /// Compiled once, with the room; whoever is near to it may have it inline.
 extern template Coordinates<double> machine_of(const Chain&, const Coordinates<double>&, const Vector&);
 extern template Coordinates<double> pose_of(const Chain&, const Coordinates<double>&, const Vector&);

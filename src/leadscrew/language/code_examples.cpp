@@ -133,6 +133,11 @@ constexpr Example examples[] = {
     {Code::G7, "G7 G0 X20\nG8"},
     {Code::G8, "G8 G0 X20"},
     {Code::G68, "G68 X0 Y0 R30\nG0 X10\nG69"},
+    {Code::G68_2, "G68.2 X10 Y0 Z5 I90 J30 K0\nG53.1\nG1 X5 Y5 F600\nG69"},
+    {Code::G268, "G268 X10 Y0 Z5 I30 J0 K0\nG253\nG1 X5 Y5 F600\nG269"},
+    {Code::G269, "G269"},
+    {Code::G53_1, "G68.2 I90 J30 K0\nG53.1 P1\nG69"},
+    {Code::G253, "G268 I30\nG253\nG269"},
     {Code::G69, "G69"},
     {Code::G15, "G15"},
     {Code::G16, "G16\nG0 X10 Y30\nG15"},
@@ -175,6 +180,8 @@ constexpr Example examples[] = {
     {Code::G66, "G66 P1001 Z-5\nG0 X10\nX20\nG67\nM30\nO1001\nG91 G1 Z#26 F100\nG0 Z[0-#26]\nG90\nM99"},
     {Code::G65, "G65 P1001 A10\nM30\nO1001\nG0 X#1\nM99"},
     {Code::M100, "M100 P1 Q2"},
+    {Code::M428, "M428\nG1 X10 A15 C30 F600\nM429"},
+    {Code::M429, "M429"},
 };
 // clang-format on
 
