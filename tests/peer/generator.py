@@ -325,7 +325,7 @@ class Program(Further):
             self.block("G4 P0.1")
         first, second = self.plane
         words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.7)]
-        if words or not self.other_level:  # once more at the same hole is not joined by rapids
+        if not self.other_level:  # behind a block that is refused, or that stays at the hole, no rapids join
             words += [self.word(normal, self.value(-30, 5))] if self.chance(0.12) else []
             words += [self.word("R", self.value(1, 12))] if self.chance(0.12) else []
         repeats = words and not self.other_level and code not in self.NO_REPEATS

@@ -93,7 +93,8 @@ struct ReaderOptions {
   std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
   bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
   ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31
-  bool repeats = false;  ///< M99 in the main program: goes on from its beginning; otherwise ends it
+  bool warns_of_unset = false;  ///< lint-unset-parameter: a numbered parameter is read that never had a value
+  bool repeats = false;         ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a
