@@ -38,7 +38,7 @@
 // A diagnostic's `source` is the line of its place, with as many bytes as the text has, so that the caret stands at its
 // column; lines of more than 200 bytes are cut there, and a column beyond 180 of such a line has no `source`. An axis
 // that leaves its travel is reported once until it is back, and no block moves meanwhile; an axis that the machine
-// lacks is reported once. After 100 errors reading stops.
+// lacks is reported once. After 100 errors reading stops, and after 10 000 that only come again in a loop.
 
 #include <cstdint>
 #include <functional>
