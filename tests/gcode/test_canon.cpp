@@ -45,6 +45,18 @@ std::string with_path_mode(const std::string& expected) {
   return "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n" + expected + "PROGRAM_END()\n";
 }
 
+TEST(Canon, TheSameNumberIsAnotherFeedInAnotherUnit) {
+  EXPECT_EQ(calls("G20 G61\nG1 X1 F10\nG21\nF10 X2\nM2\n"),
+            "USE_LENGTH_UNITS(CANON_UNITS_INCHES)\n"
+            "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+            "SET_FEED_RATE(10.0000)\n"
+            "STRAIGHT_FEED(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "USE_LENGTH_UNITS(CANON_UNITS_MM)\n"
+            "SET_FEED_RATE(10.0000)\n"
+            "STRAIGHT_FEED(2.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+            "PROGRAM_END()\n");
+}
+
 TEST(Canon, LinesStandInCoordinatesOfTheProgram) {
   EXPECT_EQ(calls("G21 G61\nG10 L2 P1 X1 Y2 Z3 R30\nG0 X4 Y1\nG92 X5\nG43.1 Z3\nG1 X4 A3 F300\nM2\n"),
             "SET_G5X_OFFSET(1, 1.0000, 2.0000, 3.0000, 0.0000, 0.0000, 0.0000)\n"

@@ -188,6 +188,19 @@ TEST(Diagnostics, ShowTheBeginningOfLongLines) {
   EXPECT_EQ(far.source, "");
 }
 
+TEST(Diagnostics, EndWhereALoopOnlyRepeatsErrors) {
+  Conditions conditions;
+  conditions.options.fuel = 50'000'000;
+  const Reading reading = read("#1=10\no1 while [1]\n#1=[#1*#1]\no1 endwhile\nM2\n", conditions);
+  EXPECT_EQ(reading.problems(), "3:7 expression-domain; 3:7 too-many-problems; ");
+}
+
+// Visits of a line are counted modulo a million.
+TEST(Diagnostics, ComeOnceHoweverOftenALoopPasses) {
+  EXPECT_EQ(read("#1=0\no1 while [#1 LT 1100000]\n#1=[#1+1] (a (b) c)\no1 endwhile\nM2\n").problems(),
+            "3:14 nested-comment; ");
+}
+
 TEST(Diagnostics, EndAfterAHundredErrors) {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += "?\n";

@@ -154,6 +154,15 @@ TEST(DialectForms, WhatPrintersHeatIsPassedOver) {
   EXPECT_EQ(reading.of(Move::Kind::dwell).size(), 1u);
 }
 
+// Fanuc 0i operator's manual, "Scaling": the magnification counts thousandths, as P500 in common use.
+TEST(DialectForms, FanucScalesByThousandths) {
+  EXPECT_EQ(
+      ends(read_in(Dialect::fanuc, "G51 X0 Y0 Z0 P500\nG0 X10 Y4\nG51 X0 Y0 Z0 I2000 J-1000 K1.\nX1 Y1 Z3\nM30\n")),
+      (std::vector<Point>{{5, 2, 0}, {2, -1, 3}}));
+  EXPECT_EQ(ends(read_in(Dialect::fanuc, "G51 X0 Y0 Z0 P.5\nG0 X10\nM30\n")), (std::vector<Point>{{5, 0, 0}}));
+  EXPECT_EQ(ends(read_in(Dialect::haas, "G51 X0 Y0 Z0 P2\nG0 X10\nM30\n")), (std::vector<Point>{{20, 0, 0}}));
+}
+
 TEST(DialectForms, MarlinGoesHomeStraight) {
   const Reading reading = read_in(Dialect::marlin, "G0 X5 Y6 Z7\nG28 X Y\nG0 X1\nG28\n");
   EXPECT_EQ(reading.problems(), "");

@@ -43,6 +43,22 @@ TEST(Macros, AreCalledWithLetters) {
   EXPECT_EQ(macro_xs("G65 P8000 A1\nM30\nO8000\nIF [#2 EQ #0] GOTO 5\nG0 X1\nN5 G0 X2\nM99\n"), "2 ");
 }
 
+// Fanuc 0i operator's manual, "Local variables" and "Macro call nesting": #1 to #33 are of a level, which G65 begins and
+// M99 ends, and M98 does not.
+TEST(Macros, HaveThirtyThreeVariablesALevel) {
+  const std::string main = "#1=1\n#31=31\n#33=33\n";
+  EXPECT_EQ(macro_xs(main + "G65 P8000 B2\nG0 X[#31+#33+#1]\nM30\nO8000\n"
+                            "IF [#33 NE #0] GOTO 9\nIF [#31 NE #0] GOTO 9\nIF [#1 NE #0] GOTO 9\n"
+                            "#33=5\n#31=6\nG65 P8001\nG0 X[#31+#33]\nN9 M99\n"
+                            "O8001\nIF [#33 NE #0] GOTO 9\nG0 X2\n#33=8\nN9 M99\n"),
+            "2 11 65 ");
+  EXPECT_EQ(macro_xs(main + "M98 P8000\nG0 X#33\nM30\nO8000\nG0 X[#31+#33]\n#33=7\nM99\n"), "64 7 ");
+  EXPECT_EQ(
+      macro_xs("#33=9\nG65 P8000 I0 J0 K0 I0 J0 K0 I0 J0 K0 I0 J0 K0 I0 J0 K0 I0 J0 K0 I0 J0 K0 I0 J0 K0 I0 J0 K0 "
+               "I31 J32 K33\nG0 X#33\nM30\nO8000\nG0 X[#31-#32*10+#33*10]\nM99\n"),
+      "41 9 ");
+}
+
 TEST(Macros, TellWhatIsWrong) {
   const struct {
     std::string_view text, problems;

@@ -110,5 +110,14 @@ TEST(CodePage, IsTheOneInTheDocuments) {
   EXPECT_TRUE(page.str() == code_page()) << "script/gcode writes docs/gcode.md anew";
 }
 
+TEST(Explanations, GoOnBehindSettings) {
+  const auto text = explanation("#1=[2+3]g1 X#1#2=1 MOD 2 + LN[5]", Dialect::fanuc);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->find("#1=[2+3] "), 0u) << *text;
+  EXPECT_NE(text->find("G1 "), std::string::npos) << *text;
+  EXPECT_NE(text->find("X#1 "), std::string::npos) << *text;
+  EXPECT_NE(text->find("#2=1 MOD 2 + LN[5] "), std::string::npos) << *text;
+}
+
 }  // namespace test_explanations
 }  // namespace leadscrew::language

@@ -13,6 +13,7 @@ std::string found_in(std::string_view text, std::optional<double> stock_top = {}
   const machine::ToolTable tools;
   gcode::ReaderOptions options;
   options.dialect = machine.dialect;
+  options.warns_of_unset = true;
   std::string found;
   gcode::Reader reader(gcode::text_source(text), machine, tools, options, [&](const base::Diagnostic& each) {
     if (each.severity == base::Severity::note) return;
@@ -64,6 +65,20 @@ TEST(Lint, FindsFeedsThatLookLikeInches) {
   EXPECT_EQ(found_in(ready + "G21 G1 X50 F12\nM2\n"), "4 lint-feed-unit; ");
   EXPECT_EQ(found_in(ready + "G20\nG1 X2 F12\nM2\n"), "");
   EXPECT_EQ(found_in(ready + "G21 G1 Z1 F12\nM2\n"), "");
+}
+
+TEST(Lint, FindsParametersThatWereNeverSet) {
+  const std::string set = "#1=1\n#<n>=300\n#300=0\n", read = "G0 X[#1+#300] Y#5421\nG0 X##<n>\n";
+  EXPECT_EQ(found_in(set + "G0 X[EXISTS[#2]]\nM2\n"), "");
+  EXPECT_EQ(found_in(set + "#300=1\n" + read + "M2\n"), "");
+  EXPECT_EQ(found_in("G0 X#2\nG0 Y[#3+#1234]\nM2\n"),
+            "1 lint-unset-parameter; 2 lint-unset-parameter; 2 lint-unset-parameter; ");
+  EXPECT_EQ(found_in("o1 while [#7 LT 3]\n#7=[#7+#8]\n#8=1\no1 endwhile\nM2\n"),
+            "1 lint-unset-parameter; 2 lint-unset-parameter; 2 lint-unset-parameter; ");
+  EXPECT_EQ(found_in("o1 sub\nG0 X#2\no1 endsub\no1 call [5]\nM2\n"), "");  // arguments are given, as 0
+  machine::Machine fanuc = gcode::nine_axes();
+  fanuc.dialect = machine::Dialect::fanuc;
+  EXPECT_EQ(found_in("IF [#2 EQ #0] THEN #2=1\nG0 X#2\nM30\n", {}, fanuc), "");
 }
 
 TEST(Lint, TellsAFewOfEachKind) {

@@ -78,6 +78,7 @@ class Motion:
         self.feed, self.start = feed, start
         self.rotary = False
         self.in_step = False  # with the spindle: its feed is not F
+        self.behind_curve = False  # whose end is not printed: where this begins is not known
 
     def difference(self, other):
         """From what the other reader, leadscrew, makes of the same block."""
@@ -125,6 +126,7 @@ def motions(text):
     most_speed, surface_speed = [0.0, 0.0], None  # of G96
     overrides = {"FEED_OVERRIDE": True, "SPEED_OVERRIDE": True}  # whether they are enabled
     position, told_in = [0.0] * 9, 1.0  # machine, mm and degrees, from numbers in this unit
+    behind_curve = False
     for line in text.splitlines():
         call = CALL.match(line)
         if not call:
@@ -178,6 +180,7 @@ def motions(text):
                     continue  # what is so already
                 overrides[what] = enabled == "EN"
             in_step = name == "START_SPEED_FEED_SYNC" or (in_step and name != "STOP_SPEED_FEED_SYNCH")
+            behind_curve = behind_curve or name == "NURBS_FEED"
             found.append(Motion(name, line, numbers, unit, frame, feed, None))
         elif name in STRAIGHT or name == "ARC_FEED":
             program = frame.to_program(position)
@@ -192,8 +195,9 @@ def motions(text):
             steps = [abs(a - b) for a, b in zip(target, position)]
             least = 3 * ROUNDING * (unit + told_in)
             motion.in_step = in_step
-            motion.rotary = max(steps[:3]) <= least and name != "ARC_FEED"
-            if name not in STRAIGHT or max(steps[:3]) > least or max(steps[3:6]) > 4 * ROUNDING:
+            motion.behind_curve, behind_curve = behind_curve and name in STRAIGHT, False
+            motion.rotary = max(steps[:3]) <= least and name != "ARC_FEED" and not motion.behind_curve
+            if name not in STRAIGHT or motion.behind_curve or max(steps[:3]) > least or max(steps[3:6]) > 4 * ROUNDING:
                 found.append(motion)
                 position[:len(target)], told_in = target, unit
     # The end of a program stops what turns and flows, allows overrides, and M30 changes the pallet.
@@ -211,8 +215,9 @@ def other_way(ours, i, theirs, j):
 
     NIST IR 6556, 3.5.16: a cycle begins with the axis of the hole at R or above, is then at the hole, and then at R. rs274
     goes by the level at which the series began: to a hole below R in one slanted rapid, or down to R before it is there.
+    Behind a change of units or offsets it retracts to the number of that level, where G98 asks for the place.
     """
-    for mine, its in ((2, 1), (2, 2), (1, 2), (3, 2), (2, 3)):
+    for mine, its in ((2, 1), (2, 2), (1, 2), (3, 2), (2, 3), (3, 3), (1, 3), (3, 1)):
         if not all(is_rapid(ours, i + k) for k in range(mine)) or not all(is_rapid(theirs, j + k) for k in range(its)):
             continue
         if theirs[j + its - 1].difference(ours[i + mine - 1]) is None:
@@ -221,14 +226,22 @@ def other_way(ours, i, theirs, j):
 
 
 def difference(ours, theirs, whole=True):
-    """Where two lists of motions part, in words, and how often rapids before a hole lead another way there."""
+    """Where two lists of motions part, in words, and how often rapids before a hole lead another way there.
+
+    A straight call behind a curve that ours does not have leads nowhere: to where the curve ended, which is not printed.
+    """
     i = j = ways = 0
     while i < len(ours) and j < len(theirs):
         found = theirs[j].difference(ours[i])
         steps = other_way(ours, i, theirs, j) if found else (1, 1)
+        if steps is None and theirs[j].behind_curve:
+            j += 1
+            continue
         if steps is None:
             return f"motion {i + 1}: {found}\n  ours   {ours[i].text}\n  theirs {theirs[j].text}", ways
         i, j, ways = i + steps[0], j + steps[1], ways + bool(found)
+    while j < len(theirs) and theirs[j].behind_curve:
+        j += 1
     if whole and (i < len(ours) or j < len(theirs)):
         rest = ours[i] if i < len(ours) else theirs[j]
         return f"{len(ours)} motions, theirs {len(theirs)}; one goes on:\n  {rest.text}", ways

@@ -2,6 +2,9 @@
 revolution, surface speed, tool tables, local shifts, blocks that mix codes, and calls within calls."""
 
 
+import re
+
+
 class Further:
     """A part of generator.Program."""
 
@@ -83,8 +86,8 @@ class Further:
             self.block("G49")
             self.tool = False
         before = self.modes()
+        self.begin_keeping()
         self.block("M70")
-        self.keeping = True
         for _ in range(self.random.randint(1, 3)):
             self.mode()
         self.keeping = False
@@ -95,6 +98,13 @@ class Further:
         self.block("M72")
         self.bring_back(before)
         return self.after_kept()
+
+    def begin_keeping(self):
+        """rs274 stops no coolant that came on beside another, disables nothing, and loses M53 where G64 changes as well."""
+        self.keeping = True
+        self.wet = any(re.search(r"M[78](?!\d)", line) for line in self.lines)
+        self.disabled = any("M49" in line or "M50 P0" in line for line in self.lines)
+        self.changes_path = self.chance(0.5)
 
     def modes(self):
         return (self.inches, self.incremental, self.absolute_arcs, self.inverse, self.plane, self.system, self.rotated, self.diameters)
@@ -107,10 +117,10 @@ class Further:
         if self.tool:
             self.block("G49")
             self.tool = False
+        self.begin_keeping()
         before, lines, self.lines = self.modes(), self.lines, []
         label = self.label()
         self.lines += [f"{label} sub", "M73"]
-        self.keeping = True
         for _ in range(self.random.randint(1, 3)):
             self.mode()
         self.keeping = False

@@ -2,9 +2,8 @@
 expressions, parameters and flow, most of them sound and some not; further.py has the rest.
 
 What is left out on purpose: a change of units while a tool offset is in force, which rs274 does not convert; R of G10
-while G92 shifts, where rs274 jumps; and under G98 a change of units or offsets within a series of canned cycles, after
-which rs274 retracts to the number, not the place, of the level at which the series began; the same under G91, where R
-counts from that level; pecks of less than 0.254 mm, between which rs274 goes above R; axis words of G28 and G30 in a
+while G92 shifts, where rs274 jumps; under G91 a change of units or of the offset along the hole within a series of canned
+cycles, where R counts from the level at which the series began, of which rs274 keeps the number, not the place; pecks of less than 0.254 mm, between which rs274 goes above R; axis words of G28 and G30 in a
 turned system, of which rs274 makes axes of the program; M6 behind a tool offset, a curve or with a turned system, after
 which rs274 believes to stand elsewhere; F0 under G93; do behind a break, after which rs274 makes one pass only; a kept
 feed that no F has followed under another feed mode, which rs274 loses; and G43 H0 behind G10 L1, L10 or L11, since rs274
@@ -21,7 +20,7 @@ class Program(Further):
         self.random = random.Random(seed)
         self.flow = flow
         self.lines, self.subs = [], []
-        self.keeping = False  # modes, by M70 or M73
+        self.keeping = self.wet = self.disabled = self.changes_path = False  # modes, by M70 or M73
         self.inches = self.incremental = self.absolute_arcs = self.inverse = self.diameters = False
         self.plane, self.rotated, self.tool = "XY", False, False
         self.systems_turned, self.shift_kept = set(), False
@@ -115,20 +114,24 @@ class Program(Further):
             self.absolute_arcs = self.chance(0.5)
             self.block("G90.1" if self.absolute_arcs else "G91.1")
         elif kind == 4:
-            self.block(self.random.choice(["G61", "G61.1", "G64", "G64 P0.01", "G64 P0.02 Q0.01"]))
+            paths = ["G61", "G61.1", "G64", "G64 P0.01", "G64 P0.02 Q0.01"]
+            self.block("M9" if self.keeping and not self.changes_path else self.random.choice(paths))
         elif kind == 5:
             self.inverse = not self.inverse
             self.block("G93" if self.inverse else f"G94 F{self.random.randint(10, 900)}")
         elif kind == 6:
             self.block(self.random.choice(["G98", "G99"]))
         elif kind == 7:
-            self.block(self.random.choice(["M3 S1000", "M4", "M5", "M7", "M8", "M9", "S500", "G40", "M0", "M1", "G80"]))
+            coolant = ["M9"] if self.keeping and self.wet else ["M7", "M8", "M9"]
+            self.block(self.random.choice(["M3 S1000", "M4", "M5", *coolant, "S500", "G40", "M0", "M1", "G80"]))
         else:
-            overrides = [] if self.keeping else ["M51 P0", "M52", "M52 P0"]  # rs274 brings none of these back
-            self.block(self.random.choice(overrides + ["G4 P0.5", "G4 P0", "T1", "T2" if self.place_unsure or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
+            others = [] if self.keeping else ["M51 P0", "M52", "M52 P0"]  # rs274 brings none of these back
+            others += [] if self.keeping and self.changes_path else ["M53 P0", "M53"]
+            others += [] if self.keeping and self.disabled else ["M48", "M49", "M50 P0", "M50"]
+            self.block(self.random.choice(others + ["G4 P0.5", "G4 P0", "T1", "T2" if self.place_unsure or self.systems_turned else "T2 M6", "G97 S300", "/G0 X1", "(a remark)", "",
                                            "M62 P1", "M63 P0", "M64 P3", "M65 P2", "M67 E1 Q2.5", "M68 E0 Q[1/3]", "M60",
-                                           "M19 R45.5", "M19 R90 P2 Q1.5", "M48", "M49", "M50 P0", "M50", "M53 P0",
-                                           "M53", "M66 P1 L0", "M66 E2"]))
+                                           "M19 R45.5", "M19 R90 P2 Q1.5",
+                                           "M66 P1 L0", "M66 E2"]))
 
     # Motion
 
@@ -253,7 +256,7 @@ class Program(Further):
     # Canned cycles
 
     CYCLES = {"G73": "Q", "G74": "P", "G81": "", "G82": "P", "G83": "Q", "G84": "P", "G85": "", "G86": "P", "G89": "P"}
-    # rs274 taps along the axes of G17 in all planes, and takes no L with the two below G81.
+    # rs274 feeds to wrong places in other planes, and takes no L with the two below G81.
     TAPS = ("G74", "G84")
     NO_REPEATS = ("G73", "G74")
 
@@ -262,8 +265,11 @@ class Program(Further):
             self.inverse = False
             self.block(f"G94 F{self.random.randint(10, 900)}")
         code = self.random.choice(self.cycles)
-        if (self.rotated or code in self.TAPS) and self.plane != "XY":
-            self.block(self.set_plane("XY"))
+        if self.rotated or code in self.TAPS:
+            if self.plane != "XY":
+                self.block(self.set_plane("XY"))
+        elif self.chance(0.6):
+            self.block(self.set_plane())
         first, second = self.plane
         normal = next(axis for axis in "XYZ" if axis not in self.plane)
         self.block("G90 G0", self.word(normal, self.value(-5, 12) if self.chance(0.2) else self.value(16, 25)))
@@ -277,48 +283,60 @@ class Program(Further):
         words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.8)]
         words += [self.word(normal, bottom), self.word("R", clear)]
         words += [f"P{self.random.uniform(0, 2):.2f}"] if "P" in self.CYCLES[code] else []
-        words += [self.word("Q", abs(self.value(1.013, 7.177)))] if "Q" in self.CYCLES[code] else []
+        words += [self.word("Q", self.value(1.013, 7.177, self.decimals()))] if "Q" in self.CYCLES[code] else []
         words += [f"L{self.random.randint(1, 3)}"] if self.chance(0.15) and code not in self.NO_REPEATS else []
-        self.moved = False  # units or the system have changed since the series began
+        # Units or coordinates have changed since the series began; and so that G98 leads rs274 to another level.
+        self.moved = self.other_level = False
         self.retract = self.random.choice(["G98", "G99"])
         self.block(self.retract, code, *words)
-        for _ in range(self.random.randint(0, 4)):
+        for _ in range(self.random.randint(0, 5)):
             self.within_series(code, normal)
-        if self.chance(0.7):
+        if self.other_level:
+            self.block("G80 G90 G0", *(self.word(axis, self.value(-10, 10)) for axis in "XYZ"))
+            self.incremental = False
+        elif self.chance(0.7):
             self.block("G80")
         else:
             self.block("G0", self.word(first, self.value(-10, 10)))
 
     def within_series(self, code, normal):
-        kind = self.random.random()
-        if 0.14 <= kind < 0.28 and self.retract == "G98":
-            self.retract = "G99"
-            self.block("G99")
+        kind = 0.2 if self.chance(0.15) else self.random.random()
+        # Rapids must join the holes, so that both are at the same place again behind the other level of G98.
+        joined = self.retract == "G99" or code in ("G81", "G82", "G85") or (code in ("G83", "G73") and kind >= 0.27)
         if kind < 0.08:
             self.retract = "G99"
             self.block("G99")
-        elif kind < 0.14:
+        elif kind < 0.12:
             self.block(f"F{self.random.randint(10, 500)}")
-        elif kind < 0.18 and not self.incremental and code not in ("G83", "G73"):
+        elif kind < 0.22 and joined and not self.incremental and code not in ("G83", "G73"):
             self.set_units()
-            self.moved = True
-        elif kind < 0.22 and not self.moved:
+            self.change_place(normal)
+        elif kind < 0.27 and not self.moved:
             self.block(self.set_distance())
-        elif kind < 0.25 and not self.incremental:
+        elif kind < 0.32 and joined and not self.incremental:
             self.select_system()
-            self.moved = True
-        elif kind < 0.28 and not self.systems_turned and not self.incremental:
-            self.block("G92", self.word("X", self.value(-9, 9)))
-            self.shift_kept = self.moved = True
-        elif kind < 0.30:
+            self.change_place(normal)
+        elif kind < 0.37 and not self.systems_turned:
+            axis = self.random.choice("XYZ" if joined and not self.incremental and not self.other_level else self.plane)
+            self.block("G92", self.word(axis, self.value(-9, 9)))
+            self.shift_kept = True
+            self.change_place(axis)
+        elif kind < 0.39 and not self.other_level:
             self.block("G4 P0.1")
         first, second = self.plane
         words = [self.word(axis, self.value(-30, 30)) for axis in (first, second) if self.chance(0.7)]
-        words += [self.word(normal, self.value(-30, 5))] if self.chance(0.12) else []
-        words += [self.word("R", self.value(1, 12))] if self.chance(0.12) else []
-        words += [f"L{self.random.randint(1, 3)}"] if words and self.chance(0.08) and code not in self.NO_REPEATS else []
+        if not self.other_level:  # behind a block that is refused, or that stays at the hole, no rapids join
+            words += [self.word(normal, self.value(-30, 5))] if self.chance(0.12) else []
+            words += [self.word("R", self.value(1, 12))] if self.chance(0.12) else []
+        repeats = words and not self.other_level and code not in self.NO_REPEATS
+        words += [f"L{self.random.randint(1, 3)}"] if repeats and self.chance(0.08) else []
         if words:
             self.block(self.random.choice(["", "", "", code]), *words)
+
+    def change_place(self, axis):
+        """Within a series: where the place at which it began has another number along this axis."""
+        self.moved = True
+        self.other_level = self.other_level or (self.retract == "G98" and axis not in self.plane)
 
     # Offsets
 
@@ -546,7 +564,8 @@ def program(seed, flow=True, cycles=tuple(Program.CYCLES)):
     wrong = made.random.randrange(statements) if made.broken else -1
     for i in range(statements):
         if i == wrong:
-            made.lines.append(made.random.choice(made.WRONG))
+            wrong_block = made.random.choice(made.WRONG)
+            made.lines.append("G1 X" if made.inverse and "F0" in wrong_block else wrong_block)
         made.statement()
     made.lines.append(made.random.choice(["M2", "M30"]))
     return "\n".join(made.lines) + "\n"

@@ -8,6 +8,9 @@ HEAD = """    1 N..... USE_LENGTH_UNITS(CANON_UNITS_MM)
 """
 
 
+CURVE = "NURBS_FEED(3, ...)"
+
+
 def text(*lines):
     return HEAD + "".join(f"  {i + 4:3} N1009870{line}\n" for i, line in enumerate(lines))
 
@@ -36,6 +39,8 @@ SAME = [
     ([line(1, 0, 0)], ["SET_FEED_RATE(7.0000)", line(1, 0, 0)]),  # rapids have no feed
     ([line(0, 0, 5), line(4, 0, 5)], [line(4, 0, 5)]),  # a hole reached another way
     ([arc()], [arc()]),
+    ([CURVE, line(1, 0, 0)], [CURVE, line(4, 5, 0), line(1, 0, 0)]),  # where the curve ended
+    ([CURVE], [CURVE, line(4, 5, 0)]),
     ([arc(10, 5.001)], [arc(10, 5.0015)]),  # a centre that is off
 ]
 OTHER = [
@@ -48,6 +53,9 @@ OTHER = [
     (["SET_XY_ROTATION(1.0000)", line(1, 2, 3)], [line(1, 2, 3)]),
     (["USE_LENGTH_UNITS(CANON_UNITS_INCHES)", line(1, 2, 3)], [line(1, 2, 3)]),
     (["DWELL(1.0000)"], ["DWELL(1.1000)"]),
+    ([CURVE, line(1, 0, 0)], [CURVE, line(1, 0, 1)]),
+    ([CURVE, line(1, 0, 0)], [CURVE]),
+    ([CURVE], [CURVE, line(4, 5, 0), line(4, 6, 0)]),
     ([arc()], [arc(turns=1)]),
     ([arc()], [arc(cy=0.0005)]),
 ]

@@ -127,6 +127,7 @@ gcode::ReaderOptions Job::reader_options() const {
   options.tolerance = arguments.tolerance;
   options.fuel = arguments.fuel.value_or(options.fuel);
   options.parameters = parameters;
+  options.warns_of_unset = arguments.lint;
   return options;
 }
 

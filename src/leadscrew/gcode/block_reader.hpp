@@ -14,7 +14,7 @@ class BlockReader {
   BlockReader(const Context& context, const Predefined& predefined)
       : parameters_(context.parameters),
         reporter_(context.reporter),
-        values_(context.parameters, predefined, context.reporter, context.options.dialect),
+        values_(context.parameters, predefined, context.reporter, context.options),
         remarks_(context, predefined),
         dialect_(context.options.dialect),
         block_delete_(context.options.block_delete) {}

@@ -167,6 +167,7 @@ void CanonWriter::begin(std::string& text) {
 void CanonWriter::write_frame(const Frame& frame, int system, std::string& text) {
   if (frame.length_unit != printed_.unit) {
     printed_.unit = frame.length_unit;
+    printed_.feed = 0;  // of the other unit
     call(printed_.unit == 1 ? "USE_LENGTH_UNITS(CANON_UNITS_MM)\n" : "USE_LENGTH_UNITS(CANON_UNITS_INCHES)\n", text);
   }
   if (system != printed_.system || frame.system().origin != printed_.origin) {

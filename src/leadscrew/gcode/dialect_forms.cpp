@@ -41,6 +41,10 @@ constexpr std::array<FormRow, static_cast<std::size_t>(Form::count)> all_forms =
      "G28 U0 W0"},
     {Form::home_by_letters, {in_marlin}, "G28 takes axes without numbers and goes home straight", "G28 X Y"},
     {Form::repeats_by_k, {in_fanuc}, "K of a canned cycle is how often it is done", "G91 G81 X5 Z-3 R-2 K4"},
+    {Form::scale_in_thousandths,
+     {in_fanuc},
+     "P, I, J and K of G51 are thousandths where they are written without a point",
+     "G51 X0 Y0 P2000"},
     {Form::rapid_at_start, {in_haas, in_grbl}, "G0 is in force where a program begins", "G90 X10 Y5"},
     {Form::end_of_text,
      {in_leadscrew, in_fanuc, in_haas, in_grbl, in_mach3, in_marlin},
@@ -67,6 +71,7 @@ constexpr bool forms_in_order() {
 static_assert(forms_in_order());
 
 constexpr double milliseconds = 1e-3;  // s
+constexpr double thousandths = 1e-3;
 
 // Whether a word's number is written out in digits without a point; what is computed counts as that.
 bool is_whole(const TextLine& line, std::uint32_t column) {
@@ -118,6 +123,7 @@ void DialectForms::rewrite(Block& block, const TextLine& line) {
   follow_g80(block);
   drop_idle_words(block);
   if (block.is(Code::G4)) rewrite_dwell(block, line);
+  if (block.is(Code::G51) && has(Form::scale_in_thousandths)) rewrite_scale(block, line);
   if (block.is(Code::G28) || block.is(Code::G30)) rewrite_home(block);
   const Code motion = block.has(Group::motion) ? block.code(Group::motion) : modal_.motion;
   if (is_canned_cycle(motion) && !block.is(Code::G4)) rewrite_cycle(block, line);
@@ -182,6 +188,12 @@ void DialectForms::rewrite_home(Block& block) const {
     move_word(block, letter, absolute);
     if (distance_after(block, modal_) == Distance::incremental) continue;
     block.value[static_cast<std::size_t>(absolute - 'A')] += program[base::index(axis)] / frame_.length_unit;
+  }
+}
+
+void DialectForms::rewrite_scale(Block& block, const TextLine& line) const {
+  for (const char letter : {'P', 'I', 'J', 'K'}) {
+    if (block.has(letter) && is_whole(line, block.column_of(letter))) move_word(block, letter, letter, thousandths);
   }
 }
 

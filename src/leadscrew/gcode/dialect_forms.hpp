@@ -21,6 +21,7 @@ enum class Form : std::uint8_t {
   incremental_home,
   home_by_letters,
   repeats_by_k,
+  scale_in_thousandths,
   rapid_at_start,
   end_of_text,
   program_name,
@@ -57,6 +58,7 @@ class DialectForms : Part {
   void drop_idle_words(Block& block) const;
   void rewrite_dwell(Block& block, const TextLine& line) const;
   void rewrite_home(Block& block) const;
+  [[gnu::cold]] void rewrite_scale(Block& block, const TextLine& line) const;
   void rewrite_cycle(Block& block, const TextLine& line) const;
   void drop_extruder(Block& block);
 

@@ -238,9 +238,9 @@ bool ExpressionReader::numbered(int number, const char* begin, double& value) {
     value = vacant;
     return true;
   }
-  const double unset = has_macros(dialect_) ? vacant : 0;
   if (number < Predefined::first_macro_number) {
-    value = parameters_.value_or(number, unset);
+    if (!parameters_.has(number)) return never_set(number, begin, value);
+    value = parameters_.value_or(number, 0);
     return true;
   }
   if (has_macros(dialect_)) {
@@ -252,7 +252,19 @@ bool ExpressionReader::numbered(int number, const char* begin, double& value) {
     return refuse_macro_number(number, begin);
   }
   const std::optional<double> predefined = predefined_.get(number);
-  value = predefined ? *predefined : parameters_.value_or(number, unset);
+  if (!predefined && !parameters_.has(number)) return never_set(number, begin, value);
+  value = predefined ? *predefined : parameters_.value_or(number, 0);
+  return true;
+}
+
+// Macros ask whether a variable is vacant; elsewhere it is 0, which is seldom meant.
+bool ExpressionReader::never_set(int number, const char* begin, double& value) {
+  value = has_macros(dialect_) ? vacant : 0;
+  if (warns_of_unset_ && !has_macros(dialect_)) {
+    reporter_.warning("lint-unset-parameter", reporter_.column(begin),
+                      "#" + std::to_string(number) + " was never set, and is 0",
+                      "set it in a block before this one: #" + std::to_string(number) + "=...");
+  }
   return true;
 }
 

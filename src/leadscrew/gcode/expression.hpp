@@ -27,8 +27,13 @@ class ExpressionReader {
   /// A value that is none: of a variable of Fanuc's macros that was not set.
   static constexpr double vacant = std::numeric_limits<double>::quiet_NaN();
 
-  ExpressionReader(const Parameters& parameters, const Predefined& predefined, Reporter& reporter, Dialect dialect)
-      : parameters_(parameters), predefined_(predefined), reporter_(reporter), dialect_(dialect) {}
+  ExpressionReader(const Parameters& parameters, const Predefined& predefined, Reporter& reporter,
+                   const ReaderOptions& options)
+      : parameters_(parameters),
+        predefined_(predefined),
+        reporter_(reporter),
+        dialect_(options.dialect),
+        warns_of_unset_(options.warns_of_unset) {}
 
   /// Any real value. Plain numbers, nearly all there is, are read in place.
   [[gnu::always_inline]] bool value(const char*& p, double& value) {
@@ -71,6 +76,7 @@ class ExpressionReader {
   bool parameter(const char*& p, double& value, int depth);
 
   bool numbered(int number, const char* begin, double& value);
+  [[gnu::cold]] bool never_set(int number, const char* begin, double& value);
   bool named(const std::string& name, const char* begin, double& value);
   [[gnu::cold]] bool refuse_macro_number(int number, const char* begin);
 
@@ -78,6 +84,7 @@ class ExpressionReader {
   const Predefined& predefined_;
   Reporter& reporter_;
   Dialect dialect_;
+  bool warns_of_unset_;
   std::string joined_;  // a number written with blanks in it, without them
 };
 

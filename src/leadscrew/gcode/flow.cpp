@@ -18,7 +18,7 @@ Flow::Flow(ProgramText& text, const Context& context, const Predefined& predefin
       modal_(context.modal),
       reporter_(context.reporter),
       options_(context.options),
-      values_(parameters_, predefined, reporter_, options_.dialect),
+      values_(parameters_, predefined, reporter_, options_),
       statements_(values_, reporter_, options_.dialect, options_.block_delete),
       fuel_(options_.fuel) {
   // Jumps lead to blocks before them.

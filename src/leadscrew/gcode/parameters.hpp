@@ -49,6 +49,7 @@ class Parameters {
 
   /// std::nullopt where no value was ever given, or is not now; 1 ≤ number ≤ last.
   std::optional<double> get(int number) const;
+  bool has(int number) const { return given_[static_cast<std::size_t>(number)]; }  ///< a value; 1 ≤ number ≤ last
   double value_or(int number, double otherwise) const {
     const auto i = static_cast<std::size_t>(number);
     return given_[i] ? numbered_[i] : otherwise;

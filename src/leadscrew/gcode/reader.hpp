@@ -38,7 +38,7 @@
 // A diagnostic's `source` is the line of its place, with as many bytes as the text has, so that the caret stands at its
 // column; lines of more than 200 bytes are cut there, and a column beyond 180 of such a line has no `source`. An axis
 // that leaves its travel is reported once until it is back, and no block moves meanwhile; an axis that the machine
-// lacks is reported once. After 100 errors reading stops.
+// lacks is reported once. After 100 errors reading stops, and after 10 000 that only come again in a loop.
 
 #include <cstdint>
 #include <functional>
@@ -93,7 +93,8 @@ struct ReaderOptions {
   std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
   bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
   ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31
-  bool repeats = false;  ///< M99 in the main program: goes on from its beginning; otherwise ends it
+  bool warns_of_unset = false;  ///< lint-unset-parameter: a numbered parameter is read that never had a value
+  bool repeats = false;         ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a

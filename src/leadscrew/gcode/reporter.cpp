@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::int64_t most_errors = 100;
 constexpr std::int64_t most_warnings = 100;
+constexpr std::int64_t most_repeated_errors =
+    10'000;                                      // of errors that were said: an error in a loop takes no more time
 constexpr std::size_t longest_source = 200;      // bytes of a line that a diagnostic carries
 constexpr std::int64_t last_shown_column = 180;  // further to the right, the beginning of the line says nothing
 
@@ -116,12 +118,15 @@ bool Reporter::error_where_kept(std::string_view code, std::string message, std:
   return error_at(kept_line_, kept_column_, kept_text_, code, std::move(message), std::move(hint), subject);
 }
 
-// The same place in another visit. At most 200 are said in all.
+// The same place in another visit, which becomes the one to compare with: they are counted modulo a million. At most 200
+// are said in all.
 bool Reporter::was_said(std::string_view code, base::Line line, std::int64_t column) {
-  for (const Said& said : said_) {
-    if (said.code == code && said.column == column && base::number(said.line) == base::number(line) &&
-        base::file(said.line) == base::file(line) && said.line != line)
+  for (Said& said : said_) {
+    if (said.code == code && said.column == column && base::place_of(said.line) == base::place_of(line) &&
+        said.line != line) {
+      said.line = line;
       return true;
+    }
   }
   said_.push_back({code, column, line});
   return false;
@@ -129,15 +134,21 @@ bool Reporter::was_said(std::string_view code, base::Line line, std::int64_t col
 
 bool Reporter::error_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code,
                         std::string message, std::string hint, base::Subject subject) {
-  if (muted_ || full_ || was_said(code, line, column)) return false;
+  if (muted_ || full_) return false;
   const base::Place place = place_of(line, column);
-  ++errors_;
-  send(base::Severity::error, code, place, std::move(message), std::move(hint), source_of(text, place.column), subject);
-  if (errors_ < most_errors) return false;
+  if (was_said(code, line, column)) {
+    if (++repeats_ < most_repeated_errors) return false;
+  } else {
+    ++errors_;
+    send(base::Severity::error, code, place, std::move(message), std::move(hint), source_of(text, place.column),
+         subject);
+    if (errors_ < most_errors) return false;
+  }
   full_ = true;
+  const std::int64_t most = repeats_ < most_repeated_errors ? most_errors : most_repeated_errors;
   ++errors_;
-  send(base::Severity::error, "too-many-problems", place,
-       "reading stops after " + std::to_string(most_errors) + " errors", "is this a part program?",
+  send(base::Severity::error, "too-many-problems", place, "reading stops after " + std::to_string(most) + " errors",
+       most == most_errors ? "is this a part program?" : "the errors of a loop come each time: correct them first",
        source_of(text, place.column));
   return false;
 }

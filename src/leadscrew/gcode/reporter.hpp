@@ -111,6 +111,7 @@ class Reporter {
   std::string kept_text_;
   std::int64_t errors_ = 0;
   std::int64_t warnings_ = 0;
+  std::int64_t repeats_ = 0;  // errors of further visits, which are not told
   bool failed_ = false;
   bool muted_ = false;
   bool full_ = false;

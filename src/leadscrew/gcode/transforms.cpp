@@ -70,7 +70,7 @@ bool Transforms::set_scale(const Block& block, ProgramTransform& transform) {
   }
   if (any) return true;
   return error("missing-word", block.column_of(Group::scaling), "G51 does not say how much",
-               by_axes ? "G51 X2 Y2" : "G51 X0 Y0 P2");
+               by_axes ? "G51 X2 Y2" : "G51 X0 Y0 P2.");
 }
 
 bool Transforms::set_turn(const Block& block, ProgramTransform& transform) {

@@ -45,8 +45,8 @@ Code code_of(const Token& word, Dialect dialect) {
   return tenths % 10 == 0 ? gcode::m_code(dialect, tenths / 10) : Code::none;
 }
 
-std::string first_line(std::string_view name, std::string_view text) {
-  return fmt::format("{:<{}}{}\n", name, name_width, text);
+std::string first_line(std::string_view name, std::string_view text, std::size_t width = name_width) {
+  return fmt::format("{:<{}}{}{}\n", name, width, name.size() < width ? "" : "  ", text);
 }
 std::string further_line(std::string_view text) {
   return fmt::format("{:{}}{}\n", "", name_width, text);
@@ -63,7 +63,7 @@ std::string word_line(char letter, std::string_view value, const WordMeaning& me
   std::string text(meaning.meaning);
   if (!meaning.unit.empty())
     text += literal ? fmt::format(": {} {}", value, meaning.unit) : fmt::format(", {}", meaning.unit);
-  return fmt::format("  {:<{}}{}\n", fmt::format("{}{}", letter, value.empty() ? "_" : value), name_width - 2, text);
+  return "  " + first_line(fmt::format("{}{}", letter, value.empty() ? "_" : value), text, name_width - 2);
 }
 
 // Other meanings of the same number, in other dialects.

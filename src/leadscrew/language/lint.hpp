@@ -1,5 +1,6 @@
 #pragma once
-// What a program says that runs and is surely not meant: `check --lint`.
+// What a program says that runs and is surely not meant: `check --lint`. What is seen in values alone, parameters that
+// were never set, the reader tells (ReaderOptions::warns_of_unset).
 
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/gcode/frame.hpp>

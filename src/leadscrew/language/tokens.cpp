@@ -114,6 +114,7 @@ class Scanner {
       if (c == '[') ++depth;
       if (c == ']') --depth;
       if (depth == 0 && (c == '(' || c == ';')) break;
+      if (depth == 0 && behind_equals && is_word(end)) break;
       // A further setting, or a word, behind the value.
       if (c == '=') {
         const std::size_t next = line_.rfind('#', end);
@@ -125,6 +126,14 @@ class Scanner {
       }
     }
     take(Token::Kind::setting, end);
+  }
+
+  /// Whether a letter alone stands there, with a value: what functions and operators have more letters than.
+  bool is_word(std::size_t at) const {
+    if (!is_capital(capital(line_[at])) || is_capital(capital(line_[at - 1]))) return false;
+    std::size_t i = at + 1;
+    while (i < line_.size() && is_space(line_[i])) ++i;
+    return i < line_.size() && std::string_view("+-.#[0123456789").find(line_[i]) != std::string_view::npos;
   }
 
   /// A number, an expression, a parameter or a function, with signs before it.
