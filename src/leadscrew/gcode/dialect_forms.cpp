@@ -151,11 +151,19 @@ void DialectForms::drop_idle_words(Block& block) const {
     const char outside = plane == Plane::XY ? 'K' : plane == Plane::ZX ? 'J' : 'I';
     if (block.has(outside) && block[outside] == 0) drop(block, outside);
   }
-  if (has(Form::idle_d) && block.has('D') && !block.has(Group::cutter_radius)) drop(block, 'D');
+  if (has(Form::idle_d) && block.has('D')) drop_idle_d(block);
   constexpr std::uint32_t no_place = letter_bit('F') | letter_bit('N') | letter_bit('S') | letter_bit('T');
   if (has(Form::idle_g53) && block.is(Code::G53) && !(block.words & ~no_place)) {
     block.groups &= ~bit(Group::nonmodal);
   }
+}
+
+// D that no code of the block takes is that of the next cycle that needs one.
+void DialectForms::drop_idle_d(Block& block) const {
+  modal_.cutter = block['D'];
+  const Code code = block.code(Group::nonmodal);
+  const bool taken = block.has(Group::cutter_radius) || (code != Code::none && row(code).words.has('D'));
+  if (!taken) drop(block, 'D');
 }
 
 void DialectForms::rewrite_dwell(Block& block, const TextLine& line) const {

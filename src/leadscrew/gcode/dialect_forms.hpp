@@ -55,6 +55,7 @@ class DialectForms : Part {
   bool has(Form form) const { return (forms_ >> static_cast<unsigned>(form)) & 1u; }
   void follow_g80(Block& block);
   void drop_idle_words(Block& block) const;
+  [[gnu::cold]] void drop_idle_d(Block& block) const;
   void rewrite_dwell(Block& block, const TextLine& line) const;
   void rewrite_home(Block& block) const;
   void rewrite_cycle(Block& block, const TextLine& line) const;

@@ -25,6 +25,9 @@ void Interpreter::dispatch(Code code, const Block& block) {
       return curves_.add_to_nurbs_with_knots(block);
     case Code::G10:
       return offsets_.set_system(block);
+    case Code::G12:
+    case Code::G13:
+      return circular_pockets_.mill(block);
     case Code::G28:
     case Code::G30:
       curves_.forget_tangent();

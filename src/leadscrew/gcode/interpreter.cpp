@@ -14,6 +14,9 @@ Interpreter::Interpreter(const Context& context)
       cycles_(context, motion_, travel_, outbox_),
       threading_(context, motion_, travel_, outbox_),
       lathe_cycles_(context, motion_, travel_),
+      cutter_(context),
+      planned_(context, travel_, outbox_),
+      circular_pockets_(context, motion_, cutter_, planned_),
       probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
       transforms_(context),
@@ -116,6 +119,7 @@ void Interpreter::finish_block(const Block& block) {
   threading_.abandon();
   lathe_cycles_.abandon();
   vectors_.settle();
+  planned_.abandon();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }
@@ -172,8 +176,10 @@ bool Interpreter::next_with_vectors(Move& move) {
 }
 
 bool Interpreter::next_of_block(Move& move) {
-  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || lathe_cycles_.next(move, outbox_))
+  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || lathe_cycles_.next(move, outbox_) ||
+      planned_.next(move)) {
     return true;
+  }
   if (!stop_) return false;
   outbox_.prepare(move, Move::Kind::event, modal_.line);
   move.event = {*stop_, 0, modal_.line};

@@ -8,6 +8,7 @@
 // So an F word is read in the units that held before its block. Which part does what a code says is in dispatch.cpp.
 
 #include <leadscrew/gcode/block_check.hpp>
+#include <leadscrew/gcode/circular_pocket.hpp>
 #include <leadscrew/gcode/curves.hpp>
 #include <leadscrew/gcode/cycles.hpp>
 #include <leadscrew/gcode/lathe_cycles.hpp>
@@ -93,6 +94,9 @@ class Interpreter : Part {
   CannedCycles cycles_;
   Threading threading_;
   LatheCycles lathe_cycles_;
+  CutterRadius cutter_;
+  PlannedCycle planned_;
+  CircularPockets circular_pockets_;
   Probing probing_;
   Offsets offsets_;
   Transforms transforms_;

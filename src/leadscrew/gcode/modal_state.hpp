@@ -54,6 +54,7 @@ struct ModalState {
   bool feed_hold = true;
   std::optional<int> selected_tool;
   int loaded_tool = 0;
+  std::optional<double> cutter;  ///< the D given last, as it was written
 
   // The calls under way, and the fewest that were since a block was executed last.
   std::size_t calls = 0;

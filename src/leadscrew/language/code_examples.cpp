@@ -48,6 +48,8 @@ constexpr Example examples[] = {
     {Code::G4, "G4 P0.5"},
     {Code::G9, "G9 G1 X10 F600"},
     {Code::G10, "G10 L2 P1 X100 Y50 R30"},
+    {Code::G12, "G0 X10. Y5.\nG12 I4. Z-2. D0 F200."},
+    {Code::G13, "G0 X10. Y5.\nG13 I4. Z-2. D0 F200."},
     {Code::G28, "G0 X10 Z5\nG91 G28 Z0\nG90"},
     {Code::G28_1, "G28.1"},
     {Code::G30, "G30"},
