@@ -79,6 +79,7 @@ enum class Code : std::uint8_t {
   G17, G17_1, G18, G18_1, G19, G19_1, G90, G91, G90_1, G91_1, G93, G94, G95, G20, G21,
   G40, G41, G41_1, G42, G42_1, G43, G43_1, G43_2, G43_4, G43_5, G44, G49, G98, G99, G50, G51, G50_1, G51_1,
   G54, G55, G56, G57, G58, G59, G59_1, G59_2, G59_3, G54_1, G154, G61, G61_1, G64, G96, G97,
+  G90_turn, G92_thread, G94_face, G50_turn, G70_profile, G71_profile, G72_profile, G73_profile, G76_profile,
   G7, G8, G68, G69, G15, G16, G62, G63, G100, G101, G110, G67,
   M0, M1, M2, M30, M60, M62, M63, M64, M65, M66, M67, M68, M6, M61, M3, M4, M5, M19, M29, M56, M7, M8, M9,
   M48, M49, M50, M51, M52, M53, M70, M71, M72, M73, M97, M98, M99, G65, G66, M100,

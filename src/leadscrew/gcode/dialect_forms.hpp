@@ -22,6 +22,8 @@ enum class Form : std::uint8_t {
   home_by_letters,
   repeats_by_k,
   rapid_at_start,
+  incremental_letters,
+  tool_with_offset,
   end_of_text,
   program_name,
   checksum,
@@ -59,6 +61,7 @@ class DialectForms : Part {
   void rewrite_dwell(Block& block, const TextLine& line) const;
   void rewrite_home(Block& block) const;
   void rewrite_cycle(Block& block, const TextLine& line) const;
+  [[gnu::cold]] void rewrite_turning(Block& block, const TextLine& line) const;
   void drop_extruder(Block& block);
 
   std::uint32_t forms_ = 0;

@@ -17,6 +17,7 @@ Interpreter::Interpreter(const Context& context)
       cutter_(context),
       planned_(context, travel_, outbox_),
       circular_pockets_(context, motion_, cutter_, planned_),
+      turning_cycles_(context, motion_, threading_, outbox_),
       probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
       transforms_(context),
@@ -31,7 +32,16 @@ Interpreter::Interpreter(const Context& context)
   travel_.note_outside();
   if (options_.dialect == Dialect::leadscrew || options_.dialect == Dialect::linuxcnc)
     modal_.retract = Retract::r_level;
+  if (options_.dialect == Dialect::fanuc_lathe) begin_turning();
   set_path_control({});
+}
+
+// Lathes of Fanuc's G-code system A: X is a diameter, F of a revolution.
+void Interpreter::begin_turning() {
+  modal_.plane = Plane::ZX;
+  modal_.diameters = true;
+  modal_.is_plain = false;
+  modal_.feed_mode = FeedMode::per_revolution;
 }
 
 void Interpreter::execute(const Block& block, base::Line line) {
@@ -176,8 +186,10 @@ bool Interpreter::next_with_vectors(Move& move) {
 }
 
 bool Interpreter::next_of_block(Move& move) {
-  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || lathe_cycles_.next(move, outbox_) ||
-      planned_.next(move)) {
+  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || planned_.next(move)) return true;
+  if (lathe_cycles_.next(move, outbox_)) {
+    outbox_.clear();
+    if (modal_.constant_surface_speed && lathe_cycles_.is_profile()) events_.follow_surface();
     return true;
   }
   if (!stop_) return false;
@@ -221,8 +233,7 @@ void Interpreter::set_path_control(const Block& block) {
   switch (block.code(Group::path)) {
     case Code::G61:
       // LinuxCNC stops nowhere for it, Fanuc's and Haas' controllers do.
-      modal_.path_mode = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas ? PathMode::exact_stop
-                                                                                                 : PathMode::exact_path;
+      modal_.path_mode = is_of_fanuc_family(options_.dialect) ? PathMode::exact_stop : PathMode::exact_path;
       break;
     case Code::G62:
     case Code::G63:

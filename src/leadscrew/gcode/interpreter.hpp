@@ -21,6 +21,7 @@
 #include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/gcode/transforms.hpp>
 #include <leadscrew/gcode/vector_moves.hpp>
+#include <leadscrew/gcode/turning_cycles.hpp>
 
 namespace leadscrew::gcode {
 
@@ -67,6 +68,7 @@ class Interpreter : Part {
  private:
   /// What G7 and M73 do before a block.
   [[gnu::noinline]] void execute_special(Block block);
+  [[gnu::cold]] void begin_turning();
   void execute_in_axes(const Block& block);
   /// All that is checked and executed before the axes move.
   void begin_block(const Block& block);
@@ -97,6 +99,7 @@ class Interpreter : Part {
   CutterRadius cutter_;
   PlannedCycle planned_;
   CircularPockets circular_pockets_;
+  TurningCycles turning_cycles_;
   Probing probing_;
   Offsets offsets_;
   Transforms transforms_;
