@@ -116,7 +116,7 @@ TEST(CircularPockets, RefuseWhatIsNone) {
   EXPECT_EQ(problems("G18 G12 I8. D1"), "2:5 bad-plane; ");
   EXPECT_EQ(problems("G12 I8. L0.5 D1"), "2:9 bad-value; ");
   EXPECT_EQ(problems("G12 I600. D1"), "2:1 travel; ");
-  EXPECT_EQ(problems("G91 G12 I8. Z-300. L3 D1"), "2:13 travel; ");
+  EXPECT_EQ(problems("G91 G12 I8. Z-300. L3 D1"), "2:1 travel; ");
   EXPECT_EQ(problems("G51 X0 Y0 I1. J2.\nG12 I8. D1"), "3:1 unsupported-rotation; ");
   EXPECT_EQ(read("G12 I8. D1\nM30\n", with_tools()).problems(), "1:1 missing-feed; ");
   EXPECT_EQ(read("F9\nG12 I8. D1\nM30\n", in_dialect(Dialect::haas)).problems(), "2:9 no-tool-table; ");

@@ -112,6 +112,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_1_high_speed, 51, Group::nonmodal, {F, H}, "contour control, which is always on here", fanuc_manual, "QR"),
   g(Code::G8_high_speed, 80, Group::nonmodal, {F, H}, "look-ahead, which is always on here", fanuc_manual, "P"),
   g(Code::G103, 1030, Group::nonmodal, {L, H}, "limits look-ahead, which bounds itself here", haas_manual, "P"),
+  with_axes(g(Code::G150, 1500, Group::nonmodal, {H}, "pocket of the contour of subprogram P", haas_manual, "PQRIJKD", "P")),
   g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness: E is what P of G64 is", haas_manual, "PE"),
 
   g(Code::G17, 170, Group::plane, all, "plane XY", "NIST IR 6556, 3.5.6"),

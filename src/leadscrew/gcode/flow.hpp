@@ -55,6 +55,8 @@ class Flow {
   [[gnu::cold]] Next call_contour(double number, std::uint32_t at, const TextLine& line);
   /// Calls the blocks P to Q of the program that a lathe cycle has for its contour.
   [[gnu::cold]] Next call_profile(const Block& cycle, const TextLine& line);
+  /// Calls the subprogram P that a pocket has for its contour: from the block of that number on, or a program.
+  [[gnu::cold]] Next call_pocket(const Block& cycle, const TextLine& line);
   /// The number of the block that ends the contour.
   bool is_end_of_profile(const Block& block) const {
     return !calls_.empty() && calls_.back().kind == CallKind::profile && block.has('N') &&
@@ -168,7 +170,7 @@ class Flow {
   bool find_label(std::int64_t number, TextLine& line, const Statement& at, Label& label);
   bool scan_label(std::int64_t number, const TextPlace& from, Label& label, int& count);
 
-  // flow_profiles.cpp: call_profile(), end_profile()
+  // flow_profiles.cpp: call_profile(), end_profile(), call_pocket()
 
   // flow_modal_calls.cpp
   Next begin_modal_call(Call call, const Statement& at);

@@ -34,4 +34,28 @@ Flow::Next Flow::end_profile() {
   return end_call(std::nullopt, at);
 }
 
+Flow::Next Flow::call_pocket(const Block& cycle, const TextLine& line) {
+  text_.keep(line);
+  TextLine of_block = line;
+  Statement at;
+  at.column = cycle.column_of('P');
+  StatementName number = 0;
+  if (!statements_.number(cycle['P'], at.column, number)) return Next::stop;
+  Label label;
+  int count = 0;
+  if (!scan_label(static_cast<std::int64_t>(number), program_begin(), label, count) || !return_to_line(of_block))
+    return Next::stop;
+  Call call{.kind = CallKind::block_number, .name = number};
+  if (count > 0) {
+    call.body = label.place;
+    call.program = program_begin();
+    return begin_call(std::move(call), at);
+  }
+  const Sub* const sub = find_sub(number, true, of_block);
+  if (!sub) return Next::stop;
+  call.kind = CallKind::program;
+  call.body = call.program = sub->body;
+  return begin_call(std::move(call), at);
+}
+
 }  // namespace leadscrew::gcode

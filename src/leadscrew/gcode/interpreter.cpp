@@ -17,6 +17,7 @@ Interpreter::Interpreter(const Context& context)
       cutter_(context),
       planned_(context, travel_, outbox_),
       circular_pockets_(context, motion_, cutter_, planned_),
+      pocket_cycle_(context, motion_, cutter_, planned_),
       turning_cycles_(context, motion_, threading_, outbox_),
       probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
@@ -57,6 +58,7 @@ void Interpreter::execute_special(Block block) {
     if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
     return lathe_cycles_.add(block);
   }
+  if (pocket_cycle_.is_open()) return pocket_cycle_.add(block);
   if (saved_modes_.leave_calls()) set_path_control({});
   if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
   modal_.is_plain = false;
@@ -67,12 +69,12 @@ void Interpreter::execute_special(Block block) {
 
 bool Interpreter::is_plain() const {
   return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open() &&
-         !modal_.calls_macro;
+         !pocket_cycle_.is_open() && !modal_.calls_macro;
 }
 
 void Interpreter::end_contour() {
   outbox_.clear();
-  lathe_cycles_.end();
+  lathe_cycles_.is_open() ? lathe_cycles_.end() : pocket_cycle_.end();
   modal_.is_plain = is_plain();
 }
 
@@ -130,6 +132,7 @@ void Interpreter::finish_block(const Block& block) {
   lathe_cycles_.abandon();
   vectors_.settle();
   planned_.abandon();
+  pocket_cycle_.abandon();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }

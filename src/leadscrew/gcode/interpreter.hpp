@@ -15,6 +15,7 @@
 #include <leadscrew/gcode/machine_events.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
+#include <leadscrew/gcode/pocket_cycle.hpp>
 #include <leadscrew/gcode/polar.hpp>
 #include <leadscrew/gcode/probing.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
@@ -53,9 +54,12 @@ class Interpreter : Part {
 
   /// What the M66 handed out last has found.
   void input_is(double value) { events_.set_input(value); }
-  /// The block of the lathe cycle whose contour comes next, from the subprogram of its number Q to the end of that;
+  /// The block of the cycle whose contour comes next, from the subprogram of its number Q to the end of that;
   /// null where there is none. Blocks between are executed as the contour's.
-  const Block* contour() const { return lathe_cycles_.is_open() ? &lathe_cycles_.block() : nullptr; }
+  const Block* contour() const {
+    if (lathe_cycles_.is_open()) return &lathe_cycles_.block();
+    return pocket_cycle_.is_open() ? &pocket_cycle_.block() : nullptr;
+  }
   /// The contour's subprogram has ended.
   [[gnu::cold]] void end_contour();
   /// How the probing move of the block executed last has ended.
@@ -99,6 +103,7 @@ class Interpreter : Part {
   CutterRadius cutter_;
   PlannedCycle planned_;
   CircularPockets circular_pockets_;
+  PocketCycle pocket_cycle_;
   TurningCycles turning_cycles_;
   Probing probing_;
   Offsets offsets_;

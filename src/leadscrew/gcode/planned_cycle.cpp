@@ -6,18 +6,46 @@ void PlannedCycle::begin(const Block& block) {
   block_ = &block;
   moves_.clear();
   next_ = 0;
-  failed_ = false;
+  failed_ = is_kept_ = false;
   start_ = frame_.to_program(frame_.position);
   end_ = frame_.position;
   for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = start_[i];
 }
 
+void PlannedCycle::begin_kept(const Block& block) {
+  begin(block);
+  is_kept_ = true;
+}
+
+void PlannedCycle::fail(std::string_view code, std::string message, std::string hint) {
+  failed_ = true;
+  if (is_kept_) {
+    reporter_.error_where_kept(code, std::move(message), std::move(hint));
+  } else {
+    error(code, motion_column(*block_), std::move(message), std::move(hint));
+  }
+}
+
 bool PlannedCycle::has_room() {
   if (failed_) return false;
   if (moves_.size() < most_moves) return true;
-  failed_ = true;
-  return error("too-many-passes", motion_column(*block_),
-               "the cycle takes more than " + std::to_string(most_moves) + " moves", "greater steps");
+  fail("too-many-passes", "the cycle takes more than " + std::to_string(most_moves) + " moves", "greater steps");
+  return false;
+}
+
+// Of the axes that lie between two places.
+bool PlannedCycle::is_inside(const base::AxisVector& low, const base::AxisVector& high) {
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    const bool is_below = low[i] < travel_.low()[i];
+    if (!is_below && high[i] <= travel_.high()[i]) continue;
+    fail("travel",
+         std::string("axis ") + base::letter(axis) + " would be at " + text(is_below ? low[i] : high[i]) +
+             " mm, outside its travel",
+         "from " + text(travel_.low()[i]) + " to " + text(travel_.high()[i]) + " mm in machine coordinates");
+    return false;
+  }
+  return true;
 }
 
 // Axes that the cycle does not move, and that go by themselves, stay exactly where they are.
@@ -33,10 +61,6 @@ base::AxisVector PlannedCycle::placed(const std::array<double, 3>& place) const 
 }
 
 void PlannedCycle::add(const base::AxisVector& end, int turn, PlanePoint center, const Feed& feed) {
-  if (!travel_.inside_travel(*block_, end)) {
-    failed_ = true;
-    return;
-  }
   moves_.push_back({turn, {end[0], end[1], end[2]}, center, feed});
   end_ = end;
 }
@@ -45,16 +69,15 @@ void PlannedCycle::line(const std::array<double, 3>& to, const Feed& feed) {
   if (!has_room()) return;
   position_ = to;
   const base::AxisVector end = placed(to);
-  if (end != end_) add(end, 0, {}, feed);
+  if (end != end_ && is_inside(end, end)) add(end, 0, {}, feed);
 }
 
 void PlannedCycle::arc(PlanePoint to, PlanePoint center, int turn, const Feed& feed) {
   if (!has_room()) return;
   const double scale = frame_.circle_scale(base::Axis::X, base::Axis::Y);
   if (scale == 0) {
-    failed_ = true;
-    error("unsupported-rotation", motion_column(*block_), "arcs of the cycle are no circles of the machine",
-          "the cycle takes turns in its own plane, and equal scales");
+    fail("unsupported-rotation", "arcs of the cycle are no circles of the machine",
+         "the cycle takes turns in its own plane, and equal scales");
     return;
   }
   if (scale < 0) turn = -turn;
@@ -65,18 +88,18 @@ void PlannedCycle::arc(PlanePoint to, PlanePoint center, int turn, const Feed& f
   const ArcCircle circle = circle_by_center(start, in_plane(end, Plane::XY), in_plane(middle, Plane::XY), turn, 1,
                                             arc_tolerance(frame_.length_unit != 1));
   if (circle.problem != ArcCircle::Problem::none) {
-    add(end, 0, {}, feed);  // too short to be one
+    if (is_inside(end, end)) add(end, 0, {}, feed);  // too short to be one
     return;
   }
   end[0] = circle.end.first;
   end[1] = circle.end.second;
   const PlaneBox box = arc_extent(start, circle.end, circle.center, turn);
-  if (!travel_.bulge_inside(*block_, base::Axis::X, box.low.first, box.high.first) ||
-      !travel_.bulge_inside(*block_, base::Axis::Y, box.low.second, box.high.second)) {
-    failed_ = true;
-    return;
-  }
-  add(end, turn, circle.center, feed);
+  base::AxisVector low = end, high = end;
+  low[0] = box.low.first;
+  low[1] = box.low.second;
+  high[0] = box.high.first;
+  high[1] = box.high.second;
+  if (is_inside(low, high)) add(end, turn, circle.center, feed);
 }
 
 bool PlannedCycle::take(Move& move) {

@@ -15,6 +15,8 @@ class PlannedCycle : Part {
 
   /// A cycle of this block begins where the program stands. The block must outlive the calls that add moves.
   [[gnu::cold]] void begin(const Block& block);
+  /// The same of a block before, whose place the reporter has kept: problems are told there.
+  [[gnu::cold]] void begin_kept(const Block& block);
   /// Where the moves so far lead: X, Y and Z of the program, mm.
   const std::array<double, 3>& position() const { return position_; }
   PlanePoint place() const { return {position_[0], position_[1]}; }
@@ -43,6 +45,8 @@ class PlannedCycle : Part {
     Feed feed;
   };
 
+  void fail(std::string_view code, std::string message, std::string hint);
+  bool is_inside(const base::AxisVector& low, const base::AxisVector& high);
   bool has_room();
   base::AxisVector placed(const std::array<double, 3>& place) const;
   void add(const base::AxisVector& end, int turn, PlanePoint center, const Feed& feed);
@@ -57,6 +61,7 @@ class PlannedCycle : Part {
   std::vector<Planned> moves_;
   std::size_t next_ = 0;
   bool failed_ = false;
+  bool is_kept_ = false;
 };
 
 }  // namespace leadscrew::gcode

@@ -160,8 +160,9 @@ class Reader::Implementation {
   [[gnu::cold]] void follow_contour(const Block& cycle, const TextLine& line) {
     if (contour_calls_ == 0) {
       contour_calls_ = modal_.calls + 1;
-      follow(modal_.in_profile ? flow_.call_profile(cycle, line)
-                               : flow_.call_contour(cycle['Q'], cycle.column_of('Q'), line),
+      follow(cycle.is(Code::G150) ? flow_.call_pocket(cycle, line)
+             : modal_.in_profile  ? flow_.call_profile(cycle, line)
+                                  : flow_.call_contour(cycle['Q'], cycle.column_of('Q'), line),
              line.id);
     } else if (flow_.is_end_of_profile(block_)) {
       follow(flow_.end_profile(), line.id);
