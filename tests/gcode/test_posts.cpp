@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <leadscrew/gcode/dialect.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -34,6 +35,17 @@ std::set<std::string> not_read() {
   return names;
 }
 
+/// By the longest name of a dialect that the name begins with.
+std::optional<Dialect> dialect_of_post(const std::string& name) {
+  std::optional<Dialect> found;
+  for (std::size_t i = 0; i < index(Dialect::count); ++i) {
+    const auto dialect = static_cast<Dialect>(i);
+    const bool is_longer = !found || gcode::name(dialect).size() > gcode::name(*found).size();
+    if (is_longer && name.starts_with(std::string(gcode::name(dialect)) + "-")) found = dialect;
+  }
+  return found;
+}
+
 /// Axes X Y Z A B C, without U V W: as machines have them that these programs are for.
 machine::Machine six_axes() {
   machine::Machine machine = nine_axes();
@@ -42,11 +54,8 @@ machine::Machine six_axes() {
 }
 
 TEST(Posts, AreManyOfAllDialects) {
-  std::set<std::string> dialects;
-  for (const fs::path& path : posts()) {
-    const std::string name = path.filename().string();
-    dialects.insert(name.substr(0, name.find('-')));
-  }
+  std::set<std::optional<Dialect>> dialects;
+  for (const fs::path& path : posts()) dialects.insert(dialect_of_post(path.filename().string()));
   EXPECT_GE(posts().size(), 60u);
   EXPECT_EQ(dialects.size(), index(Dialect::count));
 }
@@ -54,7 +63,7 @@ TEST(Posts, AreManyOfAllDialects) {
 TEST(Posts, AreRead) {
   for (const fs::path& path : posts()) {
     const std::string name = path.filename().string();
-    const auto dialect = dialect_of(name.substr(0, name.find('-')));
+    const auto dialect = dialect_of_post(name);
     ASSERT_TRUE(dialect) << name;
     Conditions conditions;
     conditions.machine = six_axes();

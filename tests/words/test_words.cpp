@@ -12,10 +12,12 @@
 #include <fstream>
 #include <iterator>
 #include <leadscrew/gcode/tool_table.hpp>
+#include <leadscrew/machine/rotary_chain.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/study/named_curves.hpp>
 #include <map>
 #include <random_program.hpp>
+#include <regex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -100,6 +102,11 @@ std::map<std::string, Case> examples() {
     program.tools = tools;
     for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::C}) {
       program.machine.axes[base::index(axis)] = machine::AxisLimits{-1e5, 1e5, 60, 300, 6000, 0.001};
+    }
+    // A program that needs kinematics names the machine that has them.
+    std::smatch named;
+    if (std::regex_search(program.text, named, std::regex("machines/([a-z-]+)\\.toml"))) {
+      program.machine.rotary_chain = machine::preset_chain(named[1].str());
     }
   }
   return cases;

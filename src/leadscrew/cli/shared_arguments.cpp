@@ -37,10 +37,10 @@ void add_dialect(Command& command, Arguments& arguments) {
   for (std::size_t i = 0; i < machine::dialect_names.size(); ++i) {
     dialects.emplace_back(machine::dialect_names[i], static_cast<machine::Dialect>(i));
   }
-  command.choice<machine::Dialect>(
-      "--dialect", "NAME",
-      "What codes mean, in place of the machine's: leadscrew, linuxcnc, fanuc, haas, grbl, mach3 or marlin",
-      arguments.dialect, std::move(dialects));
+  command.choice<machine::Dialect>("--dialect", "NAME",
+                                   "What codes mean, in place of the machine's: leadscrew, linuxcnc, fanuc, haas, "
+                                   "grbl, mach3, marlin or fanuc-lathe",
+                                   arguments.dialect, std::move(dialects));
 }
 
 void add_flow(Command& command, Arguments& arguments) {

@@ -33,7 +33,8 @@ struct Block {
   std::array<std::uint32_t, 28> column;  ///< of each word
   std::array<Code, index(Group::count)> codes;
   std::array<std::uint32_t, index(Group::count)> code_columns;
-  std::int16_t user_code = 0;       ///< which number of Code::M100: 100 … 199, of Fanuc and Haas 10 … 199
+  std::int16_t user_code =
+      0;  ///< which number of Code::M100: 100 … 199, of Fanuc and Haas 10 … 199; of Code::G150 41, 42 or 0
   std::int16_t further_system = 0;  ///< of Code::G110: 1 … 20
   std::uint32_t first_column = 1;   ///< of the first word
   bool complete = true;             ///< the line was read to its end; otherwise words may be missing

@@ -169,7 +169,10 @@ void BlockCheck::check_words(const Block& block) {
 }
 
 void BlockCheck::check_axes(const Block& block) {
-  for (std::uint32_t rest = block.words & axis_letter_bits & ~machine_letters_; rest != 0; rest &= rest - 1) {
+  std::uint32_t lacking = block.words & axis_letter_bits & ~machine_letters_;
+  // U and W of Fanuc's lathe cycles are no axes.
+  if (lacking != 0 && block.has(Group::nonmodal)) lacking &= ~row(block.code(Group::nonmodal)).words.bits;
+  for (std::uint32_t rest = lacking; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
     const base::Axis axis = axis_of_letter(letter);
     if (!travel_.lacks(axis)) continue;

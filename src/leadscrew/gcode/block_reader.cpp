@@ -92,6 +92,7 @@ bool BlockReader::read(const TextLine& line, Block& block) {
     }
   }
   block.complete = in_step;
+  if (side_ != 0) set_side(block);
   if (!assignments_.empty()) assign(block);
   if (remark_.data() != nullptr) {
     if (in_step) remarks_.execute(remark_);
@@ -168,6 +169,7 @@ bool BlockReader::refuse_repeated(unsigned letter, std::uint32_t column) {
 bool BlockReader::g_word(double value, std::uint32_t column, Block& block) {
   const std::optional<int> tenths = tenths_of(value);
   const Code code = tenths ? g_code(dialect_, *tenths) : Code::none;
+  if (code == Code::G150) block.user_code = 0;
   if (code == Code::G110) block.further_system = static_cast<std::int16_t>(*tenths / 10 - 109);
   return code_word('G', code, value, column, block);
 }
@@ -215,7 +217,10 @@ bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
     block.code_columns[index(Group::motion)] = column;
     return true;
   }
-  if (!known.read) {
+  if (dialect_ == Dialect::haas && (code == Code::G41 || code == Code::G42)) {
+    side_ = code == Code::G41 ? 41 : 42;
+    side_column_ = column;
+  } else if (!known.read) {
     reporter_.error("unsupported-code", column, name(code) + " (" + known.summary + ") is not supported",
                     "docs/gcode.md lists what is");
   } else {
@@ -224,6 +229,18 @@ bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
                     "both are of " + name(known.group) + ": one block, one of them");
   }
   return true;
+}
+
+// Haas: G150 has G41 or G42 beside it, which say the side of its contour.
+void BlockReader::set_side(Block& block) {
+  if (block.is(Code::G150)) {
+    block.user_code = side_;
+  } else {
+    const CodeRow& known = row(side_ == 41 ? Code::G41 : Code::G42);
+    reporter_.error("unsupported-code", side_column_, name(known.code) + " (" + known.summary + ") is not supported",
+                    "docs/gcode.md lists what is");
+  }
+  side_ = 0;
 }
 
 bool BlockReader::assignment(const char*& p) {

@@ -9,8 +9,7 @@ namespace leadscrew::gcode {
 namespace {
 
 constexpr double seconds_in_minute = 60;
-constexpr std::size_t first_rotary = base::index(base::Axis::A);
-constexpr std::size_t first_uvw = base::index(base::Axis::U);
+constexpr std::size_t first_rotary = base::index(base::Axis::A), first_uvw = base::index(base::Axis::U);
 
 double length_of(const base::AxisVector& from, const base::AxisVector& to, std::size_t first) {
   return std::hypot(to[first] - from[first], to[first + 1] - from[first + 1], to[first + 2] - from[first + 2]);

@@ -7,10 +7,10 @@ namespace leadscrew::gcode {
 namespace {
 
 constexpr Dialect L = Dialect::leadscrew, C = Dialect::linuxcnc, F = Dialect::fanuc, H = Dialect::haas,
-                  B = Dialect::grbl, M = Dialect::mach3, R = Dialect::marlin;
-constexpr Dialects all{L, C, F, H, B, M, R};
-constexpr Dialects no_marlin{L, C, F, H, B, M};  // what every controller of machine tools has
-constexpr Dialects no_small{L, C, F, H, M};      // neither grbl nor Marlin
+                  B = Dialect::grbl, M = Dialect::mach3, R = Dialect::marlin, T = Dialect::fanuc_lathe;
+constexpr Dialects all{L, C, F, H, B, M, R, T};
+constexpr Dialects no_marlin{L, C, F, H, B, M, T};  // what every controller of machine tools has
+constexpr Dialects no_small{L, C, F, H, M, T};      // neither grbl nor Marlin
 constexpr Dialects linuxcnc{L, C};
 constexpr Dialects fanuc{L, F, H};  // Fanuc's and Haas', where LinuxCNC leaves the number free
 
@@ -61,35 +61,37 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_2, 52, Group::motion, linuxcnc, "NURBS with uniform knots: begins, or a control point", manual, "PL"),
   g(Code::G5_3, 53, Group::motion, linuxcnc, "NURBS with uniform knots: ends", manual),
   g(Code::G6_2, 62, Group::motion, {L, F}, "NURBS with knots", fanuc_manual, "PKR", "", "KR"),
-  g(Code::G33, 330, Group::motion, no_small, "line in step with the spindle, which is taken to turn at S", manual, "K"),
+  g(Code::G33, 330, Group::motion, no_small.without(T), "line in step with the spindle, which is taken to turn at S", manual, "K"),
   g(Code::G33_1, 331, Group::motion, linuxcnc, "rigid tapping in step with the spindle", manual, "KI", "K"),
   g(Code::G38_2, 382, Group::motion, {L, C, B, R}, "probes to contact, which must come", manual),
   g(Code::G38_3, 383, Group::motion, {L, C, B, R}, "probes to contact", manual),
   g(Code::G38_4, 384, Group::motion, {L, C, B, R}, "probes to loss of contact, which must come", manual),
   g(Code::G38_5, 385, Group::motion, {L, C, B, R}, "probes to loss of contact", manual),
-  also(g(Code::G73, 730, Group::motion, no_small, "drilling cycle that breaks chips", manual, "RLQ"), "PIJK"),
-  also(g(Code::G74, 740, Group::motion, no_small, "left-hand tapping cycle", manual, "RLP"), "QJ"),
+  also(g(Code::G73, 730, Group::motion, no_small.without(T), "drilling cycle that breaks chips", manual, "RLQ"), "PIJK"),
+  also(g(Code::G74, 740, Group::motion, no_small.without(T), "left-hand tapping cycle", manual, "RLP"), "QJ"),
   g(Code::G76, 760, Group::motion, linuxcnc, "threading cycle", manual, "PIJKRQHLE", "PIJK"),
   g(Code::G76_bore, 760, Group::motion, {F, H, M}, "fine boring cycle: the tool leaves the wall before it retracts", fanuc_manual, "RLPQIJ"),
   g(Code::G80, 800, Group::motion, all, "no motion is in force", "NIST IR 6556, 3.5.15"),
-  g(Code::G81, 810, Group::motion, no_small, "drilling cycle", nist_cycles, "RL"),
-  g(Code::G82, 820, Group::motion, no_small, "drilling cycle with a dwell at the bottom", nist_cycles, "RLP"),
-  also(g(Code::G83, 830, Group::motion, no_small, "deep-hole drilling cycle: retracts to R after each peck", nist_cycles, "RLQ"), "PIJK"),
-  also(g(Code::G84, 840, Group::motion, no_small, "right-hand tapping cycle", manual, "RLP"), "QJ"),
-  g(Code::G85, 850, Group::motion, no_small, "boring cycle: out at feed", nist_cycles, "RL"),
-  g(Code::G86, 860, Group::motion, no_small, "boring cycle: spindle stops, out at rapid", nist_cycles, "RLP"),
-  also(g(Code::G87, 870, Group::motion, no_small, "back-boring cycle", nist_cycles, "RLIJK"), "QP"),
-  g(Code::G88, 880, Group::motion, no_small, "boring cycle: spindle stops, out by hand", nist_cycles, "RLP"),
-  g(Code::G89, 890, Group::motion, no_small, "boring cycle with a dwell at the bottom: out at feed", nist_cycles, "RLP"),
+  g(Code::G81, 810, Group::motion, no_small.without(T), "drilling cycle", nist_cycles, "RL"),
+  g(Code::G82, 820, Group::motion, no_small.without(T), "drilling cycle with a dwell at the bottom", nist_cycles, "RLP"),
+  also(g(Code::G83, 830, Group::motion, no_small.without(T), "deep-hole drilling cycle: retracts to R after each peck", nist_cycles, "RLQ"), "PIJK"),
+  also(g(Code::G84, 840, Group::motion, no_small.without(T), "right-hand tapping cycle", manual, "RLP"), "QJ"),
+  g(Code::G85, 850, Group::motion, no_small.without(T), "boring cycle: out at feed", nist_cycles, "RL"),
+  g(Code::G86, 860, Group::motion, no_small.without(T), "boring cycle: spindle stops, out at rapid", nist_cycles, "RLP"),
+  also(g(Code::G87, 870, Group::motion, no_small.without(T), "back-boring cycle", nist_cycles, "RLIJK"), "QP"),
+  g(Code::G88, 880, Group::motion, no_small.without(T), "boring cycle: spindle stops, out by hand", nist_cycles, "RLP"),
+  g(Code::G89, 890, Group::motion, no_small.without(T), "boring cycle with a dwell at the bottom: out at feed", nist_cycles, "RLP"),
 
   g(Code::G4, 40, Group::nonmodal, all, "dwell", "NIST IR 6556, 3.5.4", "P", "P"),
   g(Code::G9, 90, Group::nonmodal, fanuc, "exact stop at the end of this block", fanuc_manual),
   with_axes(g(Code::G10, 100, Group::nonmodal, no_marlin, "sets a coordinate system or a tool", manual, "PLRIJQ", "LP")),
+  with_axes(g(Code::G12, 120, Group::nonmodal, {H, M}, "circular pocket, clockwise; in mach3 a circle", haas_manual, "IKQLD", "I")),
+  with_axes(g(Code::G13, 130, Group::nonmodal, {H, M}, "circular pocket, counterclockwise; in mach3 a circle", haas_manual, "IKQLD", "I")),
   with_axes(g(Code::G28, 280, Group::nonmodal, all, "goes home, by the point given", "NIST IR 6556, 3.5.8")),
   g(Code::G28_1, 281, Group::nonmodal, {L, C, B, M}, "home of G28 is where the tool stands", manual),
   with_axes(g(Code::G30, 300, Group::nonmodal, no_marlin, "goes to the second home, by the point given", "NIST IR 6556, 3.5.8", "")),
   g(Code::G30_1, 301, Group::nonmodal, {L, C, B}, "home of G30 is where the tool stands", manual),
-  with_axes(g(Code::G31, 310, Group::nonmodal, {L, F, H, M}, "skip: a line that contact of the probe ends", fanuc_manual, "P")),
+  with_axes(g(Code::G31, 310, Group::nonmodal, {L, F, H, M, T}, "skip: a line that contact of the probe ends", fanuc_manual, "P")),
   with_axes(g(Code::G52, 520, Group::nonmodal, no_small, "local coordinate system", manual)),
   g(Code::G53, 530, Group::nonmodal, no_marlin, "axis words are machine coordinates", "NIST IR 6556, 3.5.12"),
   g(Code::G53_1, 531, Group::nonmodal, {L, F}, "turns the rotary axes until the tool is along the normal of the tilted plane; X, Y and Z stand still", fanuc_manual, "P"),
@@ -105,7 +107,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G72_bolts, 720, Group::nonmodal, {H}, "the cycle in force along a line", haas_manual, "IJL", "IL"),
   with_axes(g(Code::G72_1, 721, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 1", manual, "QDIR", "Q")),
   with_axes(g(Code::G72_2, 722, Group::nonmodal, linuxcnc, "lathe roughing cycle along X with pockets, method 2", manual, "QDIR", "Q")),
-  with_axes(g(Code::G92, 920, Group::nonmodal, all, "shifts coordinates so that the tool stands at those given", "NIST IR 6556, 3.5.18")),
+  with_axes(g(Code::G92, 920, Group::nonmodal, all.without(T), "shifts coordinates so that the tool stands at those given", "NIST IR 6556, 3.5.18")),
   g(Code::G92_1, 921, Group::nonmodal, {L, C, B, M}, "no shift, and forgets it", "NIST IR 6556, 3.5.18"),
   g(Code::G92_2, 922, Group::nonmodal, {L, C, M}, "no shift, until G92.3 brings it back", "NIST IR 6556, 3.5.18"),
   g(Code::G92_3, 923, Group::nonmodal, {L, C, M}, "the shift that was kept", "NIST IR 6556, 3.5.18"),
@@ -113,6 +115,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_1_high_speed, 51, Group::nonmodal, {F, H}, "contour control, which is always on here", fanuc_manual, "QR"),
   g(Code::G8_high_speed, 80, Group::nonmodal, {F, H}, "look-ahead, which is always on here", fanuc_manual, "P"),
   g(Code::G103, 1030, Group::nonmodal, {L, H}, "limits look-ahead, which bounds itself here", haas_manual, "P"),
+  with_axes(g(Code::G150, 1500, Group::nonmodal, {H}, "pocket of the contour of subprogram P", haas_manual, "PQRIJKD", "P")),
   g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness: E is what P of G64 is", haas_manual, "PE"),
 
   g(Code::G17, 170, Group::plane, all, "plane XY", "NIST IR 6556, 3.5.6"),
@@ -121,13 +124,13 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   unread(g(Code::G18_1, 181, Group::plane, linuxcnc, "plane WU", manual)),
   g(Code::G19, 190, Group::plane, all, "plane YZ", "NIST IR 6556, 3.5.6"),
   unread(g(Code::G19_1, 191, Group::plane, linuxcnc, "plane VW", manual)),
-  g(Code::G90, 900, Group::distance, all, "axis words are coordinates", "NIST IR 6556, 3.5.17"),
-  g(Code::G91, 910, Group::distance, all, "axis words are distances from where the tool stands", "NIST IR 6556, 3.5.17"),
+  g(Code::G90, 900, Group::distance, all.without(T), "axis words are coordinates", "NIST IR 6556, 3.5.17"),
+  g(Code::G91, 910, Group::distance, all.without(T), "axis words are distances from where the tool stands", "NIST IR 6556, 3.5.17"),
   g(Code::G90_1, 901, Group::arc_distance, {L, C, M}, "I, J and K are coordinates", manual),
   g(Code::G91_1, 911, Group::arc_distance, {L, C, B, M}, "I, J and K are distances from the start of the arc", manual),
-  g(Code::G93, 930, Group::feed_mode, no_marlin, "F is the reciprocal of a block's minutes", "NIST IR 6556, 3.5.19"),
-  g(Code::G94, 940, Group::feed_mode, no_marlin, "F is units per minute", "NIST IR 6556, 3.5.19"),
-  g(Code::G95, 950, Group::feed_mode, no_small, "F is units per revolution of the spindle", manual),
+  g(Code::G93, 930, Group::feed_mode, no_marlin.without(T), "F is the reciprocal of a block's minutes", "NIST IR 6556, 3.5.19"),
+  g(Code::G94, 940, Group::feed_mode, no_marlin.without(T), "F is units per minute", "NIST IR 6556, 3.5.19"),
+  g(Code::G95, 950, Group::feed_mode, no_small.without(T), "F is units per revolution of the spindle", manual),
   g(Code::G20, 200, Group::units, all, "inches", "NIST IR 6556, 3.5.7"),
   g(Code::G21, 210, Group::units, all, "millimetres", "NIST IR 6556, 3.5.7"),
   g(Code::G40, 400, Group::cutter_radius, no_marlin, "no cutter compensation", "NIST IR 6556, 3.5.10"),
@@ -135,15 +138,15 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   unread(g(Code::G41_1, 411, Group::cutter_radius, linuxcnc, "cutter compensation of a given diameter, left of the path", manual, "DL", "D")),
   unread(g(Code::G42, 420, Group::cutter_radius, no_small, "cutter compensation, right of the path", "NIST IR 6556, 3.5.10", "D")),
   unread(g(Code::G42_1, 421, Group::cutter_radius, linuxcnc, "cutter compensation of a given diameter, right of the path", manual, "DL", "D")),
-  g(Code::G43, 430, Group::tool_length, no_small, "tool length offset of the tool table", "NIST IR 6556, 3.5.11", "H"),
+  g(Code::G43, 430, Group::tool_length, no_small.without(T), "tool length offset of the tool table", "NIST IR 6556, 3.5.11", "H"),
   with_axes(g(Code::G43_1, 431, Group::tool_length, {L, C, B}, "tool length offset as given", manual)),
   g(Code::G43_2, 432, Group::tool_length, linuxcnc, "adds the tool length offset of a tool", manual, "H", "H"),
   g(Code::G43_4, 434, Group::tool_length, {L, F}, "tool centre point control: the tool's tip is where the program says, however rotary axes turn", fanuc_manual, "H"),
   g(Code::G43_5, 435, Group::tool_length, {L, F}, "tool centre point control with tool vectors: I J K of lines point from the tip to the spindle", fanuc_manual, "HIJK"),
   g(Code::G44, 440, Group::tool_length, fanuc, "tool length offset of the tool table, negative", fanuc_manual, "H"),
-  g(Code::G49, 490, Group::tool_length, no_marlin, "no tool length offset", "NIST IR 6556, 3.5.11"),
-  g(Code::G98, 980, Group::retract, no_small, "cycles retract to where the tool was; so begin programs of fanuc, haas and mach3", "NIST IR 6556, 3.5.20"),
-  g(Code::G99, 990, Group::retract, no_small, "cycles retract to R; so begin programs of linuxcnc and leadscrew", "NIST IR 6556, 3.5.20"),
+  g(Code::G49, 490, Group::tool_length, no_marlin.without(T), "no tool length offset", "NIST IR 6556, 3.5.11"),
+  g(Code::G98, 980, Group::retract, no_small.without(T), "cycles retract to where the tool was; so begin programs of fanuc, haas and mach3", "NIST IR 6556, 3.5.20"),
+  g(Code::G99, 990, Group::retract, no_small.without(T), "cycles retract to R; so begin programs of linuxcnc and leadscrew", "NIST IR 6556, 3.5.20"),
   g(Code::G50, 500, Group::scaling, {L, F, H, M}, "no scaling; with S, limits the spindle's speed", fanuc_manual),
   with_axes(g(Code::G51, 510, Group::scaling, {L, F, H, M}, "scaling about a point", fanuc_manual, "PIJK")),
   with_axes(g(Code::G50_1, 501, Group::mirror, fanuc, "no mirror, of the axes given or of all", fanuc_manual)),
@@ -157,13 +160,22 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G59_1, 591, Group::system, {L, C, R}, "coordinate system 7", "NIST IR 6556, 3.5.13"),
   g(Code::G59_2, 592, Group::system, {L, C, R}, "coordinate system 8", "NIST IR 6556, 3.5.13"),
   g(Code::G59_3, 593, Group::system, {L, C, R}, "coordinate system 9", "NIST IR 6556, 3.5.13"),
-  g(Code::G54_1, 541, Group::system, {L, F}, "further coordinate system, of its number P", fanuc_manual, "P", "P"),
+  g(Code::G54_1, 541, Group::system, {L, F, T}, "further coordinate system, of its number P", fanuc_manual, "P", "P"),
   g(Code::G154, 1540, Group::system, {L, H}, "further coordinate system, of its number P", haas_manual, "P", "P"),
   g(Code::G61, 610, Group::path, no_marlin, "exact path; in Fanuc's and Haas' dialect exact stop", "NIST IR 6556, 3.5.14"),
   g(Code::G61_1, 611, Group::path, linuxcnc, "exact stop", "NIST IR 6556, 3.5.14"),
   also(g(Code::G64, 640, Group::path, no_small, "rounds corners within a tolerance", "NIST IR 6556, 3.5.14", "PQ"), "E"),
   g(Code::G96, 960, Group::spindle_mode, no_small, "constant surface speed: the spindle's speed follows X", manual, "D", "S"),
   g(Code::G97, 970, Group::spindle_mode, no_small, "S is revolutions per minute", manual),
+  g(Code::G90_turn, 900, Group::motion, {T}, "turning cycle: one cut along Z, and back; R is its taper", fanuc_manual, "R"),
+  g(Code::G92_thread, 920, Group::motion, {T}, "threading cycle: one cut, and back; F is the lead, R the taper", fanuc_manual, "R"),
+  g(Code::G94_face, 940, Group::motion, {T}, "facing cycle: one cut along X, and back; R is its taper", fanuc_manual, "R"),
+  with_axes(g(Code::G50_turn, 500, Group::nonmodal, {T}, "with S, limits the spindle's speed; with axes, shifts coordinates so that the tool stands there", fanuc_manual)),
+  g(Code::G70_profile, 700, Group::nonmodal, {T}, "goes along the contour of blocks P to Q", fanuc_manual, "PQ", "PQ"),
+  with_axes(g(Code::G71_profile, 710, Group::nonmodal, {T}, "roughs the contour of blocks P to Q along Z; in a block before, U is the depth of a cut", fanuc_manual, "PQRUW")),
+  with_axes(g(Code::G72_profile, 720, Group::nonmodal, {T}, "roughs the contour of blocks P to Q along X; in a block before, W is the depth of a cut", fanuc_manual, "PQRUW")),
+  with_axes(g(Code::G73_profile, 730, Group::nonmodal, {T}, "repeats the contour of blocks P to Q, nearer each time; in a block before, U and W are how far off, R is how often", fanuc_manual, "PQRUW")),
+  with_axes(g(Code::G76_profile, 760, Group::nonmodal, {T}, "threading cycle of many cuts; its finish is said in a block before", fanuc_manual, "PQR")),
   g(Code::G7, 70, Group::lathe, linuxcnc, "X is a diameter", manual),
   g(Code::G8, 80, Group::lathe, linuxcnc, "X is a radius", manual),
   with_axes(g(Code::G68, 680, Group::rotation, {L, F, H, M}, "turns coordinates about a point", fanuc_manual, "R", "R")),
@@ -178,7 +190,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   with_axes(g(Code::G100, 1000, Group::mirror, {H}, "no mirror, of the axes given or of all", haas_manual)),
   with_axes(g(Code::G101, 1010, Group::mirror, {H}, "mirrors the axes given at 0 of the program, whatever their numbers", haas_manual)),
   g(Code::G110, 1100, Group::system, {H}, "coordinate systems 1 to 20 of G154, as G110 to G129", haas_manual),
-  g(Code::G67, 670, Group::modal_call, {L, F}, "ends G66", fanuc_manual),
+  g(Code::G67, 670, Group::modal_call, {L, F, T}, "ends G66", fanuc_manual),
 
   m(Code::M0, 0, Group::stop, all, "pause", "NIST IR 6556, 3.6.1"),
   m(Code::M1, 1, Group::stop, all, "pause, where the operator wants one", "NIST IR 6556, 3.6.1"),
@@ -216,8 +228,8 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   m(Code::M97, 97, Group::call, {H}, "calls the subprogram at a block number", haas_manual, "PL", "P"),
   m(Code::M98, 98, Group::call, no_small, "calls a subprogram", manual_m, "PL", "P"),
   m(Code::M99, 99, Group::call, no_small, "returns from a subprogram; in a main program, begins again", manual_m, "P"),
-  g(Code::G65, 650, Group::call, {L, F, H}, "calls a macro with arguments", fanuc_manual, "PL", "P"),
-  g(Code::G66, 660, Group::call, {L, F}, "calls a macro with arguments behind each block that moves, until G67", fanuc_manual, "PL", "P"),
+  g(Code::G65, 650, Group::call, {L, F, T, H}, "calls a macro with arguments", fanuc_manual, "PL", "P"),
+  g(Code::G66, 660, Group::call, {L, F, T}, "calls a macro with arguments behind each block that moves, until G67", fanuc_manual, "PL", "P"),
   m(Code::M100, 100, Group::user, linuxcnc, "function of the machine's builder, of M100 to M199", manual_m, "PQ"),
   m(Code::M428, 428, Group::user, linuxcnc, "tool centre point control on, with the tool length offset in force", kinematics_manual),
   m(Code::M429, 429, Group::user, linuxcnc, "tool centre point control off; the tool length offset stays", kinematics_manual),
@@ -231,7 +243,11 @@ struct OtherNumber {
   int tenths;
   Code code;
 };
-constexpr OtherNumber other_numbers[] = {{M, 'G', 700, Code::G20}, {M, 'G', 710, Code::G21}};
+constexpr OtherNumber other_numbers[] = {{M, 'G', 700, Code::G20},
+                                         {M, 'G', 710, Code::G21},
+                                         {T, 'G', 320, Code::G33},
+                                         {T, 'G', 980, Code::G94},
+                                         {T, 'G', 990, Code::G95}};
 
 constexpr bool rows_in_order() {
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -259,7 +275,7 @@ constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_nu
     }
   }
   // Each of these machines has functions of its builder's.
-  for (const Dialect dialect : {F, H}) {
+  for (const Dialect dialect : {F, H, T}) {
     for (std::size_t number = 10; letter == 'M' && number <= last_user; ++number) {
       Code& code = codes[index(dialect)][number];
       if (code == Code::none) code = Code::M100;

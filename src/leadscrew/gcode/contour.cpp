@@ -197,7 +197,7 @@ PlanePoint Attitude::out(PlanePoint point) const {
 }
 
 ContourPiece Attitude::in(const ContourPiece& piece) const {
-  return {in(piece.start), in(piece.end), in(piece.center), turn_out(piece.turn)};
+  return {in(piece.start), in(piece.end), in(piece.center), turn_out(piece.turn), piece.block};
 }
 
 // An arc goes one way where both its ends are on the same side of its centre.
@@ -217,6 +217,7 @@ bool round_corners(Contour& contour, const std::vector<ContourCorner>& corners) 
     if (i + 1 == contour.size() || i >= corners.size() || corners[i].size == 0) continue;
     ContourPiece between;
     if (!make_corner(made.back(), contour[i + 1], corners[i], between)) return false;
+    between.block = contour[i].block;
     made.push_back(between);
   }
   std::erase_if(made, [](const ContourPiece& piece) { return size_of(piece) < least_piece; });

@@ -4,6 +4,7 @@
 // A cycle sees its contour as if Z decreased along it and X increased from its first point to its last: mirrored, and
 // for cuts along X turned, into an attitude of its own. All lengths are in the program's units, X is a radius.
 
+#include <cstdint>
 #include <leadscrew/gcode/arc.hpp>
 #include <vector>
 
@@ -16,8 +17,9 @@ inline constexpr double contour_tolerance = 1e-6;
 struct ContourPiece {
   PlanePoint start;
   PlanePoint end;
-  PlanePoint center;  ///< of an arc
-  int turn = 0;       ///< 0 a line, 1 counterclockwise from Z to X (G3), −1 clockwise (G2)
+  PlanePoint center;        ///< of an arc
+  int turn = 0;             ///< 0 a line, 1 counterclockwise from Z to X (G3), −1 clockwise (G2)
+  std::uint32_t block = 0;  ///< which block it is of, counted by who collects the contour
 
   bool is_arc() const { return turn != 0; }
 };

@@ -83,7 +83,7 @@ base::AxisVector CannedCycles::placed(const base::AxisVector& target) const {
 
 // How often; 0, where Fanuc and Haas have it, only says what holds for the holes that follow.
 void CannedCycles::plan_repeats(const Block& block, DrillCycle::Plan& plan) {
-  const int least = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas ? 0 : 1;
+  const int least = is_of_fanuc_family(options_.dialect) ? 0 : 1;
   const std::optional<int> repeats = as_integer(block.value_or('L', 1));
   if (!repeats || *repeats < least || *repeats > most_steps) {
     error("bad-value", block.column_of('L'), "a canned cycle has L" + text(block['L']),

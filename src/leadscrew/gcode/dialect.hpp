@@ -12,6 +12,11 @@ using machine::dialect_of;
 using machine::index;
 using machine::name;
 
+/// Whether a dialect is Fanuc's, or what is common to it and Haas'.
+constexpr bool is_of_fanuc_family(Dialect dialect) {
+  return dialect == Dialect::fanuc || dialect == Dialect::fanuc_lathe || dialect == Dialect::haas;
+}
+
 /// A set of dialects.
 struct Dialects {
   std::uint8_t bits = 0;
@@ -22,6 +27,11 @@ struct Dialects {
   }
   constexpr bool has(Dialect dialect) const { return (bits >> index(dialect)) & 1u; }
   constexpr bool empty() const { return bits == 0; }
+  constexpr Dialects without(Dialect dialect) const {
+    Dialects rest = *this;
+    rest.bits = static_cast<std::uint8_t>(rest.bits & ~(1u << index(dialect)));
+    return rest;
+  }
   friend constexpr Dialects operator|(Dialects a, Dialects b) {
     a.bits |= b.bits;
     return a;

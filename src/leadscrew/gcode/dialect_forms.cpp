@@ -8,19 +8,19 @@ namespace {
 
 constexpr Dialect in_leadscrew = Dialect::leadscrew, in_linuxcnc = Dialect::linuxcnc, in_fanuc = Dialect::fanuc,
                   in_haas = Dialect::haas, in_grbl = Dialect::grbl, in_mach3 = Dialect::mach3,
-                  in_marlin = Dialect::marlin;
+                  in_marlin = Dialect::marlin, in_fanuc_lathe = Dialect::fanuc_lathe;
 
 constexpr std::array<FormRow, static_cast<std::size_t>(Form::count)> all_forms = {{
     {Form::g80_beside_motion,
-     {in_leadscrew, in_linuxcnc, in_fanuc, in_haas, in_mach3},
+     {in_leadscrew, in_linuxcnc, in_fanuc, in_haas, in_mach3, in_fanuc_lathe},
      "G80 stands beside another motion, which is done",
      "G0 G80 X10"},
     {Form::motion_after_g80,
-     {in_leadscrew, in_fanuc, in_haas, in_mach3},
+     {in_leadscrew, in_fanuc, in_haas, in_mach3, in_fanuc_lathe},
      "axis words behind G80 go on with the G0 or G1 that was in force before the cycle",
      "G80\nZ10"},
     {Form::zero_offset_outside_plane,
-     {in_leadscrew, in_fanuc, in_haas, in_grbl, in_mach3, in_marlin},
+     {in_leadscrew, in_fanuc, in_haas, in_grbl, in_mach3, in_marlin, in_fanuc_lathe},
      "an arc's offset outside its plane, where it is 0",
      "G17 G2 X10 I5 J0 K0"},
     {Form::idle_d,
@@ -28,11 +28,11 @@ constexpr std::array<FormRow, static_cast<std::size_t>(Form::count)> all_forms =
      "D may stand where no compensation is switched on, which it is for",
      "G43 H1 D31"},
     {Form::idle_g53, {in_leadscrew, in_mach3}, "G53 without axis words does nothing", "G53 G90 G40"},
-    {Form::dwell_by_x, {in_leadscrew, in_fanuc}, "G4 takes X or U as well, seconds", "G4 X1.5"},
+    {Form::dwell_by_x, {in_leadscrew, in_fanuc, in_fanuc_lathe}, "G4 takes X or U as well, seconds", "G4 X1.5"},
     {Form::dwell_by_s, {in_marlin}, "G4 takes S, seconds", "G4 S2"},
     {Form::dwell_in_milliseconds, {in_marlin}, "P of G4 is milliseconds", "G4 P500"},
     {Form::whole_milliseconds,
-     {in_fanuc, in_haas},
+     {in_fanuc, in_haas, in_fanuc_lathe},
      "P of a dwell is milliseconds where it is written without a point, seconds with one",
      "G4 P500"},
     {Form::incremental_home,
@@ -46,11 +46,22 @@ constexpr std::array<FormRow, static_cast<std::size_t>(Form::count)> all_forms =
      "P, I, J and K of G51 are thousandths where they are written without a point",
      "G51 X0 Y0 P2000"},
     {Form::rapid_at_start, {in_haas, in_grbl}, "G0 is in force where a program begins", "G90 X10 Y5"},
+    {Form::incremental_letters,
+     {in_fanuc_lathe},
+     "U and W are distances along X and Z, X and U of the diameter",
+     "G0 X20. Z2.\nU-2. W-1."},
+    {Form::tool_with_offset,
+     {in_fanuc_lathe},
+     "T is the number of a tool and, of two digits, of its offset; the tool is changed",
+     "T0101"},
     {Form::end_of_text,
-     {in_leadscrew, in_fanuc, in_haas, in_grbl, in_mach3, in_marlin},
+     {in_leadscrew, in_fanuc, in_haas, in_grbl, in_mach3, in_marlin, in_fanuc_lathe},
      "a program may end without M2, M30 or %",
      "G0 X10"},
-    {Form::program_name, {in_leadscrew, in_fanuc}, "a program's name stands between < and >", "<PLATE>"},
+    {Form::program_name,
+     {in_leadscrew, in_fanuc, in_fanuc_lathe},
+     "a program's name stands between < and >",
+     "<PLATE>"},
     {Form::checksum, {in_leadscrew, in_marlin}, "a line ends with the checksum of what stands before", "N3 G28*16"},
     {Form::controller_commands,
      {in_grbl},
@@ -124,6 +135,7 @@ void DialectForms::rewrite(Block& block, const TextLine& line) {
   drop_idle_words(block);
   if (block.is(Code::G4)) rewrite_dwell(block, line);
   if (block.is(Code::G51) && has(Form::scale_in_thousandths)) rewrite_scale(block, line);
+  if (has(Form::incremental_letters) && !modal_.in_profile) rewrite_turning(block, line);
   if (block.is(Code::G28) || block.is(Code::G30)) rewrite_home(block);
   const Code motion = block.has(Group::motion) ? block.code(Group::motion) : modal_.motion;
   if (is_canned_cycle(motion) && !block.is(Code::G4)) rewrite_cycle(block, line);
@@ -157,11 +169,19 @@ void DialectForms::drop_idle_words(Block& block) const {
     const char outside = plane == Plane::XY ? 'K' : plane == Plane::ZX ? 'J' : 'I';
     if (block.has(outside) && block[outside] == 0) drop(block, outside);
   }
-  if (has(Form::idle_d) && block.has('D') && !block.has(Group::cutter_radius)) drop(block, 'D');
+  if (has(Form::idle_d) && block.has('D')) drop_idle_d(block);
   constexpr std::uint32_t no_place = letter_bit('F') | letter_bit('N') | letter_bit('S') | letter_bit('T');
   if (has(Form::idle_g53) && block.is(Code::G53) && !(block.words & ~no_place)) {
     block.groups &= ~bit(Group::nonmodal);
   }
+}
+
+// D that no code of the block takes is that of the next cycle that needs one.
+void DialectForms::drop_idle_d(Block& block) const {
+  modal_.cutter = block['D'];
+  const Code code = block.code(Group::nonmodal);
+  const bool taken = block.has(Group::cutter_radius) || (code != Code::none && row(code).words.has('D'));
+  if (!taken) drop(block, 'D');
 }
 
 void DialectForms::rewrite_dwell(Block& block, const TextLine& line) const {
@@ -202,6 +222,28 @@ void DialectForms::rewrite_cycle(Block& block, const TextLine& line) const {
     move_word(block, 'P', 'P', milliseconds);
   }
   if (has(Form::repeats_by_k) && block.has('K') && !block.has('L')) move_word(block, 'K', 'L');
+}
+
+// U and W are distances from where the tool stands, but for those that a code of the block takes.
+void DialectForms::rewrite_turning(Block& block, const TextLine& line) const {
+  const Code code = block.code(Group::nonmodal);
+  if (code != Code::none && row(code).words.has('U')) return;
+  const base::AxisVector program = frame_.to_program(frame_.position);
+  for (const auto& [by, along, axis] : {std::tuple{'U', 'X', base::Axis::X}, {'W', 'Z', base::Axis::Z}}) {
+    if (!block.has(by) || block.has(along)) continue;
+    move_word(block, by, along);
+    const double stands = program[base::index(axis)] / frame_.length_unit;
+    block.value[static_cast<std::size_t>(along - 'A')] +=
+        axis == base::Axis::X && modal_.diameters ? 2 * stands : stands;
+  }
+  if (!block.is(Code::G76_profile)) return;
+  // Depths that take no point: thousandths of a millimetre, or ten-thousandths of an inch.
+  const double least = frame_.length_unit == 1 ? 1e-3 : 1e-4;
+  for (const char letter : {'P', 'Q'}) {
+    const bool is_length = letter == 'Q' || block.has('X') || block.has('Z');
+    if (block.has(letter) && is_length && is_whole(line, block.column_of(letter)))
+      move_word(block, letter, letter, least);
+  }
 }
 
 void DialectForms::drop_extruder(Block& block) {

@@ -23,6 +23,8 @@ enum class Form : std::uint8_t {
   repeats_by_k,
   scale_in_thousandths,
   rapid_at_start,
+  incremental_letters,
+  tool_with_offset,
   end_of_text,
   program_name,
   checksum,
@@ -56,10 +58,12 @@ class DialectForms : Part {
   bool has(Form form) const { return (forms_ >> static_cast<unsigned>(form)) & 1u; }
   void follow_g80(Block& block);
   void drop_idle_words(Block& block) const;
+  [[gnu::cold]] void drop_idle_d(Block& block) const;
   void rewrite_dwell(Block& block, const TextLine& line) const;
   void rewrite_home(Block& block) const;
   [[gnu::cold]] void rewrite_scale(Block& block, const TextLine& line) const;
   void rewrite_cycle(Block& block, const TextLine& line) const;
+  [[gnu::cold]] void rewrite_turning(Block& block, const TextLine& line) const;
   void drop_extruder(Block& block);
 
   std::uint32_t forms_ = 0;

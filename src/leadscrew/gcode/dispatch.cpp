@@ -25,6 +25,11 @@ void Interpreter::dispatch(Code code, const Block& block) {
       return curves_.add_to_nurbs_with_knots(block);
     case Code::G10:
       return offsets_.set_system(block);
+    case Code::G12:
+    case Code::G13:
+      return circular_pockets_.mill(block);
+    case Code::G150:
+      return pocket_cycle_.begin(block);
     case Code::G28:
     case Code::G30:
       curves_.forget_tangent();
@@ -47,6 +52,9 @@ void Interpreter::dispatch(Code code, const Block& block) {
       curves_.forget_tangent();
       cycles_.end_series();
       return tilted_planes_.orient(block);
+    case Code::G50_turn:
+      if (block.words & axis_letter_bits) offsets_.set_shift(block);
+      return;
     case Code::G92:
     case Code::G92_1:
     case Code::G92_2:
@@ -69,6 +77,17 @@ void Interpreter::dispatch_turning(Code code, const Block& block) {
       return threading_.tap(block);
     case Code::G76:
       return threading_.cycle(block);
+    case Code::G90_turn:
+    case Code::G94_face:
+    case Code::G92_thread:
+      return turning_cycles_.cut(block);
+    case Code::G76_profile:
+      return threading_.cycle_of_two_blocks(block);
+    case Code::G70_profile:
+    case Code::G71_profile:
+    case Code::G72_profile:
+    case Code::G73_profile:
+      return lathe_cycles_.begin_profile(block);
     case Code::G70:
     case Code::G71:
     case Code::G71_1:

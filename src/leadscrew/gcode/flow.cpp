@@ -160,6 +160,10 @@ Flow::Next Flow::end_of_text() {
   }
   if (calls_.empty()) return Next::program_end;
   const Call& last = calls_.back();
+  if (last.kind == CallKind::profile) {
+    return report(last.body, "the contour does not come to block N" + statements_.file_name(last.name),
+                  "Q of the cycle is a block behind P, which no jump passes by");
+  }
   const bool is_sub = last.kind == CallKind::o_word;
   TextPlace begin = last.body;
   if (begin.line > 1) --begin.line;

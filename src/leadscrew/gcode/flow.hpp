@@ -53,6 +53,17 @@ class Flow {
   [[gnu::noinline]] Next execute(const Block& block, const TextLine& line);
   /// Calls the subroutine `number` that a lathe cycle has for its contour; `at`: the column of the number.
   [[gnu::cold]] Next call_contour(double number, std::uint32_t at, const TextLine& line);
+  /// Calls the blocks P to Q of the program that a lathe cycle has for its contour.
+  [[gnu::cold]] Next call_profile(const Block& cycle, const TextLine& line);
+  /// Calls the subprogram P that a pocket has for its contour: from the block of that number on, or a program.
+  [[gnu::cold]] Next call_pocket(const Block& cycle, const TextLine& line);
+  /// The number of the block that ends the contour.
+  bool is_end_of_profile(const Block& block) const {
+    return !calls_.empty() && calls_.back().kind == CallKind::profile && block.has('N') &&
+           block['N'] == static_cast<double>(calls_.back().name);
+  }
+  /// Behind that block.
+  [[gnu::cold]] Next end_profile();
   /// Behind a block that has moved, where ModalState::calls_macro: the macro of G66; `line` is the block's.
   [[gnu::noinline]] Next call_modal(const TextLine& line);
   /// G67, in that column.
@@ -66,7 +77,7 @@ class Flow {
   const std::optional<base::Diagnostic>& failure() const { return failure_; }
 
  private:
-  enum class CallKind : std::uint8_t { o_word, program, macro, block_number };
+  enum class CallKind : std::uint8_t { o_word, program, macro, block_number, profile };
 
   struct Sub {
     TextPlace body;
@@ -83,6 +94,7 @@ class Flow {
     std::size_t open = 0;   // loops and conditions outside it
     std::vector<double> arguments;
     bool is_modal = false;  // by G66
+    bool goes_on = false;   // of a profile: behind it, and not behind the call
   };
   struct Open {
     Keyword keyword = Keyword::if_;  // if_, while_, do_, repeat, macro_do
@@ -157,6 +169,8 @@ class Flow {
   Next go_to_block(std::int64_t number, TextLine& line, const Statement& at);
   bool find_label(std::int64_t number, TextLine& line, const Statement& at, Label& label);
   bool scan_label(std::int64_t number, const TextPlace& from, Label& label, int& count);
+
+  // flow_profiles.cpp: call_profile(), end_profile(), call_pocket()
 
   // flow_modal_calls.cpp
   Next begin_modal_call(Call call, const Statement& at);

@@ -265,7 +265,8 @@ Flow::Next Flow::call_program(const Block& block, const TextLine& line) {
   const bool is_local = block.is(Code::M97);
   constexpr StatementName most_program = 10'000;
   // Fanuc's P of more than four digits: how often, and then the number.
-  if (!is_local && options_.dialect == Dialect::fanuc && !block.has('L') && number >= most_program) {
+  if (!is_local && is_of_fanuc_family(options_.dialect) && options_.dialect != Dialect::haas && !block.has('L') &&
+      number >= most_program) {
     count = static_cast<std::int64_t>(number / most_program);
     number %= most_program;
   }

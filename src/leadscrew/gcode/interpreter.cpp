@@ -14,6 +14,11 @@ Interpreter::Interpreter(const Context& context)
       cycles_(context, motion_, travel_, outbox_),
       threading_(context, motion_, travel_, outbox_),
       lathe_cycles_(context, motion_, travel_),
+      cutter_(context),
+      planned_(context, travel_, outbox_),
+      circular_pockets_(context, motion_, cutter_, planned_),
+      pocket_cycle_(context, motion_, cutter_, planned_),
+      turning_cycles_(context, motion_, threading_, outbox_),
       probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
       tilted_planes_(context, travel_, outbox_),
@@ -29,7 +34,16 @@ Interpreter::Interpreter(const Context& context)
   travel_.note_outside();
   if (options_.dialect == Dialect::leadscrew || options_.dialect == Dialect::linuxcnc)
     modal_.retract = Retract::r_level;
+  if (options_.dialect == Dialect::fanuc_lathe) begin_turning();
   set_path_control({});
+}
+
+// Lathes of Fanuc's G-code system A: X is a diameter, F of a revolution.
+void Interpreter::begin_turning() {
+  modal_.plane = Plane::ZX;
+  modal_.diameters = true;
+  modal_.is_plain = false;
+  modal_.feed_mode = FeedMode::per_revolution;
 }
 
 void Interpreter::execute(const Block& block, base::Line line) {
@@ -45,6 +59,7 @@ void Interpreter::execute_special(Block block) {
     if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
     return lathe_cycles_.add(block);
   }
+  if (pocket_cycle_.is_open()) return pocket_cycle_.add(block);
   if (saved_modes_.leave_calls()) set_path_control({});
   if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
   modal_.is_plain = false;
@@ -55,12 +70,12 @@ void Interpreter::execute_special(Block block) {
 
 bool Interpreter::is_plain() const {
   return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open() &&
-         !modal_.calls_macro && !tilted_planes_.is_unfinished();
+         !pocket_cycle_.is_open() && !modal_.calls_macro && !tilted_planes_.is_unfinished();
 }
 
 void Interpreter::end_contour() {
   outbox_.clear();
-  lathe_cycles_.end();
+  lathe_cycles_.is_open() ? lathe_cycles_.end() : pocket_cycle_.end();
   modal_.is_plain = is_plain();
 }
 
@@ -118,6 +133,8 @@ void Interpreter::finish_block(const Block& block) {
   threading_.abandon();
   lathe_cycles_.abandon();
   vectors_.settle();
+  planned_.abandon();
+  pocket_cycle_.abandon();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }
@@ -174,8 +191,12 @@ bool Interpreter::next_with_vectors(Move& move) {
 }
 
 bool Interpreter::next_of_block(Move& move) {
-  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || lathe_cycles_.next(move, outbox_))
+  if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || planned_.next(move)) return true;
+  if (lathe_cycles_.next(move, outbox_)) {
+    outbox_.clear();
+    if (modal_.constant_surface_speed && lathe_cycles_.is_profile()) events_.follow_surface();
     return true;
+  }
   if (!stop_) return false;
   outbox_.prepare(move, Move::Kind::event, modal_.line);
   move.event = {*stop_, 0, modal_.line};
@@ -223,8 +244,7 @@ void Interpreter::set_path_control(const Block& block) {
   switch (block.code(Group::path)) {
     case Code::G61:
       // LinuxCNC stops nowhere for it, Fanuc's and Haas' controllers do.
-      modal_.path_mode = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas ? PathMode::exact_stop
-                                                                                                 : PathMode::exact_path;
+      modal_.path_mode = is_of_fanuc_family(options_.dialect) ? PathMode::exact_stop : PathMode::exact_path;
       break;
     case Code::G62:
     case Code::G63:

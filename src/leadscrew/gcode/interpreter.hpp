@@ -8,12 +8,14 @@
 // So an F word is read in the units that held before its block. Which part does what a code says is in dispatch.cpp.
 
 #include <leadscrew/gcode/block_check.hpp>
+#include <leadscrew/gcode/circular_pocket.hpp>
 #include <leadscrew/gcode/curves.hpp>
 #include <leadscrew/gcode/cycles.hpp>
 #include <leadscrew/gcode/lathe_cycles.hpp>
 #include <leadscrew/gcode/machine_events.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
+#include <leadscrew/gcode/pocket_cycle.hpp>
 #include <leadscrew/gcode/polar.hpp>
 #include <leadscrew/gcode/probing.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
@@ -21,6 +23,7 @@
 #include <leadscrew/gcode/tilted_planes.hpp>
 #include <leadscrew/gcode/transforms.hpp>
 #include <leadscrew/gcode/vector_moves.hpp>
+#include <leadscrew/gcode/turning_cycles.hpp>
 
 namespace leadscrew::gcode {
 
@@ -52,9 +55,12 @@ class Interpreter : Part {
 
   /// What the M66 handed out last has found.
   void input_is(double value) { events_.set_input(value); }
-  /// The block of the lathe cycle whose contour comes next, from the subprogram of its number Q to the end of that;
+  /// The block of the cycle whose contour comes next, from the subprogram of its number Q to the end of that;
   /// null where there is none. Blocks between are executed as the contour's.
-  const Block* contour() const { return lathe_cycles_.is_open() ? &lathe_cycles_.block() : nullptr; }
+  const Block* contour() const {
+    if (lathe_cycles_.is_open()) return &lathe_cycles_.block();
+    return pocket_cycle_.is_open() ? &pocket_cycle_.block() : nullptr;
+  }
   /// The contour's subprogram has ended.
   [[gnu::cold]] void end_contour();
   /// How the probing move of the block executed last has ended.
@@ -67,6 +73,7 @@ class Interpreter : Part {
  private:
   /// What G7 and M73 do before a block.
   [[gnu::noinline]] void execute_special(Block block);
+  [[gnu::cold]] void begin_turning();
   void execute_in_axes(const Block& block);
   /// All that is checked and executed before the axes move.
   void begin_block(const Block& block);
@@ -94,6 +101,11 @@ class Interpreter : Part {
   CannedCycles cycles_;
   Threading threading_;
   LatheCycles lathe_cycles_;
+  CutterRadius cutter_;
+  PlannedCycle planned_;
+  CircularPockets circular_pockets_;
+  PocketCycle pocket_cycle_;
+  TurningCycles turning_cycles_;
   Probing probing_;
   Offsets offsets_;
   TiltedPlanes tilted_planes_;

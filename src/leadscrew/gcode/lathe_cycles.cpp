@@ -24,10 +24,10 @@ Pockets LatheCycles::pockets() const {
   return block_.is(Code::G71_2) || block_.is(Code::G72_2) ? Pockets::only : Pockets::cut;
 }
 
-bool LatheCycles::check_words(const Block& block) {
+// Where any of the cycles may stand.
+bool LatheCycles::check_turning(const Block& block) {
   const std::uint32_t column = block.column_of(Group::nonmodal);
   const std::string code = name(block.code(Group::nonmodal));
-  if (!block.has('Q')) return reporter_.fail();
   if (modal_.plane != Plane::ZX) {
     return error("bad-plane", column, code + " outside the plane of Z and X", "give G18 before");
   }
@@ -35,7 +35,13 @@ bool LatheCycles::check_words(const Block& block) {
     return error("unsupported-rotation", column, code + " in turned, scaled or mirrored coordinates",
                  "the lathe cycles take offsets only");
   }
-  if (modal_.feed_mode == FeedMode::inverse_time) return error("bad-feed-mode", column, code + " in G93", "give G94");
+  return modal_.feed_mode != FeedMode::inverse_time || error("bad-feed-mode", column, code + " in G93", "give G94");
+}
+
+bool LatheCycles::check_words(const Block& block) {
+  const std::string code = name(block.code(Group::nonmodal));
+  if (!block.has('Q')) return reporter_.fail();
+  if (!check_turning(block)) return false;
   const auto check = [&](char letter, double least, bool itself, const char* hint) {
     const double value = block.value_or(letter, least + 1);
     return value > least || (itself && value == least) ||
@@ -65,6 +71,7 @@ void LatheCycles::begin(const Block& block) {
   const base::AxisVector start = frame_.to_program(target);
   start_ = position_ = {start[z_of_lathe] / frame_.length_unit, start[x_of_lathe] / frame_.length_unit};
   motion_code_ = Code::G0;
+  feeds_ = {feed_};
   contour_.clear();
   corners_.clear();
   is_open_ = true;
@@ -129,7 +136,8 @@ void LatheCycles::add_corner(const Block& block) {
           "give A or C");
   }
   const bool is_chamfer = block.has('C');
-  const char letter = is_chamfer ? 'C' : 'A';
+  const char fillet = is_profile() && !is_arc(motion_code_) ? 'R' : 'A';
+  const char letter = is_chamfer ? 'C' : fillet;
   const double size = block.value_or(letter, 0);
   if (size < 0) {
     error("bad-value", block.column_of(letter), "the corner is " + text(size), "A and C must be 0 or more");
@@ -146,6 +154,7 @@ void LatheCycles::add(const Block& block) {
     return;
   }
   ContourPiece piece{position_, target, {}, 0};
+  if (is_profile()) note_feed(block, piece);
   position_ = target;
   if (is_arc(motion_code_) && !add_arc(block, piece)) return;
   if (contour_.size() == most_pieces) {
@@ -159,7 +168,7 @@ void LatheCycles::add(const Block& block) {
 }
 
 void LatheCycles::end() {
-  is_open_ = false;
+  is_open_ = modal_.in_profile = false;
   modal_.line = line_;
   if (reporter_.errors() != errors_before_) return;
   // A start and nothing to cut.
@@ -168,14 +177,18 @@ void LatheCycles::end() {
     refuse("bad-contour", "the contour begins with an arc", "begin with G0 or G1 to its first point");
     return;
   }
-  const std::vector<LatheMove> moves = plan();
+  const std::vector<LatheMove> moves = is_profile() ? plan_profile() : plan();
+  next_ = 0;
+  if (is_profile()) {
+    if (!place(moves)) moves_.clear();
+    return;
+  }
   // The motion in force behind a cycle is that of its last move (LinuxCNC).
   if (!moves.empty()) {
     const LatheMove& last = moves.back();
     modal_.motion = last.rapid ? Code::G0 : last.turn == 0 ? Code::G1 : last.turn > 0 ? Code::G3 : Code::G2;
   }
   if (moves.empty() || !place(moves)) moves_.clear();
-  next_ = 0;
 }
 
 // The contour in the attitude in which it is cut, with its corners. The start is not behind its first point.
@@ -292,7 +305,7 @@ bool LatheCycles::place(const std::vector<LatheMove>& moves) {
   moves_.clear();
   PlanePoint start = in_plane(frame_.position, Plane::ZX);
   for (const LatheMove& move : moves) {
-    Planned planned{move.rapid, move.turn, placed(move.end), placed(move.center)};
+    Planned planned{move.rapid, move.turn, placed(move.end), placed(move.center), move.block};
     if (span_of(start, planned.end) < contour_tolerance * unit) continue;
     if (planned.turn != 0) {
       const ArcCircle circle =
@@ -334,7 +347,9 @@ bool LatheCycles::take(Move& move, const Outbox& outbox) {
   move.center_first = planned.center.first;
   move.center_second = planned.center.second;
   move.turns = planned.turn;
-  if (!planned.rapid) move.feed = feed_;
+  if (!planned.rapid) move.feed = feeds_[planned.block];
+  const bool follows_spindle = is_profile() && modal_.feed_mode == FeedMode::per_revolution;
+  if (follows_spindle && move.feed.mode != Feed::Mode::rapid) move.feed.value *= modal_.spindle_speed / feed_speed_;
   frame_.position = move.end;
   return true;
 }
@@ -346,7 +361,7 @@ void LatheCycles::abandon() {
   }
   moves_.clear();
   next_ = 0;
-  is_open_ = false;
+  is_open_ = modal_.in_profile = false;
 }
 
 }  // namespace leadscrew::gcode

@@ -1,5 +1,6 @@
 #pragma once
-// LinuxCNC's lathe cycles (LinuxCNC manual, G Codes, "G70", "G71 G72"). The block of the cycle is followed by the
+// LinuxCNC's lathe cycles (LinuxCNC manual, G Codes, "G70", "G71 G72"), and those of Fanuc's lathes, whose contours are
+// blocks of the program (Fanuc 0i operator's manual, "Multiple Repetitive Cycle"). The block of the cycle is followed by the
 // subprogram of its number Q, whose blocks make no moves but a contour: G0 to G3, and A and C, fillets and chamfers at
 // their ends. Where the subprogram ends, the cycle is planned and its moves are handed out.
 
@@ -17,7 +18,15 @@ class LatheCycles : Part {
 
   /// The block of a cycle: goes to where the cycle starts.
   [[gnu::cold]] void begin(const Block& block);
-  /// From the block of a cycle to the end of its subprogram.
+  /// G70 to G73 of Fanuc's lathes (profile_cycles.cpp): the contour is blocks P to Q of the program. A block without them
+  /// says how deep cuts are.
+  [[gnu::cold]] void begin_profile(const Block& block);
+  /// Whether the cycle is one of those.
+  bool is_profile() const {
+    const Code code = block_.code(Group::nonmodal);
+    return Code::G70_profile <= code && code <= Code::G73_profile;
+  }
+  /// From the block of a cycle to the end of its contour.
   bool is_open() const { return is_open_; }
   /// The block of the cycle.
   const Block& block() const { return block_; }
@@ -37,9 +46,23 @@ class LatheCycles : Part {
     bool rapid = false;
     int turn = 0;
     PlanePoint end, center;
+    std::uint32_t block = 0;  // of feeds_
+  };
+  /// What blocks of Fanuc's G71 to G73 without P and Q say, in the program's units.
+  struct ProfileSettings {
+    double depth = 2;       ///< G71, G72: of a cut
+    double retract = 0.5;   ///< G71, G72: how far the tool leaves the cut
+    PlanePoint farthest{};  ///< G73: how far off the contour it begins, X a radius
+    int passes = 2;         ///< G73
   };
 
   bool check_words(const Block& block);
+  bool check_turning(const Block& block);
+  void keep_settings(const Block& block);
+  void note_feed(const Block& block, ContourPiece& piece);
+  std::vector<LatheMove> plan_profile();
+  bool plan_profile_roughing(std::vector<LatheMove>& moves);
+  bool plan_profile_passes(std::vector<LatheMove>& moves);
   PlanePoint target_of(const Block& block);
   bool add_arc(const Block& block, ContourPiece& piece);
   void add_corner(const Block& block);
@@ -62,6 +85,9 @@ class LatheCycles : Part {
   Block block_;  // of the cycle
   base::Line line_{};
   Feed feed_;
+  std::vector<Feed> feeds_;  // of the contour's blocks, where these have feeds of their own
+  double feed_speed_ = 0;    // of the spindle, at which feeds of a revolution were read; revolutions per minute
+  ProfileSettings settings_;
   bool is_open_ = false;
   std::int64_t errors_before_ = 0;
   Code motion_code_ = Code::G0;  // in force in the contour

@@ -21,7 +21,7 @@ void MachineEvents::execute(const Block& block) {
   if (!(block.words & (letter_bit('S') | letter_bit('T'))) && !(block.groups & groups)) return;
   if (block.has(Group::spindle_mode)) set_spindle_mode(block);
   if (block.has('S')) set_speed(block);
-  if (block.has('T')) select_tool(block);
+  if (block.has('T')) options_.dialect == Dialect::fanuc_lathe ? functions_.turn_turret(block) : select_tool(block);
   if (block.has(Group::output)) set_output(block);
   if (block.is(Code::M6)) change_tool(block);
   if (block.is(Code::M61)) functions_.set_tool_number(block);
@@ -41,7 +41,7 @@ void MachineEvents::set_spindle_mode(const Block& block) {
   modal_.constant_surface_speed = constant_surface;
   if (constant_surface) modal_.is_plain = false;
   // With LinuxCNC the limit is G96's own; with Fanuc, G50's.
-  const bool keeps = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas;
+  const bool keeps = is_of_fanuc_family(options_.dialect);
   if (constant_surface && (!keeps || block.has('D'))) {
     modal_.most_spindle_speed = block.value_or('D', std::numeric_limits<double>::infinity());
   }
@@ -73,7 +73,7 @@ void MachineEvents::set_speed(const Block& block) {
     error("bad-value", block.column_of('S'), "the spindle speed is " + text(block['S']), "S must be 0 or more");
     return;
   }
-  if (block.is(Code::G50)) {
+  if (block.is(Code::G50) || block.is(Code::G50_turn)) {
     modal_.most_spindle_speed = block['S'];
     return;
   }

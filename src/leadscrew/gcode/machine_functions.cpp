@@ -44,6 +44,34 @@ void MachineFunctions::set_tool_number(const Block& block) {
   modal_.loaded_tool = *tool;
 }
 
+// Fanuc's lathes: T0102 is tool 1 with offset 2, T0100 tool 1 with none. The turret turns at once, while the spindle may.
+void MachineFunctions::turn_turret(const Block& block) {
+  constexpr int most = 999'999, offsets = 100;
+  const std::optional<int> number = as_integer(block['T']);
+  if (!number || *number < 0 || *number > most) {
+    error("bad-value", block.column_of('T'), "the tool number is " + text(block['T']),
+          "T must be an integer, with two digits for the offset: T0101");
+    return;
+  }
+  const int tool = *number / offsets, offset = *number % offsets;
+  if (tool != 0 && tool != modal_.loaded_tool) {
+    modal_.selected_tool = modal_.loaded_tool = tool;
+    outbox_.emit_event(Kind::tool_prepare, tool);
+    outbox_.emit_event(Kind::tool_change, tool);
+  }
+  const machine::Tool* const found = offset == 0 ? nullptr : tools_.find(offset);
+  frame_.set_tool(found ? found->offset : base::AxisVector{});
+  if (found || offset == 0) return;
+  if (!tools_.tools().empty()) {
+    reporter_.warning("unknown-tool", block.column_of('T'),
+                      "tool " + std::to_string(offset) + " is not in the tool table", "its offset is taken for 0");
+  } else if (!std::exchange(told_of_table_, true)) {
+    reporter_.warning("no-tool-table", block.column_of('T'),
+                      "there is no tool table: the offset of T" + text(block['T']) + " is 0",
+                      "give a tool table with the offsets of the tools");
+  }
+}
+
 void MachineFunctions::orient_spindle(const Block& block) {
   modal_.spindle = Code::M5;
   const double angle = block.value_or('R', 0);

@@ -14,6 +14,8 @@ class MachineFunctions : Part {
   void set_overrides(const Block& block);
   /// M61: the tool in the spindle has this number; nothing moves.
   void set_tool_number(const Block& block);
+  /// T of Fanuc's lathes: the tool is in place at once, with its offset.
+  [[gnu::cold]] void turn_turret(const Block& block);
   /// M19.
   void orient_spindle(const Block& block);
   /// M66: #5399 becomes what an input that is always off gives: 0, or -1 where the wait for another ends by its timeout.
@@ -25,6 +27,7 @@ class MachineFunctions : Part {
 
  private:
   Outbox& outbox_;
+  bool told_of_table_ = false;
 };
 
 }  // namespace leadscrew::gcode

@@ -55,11 +55,13 @@ struct ModalState {
   bool feed_hold = true;
   std::optional<int> selected_tool;
   int loaded_tool = 0;
+  std::optional<double> cutter;  ///< the D given last, as it was written
 
   // The calls under way, and the fewest that were since a block was executed last.
   std::size_t calls = 0;
   std::size_t fewest_calls = 0;
   bool calls_macro = false;  ///< G66: a macro is called behind each block that moves
+  bool in_profile = false;   ///< the block is one of the contour of Fanuc's G70 to G73
   bool is_plain = true;      ///< no mode asks for more than what axis words and F say: no G7, G96, M73, G66
 
   // Of the block in execution.

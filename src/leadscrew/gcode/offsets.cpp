@@ -199,7 +199,7 @@ void Offsets::set_system(const Block& block) {
 
 // Fanuc and Haas keep geometry and wear in registers, whether or not there is such a tool.
 bool Offsets::has_registers() const {
-  return options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas;
+  return is_of_fanuc_family(options_.dialect);
 }
 
 // LinuxCNC manual, G Codes, "G10 L1", "G10 L10", "G10 L11". The offset in force stays what it is until G43.
@@ -281,7 +281,7 @@ void Offsets::set_local(const Block& block) {
 void Offsets::set_shift(const Block& block) {
   const Code code = block.code(Group::nonmodal);
   base::AxisVector shift{};
-  if (code == Code::G92) {
+  if (code == Code::G92 || code == Code::G50_turn) {
     shift = frame_.shift();
     const base::AxisVector before = frame_.to_program(frame_.position);
     base::AxisVector after = before;
@@ -294,7 +294,8 @@ void Offsets::set_shift(const Block& block) {
   } else if (code == Code::G92_3) {
     shift = parameters_.axes(Parameters::g92_shift);
   }
-  parameters_.set(Parameters::g92_active, code == Code::G92 || code == Code::G92_3);
+  const bool is_on = code != Code::G92_1 && code != Code::G92_2;
+  parameters_.set(Parameters::g92_active, is_on);
   frame_.set_shift(shift);
 }
 

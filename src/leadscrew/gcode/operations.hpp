@@ -20,7 +20,7 @@ namespace leadscrew::gcode {
 
 /// Whether a dialect has Fanuc's macros.
 constexpr bool has_macros(Dialect dialect) {
-  return dialect == Dialect::fanuc || dialect == Dialect::haas;
+  return is_of_fanuc_family(dialect);
 }
 
 enum class Operator : std::uint8_t {

@@ -147,19 +147,26 @@ class Reader::Implementation {
       const Interpreter::Plain plain = interpreter_.execute_plain(block_, line.id, move);
       if (plain != Interpreter::Plain::no) return plain == Interpreter::Plain::move;
       // Nothing but parameters that are set, as in loops that compute.
-      if (((block_.words & ~letter_bit('N')) | block_.groups) == 0) return false;
+      if (((block_.words & ~letter_bit('N')) | block_.groups) == 0 && !modal_.in_profile) return false;
     }
     if (block_.has(Group::call)) return call(line);
     execute(line);
-    if (const Block* const cycle = interpreter_.contour(); cycle && contour_calls_ == 0) call_contour(*cycle, line);
+    if (const Block* const cycle = interpreter_.contour()) follow_contour(*cycle, line);
     if (modal_.calls_macro || block_.has(Group::modal_call)) call_modal(line);
     return false;
   }
 
-  // The subprogram of a lathe cycle; its blocks are the contour until it ends.
-  [[gnu::cold]] void call_contour(const Block& cycle, const TextLine& line) {
-    contour_calls_ = modal_.calls + 1;
-    follow(flow_.call_contour(cycle['Q'], cycle.column_of('Q'), line), line.id);
+  // The subprogram of a lathe cycle, or its blocks of the program, are the contour until they end.
+  [[gnu::cold]] void follow_contour(const Block& cycle, const TextLine& line) {
+    if (contour_calls_ == 0) {
+      contour_calls_ = modal_.calls + 1;
+      follow(cycle.is(Code::G150) ? flow_.call_pocket(cycle, line)
+             : modal_.in_profile  ? flow_.call_profile(cycle, line)
+                                  : flow_.call_contour(cycle['Q'], cycle.column_of('Q'), line),
+             line.id);
+    } else if (flow_.is_end_of_profile(block_)) {
+      follow(flow_.end_profile(), line.id);
+    }
   }
 
   // G67, and the macro of G66 behind a block that has moved.

@@ -29,15 +29,17 @@ Contour cut_at_turning_points(const Contour& contour) {
 }  // namespace
 
 // The contour ends where the tool starts: up to there the material reaches.
-Roughing::Roughing(const Contour& contour, double depth, double retract, Pockets pockets)
+Roughing::Roughing(const Contour& contour, double depth, double retract, Pockets pockets, CutOrder order)
     : contour_(cut_at_turning_points(contour)),
       depth_(std::max(depth, 2 * contour_tolerance)),
       retract_(retract),
       pockets_(pockets),
+      order_(order),
       tool_(contour.front().start),
       level_(tool_.second),
       start_level_(tool_.second) {
   const PlanePoint last = contour_.back().end;
+  if (order == CutOrder::fanuc) level_ -= depth_;
   if (last.second < tool_.second) contour_.push_back({last, {last.first, tool_.second}, {}, 0});
 }
 
@@ -137,6 +139,12 @@ void Roughing::cut_to(PlanePoint end) {
   const double off = std::min(retract_, span_of(start, end) / 2);
   line(end);
   line({end.first + off, end.second + off}, true);
+  if (order_ == CutOrder::fanuc && at_ == 0) {
+    // The way in is nothing but rapid: the next level is gone to from here.
+    line({start.first, start.second + off}, true);
+    tool_ = start;
+    return;
+  }
   line({start.first - off, start.second + off}, true);
   line(start, at_ == 0);
 }

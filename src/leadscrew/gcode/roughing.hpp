@@ -26,14 +26,21 @@ struct LatheMove {
   int turn = 0;  ///< of an arc, as in ContourPiece
   PlanePoint end;
   PlanePoint center;
+  std::uint32_t block = 0;  ///< of the contour, whose feed it has
 };
 
 inline constexpr std::size_t most_lathe_moves = 200'000;
 
+/// How cuts follow each other.
+enum class CutOrder : std::uint8_t {
+  linuxcnc,  ///< the first at the level of the start, and each begins where it comes down along the contour
+  fanuc,     ///< the first one depth below the start, and the tool comes back straight, above the cut
+};
+
 class Roughing {
  public:
   /// The first piece of the contour leads to it from where the tool starts. 0 < depth of a cut; 0 ≤ retract.
-  Roughing(const Contour& contour, double depth, double retract, Pockets pockets);
+  Roughing(const Contour& contour, double depth, double retract, Pockets pockets, CutOrder order = CutOrder::linuxcnc);
 
   /// How that went.
   enum class Outcome : std::uint8_t {
@@ -62,6 +69,7 @@ class Roughing {
   Contour contour_;
   double depth_, retract_;
   Pockets pockets_;
+  CutOrder order_;
   std::vector<LatheMove> moves_;
   PlanePoint tool_;
   std::size_t at_ = 0;      // piece

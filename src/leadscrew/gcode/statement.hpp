@@ -81,7 +81,7 @@ class StatementReader {
   StatementReader(ExpressionReader& values, Reporter& reporter, Dialect dialect, bool block_delete)
       : values_(values),
         reporter_(reporter),
-        macros_(dialect == Dialect::fanuc || dialect == Dialect::haas),
+        macros_(is_of_fanuc_family(dialect)),
         has_macro_calls_(g_code(dialect, 650) == Code::G65),
         has_modal_calls_(g_code(dialect, 660) == Code::G66),
         block_delete_(block_delete) {}

@@ -43,8 +43,10 @@ bool Threading::moves_linear_axes_only(const Block& block) {
 
 // K, of G33 of Fanuc and Haas F; in the program's units.
 std::optional<double> Threading::lead_of(const Block& block) {
-  const bool by_feed = options_.dialect == Dialect::fanuc || options_.dialect == Dialect::haas;
+  const bool by_feed = is_of_fanuc_family(options_.dialect);
   const char letter = by_feed && block.has('F') && !block.has('K') ? 'F' : 'K';
+  // F of a lathe holds, as other feeds do.
+  if (options_.dialect == Dialect::fanuc_lathe && !block.has('F') && modal_.feed_word > 0) return modal_.feed_word;
   if (!block.has(letter)) {
     error("missing-word", motion_column(block), name(modal_.to_do) + " lacks K",
           "give the travel in a revolution: " + name(modal_.to_do) + " Z-10 K1.25");
@@ -90,11 +92,22 @@ void Threading::go(const base::AxisVector& target, double feed) {
   frame_.position = target;
 }
 
+// Fanuc: the lead is that along the axis that moves more.
+double Threading::along_path(double lead, const base::AxisVector& target) const {
+  if (options_.dialect != Dialect::fanuc_lathe) return lead;
+  double most = 0;
+  for (std::size_t i = 0; i < target.size(); ++i) most = std::max(most, std::fabs(target[i] - frame_.position[i]));
+  return lead * feed_length_of_line(frame_.position, target) / most;
+}
+
 void Threading::thread(const Block& block) {
-  const base::AxisVector target = motion_.target_of(block);
+  cut_to(block, motion_.target_of(block));
+}
+
+void Threading::cut_to(const Block& block, const base::AxisVector& target) {
   const std::optional<double> lead = lead_of(block);
   if (can_turn(block) && lead && travel_.inside_travel(block, target) && target != frame_.position) {
-    const double in_mm = *lead * (motion_.is_linear(target) ? frame_.length_unit : 1);
+    const double in_mm = along_path(*lead * (motion_.is_linear(target) ? frame_.length_unit : 1), target);
     if (is_reached(block, frame_.position, target, in_mm)) {
       outbox_.emit_event(base::Event::Kind::spindle_in_step, in_mm);
       go(target, feed_at(in_mm));
@@ -246,7 +259,7 @@ base::AxisVector Threading::target_of(const ThreadCycle::Step& step) const {
   const base::AxisVector target = place(step);
   constexpr double rounding = 1e-9;
   for (std::size_t i = 0; i < base::axis_count; ++i) {
-    if (cycle_.active() || std::fabs(target[i] - end_[i]) > rounding) return target;
+    if (cycle_.active() || step_ < steps_.size() || std::fabs(target[i] - end_[i]) > rounding) return target;
   }
   return end_;
 }
@@ -256,8 +269,8 @@ bool Threading::next_of_cycle(Move& move) {
   ThreadCycle::Step step;
   base::AxisVector target = frame_.position;
   while (in_cycle_ && target == frame_.position) {
-    in_cycle_ = cycle_.active();
-    step = in_cycle_ ? cycle_.next() : ThreadCycle::Step{};
+    in_cycle_ = cycle_.active() || step_ < steps_.size();
+    step = cycle_.active() ? cycle_.next() : in_cycle_ ? steps_[step_++] : ThreadCycle::Step{};
     if (step.kind == Kind::lead || step.kind == Kind::free) return next_event(move, step.lead * frame_.length_unit);
     target = in_cycle_ ? target_of(step) : end_;
   }
@@ -272,6 +285,8 @@ bool Threading::next_of_cycle(Move& move) {
 void Threading::abandon() {
   if (in_cycle_) frame_.position = end_;
   cycle_ = {};
+  steps_.clear();
+  step_ = 0;
   in_cycle_ = false;
 }
 

@@ -18,6 +18,10 @@ class Threading : Part {
   [[gnu::cold]] void thread(const Block& block);  ///< G33
   [[gnu::cold]] void tap(const Block& block);     ///< G33.1
   [[gnu::cold]] void cycle(const Block& block);   ///< G76
+  /// G76 of Fanuc's lathes (threading_of_two_blocks.cpp).
+  [[gnu::cold]] void cycle_of_two_blocks(const Block& block);
+  /// One cut from where the tool stands to a place, in the lead of the block.
+  [[gnu::cold]] void cut_to(const Block& block, const base::AxisVector& target);
 
   /// The next move of the cycle in execution; false where there is none, or no more.
   bool next(Move& move) { return in_cycle_ && next_of_cycle(move); }
@@ -25,7 +29,31 @@ class Threading : Part {
   void abandon();
 
  private:
+  /// What the first block of Fanuc's G76 says, lengths in the program's units.
+  struct Finish {
+    int passes = 1;        ///< m, at full depth
+    double chamfer = 0;    ///< r, how much of the lead the tool leaves the thread by
+    double angle = 60;     ///< a, of the tool's tip, degrees
+    double least_cut = 0;  ///< Q
+    double allowance = 0;  ///< R, what is left for the passes at full depth
+  };
+  /// What the second says, X a radius.
+  struct Thread {
+    double start_x = 0, start_z = 0, end_x = 0, end_z = 0;
+    double taper = 0;        ///< R: by how much the thread begins at another X than it ends at
+    double height = 0;       ///< P > 0
+    double first_depth = 0;  ///< Q > 0
+    double lead = 0;         ///< F > 0
+    double side = 1;         ///< 1 outside, −1 inside
+  };
+
   bool can_turn(const Block& block);
+  double along_path(double lead, const base::AxisVector& target) const;
+  void keep_finish(const Block& block);
+  bool plan_thread(const Block& block, Thread& thread);
+  bool plan_steps(const Block& block, const Thread& thread);
+  void add_pass(const Thread& thread, double depth);
+  bool check_steps(const Block& block);
   bool moves_linear_axes_only(const Block& block);
   std::optional<double> lead_of(const Block& block);
   bool is_reached(const Block& block, const base::AxisVector& from, const base::AxisVector& to, double lead);
@@ -45,7 +73,10 @@ class Threading : Part {
   Travel& travel_;
   Outbox& outbox_;
   ThreadCycle cycle_;
-  base::AxisVector start_{};  // of the cycle; machine coordinates
+  Finish finish_;
+  std::vector<ThreadCycle::Step> steps_;  // of a cycle of two blocks
+  std::size_t step_ = 0;                  // the next of them
+  base::AxisVector start_{};              // of the cycle; machine coordinates
   base::AxisVector end_{};
   double lead_ = 0;  // in force in the cycle; mm
   bool in_cycle_ = false;

@@ -16,6 +16,7 @@ enum class Dialect : std::uint8_t {
   grbl,
   mach3,
   marlin,
+  fanuc_lathe,  ///< Fanuc's lathes, G-code system A
   count,
 };
 
@@ -25,7 +26,7 @@ constexpr std::size_t index(Dialect dialect) {
 
 /// As options and machine files call them, in order.
 inline constexpr std::array<std::string_view, index(Dialect::count)> dialect_names = {
-    "leadscrew", "linuxcnc", "fanuc", "haas", "grbl", "mach3", "marlin"};
+    "leadscrew", "linuxcnc", "fanuc", "haas", "grbl", "mach3", "marlin", "fanuc-lathe"};
 
 /// "linuxcnc"
 constexpr std::string_view name(Dialect dialect) {

@@ -1,0 +1,168 @@
+// G70 to G73 of Fanuc's lathes (Fanuc 0i operator's manual, "Multiple Repetitive Cycle"). The contour leads from where the
+// tool stands, A, by the block P to A' and on to the end of block Q, B.
+//
+//      ●────────────▶ C = A + (U/2, W), which is where the levels of G71 and G72 count from; the contour is moved by the
+//      A              same. Cuts are roughing.hpp's; at last the tool goes along the contour, and back to A.
+//
+// G73 goes along the contour R times, first U and W of its first block farther off, at last at U/2 and W of the second.
+// G70 goes along the contour itself, at its own feeds.
+
+#include <algorithm>
+#include <leadscrew/gcode/lathe_cycles.hpp>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+constexpr int most_profile_passes = 10'000;
+
+PlanePoint moved(PlanePoint point, PlanePoint by) {
+  return {point.first + by.first, point.second + by.second};
+}
+
+}  // namespace
+
+void LatheCycles::keep_settings(const Block& block) {
+  const Code code = block.code(Group::nonmodal);
+  const auto refuse_word = [&](char letter, const char* hint) {
+    error("bad-value", block.column_of(letter), name(code) + " has " + letter + text(block[letter]), hint);
+  };
+  if (code == Code::G73_profile) {
+    const std::optional<int> passes = as_integer(block.value_or('R', settings_.passes));
+    if (!passes || *passes < 1 || *passes > most_profile_passes) return refuse_word('R', "an integer from 1 to 10000");
+    settings_.passes = *passes;
+    settings_.farthest = {block.value_or('W', settings_.farthest.first),
+                          block.value_or('U', settings_.farthest.second)};
+    return;
+  }
+  const char depth = code == Code::G71_profile ? 'U' : 'W', other = code == Code::G71_profile ? 'W' : 'U';
+  if (block.has(other)) {
+    error("unused-word", block.column_of(other), std::string("nothing in this block takes ") + other,
+          code == Code::G71_profile ? "U is the depth of a cut" : "W is the depth of a cut");
+    return;
+  }
+  if (!(block.value_or(depth, settings_.depth) > 0)) return refuse_word(depth, "the depth of a cut must be above 0");
+  if (block.value_or('R', 0) < 0) return refuse_word('R', "the distance of the retract must be 0 or more");
+  settings_.depth = block.value_or(depth, settings_.depth);
+  settings_.retract = block.value_or('R', settings_.retract);
+}
+
+void LatheCycles::begin_profile(const Block& block) {
+  const Code code = block.code(Group::nonmodal);
+  for (const base::Axis axis : base::all_axes) {
+    const char letter = base::letter(axis);
+    if (!block.has(letter) || row(code).words.has(letter)) continue;
+    error("unused-word", block.column_of(letter), name(code) + " does not move axis " + letter,
+          "move it in a block before");
+    return;
+  }
+  if (!block.has('P') && !block.has('Q') && code != Code::G70_profile) return keep_settings(block);
+  const std::uint32_t column = block.column_of(Group::nonmodal);
+  if (!block.has('P') || !block.has('Q')) {
+    if (code != Code::G70_profile)
+      error("missing-word", column, name(code) + " lacks " + (block.has('P') ? 'Q' : 'P'), name(code) + " P100 Q200");
+    return;
+  }
+  if (code != Code::G70_profile && block.has('R')) {
+    error("unused-word", block.column_of('R'), "nothing in this block takes R",
+          "R stands in the block before, without P and Q");
+    return;
+  }
+  if (!check_turning(block)) return;
+  feed_ = {};
+  if (code != Code::G70_profile && !motion_.feed_of(block, true, block.has('F'), feed_)) return;
+  block_ = block;
+  line_ = modal_.line;
+  feed_speed_ = modal_.spindle_speed;
+  feeds_ = {feed_};
+  reporter_.keep(column);
+  errors_before_ = reporter_.errors();
+  const base::AxisVector start = frame_.to_program(frame_.position);
+  const std::size_t x = base::index(base::Axis::X), z = base::index(base::Axis::Z);
+  start_ = position_ = {start[z] / frame_.length_unit, start[x] / frame_.length_unit};
+  motion_code_ = modal_.motion <= Code::G3 ? modal_.motion : Code::G0;
+  contour_.clear();
+  corners_.clear();
+  moves_.clear();
+  is_open_ = modal_.in_profile = true;
+}
+
+// F of the contour is that of G70 alone; what the contour does at rapid is rapid.
+void LatheCycles::note_feed(const Block& block, ContourPiece& piece) {
+  Feed feed = feed_;
+  if (motion_code_ == Code::G0) {
+    feed = {};
+  } else if (block_.is(Code::G70_profile)) {
+    motion_.set_feed(block);
+    motion_.feed_of(block, true, block.has('F'), feed);
+  }
+  feeds_.push_back(feed);
+  piece.block = static_cast<std::uint32_t>(feeds_.size()) - 1;
+}
+
+std::vector<LatheMove> LatheCycles::plan_profile() {
+  std::vector<LatheMove> moves;
+  const bool cuts = block_.is(Code::G71_profile) || block_.is(Code::G72_profile);
+  if (!(cuts ? plan_profile_roughing(moves) : plan_profile_passes(moves))) return {};
+  moves.push_back({true, 0, start_, {}});
+  return moves;
+}
+
+bool LatheCycles::plan_profile_roughing(std::vector<LatheMove>& moves) {
+  const PlanePoint allowance{block_.value_or('W', 0), block_.value_or('U', 0) / 2};
+  for (ContourPiece& piece : contour_) {
+    piece.start = moved(piece.start, allowance);
+    piece.end = moved(piece.end, allowance);
+    piece.center = moved(piece.center, allowance);
+    piece.block = 0;
+  }
+  Attitude attitude;
+  Contour contour;
+  const bool is_along_x = block_.is(Code::G72_profile);
+  if (!prepare(attitude, is_along_x, contour)) {
+    return refuse("bad-contour", std::string("the contour goes back along ") + (is_along_x ? "X" : "Z"),
+                  "or a corner does not fit");
+  }
+  Roughing roughing(contour, settings_.depth, settings_.retract, Pockets::cut, CutOrder::fanuc);
+  moves = roughing.moves();
+  if (roughing.outcome() == Roughing::Outcome::too_many) {
+    return refuse("too-many-passes", "the cycle takes more than 200000 moves", "deeper cuts");
+  }
+  if (roughing.outcome() == Roughing::Outcome::open) {
+    return refuse("bad-contour", "the contour does not reach up to where a cut begins",
+                  "start the cycle farther off the contour");
+  }
+  for (LatheMove& move : moves) {
+    move.end = attitude.out(move.end);
+    move.center = attitude.out(move.center);
+    move.turn = attitude.turn_out(move.turn);
+  }
+  return true;
+}
+
+bool LatheCycles::plan_profile_passes(std::vector<LatheMove>& moves) {
+  Contour contour = contour_;
+  if (!round_corners(contour, corners_))
+    return refuse("bad-contour", "a corner of the contour does not fit", "a smaller one");
+  const bool repeats = block_.is(Code::G73_profile);
+  const int passes = repeats ? settings_.passes : 1;
+  if (static_cast<std::size_t>(passes) * (contour.size() + 1) > most_lathe_moves) {
+    return refuse("too-many-passes", "the cycle takes more than 200000 moves", "fewer passes");
+  }
+  for (int pass = 0; pass < passes; ++pass) {
+    PlanePoint off;
+    if (repeats) {
+      const double part = passes > 1 ? 1 - static_cast<double>(pass) / (passes - 1) : 0;
+      off = {block_.value_or('W', 0) + part * settings_.farthest.first,
+             block_.value_or('U', 0) / 2 + part * settings_.farthest.second};
+      moves.push_back({true, 0, moved(start_, off), {}});
+    }
+    for (const ContourPiece& piece : contour) {
+      const bool rapid = feeds_[piece.block].mode == Feed::Mode::rapid;
+      moves.push_back({rapid, piece.turn, moved(piece.end, off), moved(piece.center, off), piece.block});
+    }
+  }
+  return true;
+}
+
+}  // namespace leadscrew::gcode
