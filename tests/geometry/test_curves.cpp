@@ -53,6 +53,19 @@ double ulp(double x) {
   return std::nextafter(std::abs(x), INFINITY) - std::abs(x);
 }
 
+/// What is not rounded is, once it is, and rates are the first derivatives: to the last bit.
+RC_GTEST_PROP(Curves, SayTheSameUnroundedAndByRates, ()) {
+  const Curve curve = random_curve();
+  const double length = leadscrew::geometry::length(curve), s = length * *rc::gen::inRange(-1, 12) / 10;
+  RC_ASSERT(leadscrew::geometry::rounded(leadscrew::geometry::evaluate_unrounded(curve, s)) ==
+            leadscrew::geometry::evaluate(curve, s));
+  const PointJet jets = leadscrew::geometry::jets(curve, s);
+  for (const std::size_t first : {0, 3, 6}) {
+    const auto rates = leadscrew::geometry::rates(curve, s, first);
+    for (std::size_t i = 0; i < 3; ++i) RC_ASSERT(rates[i] == jets[first + i].first);
+  }
+}
+
 RC_GTEST_PROP(Curves, BeginAndEndExactlyWhereTheyShould, ()) {
   const Curve curve = random_curve();
   const double length = leadscrew::geometry::length(curve);

@@ -55,6 +55,21 @@ std::vector<Nurbs> random_parts(const NurbsForm& form) {
   return parts;
 }
 
+/// What is not rounded is, once it is, and rates are the first derivatives: to the last bit.
+RC_GTEST_PROP(RandomNurbs, SayTheSameUnroundedAndByRates, ()) {
+  for (const Nurbs& piece : random_parts(random_form())) {
+    const double s = random_place(piece);
+    RC_ASSERT(rounded(piece.evaluate_unrounded(s)) == piece.evaluate(s));
+    RC_ASSERT(rounded(piece.evaluate_unrounded(0.0)) == piece.start());
+    RC_ASSERT(rounded(piece.evaluate_unrounded(piece.length())) == piece.end());
+    const PointJet jets = piece.jets(s);
+    for (const std::size_t first : {0, 3, 6}) {
+      const Rates rates = piece.rates(s, first);
+      for (std::size_t i = 0; i < 3; ++i) RC_ASSERT(rates[i] == jets[first + i].first);
+    }
+  }
+}
+
 RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
   const NurbsForm form = random_form();
   for (const Nurbs& piece : smooth_pieces(form)) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include <leadscrew/kinematics/transformation.hpp>
+
 #include "machines.hpp"
 
 // The same formulas in other scalars: derivatives by jets are those of Richardson's differences, and double-doubles leave no
@@ -112,6 +114,27 @@ TEST(JetsOfSolutions, AreThoseOfTheAngles) {
         }
       }
       EXPECT_EQ(matches, 1) << named.name;
+    }
+  }
+}
+
+/// Words are rounded once: half a unit in the last place, and next to nothing for what is lost on the way.
+TEST(CompensatedNumbers, GiveAxesRoundedOnce) {
+  for (const NamedChain& named : all_chains()) {
+    const Transformation transformation{named.chain, tool};
+    for (int k = -300; k <= 300; ++k) {
+      const double u = k / 100.0 + 1e-5;
+      const Coordinates<DoubleDouble> pose = pose_at(named.chain, DoubleDouble(u, 1e-18));
+      Coordinates<numeric::Compensated> compensated;
+      for (std::size_t i = 0; i < pose.size(); ++i) compensated[i] = {pose[i].hi, pose[i].lo};
+      const Coordinates<DoubleDouble> right = machine_of(named.chain, pose, tool);
+      const Coordinates<double> axes = transformation.axes_of(compensated);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double unit = std::nextafter(std::abs(axes[i]), INFINITY) - std::abs(axes[i]);
+        const double lost =
+            named.chain.turns()[0].principal < 3 && named.chain.turns()[1].principal < 3 ? 1e-15 : 1e-14;
+        EXPECT_LE(std::abs((right[i] + -axes[i]).value()), unit / 2 + lost) << named.name << " " << u;
+      }
     }
   }
 }

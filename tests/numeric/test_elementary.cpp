@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/compensated.hpp>
 #include <leadscrew/numeric/elementary.hpp>
 #include <leadscrew/numeric/sine.hpp>
 
@@ -10,6 +11,7 @@
 
 namespace test_elementary {
 
+using leadscrew::numeric::Compensated;
 using leadscrew::numeric::DoubleDouble;
 using leadscrew::numeric::Jet;
 using leadscrew::numeric::SinePair;
@@ -85,6 +87,26 @@ RC_GTEST_PROP(SinesOfDegrees, AreThoseOfRadians, ()) {
   const auto [of_double, cosine_of_double] = sines_of_degrees(DoubleDouble(angle.hi));
   RC_ASSERT(std::abs((of_double - plain.sine).value()) <= std::ldexp(std::abs(plain.sine), -52));
   RC_ASSERT(std::abs((cosine_of_double - plain.cosine).value()) <= std::ldexp(std::abs(plain.cosine), -52));
+}
+
+/// The error that is carried along counts.
+RC_GTEST_PROP(SinesOfDegrees, OfCompensatedNumbersHaveFiftyNineBits, ()) {
+  const DoubleDouble angle = *fine_numbers(*rc::gen::element(1e-3, 1.0, 200.0, 1e5));
+  const auto [sine, cosine] = sines_of_degrees(Compensated(angle.hi, angle.lo));
+  const auto [right_sine, right_cosine] = sines_of_degrees(angle);
+  const auto error = [](const Compensated& x, const DoubleDouble& right) {
+    return std::abs((DoubleDouble(x.sum) - right + x.error).value());
+  };
+  RC_ASSERT(error(sine, right_sine) <= std::ldexp(1.0, -59));
+  RC_ASSERT(error(cosine, right_cosine) <= std::ldexp(1.0, -59));
+}
+
+/// Sums that cancel leave what was rounded away.
+TEST(CompensatedNumbers, KeepWhatCancels) {
+  const Compensated tenth = 0.1, three = 3.0;
+  EXPECT_EQ((tenth * three - Compensated(0.3)).value(), std::fma(0.1, 3.0, -0.3));
+  EXPECT_EQ((Compensated(1.0) + 1e-30 - Compensated(1.0)).value(), 1e-30);
+  EXPECT_EQ((tenth * 3.0 - tenth * three).value(), 0);
 }
 
 TEST(SinesOfDegrees, OfQuarterTurnsAreExact) {

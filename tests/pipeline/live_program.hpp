@@ -24,10 +24,10 @@ struct Intervention {
 
 class LiveProgram {
  public:
-  LiveProgram(std::string text, const machine::Machine& machine, const machine::ToolTable& tools = {})
+  LiveProgram(std::string text, const machine::Machine& machine, machine::ToolTable tools = {})
       : machine_(machine),
         text_(std::move(text)),
-        tools_(tools),
+        tools_(std::move(tools)),
         reader_(gcode::text_source(text_), machine, tools_, {}, [this](const base::Diagnostic&) { ++diagnostics; }),
         judged_(gcode::text_source(text_), machine, tools_, {}, [](const base::Diagnostic&) {}),
         referee_([this](gcode::Move& move) { return judged_.next(move); }, machine, machine.period),

@@ -110,36 +110,95 @@ RC_GTEST_PROP(FiveAxes, KeepTheFeedWhereNoLimitBinds, ()) {
   RC_ASSERT(sum >= 0.999 * count);
 }
 
-/// Whoever changes the feed, holds it, or keeps the planner from its work.
-RC_GTEST_PROP(FiveAxes, KeepEveryLimitThroughOverridesAndHolds, ()) {
-  constexpr std::int64_t most_ticks = 5'000;
+/// Feed override, feed hold, resume and a planner that comes late, at any instant.
+RC_GTEST_PROP(FiveAxes, KeepEveryLimitWhoeverIntervenes, ()) {
+  constexpr std::int64_t most_ticks = 6'000;
   const machine::Machine machine = five_axes();
-  const machine::ToolTable tools = two_tools();
-  std::string text;
-  std::optional<std::size_t> ticks;
-  for (int blocks = any(1, 5); !ticks; blocks = std::max(1, blocks / 2)) {
-    text = FiveAxisProgram(machine).make(blocks);
-    LiveProgram whole(text, machine, tools);
-    if (whole.run({}, most_ticks)) ticks = whole.words.size();
-  }
+  const std::string text = FiveAxisProgram(machine).make(any(1, 4));
   RC_LOG() << machine.kinematics << "\n" << text << limits_of(machine);
+  LiveProgram whole(text, machine, two_tools());
+  RC_PRE(whole.run({}, most_ticks));
+  RC_ASSERT(whole.diagnostics == 0);
   std::vector<Intervention> interventions;
   std::int64_t at = 0;
-  for (int k = any(1, 6); k > 0; --k) {
-    at += any(0, 1 + static_cast<int>(*ticks) / 2);
-    interventions.push_back(
-        {at, *rc::gen::element(0.0, 0.1, 0.5, 1.0, 2.0), *rc::gen::element<std::int64_t>(0, 0, 45, 300)});
+  const int count = any(1, 6);
+  for (int k = 0; k < count; ++k) {
+    at += any(0, 1 + 2 * static_cast<int>(whole.words.size()) / count);
+    interventions.push_back({at, *rc::gen::element(0.0, 0.0, 0.01, 0.3, 0.5, 0.9, 1.0, 1.3, 2.0),
+                             *rc::gen::element<std::int64_t>(0, 0, 0, 15, 45, 300)});
   }
   interventions.push_back({at + any(0, 300), 1.0, 0});
   for (const Intervention& each : interventions)
     RC_LOG() << "tick " << each.tick << " factor " << each.factor << " silent " << each.silence << '\n';
-  LiveProgram live(text, machine, tools);
+  LiveProgram live(text, machine, two_tools());
   RC_ASSERT(live.run(interventions, 100 * most_ticks));
   const referee::Verdict verdict = live.conclude();
+  for (const referee::Violation& each : verdict.violations)
+    RC_LOG() << each.what << " " << each.value << " of " << each.limit << " at " << each.t << "\n";
   RC_ASSERT(worst_planned(live.plan()) <= 1 + 1e-9);
   RC_ASSERT(worst_judged(verdict) <= 1.001);
   RC_ASSERT(verdict.deviation_mm <= verdict.tolerance_mm + 1e-6);
   RC_ASSERT(verdict.end_error_mm <= 1e-9);
+  RC_ASSERT(live.refused_windows() == 0);
+  for (const base::Word& word : live.words) RC_ASSERT(word.feed >= -1e-6);
+}
+
+/// A trunnion whose rotary axes are so fast that the linear axes set the pace.
+machine::Machine fast_trunnion() {
+  machine::Machine machine;
+  machine.name = "fast trunnion";
+  machine.rotary_chain = machine::preset_chain("table-table-ac");
+  machine.rotary_chain->axes[0].point = {0, 0, -50};
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z})
+    machine.axes[base::index(axis)] = machine::AxisLimits{-600, 600, 400, 3000, 60'000, 0.001};
+  for (const base::Axis axis : {base::Axis::A, base::Axis::C})
+    machine.axes[base::index(axis)] = machine::AxisLimits{-3600, 3600, 2000, 60'000, 3'000'000, 0.001};
+  machine.period = {1'000'000};
+  return machine;
+}
+
+/// Short lines along a helix on a cone, the tool leaning with it.
+std::string short_lines(const std::string& tolerances, int count) {
+  std::string text = "G21 G90 G94 G17 G64 " + tolerances + "\nG0 A20 C0\nG43.4\nG0 X40 Y0 Z0\n";
+  for (int k = 0; k <= count; ++k) {
+    const double turn = 0.02 * k, radius = 40 - 0.03 * k;
+    char line[160];
+    std::snprintf(line, sizeof line, "G1 X%.4f Y%.4f Z%.4f A%.4f C%.4f F3000\n", radius * std::cos(turn),
+                  radius * std::sin(turn), 0.02 * k, 20 + 15 * std::sin(1.7 * turn),
+                  50 * turn + 4 * std::sin(5 * turn));
+    text += line;
+  }
+  return text + "M2\n";
+}
+
+/// Words are differenced three times: at so short a period nothing may be left of rounding in turning.
+TEST(FiveAxes, KeepJerkAtTheShortestPeriod) {
+  machine::Machine machine = fast_trunnion();
+  machine.period = {10'000};
+  const std::string far =
+      "G21 G90 G94 G17 G61\nG0 A20 C30\nG43.4\nG0 X150 Z50\nG1 X-120 Y80 Z20 A60 C200 F9000\n"
+      "G1 X80 Y-120 Z0 A-40 C-160\nG3 X60 Y-100 I-10 J10 C60 F3000\nM2\n";
+  for (const std::string& text : {far, short_lines("P0.02 E0.1", 150)}) {
+    const Judged outcome = judge(text, machine);
+    EXPECT_EQ(outcome.errors, 0);
+    EXPECT_LE(worst_judged(outcome.verdict), 1.001);
+    EXPECT_EQ(outcome.verdict.violation_count, 0);
+  }
+}
+
+/// Both tolerances may be used up: a greater one of the direction makes short lines faster, whatever that of the tip is.
+TEST(FiveAxes, UseTheToleranceOfTheDirectionApart) {
+  machine::Machine machine = fast_trunnion();
+  for (const base::Axis axis : {base::Axis::A, base::Axis::C})
+    machine.axes[base::index(axis)] = machine::AxisLimits{-3600, 3600, 180, 1500, 30'000, 0.001};
+  double before = 0;
+  for (const char* const tolerances : {"P0.02 E0.5", "P0.02 E0.1", "P0.02 E0.02"}) {
+    const Judged outcome = judge(short_lines(tolerances, 200), machine);
+    EXPECT_EQ(outcome.errors, 0);
+    EXPECT_EQ(outcome.verdict.violation_count, 0) << tolerances;
+    EXPECT_GT(outcome.summary.time_s, before) << tolerances;
+    before = outcome.summary.time_s;
+  }
 }
 
 /// Without a tool and with all rotary axes at 0, tool centre point control changes nothing.

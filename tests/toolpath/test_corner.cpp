@@ -20,8 +20,9 @@ enum class Side { before, behind };
 
 /// From the corner, in mm, that far in a direction; or to the corner.
 Curve line(const Point& corner, const Point& direction, double millimetres, Side side) {
-  const Point here = from_millimetres(corner);
-  const Point away = from_millimetres(sum(corner, side == Side::before ? -millimetres : millimetres, direction));
+  const Point here = ToleranceSpace{}.from_millimetres(corner);
+  const Point away =
+      ToleranceSpace{}.from_millimetres(sum(corner, side == Side::before ? -millimetres : millimetres, direction));
   const Point &start = side == Side::before ? away : here, &end = side == Side::before ? here : away;
   return geometry::Line(start, end, line_length(start, end));
 }
@@ -108,7 +109,8 @@ Corner corner_of_lines(double angle) {
 }
 
 double line_length_in_millimetres(const Curve& line) {
-  return distance(to_millimetres(geometry::start(line)), to_millimetres(geometry::end(line)));
+  return distance(ToleranceSpace{}.to_millimetres(geometry::start(line)),
+                  ToleranceSpace{}.to_millimetres(geometry::end(line)));
 }
 
 /// Unit tangent, and the curvature by mm.
@@ -118,7 +120,8 @@ struct Bend {
 
 Bend bend_at(const Curve& curve, double s) {
   const geometry::PointJet jet = geometry::jets(curve, s);
-  const Point first = derivative(jet, &Jet<>::first), second = derivative(jet, &Jet<>::second);
+  const Point first = ToleranceSpace{}.derivative(jet, &Jet<>::first),
+              second = ToleranceSpace{}.derivative(jet, &Jet<>::second);
   const double rate = norm(first);
   const Point tangent = scaled(1 / rate, first);
   return {tangent, scaled(1 / (rate * rate), sum(second, -dot(second, tangent), tangent))};
@@ -126,8 +129,8 @@ Bend bend_at(const Curve& curve, double s) {
 
 bool joins(const Curve& a, double at_a, const Curve& b, double at_b, double length) {
   const Bend one = bend_at(a, at_a), other = bend_at(b, at_b);
-  const Point gap =
-      difference(to_millimetres(geometry::evaluate(a, at_a)), to_millimetres(geometry::evaluate(b, at_b)));
+  const Point gap = difference(ToleranceSpace{}.to_millimetres(geometry::evaluate(a, at_a)),
+                               ToleranceSpace{}.to_millimetres(geometry::evaluate(b, at_b)));
   return norm(gap) <= 1e-12 && distance(one.tangent, other.tangent) <= 1e-6 &&
          distance(one.curvature, other.curvature) <= 1e-6 * (norm(one.curvature) + 1 / length);
 }
@@ -135,7 +138,7 @@ bool joins(const Curve& a, double at_a, const Curve& b, double at_b, double leng
 Polyline places_on(const Curve& curve, double from, double to, int count) {
   Polyline places;
   for (int k = 0; k <= count; ++k)
-    places.push_back(to_millimetres(geometry::evaluate(curve, from + (to - from) * k / count)));
+    places.push_back(ToleranceSpace{}.to_millimetres(geometry::evaluate(curve, from + (to - from) * k / count)));
   return places;
 }
 
@@ -145,7 +148,7 @@ Polyline places_on(const geometry::Nurbs& curve, int count) {
   for (int k = 0; k <= count; ++k) {
     const double share = static_cast<double>(k) / count;
     const double u = curve.first_parameter() + share * (curve.last_parameter() - curve.first_parameter());
-    places.push_back(derivative(curve.jets_at(u), &Jet<>::value));
+    places.push_back(ToleranceSpace{}.derivative(curve.jets_at(u), &Jet<>::value));
   }
   return places;
 }
@@ -236,7 +239,7 @@ RC_GTEST_PROP(Blend, OfSharpNurbsStaysInTheRoom, ()) {
 
 /// How near the blend passes the corner.
 double passes_at(const Corner& corner, const Blend& blend) {
-  const Point place = to_millimetres(geometry::start(corner.behind));
+  const Point place = ToleranceSpace{}.to_millimetres(geometry::start(corner.behind));
   double nearest = INFINITY;
   for (const Point& point : places_on(blend.curve, 200)) nearest = std::min(nearest, distance(point, place));
   return nearest;
@@ -244,8 +247,9 @@ double passes_at(const Corner& corner, const Blend& blend) {
 
 /// How far it goes from either line, up to the corner and behind.
 std::pair<double, double> swings_by(const Corner& corner, const Blend& blend) {
-  const Point from = to_millimetres(geometry::start(corner.before)),
-              place = to_millimetres(geometry::end(corner.before)), to = to_millimetres(geometry::end(corner.behind));
+  const Point from = ToleranceSpace{}.to_millimetres(geometry::start(corner.before)),
+              place = ToleranceSpace{}.to_millimetres(geometry::end(corner.before)),
+              to = ToleranceSpace{}.to_millimetres(geometry::end(corner.behind));
   const Polyline places = places_on(blend.curve, 2000);
   std::pair<double, double> farthest;
   for (std::size_t k = 0; k < places.size(); ++k) {

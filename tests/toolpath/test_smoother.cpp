@@ -22,11 +22,11 @@ void append_places(Polyline& places, const geometry::Curve& curve, double tolera
     count = static_cast<int>(std::ceil(angle * std::sqrt(arc->radius() / (0.02 * tolerance))));
   }
   if (std::holds_alternative<geometry::Nurbs>(curve)) count = borders.size() <= 4 ? 120 : 15;
-  places.push_back(to_millimetres(geometry::start(curve)));
+  places.push_back(ToleranceSpace{}.to_millimetres(geometry::start(curve)));
   for (std::size_t i = 1; i < borders.size(); ++i) {
     for (int k = 1; k <= count; ++k) {
       const double s = borders[i - 1] + (borders[i] - borders[i - 1]) * k / count;
-      places.push_back(to_millimetres(geometry::evaluate(curve, s)));
+      places.push_back(ToleranceSpace{}.to_millimetres(geometry::evaluate(curve, s)));
     }
   }
 }

@@ -27,7 +27,9 @@ class Arc {
   const Point& end() const { return end_; }
 
   Point evaluate(numeric::DoubleDouble s) const;
+  UnroundedPoint evaluate_unrounded(numeric::DoubleDouble s) const;
   PointJet jets(double s) const;
+  Rates rates(double s, std::size_t first) const;
   /// As geometry::append_shape() has it.
   void append_shape(std::vector<double>& numbers) const;
   /// What lies between two path lengths, 0 ≤ from < to ≤ length.
@@ -58,8 +60,10 @@ class Arc {
 
  private:
   struct Turned {
-    double first = 0, second = 0;
+    numeric::Compensated first, second;
   };
+  template <typename T>
+  void go_along(std::array<T, base::axis_count>& position, numeric::DoubleDouble s) const;
   Turned turned(const SplitLength& s) const;
 
   Point start_;

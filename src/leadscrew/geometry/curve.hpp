@@ -8,7 +8,9 @@
 //   evaluate(s)  the position, s in double-double, rounded once: within one unit in the last place of the largest
 //                coordinate that the curve reaches; a NURBS curve's within a few. At s ≤ 0 and s ≥ length it is the
 //                start and the end, exactly.
+//   evaluate_unrounded(s)  the same, rounded it is evaluate(s): for whoever goes on from there.
 //   jets(s)      the position and three derivatives by s, for whoever plans speed along it.
+//   rates(s, first)  the first derivatives of three coordinates from `first` on, to the last bit as jets(s) has them.
 
 #include <array>
 #include <leadscrew/geometry/arc.hpp>
@@ -42,6 +44,12 @@ inline const Point& end(const Curve& curve) {
 }
 inline Point evaluate(const Curve& curve, numeric::DoubleDouble s) {
   return geometry::visit([&](const auto& kind) { return kind.evaluate(s); }, curve);
+}
+inline UnroundedPoint evaluate_unrounded(const Curve& curve, numeric::DoubleDouble s) {
+  return geometry::visit([&](const auto& kind) { return kind.evaluate_unrounded(s); }, curve);
+}
+inline Rates rates(const Curve& curve, double s, std::size_t first) {
+  return geometry::visit([&](const auto& kind) { return kind.rates(s, first); }, curve);
 }
 inline PointJet jets(const Curve& curve, double s) {
   return geometry::visit([&](const auto& kind) { return kind.jets(s); }, curve);

@@ -10,8 +10,19 @@ Point Line::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
   Point position = start_;
-  slopes_.add(position, SplitLength(s));
+  slopes_.add(start_, position, SplitLength(s));
   return position;
+}
+
+UnroundedPoint Line::evaluate_unrounded(DoubleDouble s) const {
+  UnroundedPoint position = unrounded(DoubleDouble(length_) <= s ? end_ : start_);
+  if (s <= 0.0 || DoubleDouble(length_) <= s) return position;
+  slopes_.add(start_, position, SplitLength(s));
+  return position;
+}
+
+Rates Line::rates(double, std::size_t first) const {
+  return slopes_.rates(first);
 }
 
 PointJet Line::jets(double s) const {
@@ -90,8 +101,8 @@ Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t se
   straight_end[second] = start[second];
   slopes_ = Slopes(start, straight_end, length);
   const Turned at_end = turned(SplitLength(length));
-  defect_first_ = (end[first] - at_end.first) / length;
-  defect_second_ = (end[second] - at_end.second) / length;
+  defect_first_ = (end[first] - at_end.first.value()) / length;
+  defect_second_ = (end[second] - at_end.second.value()) / length;
 }
 
 Arc::Turned Arc::turned(const SplitLength& s) const {
@@ -108,7 +119,7 @@ Arc::Turned Arc::turned(const SplitLength& s) const {
   const auto sum = [](double origin, const DoubleDouble& a, const DoubleDouble& b, double small) {
     const DoubleDouble turned = numeric::two_sum(a.hi, b.hi);
     const DoubleDouble absolute = numeric::two_sum(origin, turned.hi);
-    return absolute.hi + (absolute.lo + (turned.lo + (a.lo + b.lo + small)));
+    return numeric::Compensated(absolute.hi, absolute.lo + (turned.lo + (a.lo + b.lo + small)));
   };
   const DoubleDouble x_cosine = numeric::two_product(x_.hi, cosine), x_sine = numeric::two_product(x_.hi, sine);
   const DoubleDouble y_cosine = numeric::two_product(y_.hi, cosine), y_sine = numeric::two_product(y_.hi, sine);
@@ -118,16 +129,39 @@ Arc::Turned Arc::turned(const SplitLength& s) const {
           sum(origin_second, x_sine, y_cosine, small_second + defect_second_ * s.hi.value)};
 }
 
+template <typename T>
+void Arc::go_along(std::array<T, base::axis_count>& position, DoubleDouble s) const {
+  const SplitLength split(s);
+  slopes_.add(start_, position, split);
+  const Turned in_plane = turned(split);
+  set(position[first_], in_plane.first.sum, in_plane.first.error);
+  set(position[second_], in_plane.second.sum, in_plane.second.error);
+}
+
 Point Arc::evaluate(DoubleDouble s) const {
   if (s <= 0.0) return start_;
   if (DoubleDouble(length_) <= s) return end_;
-  const SplitLength split(s);
   Point position = start_;
-  slopes_.add(position, split);
-  const Turned in_plane = turned(split);
-  position[first_] = in_plane.first;
-  position[second_] = in_plane.second;
+  go_along(position, s);
   return position;
+}
+
+UnroundedPoint Arc::evaluate_unrounded(DoubleDouble s) const {
+  UnroundedPoint position = unrounded(DoubleDouble(length_) <= s ? end_ : start_);
+  if (s <= 0.0 || DoubleDouble(length_) <= s) return position;
+  go_along(position, s);
+  return position;
+}
+
+Rates Arc::rates(double s, std::size_t first) const {
+  Rates rates = slopes_.rates(first);
+  const double w = angle_rate();
+  const numeric::Sines sines = numeric::sines(w * s);
+  const double x = x_.hi.value * sines.cosine - y_.hi.value * sines.sine;
+  const double y = x_.hi.value * sines.sine + y_.hi.value * sines.cosine;
+  if (first_ - first < rates.size()) rates[first_ - first] = -w * y + defect_first_;
+  if (second_ - first < rates.size()) rates[second_ - first] = w * x + defect_second_;
+  return rates;
 }
 
 PointJet Arc::jets(double s) const {

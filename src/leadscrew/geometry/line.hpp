@@ -18,7 +18,9 @@ class Line {
   const Slopes& slopes() const { return slopes_; }
 
   Point evaluate(numeric::DoubleDouble s) const;
+  UnroundedPoint evaluate_unrounded(numeric::DoubleDouble s) const;
   PointJet jets(double s) const;
+  Rates rates(double s, std::size_t first) const;
   /// As geometry::append_shape() has it.
   void append_shape(std::vector<double>& numbers) const;
   /// What lies between two path lengths, 0 ≤ from < to ≤ length.

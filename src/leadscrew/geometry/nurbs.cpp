@@ -29,8 +29,17 @@ double polynomial_from_zero(const double* c, double x) {
   return polynomial<degree - 1>(c, x) * x;
 }
 
-template <std::size_t degree>
-void evaluate_record(const NurbsTable& table, const double* record, double sigma, Point& position) {
+void set_sum(double& coordinate, double origin, double moved) {
+  coordinate = origin + moved;
+}
+void set_sum(numeric::Compensated& coordinate, double origin, double moved) {
+  const DoubleDouble sum = numeric::two_sum(origin, moved);
+  coordinate = {sum.hi, sum.lo};
+}
+
+template <std::size_t degree, typename T>
+void evaluate_record(const NurbsTable& table, const double* record, double sigma,
+                     std::array<T, base::axis_count>& position) {
   const double x = polynomial_from_zero<5>(record + NurbsTable::map, sigma);
   const double* numbers = record + NurbsTable::polynomials;
   double scale = 1;
@@ -39,7 +48,7 @@ void evaluate_record(const NurbsTable& table, const double* record, double sigma
     numbers += degree;
   }
   for (std::size_t k = 0; k < table.moving_count; ++k, numbers += degree + 2) {
-    position[table.moving[k]] = numbers[0] + polynomial<degree>(numbers + 1, x) * scale;
+    set_sum(position[table.moving[k]], numbers[0], polynomial<degree>(numbers + 1, x) * scale);
   }
 }
 
@@ -187,14 +196,13 @@ std::size_t Nurbs::record_at(double s) const {
   return numeric::last_index(buckets[0], buckets[1], [&](std::size_t index) { return nodes[index] <= s; });
 }
 
-Point Nurbs::evaluate(DoubleDouble s) const {
-  if (s <= 0.0) return start_;
-  if (DoubleDouble(length_) <= s) return end_;
+/// 0 < s < length; from the start.
+template <typename T>
+void Nurbs::go_along(std::array<T, base::axis_count>& position, DoubleDouble s) const {
   const NurbsTable& table = *table_;
   const std::size_t index = record_at(s.hi);
   const double* const record = table.record(index);
   const double sigma = (s.hi - table.nodes[index]) + (s.lo - record[NurbsTable::s_low]);
-  Point position = start_;
   switch (table.degree) {
     case 1:
       evaluate_record<1>(table, record, sigma, position);
@@ -211,6 +219,20 @@ Point Nurbs::evaluate(DoubleDouble s) const {
     default:
       evaluate_record<5>(table, record, sigma, position);
   }
+}
+
+Point Nurbs::evaluate(DoubleDouble s) const {
+  if (s <= 0.0) return start_;
+  if (DoubleDouble(length_) <= s) return end_;
+  Point position = start_;
+  go_along(position, s);
+  return position;
+}
+
+UnroundedPoint Nurbs::evaluate_unrounded(DoubleDouble s) const {
+  UnroundedPoint position = unrounded(DoubleDouble(length_) <= s ? end_ : start_);
+  if (s <= 0.0 || DoubleDouble(length_) <= s) return position;
+  go_along(position, s);
   return position;
 }
 
@@ -224,6 +246,32 @@ Nurbs::Located Nurbs::locate(double s) const {
 PointJet Nurbs::jets(double s) const {
   const Located at = locate(s);
   return record_jets(*table_, at.record, at.x, start_);
+}
+
+/// Operation by operation as in coordinate_jets().
+Rates Nurbs::rates(double s, std::size_t first) const {
+  const NurbsTable& table = *table_;
+  const Located at = locate(s);
+  const double* numbers = at.record + NurbsTable::polynomials;
+  Jet<> scale = 1;
+  if (table.rational) {
+    scale = numeric::reciprocal(Jet<>(1) +
+                                polynomial_jet(numbers, table.degree - 1, at.x.value) * Jet<>::parameter(at.x.value));
+    numbers += table.degree;
+  }
+  Rates rates{};
+  for (std::size_t k = 0; k < table.moving_count; ++k, numbers += table.degree + 2) {
+    const std::size_t i = table.moving[k] - first;
+    if (i >= rates.size()) continue;
+    double value = 0, slope = 0;
+    for (std::size_t c = table.degree + 1; c-- > 0;) {
+      slope = slope * at.x.value + value;
+      value = value * at.x.value + numbers[1 + c];
+    }
+    if (table.rational) slope = slope * scale.value + value * scale.first;
+    rates[i] = slope * at.x.first;
+  }
+  return rates;
 }
 
 double Nurbs::parameter(double s) const {

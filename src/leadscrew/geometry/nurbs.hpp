@@ -68,8 +68,10 @@ class Nurbs {
 
   /// No allocation; bounded work: a search among the table's pieces and three polynomials.
   Point evaluate(numeric::DoubleDouble s) const;
+  UnroundedPoint evaluate_unrounded(numeric::DoubleDouble s) const;
   /// Of exactly what evaluate() computes; 0 ≤ s ≤ length.
   PointJet jets(double s) const;
+  Rates rates(double s, std::size_t first) const;
 
   /// u at arc length s, 0 ≤ s ≤ length.
   double parameter(double s) const;
@@ -96,6 +98,8 @@ class Nurbs {
   struct Located;
   std::size_t record_at(double s) const;
   Located locate(double s) const;
+  template <typename T>
+  void go_along(std::array<T, base::axis_count>& position, numeric::DoubleDouble s) const;
   void add_part(std::size_t record, double from, double to, NurbsTable& table) const;
   void add_buckets(NurbsTable& table);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <leadscrew/base/axes.hpp>
+#include <leadscrew/numeric/compensated.hpp>
 #include <leadscrew/numeric/double_double.hpp>
 #include <leadscrew/numeric/jet.hpp>
 #include <span>
@@ -13,6 +14,29 @@ namespace leadscrew::geometry {
 
 using Point = base::AxisVector;
 using PointJet = std::array<numeric::Jet<>, base::axis_count>;
+/// First derivatives of X Y Z, U V W or A B C.
+using Rates = std::array<double, 3>;
+/// Before it is rounded.
+using UnroundedPoint = std::array<numeric::Compensated, base::axis_count>;
+
+inline UnroundedPoint unrounded(const Point& point) {
+  UnroundedPoint result;
+  for (std::size_t i = 0; i < point.size(); ++i) result[i] = point[i];
+  return result;
+}
+inline Point rounded(const UnroundedPoint& point) {
+  Point result;
+  for (std::size_t i = 0; i < point.size(); ++i) result[i] = point[i].value();
+  return result;
+}
+
+/// A coordinate of a Point is the sum, one of an UnroundedPoint keeps both.
+constexpr void set(double& coordinate, double sum, double error) {
+  coordinate = sum + error;
+}
+constexpr void set(numeric::Compensated& coordinate, double sum, double error) {
+  coordinate = {sum, error};
+}
 
 /// |q″| of X, Y and Z: where the jet is by the tool tip's path length, the curvature 1/ρ of its path, 1/mm.
 inline double tip_curvature(const PointJet& jet) {
@@ -59,12 +83,14 @@ class Slopes {
     }
   }
 
-  void add(Point& position, const SplitLength& s) const {
+  /// To start, which `position` holds.
+  template <typename T>
+  void add(const Point& start, std::array<T, base::axis_count>& position, const SplitLength& s) const {
     for (std::size_t k = 0; k < count_; ++k) {
       const std::size_t i = rates_[k].coordinate;
       const numeric::DoubleDouble moved = rates_[k].rate.times(s);
-      const numeric::DoubleDouble sum = numeric::two_sum(position[i], moved.hi);
-      position[i] = sum.hi + (sum.lo + moved.lo);
+      const numeric::DoubleDouble sum = numeric::two_sum(start[i], moved.hi);
+      set(position[i], sum.hi, sum.lo + moved.lo);
     }
   }
   void add(PointJet& jet, double s) const {
@@ -88,6 +114,15 @@ class Slopes {
       if (rates_[k].coordinate == coordinate) return rates_[k].rate.hi.value;
     }
     return 0;
+  }
+  /// Those of three coordinates, from `first` on.
+  Rates rates(std::size_t first) const {
+    Rates rates{};
+    for (std::size_t k = 0; k < count_; ++k) {
+      const std::size_t i = rates_[k].coordinate - first;
+      if (i < rates.size()) rates[i] = rates_[k].rate.hi.value;
+    }
+    return rates;
   }
   /// Those that change, each with its rate ≠ 0.
   std::span<const Coordinate> coordinates() const { return std::span(rates_).first(count_); }

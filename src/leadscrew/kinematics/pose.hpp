@@ -21,6 +21,7 @@
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/kinematics/chain.hpp>
 #include <leadscrew/numeric/elementary.hpp>
+#include <type_traits>
 
 namespace leadscrew::kinematics {
 
@@ -50,8 +51,34 @@ numeric::Jet<N, T> scaled(const numeric::Jet<N, T>& value, double factor) {
 }
 
 template <typename T>
+void add(T& value, double constant) {
+  value = value + T(constant);
+}
+template <std::size_t N, typename T>
+void add(numeric::Jet<N, T>& value, double constant) {
+  value[0] = value[0] + T(constant);
+}
+
+template <typename T>
 T dot(const Vector& fixed, const Vector3<T>& v) {
   return scaled(v[0], fixed[0]) + scaled(v[1], fixed[1]) + scaled(v[2], fixed[2]);
+}
+
+/// Two coordinates that are worked on together, as any vector unit holds them.
+using Pair = double __attribute__((vector_size(16)));
+
+/// Turned about z, so to speak, with derivatives: (v_i, v_j) c + (−v_j, v_i) s. The bits are those of products of jets.
+inline void rotate_principal(numeric::Jet<>& a, numeric::Jet<>& b, const numeric::Jet<>& c, const numeric::Jet<>& s) {
+  const Pair v0 = {a.value, b.value}, v1 = {a.first, b.first}, v2 = {a.second, b.second}, v3 = {a.third, b.third};
+  const Pair w0 = {-b.value, a.value}, w1 = {-b.first, a.first}, w2 = {-b.second, a.second}, w3 = {-b.third, a.third};
+  const Pair value = c.value * v0 + s.value * w0;
+  const Pair first = (c.first * v0 + c.value * v1) + (s.first * w0 + s.value * w1);
+  const Pair second =
+      (c.second * v0 + 2 * c.first * v1 + c.value * v2) + (s.second * w0 + 2 * s.first * w1 + s.value * w2);
+  const Pair third = (c.third * v0 + 3 * c.second * v1 + 3 * c.first * v2 + c.value * v3) +
+                     (s.third * w0 + 3 * s.second * w1 + 3 * s.first * w2 + s.value * w3);
+  a = {value[0], first[0], second[0], third[0]};
+  b = {value[1], first[1], second[1], third[1]};
 }
 
 /// v turned about an axis through 0, by an angle of this sine and cosine in the axis' own sense.
@@ -61,6 +88,7 @@ void rotate(Vector3<T>& v, const Turn& turn, const numeric::SinePair<T>& sines) 
   const T s = turn.sign < 0 ? -sines.sine : sines.sine;
   if (turn.principal < 3) {
     const std::size_t i = (turn.principal + 1) % 3, j = (turn.principal + 2) % 3;
+    if constexpr (std::is_same_v<T, numeric::Jet<>>) return rotate_principal(v[i], v[j], c, s);
     const T turned = c * v[i] - s * v[j];
     v[j] = s * v[i] + c * v[j];
     v[i] = turned;
@@ -79,9 +107,9 @@ void rotate(Vector3<T>& v, const Turn& turn, const numeric::SinePair<T>& sines) 
 /// The same about the axis where it lies.
 template <typename T>
 void rotate_about(Vector3<T>& v, const Turn& turn, const numeric::SinePair<T>& sines) {
-  for (std::size_t i = 0; i < 3; ++i) v[i] = v[i] - T(turn.point[i]);
+  for (std::size_t i = 0; i < 3; ++i) add(v[i], -turn.point[i]);
   rotate(v, turn, sines);
-  for (std::size_t i = 0; i < 3; ++i) v[i] = v[i] + T(turn.point[i]);
+  for (std::size_t i = 0; i < 3; ++i) add(v[i], turn.point[i]);
 }
 
 template <typename T>

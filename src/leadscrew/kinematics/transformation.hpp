@@ -5,6 +5,7 @@
 #include <cmath>
 #include <leadscrew/kinematics/chain.hpp>
 #include <leadscrew/kinematics/pose.hpp>
+#include <leadscrew/numeric/compensated.hpp>
 
 namespace leadscrew::kinematics {
 
@@ -17,6 +18,20 @@ struct Transformation {
   template <typename T>
   Coordinates<T> axes_of(const Coordinates<T>& tip_and_rotary) const {
     return machine_of(chain, tip_and_rotary, tool);
+  }
+  /// Rounded once: within about one unit in the last place of the axes' own coordinates, as long as distances from the
+  /// axes of rotation are below a hundred times those. Words are differenced three times.
+  Coordinates<double> axes_of(const Coordinates<numeric::Compensated>& tip_and_rotary) const {
+    const Coordinates<numeric::Compensated> axes = machine_of(chain, tip_and_rotary, tool);
+    Coordinates<double> rounded;
+    for (std::size_t i = 0; i < axes.size(); ++i) rounded[i] = axes[i].value();
+    return rounded;
+  }
+  /// The same bits as of what has no rounding error.
+  Coordinates<double> axes_of(const Coordinates<double>& tip_and_rotary) const {
+    Coordinates<numeric::Compensated> exact;
+    for (std::size_t i = 0; i < exact.size(); ++i) exact[i] = tip_and_rotary[i];
+    return axes_of(exact);
   }
   /// The way back.
   template <typename T>

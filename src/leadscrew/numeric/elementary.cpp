@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <leadscrew/numeric/compensated.hpp>
 #include <leadscrew/numeric/elementary.hpp>
-#include <leadscrew/numeric/sine.hpp>
 
 namespace leadscrew::numeric {
 
@@ -75,11 +75,11 @@ SinePair<DoubleDouble> sines_near_zero(DoubleDouble angle) {
 }
 
 /// −x, but 0 of 0.
-double negated(double x) {
-  return 0 - x;
-}
 DoubleDouble negated(DoubleDouble x) {
   return {0 - x.hi, 0 - x.lo};
+}
+Compensated negated(Compensated x) {
+  return {0 - x.sum, 0 - x.error};
 }
 
 /// Turned by so many quarters.
@@ -141,17 +141,33 @@ DoubleDouble atan2(DoubleDouble y, DoubleDouble x) {
   return (y * c - x * s) / (x * c + y * s) + near;
 }
 
-SinePair<double> sines_of_degrees(double angle) {
-  const double quarters = nearest_whole(angle * (1.0 / 90));
-  const double rest = angle - 90 * quarters;
-  const DoubleDouble radians = two_product(rest, radians_of_degree.hi);
-  const Sines near = sines({radians.hi, radians.lo + rest * radians_of_degree.lo});
-  return turned<double>({near.sine, near.cosine}, quarters);
-}
-
 SinePair<DoubleDouble> sines_of_degrees(DoubleDouble angle) {
   const double quarters = nearest_whole(angle.hi * (1.0 / 90));
   return turned(sines_near_zero((angle + -90 * quarters) * radians_of_degree), quarters);
+}
+
+/// As sines_near_zero(), with what the rest of the angle adds in double: it is below 2⁻⁷, its rounding errors below 2⁻⁶⁰.
+SinePair<Compensated> sines_of_degrees(Compensated angle) {
+  const double quarters = nearest_whole(angle.sum * (1.0 / 90));
+  const double degrees = angle.sum - 90 * quarters;
+  const DoubleDouble product = two_product(degrees, radians_of_degree.hi);
+  const double low = product.lo + (degrees * radians_of_degree.lo + angle.error * radians_of_degree.hi);
+  if (!(std::abs(product.hi) < 0.79)) return {NAN, NAN};
+  const double steps = nearest_whole(product.hi * steps_of_radian);
+  const auto& [sine, cosine] = nodes[static_cast<std::size_t>(std::abs(steps))];
+  const double s = steps < 0 ? -sine.hi : sine.hi, s_low = steps < 0 ? -sine.lo : sine.lo;
+  const double r = product.hi - steps / steps_of_radian, z = r * r;
+  const double tail = low + r * (z * (-1.0 / 6 + z * (1.0 / 120 - z * (1.0 / 5040))));  // of sin(r + low)
+  const double less_one = z * (-0.5 + z * (1.0 / 24 - z * (1.0 / 720))) - r * low;      // cos(r + low) − 1
+  const double sine_rest = cosine.hi * r + (cosine.hi * tail + s * less_one);
+  const double cosine_rest = cosine.hi * less_one - s * (r + tail);
+  const DoubleDouble both[] = {quick_two_sum(s, sine_rest + s_low), quick_two_sum(cosine.hi, cosine_rest + cosine.lo)};
+  return turned<Compensated>({{both[0].hi, both[0].lo}, {both[1].hi, both[1].lo}}, quarters);
+}
+
+SinePair<double> sines_of_degrees(double angle) {
+  const SinePair<Compensated> fine = sines_of_degrees(Compensated(angle));
+  return {fine.sine.sum, fine.cosine.sum};
 }
 
 }  // namespace leadscrew::numeric

@@ -314,6 +314,22 @@ std::vector<Segment> cut_at(const Segment& segment, std::span<const double> plac
   return parts;
 }
 
+namespace {
+
+/// A piece's two offsets are so far apart as it is long, but for what was rounded when the section was far longer. That would
+/// be a step of all axes where the next piece begins: words at the shortest periods show it. So much longer it is travelled.
+void stretch(Segment& segment, const Section& section, std::size_t piece) {
+  const DoubleDouble apart = numeric::two_sum(section.offset(piece + 1), -section.offset(piece));
+  const double length = section.piece(piece).axes().length();
+  const double longer = (DoubleDouble(length) - apart).value() / length;
+  if (longer == 0) return;
+  segment.s0 = segment.s0 + segment.s0.hi * longer;
+  segment.v0 = segment.v0 + segment.v0.hi * longer;
+  for (double* c : {&segment.c2, &segment.c3, &segment.c4, &segment.c5}) *c += *c * longer;
+}
+
+}  // namespace
+
 std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Section& section, double section_end,
                                   std::size_t first_piece) {
   std::vector<Segment> cut;
@@ -322,6 +338,7 @@ std::vector<Segment> along_pieces(const std::vector<Segment>& segments, const Se
   const auto place = [&](Segment segment, std::size_t on) {
     segment.piece = static_cast<std::uint32_t>(on - first_piece);
     segment.s0 = segment.s0 - DoubleDouble(section.offset(on));
+    if (section.piece(on).transformation) stretch(segment, section, on);
     cut.push_back(segment);
   };
   for (std::size_t k = 0; k < segments.size(); ++k) {

@@ -117,11 +117,7 @@ class Placement {
     const double feed = range_.feed_factor * section_.greatest_speed(s, side, jet);
     const constraints::Place place{jet, feed, section_.chords(s, side, jet)};
     double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
-    double second = 0, third = 0;
-    for (const numeric::Jet<>& q : jet) {
-      second += q.second * q.second;
-      third += q.third * q.third;
-    }
+    const auto [second, third] = bends(jet, s, side, t.acceleration);
     sample.greatest = cap;
     sample.is_by_feed = cap == feed * feed;
     const double d = from_rest(s);
@@ -130,6 +126,24 @@ class Placement {
     sample.h_curve =
         std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity, third > 0 ? 0.2 / std::pow(third, 0.25) : infinity);
     return sample;
+  }
+
+  /// Squares of q″ and q‴. Under a transformation degrees and millimetres are beside one another, and a unit of path length
+  /// may be many of either: there each axis counts as its limit has it beside the one that binds the tangent.
+  struct Bends {
+    double second = 0, third = 0;
+  };
+  Bends bends(const geometry::PointJet& jet, double s, Side side, double tangent_acceleration) const {
+    Bends bends;
+    const bool is_of_tip = section_.piece(section_.piece_at(s, side)).transformation != nullptr;
+    for (const base::Axis axis : base::all_axes) {
+      const numeric::Jet<>& q = jet[base::index(axis)];
+      if (q.second == 0 && q.third == 0) continue;
+      const double weight = is_of_tip ? tangent_acceleration / constraints_.of_axis(axis).acceleration : 1;
+      bends.second += weight * q.second * (weight * q.second);
+      bends.third += weight * q.third * (weight * q.third);
+    }
+    return bends;
   }
 
   static double ramp_width(const Sample& sample, double x, double per) {

@@ -25,8 +25,11 @@ class AxisPath {
   geometry::Point start() const { return axes_of(geometry::start(curve_)); }
   geometry::Point end() const { return axes_of(geometry::end(curve_)); }
   /// mm or degrees, rounded once; at s ≤ 0 and s ≥ length the start and the end, exactly. For the cycle: takes no
-  /// memory. Under a transformation within a few units in the last place of what it adds up.
-  geometry::Point position(numeric::DoubleDouble s) const { return axes_of(geometry::evaluate(curve_, s)); }
+  /// memory.
+  geometry::Point position(numeric::DoubleDouble s) const {
+    return transformation_ ? transformation_->axes_of(geometry::evaluate_unrounded(curve_, s))
+                           : geometry::evaluate(curve_, s);
+  }
   /// Positions and three derivatives by path length.
   geometry::PointJet jets(double s) const { return axes_of(geometry::jets(curve_, s)); }
   /// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.

@@ -11,6 +11,8 @@ namespace leadscrew::toolpath {
 
 namespace {
 
+constexpr double most_stretched = 64;  // space of tolerances, either way
+
 double feed_of(const gcode::Move& move) {
   switch (move.feed.mode) {
     case gcode::Feed::Mode::units_per_second:
@@ -67,24 +69,40 @@ void Builder::change_transformation(const gcode::Move& move) {
   if (of_move == transformation_) return;
   flush();
   transformation_ = of_move;
+  space_.reset();
 }
 
-/// Of the tip no more of P than what keeps its direction within E where rotary axes turn: in the space of tolerances a
-/// degree has a length, and no coordinate is farther off than all are together.
+/// A degree counts as P/E mm, as the first move of the tip has them that is rounded. Later ones with others are rounded in the
+/// same space, so that motion need not rest.
+void Builder::take_space(const gcode::Move& move) {
+  const bool is_rounded = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
+  if (space_ || !transformation_ || !is_rounded || !(move.orientation_tolerance > 0)) return;
+  const ToleranceSpace usual;
+  const double greatest = most_stretched * usual.millimetres_per_degree,
+               least = usual.millimetres_per_degree / most_stretched;
+  flush();
+  space_ = {std::clamp(move.tolerance / move.orientation_tolerance, least, greatest)};
+}
+
+/// Of the tip no more of P than what keeps its direction within E where rotary axes turn: no coordinate is farther off than
+/// all are together.
 Allowance Builder::allowance_of(const gcode::Move& move, const Piece& piece) const {
   Allowance allowance{move.tolerance, move.naive_cam_tolerance};
   if (!transformation_) return allowance;
   const base::AxisSet moving = geometry::moving(piece.curve);
   for (const kinematics::Turn& turn : transformation_->chain.turns()) {
     if (!moving.contains(turn.axis)) continue;
-    const double turned = move.orientation_tolerance * millimetres_per_unit(turn.axis);
+    const double turned =
+        move.orientation_tolerance * space_.value_or(ToleranceSpace{}).millimetres_per_unit(turn.axis);
     allowance = lesser(allowance, {turned, turned});
   }
   return allowance;
 }
 
 void Builder::move_along(const gcode::Move& move) {
-  std::vector<Piece> pieces = pieces_of(move);
+  take_space(move);
+  const ToleranceSpace space = space_.value_or(ToleranceSpace{});
+  std::vector<Piece> pieces = pieces_of(move, space);
   const double feed = pieces.empty() ? 0 : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
   if (!pieces.empty()) note_feed(move.line, feed);
@@ -102,8 +120,15 @@ void Builder::move_along(const gcode::Move& move) {
         continue;
       }
       const auto events = events_of(piece);
-      blend(Leg{
-          std::move(piece.curve), feed, move.line, {}, 0, piece.feed_axes, allowance, {events.begin(), events.end()}});
+      blend(Leg{std::move(piece.curve),
+                feed,
+                move.line,
+                {},
+                0,
+                piece.feed_axes,
+                allowance,
+                {events.begin(), events.end()},
+                space});
     }
   }
   if (move.path_mode != gcode::PathMode::exact_stop || pieces.empty()) return;
@@ -117,7 +142,7 @@ void Builder::blend(Leg leg) {
     racing_line_->push(std::move(leg));
   } else {
     settle(racing_line_);
-    if (!smoother_) smoother_.emplace(sampling_, tables_);
+    if (!smoother_) smoother_.emplace(sampling_, tables_, leg.space);
     smoother_->push(std::move(leg));
   }
 }

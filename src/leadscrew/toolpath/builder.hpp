@@ -44,6 +44,7 @@ class Builder {
   void change_transformation(const gcode::Move& move);
   void settle_piece(Piece piece);
   Allowance allowance_of(const gcode::Move& move, const Piece& piece) const;
+  void take_space(const gcode::Move& move);
   void blend(Leg leg);
   template <class Blending>
   void settle(std::optional<Blending>& blending);
@@ -62,6 +63,8 @@ class Builder {
   /// Of the moves being pushed; none: their coordinates are the machine's axes'.
   std::shared_ptr<const kinematics::Transformation> transformation_;
   TransformationOfMoves transformations_;
+  /// Of the moves being pushed; none: none of them has been rounded since coordinates have this meaning.
+  std::optional<ToleranceSpace> space_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event
   std::deque<Element> settled_;

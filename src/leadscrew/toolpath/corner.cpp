@@ -27,31 +27,32 @@ bool is_chord(double length, const Point& a, const Point& b, double allowed) {
 }
 
 /// Appends points that stand for the curve between two of its lengths, the last one included. rate: mm per length.
-void follow(const geometry::Curve& curve, double rate, double from, const Point& a, double to, const Point& b,
-            double allowed, int depth, std::vector<Point>& points) {
+void follow(const geometry::Curve& curve, const ToleranceSpace& space, double rate, double from, const Point& a,
+            double to, const Point& b, double allowed, int depth, std::vector<Point>& points) {
   if (depth == 0 || is_chord(rate * (to - from) * (1 + table_of_length), a, b, allowed)) {
     points.push_back(b);
     return;
   }
   const double middle = (from + to) / 2;
-  const Point place = to_millimetres(geometry::evaluate(curve, middle));
-  follow(curve, rate, from, a, middle, place, allowed, depth - 1, points);
-  follow(curve, rate, middle, place, to, b, allowed, depth - 1, points);
+  const Point place = space.to_millimetres(geometry::evaluate(curve, middle));
+  follow(curve, space, rate, from, a, middle, place, allowed, depth - 1, points);
+  follow(curve, space, rate, middle, place, to, b, allowed, depth - 1, points);
 }
 
 /// What was programmed where the curve is to be replaced, between `from` and `to` of its length, within `allowed` mm of
 /// it.
-std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vertex> polyline, double from, double to,
-                              double allowed) {
+std::vector<Point> programmed(const geometry::Curve& curve, std::span<const Vertex> polyline,
+                              const ToleranceSpace& space, double from, double to, double allowed) {
   std::vector<Point> points;
   const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
   if (polyline.empty() || !nurbs) {
-    const Point a = to_millimetres(geometry::evaluate(curve, from)), b = to_millimetres(geometry::evaluate(curve, to));
+    const Point a = space.to_millimetres(geometry::evaluate(curve, from)),
+                b = space.to_millimetres(geometry::evaluate(curve, to));
     points.push_back(a);
     if (std::holds_alternative<geometry::Line>(curve))
       points.push_back(b);
     else
-      follow(curve, millimetres_per_length(curve), from, a, to, b, allowed, deepest, points);
+      follow(curve, space, millimetres_per_length(curve, space), from, a, to, b, allowed, deepest, points);
     return points;
   }
   const double begin = nurbs->parameter(from), end = nurbs->parameter(to);
@@ -103,9 +104,10 @@ geometry::NurbsForm form_of(const Corner& corner, double before, double behind) 
 
 using ControlPoints = std::array<Point, 6>;
 
-ControlPoints control_points(const geometry::NurbsForm& form) {
+ControlPoints control_points(const geometry::NurbsForm& form, const ToleranceSpace& space) {
   ControlPoints points;
-  std::transform(form.points.begin(), form.points.end(), points.begin(), to_millimetres);
+  std::transform(form.points.begin(), form.points.end(), points.begin(),
+                 [&](const Point& point) { return space.to_millimetres(point); });
   return points;
 }
 
@@ -152,8 +154,9 @@ bool turns_back(const std::array<Point, looks>& shape) {
 
 bool is_inside(const Corner& corner, const ControlPoints& blend, double before, double behind, double margin) {
   const double length = geometry::length(corner.before), allowed = polyline_share * margin;
-  std::vector<Point> path = programmed(corner.before, corner.programmed_before, length - before, length, allowed);
-  const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, 0, behind, allowed);
+  std::vector<Point> path =
+      programmed(corner.before, corner.programmed_before, corner.space, length - before, length, allowed);
+  const std::vector<Point> rest = programmed(corner.behind, corner.programmed_behind, corner.space, 0, behind, allowed);
   path.insert(path.end(), rest.begin(), rest.end());
   std::vector<Point> shape{blend.front()};
   follow(blend, allowed, deepest, shape);
@@ -162,8 +165,8 @@ bool is_inside(const Corner& corner, const ControlPoints& blend, double before, 
 
 /// What takes the place of these lengths; none if it is not smooth or a detour.
 std::optional<Blend> blend_of(const geometry::NurbsForm& form, double before, double behind, double taken_before,
-                              double taken_behind, double deviation, const geometry::MapTolerance& tables) {
-  std::vector<geometry::Nurbs> pieces = fitted_pieces(form, tables);
+                              double taken_behind, double deviation, const Corner& corner) {
+  std::vector<geometry::Nurbs> pieces = fitted_pieces(form, corner.tables, corner.space);
   if (pieces.size() != 1) return std::nullopt;
   if (pieces.front().length() > most_lengthened * (taken_before + taken_behind)) return std::nullopt;
   const double middle = pieces.front().length() * taken_before / (taken_before + taken_behind);
@@ -173,8 +176,8 @@ std::optional<Blend> blend_of(const geometry::NurbsForm& form, double before, do
 /// Of two lines, with the tangents by their lengths; none where there is too little room for one worth it.
 std::optional<Blend> swing_wide(const Corner& corner, const PointJet& leaving, const PointJet& entering, double turn,
                                 double margin) {
-  const double rate_before = norm(derivative(leaving, &numeric::Jet<>::first)),
-               rate_behind = norm(derivative(entering, &numeric::Jet<>::first));
+  const double rate_before = norm(corner.space.derivative(leaving, &numeric::Jet<>::first)),
+               rate_behind = norm(corner.space.derivative(entering, &numeric::Jet<>::first));
   const Swing swing(turn);
   const double full = swing.reach_within(margin), share = turn > sharp_swing ? share_of_sharp : 1;
   double taken = std::min({full, share * rate_before * corner.most_before, share * rate_behind * corner.most_behind});
@@ -196,8 +199,7 @@ std::optional<Blend> swing_wide(const Corner& corner, const PointJet& leaving, c
     for (std::size_t i = 0; i < leaving.size(); ++i)
       form.points[k][i] = entering[i].value - a * leaving[i].first + b * entering[i].first;
   }
-  return blend_of(form, before, behind, before * rate_before, behind * rate_behind, scale * swing.deviation(),
-                  corner.tables);
+  return blend_of(form, before, behind, before * rate_before, behind * rate_behind, scale * swing.deviation(), corner);
 }
 
 }  // namespace
@@ -206,8 +208,8 @@ std::optional<Blend> blend(const Corner& corner, double margin) {
   const double length_before = geometry::length(corner.before);
   const PointJet before_corner = geometry::jets(corner.before, length_before),
                  behind_corner = geometry::jets(corner.behind, 0);
-  const Point leaving = derivative(before_corner, &numeric::Jet<>::first);
-  const Point entering = derivative(behind_corner, &numeric::Jet<>::first);
+  const Point leaving = corner.space.derivative(before_corner, &numeric::Jet<>::first);
+  const Point entering = corner.space.derivative(behind_corner, &numeric::Jet<>::first);
   const double rate_before = norm(leaving), rate_behind = norm(entering), apart = turn_between(leaving, entering);
 
   const bool lines =
@@ -228,12 +230,12 @@ std::optional<Blend> blend(const Corner& corner, double margin) {
     const double before = share(rate_before, corner.most_before), behind = share(rate_behind, corner.most_behind);
     const geometry::NurbsForm form = form_of(corner, before, behind);
     if (!lines) {
-      const ControlPoints points = control_points(form);
+      const ControlPoints points = control_points(form, corner.space);
       if (turns_back(shape_of(points)) || !is_inside(corner, points, before, behind, margin)) continue;
     }
     const double taken_before = before * rate_before, taken_behind = behind * rate_behind;
     const double deviation = lines ? std::max(taken_before, taken_behind) * apart / 8 : margin;
-    std::optional<Blend> found = blend_of(form, before, behind, taken_before, taken_behind, deviation, corner.tables);
+    std::optional<Blend> found = blend_of(form, before, behind, taken_before, taken_behind, deviation, corner);
     if (found) return found;
   }
   return std::nullopt;

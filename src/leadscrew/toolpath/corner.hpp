@@ -27,6 +27,7 @@ struct Corner {
   double most_before = 0, most_behind = 0;  ///< of each curve's length that the blend may take; > 0
   bool may_swing = true;                    ///< wide, between lines
   geometry::MapTolerance tables = tables_for_motion;
+  ToleranceSpace space{};
 };
 
 struct Blend {

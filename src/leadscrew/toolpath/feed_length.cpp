@@ -29,8 +29,8 @@ double arc_length(const gcode::Move& move, const Turn& turn) {
 }
 
 /// What moves beside X Y Z goes on evenly with them.
-double with_others(double length, const gcode::Move& move) {
-  Point others = difference(to_millimetres(move.end), to_millimetres(move.start));
+double with_others(double length, const gcode::Move& move, const ToleranceSpace& space) {
+  Point others = difference(space.to_millimetres(move.end), space.to_millimetres(move.start));
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) others[index(axis)] = 0;
   return std::hypot(length, norm(others));
 }
@@ -80,49 +80,51 @@ double feed_length(const gcode::Move& move) {
   return length;
 }
 
-std::optional<Piece> straight_piece(const Point& start, const Point& end, FeedAxes axes) {
+std::optional<Piece> straight_piece(const Point& start, const Point& end, FeedAxes axes, const ToleranceSpace& space) {
   const FeedAxes named = to_be_named(axes, geometry::moving(start, end));
-  const double length =
-      named == FeedAxes::none ? line_length(start, end) : distance(to_millimetres(start), to_millimetres(end));
+  const double length = named == FeedAxes::none ? line_length(start, end)
+                                                : distance(space.to_millimetres(start), space.to_millimetres(end));
   if (!(length > 0)) return std::nullopt;
   return Piece{geometry::Line(start, end, length), 0, {}, false, nullptr, named};
 }
 
-std::vector<Piece> pieces_of(const gcode::Move& move) {
+std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& space) {
   std::vector<Piece> pieces;
   if (move.kind == gcode::Move::Kind::line) {
     const FeedAxes axes = feed_axes(geometry::moving(move.start, move.end));
-    if (std::optional<Piece> piece = straight_piece(move.start, move.end, axes)) pieces.push_back(std::move(*piece));
+    if (std::optional<Piece> piece = straight_piece(move.start, move.end, axes, space))
+      pieces.push_back(std::move(*piece));
   } else if (move.kind == gcode::Move::Kind::arc) {
     const Turn turned = turn(move);
     const double around = arc_length(move, turned);
     if (!(around > 0)) return pieces;
     const FeedAxes named = to_be_named(FeedAxes::xyz, geometry::moving(move.start, move.end));
-    const double length = named == FeedAxes::none ? around : with_others(around, move);
+    const double length = named == FeedAxes::none ? around : with_others(around, move, space);
     pieces.push_back({arc(move, turned, length), 0, {}, false, nullptr, named});
   } else if (move.kind == gcode::Move::Kind::nurbs) {
     const geometry::NurbsForm curve = geometry::form_of(move.curve);
     base::AxisSet moving;
     for (const Point& point : curve.points) moving.insert(geometry::moving(curve.points.front(), point));
     const bool is_mixed = to_be_named(feed_axes(moving), moving) != FeedAxes::none;
-    const std::optional<Point> weights = is_mixed ? std::optional(weights_of_length()) : std::nullopt;
+    const std::optional<Point> weights = is_mixed ? std::optional(space.weights_of_length()) : std::nullopt;
     for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, {}, weights))
       pieces.push_back(
-          {simplest(piece), 0, {}, false, nullptr, to_be_named(feed_axes(piece.moving()), piece.moving())});
+          {simplest(piece, space), 0, {}, false, nullptr, to_be_named(feed_axes(piece.moving()), piece.moving())});
   }
   for (Piece& piece : pieces) piece.line = move.line;
   return pieces;
 }
 
-geometry::Curve simplest(const geometry::Curve& curve) {
+geometry::Curve simplest(const geometry::Curve& curve, const ToleranceSpace& space) {
   const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
   if (!nurbs || nurbs->moving().size() != 1) return curve;
   const Point &start = nurbs->start(), &end = nurbs->end();
-  return geometry::Line(start, end, distance(to_millimetres(start), to_millimetres(end)));
+  return geometry::Line(start, end, distance(space.to_millimetres(start), space.to_millimetres(end)));
 }
 
-std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form, const geometry::MapTolerance& tables) {
-  return geometry::smooth_pieces(form, tables, weights_of_length());
+std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form, const geometry::MapTolerance& tables,
+                                           const ToleranceSpace& space) {
+  return geometry::smooth_pieces(form, tables, space.weights_of_length());
 }
 
 double rate(const geometry::PointJet& jet, FeedAxes axes) {
@@ -131,9 +133,15 @@ double rate(const geometry::PointJet& jet, FeedAxes axes) {
   return std::hypot(jet[first].first, jet[first + 1].first, jet[first + 2].first);
 }
 
+double rate(const geometry::Curve& curve, double s, FeedAxes axes) {
+  if (axes == FeedAxes::none) return 1;
+  const auto [x, y, z] = geometry::rates(curve, s, first_of(axes));
+  return std::hypot(x, y, z);
+}
+
 double time_by_feed(const Piece& piece, double from, double to) {
   if (piece.feed_axes == FeedAxes::none || !std::isfinite(piece.feed)) return (to - from) / piece.feed;
-  const auto per_length = [&](double s) { return rate(geometry::jets(piece.curve, s), piece.feed_axes) / piece.feed; };
+  const auto per_length = [&](double s) { return rate(piece.curve, s, piece.feed_axes) / piece.feed; };
   const double middle = (from + to) / 2;
   return numeric::integrate_gauss_8(per_length, from, middle) + numeric::integrate_gauss_8(per_length, middle, to);
 }

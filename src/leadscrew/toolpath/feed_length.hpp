@@ -10,6 +10,7 @@
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/toolpath/path.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
 #include <optional>
 #include <vector>
 
@@ -31,13 +32,14 @@ double time_by_feed(const Piece& piece, double from, double to);
 
 /// The move as smooth pieces, each beginning where the one before ends, without their feed; none where it does not
 /// move. A curve is cut where feed comes to be counted by other axes.
-std::vector<Piece> pieces_of(const gcode::Move& move);
+std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& space = {});
 /// A straight one whose feed is counted by `axes`; none of no length.
-std::optional<Piece> straight_piece(const geometry::Point& start, const geometry::Point& end, FeedAxes axes);
+std::optional<Piece> straight_piece(const geometry::Point& start, const geometry::Point& end, FeedAxes axes,
+                                    const ToleranceSpace& space = {});
 
 /// The same curve: a piece of a spline that moves along one coordinate alone is a straight line, whatever its parameter
 /// does.
-geometry::Curve simplest(const geometry::Curve& curve);
+geometry::Curve simplest(const geometry::Curve& curve, const ToleranceSpace& space = {});
 
 /// Tables of arc length for what is fitted and blended. Their spans are much shorter than their radii, and what a table
 /// may be off by is told by the shorter of the two. For times alone, without words, far fewer pieces do: a time
@@ -46,6 +48,7 @@ inline constexpr geometry::MapTolerance tables_for_motion{1e-7, 1e-6, 1e-6}, tab
 
 /// Smooth pieces of what was fitted, by the length of tolerances.
 std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form,
-                                           const geometry::MapTolerance& tables = tables_for_motion);
+                                           const geometry::MapTolerance& tables = tables_for_motion,
+                                           const ToleranceSpace& space = {});
 
 }  // namespace leadscrew::toolpath

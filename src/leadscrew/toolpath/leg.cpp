@@ -14,18 +14,18 @@ double tolerance_of(const Leg& leg) {
 
 }  // namespace
 
-double millimetres_per_length(const geometry::Curve& curve) {
+double millimetres_per_length(const geometry::Curve& curve, const ToleranceSpace& space) {
   if (std::holds_alternative<geometry::Nurbs>(curve)) return 1;
-  return norm(derivative(geometry::jets(curve, 0), &numeric::Jet<>::first));
+  return norm(space.derivative(geometry::jets(curve, 0), &numeric::Jet<>::first));
 }
 
 double greatest_speed(const Leg& leg) {
   const double rate = toolpath::rate(geometry::jets(leg.curve, 0), leg.feed_axes);
-  return leg.feed / rate * millimetres_per_length(leg.curve);
+  return leg.feed / rate * millimetres_per_length(leg.curve, leg.space);
 }
 
 double length_of(const Leg& leg) {
-  return geometry::length(leg.curve) * millimetres_per_length(leg.curve);
+  return geometry::length(leg.curve) * millimetres_per_length(leg.curve, leg.space);
 }
 
 double span_length(const Leg& leg) {
@@ -67,17 +67,17 @@ double margin_beside(double tolerance, double spent) {
 
 bool costs_time(const Leg& before, const Leg& behind, double tolerance) {
   const auto feed_share = [](const Leg& leg) {
-    return rate(geometry::jets(leg.curve, 0), leg.feed_axes) / millimetres_per_length(leg.curve);
+    return rate(geometry::jets(leg.curve, 0), leg.feed_axes) / millimetres_per_length(leg.curve, leg.space);
   };
   const double seconds_per_mm = std::abs(1 / before.feed - 1 / behind.feed);
   return tolerance * std::abs(feed_share(before) - feed_share(behind)) * seconds_per_mm > tuning::allowed_time;
 }
 
-double chord_end(const geometry::Curve& curve, double s, double to, double sagitta) {
+double chord_end(const geometry::Curve& curve, double s, double to, double sagitta, const ToleranceSpace& space) {
   constexpr int most_halvings = 20;
   constexpr double fewest_chords = 4, nearly_all = 0.75;
   const auto longest_at = [&](double place) {
-    const double bend = norm(derivative(geometry::jets(curve, place), &numeric::Jet<>::second));
+    const double bend = norm(space.derivative(geometry::jets(curve, place), &numeric::Jet<>::second));
     return std::sqrt(8 * sagitta / std::max(bend, 1e-12));
   };
   double step = std::min(longest_at(s), geometry::length(curve) / fewest_chords);
@@ -90,7 +90,7 @@ double chord_end(const geometry::Curve& curve, double s, double to, double sagit
     return false;
   };
   // A part as short as that is within the sagitta of its chord, whatever its shape.
-  const double shortest = sagitta / millimetres_per_length(curve);
+  const double shortest = sagitta / millimetres_per_length(curve, space);
   for (int k = 0; k < most_halvings && step > shortest && is_too_long(); ++k) step /= 2;
   step = std::max(step, shortest);
   return s + step < to && s + step > s ? s + step : to;

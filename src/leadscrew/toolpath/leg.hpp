@@ -37,6 +37,7 @@ struct Leg {
   FeedAxes feed_axes = FeedAxes::none;  ///< as a Piece's
   Allowance allowance{};
   std::vector<EventMark> events{};  ///< that are passed on it, by path length, its end included
+  ToleranceSpace space{};           ///< in which the allowance is told, and the curve's length where rotary axes count
   double kept = 0;                  ///< of P, for chords between words where a spline is fitted (sampling.hpp), mm
 };
 
@@ -52,7 +53,7 @@ inline FeedAxes axes_of(const Leg& leg) {
 }
 
 /// Millimetres of the space of tolerances (tolerance_space.hpp) per unit of the curve's length, at its start.
-double millimetres_per_length(const geometry::Curve& curve);
+double millimetres_per_length(const geometry::Curve& curve, const ToleranceSpace& space);
 
 /// As far as feed goes, mm/s.
 double greatest_speed(const Leg& leg);
@@ -70,7 +71,7 @@ bool is_long(const Leg& leg);
 bool may_be_fitted(const Leg& leg);
 
 /// Where a chord from s ends that stays within `sagitta` of the curve, or nearly: at `to` at last.
-double chord_end(const geometry::Curve& curve, double s, double to, double sagitta);
+double chord_end(const geometry::Curve& curve, double s, double to, double sagitta, const ToleranceSpace& space);
 
 /// Between a curve and the chords that stand for it, mm.
 double sagitta(const Leg& leg);

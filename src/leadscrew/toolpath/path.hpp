@@ -40,6 +40,8 @@ enum class FeedAxes : std::uint8_t { none, xyz, uvw, abc };
 
 /// |dq/ds| of these axes alone, units of theirs per unit of the curve's length; 1 for none.
 double rate(const geometry::PointJet& jet, FeedAxes axes);
+/// The same along a curve at 0 ≤ s ≤ its length, to the last bit, without what feed does not ask for. For the cycle.
+double rate(const geometry::Curve& curve, double s, FeedAxes axes);
 
 struct Piece;
 struct TravelExcess;
@@ -80,7 +82,7 @@ struct Piece {
   /// axes() at s, 0 ≤ s ≤ length.
   double greatest_speed(double s, const geometry::PointJet& jet) const {
     if (feed_axes == FeedAxes::none) return feed;
-    return feed / rate(transformation ? geometry::jets(curve, s) : jet, feed_axes);
+    return feed / (transformation ? rate(curve, s, feed_axes) : rate(jet, feed_axes));
   }
   /// Are they equally fast wherever they are the same curve?
   bool is_fed_as(const Piece& other) const {

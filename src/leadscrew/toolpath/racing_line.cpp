@@ -60,7 +60,7 @@ std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
     return legs;
   }
   for (double s = 0; s < length;) {
-    const double next = chord_end(curve, s, length, sagitta(leg));
+    const double next = chord_end(curve, s, length, sagitta(leg), leg.space);
     legs.push_back(line_leg<3>(at(s), at(next), margin_of(leg), leg.feed));
     s = next;
   }

@@ -28,7 +28,7 @@ bool Reduction::join(const Leg& leg) {
   const auto* const open = std::get_if<geometry::Line>(&open_->curve);
   const auto* const line = std::get_if<geometry::Line>(&leg.curve);
   if (!open || !line || open_->lines.size() >= most_lines) return false;
-  const Point end = to_millimetres(line->end());
+  const Point end = leg.space.to_millimetres(line->end());
   const double off = distance_to_segment(end_, start_, end);
   const Allowance allowance = lesser(open_->allowance, leg.allowance);
   const bool is_straight = open_->feed == leg.feed && open_->allowance == leg.allowance &&
@@ -41,7 +41,7 @@ bool Reduction::join(const Leg& leg) {
   if (!is_straight && spent > most_spent * allowance.fitted()) return false;
   // Told in the same axes as before, or not at all.
   const FeedAxes axes = axes_of(*open_);
-  const std::optional<Piece> one = straight_piece(open->start(), line->end(), axes);
+  const std::optional<Piece> one = straight_piece(open->start(), line->end(), axes, leg.space);
   if (!one || feed_axes(geometry::moving(one->curve)) != axes) return false;
   const double length = geometry::length(one->curve), feed = std::min(open_->feed, leg.feed);
   // The lesser feed is kept by all of it, but no longer than all of them would take one by one.
@@ -67,8 +67,8 @@ bool Reduction::join(const Leg& leg) {
 std::optional<Leg> Reduction::push(Leg leg) {
   if (open_ && join(leg)) return std::nullopt;
   std::optional<Leg> done = finish();
-  start_ = to_millimetres(geometry::start(leg.curve));
-  end_ = to_millimetres(geometry::end(leg.curve));
+  start_ = leg.space.to_millimetres(geometry::start(leg.curve));
+  end_ = leg.space.to_millimetres(geometry::end(leg.curve));
   radius_ = 0;
   seconds_ = least_time(leg.curve, leg.feed, leg.feed_axes);
   open_ = std::move(leg);

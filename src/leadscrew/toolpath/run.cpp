@@ -18,20 +18,20 @@ using namespace tuning::run;
 
 constexpr double rounding = 1e-9;
 
-Point position(const Curve& curve, double s) {
-  return to_millimetres(geometry::evaluate(curve, s));
+Point position(const Curve& curve, double s, const ToleranceSpace& space) {
+  return space.to_millimetres(geometry::evaluate(curve, s));
 }
 
 /// What a curve says of itself at s: position and three derivatives by mm; at a cusp, where it has none, the position.
-State state_at(const Curve& curve, double s, bool backwards) {
+State state_at(const Curve& curve, double s, bool backwards, const ToleranceSpace& space) {
   const geometry::PointJet jet = geometry::jets(curve, std::clamp(s, 0.0, geometry::length(curve)));
-  const double per_mm = (backwards ? -1 : 1) / millimetres_per_length(curve);
+  const double per_mm = (backwards ? -1 : 1) / millimetres_per_length(curve, space);
   State state;
   state.count = 4;
-  state.derivative[0] = position(curve, s);
-  state.derivative[1] = derivative(jet, &numeric::Jet<>::first);
-  state.derivative[2] = derivative(jet, &numeric::Jet<>::second);
-  state.derivative[3] = derivative(jet, &numeric::Jet<>::third);
+  state.derivative[0] = position(curve, s, space);
+  state.derivative[1] = space.derivative(jet, &numeric::Jet<>::first);
+  state.derivative[2] = space.derivative(jet, &numeric::Jet<>::second);
+  state.derivative[3] = space.derivative(jet, &numeric::Jet<>::third);
   double scale = 1;
   for (std::size_t r = 1; r < state.count; ++r) {
     scale *= per_mm;
@@ -48,6 +48,7 @@ State state_at(const Curve& curve, double s, bool backwards) {
 
 Run::Run(const Leg& leg, double from, bool pinned, bool corner_before, const geometry::MapTolerance& tables)
     : tables_(tables),
+      space_(leg.space),
       axes_(axes_of(leg)),
       allowance_(leg.allowance),
       start_(geometry::evaluate(leg.curve, from)),
@@ -55,14 +56,14 @@ Run::Run(const Leg& leg, double from, bool pinned, bool corner_before, const geo
       spline_(spline_from(leg, from, pinned)) {}
 
 TubeSpline Run::spline_from(const Leg& leg, double from, bool pinned) {
-  State state = state_at(leg.curve, from, false);
+  State state = state_at(leg.curve, from, false, leg.space);
   if (!pinned) state.count = 1;
   const Vertex vertex{state.derivative[0], 0, margin_about(leg), 0, leg.allowance.tolerance, margin_of_words(leg)};
   return {state, vertex, longest_smoothing * span_length(leg)};
 }
 
 void Run::extend(const Leg& leg, double from, double to) {
-  const double rate = millimetres_per_length(leg.curve);
+  const double rate = millimetres_per_length(leg.curve, space_);
   const double first = u_, speed = greatest_speed(leg);
   base::Line line = leg.line;
   for (const LineMark& mark : leg.lines) {
@@ -80,16 +81,16 @@ void Run::extend(const Leg& leg, double from, double to) {
   spent_ = std::max(spent_, spent_by(leg));
   if (std::exchange(allowance_, leg.allowance) != leg.allowance) spline_.lengthen(longest_smoothing * span_length(leg));
   for (double s = from; s < to;) {
-    s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, off);
-    spline_.append({position(leg.curve, s), first + (s - from) * rate, margin, 1 / speed, leg.allowance.tolerance,
-                    margin_of_words(leg)});
+    s = is_line(leg.curve) ? to : chord_end(leg.curve, s, to, off, space_);
+    spline_.append({position(leg.curve, s, space_), first + (s - from) * rate, margin, 1 / speed,
+                    leg.allowance.tolerance, margin_of_words(leg)});
   }
   u_ = first + (to - from) * rate;
   settle();
 }
 
 void Run::end(const Leg& leg, double to, bool pinned) {
-  State state = state_at(leg.curve, to, true);
+  State state = state_at(leg.curve, to, true, space_);
   if (!pinned) state.count = 1;
   end_ = last_point_ = geometry::evaluate(leg.curve, to);
   last_ = state;
@@ -126,7 +127,7 @@ bool Run::begin_rest(bool corner) {
   state.derivative[0] = vertices.front().position;
   spline_ = TubeSpline(state, vertices.front(), spline_.longest());
   for (std::size_t i = 1; i < vertices.size(); ++i) spline_.append(vertices[i]);
-  start_ = from_millimetres(vertices.front().position);
+  start_ = space_.from_millimetres(vertices.front().position);
   is_first_ = true;
   corner_before_ = corner;
   if (last_) {
@@ -166,12 +167,12 @@ bool Run::retreat() {
     state.derivative[0] = vertices[end].position;
     spline_.retreat_to(end);
     spline_.close(state);
-    end_ = from_millimetres(vertices[end].position);
+    end_ = space_.from_millimetres(vertices[end].position);
     return true;
   }
-  const Point here = is_first_ ? start_ : from_millimetres(spline_.position());
-  const Point there = is_last ? last_point_ : from_millimetres(vertices[end].position);
-  if (std::optional<Piece> line = straight_piece(here, there, axes_)) {
+  const Point here = is_first_ ? start_ : space_.from_millimetres(spline_.position());
+  const Point there = is_last ? last_point_ : space_.from_millimetres(vertices[end].position);
+  if (std::optional<Piece> line = straight_piece(here, there, axes_, space_)) {
     std::deque<Mark>& marks = marks_;
     while (marks.size() > 1 && marks[1].u <= settled) marks.pop_front();
     const Mark& mark = marks.front();
@@ -198,7 +199,7 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
   form.degree = static_cast<int>(quintic_degree);
   form.knots = spline.knots;
   form.weights.assign(spline.points.size(), 1.0);
-  for (const Point& point : spline.points) form.points.push_back(from_millimetres(point));
+  for (const Point& point : spline.points) form.points.push_back(space_.from_millimetres(point));
   if (is_first_) form.points.front() = start_;
   if (is_last) form.points.back() = end_;
 
@@ -206,7 +207,7 @@ void Run::add_spline(const std::vector<Vertex>& around, double from, bool is_las
   while (marks.size() > 1 && marks[1].u <= from) marks.pop_front();
   bool corner = is_first_ && corner_before_;
   is_first_ = false;
-  for (const geometry::Nurbs& curve : fitted_pieces(form, tables_)) {
+  for (const geometry::Nurbs& curve : fitted_pieces(form, tables_, space_)) {
     double u = curve.first_parameter();
     std::size_t mark = mark_at(u, 0);
     for (double begin = 0; begin < curve.length();) {

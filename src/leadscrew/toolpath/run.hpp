@@ -58,6 +58,7 @@ class Run {
   double fed_until(const geometry::Nurbs& curve, double begin, double& feed, double& u);
 
   geometry::MapTolerance tables_;
+  ToleranceSpace space_;           ///< of all its legs
   FeedAxes axes_;                  ///< by which the feed of all its legs is counted
   Allowance allowance_;            ///< of the last leg
   double u_ = 0;                   ///< as far as it is known

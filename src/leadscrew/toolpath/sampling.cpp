@@ -98,10 +98,12 @@ bool Sampling::suits_spline(const Leg& leg, double turn) const {
   return (leg.allowance.tolerance - leg.kept) * turn * turn * jerk * jerk <= 6 * across * across * across;
 }
 
-Division Sampling::at_corner(const Piece& before, const Piece& behind, double tolerance) const {
+Division Sampling::at_corner(const Piece& before, const Piece& behind, double tolerance,
+                             const ToleranceSpace& space) const {
   const double length = geometry::length(before.curve);
   const geometry::PointJet leaving = geometry::jets(before.curve, length), entering = geometry::jets(behind.curve, 0);
-  const Point in = derivative(leaving, &numeric::Jet<>::first), out = derivative(entering, &numeric::Jet<>::first);
+  const Point in = space.derivative(leaving, &numeric::Jet<>::first),
+              out = space.derivative(entering, &numeric::Jet<>::first);
   const double speed =
       std::max(before.greatest_speed(length, leaving) * norm(in), behind.greatest_speed(0, entering) * norm(out));
   return beside_blend(tolerance, in, out, speed, is_line(before.curve) && is_line(behind.curve));
@@ -110,8 +112,8 @@ Division Sampling::at_corner(const Piece& before, const Piece& behind, double to
 Division Sampling::at_joint(const Leg& before, const Leg& behind, double tolerance) const {
   const geometry::PointJet leaving = geometry::jets(before.curve, geometry::length(before.curve)),
                            entering = geometry::jets(behind.curve, 0);
-  return beside_blend(tolerance, derivative(leaving, &numeric::Jet<>::first),
-                      derivative(entering, &numeric::Jet<>::first),
+  return beside_blend(tolerance, before.space.derivative(leaving, &numeric::Jet<>::first),
+                      behind.space.derivative(entering, &numeric::Jet<>::first),
                       std::max(toolpath::greatest_speed(before), toolpath::greatest_speed(behind)),
                       is_line(before.curve) && is_line(behind.curve));
 }

@@ -57,7 +57,7 @@ class Sampling {
   /// joint and to go on where l/V = (6l/j)^(1/3): ε = 6 A³/(jΔ)².
   bool suits_spline(const Leg& leg, double turn) const;
   /// Where the corner between two pieces, or two legs, is blended within P.
-  Division at_corner(const Piece& before, const Piece& behind, double tolerance) const;
+  Division at_corner(const Piece& before, const Piece& behind, double tolerance, const ToleranceSpace& space) const;
   Division at_joint(const Leg& before, const Leg& behind, double tolerance) const;
   /// The same by two directions, by mm of the space of tolerances; `speed`: the greatest by feed there, mm/s.
   /// are_lines: are both straight?

@@ -25,14 +25,15 @@ using tuning::corner::sharp_swing;
 
 constexpr double same_direction = 1e-9;
 
-Point position(const Curve& curve, double s) {
-  return to_millimetres(geometry::evaluate(curve, s));
+Point position(const Curve& curve, double s, const ToleranceSpace& space) {
+  return space.to_millimetres(geometry::evaluate(curve, s));
 }
 
 /// Does the second go on where the first ends with the same direction and curvature?
-bool goes_on(const Curve& first, const Curve& second) {
+bool goes_on(const Curve& first, const Curve& second, const ToleranceSpace& space) {
   const geometry::PointJet a = geometry::jets(first, geometry::length(first)), b = geometry::jets(second, 0);
-  const double ra = norm(derivative(a, &numeric::Jet<>::first)), rb = norm(derivative(b, &numeric::Jet<>::first));
+  const double ra = norm(space.derivative(a, &numeric::Jet<>::first)),
+               rb = norm(space.derivative(b, &numeric::Jet<>::first));
   for (std::size_t i = 0; i < a.size(); ++i) {
     // Where a curve ends in a cusp they are no numbers.
     if (!(std::abs(a[i].first / ra - b[i].first / rb) <= same_direction)) return false;
@@ -92,11 +93,13 @@ struct Cut {
 
 /// The blend of a corner within a tolerance, which takes at most these lengths of its neighbours.
 std::optional<Cut> cut_within(double tolerance, const Stretch& before, double most_before, const Stretch& behind,
-                              double most_behind, const Sampling& sampling, const geometry::MapTolerance& tables) {
+                              double most_behind, const Sampling& sampling, const geometry::MapTolerance& tables,
+                              const ToleranceSpace& space) {
   Corner corner{before.piece.curve, behind.piece.curve, before.programmed, behind.programmed, most_before, most_behind};
   corner.tables = tables;
+  corner.space = space;
   const double spent = std::max(before.spent, behind.spent);
-  const Division division = sampling.at_corner(before.piece, behind.piece, tolerance);
+  const Division division = sampling.at_corner(before.piece, behind.piece, tolerance, space);
   if (division.rounding == Rounding::none) return std::nullopt;
   corner.may_swing = division.rounding == Rounding::wide;
   const double of_words = margin_beside(tolerance, spent), margin = of_words - division.kept;
@@ -151,7 +154,7 @@ Point Smoother::place_at(double u) const {
   const auto leg = static_cast<std::size_t>(behind - ends_.begin()) - 1;
   const Leg& at = legs_[leg];
   const double share = std::clamp((u - ends_[leg]) / (ends_[leg + 1] - ends_[leg]), 0.0, 1.0);
-  return position(at.curve, share * geometry::length(at.curve));
+  return position(at.curve, share * geometry::length(at.curve), space_);
 }
 
 /// What both legs at the end of leg `joint` allow, mm.
@@ -185,8 +188,8 @@ double Smoother::turn_at(std::size_t joint, double window) const {
 std::optional<double> Smoother::wanted_at(std::size_t joint) const {
   const Leg &before = legs_[joint], &behind = legs_[joint + 1];
   if (!is_line(before.curve) || !is_line(behind.curve)) return std::nullopt;
-  const double turn = turn_between(derivative(geometry::jets(before.curve, 0), &numeric::Jet<>::first),
-                                   derivative(geometry::jets(behind.curve, 0), &numeric::Jet<>::first));
+  const double turn = turn_between(space_.derivative(geometry::jets(before.curve, 0), &numeric::Jet<>::first),
+                                   space_.derivative(geometry::jets(behind.curve, 0), &numeric::Jet<>::first));
   if (!(turn > 0 && turn < sharp_swing)) return std::nullopt;
   const double tolerance = tolerance_at(joint);
   const Division division = sampling_.at_joint(before, behind, tolerance);
@@ -230,12 +233,13 @@ bool Smoother::is_beside_wide(std::size_t joint) const {
 
 Smoother::Joint Smoother::joint_kind(std::size_t joint) const {
   const Leg &before = legs_[joint], &behind = legs_[joint + 1];
-  if (axes_of(before) != axes_of(behind)) return goes_on(before.curve, behind.curve) ? Joint::through : Joint::corner;
+  if (axes_of(before) != axes_of(behind))
+    return goes_on(before.curve, behind.curve, space_) ? Joint::through : Joint::corner;
   const bool are_long = is_long(before) && is_long(behind);
   const bool fits = may_be_fitted(before) && may_be_fitted(behind);
   // Short lines may run straight on by chance, where what they stand for bends.
   const bool may_stand_for_a_curve = fits && !are_long && (is_line(before.curve) || is_line(behind.curve));
-  if (!may_stand_for_a_curve && goes_on(before.curve, behind.curve)) return Joint::through;
+  if (!may_stand_for_a_curve && goes_on(before.curve, behind.curve, space_)) return Joint::through;
   if (!fits) return Joint::corner;
   if (costs_time(before, behind, tolerance_at(joint))) return Joint::corner;
   if (swings_wide(joint)) return Joint::wide;
@@ -279,7 +283,7 @@ void Smoother::classify(bool all) {
 }
 
 void Smoother::follow(const Leg& leg, Joint before, Joint behind) {
-  const double length = geometry::length(leg.curve), rate = millimetres_per_length(leg.curve);
+  const double length = geometry::length(leg.curve), rate = millimetres_per_length(leg.curve, space_);
   const bool comes_smoothly = before == Joint::smooth, goes_smoothly = behind == Joint::smooth;
   // Next to a corner that swings wide a line stays what it is.
   const bool stays = is_long(leg) || before == Joint::wide || behind == Joint::wide;
@@ -337,7 +341,7 @@ void Smoother::add_exact(const Leg& leg, double from, double to) {
   if (to < geometry::length(leg.curve) || (behind != Joint::corner && behind != Joint::wide)) {
     stretch.wanted_behind = 0;
   } else if (const std::optional<double> wanted = wanted_at(followed_)) {
-    stretch.wanted_behind = *wanted / millimetres_per_length(leg.curve);
+    stretch.wanted_behind = *wanted / millimetres_per_length(leg.curve, space_);
   }
   if (!leg.lines.empty()) stretch.piece.lines = std::make_shared<const std::vector<LineMark>>(leg.lines);
   set_events(stretch.piece, leg.events);
@@ -368,7 +372,8 @@ void Smoother::cut_corner(Stretch& behind) {
   for (int k = 0; k < most_tolerances && tolerance > 0; ++k) {
     const Reach before = reach_within(*last_, StretchEnd::last, tolerance, most),
                 beyond = reach_within(behind, StretchEnd::first, tolerance, most_behind);
-    std::optional<Cut> found = cut_within(tolerance, *last_, before.length, behind, beyond.length, sampling_, tables_);
+    std::optional<Cut> found =
+        cut_within(tolerance, *last_, before.length, behind, beyond.length, sampling_, tables_, space_);
     if (found && (!cut || found->blend.curve.length() > cut->blend.curve.length())) cut = std::move(found);
     tolerance = std::max(before.beyond, beyond.beyond);
   }
@@ -387,7 +392,7 @@ void Smoother::cut_corner(Stretch& behind) {
 
 /// What no corner can cut any more.
 void Smoother::emit(Piece piece) {
-  piece.curve = simplest(piece.curve);
+  piece.curve = simplest(piece.curve, space_);
   carry_events(piece, carried_);
   done_.push_back(std::move(piece));
 }

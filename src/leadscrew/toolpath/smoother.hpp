@@ -25,8 +25,10 @@ namespace leadscrew::toolpath {
 class Smoother {
  public:
   /// sampling: what is kept of P for chords between words; tables: of blends and fits, by arc length.
-  explicit Smoother(const Sampling& sampling = {}, const geometry::MapTolerance& tables = tables_for_motion)
-      : sampling_(sampling), tables_(tables) {}
+  /// space: of all its legs.
+  explicit Smoother(const Sampling& sampling = {}, const geometry::MapTolerance& tables = tables_for_motion,
+                    const ToleranceSpace& space = {})
+      : sampling_(sampling), tables_(tables), space_(space) {}
 
   /// Of the leg's allowance, P of G64 > 0, mm: no point of the path lies farther from what was programmed there, and no
   /// point of that farther from the path; where legs meet, no farther than both allow. Q of G64 ≥ 0, mm (the naive-CAM
@@ -75,6 +77,7 @@ class Smoother {
 
   Sampling sampling_;
   geometry::MapTolerance tables_;
+  ToleranceSpace space_;
   Reduction reduction_;
   std::deque<Leg> legs_;          ///< that are not done
   std::deque<double> ends_{0.0};  ///< u at their ends; the first: where the first begins

@@ -1,6 +1,10 @@
 #pragma once
 // The space in which a tolerance is told: all coordinates in millimetres, a degree of a rotary axis counting as the arc
 // it sweeps at a radius of 50 mm. The distance is Euclid's.
+//
+// Under tool centre point control a degree counts as P/E mm, P the tolerance of the tip and E that of the tool's direction:
+// what is within P in that space is within both, and each may be used up. The direction turns by no more than the rotary
+// axes do together.
 
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/geometry/point.hpp>
@@ -11,25 +15,31 @@ namespace leadscrew::toolpath {
 
 inline constexpr double reference_radius = 50;  // mm
 
-inline double millimetres_per_unit(base::Axis axis) {
-  return base::is_rotary(axis) ? reference_radius * std::numbers::pi / 180 : 1;
-}
+struct ToleranceSpace {
+  double millimetres_per_degree = reference_radius * std::numbers::pi / 180;
 
-inline geometry::Point to_millimetres(geometry::Point p) {
-  for (const base::Axis axis : base::all_axes) p[base::index(axis)] *= millimetres_per_unit(axis);
-  return p;
-}
-inline geometry::Point from_millimetres(geometry::Point p) {
-  for (const base::Axis axis : base::all_axes) p[base::index(axis)] /= millimetres_per_unit(axis);
-  return p;
-}
-
-/// Of the coordinates, in a length.
-inline geometry::Point weights_of_length() {
-  geometry::Point weights;
-  weights.fill(1);
-  return to_millimetres(weights);
-}
+  double millimetres_per_unit(base::Axis axis) const { return base::is_rotary(axis) ? millimetres_per_degree : 1; }
+  geometry::Point to_millimetres(geometry::Point p) const {
+    for (const base::Axis axis : base::all_axes) p[base::index(axis)] *= millimetres_per_unit(axis);
+    return p;
+  }
+  geometry::Point from_millimetres(geometry::Point p) const {
+    for (const base::Axis axis : base::all_axes) p[base::index(axis)] /= millimetres_per_unit(axis);
+    return p;
+  }
+  /// Of the coordinates, in a length.
+  geometry::Point weights_of_length() const {
+    geometry::Point weights;
+    weights.fill(1);
+    return to_millimetres(weights);
+  }
+  /// One of the jet's derivatives, in millimetres.
+  geometry::Point derivative(const geometry::PointJet& jet, double numeric::Jet<>::* which) const {
+    geometry::Point d;
+    for (std::size_t i = 0; i < d.size(); ++i) d[i] = jet[i].*which;
+    return to_millimetres(d);
+  }
+};
 
 using numeric::difference;
 using numeric::distance;
@@ -45,13 +55,6 @@ inline double turn_between(const geometry::Point& in, const geometry::Point& out
   geometry::Point apart;
   for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = out[i] / out_length - in[i] / in_length;
   return norm(apart);
-}
-
-/// One of the jet's derivatives, in millimetres.
-inline geometry::Point derivative(const geometry::PointJet& jet, double numeric::Jet<>::* which) {
-  geometry::Point d;
-  for (std::size_t i = 0; i < d.size(); ++i) d[i] = jet[i].*which;
-  return to_millimetres(d);
 }
 
 }  // namespace leadscrew::toolpath
