@@ -26,7 +26,7 @@ TEST(Study, ListNamesWhatThereIs) {
   }
   EXPECT_EQ(names, (Names{"butterfly", "feed-fluctuation", "limits", "table-1", "orders", "10001", "fpga-table-1",
                           "lecture", "closed-loop-pulses", "real-time-vs-offline", "adaptive-force", "koren-feed",
-                          "digital-integrals", "bounds", "tube"}));
+                          "digital-integrals", "bounds", "tube", "five-axes"}));
 }
 
 TEST(ShareOut, DoesEachPartOnce) {
@@ -104,11 +104,12 @@ TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {
            Misuse{{"study", "zzz"},
                   "there are list, butterfly, feed-fluctuation, limits, tube, table-1, orders, 10001, fpga-table-1, "
                   "lecture, "
-                  "closed-loop-pulses, real-time-vs-offline, adaptive-force, koren-feed, digital-integrals, bounds"},
+                  "closed-loop-pulses, real-time-vs-offline, five-axes, adaptive-force, koren-feed, digital-integrals, "
+                  "bounds"},
            Misuse{{"study"}, "NAME"},
            Misuse{{"study", "butterfly", "--words", "made"}, "--words: there is none of butterfly; there is of tube"},
            Misuse{{"study", "tube", "--picture", "made.svg"},
-                  "--picture: there is none of tube; there is of real-time-vs-offline"},
+                  "--picture: there is none of tube; there is of real-time-vs-offline, five-axes"},
            Misuse{{"study", "list", "--machine", "mill3"}, "no option --machine"},
            Misuse{{"stduy", "list"}, "did you mean study?"},
            Misuse{{"run", "part.ngc", "--interpolator", "taylor3"},
@@ -171,6 +172,7 @@ TEST(Study, DrawsTheFeedsThatItMeasured) {
   // A point every 10 ms: twice two times 3.0 s and 10.4 s, and on until axes stand.
   EXPECT_GT(static_cast<double>(points), 4 * (300 + 1040));
   EXPECT_LT(static_cast<double>(points), 4 * (300 + 1040) + 8 * 300);
+  EXPECT_TRUE(contains(picture, "leadscrew study real-time-vs-offline: feed at the tachometers, mm/s</title>"));
   const auto none = leadscrew(folder, {"study", "butterfly", "--picture", "none.svg"});
   EXPECT_EQ(none.status, 2);
   EXPECT_TRUE(contains(none.errors, "there is none of butterfly; there is of real-time-vs-offline")) << none.errors;

@@ -30,8 +30,9 @@ std::optional<int> table_width() {
 base::Result<void> draw(const study::Study& study, const std::string& path) {
   auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
-  const std::string title = "leadscrew study " + std::string(study.name) + ": feed at the tachometers, mm/s";
-  if (auto written = report::write_charts({title, study.charts(), {}}, file->sink()); !written) return written;
+  report::ChartSheet sheet = study.picture();
+  sheet.title = "leadscrew study " + std::string(study.name) + ": " + sheet.title;
+  if (auto written = report::write_charts(sheet, file->sink()); !written) return written;
   return files::publish_together({&*file});
 }
 

@@ -34,7 +34,7 @@ Parsed<void> check_part(std::string_view option, bool given, std::string_view na
 }
 
 Parsed<void> check_outputs(const StudyArguments& asked) {
-  return check_part("--picture", asked.picture.has_value(), asked.name, &study::Study::charts).and_then([&] {
+  return check_part("--picture", asked.picture.has_value(), asked.name, &study::Study::picture).and_then([&] {
     return check_part("--words", asked.words.has_value(), asked.name, &study::Study::words);
   });
 }

@@ -237,22 +237,23 @@ Rows real_time_rows(const Host&) {
   return rows;
 }
 
-std::vector<report::Chart> real_time_charts() {
-  std::vector<report::Chart> charts;
+report::ChartSheet real_time_picture() {
+  report::ChartSheet sheet;
+  sheet.title = "feed at the tachometers, mm/s";
   const std::vector<Place> curve = words_of_curve(), stops = words_of_lines(lines_of_cubic());
   for (const Plant& plant : plants) {
     for (const Gains& set : sets) {
       for (const bool is_curve : {true, false}) {
         auto feeds = measured_feed(is_curve ? curve : stops, set.gains, plant, Until::rest);
         if (!feeds) continue;
-        charts.push_back(
+        sheet.charts.push_back(
             {std::string(is_curve ? "one block" : "92 lines") + ", gains " + set.name + ", " + plant_text(plant),
              {report::evenly_spaced(*feeds, period)},
              {feed}});
       }
     }
   }
-  return charts;
+  return sheet;
 }
 
 }  // namespace leadscrew::study

@@ -21,7 +21,7 @@ struct Study {
   std::string_view name;   ///< as the command line takes it
   std::string_view title;  ///< one line
   Rows (*rows)(const Host&);
-  std::vector<report::Chart> (*charts)() = nullptr;  ///< mm/s over time, where there are any
+  report::ChartSheet (*picture)() = nullptr;  ///< quantities over time, where there are any; its title says which
   /// Programs and the words of each as a trace that `leadscrew verify` reads, where there are any.
   std::vector<StudyFile> (*words)(const Host&) = nullptr;
 };
@@ -69,7 +69,13 @@ Rows closed_loop_rows(const Host& host);
 /// Lin and Koren's plane cubic as one block and as 92 lines with a stop at each, through their servo loops.
 Rows real_time_rows(const Host& host);
 /// The measured feed of each.
-std::vector<report::Chart> real_time_charts();
+report::ChartSheet real_time_picture();
+
+/// A pass over a curved patch by five axes: as lines between whose ends all axes go straight, and as a path of the tip and
+/// the rotary axes. Errors of tip and direction, times, and the cycle's time beside that of the paper.
+Rows five_axes_rows(const Host& host);
+/// Errors, the tip's feed and C's of both, over time.
+report::ChartSheet five_axes_picture();
 
 /// A slot of changing depth under adaptive control, from 50 to 200 % of the programmed feed: force held and time saved
 /// by the planner's feed override and by that of the NC program; what becomes of the feed when the sensor fails.
