@@ -49,6 +49,10 @@ RC_GTEST_PROP(FiveAxes, KeepEveryLimitAndEveryPoint, ()) {
     RC_LOG() << each.what << " " << each.value << " of " << each.limit << " at " << each.t << " line "
              << base::number(each.line) << "\n";
   RC_ASSERT(outcome.verdict.violation_count == 0);
+  if (outcome.verdict.tip_deviation_mm) {
+    RC_ASSERT(*outcome.verdict.tip_deviation_mm <= outcome.verdict.tolerance_mm + 1e-6);
+    RC_ASSERT(*outcome.verdict.orientation_deviation_deg <= outcome.verdict.orientation_tolerance_deg + 1e-6);
+  }
   RC_ASSERT(outcome.summary.bound_s <= outcome.summary.time_s * (1 + 1e-6));
 }
 

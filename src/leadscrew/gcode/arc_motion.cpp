@@ -169,6 +169,16 @@ void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& pla
       travel_.bulge_inside(block, second, box.low.second, box.high.second);
 }
 
+// The tip's circle leads the axes elsewhere.
+[[gnu::cold]] void Motion::tip_arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan,
+                                          const base::AxisVector& target) {
+  const int direction = plan.turns > 0 ? 1 : -1;
+  const PlanePoint center = plan.circle.center;
+  const double turned = sweep(start, plan.circle.end, center, direction) +
+                        (std::abs(plan.turns) - 1) * sweep(start, start, center, direction);
+  travel_.tip_way_inside(block, {frame_.position, target, true, modal_.plane, center, direction * turned});
+}
+
 void Motion::arc(const Block& block) {
   const base::AxisVector target = target_of(block);
   // The circle is found where it was written: in the program's coordinates where more than offsets lie between.
@@ -183,13 +193,14 @@ void Motion::arc(const Block& block) {
   feed_of(block, true, block.has('F'), feed);  // also where it closes, and its end is where it begins
   // Only a line comes back from outside at once.
   const bool from_outside = travel_.fails_outside(block);
-  travel_.inside_travel(block, target);
+  travel_.end_inside(block, target);
   if (!known) {
     frame_.position = target;
     return;
   }
   if (transforms && !place_circle(plan)) return arc_as_curve(block, plan, target, feed);
-  if (!from_outside) arc_inside(block, start, plan);
+  if (!from_outside && frame_.tip_control()) tip_arc_inside(block, start, plan, target);
+  if (!from_outside && !frame_.tip_control()) arc_inside(block, start, plan);
 
   Move& arc = outbox_.emit(Move::Kind::arc);
   arc.end = target;

@@ -328,7 +328,7 @@ void CurveReader::follow_curve(const Block& block, const Feed& feed, base::Line 
   const base::AxisVector end = curve_.points.back().position;
   // Only a line comes back from outside at once.
   const bool from_outside = travel_.fails_outside(block);
-  travel_.inside_travel(block, end);
+  travel_.end_inside(block, end);
   if (!from_outside) travel_.curve_inside(block, curve_);
   const bool moves = std::any_of(curve_.points.begin(), curve_.points.end(),
                                  [&](const ControlPoint& point) { return point.position != frame_.position; });

@@ -44,6 +44,7 @@ class Motion : Part {
   bool report_circle(const Block& block, const ArcCircle& circle);
   bool plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan);
   void arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan);
+  void tip_arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan, const base::AxisVector& target);
   bool place_circle(ArcPlan& plan) const;
   void arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, const Feed& feed);
   static double arc_length(PlanePoint start, const ArcPlan& plan, const Move& arc);

@@ -82,27 +82,32 @@ bool Travel::axis_inside(base::Axis axis, double value, std::uint32_t column) {
 }
 
 bool Travel::inside_travel(const Block& block, const base::AxisVector& target) {
-  return frame_.tip_control() ? tip_inside(block, frame_.position, target)
-                              : places_inside(block, frame_.position, target);
+  if (!end_inside(block, target)) return false;
+  return !frame_.tip_control() || !outside_.empty() || tip_way_inside(block, {frame_.position, target});
 }
 
-// The tip goes straight and the axes do not: they are looked at where rotary axes have turned by a few degrees each.
+bool Travel::end_inside(const Block& block, const base::AxisVector& target) {
+  if (!frame_.tip_control()) return places_inside(block, frame_.position, target);
+  return places_inside(block, frame_.axes_of(frame_.position), frame_.axes_of(target));
+}
+
 bool Travel::tip_inside(const Block& block, const base::AxisVector& start, const base::AxisVector& target) {
-  constexpr double step = 3, most = 360;  // degrees
-  double turned = 0;
-  for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::C})
-    turned = std::max(turned, std::fabs(target[base::index(axis)] - start[base::index(axis)]));
-  const int parts = static_cast<int>(std::min(turned, most) / step) + 1;
-  base::AxisVector from = frame_.axes_of(start);
+  if (!places_inside(block, frame_.axes_of(start), frame_.axes_of(target))) return false;
+  return !outside_.empty() || tip_way_inside(block, {start, target});
+}
+
+[[gnu::cold]] bool Travel::tip_way_inside(const Block& block, const TipPath& path) {
+  return reach_inside(block, axes_reach(*frame_.tip_control(), path, low_, high_));
+}
+
+[[gnu::cold]] bool Travel::reach_inside(const Block& block, const AxesReach& reach) {
   bool inside = true;
-  for (int k = 1; k <= parts; ++k) {
-    base::AxisVector place = target;
-    if (k < parts) {
-      for (std::size_t i = 0; i < place.size(); ++i) place[i] = start[i] + (target[i] - start[i]) * k / parts;
-    }
-    const base::AxisVector to = frame_.axes_of(place);
-    inside &= places_inside(block, from, to);
-    from = to;
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
+    const std::size_t i = base::index(axis);
+    const bool below = reach.low[i] < low_[i];
+    if (!below && reach.high[i] <= high_[i]) continue;
+    inside = reporter_.fail();
+    if (!outside_.contains(axis)) report_travel(axis, below ? reach.low[i] : reach.high[i], motion_column(block));
   }
   return inside;
 }
@@ -124,7 +129,6 @@ bool Travel::places_inside(const Block& block, const base::AxisVector& from, con
 }
 
 bool Travel::bulge_inside(const Block& block, base::Axis axis, double low, double high) {
-  if (frame_.tip_control()) return true;  // low and high are the tip's: where it leads the axes is asked of the path
   const std::size_t i = base::index(axis);
   const bool below = low < low_[i];
   if (!below && high <= high_[i]) return true;
@@ -134,12 +138,10 @@ bool Travel::bulge_inside(const Block& block, base::Axis axis, double low, doubl
 }
 
 void Travel::curve_inside(const Block& block, const NurbsCurve& curve) {
-  if (frame_.tip_control()) {
-    inside_travel(block, curve.points.back().position);
-    return;
-  }
+  if (frame_.tip_control()) reach_inside(block, axes_reach(*frame_.tip_control(), curve, low_, high_));
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
+    if (frame_.tip_control() && i < 3) continue;  // of the tip
     bulge_inside(block, axis, reach_beyond(curve, axis, -1, low_[i]), reach_beyond(curve, axis, 1, high_[i]));
   }
 }

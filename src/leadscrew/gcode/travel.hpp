@@ -1,8 +1,10 @@
 #pragma once
 // The travel of the machine's axes: what leaves it, and what moves an axis that the machine lacks. Lines are judged by
-// their ends, arcs and curves by how far they bulge.
+// their ends, arcs and curves by how far they bulge; under tool centre point control all by how far they lead the axes
+// between their ends (tip_travel.hpp).
 
 #include <leadscrew/gcode/part.hpp>
+#include <leadscrew/gcode/tip_travel.hpp>
 
 namespace leadscrew::gcode {
 
@@ -14,6 +16,10 @@ class Travel : Part {
   bool inside_travel(const Block& block, const base::AxisVector& target);
   /// The same from another place than where the program stands, under tool centre point control.
   bool tip_inside(const Block& block, const base::AxisVector& start, const base::AxisVector& target);
+  /// The same of its end alone, where the way there is no line.
+  bool end_inside(const Block& block, const base::AxisVector& target);
+  /// Whether the way there, of the tip, stays inside between its ends, which have been looked at.
+  bool tip_way_inside(const Block& block, const TipPath& path);
   /// Whether an axis that reaches from low to high, mm or degrees, stays inside; reports it where it does not.
   bool bulge_inside(const Block& block, base::Axis axis, double low, double high);
   /// Whether a curve does.
@@ -33,6 +39,7 @@ class Travel : Part {
 
  private:
   bool places_inside(const Block& block, const base::AxisVector& from, const base::AxisVector& to);
+  bool reach_inside(const Block& block, const AxesReach& reach);
   bool axis_inside(base::Axis axis, double value, std::uint32_t column);
   void report_travel(base::Axis axis, double value, std::uint32_t column);
 

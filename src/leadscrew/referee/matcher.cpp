@@ -13,9 +13,10 @@ constexpr double same_distance = 1e-9;  // mm; rounding is below
 
 }  // namespace
 
-Matcher::Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation)
+Matcher::Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation, bool tells_places)
     : source_(source),
       metric_(metric),
+      tells_places_(tells_places),
       candidates_(
           metric, [&source](Piece& piece) { return source.next(piece); }, cancellation),
       rematch_(metric, candidates_, cancellation),
@@ -175,6 +176,8 @@ Passage Matcher::passage(std::size_t last) {
   const Slot& matched = slot(nearest);
   result.line = matched.piece.line;
   result.block_feed = matched.piece.feed.value;
+  result.orientation_tolerance = matched.piece.orientation_tolerance;
+  if (tells_places_) result.place = point_at(metric_, matched.piece, matched.next.place);
   const bool stays = one_block && matched.piece.block == matched_.block;
   const double angle = matched.piece.angle_before + matched.next.place;
   if (stays && matched.piece.kind == Piece::Kind::arc &&
@@ -190,7 +193,7 @@ Passage Matcher::passage(std::size_t last) {
 
 bool Matcher::is_at_end(double reach) {
   const std::size_t last = candidates_.last_alive();
-  if (departed_ || (last + 1 == candidates_.count() && candidates_.pull())) return false;
+  if (last + 1 == candidates_.count() && candidates_.pull()) return false;
   const Slot& here = slot(last);
   return last + 1 == candidates_.count() && here.now.alive &&
          metric_.distance(candidates_.word(), here.piece.to) <= reach;

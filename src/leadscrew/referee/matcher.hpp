@@ -55,13 +55,16 @@ struct Passage {
   const Piece* arc = nullptr;  ///< if both words lie on the same arc: a piece of it
   double turn = 0;             ///< and the angle between them, radians
   double stretch = 1;          ///< if both lie on the same curve: its length between them over their chord's, at least
+  Point place{};               ///< where the word is matched to, if the matcher tells places
+  double orientation_tolerance = 0;  ///< of the block the word lies nearest to, degrees
   std::optional<Finding> deviation;
   std::optional<Finding> skipped;
 };
 
 class Matcher {
  public:
-  Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation);
+  /// tells_places: Passage::place is wanted.
+  Matcher(PieceSource& source, const Metric& metric, Cancellation& cancellation, bool tells_places = false);
 
   /// Returns where the first word is matched to.
   Passage begin(const Point& word);
@@ -72,6 +75,8 @@ class Matcher {
   /// The distance of the program's end itself is not reported here.
   std::optional<Finding> conclude();
 
+  /// How far the word before is beyond the tolerance while the trace departs from the program, mm; else 0.
+  double departure() const { return departed_ ? least_margin_ : 0; }
   /// Is the word before matched to the path's last piece, within `reach`, mm, of its end?
   bool is_at_end(double reach);
   /// At the end: is this word within the tolerance of the path's last piece?
@@ -96,6 +101,7 @@ class Matcher {
 
   PieceSource& source_;
   const Metric& metric_;
+  bool tells_places_;
   CandidateSet candidates_;
   Rematch rematch_;
   Point start_{}, end_{};

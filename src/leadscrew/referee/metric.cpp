@@ -2,11 +2,11 @@
 
 namespace leadscrew::referee {
 
-Metric::Metric(const machine::Machine& machine) {
+Metric::Metric(const machine::Machine& machine, double per_degree) : per_degree_(per_degree) {
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     axes_[dimensions_] = axis;
-    scale_[dimensions_] = base::is_rotary(axis) ? millimetres_per_degree : 1;
+    scale_[dimensions_] = base::is_rotary(axis) ? per_degree : 1;
     acceleration_[dimensions_] = machine.limits(axis).acceleration * scale_[dimensions_];
     jerk_[dimensions_] = machine.limits(axis).jerk * scale_[dimensions_];
     ++dimensions_;

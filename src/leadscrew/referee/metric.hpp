@@ -1,6 +1,7 @@
 #pragma once
 // Space as the referee measures it: one coordinate for each axis the machine has, all in millimetres. A degree of a
-// rotary axis counts as the arc it sweeps at a radius of 50 mm.
+// rotary axis counts as the arc it sweeps at a radius of 50 mm; under tool centre point control with P of the tip and E of
+// the tool's direction, as P/E mm, so that both tolerances are as far (space.hpp).
 
 #include <array>
 #include <cmath>
@@ -22,8 +23,10 @@ using Point = std::array<double, base::axis_count>;
 
 class Metric {
  public:
-  explicit Metric(const machine::Machine& machine);
+  explicit Metric(const machine::Machine& machine, double per_degree = millimetres_per_degree);
 
+  /// What a degree counts, mm; > 0.
+  double per_degree() const { return per_degree_; }
   std::size_t dimensions() const { return dimensions_; }
   base::Axis axis(std::size_t coordinate) const { return axes_[coordinate]; }
   /// Which coordinate an axis is; dimensions() if the machine lacks it.
@@ -32,6 +35,13 @@ class Metric {
   Point point(const base::AxisVector& position) const {
     Point result{};
     for (std::size_t i = 0; i < dimensions_; ++i) result[i] = position[base::index(axes_[i])] * scale_[i];
+    return result;
+  }
+
+  /// The way back: axes that the machine lacks are at 0.
+  base::AxisVector position(const Point& point) const {
+    base::AxisVector result{};
+    for (std::size_t i = 0; i < dimensions_; ++i) result[base::index(axes_[i])] = point[i] / scale_[i];
     return result;
   }
 
@@ -52,6 +62,7 @@ class Metric {
   double distance(const Point& a, const Point& b) const { return std::sqrt(squared_distance(a, b)); }
 
  private:
+  double per_degree_;
   std::size_t dimensions_ = 0;
   std::array<base::Axis, base::axis_count> axes_{};
   std::array<double, base::axis_count> scale_{};

@@ -38,10 +38,11 @@ struct Piece {
   enum class Kind : std::uint8_t { line, arc, curve };
 
   Kind kind = Kind::line;
-  bool helix = false;      ///< an arc on which other axes than the plane's move
-  base::Line line{};       ///< source line
-  std::int64_t block = 0;  ///< counts the program's lines, arcs and curves
-  double tolerance = 0;    ///< mm
+  bool helix = false;                ///< an arc on which other axes than the plane's move
+  base::Line line{};                 ///< source line
+  std::int64_t block = 0;            ///< counts the program's lines, arcs and curves
+  double tolerance = 0;              ///< mm
+  double orientation_tolerance = 0;  ///< of the tip: of the tool's direction, degrees
   ProgrammedFeed feed;
   Point from{};     ///< mm
   Point to{};       ///< mm

@@ -69,10 +69,10 @@ bool turns(const gcode::Move& move) {
 
 /// mm. Of the tip, where rotary axes turn it: no more than what keeps its direction within the tolerance of that, whatever
 /// axis turns.
-double tolerance_of(const gcode::Move& move) {
+double tolerance_of(const gcode::Move& move, double per_degree) {
   if (move.path_mode != gcode::PathMode::blend) return 0;
   if (!move.is_of_tip || !turns(move)) return move.tolerance;
-  return std::min(move.tolerance, move.orientation_tolerance * millimetres_per_degree);
+  return std::min(move.tolerance, move.orientation_tolerance * per_degree);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ double PieceSource::length_of(const gcode::Move& move, FeedAxes axes) const {
   }
   if (whole_.kind == Piece::Kind::curve) {
     const double length = curve_.length_in(coordinates_of(metric_, axes));
-    return axes == FeedAxes::abc ? length / millimetres_per_degree : length;
+    return axes == FeedAxes::abc ? length / metric_.per_degree() : length;
   }
   return distance_over(axes, move.start, move.end);
 }
@@ -115,7 +115,11 @@ void PieceSource::begin(const gcode::Move& move) {
   whole_ = {};
   whole_.line = move.line;
   whole_.block = block_;
-  whole_.tolerance = tolerance_of(move);
+  whole_.tolerance = tolerance_of(move, metric_.per_degree());
+  if (move.is_of_tip && move.path_mode == gcode::PathMode::blend) {
+    whole_.orientation_tolerance = move.orientation_tolerance;
+    largest_orientation_tolerance_ = std::max(largest_orientation_tolerance_, move.orientation_tolerance);
+  }
   whole_.from = metric_.point(move.start);
   whole_.to = metric_.point(move.end);
   if (block_ == 0) {

@@ -31,7 +31,8 @@ class PieceSource {
   double start_tolerance() const { return start_tolerance_; }  ///< mm; of the first move
   double end_tolerance() const { return end_tolerance_; }      ///< mm; of the last move read
   base::Line end_line() const { return end_line_; }
-  double largest_tolerance() const { return largest_tolerance_; }  ///< mm; of the moves read
+  double largest_tolerance() const { return largest_tolerance_; }                          ///< mm; of the moves read
+  double largest_orientation_tolerance() const { return largest_orientation_tolerance_; }  ///< degrees; likewise
   /// Where motion must rest before the move that comes next, and before those since the last call.
   std::vector<RequiredStop> take_stops() { return std::exchange(stops_, {}); }
   double greatest_feed() const;  ///< mm/s; degrees/s where no linear axis is fed
@@ -57,6 +58,7 @@ class PieceSource {
   std::int64_t block_ = 0, serial_ = 0;
   Point start_{}, end_{};
   double start_tolerance_ = 0, end_tolerance_ = 0, largest_tolerance_ = 0;
+  double largest_orientation_tolerance_ = 0;
   base::Line end_line_{};
   double greatest_linear_feed_ = 0, greatest_rotary_feed_ = 0;
 

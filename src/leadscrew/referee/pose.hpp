@@ -22,6 +22,8 @@ class Pose {
 
   /// X, Y and Z become those of the tip in the workpiece, mm; all others stay. `tool`: its offset, mm.
   base::AxisVector tip_of(const base::AxisVector& axes, const std::array<double, 3>& tool) const;
+  /// The unit vector from the tip to the spindle, seen from the workpiece; along Z without a chain.
+  machine::Vector direction_of(const base::AxisVector& axes) const;
 
  private:
   struct Turn {
@@ -29,11 +31,15 @@ class Pose {
     machine::Vector direction{}, point{};
     double sign = 1;
   };
+  static machine::Vector rotated(const Turn& turn, double degrees, const machine::Vector& vector);
   static machine::Vector turned(const Turn& turn, double degrees, const machine::Vector& place);
 
   bool has_chain_ = false;
   machine::Vector gauge_{};
   std::vector<Turn> of_tool_, of_workpiece_;  // in the order in which they are applied
 };
+
+/// Between two unit vectors, degrees.
+double angle_between(const machine::Vector& a, const machine::Vector& b);
 
 }  // namespace leadscrew::referee

@@ -20,6 +20,8 @@ namespace {
 
 /// Words in one space, against the program's moves in it.
 struct Section {
+  Metric metric;
+  bool is_of_tip;
   PieceSource source;
   Matcher matcher;
   SamplingAllowance allowance;
@@ -28,14 +30,24 @@ struct Section {
   StopCheck stops;
   bool has_rested = false;  ///< where it ends
 
-  Section(Spaces& spaces, const Metric& metric, base::Period period, Cancellation& cancellation)
-      : source([&spaces](gcode::Move& move) { return spaces.next(move); }, metric),
-        matcher(source, metric, cancellation),
-        allowance(metric, period.seconds(), spaces.space().is_of_tip),
+  Section(Spaces& spaces, const machine::Machine& machine, base::Period period, Cancellation& cancellation)
+      : metric(machine, spaces.per_degree()),
+        is_of_tip(spaces.space().is_of_tip),
+        source([&spaces](gcode::Move& move) { return spaces.next(move); }, metric),
+        matcher(source, metric, cancellation, is_of_tip),
+        allowance(metric, period.seconds(), is_of_tip),
         feed(metric, period),
         ripple(period),
-        stops(metric, period.seconds(), spaces.space().is_of_tip) {}
+        stops(metric, period.seconds(), is_of_tip) {}
 };
+
+/// Of a word, from the place of the path that it is matched to.
+struct PoseDeviation {
+  double tip = 0;        ///< mm
+  double direction = 0;  ///< degrees
+};
+
+constexpr double direction_rounding = 1e-9;  // degrees
 
 }  // namespace
 
@@ -43,7 +55,7 @@ class Referee::Implementation {
  public:
   Implementation(MoveSource moves, const machine::Machine& machine, base::Period period,
                  std::function<bool()> cancelled)
-      : metric_(machine),
+      : machine_(machine),
         pose_(machine),
         period_(period),
         spaces_(std::move(moves)),
@@ -72,7 +84,7 @@ class Referee::Implementation {
     verdict_.time_s = end_time;
     conclude_section();
     const double end_tolerance = section_->source.end_tolerance();
-    verdict_.end_error_mm = metric_.distance(point(position_), section_->matcher.path_end());
+    verdict_.end_error_mm = section_->metric.distance(point(position_), section_->matcher.path_end());
     if (verdict_.end_error_mm > end_tolerance + nanometre)
       add_rare(end_time, "end", {section_->source.end_line(), verdict_.end_error_mm, end_tolerance});
     while (spaces_.begin_next() && !cancellation_.requested()) skip_section(end_time);
@@ -93,7 +105,7 @@ class Referee::Implementation {
     const Space& space = spaces_.space();
     return space.is_of_tip ? pose_.tip_of(position, space.tool) : position;
   }
-  Point point(const base::AxisVector& position) const { return metric_.point(in_space(position)); }
+  Point point(const base::AxisVector& position) const { return section_->metric.point(in_space(position)); }
 
   /// What the section that ends has shown.
   void conclude_section() {
@@ -103,6 +115,10 @@ class Referee::Implementation {
     if (const auto passed = section.stops.conclude()) add_rare(t, "stop", *passed);
     verdict_.deviation_mm = std::max(verdict_.deviation_mm, section.matcher.deviation());
     verdict_.tolerance_mm = std::max(verdict_.tolerance_mm, section.source.largest_tolerance());
+    if (section.is_of_tip) {
+      verdict_.orientation_tolerance_deg =
+          std::max(verdict_.orientation_tolerance_deg, section.source.largest_orientation_tolerance());
+    }
     verdict_.feed_programmed_max = std::max(verdict_.feed_programmed_max, section.source.greatest_feed());
     verdict_.feed_max_ratio = std::max(verdict_.feed_max_ratio, section.feed.greatest_ratio());
     const std::optional<double> ripple = section.ripple.greatest();
@@ -111,10 +127,11 @@ class Referee::Implementation {
 
   /// Of what no word has come to.
   void skip_section(double t) {
-    PieceSource unvisited([this](gcode::Move& move) { return spaces_.next(move); }, metric_);
+    const Metric metric(machine_, spaces_.per_degree());
+    PieceSource unvisited([this](gcode::Move& move) { return spaces_.next(move); }, metric);
     Finding skipped;
     for (Piece piece; unvisited.next(piece) && !cancellation_.asked();) {
-      const double distance = metric_.distance(unvisited.start(), piece.to);
+      const double distance = metric.distance(unvisited.start(), piece.to);
       if (distance > skipped.value) skipped = {piece.line, distance, piece.tolerance};
     }
     if (skipped.value > skipped.limit + nanometre) add_rare(t, "skipped path", skipped);
@@ -123,18 +140,23 @@ class Referee::Implementation {
   /// Coordinates begin to mean something else where the motion rests. Does it rest where the section ends, between the
   /// word before and this one or a little earlier, and come no nearer to that place?
   bool ends_before(const base::AxisVector& position) {
-    constexpr double near = 2, leaving = 16;  // steps
+    constexpr double near = 2, leaving = 16;   // steps
+    constexpr double farthest_departure = 10;  // mm
     if (!section_->source.any_move()) return spaces_.has_next();
     const double step = section_->stops.greatest_step();
-    if (!section_->matcher.is_at_end(leaving * step) || !spaces_.has_next()) {
+    // A trace that lies beside the program all along comes to its ends beside it.
+    const double off = std::min(section_->matcher.departure(), farthest_departure) + section_->source.end_tolerance();
+    const double beside = section_->matcher.departure() > 0 ? off : 0;
+    if (!section_->matcher.is_at_end(leaving * step + beside) || !spaces_.has_next()) {
       section_->has_rested = false;
       return false;
     }
+    const Metric& metric = section_->metric;
     const Point here = point(position), &end = section_->source.end();
-    const double before = metric_.distance(point(position_), end);
-    if (before <= near * step && section_->stops.is_rest(metric_.point(position_), metric_.point(position)))
+    const double before = metric.distance(point(position_), end);
+    if (before <= near * step + beside && section_->stops.is_rest(metric.point(position_), metric.point(position)))
       section_->has_rested = true;
-    return section_->has_rested && (metric_.distance(here, end) >= before || !section_->matcher.is_on_last_piece(here));
+    return section_->has_rested && (metric.distance(here, end) >= before || !section_->matcher.is_on_last_piece(here));
   }
 
   void observe_finite(const base::AxisVector& position, std::optional<double> planned_feed) {
@@ -151,28 +173,30 @@ class Referee::Implementation {
     ++words_;
   }
 
-  void begin_section() { section_.emplace(spaces_, metric_, period_, cancellation_); }
+  void begin_section() { section_.emplace(spaces_, machine_, period_, cancellation_); }
 
   /// The motion is there, be it between two words: it belongs to both sections.
   void change_space() {
     const Point end = section_->source.end();
-    if (section_->source.any_move()) account(section_->matcher.observe(end, section_->allowance.observe(end)));
+    if (section_->source.any_move()) {
+      account(section_->matcher.observe(end, section_->allowance.observe(end)), section_->metric.position(end));
+    }
     conclude_section();
     spaces_.begin_next();
     const base::AxisVector rest = spaces_.start();
-    const Point start = metric_.point(rest);
     begin_section();
+    const Point start = section_->metric.point(rest);
     const Passage passage = section_->matcher.begin(start);
-    account(passage);
+    account(passage, rest);
     section_->allowance.begin(start);
-    section_->stops.observe(start, metric_.point(position_));
+    section_->stops.observe(start, section_->metric.point(position_));
     section_->feed.observe(rest, passage, time(), log_);
   }
 
   void observe_first(const base::AxisVector& position) {
     const Passage passage = section_->matcher.begin(point(position));
     section_->allowance.begin(point(position));
-    verdict_.start_error_mm = metric_.distance(point(position), section_->matcher.path_start());
+    verdict_.start_error_mm = section_->metric.distance(point(position), section_->matcher.path_start());
     if (verdict_.start_error_mm > section_->source.start_tolerance() + nanometre)
       add_rare(0, "start", {passage.line, verdict_.start_error_mm, section_->source.start_tolerance()});
     observe_passage(position, passage, {});
@@ -183,24 +207,46 @@ class Referee::Implementation {
     observe_passage(position, section_->matcher.observe(place, section_->allowance.observe(place)), planned_feed);
   }
 
-  void account(const Passage& passage) {
+  /// Of the tip and of the tool's direction apart: both hang on a place in one metric, so that the match is one.
+  PoseDeviation deviation_of(const Passage& passage, const base::AxisVector& place) {
+    const base::AxisVector matched = section_->metric.position(passage.place);
+    const PoseDeviation found{std::hypot(place[0] - matched[0], place[1] - matched[1], place[2] - matched[2]),
+                              angle_between(pose_.direction_of(place), pose_.direction_of(matched))};
+    verdict_.tip_deviation_mm = std::max(verdict_.tip_deviation_mm.value_or(0), found.tip);
+    verdict_.orientation_deviation_deg = std::max(verdict_.orientation_deviation_deg.value_or(0), found.direction);
+    return found;
+  }
+
+  /// What it is that leaves the path: the tool's direction, the tip, or both together.
+  void tell_departure(const Passage& passage, const PoseDeviation& pose) {
+    const Finding& departed = *passage.deviation;
+    const double most = passage.orientation_tolerance;
+    const bool turned = section_->is_of_tip && pose.direction > most + direction_rounding;
+    const bool is_off = section_->is_of_tip && pose.tip > departed.limit + nanometre;
+    if (turned) log_.add(time(), departed.line, "orientation", pose.direction, most);
+    if (is_off || !turned)
+      log_.add(time(), departed.line, "deviation", is_off ? pose.tip : departed.value, departed.limit);
+  }
+
+  /// `place`: the word's, in its space.
+  void account(const Passage& passage, const base::AxisVector& place) {
+    const PoseDeviation pose = section_->is_of_tip ? deviation_of(passage, place) : PoseDeviation();
     line_ = passage.line;
     block_feed_ = passage.block_feed;
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
-    if (const auto& departed = passage.deviation)
-      log_.add(time(), departed->line, "deviation", departed->value, departed->limit);
+    if (passage.deviation) tell_departure(passage, pose);
     for (const RequiredStop& stop : section_->source.take_stops()) section_->stops.require(stop);
   }
 
   void observe_passage(const base::AxisVector& position, const Passage& passage, std::optional<double> planned_feed) {
-    account(passage);
     const base::AxisVector place = in_space(position);
-    section_->stops.observe(metric_.point(place), metric_.point(position));
+    account(passage, place);
+    section_->stops.observe(section_->metric.point(place), section_->metric.point(position));
     section_->feed.observe(place, passage, time(), log_);
     section_->ripple.observe(place, planned_feed, passage.feed);
   }
 
-  Metric metric_;
+  const machine::Machine& machine_;
   Pose pose_;
   base::Period period_;
   Spaces spaces_;

@@ -10,6 +10,9 @@
 // acceleration a may leave its chord (matcher.hpp). Length is Euclid's over all axes, a rotary axis at a radius of
 // 50 mm.
 //
+// Under tool centre point control all that is of the tool's tip in the workpiece and of the rotary axes, by kinematics of
+// the referee's own (pose.hpp); tip and direction of the tool are told apart as well.
+//
 // Ends: the first word at the program's start, the last at its end.
 //
 // Rest: where the program asks for it between two moves (stop_check.hpp).
@@ -52,7 +55,7 @@ struct AxisVerdict {
 struct Violation {
   double t = 0;       ///< seconds
   base::Line line{};  ///< source line of the block the word was matched to
-  std::string what;   ///< such as "X jerk", "deviation", "feed"
+  std::string what;   ///< such as "X jerk", "deviation", "orientation", "feed"
   double value = 0;   ///< mm, degrees and seconds
   double limit = 0;   ///< the same
 };
@@ -68,15 +71,18 @@ struct Verdict {
   double time_s = 0;  ///< words · period
   double deviation_mm =
       0;  ///< largest distance between words and programmed geometry, matched monotonically, of either from the other
-  double tolerance_mm = 0;            ///< the largest tolerance that applied
-  double start_error_mm = 0;          ///< distance of the first word from the program's start
-  double end_error_mm = 0;            ///< distance of the last word from the program's end
-  double feed_programmed_max = 0;     ///< mm/s
-  double feed_max_ratio = 0;          ///< speed over programmed feed, largest
-  std::optional<double> feed_ripple;  ///< FeedRipple::greatest()
-  std::vector<AxisVerdict> axes;      ///< for each axis the machine has
-  std::int64_t violation_count = 0;   ///< all there are
-  std::vector<Violation> violations;  ///< the first 1000: beyond 0.1 % of a limit, or beyond the tolerance and 1 nm
+  double tolerance_mm = 0;  ///< the largest tolerance that applied
+  /// Under tool centre point control, largest of each word from the place of the path that it is matched to; none without.
+  std::optional<double> tip_deviation_mm, orientation_deviation_deg;
+  double orientation_tolerance_deg = 0;  ///< the largest that applied, of the tool's direction; 0 where none did
+  double start_error_mm = 0;             ///< distance of the first word from the program's start
+  double end_error_mm = 0;               ///< distance of the last word from the program's end
+  double feed_programmed_max = 0;        ///< mm/s
+  double feed_max_ratio = 0;             ///< speed over programmed feed, largest
+  std::optional<double> feed_ripple;     ///< FeedRipple::greatest()
+  std::vector<AxisVerdict> axes;         ///< for each axis the machine has
+  std::int64_t violation_count = 0;      ///< all there are
+  std::vector<Violation> violations;     ///< the first 1000: beyond 0.1 % of a limit, or beyond the tolerance and 1 nm
 
   /// Was anything not kept?
   bool objects() const { return violation_count > 0; }

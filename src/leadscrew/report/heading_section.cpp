@@ -135,6 +135,11 @@ void put_heading(std::string& page, const PageContent& content) {
              report.plan ? counted(report.moves, "move", "moves") : "");
   put_figure(page, "Deviation", readable_distance(report.deviation_mm),
              "tolerance " + readable_distance(report.tolerance_mm));
+  if (report.tip) {
+    put_figure(page, "Of the tip", readable_distance(report.tip->tip_mm), "from its path");
+    put_figure(page, "Of the tool’s direction", readable(report.tip->orientation_deg) + "°",
+               "tolerance " + readable(report.tip->orientation_tolerance_deg) + "°");
+  }
   put_figure(page, "Greatest feed", readable(content.recording.greatest_feed() * 60) + " mm/min",
              more_of_feed(content));
   if (report.plan) put_figure(page, "Program", counted(report.plan->blocks, "block", "blocks"), "");

@@ -46,6 +46,13 @@ struct Plan {
   std::int64_t blocks = 0;  ///< read
 };
 
+/// Under tool centre point control, of words from the places of the path that they are matched to.
+struct TipDeviation {
+  double tip_mm = 0;                     ///< the greatest of the tip
+  double orientation_deg = 0;            ///< and of the tool's direction
+  double orientation_tolerance_deg = 0;  ///< the largest that applied
+};
+
 struct Report {
   std::string title;    ///< the program's name; the trace's, where it was judged
   std::string program;  ///< that a trace was judged by; empty otherwise
@@ -56,7 +63,8 @@ struct Report {
   std::int64_t moves = 0, words = 0;
   std::optional<Plan> plan;  ///< none of a trace
   double deviation_mm = 0, tolerance_mm = 0;
-  double feed_programmed_max = 0;  ///< mm/s
+  std::optional<TipDeviation> tip;  ///< none without tool centre point control
+  double feed_programmed_max = 0;   ///< mm/s
   double feed_max_ratio = 0;
   std::vector<AxisRatios> limits;     ///< without a plan, what is planned is 0
   std::vector<Violation> violations;  ///< the first of them, in the order of time

@@ -131,6 +131,13 @@ Json json_of_diagnostics(const Diagnostics& diagnostics) {
   return list_of(diagnostics);
 }
 
+Json json_of_tip(const referee::Verdict& verdict) {
+  if (!verdict.tip_deviation_mm) return Json(nullptr);
+  return Json::object({{"deviation_mm", *verdict.tip_deviation_mm},
+                       {"orientation_deviation_deg", *verdict.orientation_deviation_deg},
+                       {"orientation_tolerance_deg", verdict.orientation_tolerance_deg}});
+}
+
 Json json_of_motion(std::string_view schema, const std::string& program, const machine::Machine& machine,
                     const pipeline::Summary& summary, std::initializer_list<Json::Member> more) {
   Json json = Json::object({{"schema", schema},
@@ -155,6 +162,7 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                              {{"bound_s", summary.bound_s},
                               {"deviation_mm", verdict.deviation_mm},
                               {"tolerance_mm", summary.tolerance_mm},
+                              {"tip", json_of_tip(verdict)},
                               {"feed", feed_of(summary.feed_programmed_max, verdict)},
                               {"axes", axes_of(verdict)},
                               {"plan", plan_of(summary.plan, machine)},
@@ -194,6 +202,7 @@ Json json_of_verify(const std::string& program, const machine::Machine& machine,
                        {"time_s", verdict.time_s},
                        {"deviation_mm", verdict.deviation_mm},
                        {"tolerance_mm", verdict.tolerance_mm},
+                       {"tip", json_of_tip(verdict)},
                        {"start_error_mm", verdict.start_error_mm},
                        {"end_error_mm", verdict.end_error_mm},
                        {"axes", axes_of(verdict)},

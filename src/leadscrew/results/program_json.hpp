@@ -28,6 +28,8 @@ Json json_of_rejected(std::string_view schema, const std::string& program, const
 Json json_of_diagnostics(const Diagnostics& diagnostics);
 
 /// What run and simulate say alike of a program that has been moved through: {schema … dwell_s}, and then `more`.
+/// Of the tip and the tool's direction; null where no tool centre point control was.
+Json json_of_tip(const referee::Verdict& verdict);
 Json json_of_motion(std::string_view schema, const std::string& program, const machine::Machine& machine,
                     const pipeline::Summary& summary, std::initializer_list<Json::Member> more);
 Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,

@@ -151,6 +151,13 @@ std::string deviation_text(double deviation, double tolerance) {
   return fmt::format("{:.3g} mm, tolerance {:g} mm", deviation, tolerance);
 }
 
+std::string tip_row(const referee::Verdict& verdict) {
+  if (!verdict.tip_deviation_mm) return "";
+  return row("tip", fmt::format("{:.3g} mm off its path; the tool {:.3g}° off its direction, tolerance {:g}°",
+                                *verdict.tip_deviation_mm, *verdict.orientation_deviation_deg,
+                                verdict.orientation_tolerance_deg));
+}
+
 std::string run_summary(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
                         const Style& style) {
   const pipeline::Summary& summary = figures.summary;
@@ -167,6 +174,7 @@ std::string run_summary(const std::string& program, const machine::Machine& mach
   text += row("words", fmt::format("{}", summary.words));
   text += row("feed", feed_text(summary.feed_programmed_max, verdict.feed_max_ratio));
   text += row("deviation", deviation_text(verdict.deviation_mm, summary.tolerance_mm));
+  text += tip_row(verdict);
   text += axis_table(verdict, &summary.plan, style) + path_limits_text(summary.plan, style);
   text += violations_text(verdict, style);
   text += verdict_text(figures.kept(), style);
@@ -200,6 +208,7 @@ std::string verify_summary(const std::string& program, const machine::Machine& m
   text += row("time", seconds_text(verdict.time_s));
   text += row("feed", feed_text(verdict.feed_programmed_max, verdict.feed_max_ratio));
   text += row("deviation", deviation_text(verdict.deviation_mm, verdict.tolerance_mm));
+  text += tip_row(verdict);
   text += row("ends", fmt::format("{:.3g} mm off at the start, {:.3g} mm at the end", verdict.start_error_mm,
                                   verdict.end_error_mm));
   text += axis_table(verdict, nullptr, style);

@@ -15,6 +15,8 @@ std::string period_text(base::Period period);  ///< "1 ms", "62.5 us"
 std::string heading(const std::string& program, const std::string& machine, base::Period period, const Style& style);
 std::string row(std::string_view name, const std::string& value);
 std::string deviation_text(double deviation, double tolerance);  ///< mm
+/// Of the tip and the tool's direction; empty where no tool centre point control was.
+std::string tip_row(const referee::Verdict& verdict);
 
 std::string run_summary(const std::string& program, const machine::Machine& machine, const RunFigures& figures,
                         const Style& style);

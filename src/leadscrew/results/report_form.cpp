@@ -113,6 +113,10 @@ base::Result<report::Report> report_of(const ReportParts& parts, const referee::
   report.time_s = verdict.time_s;
   report.deviation_mm = verdict.deviation_mm;
   report.tolerance_mm = verdict.tolerance_mm;
+  if (verdict.tip_deviation_mm) {
+    report.tip = report::TipDeviation{*verdict.tip_deviation_mm, *verdict.orientation_deviation_deg,
+                                      verdict.orientation_tolerance_deg};
+  }
   report.feed_programmed_max = verdict.feed_programmed_max;
   report.feed_max_ratio = verdict.feed_max_ratio;
   report.words = parts.recording.words();

@@ -109,6 +109,7 @@ Json json_of_simulation(const std::string& program, const machine::Machine& mach
                              {{"settling_s", figures.settling},
                               {"deviation_mm", figures.verdict.deviation_mm},
                               {"tolerance_mm", figures.tolerance},
+                              {"tip", json_of_tip(figures.verdict)},
                               {"end_error_mm", figures.verdict.end_error_mm},
                               {"contour", Json::object({{"max_mm", figures.contour.greatest},
                                                         {"rms_mm", figures.contour.rms},
@@ -142,6 +143,7 @@ std::string simulate_summary(const std::string& program, const machine::Machine&
   text += row("contour", fmt::format("slides leave the path of the words by {:.4g} mm at t = {:.4g} s, rms {:.4g} mm",
                                      figures.contour.greatest, figures.contour.at, figures.contour.rms));
   text += row("deviation", deviation_text(figures.verdict.deviation_mm, figures.tolerance));
+  text += tip_row(figures.verdict);
   text += axis_rows(figures.axes, style);
   for (const auto& [axis, counts] : figures.pulses) text += pulse_row(axis, counts);
   if (figures.adaptive) {
