@@ -355,13 +355,16 @@ RC_GTEST_PROP(ToolVectors, AreHeldWordForWord, ()) {
   while (motion.prepare()) {
     const base::Word word = motion.cycle();
     const std::int64_t number = base::number(word.line);
-    if (program.lines.empty() || number < program.lines.front().line) continue;
+    if (base::count(word.tick) % 5 != 0 || number < program.lines.front().line) continue;
     const Vector tip = tip_of(pose.tip_of(word.position, {0, 0, 73.25})), direction = direction_at(pose, word.position);
+    // A fit takes many lines together and names one of them.
     double best = 1e9;
-    for (std::size_t k = 0; k < program.lines.size() && best > 1; ++k) {
-      const Programmed& line = program.lines[k];
-      if (line.line < number - 12 || line.line > number + 12) continue;
-      best = std::min(best, line.is_free ? 0 : distance_to(line, circles[k], tip, direction, p, e));
+    for (std::int64_t apart = 0; apart <= 12 && best > 1; ++apart) {
+      for (std::size_t k = 0; k < program.lines.size() && best > 1; ++k) {
+        const Programmed& line = program.lines[k];
+        if (std::abs(line.line - number) != apart) continue;
+        best = std::min(best, line.is_free ? 0 : distance_to(line, circles[k], tip, direction, p, e));
+      }
     }
     if (best > 1) RC_LOG() << "line " << number << ": " << best << " at " << base::count(word.tick) << "\n";
     RC_ASSERT(best <= 1);

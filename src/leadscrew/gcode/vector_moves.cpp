@@ -114,10 +114,7 @@ void VectorMoves::lead(const Vector& direction, const base::AxisVector& target, 
     }
   }
   if (!is_free) leads = run_->add(tip_of(target), direction);
-  if (!leads) {
-    report(*run_->failure(), lines_.back().place);
-    return abandon(direction);
-  }
+  if (!leads) return fail();
   collect(false);
 }
 
@@ -135,26 +132,24 @@ void VectorMoves::collect(bool is_finished) {
 
 void VectorMoves::settle() {
   if (!run_) return;
-  const bool leads = run_->finish();
-  if (!leads) {
-    const kinematics::VectorRunFailure failure = *run_->failure();
-    const std::size_t line = std::clamp(first_segment_ + failure.segment, run_begin_, next_number() - 1);
-    if (line >= taken_lines_) report(failure, lines_[line - taken_lines_].place);
-    return abandon(*direction_);
-  }
+  if (!run_->finish()) return fail();
   collect(true);
   if (!parts_.empty()) set_angles(parts_.back().vertex.angles);
   run_.reset();
 }
 
 /// Nothing comes of the run. What follows begins with angles that hold the tool as the program says, if there are any.
-void VectorMoves::abandon(const Vector& direction) {
+void VectorMoves::fail() {
+  const kinematics::VectorRunFailure failure = *run_->failure();
+  const std::size_t number =
+      std::clamp(first_segment_ + failure.segment, std::max(run_begin_, taken_lines_), next_number() - 1);
+  report(failure, lines_[number - taken_lines_].place);
   run_.reset();
   while (next_number() > std::max(run_begin_, taken_lines_)) lines_.pop_back();
   while (!parts_.empty() && parts_.back().line >= run_begin_) parts_.pop_back();
   decided_lines_ = next_number();
   for (KeptEvent& event : events_) event.before = std::min(event.before, decided_lines_);
-  const auto found = kinematics::solutions(frame_.tip_control()->chain, direction);
+  const auto found = kinematics::solutions(frame_.tip_control()->chain, *direction_);
   if (found.count > 0) set_angles(found.angles[0]);
 }
 

@@ -73,7 +73,7 @@ class VectorMoves : Part {
   void lead(const Vector& direction, const base::AxisVector& target, bool is_free);
   void collect(bool is_finished);
   void report(const kinematics::VectorRunFailure& failure, const KeptPlace& place);
-  void abandon(const Vector& direction);
+  void fail();
   // vector_parts.cpp
   bool begin_line();
   void end_line();
