@@ -2,8 +2,10 @@
 import dataclasses
 import math
 import pathlib
+import re
 
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
 
 
 @dataclasses.dataclass
@@ -11,7 +13,19 @@ class Program:
     name: str  # of its file
     title: str  # in the table
     text: str
-    start: tuple = (0, 0)  # X and Y in mm, where the machine stands before it
+    start: tuple = (0, 0)  # X and Y in mm, where the machine stands before it; or X Y Z A C, mm and degrees
+    peer_text: str = ""  # for LinuxCNC, where that is another
+    peer_start: tuple = ()  # in its coordinates, where those are others
+
+
+@dataclasses.dataclass
+class Machine:
+    """One for both."""
+
+    configuration: str  # of LinuxCNC: an .ini and a .hal of this name
+    letters: str  # of its axes, in the order of start
+    options: list  # for leadscrew
+    told: str  # above the table
 
 
 def lines(points, tolerance, decimals=9):
@@ -173,6 +187,38 @@ def slots():
                        line_to(x + radius, 0), f"G2 X{x - radius:.4f} Y0 I{-radius:.4f} J0"]
         blocks.append("G0 Z2")
     return program_of(blocks)
+
+
+def axes_of(x, y, z, a, c):
+    """Of machines/table-table-ac.toml, while the tip is there: C about x = y = 0, then A about y = 0, z = -50."""
+    turn, tilt = math.radians(c), math.radians(a)
+    x, y = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
+    y, z = y * math.cos(tilt) - (z + 50) * math.sin(tilt), y * math.sin(tilt) + (z + 50) * math.cos(tilt) - 50
+    return (x, y, z, a, c)
+
+
+def five_axes(name, tip):
+    """An example from where its tip is told on: tool centre point control is on from the start in LinuxCNC, which knows
+    neither E nor this tool."""
+    text = (EXAMPLES / f"{name}.ngc").read_text()
+    blocks = [line for line in text.splitlines() if not line.startswith(("G0 A", "G43.4", "T1"))]
+    body = "\n".join(blocks) + "\n"
+    peer = re.sub(r"^(G21.*|)G64 P(\S+) E\S+", r"\1G64 P\2", body, flags=re.MULTILINE)
+    return Program(name, f"{name}.ngc", "G43.4\n" + body, axes_of(*tip), peer, tip)
+
+
+def five_axis_programs():
+    return [five_axes("12-hemisphere", (40, 0, 5, 75, 75)), five_axes("13-blade", (43.378, 6.707, 40, 29.787, -36.111))]
+
+
+def machines():
+    """Each with its programs."""
+    return [
+        (Machine("linuxcnc", "XY", [], "each axis 200 mm/s, 1000 mm/s², 20000 mm/s³"), programs()),
+        (Machine("five-axes", "XYZAC", ["--machine", ROOT / "machines" / "table-table-ac.toml"],
+                 "five axes of machines/table-table-ac.toml, X Y Z 60000 mm/s³, A 30000°/s³, C 60000°/s³; deviation of the tip"),
+         five_axis_programs()),
+    ]
 
 
 def programs():

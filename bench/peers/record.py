@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Stands in for LinuxCNC's screen: runs the programs of its folder and records each one's words.
 
-NAME.ngc is run from where NAME.start says ("X10 Y0"). NAME.record gets a line for each servo period: number, then X, Y
-and Z in nanometres. NAME.said gets what LinuxCNC has to say against the program: nothing, if it ran.
+NAME.ngc is run from where NAME.start says ("X10 Y0"). NAME.record gets a line for each servo period: number, then the
+joints in nanometres and millionths of a degree. NAME.said gets what LinuxCNC has to say against the program: nothing, if it ran.
 """
 import pathlib
 import subprocess

@@ -8,7 +8,8 @@ import csv
 import sys
 
 PERIOD = 0.001  # seconds
-REST = 1.0  # nanometres
+REST = 1.0  # nanometres, or millionths of a degree
+LETTERS = {3: "XYZ", 5: "XYZAC"}  # by how many columns there are
 
 
 def words(record):
@@ -38,8 +39,9 @@ def motion(positions):
 def write_trace(record, trace):
     with open(trace, "w", newline="") as file:
         rows = csv.writer(file)
-        rows.writerow(["t", "X", "Y", "Z"])
-        for i, word in enumerate(motion(words(record))):
+        moving = motion(words(record))
+        rows.writerow(["t", *LETTERS[len(moving[0])]])
+        for i, word in enumerate(moving):
             rows.writerow([f"{i * PERIOD:.3f}", *(f"{q * 1e-6:.15g}" for q in word)])
 
 
