@@ -187,6 +187,30 @@ TEST(ToolVectors, TellWhatTheyCannotBe) {
   EXPECT_EQ(read_vectors("G0 X1 K1\nG1 X10 I-1 K1\n", head).problems(), "3:8 pose-out-of-reach; ");
 }
 
+/// Through the pole and out of it another way: C turns by itself between, as fast as it can.
+TEST(ToolVectors, TurnAtThePoleOnTheExactPath) {
+  const Reading reading = read_vectors("G61 G0 X0 Y0 J-1 K1\nG1 X5 J0 K1\nX10 I1 K1\n");
+  EXPECT_EQ(reading.errors, 0);
+  std::string notes;
+  for (const base::Diagnostic& each : reading.diagnostics)
+    notes += std::to_string(each.place.line) + " " + std::string(each.code) + "; ";
+  EXPECT_EQ(notes, "4 pole-turn; ");
+  std::size_t turns = 0;
+  for (const Move& line : reading.lines()) {
+    if (line.feed.mode != Feed::Mode::rapid || base::number(line.line) < 3) continue;
+    ++turns;
+    EXPECT_EQ(line.start[0], 5);
+    EXPECT_EQ(line.end[0], 5);
+    EXPECT_NEAR(std::abs(line.end[c] - line.start[c]), 90, 1e-9);
+  }
+  EXPECT_EQ(turns, 1U);
+}
+
+TEST(ToolVectors, TakeSoManyPartsAndNoMore) {
+  EXPECT_EQ(read_vectors("G64 P0.01 E0.00002\nG0 X0 J-1 K1\nG1 X10 I1 K1\n").problems(), "");
+  EXPECT_EQ(read_vectors("G64 P0.01 E0.0000001\nG0 X0 J-1 K1\nG1 X10 I1 K1\n").problems(), "4:8 pole-too-sharp; ");
+}
+
 TEST(ToolVectors, NeedAMachineThatTurnsTheTool) {
   EXPECT_EQ(read("F600 G43.5\nG1 X1 I1 K1\nX2 I1 K2\nM2\n").problems(), "1:6 tip-control; ");
 }
