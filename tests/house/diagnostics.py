@@ -12,7 +12,7 @@ command, source, scratch = pathlib.Path(sys.argv[1]).resolve(), *(pathlib.Path(w
 scratch.mkdir(parents=True, exist_ok=True)
 
 # A call that reports a problem, up to the code: the first text of its arguments that is one word.
-CALL = re.compile(r'\b(?:error|warning|curve_error|error_where_kept|warning_where_kept|error_at|warning_at|report|problem|'
+CALL = re.compile(r'\b(?:error|warning|note|curve_error|error_where_kept|warning_where_kept|error_at|warning_at|report|problem|'
                   r'send|warn)\(\s*(?:[^";]*?,\s*)??"([a-z][a-z0-9]*(?:-[a-z0-9]+)*)"')
 SECTION = re.compile(r"^## ([a-z0-9-]+)\n(.*?)(?=^## |\Z)", re.MULTILINE | re.DOTALL)
 EXAMPLE = re.compile(r"^```(ngc|tbl|var)([^\n]*)\n(.*?)\n?```$", re.MULTILINE | re.DOTALL)

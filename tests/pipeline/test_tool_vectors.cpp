@@ -309,7 +309,7 @@ RC_GTEST_PROP(ToolVectors, AreHeldAtTheEndsOfBlocksAndBetween, ()) {
 RC_GTEST_PROP(ToolVectors, KeepEveryLimitAndEveryPoint, ()) {
   const machine::Machine machine = five_axes();
   VectorProgram program(machine);
-  program.make(any(1, 8));
+  program.make(any(1, 5));
   RC_LOG() << machine.kinematics << "\n" << program.text << limits_of(machine);
   RC_PRE(!moves_of(program.text, machine).is_out_of_reach);
   const Judged outcome = judge(program.text, machine);
@@ -339,7 +339,7 @@ double distance_to(const Programmed& line, const GreatCircle& circle, const Vect
 RC_GTEST_PROP(ToolVectors, AreHeldWordForWord, ()) {
   const machine::Machine machine = five_axes();
   VectorProgram program(machine);
-  program.make(any(1, 6));
+  program.make(any(1, 4));
   RC_LOG() << machine.kinematics << "\n" << program.text << limits_of(machine);
   const Moves read = moves_of(program.text, machine);
   RC_PRE(!read.is_out_of_reach);

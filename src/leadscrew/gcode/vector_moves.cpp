@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t vector_letters = letter_bit('I') | letter_bit('J') | letter_bit('K');
 constexpr std::size_t most_kept_events = 4096;
-constexpr double least_orientation_tolerance = 1e-3;  // degrees; of the great circle, where E is less
+constexpr double least_orientation_tolerance = 1e-6;  // degrees
 
 std::uint32_t column_of_vector(const Block& block) {
   const std::uint32_t letters = block.words & vector_letters;
@@ -100,9 +100,9 @@ void VectorMoves::lead(const Vector& direction, const base::AxisVector& target, 
     const kinematics::Chain& chain = frame_.tip_control()->chain;
     kinematics::VectorRunSettings settings;
     settings.blends = modal_.effective_mode == PathMode::blend && modal_.effective_tolerance > 0;
-    settings.orientation_tolerance =
-        std::max(settings.blends ? modal_.orientation_tolerance : machine_.rotary_chain->orientation_tolerance,
-                 least_orientation_tolerance);
+    settings.orientation_tolerance = machine_.rotary_chain->orientation_tolerance;
+    if (settings.blends && modal_.orientation_tolerance > 0)
+      settings.orientation_tolerance = std::max(modal_.orientation_tolerance, least_orientation_tolerance);
     settings.pole_cone = machine_.rotary_chain->pole_cone;
     run_.emplace(chain, kinematics::limits_of(machine_, chain), settings);
     first_segment_ = next_number() - (is_free ? 0 : 1);
@@ -177,8 +177,9 @@ void VectorMoves::report(const kinematics::VectorRunFailure& failure, const Kept
       break;
     case Kind::pole_too_sharp:
       error("pole-too-sharp", place.column,
-            "the line takes too many parts: it passes too near a pole of the rotary axes",
-            "lines that pass the pole farther off, or through it");
+            "the line would take more than " + std::to_string(kinematics::VectorRun::most_parts) +
+                " parts to keep the tool's direction",
+            "a greater E of G64, or lines that pass the pole of the rotary axes farther off");
       break;
     case Kind::opposite:
       error("tool-vector", place.column,
