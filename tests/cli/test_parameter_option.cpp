@@ -39,6 +39,7 @@ TEST(ParameterOption, MakesAFileThatIsNotThere) {
   folder.write("a.ngc", counter);
   const auto checked = leadscrew(folder, {"check", "a.ngc", "--parameters", "a.var", "--json"});
   EXPECT_EQ(checked.status, 0);
+  EXPECT_TRUE(contains(checked.errors, "[new-parameters]")) << checked.errors;
   EXPECT_EQ(folder.names(), Names{"a.ngc"});
   EXPECT_EQ(leadscrew(folder, {"run", "a.ngc", "--parameters", "a.var"}).status, 0);
   EXPECT_TRUE(folder.read("a.var").starts_with("5161\t0\n"));

@@ -189,5 +189,12 @@ TEST(PulseDump, ShowsRegistersOfNBitsWithASign) {
   EXPECT_EQ(dump.signals.at("dda.dx").width, 2);
 }
 
+TEST(PulseText, IsOfCurvesOfSomeSize) {
+  const Folder folder;
+  const auto outcome = leadscrew(folder, {"pulse", "--line", "--end", "20000000,1", "--method", "dda", "--table"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_TRUE(contains(outcome.errors, "[too-many-clocks]")) << outcome.errors;
+}
+
 }  // namespace test_pulse_dump
 }  // namespace leadscrew::cli::testing

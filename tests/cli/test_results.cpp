@@ -347,6 +347,7 @@ TEST_F(Referee, RejectsTracesThatAreNone) {
   folder.write("timeless.csv", "X,Y,Z\n0,0,0\n");
   folder.write("uneven.csv", "t,X,Y,Z\n0,0,0,0\n0.001,0,0,0\n0.005,0,0,0\n");
   folder.write("empty.csv", "");
+  folder.write("bare.csv", "t,X,Y,Z\n");
   ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--trace", "t.npy"}).status, 0);
   folder.write("cut.npy", folder.read("t.npy").substr(0, 10000));
   for (const auto& [name, place, code] : {std::tuple("cut.csv", "cut.csv:145:31: ", "trace-column"),
@@ -354,6 +355,7 @@ TEST_F(Referee, RejectsTracesThatAreNone) {
                                           {"timeless.csv", "timeless.csv:1:", "trace-header"},
                                           {"uneven.csv", "uneven.csv: ", "trace-period"},
                                           {"empty.csv", "empty.csv", "trace-"},
+                                          {"bare.csv", "bare.csv", "trace-empty"},
                                           {"cut.npy", "cut.npy: ", "trace-format"}}) {
     const auto verdict = leadscrew(folder, {"verify", name, "part.ngc"});
     EXPECT_EQ(verdict.status, 3) << name;

@@ -329,6 +329,18 @@ TEST(Drive, RefusesAPeriodThatNobodyCanKeep) {
   EXPECT_EQ(folder.names(), Names{"part.ngc"});
 }
 
+TEST(Drive, RefusesStopsOfMorePeriodsThanDrivesHold) {
+  const Folder folder;
+  folder.write(
+      "slow.toml",
+      "name = \"slow\"\n[axis.X]\ntravel_mm = [-500, 500]\nmax_velocity_mm_s = 200\nmax_acceleration_mm_s2 = 0.5\n"
+      "max_jerk_mm_s3 = 20000\nblu_mm = 0.001\n");
+  folder.write("part.ngc", "G1 X1 F100\nM2\n");
+  const auto outcome = leadscrew(folder, {"drive", "part.ngc", "--machine", "slow.toml", "--period", "50us"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_TRUE(contains(outcome.errors, "[stop-too-long]")) << outcome.errors;
+}
+
 /// Nothing depends on a word where nothing moves.
 TEST(Drive, EndsWhereNothingMoves) {
   const Folder folder;

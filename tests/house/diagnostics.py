@@ -1,4 +1,5 @@
-"""docs/diagnostics.md has every code of the reader's diagnostics, and each of its examples provokes its code.
+"""docs/diagnostics.md has every code of the reader's diagnostics, and each of its examples provokes its code. Codes of other
+rooms stand in its table, and a test names each.
 
     diagnostics.py COMMAND SOURCE SCRATCH
 """
@@ -14,6 +15,12 @@ scratch.mkdir(parents=True, exist_ok=True)
 # A call that reports a problem, up to the code: the first text of its arguments that is one word.
 CALL = re.compile(r'\b(?:error|warning|note|curve_error|error_where_kept|warning_where_kept|error_at|warning_at|report|problem|'
                   r'send|warn)\(\s*(?:[^";]*?,\s*)??"([a-z][a-z0-9]*(?:-[a-z0-9]+)*)"')
+# The same in other rooms, where more functions make them.
+FURTHER = re.compile(r'\b(?:problem|failure|report|add|refusal|state_refusal|trace_problem|refused|system_failure|system_problem|at|'
+                     r'warning|error)\s*\(\s*(?:[^";{}]*?[,?:]\s*)??"([a-z][a-z0-9]*(?:-[a-z0-9]+)+)"'
+                     r'|Severity::\w+,\s*"([a-z][a-z0-9-]*)"|"(program-changed)"')
+# What nothing can provoke from outside: each says that it is a defect.
+DEFECTS = {"planning-failed", "study-slot", "travel-unchecked"}
 SECTION = re.compile(r"^## ([a-z0-9-]+)\n(.*?)(?=^## |\Z)", re.MULTILINE | re.DOTALL)
 EXAMPLE = re.compile(r"^```(ngc|tbl|var)([^\n]*)\n(.*?)\n?```$", re.MULTILINE | re.DOTALL)
 
@@ -24,6 +31,14 @@ def codes_of_sources():
     codes = set()
     for path in [*(source / "src/leadscrew/gcode").glob("*.cpp"), source / "src/leadscrew/language/lint.cpp"]:
         codes.update(CALL.findall(path.read_text(encoding="utf-8")))
+    return codes
+
+
+def codes_of_other_rooms():
+    codes = set()
+    for path in (source / "src/leadscrew").rglob("*.cpp"):
+        if path.parent.name not in ("gcode", "language", "markup"):
+            codes.update(next(filter(None, found)) for found in FURTHER.findall(path.read_text(encoding="utf-8")))
     return codes
 
 
@@ -69,13 +84,22 @@ for code in sorted(set(told) - codes_of_sources()):
 for code, section in sections:
     test = re.search(r"^Its test is in `(tests/[a-z_/]+\.cpp)`\.$", section, re.MULTILINE)
     if test:
-        if f'"{code}' not in (source / test[1]).read_text(encoding="utf-8"):
+        if not re.search(rf"(?<![a-z-]){code}(?![a-z-])", (source / test[1]).read_text(encoding="utf-8")):
             problems.append(f"{code}: {test[1]} does not name it")
     elif not EXAMPLE.search(section):
         problems.append(f"{code}: has no example")
     elif code not in (found := codes_of(section)):
         problems.append(f"{code}: its example provokes {sorted(found)}")
+table = set(re.findall(r"`([a-z0-9-]+)`", " ".join(re.findall(r"^\| (`[^|]*`) \|", page, re.MULTILINE))))
+tests = "".join(path.read_text(encoding="utf-8", errors="replace") for path in (source / "tests").rglob("*.cpp"))
+for code in sorted(codes_of_other_rooms() - table - set(told)):
+    problems.append(f"{code}: in the sources, not in the table of docs/diagnostics.md")
+for code in sorted(table - codes_of_other_rooms()):
+    problems.append(f"{code}: in the table of docs/diagnostics.md, not in the sources")
+for code in sorted(table - DEFECTS):
+    if not re.search(rf"(?<![a-z-]){code}(?![a-z-])", tests):
+        problems.append(f"{code}: no test names it")
 if len(told) < 50:
     problems.append(f"docs/diagnostics.md has {len(told)} codes: is this the page?")
-print(f"{len(told)} codes")
+print(f"{len(told)} codes of the reader, {len(table)} of other rooms")
 sys.exit("\n".join(problems) or 0)

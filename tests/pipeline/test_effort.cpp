@@ -56,7 +56,8 @@ Planned plan(const std::string& text, const machine::Machine& machine, double lo
   }
   planned.effort = source.planner().effort();
   planned.simplified = source.planner().simplified_sections();
-  planned.has_warning = source.warning().has_value();
+  const std::optional<base::Diagnostic> warning = source.warning();
+  planned.has_warning = warning && warning->code == "planning-simplified";
   planned.worst = worst_planned(ratios);
   return planned;
 }
