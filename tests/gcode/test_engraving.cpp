@@ -33,7 +33,7 @@ Reading engraved(const std::string& words, const std::string& before = "") {
 TEST(Engraving, DrawsStrokesAndLiftsBetweenThem) {
   EXPECT_EQ(story(engraved("P0 X10. Y20. J12. R1. Z-0.5 E60. (LT)")),
             "r0,0,5 r10,32,5 r10,32,1 f10,32,-0.5 f10,20,-0.5 f18,20,-0.5 r18,20,1 "
-            "r26,32,1 f26,32,-0.5 f26,20,-0.5 r26,20,1 r22,32,1 f22,32,-0.5 f30,32,-0.5 r30,32,1");
+            "r26,20,1 f26,20,-0.5 f26,32,-0.5 r26,32,1 r22,32,1 f22,32,-0.5 f30,32,-0.5 r30,32,1");
 }
 
 TEST(Engraving, PlungesByE) {
@@ -80,8 +80,8 @@ TEST(Engraving, RefusesWhatItCannotDraw) {
   EXPECT_EQ(problems("P2 X0 Y0 Z-1. R1. (A)"), "2:5 bad-value; ");
   EXPECT_EQ(problems("P0 X0 Y0 R1. (A)"), "2:1 missing-word; ");
   EXPECT_EQ(problems("X0 Y0 Z-1. R1. (A)"), "2:1 missing-word; ");
-  EXPECT_EQ(problems("P0 Z-1. R1. J0 (A)"), "2:16 bad-value; ");
-  EXPECT_EQ(problems("P0 Z-1. R1. I400. (A)"), "2:16 bad-value; ");
+  EXPECT_EQ(problems("P0 Z-1. R1. J0 (A)"), "2:17 bad-value; ");
+  EXPECT_EQ(problems("P0 Z-1. R1. I400. (A)"), "2:17 bad-value; ");
   EXPECT_EQ(problems("P0 Z2. R1. (A)"), "2:8 cycle-levels; ");
   EXPECT_EQ(problems("P0 X490. Z-1. R1. (AAAA)"), "2:1 travel; ");
   EXPECT_EQ(read("G47 P0 Z-1. R1. (A)\nM30\n", in_dialect(Dialect::haas)).problems(), "1:1 missing-feed; ");
