@@ -163,6 +163,29 @@ TEST(DialectForms, FanucScalesByThousandths) {
   EXPECT_EQ(ends(read_in(Dialect::haas, "G51 X0 Y0 Z0 P2\nG0 X10\nM30\n")), (std::vector<Point>{{20, 0, 0}}));
 }
 
+TEST(DialectForms, WhatPrintersAskIsPassedOver) {
+  const Reading reading = read_in(Dialect::marlin, "M16 X\nM48 P3\nG60 S0\nM122\nG1 X5 F600\nM226 P4\nM112\nG1 X6\n");
+  EXPECT_EQ(reading.problems(), "2:1 printer-command; 6:1 printer-command; ");
+  EXPECT_EQ(ends(reading), (std::vector<Point>{{5, 0, 0}}));
+  // What goes somewhere is not passed over.
+  EXPECT_EQ(read_in(Dialect::marlin, "G61\n").problems(), "1:1 unknown-code; ");
+}
+
+TEST(DialectForms, Mach3ReferencesAxesByG28_1) {
+  const Reading reading = read_in(Dialect::mach3, "G0 X5 Y6 Z7\nG28.1 X1 Y0\nM30\n");
+  EXPECT_EQ(reading.problems(), "");
+  EXPECT_EQ(ends(reading), (std::vector<Point>{{5, 6, 7}, {1, 0, 7}, {0, 0, 7}}));
+}
+
+TEST(DialectForms, Mach3RepeatsByM47AndHasMacros) {
+  const Reading reading = read_in(Dialect::mach3, "G0 X5\nM120\nM47\nG0 X6\n");
+  EXPECT_EQ(reading.problems(), "");
+  EXPECT_EQ(ends(reading), (std::vector<Point>{{5, 0, 0}}));
+  ASSERT_FALSE(reading.events().empty());
+  EXPECT_EQ(reading.events()[0].kind, base::Event::Kind::user_function);
+  EXPECT_EQ(reading.events()[0].output, 120);
+}
+
 TEST(DialectForms, MarlinGoesHomeStraight) {
   const Reading reading = read_in(Dialect::marlin, "G0 X5 Y6 Z7\nG28 X Y\nG0 X1\nG28\n");
   EXPECT_EQ(reading.problems(), "");

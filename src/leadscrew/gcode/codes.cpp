@@ -88,7 +88,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   with_axes(g(Code::G12, 120, Group::nonmodal, {H, M}, "circular pocket, clockwise; in mach3 a circle", haas_manual, "IKQLD", "I")),
   with_axes(g(Code::G13, 130, Group::nonmodal, {H, M}, "circular pocket, counterclockwise; in mach3 a circle", haas_manual, "IKQLD", "I")),
   with_axes(g(Code::G28, 280, Group::nonmodal, all, "goes home, by the point given", "NIST IR 6556, 3.5.8")),
-  g(Code::G28_1, 281, Group::nonmodal, {L, C, B, M}, "home of G28 is where the tool stands", manual),
+  g(Code::G28_1, 281, Group::nonmodal, {L, C, B}, "home of G28 is where the tool stands", manual),
   with_axes(g(Code::G30, 300, Group::nonmodal, no_marlin, "goes to the second home, by the point given", "NIST IR 6556, 3.5.8", "")),
   g(Code::G30_1, 301, Group::nonmodal, {L, C, B}, "home of G30 is where the tool stands", manual),
   with_axes(g(Code::G31, 310, Group::nonmodal, {L, F, H, M, T}, "skip: a line that contact of the probe ends", fanuc_manual, "P")),
@@ -114,6 +114,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_high_speed, 50, Group::nonmodal, {F}, "high-speed machining, which is always on here", fanuc_manual, "P"),
   g(Code::G5_1_high_speed, 51, Group::nonmodal, {F, H}, "contour control, which is always on here", fanuc_manual, "QR"),
   g(Code::G8_high_speed, 80, Group::nonmodal, {F, H}, "look-ahead, which is always on here", fanuc_manual, "P"),
+  with_axes(g(Code::G47, 470, Group::nonmodal, {H}, "engraves the text of a remark, or a number that counts", haas_manual, "PRIJE", "P")),
   g(Code::G103, 1030, Group::nonmodal, {L, H}, "limits look-ahead, which bounds itself here", haas_manual, "P"),
   with_axes(g(Code::G150, 1500, Group::nonmodal, {H}, "pocket of the contour of subprogram P", haas_manual, "PQRIJKD", "P")),
   g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness: E is what P of G64 is", haas_manual, "PE"),
@@ -243,10 +244,8 @@ struct OtherNumber {
   int tenths;
   Code code;
 };
-constexpr OtherNumber other_numbers[] = {{M, 'G', 700, Code::G20},
-                                         {M, 'G', 710, Code::G21},
-                                         {T, 'G', 320, Code::G33},
-                                         {T, 'G', 980, Code::G94},
+constexpr OtherNumber other_numbers[] = {{M, 'G', 700, Code::G20}, {M, 'G', 710, Code::G21}, {M, 'G', 281, Code::G28},
+                                         {M, 'M', 470, Code::M99}, {T, 'G', 320, Code::G33}, {T, 'G', 980, Code::G94},
                                          {T, 'G', 990, Code::G95}};
 
 constexpr bool rows_in_order() {
@@ -275,7 +274,7 @@ constexpr std::array<std::array<Code, count>, index(Dialect::count)> codes_by_nu
     }
   }
   // Each of these machines has functions of its builder's.
-  for (const Dialect dialect : {F, H, T}) {
+  for (const Dialect dialect : {F, H, M, T}) {
     for (std::size_t number = 10; letter == 'M' && number <= last_user; ++number) {
       Code& code = codes[index(dialect)][number];
       if (code == Code::none) code = Code::M100;

@@ -74,8 +74,9 @@ enum class Code : std::uint8_t {
   // clang-format off
   G0, G1, G2, G3, G5, G5_1, G5_2, G5_3, G6_2, G33, G33_1, G38_2, G38_3, G38_4, G38_5, G73, G74, G76, G76_bore, G80, G81,
   G82, G83, G84, G85, G86, G87, G88, G89,
-  G4, G9, G10, G12, G13, G28, G28_1, G30, G30_1, G31, G52, G53, G53_1, G253, G60, G70, G70_bolts, G71, G71_bolts, G71_1, G71_2, G72,
-  G72_bolts, G72_1, G72_2, G92, G92_1, G92_2, G92_3, G5_high_speed, G5_1_high_speed, G8_high_speed, G103, G150, G187,
+  G4, G9, G10, G12, G13, G28, G28_1, G30, G30_1, G31, G52, G53, G53_1, G253, G60, G70, G70_bolts, G71,
+  G71_bolts, G71_1, G71_2, G72, G72_bolts, G72_1, G72_2, G92, G92_1, G92_2, G92_3, G5_high_speed, G5_1_high_speed,
+  G8_high_speed, G47, G103, G150, G187,
   G17, G17_1, G18, G18_1, G19, G19_1, G90, G91, G90_1, G91_1, G93, G94, G95, G20, G21,
   G40, G41, G41_1, G42, G42_1, G43, G43_1, G43_2, G43_4, G43_5, G44, G49, G98, G99, G50, G51, G50_1, G51_1,
   G54, G55, G56, G57, G58, G59, G59_1, G59_2, G59_3, G54_1, G154, G61, G61_1, G64, G96, G97,

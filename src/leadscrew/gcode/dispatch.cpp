@@ -28,6 +28,8 @@ void Interpreter::dispatch(Code code, const Block& block) {
     case Code::G12:
     case Code::G13:
       return circular_pockets_.mill(block);
+    case Code::G47:
+      return engraving_.engrave(block, remark_);
     case Code::G150:
       return pocket_cycle_.begin(block);
     case Code::G28:

@@ -18,6 +18,7 @@ Interpreter::Interpreter(const Context& context)
       planned_(context, travel_, outbox_),
       circular_pockets_(context, motion_, cutter_, planned_),
       pocket_cycle_(context, motion_, cutter_, planned_),
+      engraving_(context, motion_, planned_),
       turning_cycles_(context, motion_, threading_, outbox_),
       probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),

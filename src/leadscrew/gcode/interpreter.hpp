@@ -11,6 +11,7 @@
 #include <leadscrew/gcode/circular_pocket.hpp>
 #include <leadscrew/gcode/curves.hpp>
 #include <leadscrew/gcode/cycles.hpp>
+#include <leadscrew/gcode/engraving.hpp>
 #include <leadscrew/gcode/lathe_cycles.hpp>
 #include <leadscrew/gcode/machine_events.hpp>
 #include <leadscrew/gcode/motion.hpp>
@@ -22,8 +23,8 @@
 #include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/gcode/tilted_planes.hpp>
 #include <leadscrew/gcode/transforms.hpp>
-#include <leadscrew/gcode/vector_moves.hpp>
 #include <leadscrew/gcode/turning_cycles.hpp>
+#include <leadscrew/gcode/vector_moves.hpp>
 
 namespace leadscrew::gcode {
 
@@ -42,6 +43,8 @@ class Interpreter : Part {
   /// that one problem does not make others of the blocks behind it.
   void execute(const Block& block, base::Line line);
 
+  /// The text between the brackets of the block that is executed next, for G47.
+  [[gnu::cold]] void set_remark(std::string_view remark) { remark_ = remark; }
   /// The next move of the block executed last; false after its last.
   bool next(Move& move);
 
@@ -105,6 +108,7 @@ class Interpreter : Part {
   PlannedCycle planned_;
   CircularPockets circular_pockets_;
   PocketCycle pocket_cycle_;
+  Engraving engraving_;
   TurningCycles turning_cycles_;
   Probing probing_;
   Offsets offsets_;
@@ -114,6 +118,7 @@ class Interpreter : Part {
   SavedModes saved_modes_;
   BlockCheck check_;
   std::optional<base::Event::Kind> stop_;
+  std::string remark_;
   bool ended_ = false;
 };
 

@@ -9,24 +9,30 @@ namespace {
 
 constexpr bool hardware = true, quiet = false;
 
-constexpr std::array<PrinterCommand, 41> all_printer_commands = {{
+constexpr std::array<PrinterCommand, 53> all_printer_commands = {{
     {'G', 10, 11, hardware, "retracts or recovers material"},
     {'G', 12, 12, hardware, "cleans the nozzle"},
     {'G', 26, 27, hardware, "mesh pattern, parking of the head"},
     {'G', 29, 29, hardware, "levelling of the bed"},
     {'G', 34, 35, hardware, "alignment of the gantry"},
     {'G', 42, 42, hardware, "move to a point of the bed's mesh"},
+    {'G', 60, 60, quiet, "keeps the place that G61 goes back to"},
     {'G', 76, 77, hardware, "calibration by temperature"},
+    {'G', 425, 425, hardware, "calibration of backlash"},
+    {'M', 10, 11, hardware, "vacuum or blower"},
+    {'M', 16, 16, quiet, "name of the printer that the program is for"},
     {'M', 17, 18, hardware, "motors on or off"},
     {'M', 20, 29, hardware, "memory card"},
     {'M', 31, 39, hardware, "memory card"},
-    {'M', 42, 42, hardware, "pin of the controller"},
+    {'M', 42, 43, hardware, "pins of the controller"},
+    {'M', 48, 48, hardware, "accuracy of the probe"},
     {'M', 73, 73, quiet, "progress of a print"},
     {'M', 75, 78, quiet, "time of a print"},
     {'M', 80, 81, hardware, "power supply"},
     {'M', 82, 83, quiet, "material in absolute or relative lengths"},
-    {'M', 84, 85, hardware, "motors off"},
+    {'M', 84, 87, hardware, "motors or heaters off"},
     {'M', 92, 92, hardware, "steps of a millimetre"},
+    {'M', 100, 102, quiet, "memory, or settings of the bed"},
     {'M', 104, 104, hardware, "temperature of the hot end"},
     {'M', 105, 105, quiet, "asks for temperatures"},
     {'M', 106, 107, hardware, "fan"},
@@ -37,20 +43,26 @@ constexpr std::array<PrinterCommand, 41> all_printer_commands = {{
     {'M', 113, 115, quiet, "asks the controller"},
     {'M', 117, 119, quiet, "message, or asks for switches"},
     {'M', 120, 121, hardware, "limit switches on or off"},
+    {'M', 122, 123, quiet, "asks for drivers or fans"},
+    {'M', 125, 125, hardware, "parks the head"},
+    {'M', 126, 129, hardware, "valves"},
     {'M', 140, 141, hardware, "temperature of the bed or chamber"},
     {'M', 145, 145, hardware, "temperatures of a material"},
     {'M', 149, 155, hardware, "temperatures and lights"},
-    {'M', 190, 191, hardware, "waits for the temperature of the bed or chamber"},
+    {'M', 160, 166, hardware, "mixture of materials"},
+    {'M', 190, 193, hardware, "waits for the temperature of the bed, the chamber or the cooler"},
     {'M', 200, 200, hardware, "diameter of the material"},
     {'M', 201, 205, hardware, "velocity, acceleration and jerk: those of the machine file hold"},
     {'M', 206, 218, hardware, "offsets of the controller"},
     {'M', 220, 221, hardware, "override of feed or flow"},
+    {'M', 226, 226, hardware, "waits for a pin of the controller"},
     {'M', 240, 290, hardware, "camera, servo, sound of the controller"},
     {'M', 300, 399, hardware, "sound and settings of the controller"},
     {'M', 401, 409, hardware, "probe and sensors"},
     {'M', 410, 599, hardware, "settings of the controller"},
     {'M', 600, 799, hardware, "change of material"},
     {'M', 800, 999, hardware, "settings of the controller"},
+    {'M', 7219, 7219, hardware, "display of lights"},
 }};
 
 struct FirstWord {
@@ -102,6 +114,8 @@ bool PrinterCommands::take(TextLine& line) {
     give(line, "G4P0");
   } else if (word.letter == 'M' && word.number <= 1) {
     give(line, word.number == 0 ? "M0" : "M1");
+  } else if (word.letter == 'M' && word.number == 112) {
+    give(line, "M2");  // everything stops
   } else if (word.letter == 'G' && word.number == 28) {
     std::string home = "G28";
     for (const char* p = word.end; *p != '\n' && *p != ';' && *p != '*'; ++p) {

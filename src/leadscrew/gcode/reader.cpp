@@ -179,9 +179,18 @@ class Reader::Implementation {
 
   void execute(const TextLine& line) {
     forms_.rewrite(block_, line);
+    if (block_.is(Code::G47)) note_remark(line);
     interpreter_.execute(block_, line.id);
     pending_ = true;
     done_ = done_ || interpreter_.ended();
+  }
+
+  // The first remark of a line, which has been read without error.
+  [[gnu::cold]] void note_remark(const TextLine& line) {
+    const char* const open = std::find(line.text, line.end, '(');
+    const char* const close = std::find(open, line.end, ')');
+    interpreter_.set_remark(open < close ? std::string_view(open + 1, static_cast<std::size_t>(close - open - 1))
+                                         : std::string_view());
   }
 
   // Whether the line holds a block; if not, what it says of the flow is done.

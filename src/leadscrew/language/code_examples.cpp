@@ -87,6 +87,7 @@ constexpr Example examples[] = {
     {Code::G5_high_speed, "G5 P10000\nG1 X10. F600.\nG5 P0"},
     {Code::G5_1_high_speed, "G5.1 Q1\nG1 X10. F600.\nG5.1 Q0"},
     {Code::G8_high_speed, "G8 P1\nG1 X10. F600.\nG8 P0"},
+    {Code::G47, "G0 Z2.\nG47 P0 X5. Y5. I30. J4. R1. Z-0.2 F300. E100. (LOT 7)"},
     {Code::G103, "G103 P1\nG103"},
     {Code::G150,
      "G0 X10. Y10. Z5.\nG150 P100 X10. Y10. Z-4. R1. Q2. J2. K0.2 D0 F200.\nM30\nN100 G1 X0\nY0\nX20.\nY20.\nX0\nY10.\nM99"},
