@@ -61,7 +61,7 @@ machine::Machine tilting_machine() {
   machine.rotary_chain = chain;
   const auto give = [&](base::Axis axis) {
     machine.axes[base::index(axis)] =
-        machine::AxisLimits{-1e5, 1e5, logarithmic(10, 500), logarithmic(100, 1e4), logarithmic(2000, 1e6), 0.001};
+        machine::AxisLimits{-1e5, 1e5, logarithmic(50, 500), logarithmic(400, 1e4), logarithmic(2000, 1e6), 0.001};
   };
   for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
   for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);
@@ -210,7 +210,7 @@ class TiltedProgram {
   void block() {
     switch (any(0, 8)) {
       case 0:
-        return line("G0", 60);
+        return line("G0", 30);
       case 1:
       case 2:
         return arc();
@@ -315,7 +315,7 @@ RC_GTEST_PROP(TiltedPlanes, LeadTheTipWhereTheProgramSays, ()) {
 
 RC_GTEST_PROP(TiltedPlanes, KeepEveryLimit, ()) {
   const machine::Machine machine = tilting_machine();
-  const std::string text = TiltedProgram().make(any(1, 6));
+  const std::string text = TiltedProgram().make(any(1, 5));
   RC_LOG() << machine.kinematics << "\n" << text << limits_of(machine);
   const machine::ToolTable tools = two_tools();
   pipeline::Program program(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic& problem) {

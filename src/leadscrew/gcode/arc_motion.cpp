@@ -126,7 +126,8 @@ bool Motion::place_circle(ArcPlan& plan) const {
 }
 
 // An arc that is no circle of a plane of the machine: the curve that the program's circle becomes.
-void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, const Feed& feed) {
+void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, bool reaches,
+                          const Feed& feed) {
   Move& move = outbox_.emit(Move::Kind::nurbs);
   const base::AxisVector from = frame_.to_program(frame_.position);
   base::AxisVector to = frame_.to_program(target);
@@ -144,8 +145,6 @@ void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::A
     }
   }
   move.curve.points.front().position = frame_.position;
-  const PlanePoint programmed = in_plane(frame_.to_program(target), modal_.plane);
-  const bool reaches = plan.circle.end.first == programmed.first && plan.circle.end.second == programmed.second;
   if (reaches) move.curve.points.back().position = target;
   travel_.curve_inside(block, move.curve);
   move.end = move.curve.points.back().position;
@@ -180,14 +179,18 @@ void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& pla
 }
 
 void Motion::arc(const Block& block) {
-  const base::AxisVector target = target_of(block);
+  base::AxisVector target = target_of(block);
   // The circle is found where it was written: in the program's coordinates where more than offsets lie between.
   const bool transforms = !frame_.is_offset_only();
   const PlanePoint start = in_plane(frame_.position, modal_.plane);
   ArcPlan plan;
-  const PlanePoint end = in_plane(transforms ? frame_.to_program(target) : target, modal_.plane);
-  const bool known =
-      plan_arc(block, transforms ? in_plane(frame_.to_program(frame_.position), modal_.plane) : start, end, plan);
+  const PlanePoint from = transforms ? in_plane(frame_.to_program(frame_.position), modal_.plane) : start;
+  PlanePoint end = in_plane(transforms ? frame_.to_program(target) : target, modal_.plane);
+  // What is no more than rounding makes no end of a whole turn another place than its start.
+  constexpr double rounding = 1e-9;  // mm
+  const bool closes = transforms && std::hypot(end.first - from.first, end.second - from.second) < rounding;
+  if (closes) end = from;
+  const bool known = plan_arc(block, from, end, plan);
   const bool reaches = plan.circle.end.first == end.first && plan.circle.end.second == end.second;
   Feed feed;
   feed_of(block, true, block.has('F'), feed);  // also where it closes, and its end is where it begins
@@ -198,7 +201,10 @@ void Motion::arc(const Block& block) {
     frame_.position = target;
     return;
   }
-  if (transforms && !place_circle(plan)) return arc_as_curve(block, plan, target, feed);
+  if (transforms && !place_circle(plan)) return arc_as_curve(block, plan, target, reaches, feed);
+  for (const base::Axis axis : {first_axis(modal_.plane), second_axis(modal_.plane)}) {
+    if (closes && reaches) target[base::index(axis)] = frame_.position[base::index(axis)];
+  }
   if (!from_outside && frame_.tip_control()) tip_arc_inside(block, start, plan, target);
   if (!from_outside && !frame_.tip_control()) arc_inside(block, start, plan);
 

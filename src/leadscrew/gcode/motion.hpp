@@ -46,7 +46,8 @@ class Motion : Part {
   void arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan);
   void tip_arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan, const base::AxisVector& target);
   bool place_circle(ArcPlan& plan) const;
-  void arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, const Feed& feed);
+  void arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, bool reaches,
+                    const Feed& feed);
   static double arc_length(PlanePoint start, const ArcPlan& plan, const Move& arc);
 
   Travel& travel_;
