@@ -180,7 +180,7 @@ class PoseMatcher {
   double place_ = 0;
 };
 
-RC_GTEST_PROP(VectorRuns, KeepTheTipWithinPAndTheToolWithinE, ()) {
+RC_GTEST_PROP(BlendedVectors, KeepTheTipWithinPAndTheToolWithinE, ()) {
   const machine::Machine machine = random_five_axes();
   const kinematics::Chain chain = kinematics::chain_of(machine);
   const VectorProgram program = random_vectors(chain.turns()[0].direction);
