@@ -11,7 +11,7 @@ namespace leadscrew::kinematics {
 namespace {
 
 constexpr double greatest_step = 1;  ///< degrees, of either axis in one part
-/// Of E, that straight angles may leave the great circle by: a quarter would do (FIVE-AXES A3), but paths of coarse vectors
+/// Of E, that straight angles may leave the great circle by: a quarter would keep E as well, but paths of coarse vectors
 /// past a pole take up to a sixth longer then.
 constexpr double chord_share = 1.0 / 64;
 constexpr double side_share = 0.25;  ///< of what is left of E, where sides change or the first axis turns beside a pole

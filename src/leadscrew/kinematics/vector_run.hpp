@@ -3,19 +3,21 @@
 // direction turns along a great circle.
 //
 // Motion leads the rotary axes straight from vertex to vertex, so that each line is subdivided until that is nearly the great
-// circle (FIVE-AXES A3): the tool leaves it by no more than a quarter of E in the middle of a part, and no axis moves by more
-// than a degree. Which of the two solutions holds the tool, and in which turn, is chosen over all vertices together (RotaryRun).
+// circle: the tool leaves it by no more than a 64th of E, and no axis moves by more than a degree. Which of the two solutions
+// holds the tool, and in which turn, is chosen over all vertices together (RotaryRun).
 //
 //     programmed   P₀,O₀ ───────────── P₁,O₁ ── P₂,O₂           tip straight, direction on a great circle
 //     vertices     •──•──•──•──•──•──•──•──•────•               tip and angles straight
 //
-// Poles, where the first axis may stand anywhere (FIVE-AXES A4): blended paths are led straight through those that they miss by
-// no more than the cone and seven eighths of E (pole_passes.hpp), and what is left of E there is told with the vertices.
-// Paths that pass farther away go round. Where a path leads through the pole itself and its direction turns there by more than
-// is lost in a quarter of E, the first axis turns while the tip stands.
+// Poles, where the first axis may stand anywhere: blended paths are led straight through those that they miss by no more than
+// the cone and seven eighths of E (pole_passes.hpp). Paths that pass farther away go round, as slowly as limits make them.
+// Where a path turns at the pole itself, the first axis turns while the tip stands, but where little of E is lost by turning it
+// on the way. Three quarters of what a pass leaves of E are for the smoother, told with each vertex (RunVertex::tolerance);
+// programmed direction and motion differ by no more than E in all.
 //
-// A run is told line by line; at most `most_vertices` are held, and where more come the front half is decided by the best way
-// so far.
+// A run is told line by line. At most most_vertices are held, and where more come the front half is decided by the best way so
+// far. Lines wait until it is known whether a pole lies within 50 mm ahead (PolePasses), 65 536 of them at most: behind so many
+// that stay within the cone the path goes round.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +33,7 @@ namespace leadscrew::kinematics {
 
 /// How a run is to be travelled.
 struct VectorRunSettings {
-  double orientation_tolerance = 0.05;  ///< E, degrees; > 0
+  double orientation_tolerance = 0.05;  ///< E, degrees; > 0, also of an exact path: how finely it is subdivided
   double pole_cone = 0.1;               ///< so near a pole motion may lead straight through it, degrees; ≥ 0
   bool blends = true;                   ///< G64; else the exact path
 };
@@ -73,7 +75,7 @@ class VectorRun {
   /// hold the tool so.
   bool begin_free(const Vector& tip, const Vector& direction, const Angles<double>& before);
 
-  /// The next line, to the tip (mm, in the workpiece) and the direction from there to the spindle, seen from the workpiece:
+  /// After one of these: the next line, to the tip (mm, in the workpiece) and the direction from there to the spindle, seen from the workpiece:
   /// finite, not 0, of any length. False where the run cannot be done; nothing is taken from then on.
   bool add(const Vector& tip, const Vector& direction);
 
