@@ -38,7 +38,7 @@ struct Compensated {
   }
 };
 
-/// Of an angle in degrees, |angle| ≤ 2⁴⁰, its error far below 1. Errors are below 2⁻⁵⁹; quarter turns are exact.
+/// Of an angle in degrees, |angle| ≤ 2⁴⁰, its error far below 1. Errors are below 2⁻⁵⁸; quarter turns are exact.
 SinePair<Compensated> sines_of_degrees(Compensated angle);
 
 }  // namespace leadscrew::numeric
