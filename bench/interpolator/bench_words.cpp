@@ -1,13 +1,16 @@
-// Words per second along lines, arcs and cubic rational NURBS curves, by the plain interpolator and by the controller:
+// Words per second along lines, arcs and cubic rational NURBS curves, and along curves of the tip with two rotary axes, by the plain interpolator and by the controller:
 // one item is one call of the cycle.
 
 #include <benchmark/benchmark.h>
 
 #include <leadscrew/interpolator/controller.hpp>
+#include <leadscrew/toolpath/feed_length.hpp>
+#include <memory>
 #include <motion.hpp>
 #include <percentiles.hpp>
 #include <span>
 #include <string>
+#include <trunnion.hpp>
 
 namespace {
 
@@ -70,8 +73,43 @@ std::vector<toolpath::Element> curves() {
   return path;
 }
 
+/// Cubic curves of the tip and of A and C, under tool centre point control.
+std::vector<toolpath::Element> curves_of_the_tip() {
+  const auto trunnion = std::make_shared<const kinematics::Transformation>(
+      kinematics::chain_of(testing_support::trunnion()), kinematics::Vector{0, 0, 80});
+  std::vector<toolpath::Element> path;
+  geometry::Point at{};
+  for (int k = 1; k <= 20; ++k) {
+    geometry::NurbsForm form{3, {0, 0, 0, 0}, {at}, {1}};
+    for (int i = 1; i <= 12; ++i) {
+      at[0] += k % 2 == 0 ? 4 : -4;
+      at[1] += (i * 7 + k) % 5 - 2;
+      at[2] += (i + k) % 3 - 1;
+      at[3] += (i * 3 + k) % 4 - 1.5;
+      at[5] += 3 + (i + k) % 2;
+      form.points.push_back(at);
+      form.weights.push_back(1);
+      if (i < 10) form.knots.push_back(i);
+    }
+    form.knots.insert(form.knots.end(), 4, 10);
+    for (const geometry::Nurbs& curve : toolpath::fitted_pieces(form)) {
+      toolpath::Piece piece{curve, 60, base::Line{k}};
+      piece.feed_axes = toolpath::FeedAxes::xyz;
+      piece.transformation = trunnion;
+      path.push_back(piece);
+    }
+  }
+  return path;
+}
+
+machine::Machine machine_of(const std::vector<toolpath::Element>& path) {
+  const bool is_of_tip = std::get<toolpath::Piece>(path.front()).transformation != nullptr;
+  return is_of_tip ? testing_support::trunnion() : machine::mill3();
+}
+
 void words(benchmark::State& state, std::vector<toolpath::Element> (*make)()) {
-  const auto chunks = testing_support::plan(make(), machine::mill3());
+  const auto path = make();
+  const auto chunks = testing_support::plan(path, machine_of(path));
   const base::Period period{1'000'000};
   for (auto _ : state) {
     interpolator::Interpolator interpolator(period, {});
@@ -149,6 +187,8 @@ auto* const along_both = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("words/lines-and-arcs", words, mixed)->Unit(benchmark::kMillisecond));
 auto* const along_curves = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("words/nurbs", words, curves)->Unit(benchmark::kMillisecond));
+auto* const along_curves_of_the_tip = leadscrew::bench::with_percentiles(
+    benchmark::RegisterBenchmark("words/nurbs-of-the-tip", words, curves_of_the_tip)->Unit(benchmark::kMillisecond));
 constexpr std::size_t in_cache = 512, in_memory = 1'000'000;
 
 bool register_many() {

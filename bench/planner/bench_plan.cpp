@@ -16,6 +16,7 @@
 #include <percentiles.hpp>
 #include <six_axes.hpp>
 #include <string>
+#include <trunnion.hpp>
 #include <vector>
 
 namespace {
@@ -39,11 +40,10 @@ machine::Machine fast_mill() {
   return machine;
 }
 
-Path path_of(const std::string& text) {
-  const machine::Machine machine = machine::mill3();
+Path path_of(const std::string& text, const machine::Machine& machine = machine::mill3()) {
   const machine::ToolTable tools;
   gcode::Reader reader(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) {});
-  toolpath::Builder builder;
+  toolpath::Builder builder = machine.rotary_chain ? toolpath::Builder(machine) : toolpath::Builder();
   Path path;
   const auto take = [&] {
     while (std::optional<toolpath::Element> element = builder.pop()) path.push_back(std::move(*element));
@@ -159,6 +159,9 @@ const bool added = [] {
     add("engraving" + on, machine, path_of(wandering(200, 0.05, 0.5, 0.6)));
     add("random lines" + on, machine, path_of(wandering(40, 0.2, 4, 3)));
   }
+  const machine::Machine trunnion = testing_support::trunnion();
+  add("blade of 4500 short lines in five axes", trunnion,
+      path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), trunnion));
   testing_support::CurveInSixAxes curve(50);
   const geometry::Point at = curve.start();
   Path path;

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <regex>
+#include <trunnion.hpp>
 #include <vector>
 
 #include "five_axes.hpp"
@@ -147,42 +148,14 @@ RC_GTEST_PROP(FiveAxes, KeepEveryLimitWhoeverIntervenes, ()) {
   for (const base::Word& word : live.words) RC_ASSERT(word.feed >= -1e-6);
 }
 
-/// A trunnion whose rotary axes are so fast that the linear axes set the pace.
-machine::Machine fast_trunnion() {
-  machine::Machine machine;
-  machine.name = "fast trunnion";
-  machine.rotary_chain = machine::preset_chain("table-table-ac");
-  machine.rotary_chain->axes[0].point = {0, 0, -50};
-  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z})
-    machine.axes[base::index(axis)] = machine::AxisLimits{-600, 600, 400, 3000, 60'000, 0.001};
-  for (const base::Axis axis : {base::Axis::A, base::Axis::C})
-    machine.axes[base::index(axis)] = machine::AxisLimits{-3600, 3600, 2000, 60'000, 3'000'000, 0.001};
-  machine.period = {1'000'000};
-  return machine;
-}
-
-/// Short lines along a helix on a cone, the tool leaning with it.
-std::string short_lines(const std::string& tolerances, int count) {
-  std::string text = "G21 G90 G94 G17 G64 " + tolerances + "\nG0 A20 C0\nG43.4\nG0 X40 Y0 Z0\n";
-  for (int k = 0; k <= count; ++k) {
-    const double turn = 0.02 * k, radius = 40 - 0.03 * k;
-    char line[160];
-    std::snprintf(line, sizeof line, "G1 X%.4f Y%.4f Z%.4f A%.4f C%.4f F3000\n", radius * std::cos(turn),
-                  radius * std::sin(turn), 0.02 * k, 20 + 15 * std::sin(1.7 * turn),
-                  50 * turn + 4 * std::sin(5 * turn));
-    text += line;
-  }
-  return text + "M2\n";
-}
-
 /// Words are differenced three times: at so short a period nothing may be left of rounding in turning.
 TEST(FiveAxes, KeepJerkAtTheShortestPeriod) {
-  machine::Machine machine = fast_trunnion();
+  machine::Machine machine = testing_support::trunnion(5);
   machine.period = {10'000};
   const std::string far =
       "G21 G90 G94 G17 G61\nG0 A20 C30\nG43.4\nG0 X150 Z50\nG1 X-120 Y80 Z20 A60 C200 F9000\n"
       "G1 X80 Y-120 Z0 A-40 C-160\nG3 X60 Y-100 I-10 J10 C60 F3000\nM2\n";
-  for (const std::string& text : {far, short_lines("P0.02 E0.1", 150)}) {
+  for (const std::string& text : {far, testing_support::blade_program("P0.02 E0.1", 2, 80)}) {
     const Judged outcome = judge(text, machine);
     EXPECT_EQ(outcome.errors, 0);
     EXPECT_LE(worst_judged(outcome.verdict), 1.001);
@@ -192,12 +165,10 @@ TEST(FiveAxes, KeepJerkAtTheShortestPeriod) {
 
 /// Both tolerances may be used up: a greater one of the direction makes short lines faster, whatever that of the tip is.
 TEST(FiveAxes, UseTheToleranceOfTheDirectionApart) {
-  machine::Machine machine = fast_trunnion();
-  for (const base::Axis axis : {base::Axis::A, base::Axis::C})
-    machine.axes[base::index(axis)] = machine::AxisLimits{-3600, 3600, 180, 1500, 30'000, 0.001};
+  const machine::Machine machine = testing_support::trunnion();
   double before = 0;
   for (const char* const tolerances : {"P0.02 E0.5", "P0.02 E0.1", "P0.02 E0.02"}) {
-    const Judged outcome = judge(short_lines(tolerances, 200), machine);
+    const Judged outcome = judge(testing_support::blade_program(tolerances, 2, 100), machine);
     EXPECT_EQ(outcome.errors, 0);
     EXPECT_EQ(outcome.verdict.violation_count, 0) << tolerances;
     EXPECT_GT(outcome.summary.time_s, before) << tolerances;

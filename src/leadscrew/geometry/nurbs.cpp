@@ -248,32 +248,6 @@ PointJet Nurbs::jets(double s) const {
   return record_jets(*table_, at.record, at.x, start_);
 }
 
-/// Operation by operation as in coordinate_jets().
-Rates Nurbs::rates(double s, std::size_t first) const {
-  const NurbsTable& table = *table_;
-  const Located at = locate(s);
-  const double* numbers = at.record + NurbsTable::polynomials;
-  Jet<> scale = 1;
-  if (table.rational) {
-    scale = numeric::reciprocal(Jet<>(1) +
-                                polynomial_jet(numbers, table.degree - 1, at.x.value) * Jet<>::parameter(at.x.value));
-    numbers += table.degree;
-  }
-  Rates rates{};
-  for (std::size_t k = 0; k < table.moving_count; ++k, numbers += table.degree + 2) {
-    const std::size_t i = table.moving[k] - first;
-    if (i >= rates.size()) continue;
-    double value = 0, slope = 0;
-    for (std::size_t c = table.degree + 1; c-- > 0;) {
-      slope = slope * at.x.value + value;
-      value = value * at.x.value + numbers[1 + c];
-    }
-    if (table.rational) slope = slope * scale.value + value * scale.first;
-    rates[i] = slope * at.x.first;
-  }
-  return rates;
-}
-
 double Nurbs::parameter(double s) const {
   if (s <= 0) return first_parameter_;
   if (s >= length_) return last_parameter_;

@@ -1,7 +1,7 @@
 #pragma once
 // A double beside the sum of the rounding errors that were made on the way to it: compensated arithmetic (Ogita, Rump and
 // Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). For words under kinematics, which are to be
-// rounded once: some ten additional bits are enough for that, and neither sums nor products are normalised, so that they
+// rounded once: a few additional bits are enough for that, and neither sums nor products are normalised, so that they
 // cost a third of a double-double's.
 
 #include <leadscrew/numeric/double_double.hpp>
@@ -38,7 +38,7 @@ struct Compensated {
   }
 };
 
-/// Of an angle in degrees, |angle| ≤ 2⁴⁰, its error far below 1. Errors are below 2⁻⁵⁹; quarter turns are exact.
+/// Of an angle in degrees, |angle| ≤ 2⁴⁰, its error far below 1. Errors are below 2⁻⁵⁸; quarter turns are exact.
 SinePair<Compensated> sines_of_degrees(Compensated angle);
 
 }  // namespace leadscrew::numeric

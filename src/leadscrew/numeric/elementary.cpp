@@ -157,7 +157,8 @@ SinePair<Compensated> sines_of_degrees(Compensated angle) {
   const auto& [sine, cosine] = nodes[static_cast<std::size_t>(std::abs(steps))];
   const double s = steps < 0 ? -sine.hi : sine.hi, s_low = steps < 0 ? -sine.lo : sine.lo;
   const double r = product.hi - steps / steps_of_radian, z = r * r;
-  const double tail = low + r * (z * (-1.0 / 6 + z * (1.0 / 120 - z * (1.0 / 5040))));  // of sin(r + low)
+  const double tail =
+      low * (1 - 0.5 * z) + r * (z * (-1.0 / 6 + z * (1.0 / 120 - z * (1.0 / 5040))));  // of sin(r + low)
   const double less_one = z * (-0.5 + z * (1.0 / 24 - z * (1.0 / 720))) - r * low;      // cos(r + low) − 1
   const double sine_rest = cosine.hi * r + (cosine.hi * tail + s * less_one);
   const double cosine_rest = cosine.hi * less_one - s * (r + tail);
