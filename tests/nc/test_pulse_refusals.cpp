@@ -68,6 +68,19 @@ Checked check(const std::string& text, const Conditions& conditions) {
   return checked;
 }
 
+/// Its places are none of the axes', which go in no lines and arcs there.
+TEST(PulseProgram, RefusesTheTipsMoves) {
+  Conditions conditions;
+  conditions.machine.rotary_chain = machine::preset_chain("table-table-ac");
+  for (const base::Axis axis : {base::Axis::A, base::Axis::C})
+    conditions.machine.axes[base::index(axis)] = machine::AxisLimits{-360, 360, 100, 1000, 20000, 0.001};
+  const std::string tip = "G61 F600\nG1 X1\nG43.4\nG1 X10 A10 C30\nX20\nG2 X22 I1\n";
+  const auto made = pulse(tip, conditions);
+  EXPECT_EQ(made.problems, "4 pulse-tip-control; ");
+  EXPECT_EQ(check(tip + "G49\nG1 X1 F13000\nM2\n", conditions).problems, "4:1 pulse-tip-control; 8:1 pulse-velocity; ");
+  EXPECT_EQ(pulse("G61 F600\nG43.4\nG49\nG1 X10 A10 C30\nG2 X12 I1\n", conditions).problems, "");
+}
+
 TEST(PulseProgram, ChecksAProgramFromEndToEndFirst) {
   const Checked checked = check("G61 G1 X10 F13000\nX0 F100\n (up) Y10 F14000\nM2\n", {});
   EXPECT_EQ(checked.errors, 2);

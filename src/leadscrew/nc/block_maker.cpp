@@ -89,6 +89,7 @@ void BlockMaker::load(const gcode::Move& move) {
 }
 
 Planned BlockMaker::next() {
+  if (left_ && move_.is_of_tip) return of_tip();
   while (left_) {
     Planned made;
     switch (move_.kind) {
@@ -112,6 +113,19 @@ Planned BlockMaker::next() {
     if (made) return made;
   }
   return std::nullopt;
+}
+
+/// Blocks lead the axes themselves along lines and arcs, and the tip's are none of theirs. Said once: it would be said of
+/// every move.
+Planned BlockMaker::of_tip() {
+  if (std::exchange(told_of_tip_, true)) {
+    left_ = false;
+    return std::nullopt;
+  }
+  return give_up(problem(move_, "pulse-tip-control",
+                         "pulses: a method of the papers under tool centre point control, where axes go neither "
+                         "straight nor in circles",
+                         "let steps follow the words: --pulses without --pulse-method; or give G49 before it"));
 }
 
 Planned BlockMaker::dwell() {

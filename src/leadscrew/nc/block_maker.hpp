@@ -8,7 +8,8 @@
 //   dwell   so many clocks, rounded
 //
 // Every end is rounded to the lattice from machine zero, whatever the path there, so that a program's steps sum to its
-// end. An arc needs one basic length unit in both axes of its plane.
+// end. An arc needs one basic length unit in both axes of its plane. Moves of the tool's tip (tool centre point control)
+// are refused.
 
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/geometry/nurbs.hpp>
@@ -34,7 +35,7 @@ class BlockMaker {
 
   /// Its next block with at least one step, or its dwell; nothing when there is none left. A diagnostic is of the whole
   /// move: none of its blocks follow, though the lattice place moves on to its end. Codes beside those of with_words():
-  /// pulse-arc-units, pulse-register.
+  /// pulse-arc-units, pulse-register, pulse-tip-control.
   std::optional<base::Result<PlannedBlock>> next();
 
   /// Of the arc counted last.
@@ -50,6 +51,7 @@ class BlockMaker {
     bool goes_on = false;  // from a chord of this piece
   };
 
+  std::optional<base::Result<PlannedBlock>> of_tip();
   std::optional<base::Result<PlannedBlock>> dwell();
   std::optional<base::Result<PlannedBlock>> wait(double seconds) const;
   std::optional<base::Result<PlannedBlock>> line_or_wait(const LatticeVector& end, const Part& part);
@@ -66,7 +68,8 @@ class BlockMaker {
   PulseOptions options_;
   LatticeVector at_;
   gcode::Move move_;
-  bool left_ = false;     // is there something of the move left?
+  bool left_ = false;  // is there something of the move left?
+  bool told_of_tip_ = false;
   int turn_ = 0;          // of an arc, begun so far
   double sweep_ = 0;      // of the whole arc, radians > 0
   bool closing_ = false;  // a whole turn stood for an arc that is nearly one
