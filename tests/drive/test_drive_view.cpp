@@ -130,6 +130,19 @@ TEST(DriveView, ObeysItsKeysAsFarAsTheProgramAllows) {
   EXPECT_EQ(running.status(), 130);
 }
 
+/// Under tool centre point control too, whose path is drawn as the tip goes.
+TEST(DriveView, ShowsWhereTheToolIs) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nG0 A30\nG43.4 H0\nG1 X40 F600\nM2\n");
+  const std::string machine = (source_folder / "machines/table-table-ac.toml").string();
+  OnTerminal running(folder, {"drive", "part.ngc", "--machine", machine});
+  EXPECT_TRUE(running.shows("tool  0.00000  0.50000  0.86603"));
+  EXPECT_TRUE(running.shows("tip "));
+  running.press("q");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 130);
+}
+
 TEST(DriveView, SaysThatItWaitsForAnInput) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94\nG1 X5 F3000\nM66 P0 L3 Q1\nG1 X6\nM2\n");

@@ -24,6 +24,7 @@ statuses = set()
 
 SLOW_STUDIES = {"limits", "tube", "bounds"}  # tests/study has them
 AXES = "XYZABCUVW"
+POSES = ["tx", "ty", "tz", "i", "j", "k"]  # columns of machines with kinematics
 
 
 def check(holds, message):
@@ -148,11 +149,13 @@ def table(kind, name):
     return rows[2:]
 
 
-def columns(name, axes, verb="run", laser=False):
+def columns(name, axes, verb="run", laser=False, poses=False):
     """Names and units that a file has by the page."""
     found = []
     for cell, unit, meaning in table("columns", name):
         if ("`simulate` only" in meaning and verb != "simulate") or ("`[laser]` only" in meaning and not laser):
+            continue
+        if cell.strip("`") in POSES and not poses:
             continue
         column = cell.strip("`")
         for axis in axes if "{axis}" in column else [""]:
@@ -236,6 +239,14 @@ def check_traces(schemas):
     axes = [axis for axis in AXES if f"[axis.{axis}]" in laser.read_text(encoding="utf-8")]
     check_header("laser.csv", columns("trace", axes, laser=True))
     check_array(schemas, "laser", columns("trace", axes, laser=True), "good.ngc")
+
+    trunnion = machines / "table-table-ac.toml"
+    run("run", "tip.ngc", "--machine", trunnion, "--trace", "tip.csv", "--quiet")
+    run("run", "tip.ngc", "--machine", trunnion, "--trace", "tip.npy", "--quiet")
+    check_header("tip.csv", columns("trace", "XYZAC", poses=True))
+    check_array(schemas, "tip", columns("trace", "XYZAC", poses=True), "tip.ngc")
+    json_of(schemas, "verify", "verify", "tip.csv", "tip.ngc", "--machine", trunnion)
+    json_of(schemas, "simulate", "simulate", "tip.ngc", "--machine", trunnion)
 
     run("run", "turn.ngc", "--machine", "worn6.toml", "--trace", "turn.npy", "--quiet")
     schemas.fit("trace", json.loads((scratch / "turn.npy.json").read_text()), "turn.npy.json")

@@ -10,7 +10,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr int status_lines = 8, widest_map = 100, highest_map = 40;
+constexpr int status_lines = 9, widest_map = 100, highest_map = 40;
 constexpr std::int64_t between_pictures = 100'000'000;  // ns
 constexpr std::string_view end = "\033[K\n";
 
@@ -41,16 +41,19 @@ DriveView::DriveView(const termios& settings, const files::InputFile& file, cons
       job_(job),
       program_(results::printable(file.name())),
       style_(style),
+      poses_(job.machine),
       map_([&] { return programmed(file, job); }, std::min(drive::Terminal::columns() - 1, widest_map),
            std::min(drive::Terminal::rows() - status_lines, highest_map)) {}
 
 void DriveView::observe(const drive::Feedback& feedback) {
   last_ = feedback;
-  map_.visit(feedback.actual);
+  const auto pose = poses_.of(feedback.actual);
+  map_.visit(pose ? pose->tip : feedback.actual);
 }
 
 bool DriveView::go_on(const drive::WordMaker& maker, realtime::Runner& runner) {
   waits_for_input_ = maker.waits_for_input();
+  poses_.hold(maker.tool());
   const bool is_asked = obey_keys(runner);
   draw(runner);
   return is_asked;
@@ -101,7 +104,12 @@ std::string DriveView::place_text() const {
     if (!job_.machine.has(axis)) continue;
     text += fmt::format("{} {:10.4f}  ", base::letter(axis), last_.actual[base::index(axis)]);
   }
-  return text.append(end);
+  text.append(end);
+  if (const auto pose = poses_.of(last_.actual)) {
+    text += fmt::format("tip {:10.4f} {:10.4f} {:10.4f}  tool {:8.5f} {:8.5f} {:8.5f}{}", pose->tip[0], pose->tip[1],
+                        pose->tip[2], pose->direction[0], pose->direction[1], pose->direction[2], end);
+  }
+  return text;
 }
 
 std::string DriveView::status_text(const realtime::Runner& runner) const {

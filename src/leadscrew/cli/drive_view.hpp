@@ -6,6 +6,7 @@
 #include <leadscrew/drive/pause.hpp>
 #include <leadscrew/drive/terminal.hpp>
 #include <leadscrew/drive/word_maker.hpp>
+#include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/realtime/runner.hpp>
 #include <leadscrew/results/part_map.hpp>
 
@@ -40,6 +41,7 @@ class DriveView {
   const Job& job_;
   std::string program_;
   Style style_;
+  kinematics::WordPoses poses_;
   results::PartMap map_;
   drive::Feedback last_{};
   drive::Pause pause_;

@@ -114,7 +114,8 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
   Outputs outputs(paths, job);
   const bool follows = job.arguments.verb == Arguments::Verb::simulate;
   if (paths.trace) {
-    const trace::MoreColumns columns{.actual = follows, .power = job.machine.laser.has_value()};
+    const trace::MoreColumns columns{
+        .actual = follows, .power = job.machine.laser.has_value(), .pose = job.machine.rotary_chain.has_value()};
     if (auto opened = outputs.trace_.open(*paths.trace, paths.program, job.machine, columns); !opened)
       return base::failure(opened.error());
   }
@@ -146,11 +147,17 @@ base::Result<void> Outputs::write(const servo::Followed& followed, double measur
 }
 
 base::Result<void> Outputs::write(const base::Word& word, const trace::BesideWord& beside) {
-  if (recording_) recording_->observe(word);
+  const auto pose = poses_.of(word.position);
+  if (recording_) recording_->observe(word, pose ? &pose->tip : nullptr);
   if (steps_) {
     if (auto written = steps_->write(word); !written) return written;
   }
-  return trace_.write(word, beside);
+  trace::BesideWord all = beside;
+  for (std::size_t i = 0; pose && i < 3; ++i) {
+    all.pose[i] = pose->tip[i];
+    all.pose[i + 3] = pose->direction[i];
+  }
+  return trace_.write(word, all);
 }
 
 void Outputs::write(const base::PassedEvent& event) {
@@ -172,7 +179,10 @@ pipeline::LostTime::Sink Outputs::blocks() {
   if (!blocks_ && !recording_) return {};
   return [this](const pipeline::BlockTime& block) {
     if (blocks_) blocks_->write(block);
-    if (recording_) recording_->observe(results::lost_block(block));
+    if (!recording_) return;
+    report::LostBlock lost = results::lost_block(block);
+    if (const auto pose = poses_.of(lost.middle)) lost.middle = pose->tip;
+    recording_->observe(lost);
   };
 }
 

@@ -8,6 +8,7 @@
 #include <leadscrew/files/event_file.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/files/word_file.hpp>
+#include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
@@ -57,6 +58,8 @@ class Outputs {
   /// What slides made of it, with the feed that was measured, mm/s.
   base::Result<void> write(const servo::Followed& followed, double measured_feed);
 
+  /// Of words from the next on: the offset of their tool, mm.
+  void hold(const std::array<double, 3>& tool) { poses_.hold(tool); }
   /// Of the word that is written next. Errors are told by publish().
   void write(const base::PassedEvent& event);
 
@@ -81,9 +84,10 @@ class Outputs {
   base::Result<std::vector<std::string>> publish();
 
  private:
-  Outputs(const OutputPaths& paths, const Job& job) : job_(&job), blocks_path_(paths.blocks) {}
+  Outputs(const OutputPaths& paths, const Job& job) : job_(&job), poses_(job.machine), blocks_path_(paths.blocks) {}
 
   const Job* job_;
+  kinematics::WordPoses poses_;
   files::WordFile trace_;
   files::EventFile events_;
   std::unique_ptr<files::OutputFile> report_, picture_, charts_;  ///< their sinks refer to them

@@ -98,6 +98,7 @@ class ProgramRun {
     while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
       for (const base::Word& word : next_words(program, watch)) {
         referee.observe(word.position, word.feed);
+        outputs.hold(referee.matched().tool);
         lost.observe(word);
         if (auto written = outputs.write(word); !written) return base::failure(written.error());
         if (base::count(word.tick) % words_between_checks != 0) continue;

@@ -48,7 +48,7 @@ class Simulation {
     if (auto same = file.unchanged(); !same) return base::failure(same.error());
     if (outputs->recording() != nullptr) {
       if (outputs->followed() != nullptr)
-        results::observe_ideal_path(silent_reader(file, job_), job_.start, *outputs->followed());
+        results::observe_ideal_path(silent_reader(file, job_), job_.machine, job_.start, *outputs->followed());
       const auto report =
           results::report_of({file, job_.arguments.command_line, log_.all(), *outputs->recording()}, *figures);
       if (!report) return base::failure(report.error());
@@ -110,6 +110,7 @@ class Simulation {
     auto followed = slides.follow(word);
     if (!followed) return followed;
     if (!*followed) return followed;
+    outputs.hold(slides.tool());
     const auto written = outputs.write(**followed, slides.measured_feed());
     if (!written) return base::failure(written.error());
     record(slides.take_contour(), slides, outputs);

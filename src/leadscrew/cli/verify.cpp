@@ -109,6 +109,7 @@ class Verification {
   /// Where a page or a picture was asked for. A block is the trace's own, or the one that the row was matched to.
   base::Result<void> show(const base::AxisVector& position, std::optional<std::int64_t> line,
                           const referee::MatchedBlock& block, Outputs& outputs) {
+    outputs.hold(block.tool);
     const base::Word word = words_->next(position, line ? base::Line{*line} : block.line);
     if (feed_ != block.feed) {
       const double told = std::isinf(block.feed) ? 0 : block.feed;

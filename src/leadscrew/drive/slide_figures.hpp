@@ -11,11 +11,14 @@
 
 namespace leadscrew::drive {
 
-/// Distance of the slides from the path of the words, mm.
+/// Distance of the slides from the path of the words, mm; on a machine with a chain of rotary axes of the tool's tip in the
+/// workpiece, from the place that tip and rotary axes are matched to.
 struct ContourFigures {
   double greatest = 0;
   double rms = 0;
   double at = 0;  ///< of the greatest, seconds
+  /// Greatest angle between the tool's direction and that at the place it is matched to, degrees; none without a chain.
+  std::optional<double> orientation;
 };
 
 /// Of a pulse-driven loop, at the end.

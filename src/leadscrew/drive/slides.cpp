@@ -7,6 +7,7 @@
 #include <leadscrew/referee/metric.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
 #include <leadscrew/servo/stability.hpp>
+#include <numbers>
 
 namespace leadscrew::drive {
 
@@ -55,6 +56,7 @@ Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, Follo
       tracking_(axes_),
       matcher_(scale_of(machine), window_of(lag, machine.period)),
       referee_(std::move(moves), machine, machine.period, files::interrupted),
+      poses_(machine),
       quiet_(periods_in(std::max(quiet_time, 2 * std::min(lag, 1.0)), machine.period)),
       most_after_(std::min<std::int64_t>(periods_in(longest_time, machine.period), 200'000)) {}
 
@@ -63,8 +65,8 @@ base::Result<std::optional<servo::Followed>> Slides::follow(const base::Word& wo
   if (!followed) return followed;
   if (auto stable = check_followed(*followed, *machine_); !stable) return base::failure(std::move(stable.error()));
   tracking_.observe(*followed);
-  matcher_.observe(followed->word.position, followed->position);
   referee_.observe(followed->position);
+  observe_contour(*followed);
   if (ending_) watch_rest(*followed);
   return followed;
 }
@@ -106,9 +108,35 @@ void Slides::watch_rest(const servo::Followed& followed) {
   }
 }
 
+/// Of the tip where rotary axes carry it, so that slides that err together and not at the tip do not count.
+void Slides::observe_contour(const servo::Followed& followed) {
+  poses_.hold(tool());
+  const auto commanded = poses_.of(followed.word.position), actual = poses_.of(followed.position);
+  if (commanded && actual) {
+    matcher_.observe(commanded->tip, actual->tip);
+  } else {
+    matcher_.observe(followed.word.position, followed.position);
+  }
+}
+
+/// Tip and direction apart, of places that were matched by both.
+void Slides::note_contour(servo::Contour& contour) {
+  const auto there = poses_.direction_at(contour.nearest), here = poses_.direction_at(contour.actual);
+  if (!there || !here) return;
+  double apart = 0, off = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    apart += ((*here)[i] - (*there)[i]) * ((*here)[i] - (*there)[i]);
+    off += (contour.actual[i] - contour.nearest[i]) * (contour.actual[i] - contour.nearest[i]);
+  }
+  const double angle = 2 * std::asin(std::min(1.0, std::sqrt(apart) / 2)) * (180 / std::numbers::pi);
+  contour_.orientation = std::max(contour_.orientation.value_or(0), angle);
+  contour.distance = std::sqrt(off);
+}
+
 std::vector<servo::Contour> Slides::take_contour() {
   std::vector<servo::Contour> contours = matcher_.take();
-  for (const servo::Contour& contour : contours) {
+  for (servo::Contour& contour : contours) {
+    note_contour(contour);
     const double error = contour.distance;
     if (error > contour_.greatest) {
       contour_.greatest = error;

@@ -2,6 +2,7 @@
 // The slides of a simulated machine, and what is measured of them.
 
 #include <leadscrew/drive/slide_figures.hpp>
+#include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/servo/contour_matcher.hpp>
 #include <leadscrew/servo/pulse_servo.hpp>
@@ -29,6 +30,8 @@ class Slides {
   /// Call before the word is repeated.
   void end_words() { ending_ = true; }
 
+  /// Offset of the tool that the slides carry, mm.
+  std::array<double, 3> tool() const { return referee_.matched().tool; }
   double measured_feed() const { return tracking_.measured_feed(); }
   /// Of the periods that have been matched since the last call.
   std::vector<servo::Contour> take_contour();
@@ -47,6 +50,8 @@ class Slides {
 
   Slides(const machine::Machine& machine, referee::MoveSource moves, Follower follower, double lag);
   void watch_rest(const servo::Followed& followed);
+  void observe_contour(const servo::Followed& followed);
+  void note_contour(servo::Contour& contour);
   std::optional<double> settling() const;
   std::vector<std::pair<base::Axis, PulseCounts>> pulses() const;
 
@@ -56,6 +61,7 @@ class Slides {
   servo::Tracking tracking_;
   servo::ContourMatcher matcher_;
   referee::Referee referee_;
+  kinematics::WordPoses poses_;
   ContourFigures contour_;
   double contour_squares_ = 0;
   std::int64_t contour_count_ = 0;

@@ -12,7 +12,9 @@ bool Outbox::take(Move& move) {
   return true;
 }
 
-void Outbox::set_tip(Move& move) const {
+void Outbox::set_tool(Move& move) const {
+  for (std::size_t i = 0; i < move.tool.size(); ++i) move.tool[i] = frame_.tool()[i];
+  if (!frame_.tip_control()) return;
   move.is_of_tip = true;
   move.tool = frame_.tip_control()->tool;
   move.orientation_tolerance = modal_.effective_mode == PathMode::blend ? modal_.orientation_tolerance : 0;

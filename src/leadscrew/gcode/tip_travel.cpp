@@ -62,6 +62,18 @@ AxesReach reach_of_limits(const base::AxisVector& low, const base::AxisVector& h
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
+/// The same of the peaks of parabolas through three places at even distances, where they lie between these:
+/// q₁ − (q₂ − q₀)²/8(q₀ − 2q₁ + q₂).
+void take_peaks(AxesReach& reach, const base::AxisVector& a, const base::AxisVector& b, const base::AxisVector& c) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double slope = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i];
+    if (!(std::fabs(slope) < std::fabs(bend))) continue;
+    const double peak = b[i] - slope * slope / (2 * bend);
+    reach.low[i] = std::min(reach.low[i], peak);
+    reach.high[i] = std::max(reach.high[i], peak);
+  }
+}
+
 /// May an axis be beyond what is known, by so much beyond both places?
 bool may_reach_beyond(const AxesReach& known, const base::AxisVector& a, const base::AxisVector& b, double sag) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -140,8 +152,14 @@ AxesReach axes_reach(const kinematics::Transformation& transformation, const Nur
   for (std::size_t span = p; span < curve.points.size(); ++span) {
     const double from = curve.knots[span], width = curve.knots[span + 1] - from;
     if (!(width > 0)) continue;
-    for (int k = 0; k <= places_of_a_span; ++k)
-      take(reach, transformation.axes_of(curve_at(curve, span, from + width * k / places_of_a_span)));
+    base::AxisVector before{}, last{};
+    for (int k = 0; k <= places_of_a_span; ++k) {
+      const base::AxisVector axes = transformation.axes_of(curve_at(curve, span, from + width * k / places_of_a_span));
+      take(reach, axes);
+      if (k > 1) take_peaks(reach, before, last, axes);
+      before = last;
+      last = axes;
+    }
   }
   return reach;
 }

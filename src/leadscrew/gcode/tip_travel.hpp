@@ -37,7 +37,7 @@ struct AxesReach {
 AxesReach axes_reach(const kinematics::Transformation& transformation, const TipPath& path, const base::AxisVector& low,
                      const base::AxisVector& high);
 
-/// The same of a curve, as 64 places of each of its spans tell it.
+/// The same of a curve, as 64 places of each of its spans and parabolas through them tell it.
 AxesReach axes_reach(const kinematics::Transformation& transformation, const NurbsCurve& curve,
                      const base::AxisVector& low, const base::AxisVector& high);
 

@@ -176,6 +176,7 @@ Passage Matcher::passage(std::size_t last) {
   const Slot& matched = slot(nearest);
   result.line = matched.piece.line;
   result.block_feed = matched.piece.feed.value;
+  result.tool = matched.piece.tool;
   result.orientation_tolerance = matched.piece.orientation_tolerance;
   if (tells_places_) result.place = point_at(metric_, matched.piece, matched.next.place);
   const bool stays = one_block && matched.piece.block == matched_.block;

@@ -44,10 +44,11 @@ struct Piece {
   double tolerance = 0;              ///< mm
   double orientation_tolerance = 0;  ///< of the tip: of the tool's direction, degrees
   ProgrammedFeed feed;
-  Point from{};     ///< mm
-  Point to{};       ///< mm
-  Point slope{};    ///< line: unit direction; arc: m, mm per radian, 0 in the plane
-  double span = 0;  ///< line: length, mm; arc: Δ, radians; curve: 1
+  std::array<double, 3> tool{};  ///< its offset, mm, of a machine with a chain of rotary axes
+  Point from{};                  ///< mm
+  Point to{};                    ///< mm
+  Point slope{};                 ///< line: unit direction; arc: m, mm per radian, 0 in the plane
+  double span = 0;               ///< line: length, mm; arc: Δ, radians; curve: 1
 
   std::uint8_t first = 0, second = 0;          ///< arc: coordinates of the plane
   double center_first = 0, center_second = 0;  ///< arc: mm

@@ -115,6 +115,7 @@ void PieceSource::begin(const gcode::Move& move) {
   whole_ = {};
   whole_.line = move.line;
   whole_.block = block_;
+  whole_.tool = move.tool;
   whole_.tolerance = tolerance_of(move, metric_.per_degree());
   if (move.is_of_tip && move.path_mode == gcode::PathMode::blend) {
     whole_.orientation_tolerance = move.orientation_tolerance;

@@ -72,7 +72,7 @@ class Referee::Implementation {
     observe_finite(position, planned_feed);
   }
 
-  MatchedBlock matched() const { return {line_, block_feed_}; }
+  MatchedBlock matched() const { return {line_, block_feed_, tool_}; }
 
   Verdict conclude() {
     if (words_ == 0) {
@@ -233,6 +233,7 @@ class Referee::Implementation {
     const PoseDeviation pose = section_->is_of_tip ? deviation_of(passage, place) : PoseDeviation();
     line_ = passage.line;
     block_feed_ = passage.block_feed;
+    tool_ = passage.tool;
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
     if (passage.deviation) tell_departure(passage, pose);
     for (const RequiredStop& stop : section_->source.take_stops()) section_->stops.require(stop);
@@ -259,6 +260,7 @@ class Referee::Implementation {
   base::AxisVector position_{};
   base::Line line_{};
   double block_feed_ = 0;
+  std::array<double, 3> tool_{};
 };
 
 Referee::Referee(MoveSource moves, const machine::Machine& machine, base::Period period,

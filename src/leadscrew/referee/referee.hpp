@@ -29,6 +29,7 @@
 // A trace is a set of samples: what happened between two words and left no sign in them cannot be judged. At 1 ms and
 // 1 m/s² that is an eighth of a micrometre (sampling_allowance.hpp).
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/axes.hpp>
@@ -62,8 +63,9 @@ struct Violation {
 
 /// The block that a word was matched to.
 struct MatchedBlock {
-  base::Line line{};  ///< of the program
-  double feed = 0;    ///< programmed, mm/s or degrees/s; infinite for a rapid
+  base::Line line{};             ///< of the program
+  double feed = 0;               ///< programmed, mm/s or degrees/s; infinite for a rapid
+  std::array<double, 3> tool{};  ///< offset of the tool in it, mm; 0 of machines without a chain of rotary axes
 };
 
 /// What all words were.

@@ -215,7 +215,8 @@ void put_path_section(std::string& page, const PageContent& content) {
   put_color_bar(page, speeds, has_rapids(path));
   put(page, "<div class=\"views\">\n");
   for (const View& view : views) put_card(page, view, path, scales, speeds, lost);
-  put(page, "</div>\n<p class=\"note\">Positions of the axes. ",
+  put(page, "</div>\n<p class=\"note\">",
+      content.recording.shows_tip() ? "Positions of the tool’s tip in the workpiece. " : "Positions of the axes. ",
       scales.differ ? "Each view has its own scale, equal in both directions." : "All views are at the same scale.",
       lost.empty() ? "" : " Numbers: the blocks that <a href=\"#losses\">lose most time</a>.", "</p></section>\n");
 }

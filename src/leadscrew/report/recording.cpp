@@ -37,7 +37,7 @@ class Recording::Implementation {
     for (std::size_t k = 1; k < orders; ++k) per_period_[k] = per_period_[k - 1] / period.seconds();
   }
 
-  void observe(const base::Word& word) {
+  void observe(const base::Word& word, const base::AxisVector* tip) {
     if (envelope_.samples() == 0) begin(word);
     if (word.line != block_.line) begin_block(word.line);
     for (; !feeds_.empty() && feeds_.front().tick <= word.tick; feeds_.pop_front())
@@ -52,7 +52,8 @@ class Recording::Implementation {
       values += orders;
     }
     envelope_.take();
-    path_.observe({word.position, is_rapid_ ? 0 : word.feed, is_rapid_});
+    shows_tip_ = tip != nullptr;
+    path_.observe({tip != nullptr ? *tip : word.position, is_rapid_ ? 0 : word.feed, is_rapid_});
     last_tick_ = word.tick;
     block_.duration = base::seconds(base::Tick{base::count(word.tick) - base::count(block_begins_)}, period_);
     block_.length = word.path_length - block_begins_at_;
@@ -82,6 +83,7 @@ class Recording::Implementation {
   std::int64_t event_count() const { return event_count_; }
   std::span<const base::PassedEvent> events() const { return events_; }
   void observe(const LostBlock& block) { dearest_.offer(block); }
+  bool shows_tip() const { return shows_tip_; }
   double greatest_feed() const { return greatest_feed_; }
   double greatest_rapid() const { return greatest_rapid_; }
   std::vector<LostBlock> dearest() const { return dearest_.list(); }
@@ -162,7 +164,7 @@ class Recording::Implementation {
   std::int64_t event_count_ = 0;
   std::vector<base::PassedEvent> events_;
   std::deque<base::PassedEvent> feeds_;  ///< of words that have not come
-  bool is_rapid_ = false;
+  bool is_rapid_ = false, shows_tip_ = false;
   double greatest_feed_ = 0, greatest_rapid_ = 0;
   WorstBlocks<BlockFigures, &BlockFigures::duration> slowest_;
   WorstBlocks<BlockFigures, &BlockFigures::worst_ratio> nearest_;
@@ -175,8 +177,11 @@ Recording::~Recording() = default;
 Recording::Recording(Recording&&) noexcept = default;
 Recording& Recording::operator=(Recording&&) noexcept = default;
 
-void Recording::observe(const base::Word& word) {
-  implementation_->observe(word);
+void Recording::observe(const base::Word& word, const base::AxisVector* tip) {
+  implementation_->observe(word, tip);
+}
+bool Recording::shows_tip() const {
+  return implementation_->shows_tip();
 }
 void Recording::observe(const base::PassedEvent& event) {
   implementation_->observe(event);

@@ -57,7 +57,8 @@ class Recording {
   /// The machine gives axes and limits and must outlive the recording.
   Recording(const machine::Machine& machine, base::Period period);
 
-  void observe(const base::Word& word);
+  /// `tip`: where the word brings the tool's tip, X, Y and Z of the workpiece, which the path then shows; null: the axes.
+  void observe(const base::Word& word, const base::AxisVector* tip = nullptr);
   /// Of a word that will be observed: what the program asks for, or where rapids begin and end (programmed feed).
   void observe(const base::PassedEvent& event);
   void observe(const LostBlock& block);
@@ -72,6 +73,8 @@ class Recording {
   double greatest_rapid() const;  ///< of rapids, mm/s
   std::span<const Extent> axis(base::Axis axis, int order) const;
 
+  /// Is the path that of the tip?
+  bool shows_tip() const;
   std::span<const PathPoint> path() const;             ///< at most 20000 points
   std::vector<BlockFigures> slowest_blocks() const;    ///< up to ten, the slowest first
   std::vector<BlockFigures> nearest_to_limit() const;  ///< up to ten, the nearest first

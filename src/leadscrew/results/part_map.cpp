@@ -9,7 +9,7 @@ namespace leadscrew::results {
 
 namespace {
 
-/// Chords along everything that is travelled at feed.
+/// Chords along everything that is travelled at feed, of the tool's tip where moves are told of it.
 template <class Take>
 void each_chord(gcode::Reader reader, const Take& take) {
   toolpath::Builder builder;
@@ -17,6 +17,7 @@ void each_chord(gcode::Reader reader, const Take& take) {
   while (reading) {
     gcode::Move move;
     reading = reader.next(move);
+    move.is_of_tip = false;  // its coordinates are those that are drawn
     reading ? builder.push(move) : builder.finish();
     while (const auto element = builder.pop()) {
       const auto* piece = std::get_if<toolpath::Piece>(&*element);

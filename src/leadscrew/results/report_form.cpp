@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/results/report_form.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <set>
@@ -189,16 +190,24 @@ report::LostBlock lost_block(const pipeline::BlockTime& block) {
           block.middle};
 }
 
-void observe_ideal_path(gcode::Reader reader, const base::AxisVector& start, report::FollowedRecording& followed) {
+void observe_ideal_path(gcode::Reader reader, const machine::Machine& machine, const base::AxisVector& start,
+                        report::FollowedRecording& followed) {
   constexpr int parts = 64;
   gcode::Move move;
-  followed.observe_ideal(start);
+  kinematics::WordPoses poses(machine);
+  const auto observe = [&](const base::AxisVector& place, bool is_of_tip) {
+    const auto pose = is_of_tip ? std::nullopt : poses.of(place);
+    followed.observe_ideal(pose ? pose->tip : place);
+  };
+  observe(start, false);
   while (reader.next(move)) {
+    poses.hold(move.tool);
     for (const toolpath::Piece& piece : toolpath::pieces_of(move)) {
-      const int count = move.kind == gcode::Move::Kind::line ? 1 : parts;
+      const bool is_straight = move.kind == gcode::Move::Kind::line && (move.is_of_tip || !machine.rotary_chain);
+      const int count = is_straight ? 1 : parts;
       for (int i = 1; i <= count; ++i) {
         const double s = piece.axes().length() * i / count;
-        followed.observe_ideal(piece.axes().position(numeric::DoubleDouble(s)));
+        observe(piece.axes().position(numeric::DoubleDouble(s)), move.is_of_tip);
       }
     }
   }

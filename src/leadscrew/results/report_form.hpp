@@ -33,6 +33,7 @@ std::array<report::FollowedAxis, base::axis_count> followed_axes(const servo::Fo
 report::LostBlock lost_block(const pipeline::BlockTime& block);
 
 /// The programmed geometry from `start`, move by move, curves in 64 parts.
-void observe_ideal_path(gcode::Reader reader, const base::AxisVector& start, report::FollowedRecording& followed);
+void observe_ideal_path(gcode::Reader reader, const machine::Machine& machine, const base::AxisVector& start,
+                        report::FollowedRecording& followed);
 
 }  // namespace leadscrew::results

@@ -54,6 +54,13 @@ std::string feed_text(const SimulateFigures& figures) {
                      feed.measured_mean * 60, feed.commanded_max * 60);
 }
 
+std::string contour_text(const drive::ContourFigures& contour) {
+  const std::string text =
+      fmt::format("{} the path of the words by {:.4g} mm at t = {:.4g} s, rms {:.4g} mm",
+                  contour.orientation ? "the tip leaves" : "slides leave", contour.greatest, contour.at, contour.rms);
+  return contour.orientation ? text + fmt::format("; the tool its direction by {:.3g}°", *contour.orientation) : text;
+}
+
 std::string time_text(const SimulateFigures& figures) {
   const std::string rest =
       figures.settling ? fmt::format("slides at rest {:.4g} s later", *figures.settling) : "slides do not come to rest";
@@ -113,7 +120,8 @@ Json json_of_simulation(const std::string& program, const machine::Machine& mach
                               {"end_error_mm", figures.verdict.end_error_mm},
                               {"contour", Json::object({{"max_mm", figures.contour.greatest},
                                                         {"rms_mm", figures.contour.rms},
-                                                        {"max_at_s", figures.contour.at}})},
+                                                        {"max_at_s", figures.contour.at},
+                                                        {"orientation_max_deg", figures.contour.orientation}})},
                               {"feed", Json::object({{"programmed_max_mm_s", summary.feed_programmed_max},
                                                      {"commanded_max_mm_s", feed.commanded_max},
                                                      {"measured_max_mm_s", feed.measured_max},
@@ -140,8 +148,7 @@ std::string simulate_summary(const std::string& program, const machine::Machine&
   text += row("time", time_text(figures));
   text += row("length", fmt::format("{:.3f} mm, {} blocks", summary.length_mm, summary.blocks));
   text += row("feed", feed_text(figures));
-  text += row("contour", fmt::format("slides leave the path of the words by {:.4g} mm at t = {:.4g} s, rms {:.4g} mm",
-                                     figures.contour.greatest, figures.contour.at, figures.contour.rms));
+  text += row("contour", contour_text(figures.contour));
   text += row("deviation", deviation_text(figures.verdict.deviation_mm, figures.tolerance));
   text += tip_row(figures.verdict);
   text += axis_rows(figures.axes, style);

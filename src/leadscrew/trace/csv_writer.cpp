@@ -45,6 +45,10 @@ base::Result<void> CsvWriter::write(const base::Word& word, const BesideWord& be
     *at++ = ',';
     at = base::write_digits(at, beside.power);
   }
+  for (std::size_t i = 0; columns_.pose && i < beside.pose.size(); ++i) {
+    *at++ = ',';
+    at = base::write_digits(at, beside.pose[i]);
+  }
   *at++ = '\n';
   rows_.text().append(row, static_cast<std::size_t>(at - row));
   return rows_.flush_if_full();

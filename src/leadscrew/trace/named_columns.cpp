@@ -17,6 +17,9 @@ std::vector<NamedColumn> named_columns(base::AxisSet axes, const MoreColumns& co
   add_axes("", "mm", "deg");
   for (const SlideColumn& column : slide_columns_of(columns)) add_axes(column.name, column.linear, column.rotary);
   if (columns.power) named.push_back({"power", ""});
+  for (const PoseColumn& column : pose_columns) {
+    if (columns.pose) named.push_back({std::string(column.name), column.unit});
+  }
   return named;
 }
 

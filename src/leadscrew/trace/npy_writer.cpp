@@ -26,7 +26,8 @@ void append_little_endian(std::string& bytes, double value) {
 }
 
 int column_count(base::AxisSet axes, const MoreColumns& columns) {
-  return 4 + axes.size() * (1 + static_cast<int>(slide_columns_of(columns).size())) + (columns.power ? 1 : 0);
+  return 4 + axes.size() * (1 + static_cast<int>(slide_columns_of(columns).size())) + (columns.power ? 1 : 0) +
+         (columns.pose ? static_cast<int>(pose_columns.size()) : 0);
 }
 
 }  // namespace
@@ -63,6 +64,7 @@ base::Result<void> NpyWriter::write(const base::Word& word, const BesideWord& be
     }
   }
   if (columns_.power) append_little_endian(rows, beside.power);
+  for (std::size_t i = 0; columns_.pose && i < beside.pose.size(); ++i) append_little_endian(rows, beside.pose[i]);
   ++rows_written_;
   return rows_.flush_if_full();
 }

@@ -21,7 +21,15 @@ namespace leadscrew::trace {
 struct MoreColumns {
   bool actual = false;  ///< of slides that followed the words: those of slide_columns
   bool power = false;   ///< power: of the laser
+  bool pose = false;    ///< tx ty tz i j k: where words bring the tool's tip, and its direction
 };
+
+/// Of a pose: the tip in the workpiece, and the unit vector from it to the spindle.
+struct PoseColumn {
+  std::string_view name, unit;
+};
+inline constexpr std::array<PoseColumn, 6> pose_columns = {
+    {{"tx", "mm"}, {"ty", "mm"}, {"tz", "mm"}, {"i", ""}, {"j", ""}, {"k", ""}}};
 
 /// What they hold in the row of a word.
 struct BesideWord {
@@ -30,6 +38,7 @@ struct BesideWord {
   base::AxisVector control{};   ///< of the period that begins: what the controllers give their drives (servo::Followed)
   base::AxisVector current{};   ///< of the motors, as the acceleration it gives, mm/s² or degrees/s²
   double power = 0;             ///< machine::LaserPower
+  std::array<double, pose_columns.size()> pose{};  ///< as those columns say
 };
 
 /// A column for each axis, of this name and the axis' letter: actual_X, actual_Y, …
@@ -50,7 +59,7 @@ constexpr std::span<const SlideColumn> slide_columns_of(const MoreColumns& colum
 }
 
 /// Columns at most, of axes and all others.
-inline constexpr std::size_t most_columns = 5 + (1 + slide_columns.size()) * base::axis_count;
+inline constexpr std::size_t most_columns = 5 + pose_columns.size() + (1 + slide_columns.size()) * base::axis_count;
 
 /// Opens a trace by its constructor, takes a word a row, and finishes with what is still gathered. Once the sink has
 /// failed, every later call fails with the same diagnostic.
