@@ -194,7 +194,7 @@ TEST(ToolVectors, TurnAtThePoleOnTheExactPath) {
   std::string notes;
   for (const base::Diagnostic& each : reading.diagnostics)
     notes += std::to_string(each.place.line) + " " + std::string(each.code) + "; ";
-  EXPECT_EQ(notes, "4 pole-turn; ");
+  EXPECT_EQ(notes, "3 pole-turn; ");
   std::size_t turns = 0;
   for (const Move& line : reading.lines()) {
     if (line.feed.mode != Feed::Mode::rapid || base::number(line.line) < 3) continue;
@@ -207,7 +207,7 @@ TEST(ToolVectors, TurnAtThePoleOnTheExactPath) {
 }
 
 TEST(ToolVectors, TakeSoManyPartsAndNoMore) {
-  EXPECT_EQ(read_vectors("G64 P0.01 E0.00002\nG0 X0 J-1 K1\nG1 X10 I1 K1\n").problems(), "");
+  EXPECT_EQ(read_vectors("G64 P0.01 E0.001\nG0 X0 J-1 K1\nG1 X10 I1 K1\n").problems(), "");
   EXPECT_EQ(read_vectors("G64 P0.01 E0.0000001\nG0 X0 J-1 K1\nG1 X10 I1 K1\n").problems(), "4:8 pole-too-sharp; ");
 }
 

@@ -75,7 +75,8 @@ struct Verdict {
       0;  ///< largest distance between words and programmed geometry, matched monotonically, of either from the other
   double tolerance_mm = 0;  ///< the largest tolerance that applied
   /// Under tool centre point control, largest of each word from the place of the path that it is matched to; none without.
-  std::optional<double> tip_deviation_mm, orientation_deviation_deg;
+  std::optional<double> tip_deviation_mm;
+  std::optional<double> orientation_deviation_deg;  ///< of the tool's direction, likewise
   double orientation_tolerance_deg = 0;  ///< the largest that applied, of the tool's direction; 0 where none did
   double start_error_mm = 0;             ///< distance of the first word from the program's start
   double end_error_mm = 0;               ///< distance of the last word from the program's end

@@ -131,11 +131,11 @@ Json json_of_diagnostics(const Diagnostics& diagnostics) {
   return list_of(diagnostics);
 }
 
-Json json_of_tip(const referee::Verdict& verdict) {
-  if (!verdict.tip_deviation_mm) return Json(nullptr);
-  return Json::object({{"deviation_mm", *verdict.tip_deviation_mm},
-                       {"orientation_deviation_deg", *verdict.orientation_deviation_deg},
-                       {"orientation_tolerance_deg", verdict.orientation_tolerance_deg}});
+void add_tip(Json& json, const referee::Verdict& verdict) {
+  if (!verdict.tip_deviation_mm) return;
+  json["tip"] = Json::object({{"deviation_mm", *verdict.tip_deviation_mm},
+                              {"orientation_deviation_deg", *verdict.orientation_deviation_deg},
+                              {"orientation_tolerance_deg", verdict.orientation_tolerance_deg}});
 }
 
 Json json_of_motion(std::string_view schema, const std::string& program, const machine::Machine& machine,
@@ -162,7 +162,6 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                              {{"bound_s", summary.bound_s},
                               {"deviation_mm", verdict.deviation_mm},
                               {"tolerance_mm", summary.tolerance_mm},
-                              {"tip", json_of_tip(verdict)},
                               {"feed", feed_of(summary.feed_programmed_max, verdict)},
                               {"axes", axes_of(verdict)},
                               {"plan", plan_of(summary.plan, machine)},
@@ -171,6 +170,7 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                               {"violation_count", verdict.violation_count},
                               {"cpu", cpu_of(figures.effort)},
                               {"diagnostics", list_of(diagnostics)}});
+  add_tip(json, verdict);
   if (figures.steps) json["pulses"] = json_of_steps(*figures.steps);
   return json;
 }
@@ -194,22 +194,23 @@ Json json_of_check(const std::string& program, const machine::Machine& machine, 
 Json json_of_verify(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,
                     const Diagnostics& diagnostics) {
   const referee::Verdict& verdict = figures.verdict;
-  return Json::object({{"schema", verify_schema},
-                       {"trace", figures.trace},
-                       {"program", program},
-                       {"machine", machine.name},
-                       {"period_s", figures.period.seconds()},
-                       {"time_s", verdict.time_s},
-                       {"deviation_mm", verdict.deviation_mm},
-                       {"tolerance_mm", verdict.tolerance_mm},
-                       {"tip", json_of_tip(verdict)},
-                       {"start_error_mm", verdict.start_error_mm},
-                       {"end_error_mm", verdict.end_error_mm},
-                       {"axes", axes_of(verdict)},
-                       {"feed", feed_of(verdict.feed_programmed_max, verdict)},
-                       {"violations", violations_of(verdict)},
-                       {"violation_count", verdict.violation_count},
-                       {"diagnostics", list_of(diagnostics)}});
+  Json json = Json::object({{"schema", verify_schema},
+                            {"trace", figures.trace},
+                            {"program", program},
+                            {"machine", machine.name},
+                            {"period_s", figures.period.seconds()},
+                            {"time_s", verdict.time_s},
+                            {"deviation_mm", verdict.deviation_mm},
+                            {"tolerance_mm", verdict.tolerance_mm},
+                            {"start_error_mm", verdict.start_error_mm},
+                            {"end_error_mm", verdict.end_error_mm},
+                            {"axes", axes_of(verdict)},
+                            {"feed", feed_of(verdict.feed_programmed_max, verdict)},
+                            {"violations", violations_of(verdict)},
+                            {"violation_count", verdict.violation_count},
+                            {"diagnostics", list_of(diagnostics)}});
+  add_tip(json, verdict);
+  return json;
 }
 
 std::string json_text(std::string_view schema, std::vector<Json> objects) {

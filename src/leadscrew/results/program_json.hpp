@@ -27,9 +27,9 @@ Json json_of_rejected(std::string_view schema, const std::string& program, const
 /// The list of them, as it stands under "diagnostics".
 Json json_of_diagnostics(const Diagnostics& diagnostics);
 
+/// `tip`, of the tool's tip and its direction, where tool centre point control was.
+void add_tip(Json& json, const referee::Verdict& verdict);
 /// What run and simulate say alike of a program that has been moved through: {schema … dwell_s}, and then `more`.
-/// Of the tip and the tool's direction; null where no tool centre point control was.
-Json json_of_tip(const referee::Verdict& verdict);
 Json json_of_motion(std::string_view schema, const std::string& program, const machine::Machine& machine,
                     const pipeline::Summary& summary, std::initializer_list<Json::Member> more);
 Json json_of_run(const std::string& program, const machine::Machine& machine, const RunFigures& figures,

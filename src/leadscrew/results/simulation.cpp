@@ -116,7 +116,6 @@ Json json_of_simulation(const std::string& program, const machine::Machine& mach
                              {{"settling_s", figures.settling},
                               {"deviation_mm", figures.verdict.deviation_mm},
                               {"tolerance_mm", figures.tolerance},
-                              {"tip", json_of_tip(figures.verdict)},
                               {"end_error_mm", figures.verdict.end_error_mm},
                               {"contour", Json::object({{"max_mm", figures.contour.greatest},
                                                         {"rms_mm", figures.contour.rms},
@@ -128,6 +127,7 @@ Json json_of_simulation(const std::string& program, const machine::Machine& mach
                                                      {"measured_mean_mm_s", feed.measured_mean}})},
                               {"axes", json_of_axes(figures.axes)},
                               {"diagnostics", json_of_diagnostics(diagnostics)}});
+  add_tip(json, figures.verdict);
   for (const auto& [axis, counts] : figures.pulses) {
     json["pulses"].push_back(Json::object({{"name", std::string(1, base::letter(axis))},
                                            {"commanded", counts.commanded},

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <leadscrew/toolpath/leg.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/tuning.hpp>
@@ -94,6 +95,19 @@ double chord_end(const geometry::Curve& curve, double s, double to, double sagit
   for (int k = 0; k < most_halvings && step > shortest && is_too_long(); ++k) step /= 2;
   step = std::max(step, shortest);
   return s + step < to && s + step > s ? s + step : to;
+}
+
+bool goes_on(const geometry::Curve& first, const geometry::Curve& second, const ToleranceSpace& space) {
+  constexpr double same_direction = 1e-9;
+  const geometry::PointJet a = geometry::jets(first, geometry::length(first)), b = geometry::jets(second, 0);
+  const double ra = norm(space.derivative(a, &numeric::Jet<>::first));
+  const double rb = norm(space.derivative(b, &numeric::Jet<>::first));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    // Where a curve ends in a cusp they are no numbers.
+    if (!(std::abs(a[i].first / ra - b[i].first / rb) <= same_direction)) return false;
+    if (!(std::abs(a[i].second / (ra * ra) - b[i].second / (rb * rb)) <= same_direction)) return false;
+  }
+  return true;
 }
 
 }  // namespace leadscrew::toolpath

@@ -67,6 +67,9 @@ double span_length(const Leg& leg);
 /// Is the leg so long that it stays exact but for its ends, whatever is next to it?
 bool is_long(const Leg& leg);
 
+/// Does the second go on where the first ends with the same direction and curvature?
+bool goes_on(const geometry::Curve& first, const geometry::Curve& second, const ToleranceSpace& space);
+
 /// May any of it be fitted: is it long, or allowed a Q that machines can show?
 bool may_be_fitted(const Leg& leg);
 

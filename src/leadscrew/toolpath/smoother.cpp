@@ -23,23 +23,8 @@ using tuning::corner::least_in_place_of_spline;
 using tuning::corner::least_swing_of_corner;
 using tuning::corner::sharp_swing;
 
-constexpr double same_direction = 1e-9;
-
 Point position(const Curve& curve, double s, const ToleranceSpace& space) {
   return space.to_millimetres(geometry::evaluate(curve, s));
-}
-
-/// Does the second go on where the first ends with the same direction and curvature?
-bool goes_on(const Curve& first, const Curve& second, const ToleranceSpace& space) {
-  const geometry::PointJet a = geometry::jets(first, geometry::length(first)), b = geometry::jets(second, 0);
-  const double ra = norm(space.derivative(a, &numeric::Jet<>::first)),
-               rb = norm(space.derivative(b, &numeric::Jet<>::first));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    // Where a curve ends in a cusp they are no numbers.
-    if (!(std::abs(a[i].first / ra - b[i].first / rb) <= same_direction)) return false;
-    if (!(std::abs(a[i].second / (ra * ra) - b[i].second / (rb * rb)) <= same_direction)) return false;
-  }
-  return true;
 }
 
 /// Is the one so much more than the other that it should not be held to it?

@@ -26,7 +26,8 @@ struct MoreColumns {
 
 /// Of a pose: the tip in the workpiece, and the unit vector from it to the spindle.
 struct PoseColumn {
-  std::string_view name, unit;
+  std::string_view name;  ///< in the header
+  std::string_view unit;  ///< mm; "" of a direction
 };
 inline constexpr std::array<PoseColumn, 6> pose_columns = {
     {{"tx", "mm"}, {"ty", "mm"}, {"tz", "mm"}, {"i", ""}, {"j", ""}, {"k", ""}}};
