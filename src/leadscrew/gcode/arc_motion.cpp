@@ -126,8 +126,7 @@ bool Motion::place_circle(ArcPlan& plan) const {
 }
 
 // An arc that is no circle of a plane of the machine: the curve that the program's circle becomes.
-void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, bool reaches,
-                          const Feed& feed) {
+void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, const Feed& feed) {
   Move& move = outbox_.emit(Move::Kind::nurbs);
   const base::AxisVector from = frame_.to_program(frame_.position);
   base::AxisVector to = frame_.to_program(target);
@@ -145,12 +144,12 @@ void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::A
     }
   }
   move.curve.points.front().position = frame_.position;
-  if (reaches) move.curve.points.back().position = target;
+  if (plan.reaches) move.curve.points.back().position = target;
   travel_.curve_inside(block, move.curve);
   move.end = move.curve.points.back().position;
   move.feed = feed;
   frame_.position = move.end;
-  if (!reaches) line_to(block, target, feed);
+  if (!plan.reaches) line_to(block, target, feed);
 }
 
 // Only a circle that reaches beyond a limit is worth finding out how far along it the arc goes.
@@ -178,20 +177,26 @@ void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& pla
   travel_.tip_way_inside(block, {frame_.position, target, true, modal_.plane, center, direction * turned});
 }
 
+// The circle is found where it was written: in the program's coordinates where more than offsets lie between.
+[[gnu::cold]] bool Motion::plan_turned_arc(const Block& block, const base::AxisVector& target, ArcPlan& plan) {
+  const PlanePoint from = in_plane(frame_.to_program(frame_.position), modal_.plane);
+  PlanePoint end = in_plane(frame_.to_program(target), modal_.plane);
+  // What is no more than rounding makes no end of a whole turn another place than its start.
+  constexpr double rounding = 1e-9;  // mm
+  plan.closes = std::hypot(end.first - from.first, end.second - from.second) < rounding;
+  if (plan.closes) end = from;
+  const bool known = plan_arc(block, from, end, plan);
+  plan.reaches = plan.circle.end.first == end.first && plan.circle.end.second == end.second;
+  return known;
+}
+
 void Motion::arc(const Block& block) {
   base::AxisVector target = target_of(block);
-  // The circle is found where it was written: in the program's coordinates where more than offsets lie between.
   const bool transforms = !frame_.is_offset_only();
   const PlanePoint start = in_plane(frame_.position, modal_.plane);
   ArcPlan plan;
-  const PlanePoint from = transforms ? in_plane(frame_.to_program(frame_.position), modal_.plane) : start;
-  PlanePoint end = in_plane(transforms ? frame_.to_program(target) : target, modal_.plane);
-  // What is no more than rounding makes no end of a whole turn another place than its start.
-  constexpr double rounding = 1e-9;  // mm
-  const bool closes = transforms && std::hypot(end.first - from.first, end.second - from.second) < rounding;
-  if (closes) end = from;
-  const bool known = plan_arc(block, from, end, plan);
-  const bool reaches = plan.circle.end.first == end.first && plan.circle.end.second == end.second;
+  const bool known =
+      transforms ? plan_turned_arc(block, target, plan) : plan_arc(block, start, in_plane(target, modal_.plane), plan);
   Feed feed;
   feed_of(block, true, block.has('F'), feed);  // also where it closes, and its end is where it begins
   // Only a line comes back from outside at once.
@@ -201,19 +206,14 @@ void Motion::arc(const Block& block) {
     frame_.position = target;
     return;
   }
-  if (transforms && !place_circle(plan)) return arc_as_curve(block, plan, target, reaches, feed);
-  for (const base::Axis axis : {first_axis(modal_.plane), second_axis(modal_.plane)}) {
-    if (closes && reaches) target[base::index(axis)] = frame_.position[base::index(axis)];
-  }
-  if (!from_outside && frame_.tip_control()) tip_arc_inside(block, start, plan, target);
-  if (!from_outside && !frame_.tip_control()) arc_inside(block, start, plan);
+  if (transforms && !place_circle(plan)) return arc_as_curve(block, plan, target, feed);
+  const std::size_t first = base::index(first_axis(modal_.plane)), second = base::index(second_axis(modal_.plane));
+  if (plan.closes && plan.reaches) target[first] = frame_.position[first], target[second] = frame_.position[second];
+  if (!from_outside) frame_.tip_control() ? tip_arc_inside(block, start, plan, target) : arc_inside(block, start, plan);
 
   Move& arc = outbox_.emit(Move::Kind::arc);
   arc.end = target;
-  if (!reaches) {
-    arc.end[base::index(first_axis(modal_.plane))] = plan.circle.end.first;
-    arc.end[base::index(second_axis(modal_.plane))] = plan.circle.end.second;
-  }
+  if (!plan.reaches) arc.end[first] = plan.circle.end.first, arc.end[second] = plan.circle.end.second;
   arc.center_first = plan.circle.center.first;
   arc.center_second = plan.circle.center.second;
   arc.turns = plan.turns;

@@ -326,7 +326,7 @@ bool CannedCycles::stands_at(const base::AxisVector& target) const {
   return true;
 }
 
-bool CannedCycles::next(Move& move) {
+bool CannedCycles::next_of_cycle(Move& move) {
   using Kind = DrillCycle::Step::Kind;
   while (cycle_.active()) {
     const DrillCycle::Step step = cycle_.next();

@@ -18,11 +18,12 @@ class CannedCycles : Part {
   /// Another motion, or none, has come into force.
   void end_series() { series_.reset(); }
   /// The next move of the cycle in execution; false where there is none, or no more.
-  bool next(Move& move);
+  bool next(Move& move) { return cycle_.active() && next_of_cycle(move); }
   /// The cycle in execution is not followed: the program stands where it would have ended.
   void abandon();
 
  private:
+  bool next_of_cycle(Move& move);
   bool can_drill(const Block& block);
   bool can_turn(const Block& block);
   bool can_reach(const Block& block);

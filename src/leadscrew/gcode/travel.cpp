@@ -86,8 +86,7 @@ bool Travel::inside_travel(const Block& block, const base::AxisVector& target) {
   return !frame_.tip_control() || !outside_.empty() || tip_way_inside(block, {frame_.position, target});
 }
 
-bool Travel::end_inside(const Block& block, const base::AxisVector& target) {
-  if (!frame_.tip_control()) return places_inside(block, frame_.position, target);
+[[gnu::cold]] bool Travel::tip_end_inside(const Block& block, const base::AxisVector& target) {
   return places_inside(block, frame_.axes_of(frame_.position), frame_.axes_of(target));
 }
 

@@ -17,7 +17,9 @@ class Travel : Part {
   /// The same from another place than where the program stands, under tool centre point control.
   bool tip_inside(const Block& block, const base::AxisVector& start, const base::AxisVector& target);
   /// The same of its end alone, where the way there is no line.
-  bool end_inside(const Block& block, const base::AxisVector& target);
+  bool end_inside(const Block& block, const base::AxisVector& target) {
+    return frame_.tip_control() ? tip_end_inside(block, target) : places_inside(block, frame_.position, target);
+  }
   /// Whether the way there, of the tip, stays inside between its ends, which have been looked at.
   bool tip_way_inside(const Block& block, const TipPath& path);
   /// Whether an axis that reaches from low to high, mm or degrees, stays inside; reports it where it does not.
@@ -38,6 +40,7 @@ class Travel : Part {
   const base::AxisVector& high() const { return high_; }
 
  private:
+  bool tip_end_inside(const Block& block, const base::AxisVector& target);
   bool places_inside(const Block& block, const base::AxisVector& from, const base::AxisVector& to);
   bool reach_inside(const Block& block, const AxesReach& reach);
   bool axis_inside(base::Axis axis, double value, std::uint32_t column);
