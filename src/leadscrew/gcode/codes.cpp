@@ -241,12 +241,12 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
 struct OtherNumber {
   Dialect dialect;
   char letter;
-  int tenths;
   Code code;
+  int tenths;
 };
-constexpr OtherNumber other_numbers[] = {{M, 'G', 700, Code::G20}, {M, 'G', 710, Code::G21}, {M, 'G', 281, Code::G28},
-                                         {M, 'M', 470, Code::M99}, {T, 'G', 320, Code::G33}, {T, 'G', 980, Code::G94},
-                                         {T, 'G', 990, Code::G95}};
+constexpr OtherNumber other_numbers[] = {{M, 'G', Code::G20, 700}, {M, 'G', Code::G21, 710}, {M, 'G', Code::G28, 281},
+                                         {M, 'M', Code::M99, 470}, {T, 'G', Code::G33, 320}, {T, 'G', Code::G94, 980},
+                                         {T, 'G', Code::G95, 990}};
 
 constexpr bool rows_in_order() {
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -54,24 +54,17 @@ void Interpreter::dispatch(Code code, const Block& block) {
       curves_.forget_tangent();
       cycles_.end_series();
       return tilted_planes_.orient(block);
-    case Code::G50_turn:
-      if (block.words & axis_letter_bits) offsets_.set_shift(block);
-      return;
     case Code::G92:
     case Code::G92_1:
     case Code::G92_2:
     case Code::G92_3:
       return offsets_.set_shift(block);
-    case Code::G70_bolts:
-    case Code::G71_bolts:
-    case Code::G72_bolts:
-      return cycles_.drill_pattern(block);
     default:
-      dispatch_turning(code, block);
+      dispatch_cycle(code, block);
   }
 }
 
-void Interpreter::dispatch_turning(Code code, const Block& block) {
+void Interpreter::dispatch_cycle(Code code, const Block& block) {
   switch (code) {
     case Code::G33:
       return threading_.thread(block);
@@ -98,6 +91,13 @@ void Interpreter::dispatch_turning(Code code, const Block& block) {
     case Code::G72_1:
     case Code::G72_2:
       return lathe_cycles_.begin(block);
+    case Code::G50_turn:
+      if (block.words & axis_letter_bits) offsets_.set_shift(block);
+      return;
+    case Code::G70_bolts:
+    case Code::G71_bolts:
+    case Code::G72_bolts:
+      return cycles_.drill_pattern(block);
     default:
       if (is_canned_cycle(code)) cycles_.drill(block);
   }

@@ -89,7 +89,7 @@ class Interpreter : Part {
   void execute_motion(const Block& block);
   /// What a motion or a code of group 0 does.
   void dispatch(Code code, const Block& block);
-  void dispatch_turning(Code code, const Block& block);  // dispatch.cpp
+  void dispatch_cycle(Code code, const Block& block);  // dispatch.cpp
   void stop(const Block& block);
   bool is_plain() const;
   bool next_of_block(Move& move);

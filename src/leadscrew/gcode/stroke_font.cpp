@@ -107,7 +107,7 @@ std::vector<Stroke> read_glyph(std::string_view glyph, double scale) {
       continue;
     }
     const bool is_place = ('0' <= glyph[i] && glyph[i] <= '9') || ('a' <= glyph[i] && glyph[i] <= 'c');
-    const char kind = is_place ? 0 : glyph[i++];
+    const char kind = is_place ? '\0' : glyph[i++];
     const PlanePoint to{scale * on_grid(glyph[i]), scale * on_grid(glyph[i + 1])};
     i += 2;
     if (begins) {
@@ -115,7 +115,7 @@ std::vector<Stroke> read_glyph(std::string_view glyph, double scale) {
     } else {
       Stroke& stroke = strokes.back();
       const PlanePoint from = stroke.steps.empty() ? stroke.start : stroke.steps.back().to;
-      stroke.steps.push_back(kind == 0 ? Stroke::Step{to, {}, 0} : arc_step(from, to, kind));
+      stroke.steps.push_back(kind == '\0' ? Stroke::Step{to, {}, 0} : arc_step(from, to, kind));
     }
     begins = false;
   }
