@@ -24,8 +24,8 @@ struct Compensated {
 
   friend constexpr Compensated operator-(Compensated a) { return {-a.sum, -a.error}; }
   friend constexpr Compensated operator+(Compensated a, Compensated b) {
-    const DoubleDouble sum = two_sum(a.sum, b.sum);
-    return {sum.hi, sum.lo + (a.error + b.error)};
+    const DoubleDouble total = two_sum(a.sum, b.sum);
+    return {total.hi, total.lo + (a.error + b.error)};
   }
   friend constexpr Compensated operator-(Compensated a, Compensated b) { return a + (-b); }
   friend constexpr Compensated operator*(Compensated a, double b) {
