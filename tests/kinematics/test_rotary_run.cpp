@@ -25,7 +25,7 @@ class EveryWay {
  public:
   EveryWay(const Chain& chain, const RotaryLimits& limits, const Angles<double>& before, double tolerance,
            const Directions& directions)
-      : chain_(chain), limits_(limits), before_(before), tolerance_(tolerance), directions_(directions) {
+      : chain_(chain), limits_(limits), tolerance_(tolerance), directions_(directions) {
     const auto found = solutions(chain, directions[0]);
     for (std::size_t k = 0; k < found.count; ++k) {
       for (int i = -4; i <= 4; ++i) {
@@ -81,7 +81,6 @@ class EveryWay {
 
   const Chain& chain_;
   const RotaryLimits& limits_;
-  Angles<double> before_;
   double tolerance_;
   const Directions& directions_;
 };
