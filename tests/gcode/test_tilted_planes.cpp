@@ -235,8 +235,7 @@ TEST(TiltedPlane, TakesTheNearestAnglesInsideTravel) {
 }
 
 TEST(TiltedPlane, SaysWhatTheMachineCannotHold) {
-  Conditions conditions = on("nutating");
-  conditions.machine.rotary_chain = machine::preset_chain("head-head-bc");
+  Conditions conditions = on("head-head-bc");
   conditions.machine.rotary_chain->axes[1].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};
   EXPECT_EQ(read("G68.2 J80\nG53.1\nM2\n", conditions).problems(), "");
   EXPECT_EQ(read("G68.2 J100\nG53.1\nG0 X1\nM2\n", conditions).problems(), only("2:1", "pose-out-of-reach"));

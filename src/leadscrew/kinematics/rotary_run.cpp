@@ -163,7 +163,10 @@ void RotaryRun::keep(const Way& way, std::vector<Way>& ways) {
 
 /// Leaves out what costs more than another way from the same beginning to the same place, and has gone as far.
 void RotaryRun::prune(std::vector<Way>& ways) {
-  std::ranges::stable_sort(ways, {}, &Way::cost);
+  // Stable, and without memory of its own; ways are few.
+  for (auto way = ways.begin(); way != ways.end(); ++way) {
+    std::rotate(std::ranges::upper_bound(ways.begin(), way, way->cost, {}, &Way::cost), way, way + 1);
+  }
   std::size_t kept = 0;
   for (const Way& way : ways) {
     const auto is_better = [&](const Way& other) {
