@@ -15,6 +15,8 @@ constexpr double greatest_step = 1;  ///< degrees, of either axis in one part
 /// past a pole take up to a sixth longer then.
 constexpr double chord_share = 1.0 / 64;
 constexpr double side_share = 0.25;  ///< of what is left of E, where sides change or the first axis turns beside a pole
+/// Of that, what the middle of a change of sides may be off: elsewhere it is off by a little more.
+constexpr double middle_share = 0.9;
 constexpr double pole_share = 0.875;  ///< of E, that leading through a pole may take
 constexpr double full_circle = 360;
 constexpr double radians_of_degree = numeric::two_pi.hi / 360;
@@ -126,7 +128,7 @@ VectorRun::VectorRun(const Chain& chain, const RotaryLimits& limits, const Vecto
                          : 0) {}
 
 void VectorRun::begin_at(const Vector& tip, const Angles<double>& angles) {
-  choice_.emplace(chain_, limits_, angles, side_share * settings_.orientation_tolerance);
+  choice_.emplace(chain_, limits_, angles, middle_share * side_share * settings_.orientation_tolerance);
   choice_->begin_at(angles);
   const Vector unit = unit_vector(direction_of(chain_, angles)), direction = at_pole_if_near(chain_, unit);
   last_found_ = solutions(chain_, direction);
@@ -135,7 +137,7 @@ void VectorRun::begin_at(const Vector& tip, const Angles<double>& angles) {
 }
 
 bool VectorRun::begin_free(const Vector& tip, const Vector& direction, const Angles<double>& before) {
-  choice_.emplace(chain_, limits_, before, side_share * settings_.orientation_tolerance);
+  choice_.emplace(chain_, limits_, before, middle_share * side_share * settings_.orientation_tolerance);
   is_free_ = true;
   const Vector unit = unit_vector(direction), held = at_pole_if_near(chain_, unit);
   ahead_.push_back({tip, unit, 0, 0});
@@ -256,7 +258,7 @@ void VectorRun::put_poles(std::size_t first, std::size_t end, const std::vector<
     const double begin = is_begin ? from : last_s_, all = vertices_[end].s - begin;
     const double comes = is_begin ? 0 : turning_error(last_direction_, turn * (from - begin) / all),
                  leaves = turning_error(vertices_[end].direction, turn * (vertices_[end].s - to) / all);
-    if (std::max(comes, leaves) <= side_share / (1 - side_share) * vertices_[end].tolerance) {
+    if (std::max(comes, leaves) <= middle_share * side_share / (1 - side_share) * vertices_[end].tolerance) {
       from = begin;
       to = vertices_[end].s;
     }
