@@ -39,6 +39,7 @@ struct Machining {
   double scallop = 0;              ///< h, mm; 0: the passes are `step` apart
   double step = 0;                 ///< mm on the surface
   double tolerance = 1e-10;        ///< of the curves that passes are made into, mm; > 0
+  bool allows_gouging = false;     ///< passes go on where the tool gouges: no PassFailure::Kind::gouge
 };
 
 /// A place of a pass or link, with two derivatives by t.
