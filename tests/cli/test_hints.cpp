@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/cli/option_hints.hpp>
+#include <leadscrew/console/option_hints.hpp>
 #include <regex>
 
 #include "command.hpp"
@@ -83,7 +83,7 @@ TEST(Hints, NameOptionsThatThereAre) {
                                                                {"trace-period", {"verify"}}};
   const std::regex option("--[a-z-]+");
   for (const auto& [code, commands] : met) {
-    const std::string hint = with_options(base::problem(code, "", "")).hint;
+    const std::string hint = console::with_options(base::problem(code, "", "")).hint;
     int named = 0;
     for (auto match = std::sregex_iterator(hint.begin(), hint.end(), option); match != std::sregex_iterator();
          ++match) {
@@ -99,9 +99,9 @@ TEST(Hints, NameOptionsThatThereAre) {
 
 TEST(Hints, OfDefectsAndOfOtherProblemsStay) {
   const auto defect = base::problem("travel", "", "this is a defect of leadscrew: please report it");
-  EXPECT_EQ(with_options(defect).hint, defect.hint);
-  EXPECT_EQ(with_options(base::problem("arc-radius", "", "as it is")).hint, "as it is");
-  EXPECT_EQ(with_options(base::problem("arc-radius", "", "")).hint, "");
+  EXPECT_EQ(console::with_options(defect).hint, defect.hint);
+  EXPECT_EQ(console::with_options(base::problem("arc-radius", "", "as it is")).hint, "as it is");
+  EXPECT_EQ(console::with_options(base::problem("arc-radius", "", "")).hint, "");
 }
 
 TEST(Traces, AreToldFromPrograms) {

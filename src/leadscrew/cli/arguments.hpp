@@ -3,7 +3,7 @@
 
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/cli/about.hpp>
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/design_arguments.hpp>
 #include <leadscrew/cli/drive_arguments.hpp>
 #include <leadscrew/cli/options.hpp>

@@ -1,5 +1,5 @@
 #include <leadscrew/cli/design.hpp>
-#include <leadscrew/cli/diagnostic_log.hpp>
+#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/sizing.hpp>

@@ -2,7 +2,7 @@
 // `leadscrew design`: sizes of digital integrators, their clocks and feed words.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/options.hpp>
 
 namespace leadscrew::cli {

@@ -1,7 +1,7 @@
 #pragma once
 // `leadscrew drive`: a program on time (drive/drive.hpp), with a view and keys where there is a terminal.
 
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/options.hpp>
 

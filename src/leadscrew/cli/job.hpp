@@ -2,7 +2,7 @@
 // What every program of one command line has in common: the machine, the tools, and how programs are read.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/cli/diagnostic_log.hpp>
+#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>

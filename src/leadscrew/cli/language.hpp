@@ -2,7 +2,7 @@
 // `leadscrew explain`: what a block means, in words. `leadscrew format`: a program in one way of writing.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/console/console.hpp>
 
 namespace leadscrew::cli {
 

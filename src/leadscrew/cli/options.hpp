@@ -1,12 +1,20 @@
 #pragma once
-// What the sources here say of options, by its name alone.
+// What the sources here say of options and of the console, by its name alone.
 
+#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/options/options.hpp>
 #include <leadscrew/options/quantity.hpp>
 #include <leadscrew/options/status.hpp>
 
 namespace leadscrew::cli {
 
+using console::ColorChoice;
+using console::Console;
+using console::DiagnosticLog;
+using console::Progress;
+using console::Style;
+using console::Tone;
+using console::write_output;
 using options::Answer;
 using options::AxisValue;
 using options::Command;

@@ -79,13 +79,6 @@ std::size_t threads_for(const Arguments& arguments) {
 
 }  // namespace
 
-Status write_output(Console& console, std::string_view text) {
-  const auto written = console.output(text);
-  if (written) return Status::done;
-  if (written.error().code == "io-write") console.diagnostic(written.error());
-  return status_of(written.error());
-}
-
 std::string shown_name(const std::string& program) {
   return program == "-" ? "<stdin>" : program;
 }

@@ -2,9 +2,9 @@
 // The same work for each program of the command line, and what it found on standard output.
 
 #include <functional>
-#include <leadscrew/cli/console.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/options.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/json/json.hpp>
 #include <memory>
 #include <string>
@@ -30,8 +30,5 @@ using ProgramWork = std::function<ProgramResult(const std::string& program, cons
 /// others; what came of them is told in their order. Only an interruption, or a standard output that cannot be written,
 /// ends the row. Returns the greatest status.
 Status for_each_program(const Job& job, Console& console, const ProgramWork& work);
-
-/// Writes to standard output. Says why if it cannot, but keeps silent where a reader has closed the pipe.
-Status write_output(Console& console, std::string_view text);
 
 }  // namespace leadscrew::cli

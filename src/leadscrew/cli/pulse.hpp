@@ -2,7 +2,7 @@
 // `leadscrew pulse`: one line or arc by interpolators of reference pulses, clock by clock.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/options.hpp>
 
 namespace leadscrew::cli {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <leadscrew/cli/diagnostic_log.hpp>
+#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>

@@ -2,7 +2,7 @@
 // `leadscrew study`: the published experiments made again, as a table or as JSON.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/options.hpp>
 
 namespace leadscrew::cli {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <leadscrew/cli/option_hints.hpp>
+#include <leadscrew/console/option_hints.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::console {
 
 namespace {
 
@@ -51,4 +51,4 @@ base::Diagnostic with_options(base::Diagnostic problem) {
   return problem;
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::console

@@ -4,12 +4,13 @@
 #include <chrono>
 #include <cstdint>
 #include <leadscrew/base/result.hpp>
+#include <leadscrew/options/status.hpp>
 #include <leadscrew/results/progress_text.hpp>
 #include <leadscrew/results/style.hpp>
 #include <string>
 #include <string_view>
 
-namespace leadscrew::cli {
+namespace leadscrew::console {
 
 using results::Style;
 using results::Tone;
@@ -53,4 +54,7 @@ class Console {
   Clock::time_point begun_, drawn_at_;
 };
 
-}  // namespace leadscrew::cli
+/// Writes to standard output. Says why if it cannot, but keeps silent where a reader has closed the pipe.
+options::Status write_output(Console& console, std::string_view text);
+
+}  // namespace leadscrew::console

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <leadscrew/cli/console.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/files/descriptor.hpp>
 #include <leadscrew/results/diagnostic_text.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::console {
 
 namespace {
 
@@ -73,4 +73,11 @@ void Console::clear_progress() {
   static_cast<void>(files::write_all(STDERR_FILENO, "\r\033[K", "standard error"));
 }
 
-}  // namespace leadscrew::cli
+options::Status write_output(Console& console, std::string_view text) {
+  const auto written = console.output(text);
+  if (written) return options::Status::done;
+  if (written.error().code == "io-write") console.diagnostic(written.error());
+  return options::status_of(written.error());
+}
+
+}  // namespace leadscrew::console

@@ -2,13 +2,13 @@
 // The diagnostics of one program: shown as they come, kept for JSON and the report.
 
 #include <cstdint>
-#include <leadscrew/cli/console.hpp>
-#include <leadscrew/cli/option_hints.hpp>
-#include <leadscrew/cli/options.hpp>
+#include <leadscrew/console/console.hpp>
+#include <leadscrew/console/option_hints.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/options/status.hpp>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::console {
 
 class DiagnosticLog {
  public:
@@ -21,20 +21,20 @@ class DiagnosticLog {
     if (diagnostic.code != "interrupted" && !is_closed) console_.diagnostic(diagnostic);
     errors_ += diagnostic.severity == base::Severity::error ? 1 : 0;
     warnings_ += diagnostic.severity == base::Severity::warning ? 1 : 0;
-    status_ = worse(status_, status_of(diagnostic));
+    status_ = options::worse(status_, options::status_of(diagnostic));
     all_.push_back(diagnostic);
   }
 
   std::int64_t errors() const { return errors_; }
   std::int64_t warnings() const { return warnings_; }
   const std::vector<base::Diagnostic>& all() const { return all_; }
-  Status status() const { return status_; }
+  options::Status status() const { return status_; }
 
  private:
   Console& console_;
   std::vector<base::Diagnostic> all_;  ///< the reader ends a program with too many
   std::int64_t errors_ = 0, warnings_ = 0;
-  Status status_ = Status::done;
+  options::Status status_ = options::Status::done;
 };
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::console

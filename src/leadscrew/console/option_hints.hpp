@@ -3,9 +3,9 @@
 
 #include <leadscrew/base/diagnostic.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::console {
 
 /// The diagnostic with its hint in the words of the command line, where an option is the remedy.
 base::Diagnostic with_options(base::Diagnostic problem);
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::console
