@@ -73,12 +73,16 @@ struct NurbsCurve {
   /// n + p + 1, not decreasing; no inner one more than p times; neighbours are equal or at least 1e-12 of the whole
   /// range apart.
   std::vector<double> knots;
+  /// X, Y and Z of the control points, mm, as many as `points` and by the same knots, of the path along a surface of the
+  /// place where the tool touches it: feed is that place's. None: feed is that of the curve. All weights are then 1.
+  std::vector<std::array<double, 3>> contact;
 
   /// No curve, in the same memory.
   void clear() {
     degree = 0;
     points.clear();
     knots.clear();
+    contact.clear();
   }
 
   friend bool operator==(const NurbsCurve&, const NurbsCurve&) = default;

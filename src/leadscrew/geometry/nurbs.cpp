@@ -255,6 +255,11 @@ double Nurbs::parameter(double s) const {
   return at.record[NurbsTable::parameter] + at.record[NurbsTable::width] * at.x.value;
 }
 
+double Nurbs::parameter_rate(double s) const {
+  const Located at = locate(s);
+  return at.record[NurbsTable::width] * at.x.first;
+}
+
 PointJet Nurbs::jets_at(double u) const {
   const std::size_t index = numeric::last_index(first_record_, first_record_ + record_count_ - 1, [&](std::size_t i) {
     return table_->record(i)[NurbsTable::parameter] <= u;

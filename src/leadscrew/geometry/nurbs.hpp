@@ -75,6 +75,8 @@ class Nurbs {
 
   /// u at arc length s, 0 ≤ s ≤ length.
   double parameter(double s) const;
+  /// du/ds there. No allocation, as evaluate().
+  double parameter_rate(double s) const;
   /// Position and three derivatives by u, first_parameter() ≤ u ≤ last_parameter().
   PointJet jets_at(double u) const;
   double first_parameter() const { return first_parameter_; }

@@ -140,7 +140,7 @@ base::Word Interpolator::next() {
   word.path_length = length_before_ + s.value();
   word.speed = word.feed = speed;
   if (piece.feed_axes != toolpath::FeedAxes::none) {
-    word.feed *= toolpath::rate(piece.curve, s.value(), piece.feed_axes);
+    word.feed *= piece.feed_rate(s.value());
   }
   word.line = piece.line_at(s.value());
   pass_events(segment.piece, s.value());

@@ -38,8 +38,8 @@ std::optional<FeedExcess> FeedCheck::excess_of(const gcode::Move& move) const {
     const toolpath::AxisPath axes = piece.axes();
     const int parts = parts_of_direction(axes);
     for (int k = 0; k <= parts; ++k) {
-      const geometry::PointJet jet = axes.jets(axes.length() * k / parts);
-      lower(jet, toolpath::rate(jet, piece.feed_axes), worst);
+      const double s = axes.length() * k / parts;
+      lower(axes.jets(s), piece.feed_rate(s), worst);
     }
     worst.is_rotary = piece.feed_axes == toolpath::FeedAxes::abc;
   }

@@ -167,6 +167,7 @@ Passage Matcher::passage(std::size_t last) {
     const ProgrammedFeed& feed = here.piece.feed;
     result.feed.value = feed.axes == result.feed.axes ? std::max(result.feed.value, feed.value)
                                                       : std::numeric_limits<double>::infinity();
+    result.feed.is_of_contact = result.feed.is_of_contact || feed.is_of_contact;
     one_block = one_block && here.piece.block == slot(0).piece.block;
     if (here.next.alive && here.next.distance < distance - same_distance) {
       distance = here.next.distance;

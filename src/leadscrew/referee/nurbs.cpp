@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <leadscrew/referee/nurbs.hpp>
+#include <leadscrew/referee/piece.hpp>
+#include <limits>
 
 namespace leadscrew::referee {
 
@@ -27,6 +29,11 @@ bool Nurbs::begin(const gcode::NurbsCurve& curve) {
     for (double& coordinate : added.moment) coordinate *= point.weight;
     added.weight = point.weight;
   }
+  contact_.clear();
+  tip_per_contact_ = 1;
+  if (curve.contact.size() == points_.size()) {
+    for (const auto& [x, y, z] : curve.contact) contact_.push_back({metric_.point({x, y, z}), 1});
+  }
   span_ = degree() - 1;
   at_ = knots_[degree()];
   ends_.clear();
@@ -46,9 +53,9 @@ bool Nurbs::next_span() {
 bool Nurbs::next(Bezier& segment) {
   while (!ends_.empty() || next_span()) {
     const double to = ends_.back();
-    segment = segment_of(span_, at_, to);
+    segment = segment_of(points_, span_, at_, to);
     const double middle = at_ + (to - at_) / 2;
-    if (middle > at_ && middle < to && !turns_little(metric_, segment)) {
+    if (middle > at_ && middle < to && !(turns_little(metric_, segment) && is_even(segment, to))) {
       ends_.push_back(middle);
       continue;
     }
@@ -59,15 +66,37 @@ bool Nurbs::next(Bezier& segment) {
   return false;
 }
 
+/// Is the tip as fast beside the contact all along the segment, to 1e-4? At its ends and in its middle the first legs of the
+/// parts that begin there are looked at, which are C′/p.
+bool Nurbs::is_even(const Bezier& segment, double to) {
+  if (contact_.empty()) return true;
+  const Bezier contact = segment_of(contact_, span_, at_, to);
+  const Coordinates linear = coordinates_of(metric_, FeedAxes::xyz);
+  const auto leg = [&](const Bezier& bezier, std::size_t from) {
+    return distance_in(metric_, linear, projected(metric_, bezier.control[from]),
+                       projected(metric_, bezier.control[from + 1]));
+  };
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const double from = share < 1 ? share : 0;
+    const std::size_t k = share < 1 ? 0 : degree() - 1;
+    const double ratio = leg(part(metric_, segment, from, 1), k) / leg(part(metric_, contact, from, 1), k);
+    least = std::min(least, ratio);
+    greatest = std::max(greatest, ratio);
+  }
+  tip_per_contact_ = greatest;
+  return greatest <= (1 + 1e-4) * least || !(greatest < std::numeric_limits<double>::infinity());
+}
+
 /// With x the argument of level r and i from the last point down to the r-th of the p + 1 that the span knows:
 ///   d_i ← (1 − α)·d_{i−1} + α·d_i,   α = (x − u_i)/(u_{i+p−r+1} − u_i)      ("The NURBS Book", sec. 5.2, eq. 5.15)
-Bezier Nurbs::segment_of(std::size_t span, double from, double to) const {
+Bezier Nurbs::segment_of(const std::vector<Weighted>& points, std::size_t span, double from, double to) const {
   const std::size_t p = degree();
   Bezier segment;
   segment.degree = degree_;
   for (std::size_t j = 0; j <= p; ++j) {
     std::array<Weighted, gcode::highest_degree + 1> row;
-    for (std::size_t k = 0; k <= p; ++k) row[k] = points_[span - p + k];
+    for (std::size_t k = 0; k <= p; ++k) row[k] = points[span - p + k];
     for (std::size_t r = 1; r <= p; ++r) {
       const double x = r <= p - j ? from : to;
       for (std::size_t k = p; k >= r; --k) {
@@ -85,7 +114,7 @@ double Nurbs::length_in(const Coordinates& coordinates) const {
   double sum = 0;
   for (std::size_t span = degree(); span < points_.size(); ++span) {
     if (!(knots_[span] < knots_[span + 1])) continue;
-    sum += referee::length_in(metric_, coordinates, segment_of(span, knots_[span], knots_[span + 1]));
+    sum += referee::length_in(metric_, coordinates, segment_of(points_, span, knots_[span], knots_[span + 1]));
   }
   return sum;
 }

@@ -23,17 +23,24 @@ class Nurbs {
   /// The next segment that has a length; false at the curve's end.
   bool next(Bezier& segment);
 
+  /// Of the segment given out last, where the tool touches a surface: how much faster the tip goes than the contact, at most, to
+  /// 1e-4; segments are so short that it does not change by more. 1 where feed is not the contact's.
+  double tip_per_contact() const { return tip_per_contact_; }
+
   /// Length of the whole curve in these coordinates, mm.
   double length_in(const Coordinates& coordinates) const;
 
  private:
-  Bezier segment_of(std::size_t span, double from, double to) const;
+  Bezier segment_of(const std::vector<Weighted>& points, std::size_t span, double from, double to) const;
+  bool is_even(const Bezier& segment, double to);
   bool next_span();
   std::size_t degree() const { return static_cast<std::size_t>(degree_); }
 
   const Metric& metric_;
   int degree_ = 0;
   std::vector<Weighted> points_;
+  std::vector<Weighted> contact_;  // none where feed is the curve's own
+  double tip_per_contact_ = 1;
   std::vector<double> knots_;
 
   std::size_t span_ = 0;      // knots_[span_] ≤ u ≤ knots_[span_ + 1]

@@ -32,6 +32,8 @@ Coordinates coordinates_of(const Metric& metric, FeedAxes axes);
 struct ProgrammedFeed {
   FeedAxes axes = FeedAxes::xyz;
   double value = 0;  ///< mm/s or degrees/s; infinite for a rapid
+  /// Programmed where the tool touches a surface: the value is what the tip's may be, at most, on a piece.
+  bool is_of_contact = false;
 };
 
 struct Piece {

@@ -103,6 +103,7 @@ ProgrammedFeed PieceSource::feed_of(const gcode::Move& move) const {
       break;
     case gcode::Feed::Mode::units_per_second:
       feed.value = move.feed.value;
+      feed.is_of_contact = whole_.kind == Piece::Kind::curve && !move.curve.contact.empty();
       break;
     case gcode::Feed::Mode::per_second:
       feed.value = move.feed.value * length_of(move, feed.axes);
@@ -235,6 +236,7 @@ bool PieceSource::next_of_block(Piece& piece) {
     piece.from = point_at(metric_, segment, 0);
     piece.to = point_at(metric_, segment, 1);
     piece.number = next_piece_++;
+    piece.feed.value *= curve_.tip_per_contact();
     return true;
   }
   if (next_piece_ == pieces_) return false;

@@ -244,7 +244,8 @@ class Referee::Implementation {
     account(passage, place);
     section_->stops.observe(section_->metric.point(place), section_->metric.point(position));
     section_->feed.observe(place, passage, time(), log_);
-    section_->ripple.observe(place, planned_feed, passage.feed);
+    const bool is_of_tip = !passage.feed.is_of_contact;
+    section_->ripple.observe(place, is_of_tip ? planned_feed : std::nullopt, passage.feed);
   }
 
   const machine::Machine& machine_;

@@ -107,7 +107,8 @@ void Builder::move_along(const gcode::Move& move) {
   for (Piece& piece : pieces) piece.feed = feed;
   if (!pieces.empty()) note_feed(move.line, feed);
   if (!pieces.empty()) set_events(pieces.front(), std::exchange(passed_, {}));
-  const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance;
+  const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance &&
+                      move.curve.contact.empty();  // whose feed is told along the curve as it is
   if (!blends) flush();
   if (!blends || pieces.empty()) {
     for (Piece& piece : pieces) settle_piece(std::move(piece));

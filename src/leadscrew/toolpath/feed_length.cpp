@@ -107,9 +107,13 @@ std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& spac
     for (const Point& point : curve.points) moving.insert(geometry::moving(curve.points.front(), point));
     const bool is_mixed = to_be_named(feed_axes(moving), moving) != FeedAxes::none;
     const std::optional<Point> weights = is_mixed ? std::optional(space.weights_of_length()) : std::nullopt;
-    for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, {}, weights))
-      pieces.push_back(
-          {simplest(piece, space), 0, {}, false, nullptr, to_be_named(feed_axes(piece.moving()), piece.moving())});
+    const auto contact = move.curve.contact.empty() ? nullptr : std::make_shared<const ContactRate>(move.curve);
+    for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, {}, weights)) {
+      const FeedAxes axes = to_be_named(feed_axes(piece.moving()), piece.moving());
+      Piece& made = pieces.emplace_back(Piece{piece, 0, {}, false, nullptr, contact ? FeedAxes::contact : axes});
+      made.contact = contact;
+      if (!contact) made.curve = simplest(piece, space);
+    }
   }
   for (Piece& piece : pieces) piece.line = move.line;
   return pieces;
@@ -141,7 +145,7 @@ double rate(const geometry::Curve& curve, double s, FeedAxes axes) {
 
 double time_by_feed(const Piece& piece, double from, double to) {
   if (piece.feed_axes == FeedAxes::none || !std::isfinite(piece.feed)) return (to - from) / piece.feed;
-  const auto per_length = [&](double s) { return rate(piece.curve, s, piece.feed_axes) / piece.feed; };
+  const auto per_length = [&](double s) { return piece.feed_rate(s) / piece.feed; };
   const double middle = (from + to) / 2;
   return numeric::integrate_gauss_8(per_length, from, middle) + numeric::integrate_gauss_8(per_length, middle, to);
 }

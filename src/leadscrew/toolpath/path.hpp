@@ -9,6 +9,7 @@
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/toolpath/axis_path.hpp>
+#include <leadscrew/toolpath/contact_rate.hpp>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -35,10 +36,10 @@ struct EventMark {
   double path_length = 0;   ///< since the program's start
 };
 
-/// Axes by whose motion feed is counted (RS274/NGC 2.1.2.5).
-enum class FeedAxes : std::uint8_t { none, xyz, uvw, abc };
+/// Axes by whose motion feed is counted (RS274/NGC 2.1.2.5); or the place where the tool touches a surface.
+enum class FeedAxes : std::uint8_t { none, xyz, uvw, abc, contact };
 
-/// |dq/ds| of these axes alone, units of theirs per unit of the curve's length; 1 for none.
+/// |dq/ds| of these axes alone, units of theirs per unit of the curve's length; 1 for none. Not of the contact.
 double rate(const geometry::PointJet& jet, FeedAxes axes);
 /// The same along a curve at 0 ≤ s ≤ its length, to the last bit, without what feed does not ask for. For the cycle.
 double rate(const geometry::Curve& curve, double s, FeedAxes axes);
@@ -75,6 +76,8 @@ struct Piece {
   /// Between the curve's coordinates, those of the tool's tip and the rotary axes, and the machine's axes; none: they are
   /// the same.
   std::shared_ptr<const kinematics::Transformation> transformation{};
+  /// By which feed is counted where feed_axes says so: the curve is a Nurbs then.
+  std::shared_ptr<const ContactRate> contact{};
 
   /// How axes travel it.
   AxisPath axes() const { return AxisPath(curve, transformation.get()); }
@@ -82,11 +85,19 @@ struct Piece {
   /// axes() at s, 0 ≤ s ≤ length.
   double greatest_speed(double s, const geometry::PointJet& jet) const {
     if (feed_axes == FeedAxes::none) return feed;
-    return feed / (transformation ? rate(curve, s, feed_axes) : rate(jet, feed_axes));
+    if (feed_axes == FeedAxes::contact || transformation) return feed / feed_rate(s);
+    return feed / rate(jet, feed_axes);
+  }
+  /// What feed is counted by, per unit of the curve's length, at 0 ≤ s ≤ length. For the cycle.
+  double feed_rate(double s) const {
+    if (feed_axes == FeedAxes::none) return 1;
+    const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
+    return feed_axes == FeedAxes::contact && nurbs ? contact->at(*nurbs, s) : rate(curve, s, feed_axes);
   }
   /// Are they equally fast wherever they are the same curve?
   bool is_fed_as(const Piece& other) const {
-    return feed == other.feed && feed_axes == other.feed_axes && transformation == other.transformation;
+    return feed == other.feed && feed_axes == other.feed_axes && transformation == other.transformation &&
+           contact == other.contact;
   }
   base::Line line_at(double s) const {
     if (!lines) return line;
