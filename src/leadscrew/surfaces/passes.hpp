@@ -40,7 +40,14 @@ struct Machining {
   double step = 0;                 ///< mm on the surface
   double tolerance = 1e-10;        ///< of the curves that passes are made into, mm; > 0
   bool allows_gouging = false;     ///< passes go on where the tool gouges: no PassFailure::Kind::gouge
+  bool equal_steps = false;        ///< all alike, by the place that needs the least; else each as its own places allow
 };
+
+/// Where the surface's third derivatives have a step, at its knots, the tip's curvature has one: a pass keeps its curvature
+/// continuous there and is this far, mm, from the true one at most.
+inline constexpr double knot_tolerance = 1e-6;
+inline constexpr std::size_t most_passes = 100000;  ///< over one surface
+inline constexpr std::size_t most_nodes = 1365;     ///< of one Pass: 4096 control points
 
 /// A place of a pass or link, with two derivatives by t.
 struct PassNode {
@@ -55,10 +62,14 @@ struct PassNode {
 
 /// One pass, or a link between two: the quintic polynomials that have at each node its value and derivatives, which are
 /// within the tolerance of the tip's true path.
+///
+/// t is near to the tip's length: 1 mm of it per mm at nodes. Where a pass has a corner, or more nodes than fit, it is told as
+/// several of the same number that follow each other without a link.
 struct Pass {
   std::vector<PassNode> nodes;  ///< two or more, t ascending
   bool is_link = false;
   std::size_t number = 0;  ///< of the pass, from 0; of a link: of the pass before
+  double across = 0;       ///< the parameter across the pass where it begins: v of passes along u
 };
 
 /// Why passes cannot go on.
@@ -67,6 +78,9 @@ struct PassFailure {
     normal,        ///< the normal vanishes
     gouge,         ///< the tool gouges where it touches (local_clearance)
     flat_contact,  ///< a flat tool stands on the surface with all of its bottom and no lean
+    overhang,      ///< the tool's axis points into the surface
+    edge,          ///< the normal turns by a step, so that the tip would leap
+    cusp,          ///< the tip stands still while the contact moves
     too_many,      ///< passes, or nodes of one
     no_step,       ///< no step leaves so low a ridge: concave surface, tool too large
     link,          ///< no link was found that keeps off the surface
@@ -74,6 +88,36 @@ struct PassFailure {
   Kind kind = Kind::normal;
   double u = 0, v = 0;
   double amount = 0;  ///< of gouge: local clearance, 1/mm, below 0; of too_many: how many there would be
+};
+
+/// All passes and links of a machining, in order: pass, link, pass, … ; the last is a pass.
+class Passes {
+ public:
+  /// The surface's form has no fault; ranges lie within the surface's; either scallop or step > 0.
+  explicit Passes(Machining machining);
+  ~Passes();
+  Passes(Passes&&) noexcept;
+  Passes& operator=(Passes&&) noexcept;
+
+  /// None at the end and after a failure. Bounded work and memory: one pass is made ahead.
+  std::optional<Pass> next();
+  /// Set as soon as next() has come to it: what came before is right.
+  const std::optional<PassFailure>& failure() const;
+
+  const Machining& machining() const;
+  /// Passes told so far.
+  std::size_t count() const;
+  /// Where the tool bends least more than the surface, of all passes made so far.
+  struct Least {
+    double clearance = 0;  ///< 1/mm, as local_clearance
+    double u = 0, v = 0;
+    std::size_t number = 0;  ///< of the pass
+  };
+  const std::optional<Least>& least_clearance() const;
+
+ private:
+  class Maker;
+  std::unique_ptr<Maker> maker_;
 };
 
 }  // namespace leadscrew::surfaces

@@ -1,0 +1,43 @@
+#pragma once
+// Lines of a surface's parameters that passes follow: the parameter across is a function of the one along.
+
+#include <leadscrew/surfaces/touch.hpp>
+#include <vector>
+
+namespace leadscrew::surfaces {
+
+/// The parameter across, with three derivatives by the one along.
+class AcrossFunction {
+ public:
+  virtual ~AcrossFunction() = default;
+  /// Within the range it was made for.
+  virtual numeric::Jet<3> at(double along) const = 0;
+  /// Places inside (from, to), ascending, where a derivative has a step.
+  virtual std::vector<double> breaks(double from, double to) const = 0;
+};
+
+/// A part of a line between two places of the parameter along, gone from `from` to `to`, which may be the lesser.
+struct Line {
+  Direction along = Direction::u;
+  double from = 0, to = 0;
+  double across = 0;                         ///< all along it, unless
+  const AcrossFunction* function = nullptr;  ///< this tells
+
+  bool is_forward() const { return from < to; }
+  double length() const { return std::abs(to - from); }
+  /// At a distance of the parameter along from the beginning; derivatives are by that distance.
+  LinePlace at(double distance) const;
+  /// Distances, ascending, both ends among them, between which a surface is smooth along the line.
+  std::vector<double> breaks(const Surface& surface) const;
+};
+
+/// A polynomial span of the surface, in parameters: places are taken as inside, so that derivatives at its border are its own.
+struct Span {
+  Range u, v;
+
+  LinePlace inside(LinePlace place) const;
+};
+/// The one that holds a place.
+Span span_of(const Surface& surface, const LinePlace& place);
+
+}  // namespace leadscrew::surfaces

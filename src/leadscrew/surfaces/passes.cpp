@@ -1,0 +1,94 @@
+#include <deque>
+#include <leadscrew/surfaces/links.hpp>
+#include <leadscrew/surfaces/pass_lines.hpp>
+#include <leadscrew/surfaces/passes.hpp>
+#include <utility>
+
+namespace leadscrew::surfaces {
+
+class Passes::Maker {
+ public:
+  explicit Maker(Machining machining) : machining_(std::move(machining)) {
+    log_.machining = &machining_;
+    lines_ = lines_of(log_);
+  }
+
+  std::optional<Pass> next() {
+    if (ready_.empty() && !log_.failure) make_next();
+    if (ready_.empty()) return std::nullopt;
+    Pass pass = std::move(ready_.front());
+    ready_.pop_front();
+    return pass;
+  }
+
+  const Machining& machining() const { return machining_; }
+  const PassLog& log() const { return log_; }
+  std::size_t count() const { return count_; }
+
+ private:
+  void make_next();
+  bool is_joined(const PassNode& from, const PassNode& to) const;
+
+  Machining machining_;
+  PassLog log_;
+  std::unique_ptr<PassLines> lines_;
+  std::deque<Pass> ready_;
+  std::optional<PassNode> end_;  // of the pass made last
+  std::size_t count_ = 0;
+};
+
+/// Tip and axis where they were.
+bool Passes::Maker::is_joined(const PassNode& from, const PassNode& to) const {
+  double tip = 0, axis = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    tip += std::abs(from.tip[k][0] - to.tip[k][0]);
+    axis += std::abs(from.axis[k][0] - to.axis[k][0]);
+  }
+  return tip < 1e-9 && axis < 1e-9;
+}
+
+void Passes::Maker::make_next() {
+  std::deque<Pass> made;
+  log_.number = count_;
+  const std::vector<Line> lines = lines_->next(log_);
+  for (const Line& line : lines) {
+    for (Pass& pass : passes_along(log_, line)) {
+      if (log_.failure) return;
+      const PassNode& begin = pass.nodes.front();
+      if (end_ && !is_joined(*end_, begin)) {
+        std::optional<Pass> link = link_between(log_, *end_, begin);
+        if (!link) return;
+        if (made.empty()) link->number = count_ - 1;
+        made.push_back(std::move(*link));
+      }
+      end_ = pass.nodes.back();
+      made.push_back(std::move(pass));
+    }
+    if (log_.failure) return;
+  }
+  if (!lines.empty()) ++count_;
+  ready_ = std::move(made);
+}
+
+Passes::Passes(Machining machining) : maker_(std::make_unique<Maker>(std::move(machining))) {}
+Passes::~Passes() = default;
+Passes::Passes(Passes&&) noexcept = default;
+Passes& Passes::operator=(Passes&&) noexcept = default;
+
+std::optional<Pass> Passes::next() {
+  return maker_->next();
+}
+const std::optional<PassFailure>& Passes::failure() const {
+  return maker_->log().failure;
+}
+const Machining& Passes::machining() const {
+  return maker_->machining();
+}
+std::size_t Passes::count() const {
+  return maker_->count();
+}
+const std::optional<Passes::Least>& Passes::least_clearance() const {
+  return maker_->log().least;
+}
+
+}  // namespace leadscrew::surfaces

@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/kinematics/great_circle.hpp>
+#include <leadscrew/numeric/vectors.hpp>
+#include <leadscrew/surfaces/touch.hpp>
+#include <limits>
+
+namespace leadscrew::surfaces {
+
+/// The chain rule, written out: Su, Sv to the second order, S to the third.
+Touch<Jet2> touch_along(const Machining& machining, const SurfaceJet& jet, const LinePlace& place) {
+  const double u1 = place.u[1], u2 = place.u[2], u3 = place.u[3], v1 = place.v[1], v2 = place.v[2], v3 = place.v[3];
+  VectorOf<Jet2> contact, by_u, by_v, along;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double su = jet.u[k], sv = jet.v[k], suu = jet.uu[k], suv = jet.uv[k], svv = jet.vv[k], suuu = jet.uuu[k],
+                 suuv = jet.uuv[k], suvv = jet.uvv[k], svvv = jet.vvv[k];
+    const double first = su * u1 + sv * v1;
+    const double second = suu * u1 * u1 + 2 * suv * u1 * v1 + svv * v1 * v1 + su * u2 + sv * v2;
+    const double third = suuu * u1 * u1 * u1 + 3 * suuv * u1 * u1 * v1 + 3 * suvv * u1 * v1 * v1 + svvv * v1 * v1 * v1 +
+                         3 * (suu * u1 * u2 + suv * (u2 * v1 + u1 * v2) + svv * v1 * v2) + su * u3 + sv * v3;
+    contact[k].derivative = {jet.s[k], first, second};
+    along[k].derivative = {first, second, third};
+    by_u[k].derivative = {su, suu * u1 + suv * v1,
+                          suuu * u1 * u1 + 2 * suuv * u1 * v1 + suvv * v1 * v1 + suu * u2 + suv * v2};
+    by_v[k].derivative = {sv, suv * u1 + svv * v1,
+                          suuv * u1 * u1 + 2 * suvv * u1 * v1 + svvv * v1 * v1 + suv * u2 + svv * v2};
+  }
+  return touch_of(machining, contact, by_u, by_v, along);
+}
+
+Touch<double> touch_at(const Machining& machining, const SurfaceJet& jet, const LinePlace& place) {
+  Vector along;
+  for (std::size_t k = 0; k < 3; ++k) along[k] = jet.u[k] * place.u[1] + jet.v[k] * place.v[1];
+  return touch_of(machining, jet.s, jet.u, jet.v, along);
+}
+
+namespace {
+
+/// Determinant of the tool's tensor, from its principal curvatures: in the tensor's own components a flat tool's would cancel.
+double determinant_of(const Cutter& cutter, double lean) {
+  const double R = cutter.radius, r = cutter.corner_radius;
+  if (cutter.is_ball()) return 1 / (R * R);
+  if (lean * lean <= least_lean) return 0;
+  return (r > 0 ? std::min(1 / r, greatest_curvature) : greatest_curvature) * lean / ((R - r) + r * lean);
+}
+
+}  // namespace
+
+/// Across a pass the swept tool stands above the surface as K_bb − K_fb²/K_ff of K = K_tool − K_surface tells, where the surface
+/// twists too; det K of both, and the tool alone, whichever bends more.
+Bending bending_at(const Machining& machining, const SurfaceJet& jet, const Frame& frame, const LinePlace& place) {
+  const TangentPair tangents = tangents_of(jet, frame, place.u[1], place.v[1]);
+  const Vector axis = axis_of(machining.orientation, frame.n, tangents.f);
+  const Tensor tool = curvature_of(machining.cutter, frame.n, axis, tangents);
+  const Tensor surface = curvature_of(jet, frame, tangents);
+  const Tensor excess = tool - surface;
+  Bending bending;
+  bending.clearance = local_clearance(tool, surface);
+  bending.across = surface.bb;
+  const auto [most, least] = surface.principal();
+  bending.greatest = std::max(std::abs(most), std::abs(least));
+  bending.lean = numeric::norm(kinematics::cross_product(axis, frame.n));
+  bending.upright = numeric::dot(axis, frame.n);
+  const double of_tool = determinant_of(machining.cutter, bending.lean);
+  const double of_both = of_tool - tool.ff * surface.bb - tool.bb * surface.ff + 2 * tool.fb * surface.fb +
+                         surface.ff * surface.bb - surface.fb * surface.fb;
+  double round = of_tool > 0 ? of_tool / tool.ff : 0;
+  if (excess.ff > 0) round = std::max(round, of_both / excess.ff + surface.bb);
+  bending.radius = round > 0 ? 1 / round : std::numeric_limits<double>::infinity();
+  return bending;
+}
+
+}  // namespace leadscrew::surfaces

@@ -1,0 +1,70 @@
+#pragma once
+// A tool that touches a surface along a line of its parameters: contact, tip and axis with their derivatives by the line's own
+// parameter. The normal has one derivative less than the surface, and the pass' direction one less than the line, so that
+// three derivatives of both give two of the tip.
+
+#include <leadscrew/numeric/jet.hpp>
+#include <leadscrew/surfaces/cutter.hpp>
+#include <leadscrew/surfaces/frame.hpp>
+#include <leadscrew/surfaces/passes.hpp>
+
+namespace leadscrew::surfaces {
+
+using Jet2 = numeric::Jet<2>;
+
+/// u and v of a line, by the line's parameter.
+struct LinePlace {
+  numeric::Jet<3> u, v;
+};
+
+/// Any scalar: double, or jets by the line's parameter.
+template <typename T>
+struct Touch {
+  VectorOf<T> contact, normal, forward, axis, tip;
+};
+
+template <typename T>
+T dot_of(const VectorOf<T>& a, const VectorOf<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <typename T>
+VectorOf<T> cross_of(const VectorOf<T>& a, const VectorOf<T>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <typename T>
+VectorOf<T> unit_of(const VectorOf<T>& a) {
+  using std::sqrt;
+  const T factor = T(1.0) / sqrt(dot_of(a, a));
+  return {factor * a[0], factor * a[1], factor * a[2]};
+}
+
+/// Of S along the line and its partial derivatives Su and Sv; neither Su × Sv nor `along` may vanish.
+template <typename T>
+Touch<T> touch_of(const Machining& machining, const VectorOf<T>& contact, const VectorOf<T>& by_u,
+                  const VectorOf<T>& by_v, const VectorOf<T>& along) {
+  Touch<T> touch;
+  touch.contact = contact;
+  touch.normal = machining.side < 0 ? unit_of(cross_of(by_v, by_u)) : unit_of(cross_of(by_u, by_v));
+  touch.forward = unit_of(along);
+  touch.axis = axis_of(machining.orientation, touch.normal, touch.forward);
+  touch.tip = tip_of(machining.cutter, contact, touch.normal, touch.axis, touch.forward);
+  return touch;
+}
+
+/// With two derivatives by the line's parameter.
+Touch<Jet2> touch_along(const Machining& machining, const SurfaceJet& jet, const LinePlace& place);
+/// The place alone.
+Touch<double> touch_at(const Machining& machining, const SurfaceJet& jet, const LinePlace& place);
+
+/// How the tool and the surface bend where they touch.
+struct Bending {
+  double clearance = 0;  ///< local_clearance, 1/mm
+  double radius = 0;     ///< effective_radius, mm
+  double across = 0;     ///< the surface's curvature across the pass, 1/mm
+  double greatest = 0;   ///< of the surface's, in any direction, counted without sign, 1/mm
+  double lean = 0;       ///< sine of the angle between normal and axis
+  double upright = 0;    ///< its cosine
+};
+Bending bending_at(const Machining& machining, const SurfaceJet& jet, const Frame& frame, const LinePlace& place);
+
+}  // namespace leadscrew::surfaces
