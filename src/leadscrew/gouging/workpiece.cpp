@@ -124,6 +124,11 @@ double Workpiece::bound_of(const Part& part, const Pose& pose, const Node& node)
   return above > 0 ? std::max(least, above) : least;
 }
 
+double Workpiece::reach_from(const Vector& place) const {
+  if (nodes_.empty()) return 0;
+  return numeric::distance(place, nodes_[0].center) + numeric::norm(nodes_[0].half);
+}
+
 Hit Workpiece::nearest(const Part& part, const Pose& pose, double bound, std::uint32_t near) const {
   Hit best{bound};
   if (nodes_.empty()) return best;

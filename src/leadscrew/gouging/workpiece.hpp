@@ -42,6 +42,9 @@ class Workpiece {
   double sag() const { return sag_; }  ///< mm, that it has come to
   std::size_t triangles() const { return 2 * cells_.size(); }
 
+  /// No place of the triangles is farther from this one, mm.
+  double reach_from(const Vector& place) const;
+
   /// The least distance of a part from all triangles, as nearest_of_triangle() has it, where that is less than `bound`; else
   /// bound, and no cell. `near` is looked at first: the cell of the hit before, or none.
   Hit nearest(const Part& part, const Pose& pose, double bound, std::uint32_t near = Hit::no_cell) const;
