@@ -112,17 +112,21 @@ Path small_arcs() {
   return path;
 }
 
-/// "longest": s of the longest call; "share": of the time that the motion takes.
+/// "longest": s of the longest call; "share": of the time that the motion takes. The same in units of planner::Effort,
+/// which no other process disturbs: "most_units" of a call, "units_per_second" of motion.
 void plan(benchmark::State& state, const machine::Machine& machine, const geometry::Point& start_point,
           const Path& path) {
-  double longest = 0, taken = 0, motion = 0;
+  double longest = 0, taken = 0, motion = 0, most_units = 0, all_units = 0;
   for (auto _ : state) {
     planner::Planner planner(machine, start_point);
+    double units = 0;
     const auto pop = [&] {
       for (;;) {
         const double before = thread_cpu_seconds();
         const std::optional<planner::Chunk> chunk = planner.pop();
         const double call = thread_cpu_seconds() - before;
+        most_units = std::max(most_units, planner.effort() - units);
+        units = planner.effort();
         longest = std::max(longest, call);
         taken += call;
         if (!chunk) return;
@@ -135,9 +139,13 @@ void plan(benchmark::State& state, const machine::Machine& machine, const geomet
     }
     planner.finish();
     pop();
+    all_units += units;
   }
   state.counters["longest"] = longest;
   state.counters["share"] = taken / motion;
+  state.counters["most_units"] = most_units;
+  state.counters["units_per_second"] = all_units / motion;
+  state.counters["motion"] = motion;
   state.SetItemsProcessed(static_cast<std::int64_t>(path.size()) * state.iterations());
 }
 
