@@ -47,12 +47,45 @@ TEST(ToolTable, ReportsEveryProblemAtItsPlace) {
       {"P1 Z1", "1:1 missing-word; "},     {"T1\nT2 P1\nT1 Z5", "3:1 repeated-tool; "},
       {"T0", "1:1 bad-value; "},           {"T1.5", "1:1 bad-value; "},
       {"T1 P-1", "1:4 bad-value; "},       {"T1 D-1", "1:4 bad-value; "},
-      {"T1 K5", "1:4 bad-character; "},    {"T1 ?", "1:4 bad-character; "},
+      {"T1 Q5", "1:4 bad-character; "},    {"T1 ?", "1:4 bad-character; "},
       {"T1 Z", "1:4 bad-number; "},        {"T1 Z1.2.3", "1:4 bad-number; "},
-      {"T1 Z1 Z2", "1:7 repeated-word; "}, {"T1 K5\nT2\n\nP3", "1:4 bad-character; 4:1 missing-word; "},
+      {"T1 Z1 Z2", "1:7 repeated-word; "}, {"T1 Q5\nT2\n\nP3", "1:4 bad-character; 4:1 missing-word; "},
   };
   for (const auto& row : rows) EXPECT_EQ(problems(read_tool_table(row.text, "tool.tbl")), row.problems) << row.text;
   EXPECT_EQ(read_tool_table("T0", "tool.tbl").diagnostics.at(0).place.file, "tool.tbl");
+}
+
+TEST(ToolTable, ReadsShapes) {
+  const ToolTableText text =
+      read_tool_table("T1 D10 R5 L40 H32 K50.5 Z60\nT2 D8 R0\nT3 R1 D8.0 L20\nT4 D0.333 R0.1665001\n", "tool.tbl");
+  EXPECT_EQ(problems(text), "");
+  ASSERT_EQ(text.table.tools().size(), 4u);
+  EXPECT_EQ(text.table.tools()[0], (machine::Tool{.number = 1,
+                                                  .offset = {0, 0, 60},
+                                                  .diameter = 10,
+                                                  .corner_radius = 5,
+                                                  .length = 40,
+                                                  .holder_diameter = 32,
+                                                  .holder_length = 50.5}));
+  EXPECT_EQ(text.table.find(2)->corner_radius, 0);
+  EXPECT_EQ(text.table.find(3)->corner_radius, 1);
+  EXPECT_EQ(text.table.find(3)->length, 20);
+  EXPECT_EQ(text.table.find(4)->corner_radius, 0.333 / 2);
+  EXPECT_EQ(read_tool_table("T1 D8", "").table.find(1)->corner_radius, std::nullopt);
+}
+
+TEST(ToolTable, ReportsShapesThatAreNone) {
+  const struct {
+    const char* text;
+    const char* problems;
+  } rows[] = {
+      {"T1 R5", "1:4 missing-word; "},           {"T1 D0 R0", "1:7 missing-word; "},
+      {"T1 R-1 D10", "1:4 bad-value; "},         {"T1 D10 R5.1", "1:8 bad-value; "},
+      {"T1 D10 R5 L5", "1:11 bad-value; "},      {"T1 D10 L0", "1:8 bad-value; "},
+      {"T1 D10 L40 H0 K9", "1:12 bad-value; "},  {"T1 D10 L40 H30", "1:12 missing-word; "},
+      {"T1 D10 L40 K30", "1:12 missing-word; "}, {"T1 D10 H30 K50", "1:12 missing-word; "},
+  };
+  for (const auto& row : rows) EXPECT_EQ(problems(read_tool_table(row.text, "tool.tbl")), row.problems) << row.text;
 }
 
 TEST(ToolTable, KeepsToolsOutThatHaveAProblem) {

@@ -416,7 +416,7 @@ def check_tool_tables():
     letters = []
     for cell, _ in table("letters", "tools"):
         letters += AXES if "{axis}" in cell else [cell.strip("`")]
-    (scratch / "tools.tbl").write_text(" ".join(f"{letter}1" for letter in letters) + " ;all of it\n")
+    (scratch / "tools.tbl").write_text(" ".join(f"{letter}{'1 2'[2 * (letter in 'DL')]}" for letter in letters) + " ;all of it\n")
     run("check", "fast.ngc", "--tools", "tools.tbl", "--quiet")
     for letter in set("ABCDEFGHIJKLMNOPQRSTUVWXYZ") - set(letters):
         (scratch / "tools.tbl").write_text(f"T1 {letter}1\n")

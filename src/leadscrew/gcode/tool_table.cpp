@@ -31,20 +31,25 @@ class ToolLine {
       reporter_.error("missing-word", 1, "the tool has no number", "give T");
       return std::nullopt;
     }
+    if (seen_ & shape_letters) check_shape();
     return reporter_.failed() ? std::nullopt : std::optional<machine::Tool>(tool_);
   }
 
   std::uint32_t number_column() const { return number_column_; }
 
  private:
+  static constexpr std::uint32_t shape_letters = letter_bit('R') | letter_bit('L') | letter_bit('H') | letter_bit('K');
+  static constexpr double ball_rounding = 1e-6;  // mm; by which R of a ball may differ from D/2
+
   bool has(char letter) const { return seen_ & letter_bit(letter); }
 
   bool entry(const char*& p) {
     const std::int64_t column = reporter_.column(p);
     const char letter = upper(*p);
-    constexpr std::uint32_t known = axis_letter_bits | letter_bit('T') | letter_bit('P') | letter_bit('D');
+    constexpr std::uint32_t known =
+        axis_letter_bits | shape_letters | letter_bit('T') | letter_bit('P') | letter_bit('D');
     if (letter < 'A' || letter > 'Z' || !(known & letter_bit(letter))) {
-      return reporter_.error("bad-character", column, shown(*p) + " stands where T, P, D or an axis should",
+      return reporter_.error("bad-character", column, shown(*p) + " stands where T, P, D, R, L, H, K or an axis should",
                              "T1 P1 D3.175 Z0.511 ;remark");
     }
     ++p;
@@ -87,10 +92,50 @@ class ToolLine {
         if (value < 0) return refuse("the diameter is 0 or more");
         tool_.diameter = value;
         return true;
+      case 'R':
+      case 'L':
+      case 'H':
+      case 'K':
+        return set_shape(letter, value, column);
       default:
         tool_.offset[base::index(axis_of_letter(static_cast<unsigned>(letter - 'A')))] = value;
         return true;
     }
+  }
+
+  bool set_shape(char letter, double value, std::int64_t column) {
+    if (value < 0 || (value == 0 && letter != 'R')) {
+      return reporter_.error("bad-value", column, std::string(1, letter) + " is " + text(value),
+                             letter == 'R' ? "the radius of the edge is 0 or more" : "mm, above 0");
+    }
+    if (letter == 'R') tool_.corner_radius = value;
+    if (letter == 'L') tool_.length = value;
+    if (letter == 'H') tool_.holder_diameter = value;
+    if (letter == 'K') tool_.holder_length = value;
+    shape_column_ = column;
+    return true;
+  }
+
+  // What the letters of its shape say together; told at the last of them.
+  bool check_shape() {
+    if (has('H') != has('K') || (has('H') && !has('L'))) {
+      return reporter_.error("missing-word", shape_column_, "a holder is told by H, K and L together",
+                             "T1 D10 R5 L40 H32 K50: the tool is 40 mm long to its holder of 32 by 50 mm");
+    }
+    if (!has('R')) return true;
+    const double radius = tool_.diameter / 2;
+    if (!has('D') || radius == 0) {
+      return reporter_.error("missing-word", shape_column_, "R is of no diameter", "give D, above 0, beside R");
+    }
+    if (*tool_.corner_radius > radius + ball_rounding) {
+      return reporter_.error("bad-value", shape_column_,
+                             "R is " + text(*tool_.corner_radius) + ", and half the diameter " + text(radius),
+                             "0 is flat, half the diameter a ball, between them a bull nose");
+    }
+    if (*tool_.corner_radius > radius - ball_rounding) tool_.corner_radius = radius;
+    if (!has('L') || tool_.length > *tool_.corner_radius) return true;
+    return reporter_.error("bad-value", shape_column_, "the tool is no longer than its edge is round",
+                           "L is from the tip to the holder, more than R");
   }
 
   void remark(const char* first, const char* last) {
@@ -103,6 +148,7 @@ class ToolLine {
   machine::Tool tool_;
   std::uint32_t seen_ = 0;
   std::uint32_t number_column_ = 1;
+  std::int64_t shape_column_ = 1;
 };
 
 }  // namespace

@@ -1,8 +1,17 @@
 #pragma once
-// The tools a machine holds: offsets that G43 adds and the pockets they stand in.
+// The tools a machine holds: offsets that G43 adds, the pockets they stand in, and their shapes.
+//
+//         |<-- H -->|
+//      ┌──┴─────────┴──┐ ─┬─
+//      │    holder     │  K
+//      └───┬───────┬───┘ ─┴─ ─┬─
+//          │  tool │          L
+//          ╰r─────r╯         ─┴─  tip
+//          |<- D ->|
 
 #include <algorithm>
 #include <leadscrew/base/axes.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +23,12 @@ struct Tool {
   int pocket = 0;             ///< P; ≥ 0
   base::AxisVector offset{};  ///< tool length offset of each axis, mm or degrees
   double diameter = 0;        ///< D, mm; ≥ 0
-  std::string remark;         ///< for people
+  std::string remark{};       ///< for people
+  /// R, mm, of its round edge: 0 flat, D/2 a ball, between them a bull nose. None: nothing is said of its shape.
+  std::optional<double> corner_radius{};
+  double length = 0;           ///< L, from the tip to the holder, mm; > 0, or 0 where it is not told
+  double holder_diameter = 0;  ///< H, mm; > 0, or 0 where there is none
+  double holder_length = 0;    ///< K, mm; > 0 where there is a holder
 
   friend bool operator==(const Tool&, const Tool&) = default;
 };
