@@ -27,6 +27,8 @@ gcode::Conditions conditions_of(Dialect dialect) {
   gcode::Conditions conditions;
   machine::Tool tool;
   tool.number = 1;
+  tool.diameter = 10;
+  tool.corner_radius = 5;
   conditions.tools = machine::ToolTable({tool});
   conditions.machine.rotary_chain = machine::preset_chain("table-table-ac");
   conditions.options.dialect = dialect;

@@ -24,6 +24,7 @@ constexpr const char* const manual_m = "LinuxCNC manual, M Codes";
 constexpr const char* const kinematics_manual = "LinuxCNC manual, Switchable Kinematics";
 constexpr const char* const fanuc_manual = "Fanuc 0i operator's manual";
 constexpr const char* const haas_manual = "Haas mill operator's manual";
+constexpr const char* const leadscrew_manual = "docs/surfaces.md";
 constexpr const char* const nist_cycles = "NIST IR 6556, 3.5.16";
 
 constexpr CodeRow g(Code code, int tenths, Group group, Dialects dialects, const char* summary, const char* source,
@@ -118,6 +119,9 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G103, 1030, Group::nonmodal, {L, H}, "limits look-ahead, which bounds itself here", haas_manual, "P"),
   with_axes(g(Code::G150, 1500, Group::nonmodal, {H}, "pocket of the contour of subprogram P", haas_manual, "PQRIJKD", "P")),
   g(Code::G187, 1870, Group::nonmodal, {L, H}, "smoothness: E is what P of G64 is", haas_manual, "PE"),
+  g(Code::G6_4, 64, Group::nonmodal, {L}, "defines a surface, whose points the next blocks are: X Y Z, the weight R, the knots K of u and L of v", leadscrew_manual, "DPQIJ", "DPQIJ"),
+  g(Code::G6_5, 65, Group::nonmodal, {L}, "machines a surface, in passes", leadscrew_manual, "DTHQLSPUVIJABRZKC", "D"),
+  g(Code::G6_6, 66, Group::nonmodal, {L}, "smooth curve through the places that the next blocks are: X Y Z, and I J K, the tool's direction", leadscrew_manual, "P", "P"),
 
   g(Code::G17, 170, Group::plane, all, "plane XY", "NIST IR 6556, 3.5.6"),
   unread(g(Code::G17_1, 171, Group::plane, linuxcnc, "plane UV", manual)),

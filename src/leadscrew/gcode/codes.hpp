@@ -76,7 +76,7 @@ enum class Code : std::uint8_t {
   G82, G83, G84, G85, G86, G87, G88, G89,
   G4, G9, G10, G12, G13, G28, G28_1, G30, G30_1, G31, G52, G53, G53_1, G253, G60, G70, G70_bolts, G71,
   G71_bolts, G71_1, G71_2, G72, G72_bolts, G72_1, G72_2, G92, G92_1, G92_2, G92_3, G5_high_speed, G5_1_high_speed,
-  G8_high_speed, G47, G103, G150, G187,
+  G8_high_speed, G47, G103, G150, G187, G6_4, G6_5, G6_6,
   G17, G17_1, G18, G18_1, G19, G19_1, G90, G91, G90_1, G91_1, G93, G94, G95, G20, G21,
   G40, G41, G41_1, G42, G42_1, G43, G43_1, G43_2, G43_4, G43_5, G44, G49, G98, G99, G50, G51, G50_1, G51_1,
   G54, G55, G56, G57, G58, G59, G59_1, G59_2, G59_3, G54_1, G154, G61, G61_1, G64, G96, G97,
@@ -154,6 +154,9 @@ constexpr bool is_canned_cycle(Code code) {
 }
 constexpr bool is_probing(Code code) {
   return Code::G38_2 <= code && code <= Code::G38_5;
+}
+constexpr bool is_of_surface(Code code) {
+  return Code::G6_4 <= code && code <= Code::G6_6;
 }
 constexpr bool is_line(Code code) {
   return code == Code::G0 || code == Code::G1;

@@ -1,6 +1,7 @@
 // Which part does what a code of group 0 or 1 says. What other codes say are modes, which Interpreter::set_modes() sets,
 // or events.
 
+#include <bit>
 #include <leadscrew/gcode/interpreter.hpp>
 
 namespace leadscrew::gcode {
@@ -25,6 +26,14 @@ void Interpreter::dispatch(Code code, const Block& block) {
       return curves_.add_to_nurbs_with_knots(block);
     case Code::G10:
       return offsets_.set_system(block);
+    case Code::G6_4:
+      return surface_blocks_.begin(*surface_words_);
+    case Code::G6_5:
+      vectors_.forget_direction();
+      return surface_moves_.begin(*surface_words_);
+    case Code::G6_6:
+      vectors_.forget_direction();
+      return directed_curve_.begin(*surface_words_);
     case Code::G12:
     case Code::G13:
       return circular_pockets_.mill(block);
@@ -101,6 +110,42 @@ void Interpreter::dispatch_cycle(Code code, const Block& block) {
     default:
       if (is_canned_cycle(code)) cycles_.drill(block);
   }
+}
+
+/// Words that elsewhere move axes, turn the spindle or select a tool are the surface's. Nothing else moves in its block.
+void Interpreter::execute_surface(const Block& words) {
+  const Code code = words.code(Group::nonmodal);
+  const std::uint32_t own = row(code).words.bits & (axis_letter_bits | letter_bit('S') | letter_bit('T'));
+  Block block = words;
+  block.words &= ~own;
+  for (std::uint32_t rest = block.words & (axis_letter_bits | polar_bits); rest != 0; rest &= rest - 1) {
+    const auto letter = static_cast<unsigned>(std::countr_zero(rest));
+    const char shown = letter == polar_distance ? '@' : letter == polar_angle ? '^' : static_cast<char>('A' + letter);
+    error("unused-word", block.column[letter], name(code) + " does not take " + shown, "put it into another block");
+  }
+  if (block.has(Group::motion) && !block.is(Code::G80)) {
+    error("modal-conflict", block.column_of(Group::motion),
+          name(code) + " and " + name(block.code(Group::motion)) + " cannot stand in one block",
+          "put them into two blocks");
+    block.groups &= ~bit(Group::motion);
+  }
+  block.words &= ~(axis_letter_bits | polar_bits);
+  curves_.forget_tangent();
+  cycles_.end_series();
+  surface_words_ = &words;
+  begin_block(block);
+  finish_block(block);
+}
+
+/// A block of points or places; false where it is none.
+bool Interpreter::add_to_surface(const Block& block) {
+  const bool is_taken = surface_blocks_.is_open() ? surface_blocks_.add(block) : directed_curve_.add(block);
+  if (is_taken) modal_.is_plain = is_plain();
+  return is_taken;
+}
+
+bool Interpreter::next_of_surface(Move& move) {
+  return surface_moves_.is_active() ? surface_moves_.next(move) : directed_curve_.next(move);
 }
 
 }  // namespace leadscrew::gcode

@@ -20,6 +20,9 @@ Interpreter::Interpreter(const Context& context)
       pocket_cycle_(context, motion_, cutter_, planned_),
       engraving_(context, motion_, planned_),
       turning_cycles_(context, motion_, threading_, outbox_),
+      surface_blocks_(context),
+      surface_moves_(context, motion_, travel_, outbox_, surface_blocks_),
+      directed_curve_(context, motion_, travel_, outbox_),
       probing_(context, motion_, travel_, outbox_),
       offsets_(context, motion_),
       tilted_planes_(context, travel_, outbox_),
@@ -61,6 +64,7 @@ void Interpreter::execute_special(Block block) {
     return lathe_cycles_.add(block);
   }
   if (pocket_cycle_.is_open()) return pocket_cycle_.add(block);
+  if ((surface_blocks_.is_open() || directed_curve_.is_open()) && add_to_surface(block)) return;
   if (saved_modes_.leave_calls()) set_path_control({});
   if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
   modal_.is_plain = false;
@@ -71,7 +75,8 @@ void Interpreter::execute_special(Block block) {
 
 bool Interpreter::is_plain() const {
   return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open() &&
-         !pocket_cycle_.is_open() && !modal_.calls_macro && !tilted_planes_.is_unfinished();
+         !pocket_cycle_.is_open() && !surface_blocks_.is_open() && !directed_curve_.is_open() && !modal_.calls_macro &&
+         !tilted_planes_.is_unfinished();
 }
 
 void Interpreter::end_contour() {
@@ -81,6 +86,7 @@ void Interpreter::end_contour() {
 }
 
 void Interpreter::execute_in_axes(const Block& block) {
+  if (block.has(Group::nonmodal) && is_of_surface(block.code(Group::nonmodal))) return execute_surface(block);
   if (block.words & polar_bits) return execute_polar(block);
   if (modal_.polar && polar_.applies(block)) {
     const Block in_axes = polar_.in_axes(block);
@@ -136,6 +142,8 @@ void Interpreter::finish_block(const Block& block) {
   vectors_.settle();
   planned_.abandon();
   pocket_cycle_.abandon();
+  surface_moves_.abandon();
+  directed_curve_.abandon();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }
@@ -193,6 +201,7 @@ bool Interpreter::next_with_vectors(Move& move) {
 
 bool Interpreter::next_of_block(Move& move) {
   if (outbox_.take(move) || cycles_.next(move) || threading_.next(move) || planned_.next(move)) return true;
+  if ((surface_moves_.is_active() || directed_curve_.is_active()) && next_of_surface(move)) return true;
   if (lathe_cycles_.next(move, outbox_)) {
     outbox_.clear();
     if (modal_.constant_surface_speed && lathe_cycles_.is_profile()) events_.follow_surface();
@@ -209,6 +218,8 @@ void Interpreter::end(base::Line line) {
   modal_.line = line;
   vectors_.settle();
   curves_.end();
+  surface_blocks_.end();
+  directed_curve_.end();
   outbox_.clear();
   stop_ = base::Event::Kind::program_end;
   ended_ = true;

@@ -11,6 +11,7 @@
 #include <leadscrew/gcode/circular_pocket.hpp>
 #include <leadscrew/gcode/curves.hpp>
 #include <leadscrew/gcode/cycles.hpp>
+#include <leadscrew/gcode/directed_curve.hpp>
 #include <leadscrew/gcode/engraving.hpp>
 #include <leadscrew/gcode/lathe_cycles.hpp>
 #include <leadscrew/gcode/machine_events.hpp>
@@ -20,6 +21,7 @@
 #include <leadscrew/gcode/polar.hpp>
 #include <leadscrew/gcode/probing.hpp>
 #include <leadscrew/gcode/saved_modes.hpp>
+#include <leadscrew/gcode/surface_moves.hpp>
 #include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/gcode/tilted_planes.hpp>
 #include <leadscrew/gcode/transforms.hpp>
@@ -66,6 +68,8 @@ class Interpreter : Part {
   }
   /// The contour's subprogram has ended.
   [[gnu::cold]] void end_contour();
+  /// Of the move handed out last.
+  const MachinedMove& machined() const { return surface_moves_.machined(); }
   /// How the probing move of the block executed last has ended.
   void probed(const Probed& result) { probing_.probed(result); }
 
@@ -83,6 +87,9 @@ class Interpreter : Part {
   /// The rest of it.
   void finish_block(const Block& block);
   [[gnu::noinline]] void execute_polar(Block block);
+  [[gnu::cold]] void execute_surface(const Block& words);
+  [[gnu::cold]] bool add_to_surface(const Block& block);
+  [[gnu::cold]] bool next_of_surface(Move& move);
   void set_modes(const Block& block);
   void set_path_control(const Block& block);
   void set_smoothness(const Block& block);
@@ -110,6 +117,10 @@ class Interpreter : Part {
   PocketCycle pocket_cycle_;
   Engraving engraving_;
   TurningCycles turning_cycles_;
+  SurfaceBlocks surface_blocks_;
+  SurfaceMoves surface_moves_;
+  DirectedCurve directed_curve_;
+  const Block* surface_words_ = nullptr;  ///< of the block in execution, where it is of a surface: all of them
   Probing probing_;
   Offsets offsets_;
   TiltedPlanes tilted_planes_;

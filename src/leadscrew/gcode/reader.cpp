@@ -95,6 +95,7 @@ class Reader::Implementation {
   const Frame& frame() const { return frame_; }
   int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
   const ModalState& modal() const { return modal_; }
+  const MachinedMove& machined() const { return interpreter_.machined(); }
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
   const std::optional<base::Diagnostic>& source_failure() const {
@@ -340,6 +341,9 @@ int Reader::system() const {
 }
 const ModalState& Reader::modal() const {
   return implementation_->modal();
+}
+const MachinedMove& Reader::machined() const {
+  return implementation_->machined();
 }
 std::int64_t Reader::blocks() const {
   return implementation_->blocks();

@@ -48,6 +48,7 @@
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/gcode/dialect.hpp>
+#include <leadscrew/gcode/machined.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/probed.hpp>
@@ -94,6 +95,7 @@ struct ReaderOptions {
   bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
   ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31
   bool warns_of_unset = false;  ///< lint-unset-parameter: a numbered parameter is read that never had a value
+  bool allows_gouging = false;  ///< surfaces are machined though the tool gouges where it touches; else `surface-gouge`
   bool repeats = false;         ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
@@ -135,6 +137,9 @@ class Reader {
   const Frame& frame() const;
   int system() const;               ///< the coordinate system in force there: 1 … 9, G54 … G59.3
   const ModalState& modal() const;  ///< the modes in force there
+
+  /// Of the move handed out last: the surface that it machines.
+  const MachinedMove& machined() const;
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far

@@ -27,6 +27,8 @@ class VectorMoves : Part {
   /// G43.5: the tool keeps its direction until a line changes it. I, J and K beside it, without a motion, hold from the next
   /// line on.
   void begin(const Block& block);
+  /// Something else turns the rotary axes.
+  void forget_direction() { direction_.reset(); }
   /// G0 and G1 under G43.5. Errors: `tool-vector`, `pose-out-of-reach`, `rotary-travel`, `pole-too-sharp`.
   void line(const Block& block);
   /// What happens behind the lines so far.
