@@ -48,7 +48,7 @@
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/base/sink.hpp>
 #include <leadscrew/gcode/dialect.hpp>
-#include <leadscrew/gcode/machined.hpp>
+#include <leadscrew/gcode/machined_move.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/probed.hpp>

@@ -9,6 +9,7 @@
 // Where the tool lies so flat that the way along it would be long, it goes along it by its own size, and straight up from there. All
 // passes are made once by whoever checks a program before it moves, so that nothing moves where one cannot be.
 
+#include <leadscrew/gcode/machined_move.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/pose_moves.hpp>
 #include <leadscrew/gcode/surface_words.hpp>
