@@ -77,7 +77,7 @@ TEST(SurfaceWords, LieWhereTheFrameSays) {
   };
   EXPECT_EQ(net("G92 X0 Y0 Z30\nG0 Z60\n"), (surfaces::Vector{20, 10, 10}));
   EXPECT_EQ(net("G43 H1\nG0 Z60\n"), (surfaces::Vector{20, 10, 30}));
-  EXPECT_EQ(net("G51 P2\nG0 Z60\n"), (surfaces::Vector{40, 20, 0}));
+  EXPECT_EQ(net("G51 X0 Y0 Z0 P2\nG0 Z60\n"), (surfaces::Vector{40, 20, 0}));
   const surfaces::Vector turned = net("G68 R90\n");
   EXPECT_NEAR(turned[0], -10, 1e-12);
   EXPECT_NEAR(turned[1], 20, 1e-12);
@@ -88,7 +88,7 @@ TEST(SurfaceWords, LieWhereTheFrameSays) {
 TEST(SurfaceWords, LeanByAAndB) {
   const Conditions table = with_shapes("table-table-ac");
   const std::string control = "G43.4 H1\nG0 Z60\n";
-  const Orientation leaned = machined_by("G6.5 D1 T1 Q5 A3 B-2 Z20", table, control).machining.orientation;
+  const Orientation leaned = machined_by("G6.5 D1 T1 Q5 S1 A3 B-2 Z20", table, control).machining.orientation;
   EXPECT_EQ(leaned.rule, Orientation::Rule::leaned);
   EXPECT_NEAR(leaned.lead, 3 * M_PI / 180, 1e-15);
   EXPECT_NEAR(leaned.tilt, -2 * M_PI / 180, 1e-15);
