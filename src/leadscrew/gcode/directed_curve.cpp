@@ -52,7 +52,7 @@ bool DirectedCurve::problem(std::string_view code, std::uint32_t column, std::st
 }
 
 void DirectedCurve::begin(const Block& block) {
-  draft_.emplace();
+  draft_ = Draft();
   draft_->block = block;
   draft_->place = reporter_.place(block.column_of(Group::nonmodal));
   const std::optional<int> count = as_integer(block.value_or('P', 0));
