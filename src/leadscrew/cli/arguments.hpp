@@ -3,7 +3,6 @@
 
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/cli/about.hpp>
-#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/design_arguments.hpp>
 #include <leadscrew/cli/drive_arguments.hpp>
 #include <leadscrew/cli/options.hpp>
@@ -11,6 +10,8 @@
 #include <leadscrew/cli/run_arguments.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
 #include <leadscrew/cli/study_arguments.hpp>
+#include <leadscrew/cli/surfaces.hpp>
+#include <leadscrew/console/console.hpp>
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/results/sizing.hpp>
@@ -22,7 +23,7 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Verb { run, check, verify, canon, pulse, study, design, simulate, drive, explain, format };
+  enum class Verb { run, check, verify, canon, pulse, study, design, simulate, drive, explain, format, surfaces };
 
   Verb verb = Verb::run;
   std::optional<std::string> explained;   ///< of explain: a block
@@ -36,6 +37,7 @@ struct Arguments {
   drive::Options drive;                   ///< of drive
   AboutArguments about;                   ///< of help, completion and --version
   StudyArguments study;                   ///< of study
+  SurfacesArguments surfaces;             ///< of surfaces
   std::optional<std::string> machine;     ///< file, or the name of a built-in machine
   std::optional<std::string> tools;       ///< file
   std::optional<std::string> parameters;  ///< file, of run, check, verify, simulate and drive

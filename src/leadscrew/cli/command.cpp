@@ -54,6 +54,7 @@ std::string_view schema_of(Arguments::Verb command) {
     case Arguments::Verb::design:
     case Arguments::Verb::explain:
     case Arguments::Verb::format:
+    case Arguments::Verb::surfaces:
     case Arguments::Verb::canon:
       break;  // no result of a program in JSON
   }
@@ -77,6 +78,7 @@ Status perform(const Arguments& arguments) {
   if (arguments.verb == Arguments::Verb::design) return design(arguments, console);
   if (arguments.verb == Arguments::Verb::explain) return explain(arguments, console);
   if (arguments.verb == Arguments::Verb::format) return format(arguments, console);
+  if (arguments.verb == Arguments::Verb::surfaces) return surfaces(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
   if (!job) return end_without_job(arguments, log, console);
@@ -98,6 +100,7 @@ Status perform(const Arguments& arguments) {
     case Arguments::Verb::design:
     case Arguments::Verb::explain:
     case Arguments::Verb::format:
+    case Arguments::Verb::surfaces:
       break;
   }
   return Status::usage;

@@ -12,8 +12,11 @@ namespace {
 
 using Kind = SurfaceFault::Kind;
 
-/// A normal whose length is less than this part of |Su|·|Sv|, or of the net's extent squared by the ranges, is none.
+/// A normal whose length is less than this part of |Su|·|Sv| is none.
 constexpr double least_normal = 1e-9;
+/// Nor is one that is less than this part of the net's extent squared by the ranges: where a side comes to a point, rounding
+/// leaves some.
+constexpr double rounding = 1e-13;
 /// Rows nearer to each other than this part of the net's extent coincide.
 constexpr double least_distance = 1e-12;
 
@@ -100,8 +103,8 @@ std::optional<SurfaceFault> fault_of_normals(const SurfaceForm& form, double ext
           i % 4 == 0 ? us[i / 4] : us[i / 4] + static_cast<double>(i % 4) / 4 * (us[i / 4 + 1] - us[i / 4]);
       const SurfaceJet jet = surface.jet(u, v);
       const double area = numeric::norm(kinematics::cross_product(jet.u, jet.v));
-      const bool vanishes = area <= least_normal * numeric::norm(jet.u) * numeric::norm(jet.v) ||
-                            area <= least_normal * least_normal * scale;
+      const bool vanishes =
+          area <= least_normal * numeric::norm(jet.u) * numeric::norm(jet.v) || area <= rounding * scale;
       if (vanishes) return SurfaceFault{Kind::normal, Direction::u, 0, u, v};
     }
   }

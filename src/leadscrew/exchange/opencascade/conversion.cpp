@@ -60,6 +60,19 @@ std::variant<Refusal, Converted> approximated(const Handle(Geom_Surface) & part,
   return Converted{approximation.Surface(), approximation.MaxError()};
 }
 
+bool is_clamped(const TColStd_Array1OfReal& knots, int degree) {
+  return knots.First() == knots.Value(knots.Lower() + degree) && knots.Last() == knots.Value(knots.Upper() - degree);
+}
+
+/// Knots that begin and end before and behind all parameters are made those of the part between.
+void clamp(Geom_BSplineSurface& surface) {
+  if (is_clamped(surface.UKnotSequence(), surface.UDegree()) && is_clamped(surface.VKnotSequence(), surface.VDegree()))
+    return;
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  surface.Bounds(u0, u1, v0, v1);
+  surface.Segment(u0, u1, v0, v1);
+}
+
 }  // namespace
 
 Handle(Geom_Surface) untrimmed(Handle(Geom_Surface) surface) {
@@ -97,6 +110,7 @@ std::variant<Refusal, Converted> converted(const Handle(Geom_Surface) & surface,
   if (result == surface) result = Handle(Geom_BSplineSurface)::DownCast(result->Copy());
   if (result->IsUPeriodic()) result->SetUNotPeriodic();
   if (result->IsVPeriodic()) result->SetVNotPeriodic();
+  clamp(*result);
   const int degree = std::max(result->UDegree(), result->VDegree());
   if (degree <= surfaces::highest_degree) return Converted{result, std::nullopt};
   if (tolerance > 0) return approximated(result, tolerance);
