@@ -353,6 +353,29 @@ def check_designs(schemas):
     json_of(schemas, "design-rejected", "design", "--timer", "--clock", "1024", "--delays", "-2", status=3)
 
 
+def check_surfaces(schemas):
+    """With a reading program of the tests beside the command; tests/exchange has the real one."""
+    if not (command.parent / "leadscrew-exchange").exists():
+        run("surfaces", "part.step", "--json", status=2)
+    bin = scratch / "bin"
+    bin.mkdir()
+    shutil.copy(command, bin / "leadscrew")
+    faces = [{"number": 1, "type": "plane", "reversed": True, "deviation": 1e-4, "area": 12.0, "low": [0, 0, 0], "high": [4, 3, 0],
+              "degree": [1, 1], "points": [2, 2], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]],
+              "net": [0, 0, 0, 1, 4, 0, 0, 1, 0, 3, 0, 1, 4, 3, 0, 1]},
+             {"number": 2, "type": "plane", "reversed": False, "deviation": None, "area": None, "low": [0, 0, 0],
+              "high": [0, 0, 0], "refusal": {"code": "face-trimmed", "why": "is trimmed", "hint": ""}}]
+    lines = [{"format": "STEP", "unit": "mm"}, *({"face": face} for face in faces), {"end": True}]
+    (bin / "leadscrew-exchange").write_text("#!/bin/sh\ncat <<'E'\n" + "\n".join(map(json.dumps, lines)) + "\nE\n")
+    (bin / "leadscrew-exchange").chmod(0o755)
+    (scratch / "part.step").write_text("ISO-10303-21;\n")
+    for words, status in ([], 0), (["--all", "--output", "faces.ngc"], 0), (["--face", "2", "--output", "none.ngc"], 3):
+        done = subprocess.run([bin / "leadscrew", "surfaces", "part.step", "--json", *words], cwd=scratch, capture_output=True,
+                              text=True)
+        check(done.returncode == status, f"surfaces {words} ended with {done.returncode}: {done.stderr}")
+        schemas.fit("surfaces", json.loads(done.stdout), "the output of surfaces")
+
+
 def check_studies(schemas):
     listed = json_of(schemas, "study-list", "study", "list")
     for study in listed["studies"]:
@@ -439,6 +462,7 @@ def main():
     check_drives(schemas)
     check_pulses(schemas)
     check_designs(schemas)
+    check_surfaces(schemas)
     check_studies(schemas)
     check_machine_files()
     check_tool_tables()

@@ -186,13 +186,13 @@ std::string reading_program() {
 }
 
 base::Result<Faces> read_faces(const std::string& program, const std::string& file, std::optional<double> tolerance) {
-  const auto format = checked_format(file);
-  if (!format) return base::failure(format.error());
   if (program.empty()) {
     return base::failure(problem("exchange-not-built", "STEP and IGES cannot be read by this build",
                                  "build with -DLEADSCREW_EXCHANGE=ON, which needs Debian's libocct-data-exchange-dev",
                                  {}));
   }
+  const auto format = checked_format(file);
+  if (!format) return base::failure(format.error());
   auto child = Child::start(program, {std::string(*format), file, base::text(tolerance.value_or(0))});
   if (!child) return base::failure(child.error());
   FaceLines lines;

@@ -18,8 +18,7 @@ namespace leadscrew::exchange {
 
 /// Why a face is no surface that a program can have.
 struct Refusal {
-  std::string
-      code;  ///< "face-trimmed", "face-degree", "face-inexact", "face-unbounded", "face-size", "face-normal", "face-net"
+  std::string code;  ///< "face-trimmed", "face-degree", "face-inexact", "face-size", "face-normal", "face-net"
   std::string why;   ///< with what was found
   std::string hint;  ///< what would help; may be empty
 

@@ -16,13 +16,12 @@ using exchange::Face;
 using exchange::Faces;
 
 /// Codes of refusals, which come as text from another program, as diagnostics have them.
-constexpr std::array<std::string_view, 8> refusal_codes = {"face-trimmed", "face-degree",    "face-inexact",
-                                                           "face-failed",  "face-unbounded", "face-size",
-                                                           "face-normal",  "face-net"};
+constexpr std::array<std::string_view, 6> refusal_codes = {"face-trimmed", "face-degree", "face-inexact",
+                                                           "face-size",    "face-normal", "face-net"};
 
 std::string_view code_of(const exchange::Refusal& refusal) {
   const auto found = std::ranges::find(refusal_codes, refusal.code);
-  return found != refusal_codes.end() ? *found : std::string_view("face-failed");
+  return found != refusal_codes.end() ? *found : std::string_view("face-net");
 }
 
 std::string pair_of(const Face& face, auto (*value)(const surfaces::SurfaceForm&)) {

@@ -369,6 +369,18 @@ TEST(OffsetSurfaces, AreApproximatedWhereThatIsAskedFor) {
   EXPECT_EQ(refusals(faces_in(file, 1e-6 / 1e6)), Codes{"face-inexact"});
 }
 
+TEST(LargeNets, AreRefused) {
+  const Folder folder;
+  const std::size_t side = 257;
+  SurfaceForm form{{1, 1}, {surfaces::uniform_knots(side, 1), surfaces::uniform_knots(side, 1)}, {side, side}, {}};
+  for (std::size_t k = 0; k < side * side; ++k) {
+    const auto x = static_cast<double>(k % side), y = static_cast<double>(k / side);
+    form.net.push_back({{x, y, std::sin(x + y)}, 1});
+  }
+  const auto faces = faces_in(write_step(folder, face_of(spline_of(form))));
+  EXPECT_EQ(refusals(faces), Codes{"face-size"});
+}
+
 TEST(BrokenFiles, AreRefusedWithoutHarm) {
   const Folder folder;
   const std::string file = write_step(folder, BRepPrimAPI_MakeCylinder(12, 30).Shape());

@@ -29,10 +29,6 @@ constexpr int samples = 32;         // pieces of an edge
 
 using Side = std::vector<gp_Pnt2d>;  // an edge in parameters, in the direction of the outline
 
-Refusal refused(const char* code, std::string why, std::string hint) {
-  return {code, std::move(why), std::move(hint)};
-}
-
 Refusal trimmed(std::string why) {
   return refused("face-trimmed", std::move(why),
                  "export its surface untrimmed, or keep to a part of it by the range of G6.5");
@@ -175,7 +171,7 @@ Outline outline_of(const TopoDS_Face& given, const Handle(Geom_Surface) & surfac
     Rectangle box;
     surface->Bounds(box.u0, box.u1, box.v0, box.v1);
     for (const double bound : {box.u0, box.u1, box.v0, box.v1}) {
-      if (Precision::IsInfinite(bound)) return refused("face-unbounded", "has no bounds", "give its face an outline");
+      if (Precision::IsInfinite(bound)) return trimmed("has no outline, and its surface no end");
     }
     box.is_whole = true;
     return box;

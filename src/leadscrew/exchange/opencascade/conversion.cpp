@@ -41,10 +41,6 @@ bool is_exact(const Handle(Geom_Surface) & surface) {
   return is<Geom_BoundedSurface>(surface) || is<Geom_ElementarySurface>(surface);
 }
 
-Refusal refused(const char* code, std::string why, std::string hint) {
-  return {code, std::move(why), std::move(hint)};
-}
-
 const char* const how_to_approximate = "--approximate 0.001 takes a surface within that many mm of it";
 
 std::variant<Refusal, Converted> approximated(const Handle(Geom_Surface) & part, double tolerance) {

@@ -56,7 +56,8 @@ SurfaceForm exchanged(const SurfaceForm& form) {
 
 void take_size(const TopoDS_Face& given, Face& face) {
   Bnd_Box box;
-  BRepBndLib::AddOptimal(given, box, false, false);
+  BRepBndLib::Add(given, box, false);
+  box.SetGap(0);
   if (box.IsVoid() || box.IsOpen()) return;
   box.Get(face.low[0], face.low[1], face.low[2], face.high[0], face.high[1], face.high[2]);
   GProp_GProps properties;
@@ -78,10 +79,10 @@ void take_form(const TopoDS_Face& given, double tolerance, Face& face) {
           static_cast<std::size_t>(done->surface->NbUPoles()) * static_cast<std::size_t>(done->surface->NbVPoles());
       face.deviation = done->deviation;
       if (points > surfaces::most_control_points) {
-        face.refusal = Refusal{"face-size",
+        face.refusal = refused("face-size",
                                "has " + std::to_string(points) + " control points, more than " +
                                    std::to_string(surfaces::most_control_points),
-                               "split it"};
+                               "split it");
       } else {
         face.form = form_of(*done->surface);
       }
@@ -97,11 +98,12 @@ Face face_of(const TopoDS_Face& given, std::size_t number, double tolerance) {
   face.is_reversed = given.Orientation() == TopAbs_REVERSED;
   const auto fails = [&face](const std::string& why) {
     face.form.reset();
-    face.refusal = Refusal{"face-failed", "OpenCASCADE cannot convert it: " + why, "repair the face in the CAD system"};
+    face.refusal =
+        refused("face-net", "cannot be converted by OpenCASCADE: " + why, "repair the face in the CAD system");
   };
   try {
-    take_size(given, face);
     take_form(given, tolerance, face);
+    take_size(given, face);
   } catch (const Standard_Failure& failure) {
     fails(failure.GetMessageString());
   } catch (const std::bad_alloc&) {

@@ -15,6 +15,10 @@
 
 namespace leadscrew::exchange {
 
+inline Refusal refused(const char* code, std::string why, std::string hint) {
+  return {code, std::move(why), std::move(hint)};
+}
+
 /// A file that cannot be read as a whole.
 struct Unreadable : std::runtime_error {
   Unreadable(std::string problem_code, const std::string& message, std::string what_helps)
