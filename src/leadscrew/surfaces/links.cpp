@@ -1,34 +1,212 @@
+#include <algorithm>
 #include <cmath>
+#include <leadscrew/kinematics/great_circle.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/hermite.hpp>
 #include <leadscrew/surfaces/links.hpp>
+#include <numbers>
 
 namespace leadscrew::surfaces {
 
-std::optional<Pass> link_between(PassLog& log, const PassNode& from, const PassNode& to) {
-  double distance = 0;
-  for (std::size_t k = 0; k < 3; ++k) distance = std::hypot(distance, to.tip[k][0] - from.tip[k][0]);
-  const double length = 2.5 * distance, lift = distance / 2;
-  PassNode middle;
-  middle.t = length / 2;
+namespace {
+
+/// Lifts that are tried, of the distance (near) or of the tool's radius (far).
+constexpr std::array<double, 10> lifts = {0.5, 1, 2, 4, 8, 16, 32, 64, 128, 256};
+/// Deeper than at the passes' own ends a link does not go, mm.
+constexpr double clearance_tolerance = 1e-7;
+/// Axes farther apart, radians, go by the middle of their great circle.
+constexpr double widest_turn = std::numbers::pi / 3;
+/// Nodes of a link whose axis turns: so close that axis and tip between them are this exact, radians and mm.
+constexpr double link_axis_tolerance = 1e-8, link_tip_tolerance = 1e-7;
+constexpr std::size_t most_link_nodes = 256;
+
+Vector values_of(const VectorOf<Jet2>& jets) {
+  return {jets[0][0], jets[1][0], jets[2][0]};
+}
+Vector rates_of(const VectorOf<Jet2>& jets) {
+  return {jets[0][1], jets[1][1], jets[2][1]};
+}
+VectorOf<Jet2> straight(const Vector& place, const Vector& rate) {
+  VectorOf<Jet2> jets;
+  for (std::size_t k = 0; k < 3; ++k) jets[k].derivative = {place[k], rate[k], 0};
+  return jets;
+}
+
+}  // namespace
+
+VectorOf<Jet2> LinkMaker::Track::at(double place) const {
+  std::size_t k = 0;
+  while (k + 2 < t.size() && t[k + 1] <= place) ++k;
+  const double width = t[k + 1] - t[k];
+  VectorOf<Jet2> result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = hermite_jet(jets[k][i], jets[k + 1][i], width, (place - t[k]) / width);
+  return result;
+}
+
+LinkMaker::Ends LinkMaker::ends_of(const PassNode& from, const PassNode& to) const {
+  Ends ends{&from, &to, from.tip, to.tip};
+  const Jet2 r = machining_.cutter.corner_radius;
   for (std::size_t k = 0; k < 3; ++k) {
-    middle.tip[k] = hermite_jet(from.tip[k], to.tip[k], length, 0.5);
-    middle.axis[k] = hermite_jet(from.axis[k], to.axis[k], length, 0.5);
+    ends.from_centre[k] = from.tip[k] + r * from.axis[k];
+    ends.to_centre[k] = to.tip[k] + r * to.axis[k];
   }
-  middle.axis = unit_of(middle.axis);
+  ends.distance = numeric::distance(values_of(ends.from_centre), values_of(ends.to_centre));
+  ends.turn = kinematics::angle_between(values_of(from.axis), values_of(to.axis));
+  return ends;
+}
+
+/// The quintic from end to end, lifted in its middle by so much as 64 (x (1 − x))³ is: 24 is its second derivative there.
+LinkMaker::Course LinkMaker::near_course(const Ends& ends, double lift) const {
+  Course course;
+  course.length = 2.5 * ends.distance + 2 * lift + machining_.cutter.corner_radius * ends.turn;
+  const double length = course.length;
+  const Vector up = kinematics::unit_vector(numeric::sum(values_of(ends.from->axis), 1, values_of(ends.to->axis)));
+  VectorOf<Jet2> middle;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double up = lift * middle.axis[k][0];
-    middle.tip[k][0] += up;
-    middle.tip[k][2] -= 24 * up / (length * length);
+    middle[k] = hermite_jet(ends.from_centre[k], ends.to_centre[k], length, 0.5);
+    middle[k][0] += lift * up[k];
+    middle[k][2] -= 24 * lift * up[k] / (length * length);
   }
-  middle.u = (from.u + to.u) / 2;
-  middle.v = (from.v + to.v) / 2;
-  Pass link;
-  link.nodes = {from, middle, to};
-  link.nodes.front().t = 0;
-  link.nodes.back().t = length;
-  link.is_link = true;
-  link.number = log.number;
-  return link;
+  course.centre.add(0, ends.from_centre);
+  course.centre.add(length / 2, middle);
+  course.centre.add(length, ends.to_centre);
+  add_axis(ends, course);
+  return course;
+}
+
+/// Lifted along each end's axis; straight between.
+LinkMaker::Course LinkMaker::far_course(const Ends& ends, double lift) const {
+  const Vector up_from = values_of(ends.from->axis), up_to = values_of(ends.to->axis);
+  const Vector a = numeric::sum(values_of(ends.from_centre), lift, up_from),
+               b = numeric::sum(values_of(ends.to_centre), lift, up_to);
+  const double flight = numeric::distance(a, b), swing = 1.5 * lift;
+  const Vector along = flight > 0 ? kinematics::unit_vector(numeric::difference(b, a)) : rates_of(ends.from_centre);
+  Course course;
+  course.centre.add(0, ends.from_centre);
+  course.centre.add(swing, straight(a, along));
+  course.centre.add(swing + flight, straight(b, along));
+  course.length = 2 * swing + flight;
+  course.centre.add(course.length, ends.to_centre);
+  add_axis(ends, course);
+  return course;
+}
+
+/// By the middle of the great circle at its own rate where the axes are far apart.
+void LinkMaker::add_axis(const Ends& ends, Course& course) const {
+  course.axis.add(0, ends.from->axis);
+  if (ends.turn > widest_turn) {
+    const kinematics::GreatCircle circle(values_of(ends.from->axis), values_of(ends.to->axis));
+    const Vector middle = circle.at(0.5), ahead = kinematics::cross_product(circle.axis(), middle);
+    const double rate = ends.turn / course.length;
+    VectorOf<Jet2> jets;
+    for (std::size_t k = 0; k < 3; ++k) jets[k].derivative = {middle[k], rate * ahead[k], -rate * rate * middle[k]};
+    course.axis.add(course.length / 2, jets);
+  }
+  course.axis.add(course.length, ends.to->axis);
+}
+
+PassNode LinkMaker::node_at(const Course& course, double t) const {
+  PassNode node;
+  node.t = t;
+  node.axis = unit_of(course.axis.at(t));
+  node.tip = course.centre.at(t);
+  const Jet2 r = machining_.cutter.corner_radius;
+  for (std::size_t k = 0; k < 3; ++k) node.tip[k] = node.tip[k] - r * node.axis[k];
+  return node;
+}
+
+ToolPose LinkMaker::pose_at(const Course& course, double t) const {
+  const PassNode node = node_at(course, t);
+  return {values_of(node.tip), values_of(node.axis)};
+}
+
+/// How much less clear than at its ends, mm, below 0 where it gouges. In flight the tool is that much above the surface that nothing
+/// reaches up to it between places half a radius apart.
+double LinkMaker::worst_clearance(const Course& course, const Ends& ends, bool is_far) const {
+  const double radius = machining_.cutter.radius;
+  const auto clearance = [&](double t, ToolClearance::Place& place, double enough) {
+    place = clearance_->least(pose_at(course, t), place, enough);
+    return place.distance;
+  };
+  ToolClearance::Place from{0, ends.from->u, ends.from->v}, to{0, ends.to->u, ends.to->v};
+  const double at_ends = std::min({0.0, clearance(0, from, 0), clearance(course.length, to, 0)});
+  double worst = std::numeric_limits<double>::infinity();
+  const double swing = is_far ? course.centre.t[1] : course.length / 2;
+  for (const double share : {1.0 / 32, 1.0 / 16, 0.125, 0.25, 0.4, 0.6, 0.8, 1.0}) {
+    worst = std::min({worst, clearance(share * swing, from, 0), clearance(course.length - share * swing, to, 0)});
+    if (worst < at_ends - clearance_tolerance) return worst - at_ends;
+  }
+  const double flight = course.length - 2 * swing, margin = radius / 16;
+  const double parts = std::min(std::ceil(2 * flight / radius), 256.0);
+  for (int k = 1; k < parts; ++k) {
+    const double free = clearance(swing + flight * k / parts, from, margin) - margin;
+    if (free < 0) return free;
+  }
+  return worst - at_ends;
+}
+
+/// The course's own nodes; where the axis turns, more, halved until tip and axis are exact between them.
+std::vector<PassNode> LinkMaker::nodes_of(const Course& course, const Ends& ends) const {
+  std::vector<double> ahead = course.centre.t;
+  ahead.insert(ahead.end(), course.axis.t.begin(), course.axis.t.end());
+  std::sort(ahead.begin(), ahead.end(), std::greater<>());
+  ahead.erase(std::unique(ahead.begin(), ahead.end()), ahead.end());
+  ahead.pop_back();
+  std::vector<PassNode> nodes = {*ends.from};
+  nodes.front().t = 0;
+  const bool turns = machining_.orientation.rule != Orientation::Rule::fixed;
+  while (!ahead.empty()) {
+    const PassNode& a = nodes.back();
+    PassNode b = ahead.back() == course.length ? *ends.to : node_at(course, ahead.back());
+    b.t = ahead.back();
+    const double width = b.t - a.t;
+    const PassNode middle = node_at(course, a.t + width / 2);
+    double off = 0, turned = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      off = std::max(off, std::abs(hermite_value(a.tip[k], b.tip[k], width, 0.5) - middle.tip[k][0]));
+      turned = std::max(turned, std::abs(hermite_value(a.axis[k], b.axis[k], width, 0.5) - middle.axis[k][0]));
+    }
+    const bool is_close = off <= link_tip_tolerance && turned <= link_axis_tolerance;
+    if (turns && !is_close && nodes.size() + ahead.size() < most_link_nodes) {
+      ahead.push_back(middle.t);
+    } else {
+      nodes.push_back(b);
+      ahead.pop_back();
+    }
+  }
+  for (PassNode& node : nodes) {
+    const double share = node.t / course.length;
+    node.u = ends.from->u + share * (ends.to->u - ends.from->u);
+    node.v = ends.from->v + share * (ends.to->v - ends.from->v);
+  }
+  return nodes;
+}
+
+std::optional<Pass> LinkMaker::between(PassLog& log, const PassNode& from, const PassNode& to) {
+  if (!clearance_) clearance_.emplace(*machining_.surface, machining_.cutter);
+  const Ends ends = ends_of(from, to);
+  double worst = 0;
+  if (ends.turn < std::numbers::pi - 1e-3) {
+    for (const bool is_far : {false, true}) {
+      if (!is_far && ends.distance > 4 * machining_.cutter.radius) continue;
+      // From a lift less than the last that was clear: what is asked for changes little from link to link.
+      std::size_t& last = last_lift_[is_far ? 1 : 0];
+      for (std::size_t k = last > 0 ? last - 1 : 0; k < lifts.size(); ++k) {
+        const double lift = lifts[k] * (is_far ? machining_.cutter.radius : ends.distance);
+        if (!is_far && lift > 2 * machining_.cutter.radius + ends.distance) break;
+        const Course course = is_far ? far_course(ends, lift) : near_course(ends, lift);
+        const double clearance = worst_clearance(course, ends, is_far);
+        worst = k == 0 ? clearance : std::max(worst, clearance);
+        if (clearance < -clearance_tolerance) continue;
+        last = k;
+        Pass link{nodes_of(course, ends), true, log.number};
+        return link;
+      }
+    }
+  }
+  log.fail(PassFailure::Kind::link, from.u, from.v, worst);
+  return std::nullopt;
 }
 
 }  // namespace leadscrew::surfaces

@@ -1,11 +1,59 @@
 #pragma once
-// From the end of one pass to the beginning of the next: off the surface, without a step of direction or curvature.
+// From the end of one pass to the beginning of the next: off the surface, with no step of direction or curvature, so that
+// motion need not stop.
+//
+//     near:  ╭──────╮   one loop ahead of both        far:      ╭───────────────╮   up, over and down
+//        ────╯      ╰────   ends, lifted between             ───╯               ╰───
+//
+// What is laid is the path of the tool's centre, r above the tip along the axis: a ball that swings about it goes nowhere. The
+// lift is along the axis, where a tool that is free stays free. It grows until the whole tool is clear of the whole surface at
+// many places of the link, at its ends as clear as the passes are.
 
 #include <leadscrew/surfaces/pass_nodes.hpp>
+#include <leadscrew/surfaces/tool_clearance.hpp>
 
 namespace leadscrew::surfaces {
 
-/// None where the log has a failure.
-std::optional<Pass> link_between(PassLog& log, const PassNode& from, const PassNode& to);
+class LinkMaker {
+ public:
+  explicit LinkMaker(const Machining& machining) : machining_(machining) {}
+
+  /// None where the log has a failure then.
+  std::optional<Pass> between(PassLog& log, const PassNode& from, const PassNode& to);
+
+ private:
+  /// A curve of nodes with two derivatives by t.
+  struct Track {
+    std::vector<double> t;
+    std::vector<VectorOf<Jet2>> jets;
+
+    void add(double at, const VectorOf<Jet2>& jet) {
+      t.push_back(at);
+      jets.push_back(jet);
+    }
+    VectorOf<Jet2> at(double place) const;
+  };
+  struct Course {
+    Track centre, axis;
+    double length = 0;
+  };
+  struct Ends {
+    const PassNode *from = nullptr, *to = nullptr;
+    VectorOf<Jet2> from_centre, to_centre;
+    double distance = 0, turn = 0;  // of the centres, mm; of the axes, radians
+  };
+  Ends ends_of(const PassNode& from, const PassNode& to) const;
+  Course near_course(const Ends& ends, double lift) const;
+  Course far_course(const Ends& ends, double lift) const;
+  void add_axis(const Ends& ends, Course& course) const;
+  double worst_clearance(const Course& course, const Ends& ends, bool is_far) const;
+  std::vector<PassNode> nodes_of(const Course& course, const Ends& ends) const;
+  PassNode node_at(const Course& course, double t) const;
+  ToolPose pose_at(const Course& course, double t) const;
+
+  const Machining& machining_;
+  std::optional<ToolClearance> clearance_;  // made for the first link
+  std::array<std::size_t, 2> last_lift_{};  // of near and far links: which was clear
+};
 
 }  // namespace leadscrew::surfaces

@@ -32,6 +32,7 @@ class Passes::Maker {
   Machining machining_;
   PassLog log_;
   std::unique_ptr<PassLines> lines_;
+  LinkMaker links_{machining_};
   std::deque<Pass> ready_;
   std::optional<PassNode> end_;  // of the pass made last
   std::size_t count_ = 0;
@@ -56,7 +57,7 @@ void Passes::Maker::make_next() {
       if (log_.failure) return;
       const PassNode& begin = pass.nodes.front();
       if (end_ && !is_joined(*end_, begin)) {
-        std::optional<Pass> link = link_between(log_, *end_, begin);
+        std::optional<Pass> link = links_.between(log_, *end_, begin);
         if (!link) return;
         if (made.empty()) link->number = count_ - 1;
         made.push_back(std::move(*link));

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/numeric/vectors.hpp>
+#include <leadscrew/surfaces/tool_clearance.hpp>
+#include <limits>
+
+namespace leadscrew::surfaces {
+
+using numeric::difference;
+using numeric::dot;
+using numeric::sum;
+
+double distance_from_tool(const Cutter& cutter, const ToolPose& pose, const Vector& point) {
+  const Vector d = difference(point, pose.tip);
+  const double height = dot(d, pose.axis), from_axis = std::sqrt(std::max(0.0, dot(d, d) - height * height));
+  const double aside = from_axis - (cutter.radius - cutter.corner_radius), below = cutter.corner_radius - height;
+  const double outside = std::hypot(std::max(aside, 0.0), std::max(below, 0.0));
+  return outside + std::min(std::max(aside, below), 0.0) - cutter.corner_radius;
+}
+
+namespace {
+
+constexpr std::size_t fewest_places = 16, most_places = 96;  // in one direction
+constexpr std::size_t block_side = 8;
+
+/// Evenly spaced over the whole range, about half a radius apart on the surface.
+std::vector<double> places_of(const Surface& surface, Direction direction, double radius) {
+  const Range range = surface.range(direction),
+              other = surface.range(direction == Direction::u ? Direction::v : Direction::u);
+  double longest = 0;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const double fixed = other.from + share * (other.to - other.from);
+    double length = 0;
+    Vector last{};
+    for (std::size_t k = 0; k <= fewest_places; ++k) {
+      const double run = range.from + (range.to - range.from) * static_cast<double>(k) / fewest_places;
+      const Vector next = direction == Direction::u ? surface.at(run, fixed) : surface.at(fixed, run);
+      if (k > 0) length += numeric::distance(last, next);
+      last = next;
+    }
+    longest = std::max(longest, length);
+  }
+  const double wanted = std::clamp(2 * longest / radius, double{fewest_places}, double{most_places});
+  const auto count = static_cast<std::size_t>(wanted);
+  std::vector<double> places;
+  for (std::size_t k = 0; k <= count; ++k) {
+    places.push_back(range.from + (range.to - range.from) * static_cast<double>(k) / static_cast<double>(count));
+  }
+  return places;
+}
+
+/// The part of the tool that is nearest to a point: the centre of the ball about it, so to speak; none where the point lies inside
+/// the flat or beside the shank.
+Vector centre_near(const Cutter& cutter, const ToolPose& pose, const Vector& point) {
+  const Vector d = difference(point, pose.tip);
+  const double height = dot(d, pose.axis), flat = cutter.radius - cutter.corner_radius;
+  const Vector across = sum(d, -height, pose.axis);
+  const double from_axis = numeric::norm(across);
+  const double share = from_axis > flat ? flat / from_axis : 1;
+  const double up = std::max(height, cutter.corner_radius);
+  return sum(sum(pose.tip, up, pose.axis), share, across);
+}
+
+}  // namespace
+
+ToolClearance::ToolClearance(const Surface& surface, const Cutter& cutter) : surface_(surface), cutter_(cutter) {
+  add_blocks({places_of(surface, Direction::u, cutter.radius), places_of(surface, Direction::v, cutter.radius)});
+}
+
+void ToolClearance::add_blocks(const std::array<std::vector<double>, 2>& places) {
+  for (std::size_t j = 0; j < places[1].size(); j += block_side) {
+    for (std::size_t i = 0; i < places[0].size(); i += block_side) {
+      Block block{{}, 0, points_.size(), 0};
+      for (std::size_t l = j; l < std::min(j + block_side, places[1].size()); ++l) {
+        for (std::size_t k = i; k < std::min(i + block_side, places[0].size()); ++k) {
+          points_.push_back({surface_.at(places[0][k], places[1][l]), places[0][k], places[1][l]});
+        }
+      }
+      block.last = points_.size();
+      const double share = 1 / static_cast<double>(block.last - block.first);
+      for (std::size_t k = block.first; k < block.last; ++k)
+        block.centre = sum(block.centre, share, points_[k].position);
+      for (std::size_t k = block.first; k < block.last; ++k) {
+        block.radius = std::max(block.radius, numeric::distance(block.centre, points_[k].position));
+      }
+      blocks_.push_back(block);
+    }
+  }
+}
+
+/// Newton's method on the distance |S − c| with c held, halved where it does not get less: c is that of the place before.
+ToolClearance::Place ToolClearance::refined(const ToolPose& pose, Place place) const {
+  const Range u = surface_.range(Direction::u), v = surface_.range(Direction::v);
+  place.distance = distance_from_tool(cutter_, pose, surface_.at(place.u, place.v));
+  for (int round = 0; round < 8; ++round) {
+    const SurfaceJet jet = surface_.jet(place.u, place.v);
+    const Vector off = difference(jet.s, centre_near(cutter_, pose, jet.s));
+    double by_u = dot(off, jet.u), by_v = dot(off, jet.v);
+    double uu = dot(jet.u, jet.u) + dot(off, jet.uu), uv = dot(jet.u, jet.v) + dot(off, jet.uv),
+           vv = dot(jet.v, jet.v) + dot(off, jet.vv);
+    // What would leave the range stays at its border.
+    const bool u_stays = (place.u <= u.from && by_u > 0) || (place.u >= u.to && by_u < 0);
+    const bool v_stays = (place.v <= v.from && by_v > 0) || (place.v >= v.to && by_v < 0);
+    if (!(uu > 0)) uu = dot(jet.u, jet.u);
+    if (!(vv > 0)) vv = dot(jet.v, jet.v);
+    if (u_stays) by_u = 0, uv = 0;
+    if (v_stays) by_v = 0, uv = 0;
+    if (!(uu * vv - uv * uv > 1e-3 * uu * vv)) uv = 0;
+    const double determinant = uu * vv - uv * uv;
+    double du = -(vv * by_u - uv * by_v) / determinant, dv = -(uu * by_v - uv * by_u) / determinant;
+    bool got_less = false;
+    for (int half = 0; half < 6 && !got_less; ++half, du /= 2, dv /= 2) {
+      const double next_u = std::clamp(place.u + du, u.from, u.to), next_v = std::clamp(place.v + dv, v.from, v.to);
+      const double distance = distance_from_tool(cutter_, pose, surface_.at(next_u, next_v));
+      if (!(distance < place.distance)) continue;
+      got_less = place.distance - distance > 1e-9;
+      place = {distance, next_u, next_v};
+      break;
+    }
+    if (!got_less) break;
+  }
+  return place;
+}
+
+ToolClearance::Place ToolClearance::least(const ToolPose& pose, const Place& near, double enough) const {
+  Place best = refined(pose, near), coarse{std::numeric_limits<double>::infinity(), near.u, near.v};
+  double limit = std::numeric_limits<double>::infinity(), finest = 0;
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const double at_least = distance_from_tool(cutter_, pose, blocks_[b].centre) - blocks_[b].radius;
+    if (at_least < enough) order.emplace_back(at_least, b);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [at_least, b] : order) {
+    if (at_least > limit) break;
+    for (std::size_t k = blocks_[b].first; k < blocks_[b].last; ++k) {
+      const double distance = distance_from_tool(cutter_, pose, points_[k].position);
+      if (distance < coarse.distance) {
+        coarse = {distance, points_[k].u, points_[k].v};
+        finest = blocks_[b].radius / 4;
+      }
+    }
+    limit = std::min(limit, coarse.distance);
+  }
+  // Points are no farther apart than the sphere's radius over a few: what is far from all of them needs no refinement.
+  if (coarse.distance > enough + finest) return best.distance < coarse.distance ? best : coarse;
+  const Place fine = refined(pose, coarse);
+  return fine.distance < best.distance ? fine : best;
+}
+
+}  // namespace leadscrew::surfaces
