@@ -5,11 +5,25 @@
 
 namespace leadscrew::surfaces {
 
+namespace {
+
+/// As far apart as the tool's outline allows on a surface that does not twist, less what a twist takes.
+double step_of_outline(const Cutter& cutter, const Bending& bending, double height) {
+  const double step = outline_step(cutter, bending.axis, bending.across, height);
+  if (!(bending.radius < bending.tool_radius)) return step;
+  const double without = step_over(bending.tool_radius, bending.across, height);
+  return std::isinf(without) ? std::min(step, step_over(bending.radius, bending.across, height))
+                             : step * step_over(bending.radius, bending.across, height) / without;
+}
+
+}  // namespace
+
 double step_at(PassLog& log, const Bending& bending, double u, double v) {
   const Machining& machining = *log.machining;
   if (!(machining.scallop > 0)) return machining.step;
   const Cutter& cutter = machining.cutter;
-  const double step = step_over(bending.radius, bending.across, machining.scallop);
+  const double step = cutter.is_ball() ? step_over(bending.radius, bending.across, machining.scallop)
+                                       : step_of_outline(cutter, bending, machining.scallop);
   if (!(step > 0)) log.fail(PassFailure::Kind::no_step, u, v);
   return std::min(step, 2 * cutter.radius);
 }

@@ -69,8 +69,8 @@ std::optional<Contact> contact_at(PassLog& log, const LinePlace& place) {
   if (!log.least || bending.clearance < log.least->clearance) log.least = {bending.clearance, u, v, log.number};
   // Of the curvatures rounding leaves this much.
   const double rounding = 1e-11 * (1 / machining.cutter.radius + bending.greatest);
-  if (bending.upright < -1e-9) {
-    log.fail(Why::overhang, u, v, bending.upright);
+  if (bending.axis[2] < -1e-9) {
+    log.fail(Why::overhang, u, v, bending.axis[2]);
   } else if (bending.clearance < -rounding && !machining.allows_gouging) {
     log.fail(Why::gouge, u, v, bending.clearance);
   } else if (!machining.cutter.is_ball() && machining.orientation.rule == Orientation::Rule::fixed &&

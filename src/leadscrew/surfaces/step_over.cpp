@@ -44,4 +44,85 @@ double scallop_height(double radius, double curvature, double step) {
   return std::min(qc / (b + std::sqrt(square)), radius);
 }
 
+namespace {
+
+/// One side of a tool's outline above a surface of constant curvature; side: 1 along b, −1 against it.
+class OutlineSide {
+ public:
+  OutlineSide(const Cutter& cutter, const Vector& axis, double curvature, double side)
+      : disc_(cutter.radius - cutter.corner_radius),
+        edge_(cutter.corner_radius),
+        across_(side * axis[1]),
+        up_(axis[2]),
+        curvature_(curvature) {
+    const Offset bottom = at(0);
+    contact_ = leans() ? bottom : Offset{0, -edge_};
+  }
+
+  bool leans() const { return up_ * up_ < 1 - least_lean; }
+  /// Where the outline is h above the surface, as an arc of the surface; where it is widest if it is nowhere so high.
+  double arc(double height) const;
+
+ private:
+  struct Offset {
+    double across = 0, up = 0;
+  };
+  struct Above {
+    double root = 0, arc = 0;  // of the height; on the surface
+  };
+  Offset at(double angle) const {
+    const double sine = std::sin(angle), cosine = std::cos(angle), along = sine * across_ - cosine * up_;
+    const double length = std::sqrt(std::max(1 - along * along, 0.0));
+    const double part = length > 0 ? disc_ / length : 0;
+    return {part * (sine - along * across_) + edge_ * sine, -part * (cosine + along * up_) - edge_ * cosine};
+  }
+  /// Above a circle through the contact: its centre lies at 1/κ upwards.
+  Above above(const Offset& offset) const {
+    const double y = offset.across - contact_.across, z = offset.up - contact_.up, k = curvature_;
+    const double x = k * (2 * z - k * (y * y + z * z));
+    const double height = (2 * z - k * (y * y + z * z)) / (1 + std::sqrt(std::max(1 - x, 0.0)));
+    return {std::sqrt(std::max(height, 0.0)),
+            std::abs(k * y) < 1e-9 ? y / (1 - k * z) : std::atan2(k * y, 1 - k * z) / k};
+  }
+
+  double disc_, edge_, across_, up_, curvature_;
+  Offset contact_;
+};
+
+/// Regula falsi with halved ends (Illinois) on the height's root, which near the contact grows as the angle does.
+double OutlineSide::arc(double height) const {
+  double low = 0, high = std::numbers::pi / 2;
+  const double wanted = std::sqrt(height);
+  const Above widest = above(at(high));
+  double below = -wanted, beyond = widest.root - wanted;
+  if (!(beyond > 0)) return widest.arc;
+  Above found = widest;
+  int last = 0;
+  for (int round = 0; round < 60 && high - low > 1e-12; ++round) {
+    const double angle = round % 8 == 7 ? (low + high) / 2 : (low * beyond - high * below) / (beyond - below);
+    found = above(at(angle));
+    const double off = found.root - wanted;
+    if (std::abs(off) < 1e-7 * wanted) break;
+    if (off < 0) {
+      low = angle, below = off;
+      if (last < 0) beyond /= 2;
+      last = -1;
+    } else {
+      high = angle, beyond = off;
+      if (last > 0) below /= 2;
+      last = 1;
+    }
+  }
+  return found.arc;
+}
+
+}  // namespace
+
+/// Standing on its bottom, a tool that is as wide as the arc a flat leaves has its ridge on the bottom.
+double outline_step(const Cutter& cutter, const Vector& axis, double curvature, double height) {
+  const OutlineSide left(cutter, axis, curvature, -1), right(cutter, axis, curvature, 1);
+  const double step = left.arc(height) + right.arc(height);
+  return left.leans() ? step : std::min(step, std::max(step_over(infinite, curvature, height), 0.0));
+}
+
 }  // namespace leadscrew::surfaces

@@ -12,6 +12,8 @@
 //
 // √(8 R_e h) of the textbooks leaves more than h.
 
+#include <leadscrew/surfaces/cutter.hpp>
+
 namespace leadscrew::surfaces {
 
 /// mm on the surface. radius: R_e, mm, > 0 or infinite; curvature: across the pass, 1/mm, positive where the surface is concave
@@ -20,5 +22,14 @@ namespace leadscrew::surfaces {
 double step_over(double radius, double curvature, double height);
 /// The height, mm, that is left by a step; the radius where passes do not meet.
 double scallop_height(double radius, double curvature, double step);
+
+/// The same for a tool that is no ball, with the whole outline of its swept shape for the circle of R_e. `axis`: by f, b, n, a unit
+/// vector with n ≥ 0. Seen along f the tool is the disc about which its edge is round, and a disc of radius r about each of its
+/// points: with w = (sin ψ, −cos ψ) by b and n, a direction in which it is met,
+///
+///     P(ψ) = (R − r) (w − (w·O) O)/|w − (w·O) O| + r w
+///
+/// and the step is s(ψ₁) + s(ψ₂), the arcs of the surface on both sides where P is h above it.
+double outline_step(const Cutter& cutter, const Vector& axis, double curvature, double height);
 
 }  // namespace leadscrew::surfaces

@@ -60,13 +60,15 @@ Bending bending_at(const Machining& machining, const SurfaceJet& jet, const Fram
   const auto [most, least] = surface.principal();
   bending.greatest = std::max(std::abs(most), std::abs(least));
   bending.lean = numeric::norm(kinematics::cross_product(axis, frame.n));
-  bending.upright = numeric::dot(axis, frame.n);
+  bending.axis = {numeric::dot(axis, tangents.f), numeric::dot(axis, tangents.b), numeric::dot(axis, frame.n)};
   const double of_tool = determinant_of(machining.cutter, bending.lean);
   const double of_both = of_tool - tool.ff * surface.bb - tool.bb * surface.ff + 2 * tool.fb * surface.fb +
                          surface.ff * surface.bb - surface.fb * surface.fb;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   double round = of_tool > 0 ? of_tool / tool.ff : 0;
+  bending.tool_radius = round > 0 ? 1 / round : infinite;
   if (excess.ff > 0) round = std::max(round, of_both / excess.ff + surface.bb);
-  bending.radius = round > 0 ? 1 / round : std::numeric_limits<double>::infinity();
+  bending.radius = round > 0 ? 1 / round : infinite;
   return bending;
 }
 
