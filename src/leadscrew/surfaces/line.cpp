@@ -13,20 +13,24 @@ Range span_in(const std::vector<double>& breaks, double parameter) {
   return {low, above == breaks.end() - 1 ? high : std::nextafter(high, low)};
 }
 
-void negate_odd(numeric::Jet<3>& jet) {
-  jet.first = -jet.first;
-  jet.third = -jet.third;
+/// What lies farther out than rounding is left as it is.
+double inside_of(const Range& range, double parameter) {
+  const double least = 1e-9 * (range.to - range.from), inside = std::clamp(parameter, range.from, range.to);
+  return std::abs(inside - parameter) <= least ? inside : parameter;
 }
 
 }  // namespace
 
+LinePlace line_place(Direction along, double place, double direction, const numeric::Jet<3>& across) {
+  const numeric::Jet<3> run{place, direction, 0, 0};
+  const numeric::Jet<3> by{across.value, direction * across.first, across.second, direction * across.third};
+  return along == Direction::u ? LinePlace{run, by} : LinePlace{by, run};
+}
+
 LinePlace Line::at(double distance) const {
   const double sign = is_forward() ? 1 : -1;
   const double place = std::clamp(from + sign * distance, std::min(from, to), std::max(from, to));
-  numeric::Jet<3> by = function == nullptr ? numeric::Jet<3>(across) : function->at(place);
-  if (sign < 0) negate_odd(by);
-  const numeric::Jet<3> run{place, sign, 0, 0};
-  return along == Direction::u ? LinePlace{run, by} : LinePlace{by, run};
+  return line_place(along, place, sign, function == nullptr ? numeric::Jet<3>(across) : function->at(place));
 }
 
 std::vector<double> Line::breaks(const Surface& surface) const {
@@ -48,8 +52,8 @@ std::vector<double> Line::breaks(const Surface& surface) const {
 }
 
 LinePlace Span::inside(LinePlace place) const {
-  place.u.value = std::clamp(place.u.value, u.from, u.to);
-  place.v.value = std::clamp(place.v.value, v.from, v.to);
+  place.u.value = inside_of(u, place.u.value);
+  place.v.value = inside_of(v, place.v.value);
   return place;
 }
 

@@ -6,6 +6,10 @@
 
 namespace leadscrew::surfaces {
 
+/// A place by the parameter along, which is gone up (1) or down (−1), and the one across, told by the one along: derivatives of the
+/// result are by the distance gone.
+LinePlace line_place(Direction along, double place, double direction, const numeric::Jet<3>& across);
+
 /// The parameter across, with three derivatives by the one along.
 class AcrossFunction {
  public:
@@ -31,7 +35,7 @@ struct Line {
   std::vector<double> breaks(const Surface& surface) const;
 };
 
-/// A polynomial span of the surface, in parameters: places are taken as inside, so that derivatives at its border are its own.
+/// A polynomial span of the surface, in parameters: places at its border are taken as inside, so that derivatives are its own.
 struct Span {
   Range u, v;
 

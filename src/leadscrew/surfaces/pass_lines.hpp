@@ -18,8 +18,38 @@ class PassLines {
 
 /// Of the machining's pattern.
 std::unique_ptr<PassLines> lines_of(PassLog& log);
+std::unique_ptr<PassLines> spiral_lines(PassLog& log);
+std::unique_ptr<PassLines> planar_lines(PassLog& log);
+std::unique_ptr<PassLines> iso_scallop_lines(PassLog& log);
 
-/// mm on the surface across a pass, for the ridge that may be left; no_step where the log fails.
-double step_at(PassLog& log, const Bending& bending, double u, double v);
+/// mm on the surface across a pass, for the ridge that may be left; no_step where the log fails. towards: on the surface, to the
+/// side where the next pass lies.
+double step_at(PassLog& log, const Contact& contact, const LinePlace& place, const Vector& towards);
+
+/// From where to where passes are gone, by the machining's start corner.
+struct Course {
+  Direction along = Direction::u;
+  double from = 0, to = 0;     // of the first pass
+  double first = 0, last = 0;  // across
+
+  Range run() const { return {std::min(from, to), std::max(from, to)}; }
+  Range width() const { return {std::min(first, last), std::max(first, last)}; }
+  double sign_across() const { return last < first ? -1 : 1; }
+};
+Course course_of(const Machining& machining, Direction along);
+
+/// Places along a range of one parameter where steps are found: both ends, and some inside each span of the surface.
+std::vector<double> places_along(const Surface& surface, Direction along, const Range& range, std::size_t least);
+
+/// The step of the parameter across that a line at a constant one allows: the least of g/w over `places`, by a parabola through the
+/// three about it. direction: in which the pass is gone; towards: 1 or −1, where the next pass lies. Not 0 but where the log fails.
+double least_step(PassLog& log, Direction along, const std::vector<double>& places, double across, double direction,
+                  double towards);
+
+/// Whether the steps of lines at a constant parameter across are more than passes may be, found from some of them: the log tells then.
+bool are_too_many(PassLog& log, const Course& course, const std::vector<double>& places);
+
+/// The least of a function known at some places, ascending, by a parabola; no less than 0.9 of the least value.
+double least_of(const std::vector<double>& places, const std::vector<double>& values);
 
 }  // namespace leadscrew::surfaces

@@ -74,7 +74,7 @@ std::optional<Contact> contact_at(PassLog& log, const LinePlace& place) {
   } else if (bending.clearance < -rounding && !machining.allows_gouging) {
     log.fail(Why::gouge, u, v, bending.clearance);
   } else if (!machining.cutter.is_ball() && machining.orientation.rule == Orientation::Rule::fixed &&
-             bending.lean < 1e-6 && bending.greatest > 1e-9) {
+             std::hypot(bending.axis[0], bending.axis[1]) < 1e-6 && bending.greatest > 1e-9) {
     log.fail(Why::flat_contact, u, v);
   }
   return log.failure ? std::nullopt : std::optional(contact);

@@ -83,6 +83,7 @@ struct PassFailure {
     cusp,          ///< the tip stands still while the contact moves
     too_many,      ///< passes, or nodes of one
     no_step,       ///< no step leaves so low a ridge: concave surface, tool too large
+    section,       ///< planes of the pattern meet the surface in lines that double back in its parameters
     link,          ///< no link was found that keeps off the surface
   };
   Kind kind = Kind::normal;

@@ -46,17 +46,18 @@ double scallop_height(double radius, double curvature, double step) {
 
 namespace {
 
-/// One side of a tool's outline above a surface of constant curvature; side: 1 along b, −1 against it.
+/// One side of a tool's outline above a surface of constant curvature.
 class OutlineSide {
  public:
-  OutlineSide(const Cutter& cutter, const Vector& axis, double curvature, double side)
+  OutlineSide(const Cutter& cutter, const Vector& axis, const Tensor& surface, double side)
       : disc_(cutter.radius - cutter.corner_radius),
         edge_(cutter.corner_radius),
+        ahead_(axis[0]),
         across_(side * axis[1]),
         up_(axis[2]),
-        curvature_(curvature) {
+        surface_{surface.ff, side * surface.fb, surface.bb} {
     const Offset bottom = at(0);
-    contact_ = leans() ? bottom : Offset{0, -edge_};
+    contact_ = leans() ? bottom : Offset{0, 0, -edge_};
   }
 
   bool leans() const { return up_ * up_ < 1 - least_lean; }
@@ -65,7 +66,7 @@ class OutlineSide {
 
  private:
   struct Offset {
-    double across = 0, up = 0;
+    double ahead = 0, across = 0, up = 0;
   };
   struct Above {
     double root = 0, arc = 0;  // of the height; on the surface
@@ -74,18 +75,21 @@ class OutlineSide {
     const double sine = std::sin(angle), cosine = std::cos(angle), along = sine * across_ - cosine * up_;
     const double length = std::sqrt(std::max(1 - along * along, 0.0));
     const double part = length > 0 ? disc_ / length : 0;
-    return {part * (sine - along * across_) + edge_ * sine, -part * (cosine + along * up_) - edge_ * cosine};
+    return {-part * along * ahead_, part * (sine - along * across_) + edge_ * sine,
+            -part * (cosine + along * up_) - edge_ * cosine};
   }
   /// Above a circle through the contact: its centre lies at 1/κ upwards.
   Above above(const Offset& offset) const {
-    const double y = offset.across - contact_.across, z = offset.up - contact_.up, k = curvature_;
-    const double x = k * (2 * z - k * (y * y + z * z));
-    const double height = (2 * z - k * (y * y + z * z)) / (1 + std::sqrt(std::max(1 - x, 0.0)));
+    const double x = offset.ahead - contact_.ahead, y = offset.across - contact_.across, k = surface_.bb;
+    const double z = offset.up - contact_.up - x * (surface_.ff * x / 2 + surface_.fb * y);
+    const double bent = k * (2 * z - k * (y * y + z * z));
+    const double height = (2 * z - k * (y * y + z * z)) / (1 + std::sqrt(std::max(1 - bent, 0.0)));
     return {std::sqrt(std::max(height, 0.0)),
             std::abs(k * y) < 1e-9 ? y / (1 - k * z) : std::atan2(k * y, 1 - k * z) / k};
   }
 
-  double disc_, edge_, across_, up_, curvature_;
+  double disc_, edge_, ahead_, across_, up_;
+  Tensor surface_;
   Offset contact_;
 };
 
@@ -118,11 +122,11 @@ double OutlineSide::arc(double height) const {
 
 }  // namespace
 
-/// Standing on its bottom, a tool that is as wide as the arc a flat leaves has its ridge on the bottom.
-double outline_step(const Cutter& cutter, const Vector& axis, double curvature, double height) {
-  const OutlineSide left(cutter, axis, curvature, -1), right(cutter, axis, curvature, 1);
-  const double step = left.arc(height) + right.arc(height);
-  return left.leans() ? step : std::min(step, std::max(step_over(infinite, curvature, height), 0.0));
+/// A tool that stands on its bottom has its ridge on the bottom, where that is as high as is asked for.
+double outline_arc(const Cutter& cutter, const Vector& axis, const Tensor& surface, double height, double side) {
+  const OutlineSide outline(cutter, axis, surface, side);
+  const double arc = outline.arc(height);
+  return outline.leans() ? arc : std::min(arc, step_over(infinite, surface.bb, height) / 2);
 }
 
 }  // namespace leadscrew::surfaces

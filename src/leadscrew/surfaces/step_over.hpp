@@ -23,13 +23,15 @@ double step_over(double radius, double curvature, double height);
 /// The height, mm, that is left by a step; the radius where passes do not meet.
 double scallop_height(double radius, double curvature, double step);
 
-/// The same for a tool that is no ball, with the whole outline of its swept shape for the circle of R_e. `axis`: by f, b, n, a unit
-/// vector with n ≥ 0. Seen along f the tool is the disc about which its edge is round, and a disc of radius r about each of its
-/// points: with w = (sin ψ, −cos ψ) by b and n, a direction in which it is met,
+/// Half a step, as an arc of the surface on one side of the pass (1: that of b, −1: the other), of a tool that is no ball, with the whole
+/// outline of its swept shape for the circle of R_e. axis: by f, b, n, a unit vector, n ≥ 0; surface: its curvature by f and b. Seen
+/// along f, the tool is the disc about which its edge is round, and a disc of radius r about each of its points: where it is
+/// met in the direction w = (0, sin ψ, −cos ψ) it is at
 ///
 ///     P(ψ) = (R − r) (w − (w·O) O)/|w − (w·O) O| + r w
 ///
-/// and the step is s(ψ₁) + s(ψ₂), the arcs of the surface on both sides where P is h above it.
-double outline_step(const Cutter& cutter, const Vector& axis, double curvature, double height);
+/// which passes the section while the tool touches at P_f before it: there the surface is K_ff P_f²/2 + K_fb P_f P_b higher. What the
+/// tool leaves is no more than that: it may be lower at other places of the tool.
+double outline_arc(const Cutter& cutter, const Vector& axis, const Tensor& surface, double height, double side);
 
 }  // namespace leadscrew::surfaces

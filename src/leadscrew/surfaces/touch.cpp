@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/touch.hpp>
-#include <limits>
 
 namespace leadscrew::surfaces {
 
@@ -34,41 +32,16 @@ Touch<double> touch_at(const Machining& machining, const SurfaceJet& jet, const 
   return touch_of(machining, jet.s, jet.u, jet.v, along);
 }
 
-namespace {
-
-/// Determinant of the tool's tensor, from its principal curvatures: in the tensor's own components a flat tool's would cancel.
-double determinant_of(const Cutter& cutter, double lean) {
-  const double R = cutter.radius, r = cutter.corner_radius;
-  if (cutter.is_ball()) return 1 / (R * R);
-  if (lean * lean <= least_lean) return 0;
-  return (r > 0 ? std::min(1 / r, greatest_curvature) : greatest_curvature) * lean / ((R - r) + r * lean);
-}
-
-}  // namespace
-
-/// Across a pass the swept tool stands above the surface as K_bb − K_fb²/K_ff of K = K_tool − K_surface tells, where the surface
-/// twists too; det K of both, and the tool alone, whichever bends more.
 Bending bending_at(const Machining& machining, const SurfaceJet& jet, const Frame& frame, const LinePlace& place) {
   const TangentPair tangents = tangents_of(jet, frame, place.u[1], place.v[1]);
   const Vector axis = axis_of(machining.orientation, frame.n, tangents.f);
-  const Tensor tool = curvature_of(machining.cutter, frame.n, axis, tangents);
-  const Tensor surface = curvature_of(jet, frame, tangents);
-  const Tensor excess = tool - surface;
   Bending bending;
-  bending.clearance = local_clearance(tool, surface);
-  bending.across = surface.bb;
-  const auto [most, least] = surface.principal();
+  bending.surface = curvature_of(jet, frame, tangents);
+  bending.clearance = local_clearance(curvature_of(machining.cutter, frame.n, axis, tangents), bending.surface);
+  const auto [most, least] = bending.surface.principal();
   bending.greatest = std::max(std::abs(most), std::abs(least));
-  bending.lean = numeric::norm(kinematics::cross_product(axis, frame.n));
   bending.axis = {numeric::dot(axis, tangents.f), numeric::dot(axis, tangents.b), numeric::dot(axis, frame.n)};
-  const double of_tool = determinant_of(machining.cutter, bending.lean);
-  const double of_both = of_tool - tool.ff * surface.bb - tool.bb * surface.ff + 2 * tool.fb * surface.fb +
-                         surface.ff * surface.bb - surface.fb * surface.fb;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  double round = of_tool > 0 ? of_tool / tool.ff : 0;
-  bending.tool_radius = round > 0 ? 1 / round : infinite;
-  if (excess.ff > 0) round = std::max(round, of_both / excess.ff + surface.bb);
-  bending.radius = round > 0 ? 1 / round : infinite;
+  bending.b = tangents.b;
   return bending;
 }
 

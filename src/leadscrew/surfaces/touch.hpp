@@ -59,13 +59,10 @@ Touch<double> touch_at(const Machining& machining, const SurfaceJet& jet, const 
 /// How the tool and the surface bend where they touch.
 struct Bending {
   double clearance = 0;  ///< local_clearance, 1/mm
-  double radius =
-      0;  ///< the greatest circle, mm, below the shape that the tool sweeps across the pass; infinite for none
-  double tool_radius = 0;  ///< effective_radius, mm: the same on a surface that does not twist
-  double across = 0;       ///< the surface's curvature across the pass, 1/mm
-  double greatest = 0;     ///< of the surface's, in any direction, counted without sign, 1/mm
-  double lean = 0;         ///< sine of the angle between normal and axis
-  Vector axis{};           ///< by f, b and n
+  Tensor surface;        ///< the surface's curvature by f and b
+  double greatest = 0;   ///< in any direction, counted without sign, 1/mm
+  Vector axis{};         ///< of the tool by f, b and n
+  Vector b{};            ///< across the pass
 };
 Bending bending_at(const Machining& machining, const SurfaceJet& jet, const Frame& frame, const LinePlace& place);
 

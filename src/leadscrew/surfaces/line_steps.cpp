@@ -1,0 +1,98 @@
+// How far the next line may be.
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/numeric/vectors.hpp>
+#include <leadscrew/surfaces/pass_lines.hpp>
+#include <leadscrew/surfaces/step_over.hpp>
+
+namespace leadscrew::surfaces {
+
+/// Where the next pass comes back, it has the same side of the tool towards this one as this has towards it.
+double step_at(PassLog& log, const Contact& contact, const LinePlace& place, const Vector& towards) {
+  const Machining& machining = *log.machining;
+  const double h = machining.scallop;
+  if (!(h > 0)) return machining.step;
+  const Cutter& cutter = machining.cutter;
+  const Bending& bending = contact.bending;
+  double step = 0;
+  if (cutter.is_ball()) {
+    step = step_over(cutter.radius, bending.surface.bb, h);
+  } else {
+    const bool same_way = machining.pattern == Pattern::zig || machining.pattern == Pattern::spiral_in;
+    const double side = numeric::dot(bending.b, towards) < 0 ? -1 : 1;
+    const double near = outline_arc(cutter, bending.axis, bending.surface, h, side);
+    step = near + (same_way ? outline_arc(cutter, bending.axis, bending.surface, h, -side) : near);
+  }
+  if (!(step > 0)) log.fail(PassFailure::Kind::no_step, place.u.value, place.v.value);
+  return std::min(step, 2 * cutter.radius);
+}
+
+Course course_of(const Machining& machining, Direction along) {
+  const int corner = machining.start_corner;
+  const bool u_rises = corner == 1 || corner == 4, v_rises = corner <= 2, is_u = along == Direction::u;
+  const Range &run = is_u ? machining.u : machining.v, &width = is_u ? machining.v : machining.u;
+  const bool runs_up = is_u ? u_rises : v_rises, goes_up = is_u ? v_rises : u_rises;
+  return {along, runs_up ? run.from : run.to, runs_up ? run.to : run.from, goes_up ? width.from : width.to,
+          goes_up ? width.to : width.from};
+}
+
+std::vector<double> places_along(const Surface& surface, Direction along, const Range& range, std::size_t least) {
+  std::vector<double> cuts = {range.from}, places;
+  for (const double cut : surface.breaks(along)) {
+    if (cut > range.from && cut < range.to) cuts.push_back(cut);
+  }
+  cuts.push_back(range.to);
+  const std::size_t spans = cuts.size() - 1, parts = std::max<std::size_t>(4, (least - 1 + spans - 1) / spans);
+  for (std::size_t k = 0; k < spans; ++k) {
+    for (std::size_t i = 0; i < parts; ++i) {
+      places.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) * static_cast<double>(i) / static_cast<double>(parts));
+    }
+  }
+  places.push_back(range.to);
+  return places;
+}
+
+double least_of(const std::vector<double>& places, const std::vector<double>& values) {
+  const auto k = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+  if (k == 0 || k + 1 == values.size()) return values[k];
+  const double a = places[k - 1] - places[k], b = places[k + 1] - places[k];
+  const double rise_a = (values[k - 1] - values[k]) / a, rise_b = (values[k + 1] - values[k]) / b;
+  const double bend = (rise_b - rise_a) / (b - a), slope = rise_a - bend * a;
+  return bend > 0 ? std::max(values[k] - slope * slope / (4 * bend), 0.9 * values[k]) : values[k];
+}
+
+double least_step(PassLog& log, Direction along, const std::vector<double>& places, double across, double direction,
+                  double towards) {
+  std::vector<double> steps;
+  steps.reserve(places.size());
+  for (const double place : places) {
+    const LinePlace at = line_place(along, place, direction, across);
+    const std::optional<Contact> contact = contact_at(log, at);
+    if (!contact) return 0;
+    const Vector& by_across = along == Direction::u ? contact->jet.v : contact->jet.u;
+    const double step = step_at(log, *contact, at, numeric::sum(Vector{}, towards, by_across));
+    if (log.failure) return 0;
+    steps.push_back(step / width_of(contact->frame, along));
+  }
+  return least_of(places, steps);
+}
+
+bool are_too_many(PassLog& log, const Course& course, const std::vector<double>& places) {
+  constexpr int parts = 8;
+  double count = 1;
+  const double width = course.last - course.first, direction = course.from < course.to ? 1 : -1;
+  for (int k = 0; k <= parts; ++k) {
+    const double across = course.first + width * k / parts;
+    const double step = least_step(log, course.along, places, across, direction, course.sign_across());
+    if (log.failure) return true;
+    count += (k == 0 || k == parts ? 0.5 : 1) * std::abs(width) / parts / step;
+  }
+  if (!(count <= static_cast<double>(most_passes))) {
+    const LinePlace begin = line_place(course.along, course.from, direction, course.first);
+    log.fail(PassFailure::Kind::too_many, begin.u.value, begin.v.value, count);
+  }
+  return log.failure.has_value();
+}
+
+}  // namespace leadscrew::surfaces
