@@ -8,6 +8,12 @@
 
 namespace leadscrew::surfaces {
 
+namespace {
+
+constexpr std::size_t fewest_in_span = 6;
+
+}  // namespace
+
 /// Where the next pass comes back, it has the same side of the tool towards this one as this has towards it.
 double step_at(PassLog& log, const Contact& contact, const LinePlace& place, const Vector& towards) {
   const Machining& machining = *log.machining;
@@ -43,7 +49,7 @@ std::vector<double> places_along(const Surface& surface, Direction along, const 
     if (cut > range.from && cut < range.to) cuts.push_back(cut);
   }
   cuts.push_back(range.to);
-  const std::size_t spans = cuts.size() - 1, parts = std::max<std::size_t>(4, (least - 1 + spans - 1) / spans);
+  const std::size_t spans = cuts.size() - 1, parts = std::max(fewest_in_span, (least - 1 + spans - 1) / spans);
   for (std::size_t k = 0; k < spans; ++k) {
     for (std::size_t i = 0; i < parts; ++i) {
       places.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) * static_cast<double>(i) / static_cast<double>(parts));

@@ -12,6 +12,8 @@ namespace {
 
 /// Lifts that are tried, of the distance (near) or of the tool's radius (far).
 constexpr std::array<double, 10> lifts = {0.5, 1, 2, 4, 8, 16, 32, 64, 128, 256};
+/// Where links are checked, of the way from each end to the middle, or to where far ones fly.
+constexpr std::array<double, 12> checked_shares = {0.02, 0.04, 0.07, 0.1, 0.14, 0.2, 0.27, 0.35, 0.45, 0.6, 0.8, 1.0};
 /// Deeper than at the passes' own ends a link does not go, mm.
 constexpr double clearance_tolerance = 1e-7;
 /// Axes farther apart, radians, go by the middle of their great circle.
@@ -133,7 +135,7 @@ double LinkMaker::worst_clearance(const Course& course, const Ends& ends, bool i
   const double at_ends = std::min({0.0, clearance(0, from, 0), clearance(course.length, to, 0)});
   double worst = std::numeric_limits<double>::infinity();
   const double swing = is_far ? course.centre.t[1] : course.length / 2;
-  for (const double share : {1.0 / 32, 1.0 / 16, 0.125, 0.25, 0.4, 0.6, 0.8, 1.0}) {
+  for (const double share : checked_shares) {
     worst = std::min({worst, clearance(share * swing, from, 0), clearance(course.length - share * swing, to, 0)});
     if (worst < at_ends - clearance_tolerance) return worst - at_ends;
   }

@@ -9,7 +9,7 @@ namespace leadscrew::surfaces {
 namespace {
 
 /// Places along a pass where its step is found, at the least.
-constexpr std::size_t least_places = 17;
+constexpr std::size_t least_places = 33;
 
 class ParameterLines : public PassLines {
  public:

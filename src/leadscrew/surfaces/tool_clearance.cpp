@@ -14,16 +14,17 @@ double distance_from_tool(const Cutter& cutter, const ToolPose& pose, const Vect
   const Vector d = difference(point, pose.tip);
   const double height = dot(d, pose.axis), from_axis = std::sqrt(std::max(0.0, dot(d, d) - height * height));
   const double aside = from_axis - (cutter.radius - cutter.corner_radius), below = cutter.corner_radius - height;
-  const double outside = std::hypot(std::max(aside, 0.0), std::max(below, 0.0));
-  return outside + std::min(std::max(aside, below), 0.0) - cutter.corner_radius;
+  const double out = std::max(aside, 0.0), down = std::max(below, 0.0);
+  return std::sqrt(out * out + down * down) + std::min(std::max(aside, below), 0.0) - cutter.corner_radius;
 }
 
 namespace {
 
-constexpr std::size_t fewest_places = 16, most_places = 96;  // in one direction
+constexpr std::size_t fewest_places = 16, most_places = 256;  // in one direction
 constexpr std::size_t block_side = 8;
+constexpr int most_rounds = 16;
 
-/// Evenly spaced over the whole range, about half a radius apart on the surface.
+/// Evenly spaced over the whole range, about an eighth of the radius apart on the surface.
 std::vector<double> places_of(const Surface& surface, Direction direction, double radius) {
   const Range range = surface.range(direction),
               other = surface.range(direction == Direction::u ? Direction::v : Direction::u);
@@ -40,7 +41,7 @@ std::vector<double> places_of(const Surface& surface, Direction direction, doubl
     }
     longest = std::max(longest, length);
   }
-  const double wanted = std::clamp(2 * longest / radius, double{fewest_places}, double{most_places});
+  const double wanted = std::clamp(8 * longest / radius, double{fewest_places}, double{most_places});
   const auto count = static_cast<std::size_t>(wanted);
   std::vector<double> places;
   for (std::size_t k = 0; k <= count; ++k) {
@@ -49,16 +50,35 @@ std::vector<double> places_of(const Surface& surface, Direction direction, doubl
   return places;
 }
 
-/// The part of the tool that is nearest to a point: the centre of the ball about it, so to speak; none where the point lies inside
-/// the flat or beside the shank.
-Vector centre_near(const Cutter& cutter, const ToolPose& pose, const Vector& point) {
+/// The distance's gradient and second derivatives about a point: the gradient g, and curvatures of the surface on which the distance is
+/// the same, along the meridian m and around the axis c.
+struct Slope {
+  Vector gradient{}, meridian{}, around{};
+  double by_meridian = 0, by_around = 0;
+};
+Slope slope_at(const Cutter& cutter, const ToolPose& pose, const Vector& point) {
   const Vector d = difference(point, pose.tip);
-  const double height = dot(d, pose.axis), flat = cutter.radius - cutter.corner_radius;
-  const Vector across = sum(d, -height, pose.axis);
-  const double from_axis = numeric::norm(across);
-  const double share = from_axis > flat ? flat / from_axis : 1;
-  const double up = std::max(height, cutter.corner_radius);
-  return sum(sum(pose.tip, up, pose.axis), share, across);
+  const double height = dot(d, pose.axis);
+  Vector radial = sum(d, -height, pose.axis);
+  const double from_axis = numeric::norm(radial);
+  const double aside = from_axis - (cutter.radius - cutter.corner_radius), below = cutter.corner_radius - height;
+  Slope slope;
+  if (!(from_axis > 1e-12 * cutter.radius)) {
+    slope.gradient = sum(Vector{}, -1, pose.axis);
+    return slope;
+  }
+  for (double& x : radial) x /= from_axis;
+  const bool is_corner = aside > 0 && below > 0;
+  const double size = std::hypot(aside, below);
+  const double out = is_corner ? aside / size : aside > below ? 1 : 0, down = is_corner ? below / size : 1 - out;
+  slope.gradient = sum(sum(Vector{}, out, radial), -down, pose.axis);
+  slope.meridian = sum(sum(Vector{}, down, radial), out, pose.axis);
+  slope.around = {pose.axis[1] * radial[2] - pose.axis[2] * radial[1],
+                  pose.axis[2] * radial[0] - pose.axis[0] * radial[2],
+                  pose.axis[0] * radial[1] - pose.axis[1] * radial[0]};
+  slope.by_meridian = is_corner ? 1 / size : 0;
+  slope.by_around = out / from_axis;
+  return slope;
 }
 
 }  // namespace
@@ -88,34 +108,38 @@ void ToolClearance::add_blocks(const std::array<std::vector<double>, 2>& places)
   }
 }
 
-/// Newton's method on the distance |S − c| with c held, halved where it does not get less: c is that of the place before.
+/// Newton's method, or down the gradient where the distance is not convex; halved where it does not get less.
 ToolClearance::Place ToolClearance::refined(const ToolPose& pose, Place place) const {
   const Range u = surface_.range(Direction::u), v = surface_.range(Direction::v);
   place.distance = distance_from_tool(cutter_, pose, surface_.at(place.u, place.v));
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < most_rounds; ++round) {
     const SurfaceJet jet = surface_.jet(place.u, place.v);
-    const Vector off = difference(jet.s, centre_near(cutter_, pose, jet.s));
-    double by_u = dot(off, jet.u), by_v = dot(off, jet.v);
-    double uu = dot(jet.u, jet.u) + dot(off, jet.uu), uv = dot(jet.u, jet.v) + dot(off, jet.uv),
-           vv = dot(jet.v, jet.v) + dot(off, jet.vv);
+    const Slope slope = slope_at(cutter_, pose, jet.s);
+    const Vector& g = slope.gradient;
+    const auto second = [&](const Vector& a, const Vector& b, const Vector& ab) {
+      return slope.by_meridian * dot(slope.meridian, a) * dot(slope.meridian, b) +
+             slope.by_around * dot(slope.around, a) * dot(slope.around, b) + dot(g, ab);
+    };
+    double by_u = dot(g, jet.u), by_v = dot(g, jet.v);
+    double uu = second(jet.u, jet.u, jet.uu), uv = second(jet.u, jet.v, jet.uv), vv = second(jet.v, jet.v, jet.vv);
+    const double E = dot(jet.u, jet.u), G = dot(jet.v, jet.v), least = 1e-3 / cutter_.radius;
     // What would leave the range stays at its border.
     const bool u_stays = (place.u <= u.from && by_u > 0) || (place.u >= u.to && by_u < 0);
     const bool v_stays = (place.v <= v.from && by_v > 0) || (place.v >= v.to && by_v < 0);
-    if (!(uu > 0)) uu = dot(jet.u, jet.u);
-    if (!(vv > 0)) vv = dot(jet.v, jet.v);
-    if (u_stays) by_u = 0, uv = 0;
-    if (v_stays) by_v = 0, uv = 0;
-    if (!(uu * vv - uv * uv > 1e-3 * uu * vv)) uv = 0;
+    if (u_stays) by_u = uv = 0;
+    if (v_stays) by_v = uv = 0;
+    const bool is_convex = uu > least * E && vv > least * G && uu * vv - uv * uv > 1e-3 * uu * vv;
+    if (!is_convex) uu = E / cutter_.radius, vv = G / cutter_.radius, uv = 0;
     const double determinant = uu * vv - uv * uv;
-    double du = -(vv * by_u - uv * by_v) / determinant, dv = -(uu * by_v - uv * by_u) / determinant;
+    const double du = -(vv * by_u - uv * by_v) / determinant, dv = -(uu * by_v - uv * by_u) / determinant;
     bool got_less = false;
-    for (int half = 0; half < 6 && !got_less; ++half, du /= 2, dv /= 2) {
-      const double next_u = std::clamp(place.u + du, u.from, u.to), next_v = std::clamp(place.v + dv, v.from, v.to);
+    for (double share = 1; share > 1e-3 && !got_less; share /= 3) {
+      const double next_u = std::clamp(place.u + share * du, u.from, u.to),
+                   next_v = std::clamp(place.v + share * dv, v.from, v.to);
       const double distance = distance_from_tool(cutter_, pose, surface_.at(next_u, next_v));
-      if (!(distance < place.distance)) continue;
-      got_less = place.distance - distance > 1e-9;
+      if (!(distance < place.distance - 1e-10)) continue;
+      got_less = true;
       place = {distance, next_u, next_v};
-      break;
     }
     if (!got_less) break;
   }
@@ -123,7 +147,7 @@ ToolClearance::Place ToolClearance::refined(const ToolPose& pose, Place place) c
 }
 
 ToolClearance::Place ToolClearance::least(const ToolPose& pose, const Place& near, double enough) const {
-  Place best = refined(pose, near), coarse{std::numeric_limits<double>::infinity(), near.u, near.v};
+  Place coarse{std::numeric_limits<double>::infinity(), near.u, near.v};
   double limit = std::numeric_limits<double>::infinity(), finest = 0;
   std::vector<std::pair<double, std::size_t>> order;
   order.reserve(blocks_.size());
@@ -144,8 +168,8 @@ ToolClearance::Place ToolClearance::least(const ToolPose& pose, const Place& nea
     limit = std::min(limit, coarse.distance);
   }
   // Points are no farther apart than the sphere's radius over a few: what is far from all of them needs no refinement.
-  if (coarse.distance > enough + finest) return best.distance < coarse.distance ? best : coarse;
-  const Place fine = refined(pose, coarse);
+  if (coarse.distance > enough + finest) return coarse;
+  const Place best = refined(pose, near), fine = refined(pose, coarse);
   return fine.distance < best.distance ? fine : best;
 }
 
