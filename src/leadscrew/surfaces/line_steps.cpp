@@ -14,7 +14,7 @@ constexpr std::size_t fewest_in_span = 6;
 
 }  // namespace
 
-/// Where the next pass comes back, it has the same side of the tool towards this one as this has towards it.
+/// Where the next pass comes back and the tool leans by the pass, it has the same side of the tool towards this one as this has towards it.
 double step_at(PassLog& log, const Contact& contact, const LinePlace& place, const Vector& towards) {
   const Machining& machining = *log.machining;
   const double h = machining.scallop;
@@ -25,7 +25,8 @@ double step_at(PassLog& log, const Contact& contact, const LinePlace& place, con
   if (cutter.is_ball()) {
     step = step_over(cutter.radius, bending.surface.bb, h);
   } else {
-    const bool same_way = machining.pattern == Pattern::zig || machining.pattern == Pattern::spiral_in;
+    const bool same_way = machining.pattern == Pattern::zig || machining.pattern == Pattern::spiral_in ||
+                          machining.orientation.rule == Orientation::Rule::fixed;
     const double side = numeric::dot(bending.b, towards) < 0 ? -1 : 1;
     const double near = outline_arc(cutter, bending.axis, bending.surface, h, side);
     step = near + (same_way ? outline_arc(cutter, bending.axis, bending.surface, h, -side) : near);

@@ -35,7 +35,7 @@ class Passes::Maker {
   LinkMaker links_{machining_};
   std::deque<Pass> ready_;
   std::optional<PassNode> end_;  // of the pass made last
-  std::size_t count_ = 0;
+  std::size_t count_ = 0, nodes_ = 0;
 };
 
 /// Tip and axis where they were.
@@ -63,7 +63,11 @@ void Passes::Maker::make_next() {
         made.push_back(std::move(*link));
       }
       end_ = pass.nodes.back();
+      nodes_ += pass.nodes.size();
       made.push_back(std::move(pass));
+    }
+    if (nodes_ > most_nodes_in_all) {
+      log_.fail(PassFailure::Kind::too_many, end_->u, end_->v, static_cast<double>(nodes_));
     }
     if (log_.failure) return;
   }

@@ -48,6 +48,7 @@ struct Machining {
 inline constexpr double knot_tolerance = 1e-6;
 inline constexpr std::size_t most_passes = 100000;  ///< over one surface
 inline constexpr std::size_t most_nodes = 1365;     ///< of one Pass: 4096 control points
+inline constexpr std::size_t most_nodes_in_all = 1 << 23;
 
 /// A place of a pass or link, with two derivatives by t.
 struct PassNode {

@@ -15,6 +15,7 @@ namespace leadscrew::surfaces {
 namespace {
 
 constexpr std::size_t least_section_places = 33;
+constexpr double least_border_sine = 0.98;
 
 /// One coordinate of a surface with its derivatives by r and φ.
 struct Level {
@@ -160,6 +161,8 @@ class PlanarLines : public PassLines {
   double step_at_level(PassLog& log, double level);
   bool is_too_many(PassLog& log);
   bool advance(PassLog& log);
+  void find_borders(const Surface& surface);
+  double sine_at_border(const Surface& surface, double run) const;
   Section section(const Surface& surface, double level) const {
     return {surface, course_.along, coordinate_, course_.width(), level, places_};
   }
@@ -169,6 +172,7 @@ class PlanarLines : public PassLines {
   std::vector<double> places_;
   double from_ = 0, to_ = 0, at_ = 0, step_ = 0;  // levels
   bool begins_at_border_ = false, ends_at_border_ = false;
+  std::vector<Line> borders_;  // still to be gone along, the next at the end
   std::size_t told_ = 0;
   std::optional<Section> section_;
 };
@@ -218,6 +222,37 @@ void PlanarLines::find_parameters(PassLog& log) {
   ends_at_border_ = last.to - last.from <= flat;
   if (begins_at_border_) from_ = (first.from + first.to) / 2;
   if (ends_at_border_) to_ = (last.from + last.to) / 2;
+  find_borders(surface);
+}
+
+/// The least sine of the angle at which planes meet the border at one end of the parameter along.
+double PlanarLines::sine_at_border(const Surface& surface, double run) const {
+  const Range width = course_.width();
+  double least = 1;
+  for (std::size_t k = 0; k < least_section_places; ++k) {
+    const double across = width.from + (width.to - width.from) * static_cast<double>(k) / (least_section_places - 1);
+    const LinePlace place = line_place(course_.along, run, 1, across);
+    const SurfaceJet jet = surface.jet(place.u.value, place.v.value);
+    const std::optional<Frame> frame = frame_of(jet, 1);
+    if (!frame) continue;
+    const Vector& tangent = course_.along == Direction::u ? jet.v : jet.u;
+    const double n = frame->n[coordinate_];
+    least = std::min(least, std::abs(tangent[coordinate_]) / (numeric::norm(tangent) * std::sqrt(1 - n * n)));
+  }
+  return least;
+}
+
+/// Where planes meet the border at a sharp angle, places at it are farther than half a step from all of them: a pass goes along it.
+void PlanarLines::find_borders(const Surface& surface) {
+  const Direction across = course_.along == Direction::u ? Direction::v : Direction::u;
+  if (!begins_at_border_) borders_.push_back({course_.along, course_.to, course_.from, course_.first, nullptr});
+  if (sine_at_border(surface, course_.to) < least_border_sine) {
+    borders_.push_back({across, course_.last, course_.first, course_.to, nullptr});
+  }
+  if (!ends_at_border_) borders_.push_back({course_.along, course_.from, course_.to, course_.last, nullptr});
+  if (sine_at_border(surface, course_.from) < least_border_sine) {
+    borders_.push_back({across, course_.first, course_.last, course_.from, nullptr});
+  }
 }
 
 /// The least of g √(1 − n_z²) along the section at a level; where that meets nothing, at the place nearest to it.
@@ -289,7 +324,12 @@ std::vector<Line> PlanarLines::next(PassLog& log) {
   std::vector<Range> parts;
   // A plane may meet nothing where the range's border is bent.
   while (parts.empty()) {
-    if (!advance(log)) return {};
+    if (!advance(log)) {
+      if (log.failure || borders_.empty()) return {};
+      const Line border = borders_.back();
+      borders_.pop_back();
+      return {border};
+    }
     if (told_ >= 2 * most_passes) {
       log.fail(PassFailure::Kind::too_many, 0, 0, static_cast<double>(told_));
       return {};

@@ -71,6 +71,7 @@ class OutlineSide {
   struct Above {
     double root = 0, arc = 0;  // of the height; on the surface
   };
+  double arc_on_line(const Offset& from, const Offset& to, double wanted) const;
   Offset at(double angle) const {
     const double sine = std::sin(angle), cosine = std::cos(angle), along = sine * across_ - cosine * up_;
     const double length = std::sqrt(std::max(1 - along * along, 0.0));
@@ -93,20 +94,20 @@ class OutlineSide {
   Offset contact_;
 };
 
-/// Regula falsi with halved ends (Illinois) on the height's root, which near the contact grows as the angle does.
+/// Regula falsi with halved ends (Illinois) on the height's root, which near the contact grows as the angle does. Where the tool is met
+/// along a straight line, at one angle, the place on that line.
 double OutlineSide::arc(double height) const {
   double low = 0, high = std::numbers::pi / 2;
   const double wanted = std::sqrt(height);
   const Above widest = above(at(high));
   double below = -wanted, beyond = widest.root - wanted;
   if (!(beyond > 0)) return widest.arc;
-  Above found = widest;
   int last = 0;
-  for (int round = 0; round < 60 && high - low > 1e-12; ++round) {
-    const double angle = round % 8 == 7 ? (low + high) / 2 : (low * beyond - high * below) / (beyond - below);
-    found = above(at(angle));
+  for (int round = 0; round < 80 && high - low > 1e-13; ++round) {
+    const double angle = round % 4 == 3 ? (low + high) / 2 : (low * beyond - high * below) / (beyond - below);
+    const Above found = above(at(angle));
     const double off = found.root - wanted;
-    if (std::abs(off) < 1e-7 * wanted) break;
+    if (std::abs(off) < 1e-7 * wanted) return found.arc;
     if (off < 0) {
       low = angle, below = off;
       if (last < 0) beyond /= 2;
@@ -116,6 +117,18 @@ double OutlineSide::arc(double height) const {
       if (last > 0) below /= 2;
       last = 1;
     }
+  }
+  return arc_on_line(low > 0 ? at(low) : contact_, at(high), wanted);
+}
+
+double OutlineSide::arc_on_line(const Offset& from, const Offset& to, double wanted) const {
+  double low = 0, high = 1;
+  Above found;
+  for (int round = 0; round < 50; ++round) {
+    const double share = (low + high) / 2;
+    found = above({from.ahead + share * (to.ahead - from.ahead), from.across + share * (to.across - from.across),
+                   from.up + share * (to.up - from.up)});
+    (found.root < wanted ? low : high) = share;
   }
   return found.arc;
 }
