@@ -10,8 +10,9 @@ namespace leadscrew::surfaces::test {
 /// By de Casteljau's algorithm between the nodes about t.
 inline Vector at(const Pass& pass, VectorOf<PassNode::Jet> PassNode::* member, double t) {
   const std::vector<PassNode>& nodes = pass.nodes;
-  std::size_t k = 0;
-  while (k + 2 < nodes.size() && nodes[k + 1].t < t) ++k;
+  const auto after = std::lower_bound(nodes.begin() + 1, nodes.end() - 1, t,
+                                      [](const PassNode& node, double place) { return node.t < place; });
+  const auto k = static_cast<std::size_t>(after - nodes.begin()) - 1;
   const double width = nodes[k + 1].t - nodes[k].t, x = (t - nodes[k].t) / width;
   Vector result{};
   for (std::size_t i = 0; i < 3; ++i) {

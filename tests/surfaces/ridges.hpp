@@ -6,6 +6,8 @@
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/frame.hpp>
 #include <leadscrew/surfaces/passes.hpp>
+#include <limits>
+#include <vector>
 
 #include "pass_curves.hpp"
 
@@ -17,7 +19,7 @@ inline double from_tool(const Cutter& cutter, const Vector& tip, const Vector& a
   const double up = numeric::dot(d, axis) - cutter.corner_radius;
   const double aside = std::sqrt(std::max(0.0, numeric::dot(d, d) - std::pow(numeric::dot(d, axis), 2))) -
                        (cutter.radius - cutter.corner_radius);
-  if (up >= 0) return aside - cutter.corner_radius;
+  if (up >= 0) return std::max(aside, -up) - cutter.corner_radius;
   if (aside <= 0) return -up - cutter.corner_radius;
   return std::hypot(aside, up) - cutter.corner_radius;
 }
@@ -27,7 +29,7 @@ template <typename F>
 double least_of(const F& f, double from, double to) {
   constexpr double golden = 0.6180339887498949;
   double a = to - golden * (to - from), b = from + golden * (to - from), at_a = f(a), at_b = f(b);
-  for (int round = 0; round < 50; ++round) {
+  for (int round = 0; round < 36; ++round) {
     if (at_a < at_b) {
       to = b, b = a, at_b = at_a;
       a = to - golden * (to - from), at_a = f(a);
@@ -43,7 +45,24 @@ class Ridges {
  public:
   explicit Ridges(const Machining& machining) : machining_(machining) {}
 
-  /// Between the pass a, at t, and b: its height above the surface, mm.
+  /// Between the pass k, at t, and those after it, whichever cuts deepest: its height above the surface, mm.
+  double height(const std::vector<Pass>& passes, std::size_t k, double t) const {
+    double least = std::numeric_limits<double>::infinity();
+    const Vector contact = at(passes[k], &PassNode::contact, t);
+    const auto is_near = [&](const Pass& pass) {
+      const Vector nearest_contact = at(pass, &PassNode::contact, nearest(pass, contact));
+      return numeric::distance(nearest_contact, contact) < machining_.cutter.radius;
+    };
+    for (std::size_t j = k + 1; j < passes.size(); ++j) {
+      const bool is_told = j <= k + 4 || j + 8 > passes.size();
+      if (is_told && passes[j].number != passes[k].number && is_near(passes[j])) {
+        least = std::min(least, height(passes[k], t, passes[j]));
+      }
+    }
+    return least;
+  }
+
+  /// Between the pass a, at t, and b.
   double height(const Pass& a, double t, const Pass& b) const {
     const Vector contact = at(a, &PassNode::contact, t);
     const double h = 1e-4;
@@ -61,7 +80,7 @@ class Ridges {
       for (double& x : across) x = -x;
     }
     double low = 0, high = numeric::dot(across, numeric::difference(other, contact)), found = 0;
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < 30; ++round) {
       const double s = (low + high) / 2;
       const Vector place = on_section(contact, f, across, s, u, v);
       const Vector up = frame_of(machining_.surface->jet(u, v), machining_.side)->n;
@@ -84,14 +103,15 @@ class Ridges {
   double nearest(const Pass& pass, const Vector& point) const {
     double best = 0, least = 1e300;
     const double end = pass.nodes.back().t;
-    for (int k = 0; k <= 400; ++k) {
-      const double d = numeric::distance(at(pass, &PassNode::contact, end * k / 400), point);
-      if (d < least) least = d, best = end * k / 400;
+    for (int k = 0; k <= 200; ++k) {
+      const double d = numeric::distance(at(pass, &PassNode::contact, end * k / 200), point);
+      if (d < least) least = d, best = end * k / 200;
     }
     return best;
   }
-  Vector on_section(const Vector& contact, const Vector& f, const Vector& across, double s, double& u, double& v) const {
-    for (int round = 0; round < 30; ++round) {
+  Vector on_section(const Vector& contact, const Vector& f, const Vector& across, double s, double& u,
+                    double& v) const {
+    for (int round = 0; round < 6; ++round) {
       const SurfaceJet jet = machining_.surface->jet(u, v);
       const Vector d = numeric::difference(jet.s, contact);
       const double p = numeric::dot(d, f), q = numeric::dot(d, across) - s;
@@ -114,7 +134,7 @@ class Ridges {
           std::max(t - window, 0.0), std::min(t + window, pass.nodes.back().t));
     };
     double h0 = 0, f0 = clear(h0), h1 = f0, f1 = clear(h1);
-    for (int round = 0; round < 6 && std::abs(f1) > 1e-12 && f1 != f0; ++round) {
+    for (int round = 0; round < 6 && std::abs(f1) > 1e-10 && f1 != f0; ++round) {
       const double next = h1 - f1 * (h1 - h0) / (f1 - f0);
       h0 = h1, f0 = f1;
       h1 = next, f1 = clear(h1);

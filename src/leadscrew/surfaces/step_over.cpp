@@ -9,6 +9,8 @@ namespace leadscrew::surfaces {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+/// 1 − R/ρ below which a tool fills a concave surface, but for rounding.
+constexpr double least_opening = 1e-9;
 
 }  // namespace
 
@@ -25,7 +27,7 @@ double step_over(double radius, double curvature, double height) {
   const double h = std::min(height, radius);
   const double square = h * (2 * radius - h);
   const double both = (1 + k * radius) * (1 + k * h);
-  if (!(both > 0)) return 0;
+  if (!(1 + k * radius > least_opening)) return 0;
   if (k == 0) return 2 * std::sqrt(square);
   const double half_sine = std::sqrt(square / both) * std::abs(k) / 2;
   if (half_sine >= 1) return std::numbers::pi * 2 / std::abs(k);

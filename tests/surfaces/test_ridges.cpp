@@ -1,0 +1,183 @@
+// The ridges between passes, measured by brute force: as high as was asked for, and no higher.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "patches.hpp"
+#include "ridges.hpp"
+
+namespace leadscrew::surfaces {
+namespace test_ridges {
+
+struct Measured {
+  double most = 0, mean = 0;  // of the height asked for
+  std::size_t passes = 0;
+};
+
+/// At some places of some passes, the ridge to the next.
+Measured measured(const Machining& machining, std::size_t looked_at = 10) {
+  std::vector<Pass> passes;
+  Passes made(machining);
+  while (std::optional<Pass> pass = made.next()) {
+    if (!pass->is_link) passes.push_back(*pass);
+  }
+  EXPECT_FALSE(made.failure()) << static_cast<int>(made.failure()->kind);
+  const test::Ridges ridges(machining);
+  Measured result{0, 0, passes.size()};
+  double count = 0;
+  for (std::size_t k = 0; k + 2 < passes.size(); k += 1 + passes.size() / looked_at) {
+    for (int i = 1; i <= 7; ++i) {
+      const double height = ridges.height(passes, k, passes[k].nodes.back().t * i / 8);
+      if (!std::isfinite(height)) continue;
+      result.most = std::max(result.most, height / machining.scallop);
+      result.mean += height / machining.scallop;
+      ++count;
+    }
+  }
+  result.mean /= count;
+  return result;
+}
+
+Machining ball_on(const SurfaceForm& form) {
+  Machining machining;
+  machining.surface = std::make_shared<Surface>(form);
+  machining.cutter = {5, 5};
+  machining.scallop = 0.01;
+  return machining;
+}
+
+SurfaceForm saddle() {
+  return test::bicubic({{{0, 4, 8, 12}, {4, 4, 4, 4}, {4, 4, 4, 4}, {12, 8, 4, 0}}});
+}
+
+const Orientation forward{Orientation::Rule::leaned, {}, 0.2, 0}, aside{Orientation::Rule::leaned, {}, 0.2, 0.1};
+
+TEST(Ridges, AreAsAskedForOnPlaneCylinderAndSphere) {
+  const Orientation normal{Orientation::Rule::normal, {}, 0, 0};
+  Machining plane = ball_on(test::plane()), outside = ball_on(test::cylinder(20, 50)),
+            sphere = ball_on(test::sphere(25));
+  outside.side = -1;
+  outside.orientation = sphere.orientation = normal;
+  Machining inside = outside, round = outside;
+  inside.side = 1;
+  round.along = Direction::v;
+  for (const Machining* machining : {&plane, &outside, &inside, &round, &sphere}) {
+    const Measured ridges = measured(*machining, 5);
+    EXPECT_LE(ridges.most, 1 + 1e-5);
+    EXPECT_GT(ridges.mean, 0.999);
+  }
+}
+
+TEST(Ridges, OfToolsThatLeanAreAsAskedForOnAPlane) {
+  for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}, Cutter{5, 5}}) {
+    for (const Orientation& orientation : {forward, aside}) {
+      for (const Pattern pattern : {Pattern::zigzag, Pattern::zig}) {
+        Machining machining = ball_on(test::plane());
+        machining.cutter = cutter;
+        machining.orientation = orientation;
+        machining.pattern = pattern;
+        const Measured ridges = measured(machining, 5);
+        EXPECT_LE(ridges.most, 1 + 1e-5);
+        EXPECT_GT(ridges.mean, 0.999);
+      }
+    }
+  }
+}
+
+TEST(Ridges, AreNoHigherOnCurvedPatches) {
+  for (const SurfaceForm& form : {test::patch_a(), saddle()}) {
+    for (const Cutter& cutter : {Cutter{5, 5}, Cutter{5, 1}, Cutter{5, 0}}) {
+      for (const Orientation& orientation : {forward, aside}) {
+        Machining machining = ball_on(form);
+        machining.cutter = cutter;
+        machining.orientation = orientation;
+        const Measured ridges = measured(machining, 4);
+        EXPECT_LE(ridges.most, 1 + 1e-3);
+        EXPECT_GT(ridges.mean, 0.75);
+      }
+    }
+  }
+}
+
+/// A wavy net with inner knots, steep by no more than the tool can follow.
+SurfaceForm random_form(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const std::array<int, 2> degrees = {3 + static_cast<int>(2 * unit(random)), 3 + static_cast<int>(2 * unit(random))};
+  SurfaceForm form{degrees, {}, {6, 7}, {}};
+  for (std::size_t d = 0; d < 2; ++d) form.knots[d] = uniform_knots(form.count[d], degrees[d]);
+  for (std::size_t k = 0; k < 42; ++k) {
+    const double x = static_cast<double>(k % 6), y = static_cast<double>(k / 6);
+    form.net.push_back({{10 * x + unit(random), 9 * y + unit(random), 3 * unit(random)}, 0.8 + 0.4 * unit(random)});
+  }
+  return form;
+}
+
+TEST(Ridges, AreNoHigherOnRandomPatches) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 6; ++round) {
+    Machining machining = ball_on(random_form(random));
+    machining.cutter = round % 3 == 2 ? Cutter{2, 0.7} : Cutter{2, 2};
+    if (round % 3 > 0) machining.orientation = forward;
+    machining.along = round % 2 == 0 ? Direction::u : Direction::v;
+    const Measured ridges = measured(machining, 5);
+    EXPECT_LE(ridges.most, 1 + 1e-3) << "round " << round;
+    EXPECT_GT(ridges.mean, 0.5);
+  }
+}
+
+TEST(Ridges, OfIsoScallopPassesAreEverywhereAsHigh) {
+  std::mt19937 random(12);
+  for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random)}) {
+    Machining machining = ball_on(form);
+    machining.cutter = {2, 2};
+    machining.pattern = Pattern::iso_scallop;
+    const Measured ridges = measured(machining, 6);
+    EXPECT_LE(ridges.most, 1 + 1e-3);
+    EXPECT_GT(ridges.mean, 0.9);
+  }
+}
+
+TEST(Ridges, OfPassesInPlanesAreNoHigher) {
+  std::mt19937 random(13);
+  for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random)}) {
+    for (const Direction along : {Direction::u, Direction::v}) {
+      Machining machining = ball_on(form);
+      machining.cutter = {2, 2};
+      machining.pattern = Pattern::planar;
+      machining.along = along;
+      const Measured ridges = measured(machining, 4);
+      EXPECT_LE(ridges.most, 1 + 1e-3);
+      EXPECT_GT(ridges.mean, 0.7);
+    }
+  }
+}
+
+/// Between a leg and the one inside it, one turn on.
+TEST(Ridges, OfPassesRoundTheRangeAreNoHigherAtTheirCornersToo) {
+  Machining machining = ball_on(test::plane());
+  machining.pattern = Pattern::spiral_in;
+  std::vector<Pass> legs;
+  Passes made(machining);
+  while (std::optional<Pass> pass = made.next()) legs.push_back(*pass);
+  ASSERT_GT(legs.size(), 40u);
+  // What is left of a plane at a place: the ball's height over the nearest leg.
+  double most = 0;
+  for (double x = 0; x <= 40; x += 0.05) {
+    for (const double y : {0.3, 1.0, 5.0, 14.8, 15.0, 15.2, x * 0.75}) {
+      double nearest = 1e300;
+      for (const Pass& leg : legs) {
+        const Vector a = test::at(leg, &PassNode::contact, 0),
+                     b = test::at(leg, &PassNode::contact, leg.nodes.back().t);
+        nearest = std::min(nearest, numeric::distance_to_segment(Vector{x, y, 0}, a, b));
+      }
+      most = std::max(most, 5 - std::sqrt(25 - nearest * nearest));
+    }
+  }
+  EXPECT_LE(most, 0.01 * (1 + 1e-6));
+  EXPECT_GT(most, 0.008);
+}
+
+}  // namespace test_ridges
+}  // namespace leadscrew::surfaces
