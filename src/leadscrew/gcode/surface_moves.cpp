@@ -56,6 +56,9 @@ bool SurfaceMoves::report(const surfaces::PassFailure& failure) {
                   "a greater H or Q");
     case Kind::no_step:
       return told("surface-step", "no step leaves ridges so low", "a greater H, or a smaller tool");
+    case Kind::section:
+      return told("surface-section", "planes of this direction meet the surface in lines that double back",
+                  "the other direction L, another pattern S, or a smaller range U V I J");
     case Kind::link:
       return told("surface-link", "no way was found to the next pass that keeps off the surface",
                   "another pattern S, or a smaller range");

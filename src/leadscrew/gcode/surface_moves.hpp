@@ -34,7 +34,7 @@ class SurfaceMoves : Part {
   /// Is a surface being machined? Between the moves, too.
   bool is_active() const { return passes_.has_value() || moved_.surface; }
   /// The next move; false where there is none, or no more. Errors: `travel`, those of passes: `surface-gouge`, `surface-normal`,
-  /// `surface-edge`, `surface-cusp`, `surface-overhang`, `surface-flat-contact`, `surface-passes`, `surface-step`, `surface-link`, `surface-pole`.
+  /// `surface-edge`, `surface-cusp`, `surface-overhang`, `surface-flat-contact`, `surface-passes`, `surface-step`, `surface-section`, `surface-link`, `surface-pole`.
   [[gnu::cold]] bool next(Move& move);
   /// The surface is not machined.
   [[gnu::cold]] void abandon();
