@@ -343,5 +343,19 @@ TEST(DriveKeys, AreSuggested) {
   EXPECT_TRUE(contains(leadscrew(folder, {"check", "part.ngc", "--machine", "m.toml"}).errors, "[axis.X.drive]"));
 }
 
+/// Both feeds are the tip's, though slides go twice as fast to lead it round with the table.
+TEST(Simulate, MeasuresTheFeedThatWordsTell) {
+  const Folder folder;
+  const std::string machine = (source_folder / "machines/table-table-ac.toml").string();
+  const std::string leading = "G21 G90 G61\nG43.4\nG1 X40 F1200\nG93 G1 X35 C90 F40\nM2\n";
+  const Json fed = simulated(folder, leading, {"--machine", machine});
+  EXPECT_NEAR(fed["feed"]["commanded_max_mm_s"], 20, 1e-6);
+  EXPECT_NEAR(fed["feed"]["measured_max_mm_s"], 20, 0.4);
+  // C alone: no feed of the tip.
+  const Json standing = simulated(folder, "G21 G90 G61\nG43.4\nG1 C90 F3000\nM2\n", {"--machine", machine});
+  EXPECT_LT(standing["feed"]["commanded_max_mm_s"], 1e-6);
+  EXPECT_LT(standing["feed"]["measured_max_mm_s"], 0.1);
+}
+
 }  // namespace test_simulate
 }  // namespace leadscrew::cli::testing

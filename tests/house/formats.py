@@ -323,6 +323,13 @@ def check_drives(schemas):
     json_of(schemas, "drive", "drive", "fast.ngc", "--state", "fast.state", "--trace", "taken.npy", "--axes", "went.csv")
     schemas.fit("state", json.loads((scratch / "fast.state").read_text(encoding="utf-8")), "the state of a drive")
     schemas.fit("trace", json.loads((scratch / "taken.npy.json").read_text(encoding="utf-8")), "taken.npy.json")
+    trunnion = ["--machine", machines / "table-table-ac.toml"]
+    json_of(schemas, "drive", "drive", "tip.ngc", *trunnion, "--state", "tip.state", "--trace", "driven.csv", "--axes", "tip-went.csv")
+    state = json.loads((scratch / "tip.state").read_text(encoding="utf-8"))
+    schemas.fit("state", state, "the state of five axes")
+    check("tool" in state, "the state of five axes has no tool")
+    check_header("driven.csv", columns("trace", "XYZAC", poses=True))
+    check_header("tip-went.csv", columns("trace", "XYZAC"))
     check_header("went.csv", columns("trace", "XYZ"))
     # Its last word is of a subprogram in a file of its own.
     (scratch / "called.ngc").write_text("o<called> sub\nG1 X#1 F6000\nM2\no<called> endsub\n", encoding="utf-8")

@@ -14,18 +14,20 @@ base::AxisSet axes(std::initializer_list<base::Axis> list) {
   return set;
 }
 
+constexpr base::Period period = {1'000'000};
+
 Followed followed(double commanded, double actual, double velocity = 0) {
-  Followed period;
-  period.word.position[0] = commanded;
-  period.position[0] = actual;
-  period.velocity[0] = velocity;
-  period.word.feed = 3;
-  period.word.state = base::MotionState::changing;
-  return period;
+  Followed result;
+  result.word.position[0] = commanded;
+  result.position[0] = actual;
+  result.velocity[0] = velocity;
+  result.word.feed = 3;
+  result.word.state = base::MotionState::changing;
+  return result;
 }
 
 TEST(Tracking, TellsGreatestAndRootMeanSquareOfTheError) {
-  Tracking tracking(axes({base::Axis::X}));
+  Tracking tracking(axes({base::Axis::X}), period);
   for (const double error : {0.0, 0.3, -0.4, 0.0}) tracking.observe(followed(1, 1 - error));
   EXPECT_DOUBLE_EQ(tracking.axis(base::Axis::X).greatest, 0.4);
   EXPECT_DOUBLE_EQ(tracking.axis(base::Axis::X).rms, 0.25);
@@ -34,7 +36,7 @@ TEST(Tracking, TellsGreatestAndRootMeanSquareOfTheError) {
 
 /// Only where the axis stands, only beyond the place and in the direction it came from.
 TEST(Tracking, CountsAsOvershootWhatIsBeyondAStop) {
-  Tracking tracking(axes({base::Axis::X}));
+  Tracking tracking(axes({base::Axis::X}), period);
   const auto overshoot = [&] { return tracking.axis(base::Axis::X).overshoot; };
   tracking.observe(followed(0, 9));  // before any motion
   tracking.observe(followed(1, 2));  // in motion
@@ -51,10 +53,10 @@ TEST(Tracking, CountsAsOvershootWhatIsBeyondAStop) {
 }
 
 TEST(Tracking, MeasuresFeedByTheLinearAxes) {
-  Tracking tracking(axes({base::Axis::X, base::Axis::Y, base::Axis::A}));
-  Followed period = followed(0, 0, 3);
-  period.velocity = {3, -4, 0, 90};
-  tracking.observe(period);
+  Tracking tracking(axes({base::Axis::X, base::Axis::Y, base::Axis::A}), period);
+  Followed turning = followed(0, 0, 3);
+  turning.velocity = {3, -4, 0, 90};
+  tracking.observe(turning);
   EXPECT_DOUBLE_EQ(tracking.measured_feed(), 5);
   tracking.observe(followed(1, 1, 1));
   Followed rest = followed(1, 1, 7);
@@ -63,9 +65,37 @@ TEST(Tracking, MeasuresFeedByTheLinearAxes) {
   EXPECT_DOUBLE_EQ(tracking.feed().measured_max, 7);
   EXPECT_DOUBLE_EQ(tracking.feed().measured_mean, 3);
   EXPECT_DOUBLE_EQ(tracking.feed().commanded_max, 3);
-  Tracking rotary(axes({base::Axis::A}));
-  rotary.observe(period);
+  Tracking rotary(axes({base::Axis::A}), period);
+  rotary.observe(turning);
   EXPECT_DOUBLE_EQ(rotary.measured_feed(), 90);
+}
+
+/// Both feeds are of the linear axes: of words that turn A alone, whose feed is in degrees/s, there is none.
+TEST(Tracking, CommandsNoFeedWhereRotaryAxesAloneAreFed) {
+  Tracking tracking(axes({base::Axis::X, base::Axis::A}), period);
+  Followed turning = followed(0, 0);
+  for (int k = 0; k < 4; ++k) {
+    turning.word.position[3] += 0.09;
+    turning.velocity = {0, 0, 0, 90};
+    turning.word.feed = 90;
+    tracking.observe(turning);
+  }
+  EXPECT_EQ(tracking.feed().commanded_max, 0);
+  EXPECT_EQ(tracking.feed().measured_max, 0);
+  turning.word.position[0] += 0.002;
+  turning.word.feed = 2;
+  tracking.observe(turning);
+  EXPECT_DOUBLE_EQ(tracking.feed().commanded_max, 2);
+}
+
+/// Where feed is the tip's, both are, however fast the axes go for it.
+TEST(Tracking, TellsTheFeedOfTheTip) {
+  Tracking tracking(axes({base::Axis::X, base::Axis::A}), period);
+  tracking.observe(followed(0, 0, 40), TipMotion{});
+  tracking.observe(followed(0.04, 0.04, 40), TipMotion{0.003, 3.5});
+  EXPECT_DOUBLE_EQ(tracking.feed().commanded_max, 3);
+  EXPECT_DOUBLE_EQ(tracking.measured_feed(), 3.5);
+  EXPECT_DOUBLE_EQ(tracking.feed().measured_max, 3.5);
 }
 
 }  // namespace test_tracking

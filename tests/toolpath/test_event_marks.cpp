@@ -124,4 +124,29 @@ TEST(EventMarks, AreNeitherLostNorDoubledWhereAPieceIsParted) {
   EXPECT_EQ(second[1].s, 5);
 }
 
+/// Where a move begins that is made with another tool, and only to who asks.
+TEST(EventMarks, TellOfTheToolWhereAMoveBeginsWithAnother) {
+  Moves moves;
+  moves.line_to(3, 4).line_to(3, 10).line_to(3, 12).line_to(0, 12);
+  moves.moves[1].tool = moves.moves[2].tool = {0, 0, 7};
+  moves.moves[3].tool = {1, 0, 7};
+  for (const bool asks : {false, true}) {
+    Builder builder;
+    if (asks) builder.tell_tool();
+    for (const Move& move : moves.moves) builder.push(move);
+    builder.finish();
+    std::vector<std::pair<double, base::Event>> told;
+    double length = 0;
+    while (auto element = builder.pop()) {
+      const Piece& piece = std::get<Piece>(*element);
+      for (const EventMark& mark : toolpath::events_of(piece)) told.emplace_back(length + mark.s, mark.event);
+      length += geometry::length(piece.curve);
+    }
+    ASSERT_EQ(told.size(), asks ? 2u : 0u);
+    if (!asks) continue;
+    EXPECT_EQ(told[0], std::pair(5.0, base::Event{Kind::tool_offset, 7, {}, 2, false}));
+    EXPECT_EQ(told[1], std::pair(13.0, base::Event{Kind::tool_offset, 1, {}, 0, false}));
+  }
+}
+
 }  // namespace test_event_marks

@@ -59,6 +59,10 @@ struct Event {
     /// motion is no longer in step. Degrees where only rotary axes move.
     spindle_in_step,
     rigid_tap,  ///< G33.1; likewise, in and, behind the spindle's reversal, out again
+    /// G43 and the like; output: 0, 1 or 2 of X, Y or Z; value: offset of the tool along it, mm, of the block that motion
+    /// enters. Only where somebody asks for it (toolpath::Builder::tell_tool), and where it is another than before.
+    tool_offset,
+    tip_control,  ///< G43.4 and the like; likewise; value: 1 where feed is that of the tool's tip, 0 where that of the axes
   };
   Kind kind = Kind::program_end;  ///< what
   double value = 0;               ///< as Kind says; else 0
@@ -93,13 +97,14 @@ constexpr bool is_input(Event::Kind kind) {
 
 /// Does a block ask for it? Not where it only says how motion was programmed.
 constexpr bool is_of_program(Event::Kind kind) {
-  return kind != Event::Kind::programmed_feed;
+  return kind != Event::Kind::programmed_feed && kind != Event::Kind::tool_offset && kind != Event::Kind::tip_control;
 }
 
 /// Does its output say more than its kind and code?
 constexpr bool has_output(Event::Kind kind) {
   using Kind = Event::Kind;
-  return (kind >= Kind::digital_output_on_with_motion && kind <= Kind::spindle_orientation) || is_input(kind);
+  return (kind >= Kind::digital_output_on_with_motion && kind <= Kind::spindle_orientation) || is_input(kind) ||
+         kind == Kind::tool_offset;
 }
 
 /// Does its value say more than its kind?
@@ -123,6 +128,8 @@ constexpr bool has_value(Event::Kind kind) {
     case Kind::user_function:
     case Kind::spindle_in_step:
     case Kind::rigid_tap:
+    case Kind::tool_offset:
+    case Kind::tip_control:
       return true;
     default:
       return false;
@@ -154,9 +161,10 @@ inline constexpr std::array<char, user_functions * longest_code> user_codes = ma
 
 /// As a program writes it: "M8", "S", "M101".
 constexpr std::string_view code_of(const Event& event) {
-  constexpr std::string_view codes[] = {"M5",  "M3",  "M4",  "S",   "M7",  "M8",  "M9",  "T",    "M6",  "M0",   "M1",
-                                        "M60", "M2",  "F",   "M62", "M63", "M64", "M65", "M67",  "M68", "M19",  "M48",
-                                        "M49", "M50", "M51", "M52", "M53", "M66", "M66", "M100", "G33", "G33.1"};
+  constexpr std::string_view codes[] = {"M5",  "M3",  "M4",   "S",   "M7",    "M8",  "M9",   "T",   "M6",
+                                        "M0",  "M1",  "M60",  "M2",  "F",     "M62", "M63",  "M64", "M65",
+                                        "M67", "M68", "M19",  "M48", "M49",   "M50", "M51",  "M52", "M53",
+                                        "M66", "M66", "M100", "G33", "G33.1", "G43", "G43.4"};
   if (event.kind != Event::Kind::user_function) return codes[static_cast<std::size_t>(event.kind)];
   const auto number = static_cast<std::size_t>(event.output);
   if (number >= detail::user_functions) return "M";

@@ -47,13 +47,13 @@ DriveView::DriveView(const termios& settings, const files::InputFile& file, cons
 
 void DriveView::observe(const drive::Feedback& feedback) {
   last_ = feedback;
+  poses_.hold(feedback.tool);
   const auto pose = poses_.of(feedback.actual);
   map_.visit(pose ? pose->tip : feedback.actual);
 }
 
 bool DriveView::go_on(const drive::WordMaker& maker, realtime::Runner& runner) {
   waits_for_input_ = maker.waits_for_input();
-  poses_.hold(maker.tool());
   const bool is_asked = obey_keys(runner);
   draw(runner);
   return is_asked;

@@ -147,21 +147,19 @@ base::Result<void> Outputs::write(const servo::Followed& followed, double measur
 }
 
 base::Result<void> Outputs::write(const base::Word& word, const trace::BesideWord& beside) {
-  const auto pose = poses_.of(word.position);
+  const auto pose = poses_.of(word);
   if (recording_) recording_->observe(word, pose ? &pose->tip : nullptr);
   if (steps_) {
     if (auto written = steps_->write(word); !written) return written;
   }
   trace::BesideWord all = beside;
-  for (std::size_t i = 0; pose && i < 3; ++i) {
-    all.pose[i] = pose->tip[i];
-    all.pose[i + 3] = pose->direction[i];
-  }
+  if (pose) all.pose = pose->numbers();
   return trace_.write(word, all);
 }
 
 void Outputs::write(const base::PassedEvent& event) {
   trace_.observe(event);
+  poses_.observe(event);
   if (recording_) recording_->observe(event);
   static_cast<void>(events_.write(event));
 }

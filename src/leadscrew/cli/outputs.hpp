@@ -58,7 +58,7 @@ class Outputs {
   /// What slides made of it, with the feed that was measured, mm/s.
   base::Result<void> write(const servo::Followed& followed, double measured_feed);
 
-  /// Of words from the next on: the offset of their tool, mm.
+  /// Of words from the next on: the offset of their tool, mm, where no events tell it.
   void hold(const std::array<double, 3>& tool) { poses_.hold(tool); }
   /// Of the word that is written next. Errors are told by publish().
   void write(const base::PassedEvent& event);

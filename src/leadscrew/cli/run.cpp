@@ -85,6 +85,7 @@ class ProgramRun {
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
+    program.tell_tool();
     if (outputs.recording() != nullptr) program.tell_feed();
     if (auto opened = outputs.open_blocks(file); !opened) return base::failure(opened.error());
     pipeline::LostTime lost(job_.machine, outputs.blocks());
@@ -98,7 +99,6 @@ class ProgramRun {
     while (watch.prepare(program.will_plan(), [&] { return program.prepare(); })) {
       for (const base::Word& word : next_words(program, watch)) {
         referee.observe(word.position, word.feed);
-        outputs.hold(referee.matched().tool);
         lost.observe(word);
         if (auto written = outputs.write(word); !written) return base::failure(written.error());
         if (base::count(word.tick) % words_between_checks != 0) continue;

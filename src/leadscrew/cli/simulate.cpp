@@ -67,12 +67,16 @@ class Simulation {
                               nullptr);
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
-    program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
+    program.tell_tool();
     if (outputs.recording() != nullptr) program.tell_feed();
     gcode::Reader reader = silent_reader(file, job_);
     const drive::LoopKind kind = job_.arguments.simulate.pulses ? drive::LoopKind::pulses : drive::LoopKind::words;
     auto slides = drive::Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
     if (!slides) return base::failure(slides.error());
+    program.on_event([&](const base::PassedEvent& event) {
+      outputs.write(event);
+      slides->observe(event);
+    });
     auto adaptive = AdaptiveRun::create(file, job_, program);
     if (!adaptive) return base::failure(adaptive.error());
     base::Word word;
@@ -110,7 +114,6 @@ class Simulation {
     auto followed = slides.follow(word);
     if (!followed) return followed;
     if (!*followed) return followed;
-    outputs.hold(slides.tool());
     const auto written = outputs.write(**followed, slides.measured_feed());
     if (!written) return base::failure(written.error());
     record(slides.take_contour(), slides, outputs);

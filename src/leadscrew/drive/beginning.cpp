@@ -64,6 +64,9 @@ base::Result<Beginning> Beginning::of(const files::InputFile& program, const Set
     state = *kept;
     if (state.kind == State::Kind::moving) begin.warning = cut_twice(*options.resume);
   }
+  kinematics::WordPoses poses(setup.machine);
+  if (state.tool) poses.hold(state.tool->offset);
+  state.tool = tool_state_of(poses, state.axes.position);
   state.program = program.name();
   state.machine = setup.machine.name;
   state.fingerprint = *fingerprint;

@@ -5,6 +5,7 @@
 #include <leadscrew/drive/drive_side.hpp>
 #include <leadscrew/drive/file_side.hpp>
 #include <leadscrew/drive/slides.hpp>
+#include <leadscrew/drive/tip_motions.hpp>
 #include <leadscrew/drive/word_side.hpp>
 #include <leadscrew/realtime/schedule.hpp>
 #include <leadscrew/servo/machine_loops.hpp>
@@ -46,15 +47,13 @@ class DriveSide : public WordSide {
         machine_(setup.machine),
         axes_(begin.axes),
         servo_(*servo::Servo::create(servo::loops_of(setup.machine), period_)),
-        tracking_(setup.machine.axis_set()) {}
+        tracking_(setup.machine.axis_set(), period_) {}
 
   base::Result<void> open(const Setup& setup) {
     const Options& options = setup.options;
     if (auto opened = open_events(setup); !opened) return opened;
     if (options.trace) {
-      if (auto opened =
-              trace_file_.open(*options.trace, program_, setup.machine, {.power = setup.machine.laser.has_value()});
-          !opened)
+      if (auto opened = trace_file_.open(*options.trace, program_, setup.machine, columns_of(setup.machine)); !opened)
         return opened;
     }
     if (options.axes) return axes_file_.open(*options.axes, program_, setup.machine);
@@ -116,13 +115,18 @@ class DriveSide : public WordSide {
     base::Word word;
     if (!link_.words.pop(word)) return false;
     last_ = word;
-    follow({word.position, word.path_length});
     for (const base::PassedEvent& event : take_events(word)) trace_file_.observe(event);
-    took(trace_file_.write(word));
+    follow({word.position, word.path_length});
+    took(write_word(word));
     took(write_events());
     took(observe());
     link_.taken.fetch_add(1, std::memory_order_release);
     return true;
+  }
+
+  base::Result<void> write_word(const base::Word& word) {
+    const auto pose = poses_.of(word);
+    return trace_file_.write(word, {.pose = pose ? pose->numbers() : std::array<double, 6>{}});
   }
 
   /// Words have ceased; false where the way to rest has ended.
@@ -144,8 +148,9 @@ class DriveSide : public WordSide {
     const std::optional<servo::Followed> followed = servo_.follow(word);
     if (!followed) return;
     took(check_followed(*followed, machine_));
-    tracking_.observe(*followed);
-    Feedback feedback{last_, followed->position, tracking_.measured_feed()};
+    // Of the word before the last; motion rests where another tool, or none, is what feed is counted by.
+    tracking_.observe(*followed, tip_motions_.next(poses_, *followed));
+    Feedback feedback{last_, followed->position, tracking_.measured_feed(), 0, poses_.tool()};
     for (std::size_t i = 0; i < followed->position.size(); ++i)
       feedback.following_error =
           std::max(feedback.following_error, std::abs(followed->word.position[i] - followed->position[i]));
@@ -165,7 +170,7 @@ class DriveSide : public WordSide {
     base::Word word = last_;
     word.tick = base::Tick{periods_++};
     word.position = axes_.place().position;
-    state_writer_.observe(last_, axes_.place());
+    state_writer_.observe(last_, axes_.place(), tool_state_of(poses_, axes_.place().position));
     return axes_file_.write(word);
   }
 
@@ -175,6 +180,7 @@ class DriveSide : public WordSide {
   Axes axes_;
   servo::Servo servo_;
   servo::Tracking tracking_;
+  TipMotions tip_motions_;
   files::WordFile trace_file_, axes_file_;
   std::int64_t periods_ = 0, led_ = 0, wake_ = 0;
 };

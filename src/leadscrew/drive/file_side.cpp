@@ -22,7 +22,7 @@ FileSide::FileSide(Link& link, const Setup& setup, const State& begin)
     : WordSide(link, setup, begin),
       path_(*setup.options.sink),
       writer_([this](std::string_view bytes) { return write(bytes); }, setup.machine.axis_set(), setup.machine.period,
-              {.power = setup.machine.laser.has_value()}),
+              columns_of(setup.machine)),
       progress_(realtime::now()) {
   if (setup.machine.laser) laser_.emplace(*setup.machine.laser);
 }
@@ -69,7 +69,9 @@ void FileSide::take_words() {
     for (const base::PassedEvent& event : take_events(word)) {
       if (laser_) laser_->observe(event);
     }
-    written = writer_.write(word, {.power = laser_ ? laser_->at(word) : 0});
+    trace::BesideWord beside{.power = laser_ ? laser_->at(word) : 0};
+    if (const auto pose = poses_.of(word)) beside.pose = pose->numbers();
+    written = writer_.write(word, beside);
   }
   if (words.empty()) return;
   if (written) written = writer_.finish();
@@ -83,8 +85,9 @@ void FileSide::take_words() {
   last_ = words.back();
   took(write_events());
   link_.taken.fetch_add(static_cast<std::int64_t>(words.size()), std::memory_order_release);
-  for (const base::Word& word : words) link_.feedback.push({.word = word, .actual = word.position});
-  state_writer_.observe(last_, {last_.position, last_.path_length});
+  for (const base::Word& word : words)
+    link_.feedback.push({.word = word, .actual = word.position, .tool = poses_.tool()});
+  state_writer_.observe(last_, {last_.position, last_.path_length}, tool_state_of(poses_, last_.position));
 }
 
 base::Result<void> FileSide::write(std::string_view bytes) {

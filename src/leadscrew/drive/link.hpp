@@ -27,10 +27,11 @@ namespace leadscrew::drive {
 
 /// One period of the drives.
 struct Feedback {
-  base::Word word;             ///< the last that was taken
-  base::AxisVector actual{};   ///< where the slides are, two periods ago
-  double measured_feed = 0;    ///< by their tachogenerators, mm/s (degrees/s where only rotary axes are)
-  double following_error = 0;  ///< the greatest of any axis, mm or degrees
+  base::Word word;               ///< the last that was taken
+  base::AxisVector actual{};     ///< where the slides are, two periods ago
+  double measured_feed = 0;      ///< by their tachogenerators, mm/s (degrees/s where only rotary axes are)
+  double following_error = 0;    ///< the greatest of any axis, mm or degrees
+  std::array<double, 3> tool{};  ///< its offset, mm; of machines with a chain of rotary axes
 };
 
 /// What following came to, when all is over.

@@ -53,7 +53,7 @@ Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, Follo
     : machine_(&machine),
       axes_(machine.axis_set()),
       follower_(std::move(follower)),
-      tracking_(axes_),
+      tracking_(axes_, machine.period),
       matcher_(scale_of(machine), window_of(lag, machine.period)),
       referee_(std::move(moves), machine, machine.period, files::interrupted),
       poses_(machine),
@@ -64,7 +64,8 @@ base::Result<std::optional<servo::Followed>> Slides::follow(const base::Word& wo
   auto followed = std::visit([&](auto& follower) { return follower.follow(word); }, follower_);
   if (!followed) return followed;
   if (auto stable = check_followed(*followed, *machine_); !stable) return base::failure(std::move(stable.error()));
-  tracking_.observe(*followed);
+  poses_.advance(followed->word.tick);
+  tracking_.observe(*followed, tip_motions_.next(poses_, *followed));
   referee_.observe(followed->position);
   observe_contour(*followed);
   if (ending_) watch_rest(*followed);
@@ -110,7 +111,6 @@ void Slides::watch_rest(const servo::Followed& followed) {
 
 /// Of the tip where rotary axes carry it, so that slides that err together and not at the tip do not count.
 void Slides::observe_contour(const servo::Followed& followed) {
-  poses_.hold(tool());
   const auto commanded = poses_.of(followed.word.position), actual = poses_.of(followed.position);
   if (commanded && actual) {
     matcher_.observe(commanded->tip, actual->tip);

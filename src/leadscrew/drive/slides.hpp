@@ -2,6 +2,7 @@
 // The slides of a simulated machine, and what is measured of them.
 
 #include <leadscrew/drive/slide_figures.hpp>
+#include <leadscrew/drive/tip_motions.hpp>
 #include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/servo/contour_matcher.hpp>
@@ -22,6 +23,8 @@ class Slides {
   /// servo::PulseServo.
   static base::Result<Slides> create(const machine::Machine& machine, LoopKind kind, referee::MoveSource moves);
 
+  /// What the plan tells of the tool (pipeline::Program::tell_tool), before the word in whose period it happens.
+  void observe(const base::PassedEvent& event) { poses_.observe(event); }
   /// The next word. What came of the word before the last; nothing for the first two. Errors: `servo-unstable`.
   base::Result<std::optional<servo::Followed>> follow(const base::Word& word);
 
@@ -30,8 +33,6 @@ class Slides {
   /// Call before the word is repeated.
   void end_words() { ending_ = true; }
 
-  /// Offset of the tool that the slides carry, mm.
-  std::array<double, 3> tool() const { return referee_.matched().tool; }
   double measured_feed() const { return tracking_.measured_feed(); }
   /// Of the periods that have been matched since the last call.
   std::vector<servo::Contour> take_contour();
@@ -62,6 +63,7 @@ class Slides {
   servo::ContourMatcher matcher_;
   referee::Referee referee_;
   kinematics::WordPoses poses_;
+  TipMotions tip_motions_;
   ContourFigures contour_;
   double contour_squares_ = 0;
   std::int64_t contour_count_ = 0;

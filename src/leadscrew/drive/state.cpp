@@ -43,6 +43,11 @@ Json json_of(const base::AxisVector& values) {
   return std::vector<double>(values.begin(), values.end());
 }
 
+Json json_of(const ToolState& tool) {
+  const auto list = [](const kinematics::Vector& vector) { return std::vector<double>(vector.begin(), vector.end()); };
+  return Json::object({{"offset", list(tool.offset)}, {"tip", list(tool.tip)}, {"direction", list(tool.direction)}});
+}
+
 base::Result<void> add_text(const files::InputFile& file, base::Hash& hash) {
   std::vector<char> buffer(1 << 16);
   auto source = file.source();
@@ -77,17 +82,29 @@ class Members {
     return length && *length >= 0 ? *length : throw wrong(key, "is no length");
   }
   base::AxisVector axes(std::string_view key) const {
+    return numbers<base::AxisVector>(key, "is no list of nine axes");
+  }
+  kinematics::Vector vector(std::string_view key) const {
+    return numbers<kinematics::Vector>(key, "is no list of X, Y and Z");
+  }
+  /// None where there is none.
+  std::optional<Members> members(std::string_view key) const {
+    const Json* found = json_.find(key);
+    return found != nullptr ? std::optional(Members(*found)) : std::nullopt;
+  }
+
+ private:
+  template <class Numbers>
+  Numbers numbers(std::string_view key, std::string_view else_wrong) const {
     const auto* list = member(key).values();
-    base::AxisVector values{};
-    if (list == nullptr || list->size() != values.size()) throw wrong(key, "is no list of nine axes");
+    Numbers values{};
+    if (list == nullptr || list->size() != values.size()) throw wrong(key, else_wrong);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto number = (*list)[i].number();
       values[i] = number ? *number : throw wrong(key, "is no list of numbers");
     }
     return values;
   }
-
- private:
   const Json& member(std::string_view key) const {
     const Json* found = json_.find(key);
     return found != nullptr ? *found : throw wrong(key, "is missing");
@@ -105,6 +122,12 @@ tl::unexpected<base::Diagnostic> state_refusal(std::string_view code, std::strin
                                                const std::string& path) {
   return base::failure(
       {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = path}, {}});
+}
+
+std::optional<ToolState> tool_state_of(const kinematics::WordPoses& poses, const base::AxisVector& axes) {
+  const auto pose = poses.of(axes);
+  if (!pose) return std::nullopt;
+  return ToolState{poses.tool(), {pose->tip[0], pose->tip[1], pose->tip[2]}, pose->direction};
 }
 
 base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup) {
@@ -132,6 +155,7 @@ base::Result<void> write_state(const std::string& path, const State& state) {
                             {"axes_path_length", state.axes.path_length}});
   if (base::file(state.word.line) != 0) json["file"] = base::file(state.word.line);
   if (base::visit(state.word.line) != 0) json["visit"] = base::visit(state.word.line);
+  if (state.tool) json["tool"] = json_of(*state.tool);
   auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   if (auto written = file->write(json.written() + "\n"); !written) return written;
@@ -159,6 +183,8 @@ base::Result<State> read_state(const std::string& path) {
     state.word.path_length = members.length("path_length");
     state.word.position = members.axes("position");
     state.axes = {members.axes("axes"), members.length("axes_path_length")};
+    if (const auto tool = members.members("tool"))
+      state.tool = {tool->vector("offset"), tool->vector("tip"), tool->vector("direction")};
     constexpr double rounded = 1e-6;
     if (state.axes.path_length < state.word.path_length - rounded)
       throw std::runtime_error("axes stand before the last word");

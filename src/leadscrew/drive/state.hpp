@@ -5,6 +5,7 @@
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/files/input_file.hpp>
+#include <leadscrew/kinematics/word_poses.hpp>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,15 @@ struct Fingerprint {
 /// Errors: those of reading the program.
 base::Result<Fingerprint> fingerprint_of(const files::InputFile& program, const Setup& setup);
 
+/// The tool of a machine with a chain of rotary axes, while the axes stand as the state says.
+struct ToolState {
+  kinematics::Vector offset{};     ///< mm
+  kinematics::Vector tip{};        ///< in the workpiece as it lies with all rotary axes at 0, mm
+  kinematics::Vector direction{};  ///< a unit vector from the tip to the spindle, seen from there
+};
+/// None of other machines.
+std::optional<ToolState> tool_state_of(const kinematics::WordPoses& poses, const base::AxisVector& axes);
+
 struct State {
   enum class Kind { moving, stopped, ended };
 
@@ -26,6 +36,7 @@ struct State {
   Kind kind = Kind::stopped;
   base::Word word;       ///< the last that the drives have taken
   base::PathPlace axes;  ///< where they stand, or stood when this was written: there, or ahead of it
+  std::optional<ToolState> tool;
 };
 
 /// Durable before it is visible, and whole or not there at all. Errors: `io-open`, `io-write`.

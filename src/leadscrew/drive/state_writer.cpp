@@ -35,6 +35,7 @@ bool StateWriter::take_seen() {
   state_.kind = State::Kind::moving;
   state_.word = seen.word;
   state_.axes = seen.axes;
+  state_.tool = seen.tool;
   return true;
 }
 

@@ -18,8 +18,10 @@ class StateWriter {
   StateWriter(const StateWriter&) = delete;
   StateWriter& operator=(const StateWriter&) = delete;
 
-  /// The last word, and where the axes are. Neither allocates nor locks.
-  void observe(const base::Word& word, const base::PathPlace& axes) { seen_.put({word, axes}); }
+  /// The last word, where the axes are, and the tool there. Neither allocates nor locks.
+  void observe(const base::Word& word, const base::PathPlace& axes, const std::optional<ToolState>& tool) {
+    seen_.put({word, axes, tool});
+  }
   /// The last state, when all stands still. Errors as those of write_state().
   base::Result<void> conclude(State::Kind kind);
 
@@ -27,6 +29,7 @@ class StateWriter {
   struct Seen {
     base::Word word;
     base::PathPlace axes;
+    std::optional<ToolState> tool;
   };
 
   void write_states();

@@ -36,11 +36,7 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
       lead_(setup.options.lead + slice_duration),
       sink_(link, setup.machine, first.position, most_waiting(setup)) {
   source_.unchanged = [this] { return program_.unchanged(); };
-  if (setup.machine.rotary_chain) {
-    source_.on_move = [this](const gcode::Move& move) {
-      for (std::size_t i = 0; i < tool_.size(); ++i) tool_[i].store(move.tool[i], std::memory_order_relaxed);
-    };
-  }
+  if (setup.machine.rotary_chain) source_.tell_tool();
   source_.stop_when(files::interrupted);
   source_.planner().slice(longest_chunk);
   source_.planner().start_at(first.path_length, first.line);

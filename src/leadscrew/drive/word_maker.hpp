@@ -38,8 +38,6 @@ class WordMaker {
   std::int64_t bytes_read() const { return bytes_read_.load(std::memory_order_relaxed); }
   /// Does motion wait for an input (M66), which does not come? Anybody's.
   bool waits_for_input() const { return input_wait_.waits(); }
-  /// Offset of the tool of the move that was planned last, mm; 0 of a machine without a chain of rotary axes. Anybody's.
-  std::array<double, 3> tool() const { return {tool_[0].load(), tool_[1].load(), tool_[2].load()}; }
   /// Has the runner ended because the last word of the program was made? Anybody's.
   bool has_come_to_end() const {
     return runner_->has_ended() && !has_failed_.load(std::memory_order_acquire) && !sink_.has_refused() &&
@@ -71,7 +69,6 @@ class WordMaker {
   std::unique_ptr<LiveProgram> live_;  ///< none: the program was read before
   pipeline::MotionSource source_;      ///< the planner's thread's, from start() to conclude()
   std::atomic<bool> has_failed_{false};
-  std::array<std::atomic<double>, 3> tool_{};
   InputWait input_wait_;  ///< the planner's thread's
   const double lead_;     ///< s that words are made ahead of their time
   GuardedSink sink_;

@@ -12,10 +12,13 @@ std::span<const base::PassedEvent> WordSide::take_events(const base::Word& word)
   const std::size_t taken = events_.size();
   while (true) {
     if (!next_event_ && !link_.events.pop(next_event_.emplace())) next_event_.reset();
-    if (!next_event_ || next_event_->tick > word.tick) return std::span(events_).subspan(taken);
+    if (!next_event_ || next_event_->tick > word.tick) break;
+    poses_.observe(*next_event_);
     events_.push_back(*next_event_);
     next_event_.reset();
   }
+  poses_.advance(word.tick);
+  return std::span(events_).subspan(taken);
 }
 
 base::Result<void> WordSide::write_events() {

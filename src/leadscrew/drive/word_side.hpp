@@ -7,6 +7,7 @@
 #include <leadscrew/drive/state_writer.hpp>
 #include <leadscrew/files/event_file.hpp>
 #include <leadscrew/files/word_file.hpp>
+#include <leadscrew/kinematics/word_poses.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +21,9 @@ class WordSide {
 
  protected:
   WordSide(Link& link, const Setup& setup, const State& begin)
-      : link_(link), state_writer_(setup.options.state, begin), last_(begin.word) {}
+      : link_(link), state_writer_(setup.options.state, begin), last_(begin.word), poses_(setup.machine) {
+    if (begin.tool) poses_.hold(begin.tool->offset);
+  }
   ~WordSide() = default;
   WordSide(const WordSide&) = delete;
   WordSide& operator=(const WordSide&) = delete;
@@ -33,7 +36,12 @@ class WordSide {
     if (!result && !failed_) failed_ = result.error();
   }
   base::Result<void> open_events(const Setup& setup);
-  /// Takes those of the word, and of all before it that have not been taken. Good until the next call.
+  /// What a file of words has beside them.
+  static trace::MoreColumns columns_of(const machine::Machine& machine) {
+    return {.power = machine.laser.has_value(), .pose = machine.rotary_chain.has_value()};
+  }
+  /// Takes those of the word, and of all before it that have not been taken: the tool is that of the word from then on. Good
+  /// until the next call.
   std::span<const base::PassedEvent> take_events(const base::Word& word);
   /// Writes those that have been taken.
   base::Result<void> write_events();
@@ -44,6 +52,7 @@ class WordSide {
   Link& link_;
   StateWriter state_writer_;
   base::Word last_;  ///< taken
+  kinematics::WordPoses poses_;
   std::optional<base::Diagnostic> failed_;
 
  private:

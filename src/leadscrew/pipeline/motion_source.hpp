@@ -59,6 +59,8 @@ class MotionSource {
   /// Before the first chunk: events say where a move begins whose feed is not that of the one before
   /// (base::Event::Kind::programmed_feed).
   void tell_feed() { builder_.tell_feed(); }
+  /// The same of the tool that a move is made with (base::Event::Kind::tool_offset, tip_control).
+  void tell_tool() { builder_.tell_tool(); }
 
   /// Blocks of the program read so far.
   std::int64_t blocks() const { return reader_ ? reader_->blocks() : 0; }

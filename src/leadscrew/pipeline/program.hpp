@@ -84,6 +84,8 @@ class Program {
   void on_event(EventSink sink) { events_ = std::move(sink); }
   /// Before the first word: events of programmed feed come too (MotionSource::tell_feed).
   void tell_feed() { source_.tell_feed(); }
+  /// Likewise those of the tool (MotionSource::tell_tool).
+  void tell_tool() { source_.tell_tool(); }
   /// Called for each move before it is planned.
   void on_move(std::function<void(const gcode::Move&)> sink) { moves_ = std::move(sink); }
   /// Before the first word: how to ask whether the program is still the one that was checked

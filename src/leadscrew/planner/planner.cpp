@@ -25,6 +25,8 @@ enum class Effect : std::uint8_t {
   digital_output,
   analog_output,
   programmed_feed,
+  tool_offset,
+  tip_control,
   overrides,
   feed_override,
   spindle_override,
@@ -62,6 +64,10 @@ Effect effect_of(base::Event::Kind kind) {
       return Effect::analog_output;
     case Kind::programmed_feed:
       return Effect::programmed_feed;
+    case Kind::tool_offset:
+      return Effect::tool_offset;
+    case Kind::tip_control:
+      return Effect::tip_control;
     case Kind::overrides_on:
     case Kind::overrides_off:
       return Effect::overrides;
@@ -82,7 +88,7 @@ bool undoes(const base::Event& event, const base::Event& before) {
   const Effect now = effect_of(event.kind), then = effect_of(before.kind);
   if (now == Effect::coolant_off && (then == Effect::mist || then == Effect::flood)) return true;
   if (now == Effect::overrides && (then == Effect::feed_override || then == Effect::spindle_override)) return true;
-  const bool is_of_output = now == Effect::digital_output || now == Effect::analog_output;
+  const bool is_of_output = now == Effect::digital_output || now == Effect::analog_output || now == Effect::tool_offset;
   return now == then && (!is_of_output || event.output == before.output);
 }
 

@@ -76,7 +76,8 @@ class Recording::Implementation {
 
   std::span<const PathPoint> path() { return path_.points(); }
   void observe(const base::PassedEvent& event) {
-    if (!base::is_of_program(event.kind)) return feeds_.push_back(event);
+    if (event.kind == base::Event::Kind::programmed_feed) return feeds_.push_back(event);
+    if (!base::is_of_program(event.kind)) return;
     ++event_count_;
     if (events_.size() < most_events) events_.push_back(event);
   }

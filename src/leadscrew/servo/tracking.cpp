@@ -16,11 +16,11 @@ base::AxisSet linear_axes(base::AxisSet axes) {
 
 }  // namespace
 
-Tracking::Tracking(base::AxisSet axes)
-    : axes_(axes), feed_axes_(linear_axes(axes).empty() ? axes : linear_axes(axes)) {}
+Tracking::Tracking(base::AxisSet axes, base::Period period)
+    : axes_(axes), feed_axes_(linear_axes(axes).empty() ? axes : linear_axes(axes)), period_(period.seconds()) {}
 
-void Tracking::observe(const Followed& followed) {
-  double squares = 0;
+void Tracking::observe(const Followed& followed, const std::optional<TipMotion>& tip) {
+  double squares = 0, steps = 0;
   for (const base::Axis axis : base::all_axes) {
     if (!axes_.contains(axis)) continue;
     const std::size_t k = base::index(axis);
@@ -34,11 +34,16 @@ void Tracking::observe(const Followed& followed) {
     } else {
       of_axis.overshoot = std::max(of_axis.overshoot, -error * of_axis.direction);
     }
-    if (feed_axes_.contains(axis)) squares += followed.velocity[k] * followed.velocity[k];
+    if (!feed_axes_.contains(axis)) continue;
+    squares += followed.velocity[k] * followed.velocity[k];
+    steps += step * step;
   }
-  measured_ = std::sqrt(squares);
+  measured_ = tip ? tip->speed : std::sqrt(squares);
+  double commanded = followed.word.feed;
+  // A word does not say what its feed is counted by: rotary axes alone may be fed where a machine has others, too.
+  if (axes_ != feed_axes_) commanded = std::min(commanded, (tip ? tip->travel : std::sqrt(steps)) / period_);
   feed_.measured_max = std::max(feed_.measured_max, measured_);
-  feed_.commanded_max = std::max(feed_.commanded_max, followed.word.feed);
+  feed_.commanded_max = std::max(feed_.commanded_max, commanded);
   if (followed.word.state != base::MotionState::rest) {
     measured_sum_ += measured_;
     ++moving_;

@@ -30,7 +30,7 @@ class PlannedSlot {
       : text_("G21 G90 G94\nG1 X" + std::to_string(length) + " F600\nM2\n"),
         program_(gcode::text_source(text_), machine_, tools_, {}, nullptr),
         servo_(servo::Servo::create(servo::loops_of(machine_), machine_.period)),
-        tracking_(machine_.axis_set()) {
+        tracking_(machine_.axis_set(), machine_.period) {
     program_.slice(0.02);
   }
   PlannedSlot(const PlannedSlot&) = delete;

@@ -106,6 +106,7 @@ void Builder::move_along(const gcode::Move& move) {
   const double feed = pieces.empty() ? 0 : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
   if (!pieces.empty()) note_feed(move.line, feed);
+  if (told_tool_ && !pieces.empty()) note_tool(move);
   if (!pieces.empty()) set_events(pieces.front(), std::exchange(passed_, {}));
   const bool blends = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_tolerance &&
                       move.curve.contact.empty();  // whose feed is told along the curve as it is
@@ -184,6 +185,18 @@ void Builder::note_feed(base::Line line, double feed) {
   if (!told_feed_ || *told_feed_ == told) return;
   told_feed_ = told;
   passed_.push_back({0, {base::Event::Kind::programmed_feed, told, line, 0, false}});
+}
+
+/// Likewise.
+void Builder::note_tool(const gcode::Move& move) {
+  using Kind = base::Event::Kind;
+  for (std::size_t i = 0; i < move.tool.size(); ++i) {
+    if (told_tool_->offset[i] == move.tool[i]) continue;
+    passed_.push_back({0, {Kind::tool_offset, move.tool[i], move.line, static_cast<std::int32_t>(i), false}});
+  }
+  if (told_tool_->is_of_tip != move.is_of_tip)
+    passed_.push_back({0, {Kind::tip_control, move.is_of_tip ? 1.0 : 0.0, move.line, 0, false}});
+  told_tool_ = {move.tool, move.is_of_tip};
 }
 
 /// What follows cannot change what was pushed so far.

@@ -7,6 +7,7 @@
 // (RacingLine) where the machine asks for it, all others by blends and fits (Smoother). All other events lie where
 // the move begins that follows them, or stand by themselves where motion rests before there is one.
 
+#include <array>
 #include <deque>
 #include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/gcode/move.hpp>
@@ -33,6 +34,8 @@ class Builder {
   void push(const gcode::Move& move);
   /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
   void tell_feed() { told_feed_ = -1; }
+  /// The same of the tool that a move is made with, and of what its feed is counted by (Event::tool_offset, tip_control).
+  void tell_tool() { told_tool_.emplace(); }
   /// No more moves will come.
   void finish();
   /// The next element that is settled, if there is one.
@@ -51,6 +54,7 @@ class Builder {
   template <class Blending>
   void take_settled(std::optional<Blending>& blending);
   void note_feed(base::Line line, double feed);
+  [[gnu::cold]] void note_tool(const gcode::Move& move);
   void flush();
   void settle_events(bool motion_follows);
 
@@ -67,6 +71,11 @@ class Builder {
   std::optional<ToleranceSpace> space_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event
+  struct ToldTool {
+    std::array<double, 3> offset{};
+    bool is_of_tip = false;
+  };
+  std::optional<ToldTool> told_tool_;  ///< likewise
   std::deque<Element> settled_;
 };
 
