@@ -46,6 +46,47 @@ TEST(DriveLive, MovesWhatHasBeenWrittenAndRestsWhereItEnds) {
   EXPECT_TRUE(contains(folder.read("events.csv"), "M8") && contains(folder.read("events.csv"), "M9"));
 }
 
+/// At rest, too, places are the tip's.
+TEST(DriveLive, HoldsTheTipWhereTheProgramWaits) {
+  const std::string begin = "G21 G90 G94 G17 F3000 G61\nG43.4\nG1 X10 A10 C20\n", end = "G1 X20 A20\nG49\nM2\n";
+  const std::string machine = (source_folder / "machines/table-table-ac.toml").string();
+  const Folder folder;
+  folder.write("part.ngc", begin + end);
+  Running drive(folder, {"drive", "-", "--live", "--sink", "words.csv", "--machine", machine}, open_input);
+  drive.write(begin);
+  EXPECT_TRUE(eventually([&] {
+    const auto rows = rows_by_now(folder);
+    return !rows.empty() && rows.back().q[4] == 20 && distance({rows.back().q[5], rows.back().q[6]}, {10, 0}) < 1e-9;
+  }));
+  drive.write(end);
+  drive.close_input();
+  const Outcome outcome = drive.wait();
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(leadscrew(folder, {"verify", "words.csv", "part.ngc", "--machine", machine}).status, 0);
+}
+
+/// Whoever waits for motion before more is written does not wait for ever: tool vectors, whose angles are decided together,
+/// are decided by what there is.
+TEST(DriveLive, MovesByToolVectorsThatHaveBeenWritten) {
+  const std::string
+      begin = "G21 G90 G94 G17 F3000 G64 P0.05 E0.5\nG43.5\nG0 X0 Y0 Z0 I0.1 K1\nG1 X10 I0.15 K1\nG1 X20 I0.2 K1\n",
+      end = "G1 X30 I0.25 K1\nG49\nM2\n";
+  const std::string machine = (source_folder / "machines/table-table-ac.toml").string();
+  const Folder folder;
+  folder.write("part.ngc", begin + end);
+  Running drive(folder, {"drive", "-", "--live", "--sink", "words.csv", "--machine", machine}, open_input);
+  drive.write(begin);
+  EXPECT_TRUE(eventually([&] {
+    const auto rows = rows_by_now(folder);
+    return !rows.empty() && distance({rows.back().q[5], rows.back().q[6], rows.back().q[7]}, {20, 0, 0}) < 1e-6;
+  }));
+  drive.write(end);
+  drive.close_input();
+  const Outcome outcome = drive.wait();
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(leadscrew(folder, {"verify", "words.csv", "part.ngc", "--machine", machine}).status, 0);
+}
+
 TEST(DriveLive, RestsBeforeTheFirstError) {
   const Folder folder;
   Running drive(folder, {"drive", "-", "--live", "--sink", "words.csv", "--json"}, open_input);

@@ -5,7 +5,6 @@
 #include <leadscrew/drive/live_program.hpp>
 #include <leadscrew/files/descriptor.hpp>
 #include <leadscrew/realtime/schedule.hpp>
-#include <memory>
 #include <utility>
 
 namespace leadscrew::drive {
@@ -15,6 +14,7 @@ namespace {
 constexpr std::size_t most_moves_waiting = 10'000;  // so that memory is bounded: the writer is held back
 constexpr std::int64_t pause = 2'000'000;           // ns
 constexpr int longest_wait = 50;                    // ms, of a poll
+constexpr std::int64_t longest_kept = 500'000'000;  // ns, that lines wait for those that follow
 
 }  // namespace
 
@@ -28,7 +28,9 @@ void LiveProgram::end() {
 
 /// Moves behind an error may begin where no motion leads.
 void LiveProgram::read() {
-  gcode::Reader reader(source(), setup_.machine, setup_.tools, setup_.speaking(setup_.reader_options(name_)),
+  gcode::ReaderOptions options = setup_.speaking(setup_.reader_options(name_));
+  options.is_dry = [this] { return is_dry(); };
+  gcode::Reader reader(source(), setup_.machine, setup_.tools, std::move(options),
                        [this](const base::Diagnostic& problem) {
                          if (problem.severity == base::Severity::error) fail(problem);
                        });
@@ -57,13 +59,23 @@ gcode::ByteSource LiveProgram::source() {
   if (!opened) {
     return [problem = opened.error()](std::span<char>) -> base::Result<std::size_t> { return base::failure(problem); };
   }
-  return [this, input = std::make_shared<files::Descriptor>(std::move(*opened))](
-             std::span<char> buffer) -> base::Result<std::size_t> {
-    for (pollfd waits{input->number(), POLLIN, 0}; !is_unwanted_.load(std::memory_order_relaxed);) {
-      if (::poll(&waits, 1, longest_wait) != 0) return files::read_some(input->number(), buffer, name_);
+  input_ = std::move(*opened);
+  return [this](std::span<char> buffer) -> base::Result<std::size_t> {
+    for (pollfd waits{input_.number(), POLLIN, 0}; !is_unwanted_.load(std::memory_order_relaxed);) {
+      if (::poll(&waits, 1, longest_wait) != 0) return files::read_some(input_.number(), buffer, name_);
     }
     return 0;
   };
+}
+
+/// Nothing comes for a moment, or a line now and then, and whoever sends the next may wait for motion.
+bool LiveProgram::is_dry() {
+  const std::int64_t now = realtime::now();
+  if (kept_since_ < 0) kept_since_ = now;
+  pollfd waits{input_.number(), POLLIN, 0};
+  const bool is_dry = now - kept_since_ > longest_kept || ::poll(&waits, 1, longest_wait) == 0;
+  if (is_dry) kept_since_ = -1;
+  return is_dry;
 }
 
 }  // namespace leadscrew::drive

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <leadscrew/drive/setup.hpp>
+#include <leadscrew/files/descriptor.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/realtime/live_moves.hpp>
 #include <optional>
@@ -35,11 +36,14 @@ class LiveProgram {
  private:
   void read();
   gcode::ByteSource source();
+  bool is_dry();
   void fail(const base::Diagnostic& problem);
 
   const Setup& setup_;
   const std::string name_;
   realtime::LiveMoves moves_;
+  files::Descriptor input_;       ///< the thread's, as the next
+  std::int64_t kept_since_ = -1;  ///< ns: since when lines have waited for others
   std::atomic<std::int64_t> blocks_{0};
   std::atomic<bool> has_failed_{false}, is_unwanted_{false};
   std::optional<base::Diagnostic> failure_;

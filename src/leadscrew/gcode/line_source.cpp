@@ -70,6 +70,10 @@ bool LineSource::skip_to_line_feed() {
   return false;
 }
 
+bool LineSource::has_line() const {
+  return filled_ > begin_ && std::memchr(buffer_.data() + begin_, '\n', filled_ - begin_) != nullptr;
+}
+
 bool LineSource::next(TextLine& line) {
   if (skipping_ && !skip_to_line_feed()) return false;
   std::size_t scanned = 0;

@@ -39,6 +39,9 @@ class LineSource {
   /// The next line; false at the end of the text, or when the source has failed.
   bool next(TextLine& line);
 
+  /// Has all of it come already?
+  bool has_line() const;
+
   int file() const { return file_; }
   std::int64_t lines() const { return lines_; }                   ///< number of the last line
   std::int64_t offset() const { return base_ + as_int(begin_); }  ///< where the next line begins

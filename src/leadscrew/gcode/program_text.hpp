@@ -38,6 +38,8 @@ class ProgramText {
 
   /// The next line; false at the end of its text, or when the source has failed.
   bool next(TextLine& line) { return current_->next(line); }
+  /// Is the next line there, without asking the source?
+  bool has_line() const { return current_->has_line(); }
   /// Where the next line begins.
   TextPlace place() const { return {current_->file(), current_->offset(), current_->lines() + 1}; }
 

@@ -53,6 +53,8 @@ class Reader::Implementation {
       TextLine line;
       if (reporter_.full()) {
         done_ = true;
+      } else if (options_.is_dry && settles_in_drought()) {
+        continue;
       } else if (!text_.next(line)) {
         end_of_text();
       } else if (read(line, move)) {
@@ -110,6 +112,14 @@ class Reader::Implementation {
       std::exchange(options_.parameters_at_end, nullptr)(parameters_.persistent());
     }
     return false;
+  }
+
+  /// Lines that are kept back do not wait for whoever writes the next.
+  [[gnu::cold]] bool settles_in_drought() {
+    if (!interpreter_.keeps_back() || text_.has_line() || !options_.is_dry()) return false;
+    interpreter_.settle();
+    pending_ = true;
+    return true;
   }
 
   enum class Delimiter : std::uint8_t { unknown, none, percent };  // whether the program stands between two %

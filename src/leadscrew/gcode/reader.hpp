@@ -91,6 +91,10 @@ struct ReaderOptions {
   /// Loops and subprograms go back in the text: where it is opened anew. None: the reader keeps what it has read of it
   /// from the first of them on, up to 16 MiB, and there are no subprograms in files.
   TextOpener opener{};
+  /// Of a text that is written while its motion goes on: has nothing come for a while? Asked where the next line is not there
+  /// yet and lines under G43.5 are kept back, whose rotary axes are decided together: on true those are, as if no line
+  /// followed. May wait a moment. None: the text comes as fast as it is read.
+  std::function<bool()> is_dry{};
   std::int64_t fuel = 100'000'000;  ///< lines that are read in loops and subprograms, at most; ≥ 0
   bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
   ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31

@@ -26,14 +26,18 @@ base::Result<void> MoveQueue::push(gcode::Move move) {
 void MoveQueue::append(gcode::Move move) {
   end_ = move.end;
   line_ = move.line;
+  is_of_tip_ = move.is_of_tip;
+  tool_ = move.tool;
   moves_.push_back(std::move(move));
 }
 
-/// A dwell of no time, for which motion rests.
+/// A dwell of no time, for which motion rests; its place is told as those of the moves before are.
 void MoveQueue::end_for_now() {
   gcode::Move rest = dwell(0);
   rest.start = rest.end = end_;
   rest.line = line_;
+  rest.is_of_tip = is_of_tip_;
+  rest.tool = tool_;
   if (!finished_) moves_.push_back(std::move(rest));
 }
 
@@ -47,6 +51,8 @@ void MoveQueue::restart(const base::AxisVector& start) {
   finished_ = has_given_ = false;
   end_ = start;
   line_ = {};
+  is_of_tip_ = false;
+  tool_ = {};
 }
 
 pipeline::Supply MoveQueue::give(gcode::Move& move) {

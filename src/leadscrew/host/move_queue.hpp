@@ -2,6 +2,7 @@
 // Moves that a host gives one by one: each checked and joined to the one before when it is pushed, in their order when
 // they are planned.
 
+#include <array>
 #include <deque>
 #include <leadscrew/base/borrowed.hpp>
 #include <leadscrew/base/result.hpp>
@@ -49,7 +50,9 @@ class MoveQueue {
   const machine::Machine& machine_;
   std::deque<gcode::Move> moves_;
   base::AxisVector end_;
-  base::Line line_{};  ///< of the last one that was pushed
+  base::Line line_{};             ///< of the last one that was pushed
+  bool is_of_tip_ = false;        ///< likewise
+  std::array<double, 3> tool_{};  ///< likewise
   double tolerance_;
   bool finished_ = false;
   bool has_given_ = false;
