@@ -3,7 +3,11 @@
 
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/pipeline/path_survey.hpp>
+#include <trunnion.hpp>
+#include <utility>
 
+#include "five_axes.hpp"
+#include "five_axis_program.hpp"
 #include "random_program.hpp"
 
 // What is told of a program before it moves.
@@ -13,7 +17,7 @@ namespace test_surveys {
 using namespace leadscrew;
 
 void look(pipeline::Survey& survey, const machine::Machine& machine, const std::string& text) {
-  const machine::ToolTable tools;
+  const machine::ToolTable tools = testing_support::two_tools();
   gcode::Reader reader(gcode::text_source(text), machine, tools, {}, {});
   gcode::Move move;
   while (reader.next(move)) survey.observe(move);
@@ -30,6 +34,32 @@ RC_GTEST_PROP(Surveys, TheQuickBoundIsTheLesser, ()) {
   look(quick, machine, text);
   RC_LOG() << text << testing_support::limits_of(machine) << quick.bound_seconds() << " " << whole.bound_seconds();
   RC_ASSERT(quick.bound_seconds() <= whole.bound_seconds() * (1 + 1e-9));
+}
+
+RC_GTEST_PROP(Surveys, TheQuickBoundIsTheLesserOnFiveAxes, ()) {
+  const machine::Machine machine = testing_support::five_axes();
+  const std::string text = testing_support::FiveAxisProgram(machine).make(testing_support::any(1, 8));
+  pipeline::PathSurvey whole(machine, {});
+  pipeline::QuickSurvey quick(machine, {});
+  look(whole, machine, text);
+  look(quick, machine, text);
+  RC_LOG() << text << testing_support::limits_of(machine) << quick.bound_seconds() << " " << whole.bound_seconds();
+  RC_ASSERT(quick.bound_seconds() <= whole.bound_seconds() * (1 + 1e-9));
+}
+
+// Where rotary axes alone go, with and without tool centre point control, rounded or not: by their feed, or as fast as they may.
+TEST(Surveys, CountTheTimeOfRotaryAxesAlone) {
+  const machine::Machine machine = testing_support::trunnion();
+  for (const char* const mode : {"G61\n", "G64 P0.01 E0.1\n", "G61 G43.4\n", "G64 P0.01 E0.1 G43.4\n"}) {
+    for (const auto& [line, seconds] : {std::pair("G1 C360 F3000\nG1 A90\n", 9.0), {"G0 C360\nG0 A90\n", 1.5}}) {
+      pipeline::PathSurvey whole(machine, {});
+      pipeline::QuickSurvey quick(machine, {});
+      look(whole, machine, std::string("G21 ") + mode + line + "M2\n");
+      look(quick, machine, std::string("G21 ") + mode + line + "M2\n");
+      EXPECT_NEAR(quick.bound_seconds(), seconds, 0.01 * seconds) << mode << line;
+      EXPECT_LE(quick.bound_seconds(), whole.bound_seconds()) << mode << line;
+    }
+  }
 }
 
 // Lines that are short in X, Y and Z while a rotary axis goes far.

@@ -2,15 +2,23 @@
 #include <cmath>
 #include <leadscrew/pipeline/path_survey.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
+#include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/travel.hpp>
 
 namespace leadscrew::pipeline {
 
 namespace {
 
-// What of a move's length, mm, may be cut off at both its ends. Degrees are not cut.
+// What of a move's length, mm, may be cut off at both its ends.
 double cut_off(const gcode::Move& move) {
   return move.path_mode == gcode::PathMode::blend ? 2 * std::max(move.tolerance, move.naive_cam_tolerance) : 0;
+}
+
+// The same of the angle of a rotary axis, degrees.
+double angle_cut_off(const gcode::Move& move) {
+  if (move.path_mode != gcode::PathMode::blend) return 0;
+  return move.is_of_tip ? 2 * move.orientation_tolerance
+                        : cut_off(move) / toolpath::ToleranceSpace{}.millimetres_per_degree;
 }
 
 // Of a line, where what is cut off is more than that share of it, it is taken together with its neighbours.
@@ -19,6 +27,23 @@ constexpr double short_share = 0.05;
 // The share of a length that remains.
 double remaining(double length, double cut) {
   return length > cut ? (length - cut) / length : 0;
+}
+
+// That a line of rotary axes alone takes, s, by their velocities, and at its feed where no more than a twentieth is cut off:
+// shorter ones may become one curve with their neighbours. 0 of other lines.
+double angle_time(const gcode::Move& move, const base::AxisVector& slowness) {
+  const double cut = angle_cut_off(move);
+  double square = 0, by_axes = 0;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    const double distance = std::fabs(move.end[i] - move.start[i]);
+    if (distance != 0 && !base::is_rotary(axis)) return 0;
+    square += distance * distance;
+    by_axes = std::max(by_axes, (distance - cut) * slowness[i]);
+  }
+  const double length = std::sqrt(square), share = remaining(length, cut);
+  const bool is_fed = move.feed.mode == gcode::Feed::Mode::units_per_second && share >= 1 - short_share;
+  return std::max(by_axes, is_fed ? length / move.feed.value * share : 0);
 }
 
 // In X, Y and Z.
@@ -69,18 +94,26 @@ void QuickSurvey::observe_tip(const gcode::Move& move) {
   const auto& transformation = transformations_.of(move, &machine_);
   const double cut = cut_off(move);
   double by_axes = 0;
-  for (std::size_t i = 3; i < base::axis_count && cut == 0; ++i)
-    by_axes = std::max(by_axes, std::fabs(move.end[i] - move.start[i]) * slowness_[i]);
+  const double angle_cut = angle_cut_off(move);
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    const double distance = std::fabs(move.end[i] - move.start[i]) - (base::is_rotary(axis) ? angle_cut : cut);
+    if (i >= 3) by_axes = std::max(by_axes, distance * slowness_[i]);
+  }
   for (toolpath::Piece& piece : toolpath::pieces_of(move)) {
     piece.transformation = transformation;
     toolpath::widen(piece, machine_.axis_set(), least_, greatest_);
   }
   const double length = distance_of(move.start, move.end);
-  const bool is_fed = move.feed.mode == gcode::Feed::Mode::units_per_second;
-  seconds_ += std::max(by_axes, is_fed ? length / move.feed.value * remaining(length, cut) : 0);
+  double by_feed = 0;
+  if (length > 0 && move.feed.mode != gcode::Feed::Mode::rapid) {
+    const bool is_by_time = move.feed.mode == gcode::Feed::Mode::per_second;
+    by_feed = (is_by_time ? 1 : length) / move.feed.value * remaining(length, cut);
+  }
+  seconds_ += std::max({by_axes, by_feed, angle_time(move, slowness_)});
 }
 
-// What is cut off a blended line's ends is told of X, Y and Z; of how much rotary axes cut off, nothing is.
+// What is cut off a blended line's ends is told of X, Y and Z; of rotary axes beside them, only where none is.
 std::optional<FeedExcess> QuickSurvey::observe_line(const gcode::Move& move) {
   const double cut = cut_off(move);
   double by_axes = 0, uncut = 0, square = 0;
@@ -94,7 +127,7 @@ std::optional<FeedExcess> QuickSurvey::observe_line(const gcode::Move& move) {
   }
   if (move.feed.mode == gcode::Feed::Mode::rapid || square == 0) {
     end_chain();
-    seconds_ += by_axes;
+    seconds_ += std::max(by_axes, angle_time(move, slowness_));
     return move.feed.mode == gcode::Feed::Mode::rapid ? std::nullopt : feeds_.observe(move);
   }
   const double length = std::sqrt(square);
