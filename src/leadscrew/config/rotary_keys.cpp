@@ -37,7 +37,10 @@ class ChainReader {
       value = *triple;
       return;
     }
-    wrong_type(*node, key, "a list of three numbers", "such as [0, 0, -50]");
+    const toml::array* list = node->as_array();
+    const bool is_of_another_size = list != nullptr && list->size() != value.size();
+    wrong_type(*node, is_of_another_size ? fmt::format("a list of {}", list->size()) : std::string(type_text(*node)),
+               key, "a list of three numbers", "such as [0, 0, -50]");
   }
 
   void take(const toml::table& table, std::string_view key, const Subject& subject, std::int64_t& value) {
@@ -84,7 +87,11 @@ class ChainReader {
   }
 
   void wrong_type(const toml::node& node, std::string_view key, std::string_view right, std::string hint) {
-    told_.problem("machine-type", node.source().begin, fmt::format("{} is {}, not {}", key, type_text(node), right),
+    wrong_type(node, std::string(type_text(node)), key, right, std::move(hint));
+  }
+  void wrong_type(const toml::node& node, const std::string& found, std::string_view key, std::string_view right,
+                  std::string hint) {
+    told_.problem("machine-type", node.source().begin, fmt::format("{} is {}, not {}", key, found, right),
                   std::move(hint));
   }
 

@@ -111,9 +111,10 @@ void put_followed_section(std::string& page, const PageContent& content) {
   const double greatest = round_factor(magnified_share * height / error);
   const std::vector<double> factors = factors_to(greatest);
   put(page, "<section id=\"slides\"><h2>The part as it is made</h2>\n<p class=\"note\">",
-      "Where the slides were, over the programmed geometry; what they are off by is drawn magnified, away from the "
-      "path "
-      "of the words. At most ",
+      content.recording.shows_tip() ? "Where the slides brought the tool's tip, seen from the workpiece,"
+                                    : "Where the slides were,",
+      " over the programmed geometry; what they are off by is drawn magnified, away from the path of the words. At "
+      "most ",
       readable_distance(followed.greatest_contour()), ".</p>\n<figure class=\"card slides\"><figcaption><b>",
       name_of(side), "</b></figcaption>\n");
   put_buttons(page, factors);
