@@ -123,6 +123,19 @@ TEST(TiltedPlane, IsToldByPointsAndByVectors) {
   expect_place(last_end(vectors, conditions), wanted);
 }
 
+/// Turned by 90 about Z and, in that plane, by 30 about its X, whose X is the workpiece's Y.
+TEST(TiltedPlane, IsToldInAnotherPlane) {
+  const Conditions conditions = on("table-table-ac");
+  const std::string first = "G68.2 X10 Y18 Z6 I90\n", move = "G53.1\nG0 X3 Y4 Z7\nM2\n";
+  const base::AxisVector wanted = last_end(leaning + move, conditions);
+  const std::vector<double> places(wanted.begin(), wanted.begin() + 6);
+  expect_place(last_end(first + "G68.4 X2 Y0 Z-1 J30\n" + move, conditions), places);
+  expect_place(last_end(first + "G68.4 P1 X2 Y0 Z-1 I30\n" + move, conditions), places);
+  expect_place(last_end(first + "G68.4 P3 Q1 X2 Z-1 I1\nG68.4 P3 Q2 J-0.5 K[SQRT[0.75]]\n" + move, conditions), places);
+  expect_place(last_end(first + "G68.4 X2 Z-1 J10\nG68.4 J20\n" + move, conditions), places);
+  expect_place(last_end(first + "G68.4 X2 Z-1 J10\nG69\n" + leaning + move, conditions), places);
+}
+
 TEST(TiltedPlane, KeepsArcsWhereTheTableIsTurned) {
   const Reading reading =
       read_well(std::string(leaning) + "G53.1\nG0 X0 Y0\nG3 X0 Y10 I0 J5 F600\nM2\n", on("table-table-ac"));
@@ -248,6 +261,9 @@ TEST(TiltedPlane, IsRefusedWhereItsWordsMakeNone) {
   EXPECT_EQ(problems("G53.1"), only("1:1", "bad-tilted-plane"));
   EXPECT_EQ(problems("G68.2 I30\nG68.2 I40"), only("2:1", "bad-tilted-plane"));
   EXPECT_EQ(problems("G68.2 P4 I30"), only("1:7", "bad-tilted-plane"));
+  EXPECT_EQ(problems("G68.4 I30"), only("1:1", "bad-tilted-plane"));
+  EXPECT_EQ(problems("G68.2 I30\nG68.4 P2 Q1\nG68.2 P2 Q2 X1"), only("3:1", "bad-tilted-plane"));
+  EXPECT_EQ(problems("G68.2 I30\nG68.4 P2 Q1\nG0 X1"), only("3:1", "bad-tilted-plane"));
   EXPECT_EQ(problems("G68.2 P1 Q113 I30"), only("1:10", "bad-tilted-plane"));
   EXPECT_EQ(problems("G68.2 Q123 I30"), only("1:7", "bad-tilted-plane"));
   EXPECT_EQ(problems("G68 R30\nG68.2 I30"), only("2:1", "bad-tilted-plane"));
@@ -257,6 +273,18 @@ TEST(TiltedPlane, IsRefusedWhereItsWordsMakeNone) {
   EXPECT_EQ(problems("G68.2 P2 Q1\nG68.2 P3 Q2 K1"), only("2:1", "bad-tilted-plane"));
   EXPECT_EQ(problems("G68.2 P2 Q1\nG0 X1"), only("2:1", "bad-tilted-plane"));
   EXPECT_EQ(problems("G68.2 P3 Q1 I1\nG68.2 P3 Q2 I1 K1"), only("2:1", "bad-tilted-plane"));
+}
+
+TEST(TiltedPlane, SaysWhatToWriteInPlaceOfWhatIsNotDone) {
+  const auto hint_of = [](const char* text) {
+    const Reading reading = read(std::string(text) + "\nM2\n", on("table-table-ac"));
+    EXPECT_EQ(reading.diagnostics.size(), 1u) << text;
+    return reading.diagnostics.empty() ? std::string() : reading.diagnostics[0].hint;
+  };
+  EXPECT_TRUE(hint_of("G68.3 X1 Y2 Z3").starts_with("G68.2 P3"));
+  EXPECT_TRUE(hint_of("G53.6").starts_with("G53.1"));
+  EXPECT_TRUE(hint_of("G68.2 P4 I30 J20").starts_with("P1"));
+  EXPECT_EQ(hint_of("G41 D1"), "docs/gcode.md lists what is");
 }
 
 TEST(TiltedPlane, RefusesWhatItCannotTell) {
@@ -278,6 +306,37 @@ TEST(TiltedPlane, RefusesWhatItCannotTell) {
   EXPECT_EQ(problems("G81 X1 Z-1 R1"), only("2:1", "tool-not-along"));
   EXPECT_EQ(problems("G53.1\nG81 X1 Z-1 R1"), "");
   EXPECT_EQ(problems("G53.1\nG18 G81 X1 Y-1 R1"), only("3:5", "tool-not-along"));
+}
+
+/// Under M428 they leave out all offsets, that of the tool too, and rotary axes turn the part all the same (LinuxCNC's boat-xyzbc.ngc);
+/// G49 in the block ends G43.4 before it moves.
+TEST(ToolCentrePoint, TakesMachineCoordinatesOfLinuxCnc) {
+  const Conditions conditions = on("table-table-ac");
+  const auto lines =
+      read_well("G10 L2 P1 X5 Z7\nG43 H1\nM428\nG0 X0 Y0 Z0 A30\nG53 Z100 C90\nG53 G49 Z50\nM2\n", conditions).lines();
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_TRUE(lines[1].is_of_tip && lines[2].is_of_tip);
+  expect_place(lines[1].end, {5, 0, 100 - 40, 30, 0, 90});
+  // Without the tool the place is 40 behind, along (1/2, 0, √3/2).
+  expect_place(lines[2].end, {5 + 20, 0, 50, 30, 0, 90});
+  const auto ended = read_well("G43.4 H1\nG0 Z10\nG53 G49 Z60\nM2\n", conditions).lines();
+  ASSERT_EQ(ended.size(), 2u);
+  EXPECT_FALSE(ended[1].is_of_tip);
+  EXPECT_EQ(ended[1].end[2], 60);
+  EXPECT_EQ(read("G43.4 H1\nG53 G0 Z50\nM2\n", conditions).problems(), "2:1 tip-control; ");
+}
+
+/// Under tool centre point control, too: the tool would be drawn through the work askew.
+TEST(ToolCentrePoint, DrillsAlongTheToolOnly) {
+  const Conditions ac = on("table-table-ac");
+  const auto problems = [&](const std::string& text) {
+    return read("F60 G43.4 H1\n" + text + "\nM2\n", ac).problems();
+  };
+  EXPECT_EQ(problems("G81 X1 Z-1 R1"), "");
+  EXPECT_EQ(problems("G0 C40\nG81 X1 Z-1 R1"), "");
+  EXPECT_EQ(problems("G0 A10\nG81 X1 Z-1 R1"), "3:1 tool-not-along; ");
+  EXPECT_EQ(problems("G0 A90\nG18 G81 X1 Y-1 R1"), "");
+  EXPECT_EQ(problems("G0 A90\nG81 X1 Z-1 R1"), "3:1 tool-not-along; ");
 }
 
 TEST(TiltedPlane, FindsWhatLeavesTravel) {

@@ -187,6 +187,12 @@ TEST(ToolVectors, TellWhatTheyCannotBe) {
   EXPECT_EQ(read_vectors("G0 X1 K1\nG1 X10 I-1 K1\n", head).problems(), "3:8 pose-out-of-reach; ");
 }
 
+/// How far it leans ahead of its vectors is not done; that it does not is.
+TEST(ToolVectors, LeanByThemselves) {
+  EXPECT_EQ(read("F600 G43.5 H1 Q2\nG1 X1 K1\nM2\n", trunnion()).problems(), "1:15 unsupported-word; ");
+  EXPECT_EQ(read("F600 G43.5 H1 Q0\nG1 X1 K1\nM2\n", trunnion()).problems(), "");
+}
+
 /// Through the pole and out of it another way: C turns by itself between, as fast as it can.
 TEST(ToolVectors, TurnAtThePoleOnTheExactPath) {
   const Reading reading = read_vectors("G61 G0 X0 Y0 J-1 K1\nG1 X5 J0 K1\nX10 I1 K1\n");

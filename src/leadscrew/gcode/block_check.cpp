@@ -71,6 +71,11 @@ bool has_vectors(const Block& block, const Frame& frame) {
   return block.has(Group::tool_length) ? block.is(Code::G43_5) : frame.takes_vectors();
 }
 
+// Of G43.4 and G43.5.
+bool ends_tip_control(const Block& block) {
+  return block.has(Group::tool_length) && !block.is(Code::G43_4) && !block.is(Code::G43_5);
+}
+
 Distance distance_after(const Block& block, const ModalState& modal) {
   if (!block.has(Group::distance)) return modal.distance;
   return block.code(Group::distance) == Code::G90 ? Distance::absolute : Distance::incremental;
@@ -209,7 +214,7 @@ void BlockCheck::check_presence(const Block& block) {
       error("bad-g53", column, "G53 stands without G0 or G1 in force", "G53 G0 X0");
     } else if (distance_after(block, modal_) == Distance::incremental) {
       error("bad-g53", column, "G53 cannot be incremental", "give G90");
-    } else if (frame_.tip_control()) {
+    } else if (frame_.tip_control() && !modal_.tip_by_m && !ends_tip_control(block)) {
       error("tip-control", column, "G53 while tool centre point control is on", "G49 before it");
     }
   }

@@ -222,7 +222,7 @@ bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
     side_column_ = column;
   } else if (!known.read) {
     reporter_.error("unsupported-code", column, name(code) + " (" + known.summary + ") is not supported",
-                    "docs/gcode.md lists what is");
+                    instead_of(code));
   } else {
     reporter_.error("modal-conflict", column,
                     name(code) + " and " + name(block.code(known.group)) + " stand in one block",

@@ -96,6 +96,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   with_axes(g(Code::G52, 520, Group::nonmodal, no_small, "local coordinate system", manual)),
   g(Code::G53, 530, Group::nonmodal, no_marlin, "axis words are machine coordinates", "NIST IR 6556, 3.5.12"),
   g(Code::G53_1, 531, Group::nonmodal, {L, F}, "turns the rotary axes until the tool is along the normal of the tilted plane; X, Y and Z stand still", fanuc_manual, "P"),
+  unread(g(Code::G53_6, 536, Group::nonmodal, {L, F}, "turns the rotary axes until the tool is along the normal of the tilted plane, about the tool's tip", fanuc_manual)),
   g(Code::G253, 2530, Group::nonmodal, {L, H}, "turns the rotary axes until the tool is along the normal of the tilted plane; X, Y and Z stand still", haas_manual),
   unread(g(Code::G60, 600, Group::nonmodal, fanuc, "approach from one side", fanuc_manual)),
   with_axes(g(Code::G70, 700, Group::nonmodal, linuxcnc, "lathe finishing cycle", manual, "QEDP", "Q")),
@@ -147,7 +148,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   with_axes(g(Code::G43_1, 431, Group::tool_length, {L, C, B}, "tool length offset as given", manual)),
   g(Code::G43_2, 432, Group::tool_length, linuxcnc, "adds the tool length offset of a tool", manual, "H", "H"),
   g(Code::G43_4, 434, Group::tool_length, {L, F}, "tool centre point control: the tool's tip is where the program says, however rotary axes turn", fanuc_manual, "H"),
-  g(Code::G43_5, 435, Group::tool_length, {L, F}, "tool centre point control with tool vectors: I J K of lines point from the tip to the spindle", fanuc_manual, "HIJK"),
+  g(Code::G43_5, 435, Group::tool_length, {L, F}, "tool centre point control with tool vectors: I J K of lines point from the tip to the spindle, in the coordinates of X Y Z", fanuc_manual, "HIJKQ"),
   g(Code::G44, 440, Group::tool_length, fanuc, "tool length offset of the tool table, negative", fanuc_manual, "H"),
   g(Code::G49, 490, Group::tool_length, no_marlin.without(T), "no tool length offset", "NIST IR 6556, 3.5.11"),
   g(Code::G98, 980, Group::retract, no_small.without(T), "cycles retract to where the tool was; so begin programs of fanuc, haas and mach3", "NIST IR 6556, 3.5.20"),
@@ -185,6 +186,8 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G8, 80, Group::lathe, linuxcnc, "X is a radius", manual),
   with_axes(g(Code::G68, 680, Group::rotation, {L, F, H, M}, "turns coordinates about a point", fanuc_manual, "R", "R")),
   with_axes(g(Code::G68_2, 682, Group::rotation, {L, F}, "tilted working plane: X Y Z its origin, I J K how it is turned", fanuc_manual, "PQIJK")),
+  with_axes(g(Code::G68_4, 684, Group::rotation, {L, F}, "tilted working plane, told in the one in force: words as of G68.2", fanuc_manual, "PQIJK")),
+  unread(with_axes(g(Code::G68_3, 683, Group::rotation, {L, F}, "tilted working plane across the tool as it stands", fanuc_manual))),
   with_axes(g(Code::G268, 2680, Group::rotation, {L, H}, "tilted working plane: X Y Z its origin, I J K its turns about the workpiece's X, Y and Z", haas_manual, "QIJK")),
   g(Code::G69, 690, Group::rotation, {L, F, H, M}, "coordinates are not turned, the plane is not tilted", fanuc_manual),
   g(Code::G269, 2690, Group::rotation, {L, H}, "the plane is not tilted", haas_manual),
@@ -314,6 +317,12 @@ std::string name(char letter, int tenths) {
 
 std::string name(Code code) {
   return name(row(code).letter, row(code).tenths);
+}
+
+const char* instead_of(Code code) {
+  if (code == Code::G53_6) return "G53.1, which lets X, Y and Z stand, and a move to where the tip was";
+  if (code == Code::G68_3) return "G68.2 P3, with X and the tool's direction for its two vectors";
+  return "docs/gcode.md lists what is";
 }
 
 std::string name(Group group) {

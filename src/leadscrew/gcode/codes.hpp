@@ -74,14 +74,14 @@ enum class Code : std::uint8_t {
   // clang-format off
   G0, G1, G2, G3, G5, G5_1, G5_2, G5_3, G6_2, G33, G33_1, G38_2, G38_3, G38_4, G38_5, G73, G74, G76, G76_bore, G80, G81,
   G82, G83, G84, G85, G86, G87, G88, G89,
-  G4, G9, G10, G12, G13, G28, G28_1, G30, G30_1, G31, G52, G53, G53_1, G253, G60, G70, G70_bolts, G71,
+  G4, G9, G10, G12, G13, G28, G28_1, G30, G30_1, G31, G52, G53, G53_1, G53_6, G253, G60, G70, G70_bolts, G71,
   G71_bolts, G71_1, G71_2, G72, G72_bolts, G72_1, G72_2, G92, G92_1, G92_2, G92_3, G5_high_speed, G5_1_high_speed,
   G8_high_speed, G47, G103, G150, G187, G6_4, G6_5, G6_6,
   G17, G17_1, G18, G18_1, G19, G19_1, G90, G91, G90_1, G91_1, G93, G94, G95, G20, G21,
   G40, G41, G41_1, G42, G42_1, G43, G43_1, G43_2, G43_4, G43_5, G44, G49, G98, G99, G50, G51, G50_1, G51_1,
   G54, G55, G56, G57, G58, G59, G59_1, G59_2, G59_3, G54_1, G154, G61, G61_1, G64, G96, G97,
   G90_turn, G92_thread, G94_face, G50_turn, G70_profile, G71_profile, G72_profile, G73_profile, G76_profile,
-  G7, G8, G68, G68_2, G268, G69, G269, G15, G16, G62, G63, G100, G101, G110, G67,
+  G7, G8, G68, G68_2, G68_4, G68_3, G268, G69, G269, G15, G16, G62, G63, G100, G101, G110, G67,
   M0, M1, M2, M30, M60, M62, M63, M64, M65, M66, M67, M68, M6, M61, M3, M4, M5, M19, M29, M56, M7, M8, M9,
   M48, M49, M50, M51, M52, M53, M70, M71, M72, M73, M97, M98, M99, G65, G66, M100, M428, M429,
   count,
@@ -144,6 +144,9 @@ inline Code m_code(Dialect dialect, int number) {
 
 /// The dialects in which a number means something.
 Dialects dialects_of(char letter, int tenths);
+
+/// What to write in place of a code that is not read, for people.
+const char* instead_of(Code code);
 
 /// "G38.2"
 std::string name(Code code);

@@ -58,10 +58,11 @@ bool CannedCycles::can_drill(const Block& block) {
 bool CannedCycles::can_reach(const Block& block) {
   is_tilted_ = frame_.is_tilted();
   const base::Axis axis = normal_axis(modal_.plane);
-  if (is_tilted_ && !frame_.is_tool_along(axis)) {
+  if ((is_tilted_ || frame_.tip_control()) && !frame_.is_tool_along(axis)) {
     return error("tool-not-along", motion_column(block),
-                 std::string("a canned cycle along ") + base::letter(axis) + " of a tilted plane, and the tool is not",
-                 "G53.1 before it");
+                 std::string("a canned cycle along ") + base::letter(axis) + (is_tilted_ ? " of a tilted plane" : "") +
+                     ", and the tool is not",
+                 frame_.tip_control() ? "rotary axes turned so that it is, or lines for the holes" : "G53.1 before it");
   }
   if (is_tilted_ || frame_.is_separate(axis)) return true;
   return error("unsupported-rotation", motion_column(block), "a canned cycle whose holes are turned off the axis",

@@ -82,7 +82,7 @@ class Frame {
   [[gnu::cold]] void follow_rotary_axes() { combine(); }
   /// Of a tilted plane, seen from the workpiece as it lies with all rotary axes at 0: a unit vector.
   std::array<double, 3> plane_normal() const;
-  /// In a tilted plane: does the tool, from its tip to the spindle, point along the program's axis, within 1e-4 rad?
+  /// In a tilted plane, or under tool centre point control: does the tool, from its tip to the spindle, point along the program's axis, within 1e-4 rad?
   bool is_tool_along(base::Axis axis) const;
 
   const ProgramTransform& transform() const { return transform_; }

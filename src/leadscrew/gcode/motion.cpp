@@ -19,7 +19,8 @@ base::AxisVector Motion::target_of(const Block& block, const base::AxisVector& f
     const std::size_t i = base::index(axis);
     const double along = block.value[letter] * frame_.unit(axis);
     if (in_machine) {
-      target[i] = along;
+      // Under M428 they are those of the point that holds the tool, in the workpiece (LinuxCNC's kinematics add the tool).
+      target[i] = frame_.tip_control() && i < 3 ? along - frame_.tool()[i] : along;
     } else if (modal_.distance == Distance::absolute) {
       target[i] = along + frame_.offset()[i];
       program[i] = along;

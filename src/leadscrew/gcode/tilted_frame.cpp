@@ -88,9 +88,10 @@ std::array<double, 3> Frame::plane_normal() const {
 bool Frame::is_tool_along(base::Axis axis) const {
   constexpr double rounding = 1e-4;
   const PlacePoint column = column_of(transform_matrix_, base::index(axis));
-  const PlacePoint wanted = turned_by_system(system_, product_of(plane_->plane.turn, column));
+  const PlacePoint wanted = turned_by_system(system_, plane_ ? product_of(plane_->plane.turn, column) : column);
+  const kinematics::Chain& chain = plane_ ? plane_->chain : tip_control_->chain;
   const double length = std::hypot(wanted[0], wanted[1], wanted[2]);
-  const auto held = kinematics::direction_of(plane_->chain, kinematics::angles_of(plane_->chain, position));
+  const auto held = kinematics::direction_of(chain, kinematics::angles_of(chain, position));
   double square = 0;
   for (std::size_t i = 0; i < 3; ++i) square += std::pow(wanted[i] / length - held[i], 2);
   return square < rounding * rounding;

@@ -47,6 +47,16 @@ PlaneMatrix of_columns(const PlaneVector& x, const PlaneVector& z) {
 
 }  // namespace
 
+TiltedPlane TiltedPlane::in(const TiltedPlane& outer) const {
+  TiltedPlane result = outer;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.origin[i] += dot_product(outer.turn[i], origin);
+    for (std::size_t k = 0; k < 3; ++k)
+      result.turn[i][k] = dot_product(outer.turn[i], {turn[0][k], turn[1][k], turn[2][k]});
+  }
+  return result;
+}
+
 PlaneMatrix TiltedPlane::by_euler(const Vector& degrees) {
   return turned_about(2, degrees[0], turned_about(0, degrees[1], turned_about(2, degrees[2], TiltedPlane{}.turn)));
 }

@@ -20,6 +20,9 @@ struct TiltedPlane {
   Vector origin{};                                    ///< mm, of the workpiece
   Matrix turn = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< R, a rotation
 
+  /// Of this plane's coordinates to those of the workpiece where they are another plane's, which lies in the workpiece so.
+  TiltedPlane in(const TiltedPlane& outer) const;
+
   /// About the workpiece's Z, then the plane's X, then its Z (Euler), degrees.
   static Matrix by_euler(const Vector& degrees);
   /// About the workpiece's own axes, one after the other: `order` has 1, 2 and 3 for X, Y and Z; degrees[0] is about X.

@@ -7,7 +7,7 @@ namespace leadscrew::gcode {
 
 namespace {
 
-constexpr int by_euler = 0, by_roll_pitch_yaw = 1, by_points = 2, by_vectors = 3;  // P of G68.2
+constexpr int by_euler = 0, by_roll_pitch_yaw = 1, by_points = 2, by_vectors = 3, by_projections = 4;  // P of G68.2
 constexpr std::uint32_t letters_of_xyz = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
 constexpr std::uint32_t letters_of_abc = letter_bit('A') | letter_bit('B') | letter_bit('C');
 
@@ -26,7 +26,7 @@ double without_rounding(double degrees) {
 }
 
 bool defines_plane(const Block& block) {
-  return block.is(Code::G68_2) || block.is(Code::G268);
+  return block.is(Code::G68_2) || block.is(Code::G68_4) || block.is(Code::G268);
 }
 
 }  // namespace
@@ -40,7 +40,8 @@ bool TiltedPlanes::problem(std::uint32_t column, std::string message, std::strin
 void TiltedPlanes::set(const Block& block) {
   constexpr std::uint32_t number = letter_bit('N');
   if (draft_.is_open && !defines_plane(block) && (block.groups || (block.words & ~number))) {
-    problem(block.first_column, "the blocks of G68.2 P" + std::to_string(draft_.kind) + " end before the plane is told",
+    problem(block.first_column,
+            "the blocks of " + name(draft_.code) + " P" + std::to_string(draft_.kind) + " end before the plane is told",
             draft_.kind == by_points ? "Q1, Q2 and Q3, the three points" : "Q1, the origin and X, and Q2, the normal");
   }
   if (block.is(Code::G69) || block.is(Code::G269)) {
@@ -57,7 +58,12 @@ bool TiltedPlanes::can_begin(const Block& block) {
     return problem(column, code + " on a machine whose rotary axes have no kinematics",
                    "kinematics = \"table-table-ac\" in the machine file, or another of its names");
   }
-  if (frame_.is_tilted()) return problem(column, code + " while a plane is tilted", "G69 before it");
+  const bool adds = block.is(Code::G68_4);
+  if (adds && !frame_.is_tilted())
+    return problem(column, "G68.4 without a tilted plane", "G68.2 before it, or in its place");
+  if (frame_.is_tilted() && !adds)
+    return problem(column, code + " while a plane is tilted",
+                   "G69 before it, or G68.4, which tells a plane in that one");
   const ProgramTransform& q = frame_.transform();
   const bool transforms =
       q.angle != 0 || q.scale != ProgramTransform{}.scale || q.mirrored != ProgramTransform{}.mirrored;
@@ -67,15 +73,22 @@ bool TiltedPlanes::can_begin(const Block& block) {
 
 void TiltedPlanes::begin(const Block& block) {
   const std::optional<int> kind = block.is(Code::G268) ? by_roll_pitch_yaw : as_integer(block.value_or('P', by_euler));
+  const std::string code = name(block.code(Group::rotation));
+  if (kind == by_projections) {
+    problem(block.column_of('P'), code + " P4, which tells angles of projection, is known and not done",
+            "P1 with turns about X, Y and Z, or P2 with three points of the plane");
+    return;
+  }
   if (!kind || *kind < by_euler || *kind > by_vectors) {
-    problem(block.column_of('P'), "G68.2 has P" + text(block['P']),
+    problem(block.column_of('P'), code + " has P" + text(block['P']),
             "0 Euler angles, 1 angles about X, Y and Z, 2 three points, 3 two vectors");
     return;
   }
-  if (draft_.is_open && draft_.kind != *kind) {
+  if (draft_.is_open && (draft_.kind != *kind || !block.is(draft_.code))) {
     problem(block.column_of(Group::rotation),
-            "G68.2 P" + std::to_string(*kind) + " in the midst of P" + std::to_string(draft_.kind),
-            "all blocks of one plane have the same P");
+            code + " P" + std::to_string(*kind) + " in the midst of " + name(draft_.code) + " P" +
+                std::to_string(draft_.kind),
+            "all blocks of one plane have the same code and P");
     return;
   }
   if (*kind == by_euler || *kind == by_roll_pitch_yaw) return begin_by_angles(block, *kind);
@@ -109,7 +122,11 @@ void TiltedPlanes::begin_by_angles(const Block& block, int kind) {
     if (!order) return;
     plane.turn = TiltedPlane::by_fixed_axes(*order, degrees);
   }
-  frame_.begin_tilted_plane(plane, machine_);
+  put(block, plane);
+}
+
+void TiltedPlanes::put(const Block& block, const TiltedPlane& plane) {
+  frame_.begin_tilted_plane(block.is(Code::G68_4) ? plane.in(frame_.tilted_plane()->plane) : plane, machine_);
 }
 
 // One block of P2 or P3. The last makes the plane: its origin is the first point.
@@ -118,7 +135,8 @@ void TiltedPlanes::add(const Block& block, int kind) {
   const std::optional<int> which = as_integer(block.value_or('Q', 0));
   const std::uint32_t column = block.has('Q') ? block.column_of('Q') : block.column_of(Group::rotation);
   if (!which || *which < 1 || *which > count) {
-    problem(column, "G68.2 P" + std::to_string(kind) + " has Q" + text(block.value_or('Q', 0)),
+    problem(column,
+            name(block.code(Group::rotation)) + " P" + std::to_string(kind) + " has Q" + text(block.value_or('Q', 0)),
             kind == by_points ? "Q1, Q2 and Q3, the three points" : "Q1, the origin and X, and Q2, the normal");
     return;
   }
@@ -129,6 +147,7 @@ void TiltedPlanes::add(const Block& block, int kind) {
   }
   draft_.is_open = true;
   draft_.kind = kind;
+  draft_.code = block.code(Group::rotation);
   draft_.points[i] = words_of(block, "XYZ", frame_.length_unit);
   draft_.vectors[i] = words_of(block, "IJK", 1);
   modal_.is_plain = false;  // the next block is looked at
@@ -146,7 +165,7 @@ void TiltedPlanes::add(const Block& block, int kind) {
   }
   const TiltedPlane plane{*draft_.points[0], *turn};
   draft_ = {};
-  frame_.begin_tilted_plane(plane, machine_);
+  put(block, plane);
 }
 
 // Where whole turns take an angle that is inside travel, and nearest to where the axis is.

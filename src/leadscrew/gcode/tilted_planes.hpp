@@ -1,5 +1,5 @@
 #pragma once
-// Tilted working planes: G68.2, G268 of Haas, and G69, G269, which end them; G53.1, G253 of Haas, which turns the rotary
+// Tilted working planes: G68.2, G68.4, which tells one in that in force, G268 of Haas, and G69, G269, which end them; G53.1, G253 of Haas, which turns the rotary
 // axes until the tool is along the plane's normal. What moves are in such a plane is told by Frame.
 //
 // While a plane is in force every place that the program gives is one of the tool's tip in the plane, however the rotary
@@ -18,7 +18,7 @@ class TiltedPlanes : Part {
   TiltedPlanes(const Context& context, Travel& travel, Outbox& outbox)
       : Part(context), travel_(travel), outbox_(outbox) {}
 
-  /// G68.2, G268, G69 and G269; of any other block that a plane of several blocks is finished.
+  /// G68.2, G68.4, G268, G69 and G269; of any other block that a plane of several blocks is finished.
   void set(const Block& block);
   /// G53.1, G253.
   void orient(const Block& block);
@@ -32,6 +32,7 @@ class TiltedPlanes : Part {
   struct Draft {
     bool is_open = false;
     int kind = 0;
+    Code code = Code::none;
     std::array<std::optional<TiltedPlane::Vector>, 3> points, vectors;
   };
 
@@ -39,6 +40,7 @@ class TiltedPlanes : Part {
   void begin(const Block& block);
   void begin_by_angles(const Block& block, int kind);
   void add(const Block& block, int kind);
+  void put(const Block& block, const TiltedPlane& plane);
   std::optional<std::array<int, 3>> order_of(const Block& block);
   bool is_in_force(const Block& block) const;
   bool problem(std::uint32_t column, std::string message, std::string hint);

@@ -59,6 +59,11 @@ kinematics::Angles<double> VectorMoves::angles_at(const base::AxisVector& place)
 
 void VectorMoves::begin(const Block& block) {
   direction_.reset();
+  if (block.value_or('Q', 0) != 0) {
+    error("unsupported-word", block.column_of('Q'),
+          "Q of G43.5, by which the tool leans ahead of I J K along its way, is known and not done",
+          "vectors that lean so themselves; Q0 is no lean");
+  }
   if (frame_.tip_control() && modal_.to_do == Code::none) direction_ = direction_of(block);
 }
 

@@ -146,10 +146,12 @@ void VectorMoves::tell_of_pole_turn() {
   const KeptPlace& place = lines_.front().place;
   const AtKeptPlace there(reporter_, place);
   const base::Axis axis = frame_.tip_control()->chain.turns()[0].axis;
-  reporter_.note("pole-turn", place.column,
-                 std::string("the tool stands parallel to axis ") + base::letter(axis) +
-                     " here, which turns by itself while the tip stands",
-                 "G64 leads through poles without a stop where they lie within the pole cone and E");
+  reporter_.note(
+      "pole-turn", place.column,
+      std::string("the tool stands parallel to axis ") + base::letter(axis) +
+          " here, which turns by itself while the tip stands",
+      "G64 leads through poles within the pole cone and E; where a path begins at one, a rapid with the I J K of its "
+      "next line turns the axis before");
 }
 
 }  // namespace leadscrew::gcode
