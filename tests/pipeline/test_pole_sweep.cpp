@@ -135,10 +135,11 @@ TEST(PoleSweep, TakesLittleLongerThanWithoutJerkAndLittleWork) {
   expect_quick({0.05, 0.1, true}, 400);
 }
 
-/// Without a cone. So near that directions beside the pole are taken for it and those farther off are not, motion stops in
-/// places: at 1e-5 degrees it takes 2.6 times the bound.
+/// Without a cone, and about where directions beside the pole begin to be taken for it: 5.7e-5 degrees.
 TEST(PoleSweep, GoesRoundAsWell) {
-  expect_quick({0.05, 0, true}, 400, {5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 1e-3, 1e-4, 1e-6, 0});
+  expect_quick({0.05, 0, true}, 400);
+  expect_quick({0.05, 0, true}, 400, {8e-5, 6e-5, 5.73e-5, 5.72e-5, 5e-5, 3e-5, 2e-5, 5e-6, 1e-7, 1e-9, 1e-12});
+  expect_quick({0.05, 0, true}, 401, {1e-3, 1e-4, 6e-5, 5e-5, 1e-5, 1e-6, 1e-9});
 }
 
 TEST(PoleSweep, TakesCoarseAndFineVectors) {

@@ -97,6 +97,34 @@ TEST(Reduction, KeepsApartStraightLinesOfDifferentTolerances) {
   for (std::size_t i = 0; i < made.size(); ++i) EXPECT_EQ(made[i].allowance, legs[i].allowance);
 }
 
+/// Sums of decimals leave lines that are no longer than rounding; a place of a path may have only one length.
+TEST(Reduction, MakesALineOfRoundingOneWithItsNeighbour) {
+  for (const double tiny : {1e-25, 4e-16, 1e-10}) {
+    SCOPED_TRACE(tiny);
+    for (const Polyline& corner :
+         {Polyline{{0, 0}, {tiny, 0}, {tiny, 1}, {2, 3}}, Polyline{{0, 1}, {0, 0}, {tiny, 0}, {1, 2}},
+          Polyline{{0, 1}, {0, 0}, {0, tiny}, {1, 2}}, Polyline{{1, 0}, {1, 1}, {0, 0}, {tiny, 0}}}) {
+      std::vector<Leg> legs = legs_along(corner);
+      ASSERT_EQ(legs.size(), 3u);
+      for (Leg& leg : legs) {
+        leg.allowance = {0.01, 0.01};
+        if (geometry::length(leg.curve) > tiny) continue;
+        leg.feed = 0.01;
+        leg.allowance = {0.02, 0.02};
+      }
+      const std::vector<Leg> made = reduced(legs);
+      ASSERT_EQ(made.size(), 2u);
+      for (const Leg& leg : made) {
+        EXPECT_GT(geometry::length(leg.curve), 0.9);
+        EXPECT_EQ(leg.feed, 10);
+        EXPECT_EQ(leg.allowance, (Allowance{0.01, 0.01}));
+      }
+      EXPECT_EQ(geometry::end(made[0].curve), geometry::start(made[1].curve));
+      EXPECT_EQ(lines_of(made[0]).size() + lines_of(made[1]).size(), 3u);
+    }
+  }
+}
+
 TEST(Reduction, MakesACloudOneWithinTheLeastToleranceOfItsLines) {
   for (const double least : {0.01, 0.001}) {
     std::vector<Leg> legs = legs_along({{0, 0}, {0.001, 0}, {0, 0.001}, {0.001, 0.001}});

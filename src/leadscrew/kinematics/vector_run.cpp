@@ -104,9 +104,11 @@ struct TravelledLine {
       for (const double s : {pass->begin(), pass->first, pass->last, pass->end()}) add(segment.share_at(s));
     }
     const Vector& pole = chain.turns()[0].direction;
+    // Where an end is taken for the pole already, the nearest place may be next to nothing from there.
     if (passes.empty() && segment.circle.may_come_near(pole, reach_rounding)) {
       const double nearest = segment.circle.nearest_to_axis(pole);
-      if (nearest > 0 && nearest < 1 && held_at(nearest).found.is_pole) add(nearest);
+      const auto is_pole = [&](double share) { return held_at(share).found.is_pole; };
+      if (nearest > 0 && nearest < 1 && is_pole(nearest) && !is_pole(0) && !is_pole(1)) add(nearest);
     }
     std::ranges::sort(shares, std::greater<>());
     std::vector<Held> all;
