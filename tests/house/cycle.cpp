@@ -2,13 +2,16 @@
 // cycle this program holds functions that do what is forbidden, for the checks of the checks: tests/house/reached.cpp
 // reads the machine code of them all.
 //
-//   cycle            words along lines, arcs, NURBS curves and dwells, through changes of chunk and a starvation
+//   cycle            words along lines, arcs, NURBS curves and dwells, of three axes and of the tip under kinematics, through
+//                    changes of chunk and a starvation
 //   cycle sabotage   the same, with one allocation while a word is made: has to fail
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <leadscrew/interpolator/controller.hpp>
+#include <leadscrew/machine/rotary_chain.hpp>
 #include <mixed_paths.hpp>
 
 #include "forbidden_calls.hpp"
@@ -53,7 +56,7 @@ base::Word watched_word(Controller& controller, Sabotage sabotage) {
 }
 
 struct Count {
-  std::int64_t words = 0, events = 0;
+  std::int64_t words = 0, events = 0, starvations = 0, begun = 0;
 };
 
 /// Words and their events until nothing is left to do.
@@ -67,14 +70,8 @@ void make_words(Controller& controller, Count& count) {
   } while (!controller.idle());
 }
 
-}  // namespace
-
-int main(int argument_count, char** arguments) {
-  if (!counts_each_function()) {
-    std::puts("the counting does not count");
-    return 2;
-  }
-  const Path path = mixed_path();
+/// Starved behind every chunk of a path, and anew from there; false where chunks and events do not agree.
+bool travel(const Path& path, Count& count) {
   const auto cuts = cut_motion(path, 0, path.length(), path_speed, path_jerk, 0.03);
   Controller controller(path_period, {}, 4 * cuts.size());
   // With an event before each, and one where it begins.
@@ -87,22 +84,48 @@ int main(int argument_count, char** arguments) {
     }
     if (controller.offer(chunk) != Controller::Offer::accepted) std::abort();
   };
-  Count count;
-  // Starved behind every chunk, and anew from there.
+  Count here;
   for (std::size_t last = 0; last + 1 < cuts.size(); ++last) {
     for (std::size_t k = 0; k <= last; ++k) offer(cuts[k].chunk);
-    make_words(controller, count);
+    make_words(controller, here);
     const auto again = cut_motion(path, cuts[last].rest, path.length(), path_speed, path_jerk, 0.02);
     if (path.length() - cuts[last].rest > 1e-9) {
       for (const CutChunk& cut : again) offer(cut.chunk);
     }
     offer(dwell(path.at(path.length()), 0.05));
     offer({});
-    make_words(controller, count);
+    make_words(controller, here);
   }
-  if (argument_count > 1 && std::strcmp(arguments[1], "sabotage") == 0) watched_word(controller, Sabotage::allocation);
+  count.words += here.words;
+  count.events += here.events;
+  count.starvations += controller.starvations();
+  count.begun += controller.begun();
+  return here.events == 2 * controller.begun();
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  if (!counts_each_function()) {
+    std::puts("the counting does not count");
+    return 2;
+  }
+  Count count;
+  bool agree = travel(mixed_path(), count);
+  for (const machine::KinematicsPreset& preset : machine::kinematics_presets) {
+    machine::RotaryChain chain = *machine::preset_chain(preset.name);
+    chain.axes[0].point = {3, -5, -50};
+    agree &= travel(posed_path(chain), count);
+    if (preset.name != "head-head-bc") continue;
+    chain.axes[1].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};  // nutating
+    agree &= travel(posed_path(chain), count);
+  }
+  if (argument_count > 1 && std::strcmp(arguments[1], "sabotage") == 0) {
+    Controller controller(path_period, {}, 4);
+    watched_word(controller, Sabotage::allocation);
+  }
   std::printf("%lld words, %lld events, %lld starvations, %lld chunks: %s\n", static_cast<long long>(count.words),
-              static_cast<long long>(count.events), static_cast<long long>(controller.starvations()),
-              static_cast<long long>(controller.begun()), told(watch()).c_str());
-  return watch().calls == 0 && count.events == 2 * controller.begun() ? 0 : 1;
+              static_cast<long long>(count.events), static_cast<long long>(count.starvations),
+              static_cast<long long>(count.begun), told(watch()).c_str());
+  return watch().calls == 0 && agree ? 0 : 1;
 }

@@ -66,6 +66,7 @@ inline Law braking(double begin, const AlongPath& from, double jerk) {
 
 struct Path {
   std::vector<toolpath::Piece> pieces;
+  machine::Machine machine = machine::mill3();  ///< inside whose travel they are
 
   double length() const { return offset(pieces.size()); }
   /// Length of the pieces before this one.
@@ -81,7 +82,7 @@ struct Path {
   }
   geometry::Point at(double s) const {
     const std::size_t piece = piece_at(s);
-    return geometry::evaluate(pieces[piece].curve, s - offset(piece));
+    return pieces[piece].axes().position(s - offset(piece));
   }
 };
 
@@ -108,7 +109,7 @@ class Layer {
   std::vector<toolpath::Piece> pieces() const {
     std::vector<toolpath::Piece> pieces(path_.pieces.begin() + static_cast<std::ptrdiff_t>(first_),
                                         path_.pieces.begin() + static_cast<std::ptrdiff_t>(piece_) + 1);
-    for (toolpath::Piece& piece : pieces) toolpath::check_travel(piece, machine::mill3(), {}, 0);
+    for (toolpath::Piece& piece : pieces) toolpath::check_travel(piece, path_.machine, {}, 0);
     return pieces;
   }
 
