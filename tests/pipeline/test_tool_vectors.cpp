@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/referee/pose.hpp>
 #include <numbers>
+#include <trunnion.hpp>
 
 #include "five_axes.hpp"
 #include "random_program.hpp"
@@ -257,6 +259,27 @@ Departures departures_of(const Programmed& line, const std::vector<gcode::Move>&
     }
   }
   return worst;
+}
+
+/// Angles go as 1/s beside a pole: a spline through places ever farther apart would swing about that.
+TEST(ToolVectors, FollowGreatCirclesPastAPoleOnTheExactPath) {
+  const machine::Machine machine = testing_support::trunnion();
+  const Moves read = moves_of(
+      "G21 G90 G17 G94 G61\nG43.5 H1\nG1 X0 Y0 Z0 F3000\n"
+      "G1 X-0.6 Y-0.6 Z-0.6 I0.000030826 J-0.001471624 K0.099989166\n"
+      "G1 X-1.2 Y-1.2 Z-1.2 I-0.000002592 J0.000135475 K0.100009580\n"
+      "G1 X-1.8 Y-1.8 Z-1.8 I0.000078476 J-0.001957211 K0.099980814\nM2\n",
+      machine);
+  EXPECT_EQ(read.errors, 0);
+  const Programmed line{5,
+                        {-0.6, -0.6, -0.6},
+                        {-1.2, -1.2, -1.2},
+                        kinematics::unit_vector({0.000030826, -0.001471624, 0.099989166}),
+                        kinematics::unit_vector({-0.000002592, 0.000135475, 0.100009580}),
+                        false};
+  ASSERT_TRUE(std::ranges::any_of(read.moves, [](const auto& move) { return base::number(move.line) == 5; }));
+  EXPECT_LE(departures_of(line, read.moves, referee::Pose(machine)).along,
+            machine.rotary_chain->orientation_tolerance / 4);
 }
 
 /// The last move of each line leads to its end.

@@ -18,6 +18,7 @@ constexpr double side_share = 0.25;  ///< of what is left of E, where sides chan
 /// Of that, what the middle of a change of sides may be off: elsewhere it is off by a little more.
 constexpr double middle_share = 0.9;
 constexpr double pole_share = 0.875;  ///< of E, that leading through a pole may take
+constexpr double grown = 2.5;         ///< part to part on the exact path
 constexpr double full_circle = 360;
 constexpr double radians_of_degree = numeric::two_pi.hi / 360;
 constexpr std::size_t most_ahead = std::size_t{1} << 16;  ///< lines that wait for a pole to be left
@@ -117,6 +118,53 @@ struct TravelledLine {
     }
     return all;
   }
+
+  /// The ends of parts that are short enough, in order; none where there would be more than VectorRun::most_parts.
+  std::optional<std::vector<Held>> parts(Held at, bool is_spline) const {
+    std::vector<Held> ahead = corners(), ends{at};
+    while (!ahead.empty()) {
+      if (is_divisible(at.share, ahead.back().share) && !is_short_enough(at, ahead.back())) {
+        if (ends.size() + ahead.size() > VectorRun::most_parts) return std::nullopt;
+        ahead.push_back(held_at((at.share + ahead.back().share) / 2));
+        continue;
+      }
+      at = ahead.back();
+      ends.push_back(at);
+      ahead.pop_back();
+    }
+    if (is_spline && !grade(ends)) return std::nullopt;
+    ends.erase(ends.begin());
+    return ends;
+  }
+
+  static bool is_divisible(double from, double to) {
+    const double middle = (from + to) / 2;
+    return middle > from && middle < to;
+  }
+
+  /// Halves parts that are more than twice as long as one near by: beside a pole angles go as 1/s, and a cubic spline through
+  /// places ever farther apart swings about that. False where there would be too many.
+  bool grade(std::vector<Held>& ends) const {
+    constexpr std::size_t near = 4;  // parts of one length before those of twice that
+    for (bool is_graded = false; !is_graded;) {
+      is_graded = true;
+      std::vector<Held> graded{ends.front()};
+      for (std::size_t k = 1; k < ends.size(); ++k) {
+        const double length = ends[k].share - ends[k - 1].share;
+        double least = length;
+        for (std::size_t j = k > near ? k - near : 1; j < std::min(k + near + 1, ends.size()); ++j)
+          least = std::min(least, ends[j].share - ends[j - 1].share);
+        if (length > grown * least && is_divisible(ends[k - 1].share, ends[k].share)) {
+          graded.push_back(held_at((ends[k - 1].share + ends[k].share) / 2));
+          is_graded = false;
+        }
+        graded.push_back(ends[k]);
+      }
+      ends = std::move(graded);
+      if (ends.size() > VectorRun::most_parts + 1) return false;
+    }
+    return true;
+  }
 };
 
 }  // namespace
@@ -188,24 +236,14 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
     left = std::min(left, settings_.orientation_tolerance - detail::in_degrees(pass->greatest));
   }
   const TravelledLine line{chain_, segment, passes, std::sin(radians_of_degree * chord_share * left)};
-  std::vector<Held> ahead = line.corners();
-  Held at{0, line.at(0), last_found_};
-  for (std::size_t parts = 0; !ahead.empty();) {
-    const double middle = (at.share + ahead.back().share) / 2;
-    const bool is_divisible = middle > at.share && middle < ahead.back().share;
-    if (is_divisible && !line.is_short_enough(at, ahead.back())) {
-      if (parts + ahead.size() >= most_parts) return fail(VectorRunFailure::Kind::pole_too_sharp, to.segment);
-      ahead.push_back(line.held_at(middle));
-      continue;
-    }
-    at = ahead.back();
-    ahead.pop_back();
-    ++parts;
-    last_found_ = at.found;
-    Vertex vertex{to.tip, at.direction, to.segment, (1 - side_share) * left, to.s, at.found.is_pole};
-    if (at.share < 1) {
-      vertex.tip = numeric::sum(from.tip, at.share, numeric::difference(to.tip, from.tip));
-      vertex.s = from.s + at.share * (to.s - from.s);
+  const std::optional<std::vector<Held>> parts = line.parts({0, line.at(0), last_found_}, !settings_.blends);
+  if (!parts) return fail(VectorRunFailure::Kind::pole_too_sharp, to.segment);
+  for (const Held& end : *parts) {
+    last_found_ = end.found;
+    Vertex vertex{to.tip, end.direction, to.segment, (1 - side_share) * left, to.s, end.found.is_pole};
+    if (end.share < 1) {
+      vertex.tip = numeric::sum(from.tip, end.share, numeric::difference(to.tip, from.tip));
+      vertex.s = from.s + end.share * (to.s - from.s);
     }
     if (!append(vertex)) return false;
   }

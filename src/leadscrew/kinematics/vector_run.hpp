@@ -4,7 +4,8 @@
 //
 // Motion leads the rotary axes straight from vertex to vertex, so that each line is subdivided until that is nearly the great
 // circle: the tool leaves it by no more than a 64th of E, and no axis moves by more than a degree. Which of the two solutions
-// holds the tool, and in which turn, is chosen over all vertices together (RotaryRun).
+// holds the tool, and in which turn, is chosen over all vertices together (RotaryRun). On the exact path, where a spline goes
+// through the vertices of a line, parts grow no faster than twofold in every four.
 //
 //     programmed   P₀,O₀ ───────────── P₁,O₁ ── P₂,O₂           tip straight, direction on a great circle
 //     vertices     •──•──•──•──•──•──•──•──•────•               tip and angles straight
