@@ -148,6 +148,50 @@ RC_GTEST_PROP(FiveAxes, KeepEveryLimitWhoeverIntervenes, ()) {
   for (const base::Word& word : live.words) RC_ASSERT(word.feed >= -1e-6);
 }
 
+/// All axes as slow as can be drawn, at the corner of where they can lie.
+machine::Machine slow_machine(const char* preset, bool is_nutating) {
+  machine::Machine machine;
+  machine.kinematics = preset;
+  machine.rotary_chain = machine::preset_chain(preset);
+  machine.rotary_chain->tool_zero = {-80, -80, -80};
+  for (machine::RotaryAxis& axis : machine.rotary_chain->axes) {
+    axis.point = {-80, -80, -80};
+    machine.axes[base::index(axis.axis)] = machine::AxisLimits{-1e5, 1e5, 5, 50, 1000, 0.001};
+  }
+  if (is_nutating) machine.rotary_chain->axes[1].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z})
+    machine.axes[base::index(axis)] = machine::AxisLimits{-1e5, 1e5, 5, 50, 1000, 0.001};
+  machine.period = {1'000'000};
+  return machine;
+}
+
+/// Where neither axis is across the other, the tool turns by more than both do by Pythagoras' sum.
+TEST(FiveAxes, KeepTheDirectionOfNutatingHeadsAndTables) {
+  for (const char* const preset : {"table-table-bc", "head-head-bc"}) {
+    const machine::Machine machine = slow_machine(preset, true);
+    const Judged outcome = judge(
+        "G21 G90 G94 G17 F1200\nG64 P0.002 E0.002\nG43.4 H1\nG1 B5.078 C-10.458\nG1 X-0.6 Y-0.6 Z-0.6\n"
+        "G1 X-1.2 Y-1.2 Z-1.2\nG1 X-1.8 Y-1.8 Z-1.8\nG1 X0 B5.2 C-10\nG1 X3 B5 C-10.2\nG1 X0 B5.1 C-10.3\nM2\n",
+        machine);
+    EXPECT_EQ(outcome.errors, 0);
+    EXPECT_EQ(outcome.verdict.violation_count, 0);
+    EXPECT_LE(outcome.verdict.orientation_deviation_deg.value(), 0.002 + 1e-6);
+  }
+}
+
+/// The space in which P and E are kept is that of the first move that travels, for the referee as for motion.
+TEST(FiveAxes, AreJudgedByTheTolerancesOfWhatTravels) {
+  for (const char* const standing : {"G64 P0.002 E0.002\nG4 P0.01\n", "G64 P0.0001 E0.002\nG1 X1\n"}) {
+    const Judged outcome =
+        judge("G21 G90 G94 G17 F300\nG43.4 H1\n" + std::string(standing) +
+                  "G64 P0.002 E0.02\nG1 X-0.6 Y-0.6 Z-0.6\nG1 X-1.2 Y-1.2 Z-1.2 A-1.2 B-1.2\nG1 X-1.8 Y-1.8 Z-1.8\n"
+                  "G2 X-1.2 Y-1.8 I0.3 A-20 B-20\nG1 X-3 Y-1.2 A-21\nM2\n",
+              slow_machine("head-b-table-a", false));
+    EXPECT_EQ(outcome.errors, 0);
+    EXPECT_EQ(outcome.verdict.violation_count, 0) << standing;
+  }
+}
+
 /// Words are differenced three times: at so short a period nothing may be left of rounding in turning.
 TEST(FiveAxes, KeepJerkAtTheShortestPeriod) {
   machine::Machine machine = testing_support::trunnion(5);

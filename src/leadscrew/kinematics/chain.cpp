@@ -83,4 +83,8 @@ Chain chain_of(const machine::Machine& machine) {
   return *Chain::of(*machine.rotary_chain);
 }
 
+double most_turned(const Chain& chain) {
+  return std::sqrt(1 + std::abs(numeric::dot(chain.turns()[0].direction, chain.turns()[1].direction)));
+}
+
 }  // namespace leadscrew::kinematics

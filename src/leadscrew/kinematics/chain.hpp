@@ -72,4 +72,8 @@ class Chain {
 /// Of a machine that machine::validate() finds sound, and that has a chain.
 Chain chain_of(const machine::Machine& machine);
 
+/// The tool's direction turns by no more than so many times the root of the sum of squares of what both axes turn by: 1 where
+/// one is across the other, and up to √2. |u₁ dθ₁ + u₂ dθ₂|² ≤ (1 + |u₁·u₂|)(dθ₁² + dθ₂²).
+double most_turned(const Chain& chain);
+
 }  // namespace leadscrew::kinematics

@@ -5,7 +5,7 @@
 // In the latter a place is matched by the tip and the rotary axes together, so that a tip that comes by twice is told apart
 // by how the tool stands. A degree counts as P/E mm there, P the tolerance of the tip and E that of the tool's direction:
 // what is within P is then within both, and no more of one is asked for than its own. P and E are those of the first move
-// that has both; where they change before coordinates do, of a move with others less is allowed: the lesser of P and E times
+// that travels and may be rounded; where they change before coordinates do, of a move with others less is allowed: the lesser of P and E times
 // what a degree counts.
 
 #include <array>
@@ -55,6 +55,7 @@ class Spaces {
 
  private:
   static constexpr std::size_t most_ahead = 64;  // moves among which tolerances are looked for
+  static constexpr double least_rounded = 2e-4;  // mm: within less no path is rounded
 
   static Space space_of(const gcode::Move& move) { return move.is_of_tip ? Space{true, move.tool} : Space{}; }
   /// Are there so many moves ahead?
@@ -66,8 +67,9 @@ class Spaces {
     for (std::size_t k = 0; space_.is_of_tip && k < most_ahead && read(k + 1); ++k) {
       const gcode::Move& move = ahead_[k];
       if (space_of(move) != space_) break;
-      if (move.path_mode == gcode::PathMode::blend && move.tolerance > 0 && move.orientation_tolerance > 0)
-        return move.tolerance / move.orientation_tolerance;
+      const bool travels = move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event;
+      const bool is_rounded = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_rounded;
+      if (travels && is_rounded && move.orientation_tolerance > 0) return move.tolerance / move.orientation_tolerance;
     }
     return millimetres_per_degree;
   }

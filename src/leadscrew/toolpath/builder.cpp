@@ -72,6 +72,11 @@ void Builder::change_transformation(const gcode::Move& move) {
   space_.reset();
 }
 
+/// Of both rotary axes together, degrees: what keeps the tool's direction within E.
+double Builder::turning_allowed(const gcode::Move& move) const {
+  return move.orientation_tolerance / kinematics::most_turned(transformation_->chain);
+}
+
 /// A degree counts as P/E mm, as the first move of the tip has them that is rounded. Later ones with others are rounded in the
 /// same space, so that motion need not rest.
 void Builder::take_space(const gcode::Move& move) {
@@ -81,7 +86,7 @@ void Builder::take_space(const gcode::Move& move) {
   const double greatest = most_stretched * usual.millimetres_per_degree,
                least = usual.millimetres_per_degree / most_stretched;
   flush();
-  space_ = {std::clamp(move.tolerance / move.orientation_tolerance, least, greatest)};
+  space_ = {std::clamp(move.tolerance / turning_allowed(move), least, greatest)};
 }
 
 /// Of the tip no more of P than what keeps its direction within E where rotary axes turn: no coordinate is farther off than
@@ -92,8 +97,7 @@ Allowance Builder::allowance_of(const gcode::Move& move, const Piece& piece) con
   const base::AxisSet moving = geometry::moving(piece.curve);
   for (const kinematics::Turn& turn : transformation_->chain.turns()) {
     if (!moving.contains(turn.axis)) continue;
-    const double turned =
-        move.orientation_tolerance * space_.value_or(ToleranceSpace{}).millimetres_per_unit(turn.axis);
+    const double turned = turning_allowed(move) * space_.value_or(ToleranceSpace{}).millimetres_per_unit(turn.axis);
     allowance = lesser(allowance, {turned, turned});
   }
   return allowance;

@@ -47,6 +47,7 @@ class Builder {
   void change_transformation(const gcode::Move& move);
   void settle_piece(Piece piece);
   Allowance allowance_of(const gcode::Move& move, const Piece& piece) const;
+  double turning_allowed(const gcode::Move& move) const;
   void take_space(const gcode::Move& move);
   void blend(Leg leg);
   template <class Blending>

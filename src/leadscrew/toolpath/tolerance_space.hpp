@@ -4,7 +4,7 @@
 //
 // Under tool centre point control a degree counts as P/E mm, P the tolerance of the tip and E that of the tool's direction:
 // what is within P in that space is within both, and each may be used up. The direction turns by no more than the rotary
-// axes do together.
+// axes do together, where one is across the other; else a degree counts as so much more (kinematics::most_turned).
 
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/geometry/point.hpp>
