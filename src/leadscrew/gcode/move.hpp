@@ -88,6 +88,9 @@ struct NurbsCurve {
   friend bool operator==(const NurbsCurve&, const NurbsCurve&) = default;
 };
 
+/// Within a tolerance of less, mm, a path is kept as programmed: no machine could show the difference.
+inline constexpr double least_rounded = 2e-4;
+
 /// What one block, or one pass of a canned cycle, asks of the axes: from the end of the move before. Fields that a kind
 /// does not name are not read.
 struct Move {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t vector_letters = letter_bit('I') | letter_bit('J') | letter_bit('K');
 constexpr std::size_t most_kept_events = 4096;
-constexpr double least_orientation_tolerance = 1e-6;  // degrees
+constexpr double least_orientation_tolerance =
+    1e-5;  // degrees: within less no path is rounded, nor subdivided more finely
 
 std::uint32_t column_of_vector(const Block& block) {
   const std::uint32_t letters = block.words & vector_letters;
@@ -98,16 +99,26 @@ void VectorMoves::line(const Block& block) {
   set_position(target);
 }
 
+/// E of G64, or the machine's.
+double VectorMoves::orientation_tolerance() const {
+  const bool is_told = modal_.effective_mode == PathMode::blend && modal_.orientation_tolerance > 0;
+  return is_told ? modal_.orientation_tolerance : machine_.rotary_chain->orientation_tolerance;
+}
+
+/// May lines be rounded together with those of other blocks?
+bool VectorMoves::blends() const {
+  return modal_.effective_mode == PathMode::blend && modal_.effective_tolerance >= least_rounded &&
+         orientation_tolerance() >= least_orientation_tolerance;
+}
+
 /// The run goes on to there, or begins.
 void VectorMoves::lead(const Vector& direction, const base::AxisVector& target, bool is_free) {
   bool leads = true;
   if (!run_) {
     const kinematics::Chain& chain = frame_.tip_control()->chain;
     kinematics::VectorRunSettings settings;
-    settings.blends = modal_.effective_mode == PathMode::blend && modal_.effective_tolerance > 0;
-    settings.orientation_tolerance = machine_.rotary_chain->orientation_tolerance;
-    if (settings.blends && modal_.orientation_tolerance > 0)
-      settings.orientation_tolerance = std::max(modal_.orientation_tolerance, least_orientation_tolerance);
+    settings.blends = blends();
+    settings.orientation_tolerance = std::max(orientation_tolerance(), least_orientation_tolerance);
     settings.pole_cone = machine_.rotary_chain->pole_cone;
     run_.emplace(chain, kinematics::limits_of(machine_, chain), settings);
     first_segment_ = next_number() - (is_free ? 0 : 1);

@@ -6,7 +6,8 @@
 // Two pairs of angles of the rotary axes hold a tool in a direction, and each may be whole turns away. Which it is, is chosen
 // for a whole connected run of lines (kinematics::VectorRun); so lines are kept back, and the events between them, until the
 // run ends: where anything asks where rotary axes are. Then each line becomes moves of the tip and the rotary axes, as a
-// program under G43.4 would tell them: under G64 lines of a degree at most, on the exact path one smooth curve.
+// program under G43.4 would tell them: under G64 lines of a degree at most, on the exact path, and where G64 allows too little
+// for rounding, one smooth curve.
 //
 // A rapid to another direction begins a run: it turns rotary axes straight, to where the lines behind it go on best.
 // Where more than kinematics::VectorRun::most_vertices are kept back, the first half of them is decided.
@@ -72,6 +73,8 @@ class VectorMoves : Part {
   kinematics::Angles<double> angles_at(const base::AxisVector& place) const;
   void set_angles(const kinematics::Angles<double>& angles);
   void set_position(const base::AxisVector& place);
+  double orientation_tolerance() const;
+  bool blends() const;
   void lead(const Vector& direction, const base::AxisVector& target, bool is_free);
   void collect(bool is_finished);
   void report(const kinematics::VectorRunFailure& failure, const KeptPlace& place);

@@ -98,7 +98,7 @@ bool VectorMoves::is_inside() {
 /// How many parts one smooth curve takes from here on; less than two where there is none. Under G64 lines are rounded
 /// together with those of other blocks.
 std::size_t VectorMoves::parts_of_curve() const {
-  if (modal_.effective_mode == PathMode::blend) return 0;
+  if (blends()) return 0;
   std::size_t count = 0;
   for (double share = share_; count < parts_left_ && count + 1 < most_control_points; ++count) {
     const LinePart& part = parts_[count];

@@ -14,6 +14,8 @@ constexpr double greatest_step = 1;  ///< degrees, of either axis in one part
 /// Of E, that straight angles may leave the great circle by: a quarter would keep E as well, but paths of coarse vectors
 /// past a pole take up to a sixth longer then.
 constexpr double chord_share = 1.0 / 64;
+/// Degrees, at most E: by so much they may leave it on the exact path, where a spline through their ends stays a tenth nearer.
+constexpr double chord_of_spline = 1e-4;
 constexpr double side_share = 0.25;  ///< of what is left of E, where sides change or the first axis turns beside a pole
 /// Of that, what the middle of a change of sides may be off: elsewhere it is off by a little more.
 constexpr double middle_share = 0.9;
@@ -235,7 +237,9 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
   for (const PolePass* pass : passes) {
     left = std::min(left, settings_.orientation_tolerance - detail::in_degrees(pass->greatest));
   }
-  const TravelledLine line{chain_, segment, passes, std::sin(radians_of_degree * chord_share * left)};
+  const double of_spline = settings_.blends ? 0 : std::min(left, chord_of_spline);
+  const double off = std::max(chord_share * left, of_spline);
+  const TravelledLine line{chain_, segment, passes, std::sin(radians_of_degree * off)};
   const std::optional<std::vector<Held>> parts = line.parts({0, line.at(0), last_found_}, !settings_.blends);
   if (!parts) return fail(VectorRunFailure::Kind::pole_too_sharp, to.segment);
   for (const Held& end : *parts) {

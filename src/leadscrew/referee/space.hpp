@@ -55,7 +55,6 @@ class Spaces {
 
  private:
   static constexpr std::size_t most_ahead = 64;  // moves among which tolerances are looked for
-  static constexpr double least_rounded = 2e-4;  // mm: within less no path is rounded
 
   static Space space_of(const gcode::Move& move) { return move.is_of_tip ? Space{true, move.tool} : Space{}; }
   /// Are there so many moves ahead?
@@ -68,7 +67,7 @@ class Spaces {
       const gcode::Move& move = ahead_[k];
       if (space_of(move) != space_) break;
       const bool travels = move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event;
-      const bool is_rounded = move.path_mode == gcode::PathMode::blend && move.tolerance >= least_rounded;
+      const bool is_rounded = move.path_mode == gcode::PathMode::blend && move.tolerance >= gcode::least_rounded;
       if (travels && is_rounded && move.orientation_tolerance > 0) return move.tolerance / move.orientation_tolerance;
     }
     return millimetres_per_degree;

@@ -2,6 +2,7 @@
 // What one move asks for, what G64 allows it, and how long a span of a spline along it is.
 
 #include <algorithm>
+#include <leadscrew/gcode/move.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <variant>
@@ -9,8 +10,8 @@
 
 namespace leadscrew::toolpath {
 
-/// Below it, the path is kept as programmed: no machine could show the difference.
-inline constexpr double least_tolerance = 2e-4;  // mm
+/// Below it, the path is kept as programmed.
+inline constexpr double least_tolerance = gcode::least_rounded;  // mm
 
 /// The tolerances of G64.
 struct Allowance {
