@@ -20,7 +20,7 @@ inline machine::Vector random_place() {
   return {between(-80, 80), between(-80, 80), between(-80, 80)};
 }
 
-/// A preset with its axes anywhere, or nutating; limits over two decades.
+/// A preset with its axes anywhere, or nutating; limits over three decades each.
 inline machine::Machine five_axes() {
   machine::Machine machine;
   machine.name = "random five axes";
@@ -37,7 +37,7 @@ inline machine::Machine five_axes() {
   machine.rotary_chain = chain;
   const auto give = [&](base::Axis axis) {
     machine.axes[base::index(axis)] =
-        machine::AxisLimits{-1e5, 1e5, logarithmic(10, 500), logarithmic(100, 1e4), logarithmic(2000, 1e6), 0.001};
+        machine::AxisLimits{-1e5, 1e5, logarithmic(10, 1e4), logarithmic(100, 1e5), logarithmic(2000, 2e6), 0.001};
   };
   for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
   for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);

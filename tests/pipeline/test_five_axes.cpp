@@ -73,10 +73,12 @@ bool is_bound(const std::vector<base::Word>& words, std::size_t k, const machine
   return false;
 }
 
+constexpr std::size_t tenth = 100;  // words of a tenth of a second
+
 /// In the middle of tenths of a second on one block in which no axis is near a limit: longer than any change between limits
 /// takes.
 std::vector<const base::Word*> unbound_words(const std::vector<base::Word>& words, const machine::Machine& machine) {
-  constexpr std::size_t half = 50;
+  constexpr std::size_t half = tenth / 2;
   std::vector<const base::Word*> unbound;
   std::size_t free_for = 0;
   for (std::size_t k = 3; k < words.size(); ++k) {
@@ -88,7 +90,9 @@ std::vector<const base::Word*> unbound_words(const std::vector<base::Word>& word
 }
 
 /// Where no limit binds, the tip goes as fast as programmed. On the programmed path: where a blend joins degrees to
-/// millimetres it has a feed of its own. Chords between words may be as coarse as they like.
+/// millimetres it has a feed of its own. Chords between words may be as coarse as they like. On the mean of every tenth of a
+/// second: where one axis turns round, what binds the tangent has a peak, knots of the time law lie dense, and its barrier
+/// keeps off the feed for some milliseconds.
 RC_GTEST_PROP(FiveAxes, KeepTheFeedWhereNoLimitBinds, ()) {
   machine::Machine machine = five_axes();
   machine.chord_error = 10;
@@ -104,15 +108,19 @@ RC_GTEST_PROP(FiveAxes, KeepTheFeedWhereNoLimitBinds, ()) {
   pipeline::Program program(gcode::text_source(text), machine, tools, {}, nullptr);
   std::vector<base::Word> words;
   while (program.prepare()) words.push_back(program.cycle());
-  double sum = 0, count = 0;
+  double sum = 0;
+  std::vector<double> shares;  // of consecutive words
+  const base::Word* last = nullptr;
   for (const base::Word* word : unbound_words(words, machine)) {
     const auto feed = feeds.find(base::number(word->line));
     if (feed == feeds.end()) continue;
-    RC_ASSERT(word->feed >= 0.99 * feed->second);  // where pieces meet, what binds may be too short for words to show
-    sum += word->feed / feed->second;
-    ++count;
+    if (!last || word != last + 1 || word->line != last->line) shares.clear(), sum = 0;
+    last = word;
+    shares.push_back(word->feed / feed->second);
+    sum += shares.back() - (shares.size() > tenth ? shares[shares.size() - 1 - tenth] : 0);
+    RC_ASSERT(shares.back() >= 0.99);
+    if (shares.size() >= tenth) RC_ASSERT(sum >= 0.999 * static_cast<double>(tenth));
   }
-  RC_ASSERT(sum >= 0.999 * count);
 }
 
 /// Feed override, feed hold, resume and a planner that comes late, at any instant.

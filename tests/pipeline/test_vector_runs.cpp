@@ -45,7 +45,7 @@ machine::Machine random_five_axes() {
   machine.rotary_chain = chain;
   const auto give = [&](base::Axis axis) {
     machine.axes[base::index(axis)] =
-        machine::AxisLimits{-1e5, 1e5, logarithmic(20, 500), logarithmic(200, 1e4), logarithmic(4000, 1e6), 0.001};
+        machine::AxisLimits{-1e5, 1e5, logarithmic(10, 1e4), logarithmic(100, 1e5), logarithmic(2000, 2e6), 0.001};
   };
   for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
   for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);
