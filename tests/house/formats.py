@@ -193,6 +193,9 @@ def prepare():
     (scratch / "says.ngc").write_text("G21 G90\n(MSG,begin)\nG0 X1 (PRINT,%d#<_value>)\nM2\n")
     (scratch / "fast.ngc").write_text("G21 G90\nG1 X9 F30000\nM2\n")
     (scratch / "turn.ngc").write_text("G21 G90\nG1 A30 X5 F600\nA0\nM2\n")
+    (scratch / "gouge.ngc").write_text("T1 M6\nG0 Z50\nG6.4 D1 P3 Q2 I3 J2\nX0 Y0 Z9\nX10 Z0\nX20 Z9\nX0 Y20\nX10 Z0\nX20 Z9\n"
+                                       "G6.5 D1 Q3 L2 Z20 F3000\nG1 X10 Y10 Z2\nG0 Z50\nM2\n")
+    (scratch / "shapes.tbl").write_text("T1 D40 R20 L60 H80 K50\n")
     worn = (machines / "mill6.toml").read_text(encoding="utf-8")
     worn = worn.replace("[axis.A]\n", "[axis.A]\nbacklash_deg = 0.01\n").replace("[axis.X]\n", "[axis.X]\nbacklash_mm = 0.01\n")
     (scratch / "worn6.toml").write_text(worn)
@@ -217,6 +220,7 @@ def check_runs(schemas):
     json_of(schemas, "check", "check", "good.ngc")
     json_of(schemas, "check", "check", "fast.ngc")
     json_of(schemas, "check", "check", "says.ngc")
+    json_of(schemas, "check", "check", "--gouge", "gouge.ngc", "--tools", "shapes.tbl", status=1)
     json_of(schemas, "check", "check", "bad.ngc", status=3)
 
 

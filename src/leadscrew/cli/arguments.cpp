@@ -104,6 +104,11 @@ void describe_check(Command& command, Arguments& arguments) {
   command.words("PROGRAM", programs_help, arguments.programs, program_values());
   add_common(command, arguments);
   add_threads(command, arguments);
+  command.flag("--gouge", "See whether tools and their holders cut into surfaces that are machined (G6.5): exit 1",
+               arguments.gouge);
+  command.value("--gouge-tolerance", "MM", "Of --gouge: how deep they may be inside (default: the machine's tolerance)",
+                arguments.gouge_tolerance, parse_tolerance);
+  command.only_with("--gouge", {"--gouge-tolerance"});
   command.flag("--lint", "Warn of what runs but is surely not meant: rapids in the work, a spindle that is off",
                arguments.lint);
   command.value("--stock-top", "MM", "Of --lint: the top of the stock, Z of the program (default: 0)",

@@ -47,11 +47,13 @@ struct Arguments {
   std::optional<double> tolerance;  ///< mm
   std::optional<machine::Smoothing> smoothing;
   std::optional<machine::Dialect> dialect;
-  bool lint = false;                     ///< of check
-  std::optional<double> stock_top;       ///< of check: Z of the program, mm
-  std::vector<std::string> subprograms;  ///< folders
-  std::optional<std::int64_t> fuel;      ///< lines in loops and subprograms, ≥ 1
-  std::optional<int> threads;            ///< that work on several programs, 1 … 1024; none: as many as processors
+  bool gouge = false;                     ///< of check
+  std::optional<double> gouge_tolerance;  ///< of check, mm
+  bool lint = false;                      ///< of check
+  std::optional<double> stock_top;        ///< of check: Z of the program, mm
+  std::vector<std::string> subprograms;   ///< folders
+  std::optional<std::int64_t> fuel;       ///< lines in loops and subprograms, ≥ 1
+  std::optional<int> threads;             ///< that work on several programs, 1 … 1024; none: as many as processors
   bool json = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;

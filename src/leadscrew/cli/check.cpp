@@ -1,5 +1,7 @@
 #include <leadscrew/cli/check.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/results/gouging.hpp>
 #include <leadscrew/results/messages.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
@@ -33,6 +35,13 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
     survey->finish();
     figures.extents = results::extents_of(job.machine, survey->least(), survey->greatest());
     figures.bound_s = survey->bound_seconds();
+  }
+  if (job.arguments.gouge && log.errors() == 0) {
+    const double tolerance = job.arguments.gouge_tolerance.value_or(job.machine.tolerance);
+    figures.gouging = gouging::check_gouging([&] { return silent_reader(*file, job); }, job.machine, job.tools,
+                                             {tolerance, files::interrupted});
+    for (const auto& problem : results::gouging_diagnostics(*figures.gouging, file->name())) log.add(problem);
+    if (files::interrupted()) log.add(files::interruption());
   }
   return {log.status(), results::json_of_check(file->name(), job.machine, figures, log.all()),
           results::check_summary(file->name(), figures, log.all(), console.output_style())};

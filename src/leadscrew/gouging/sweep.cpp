@@ -46,16 +46,24 @@ void Sweep::look(PartState& state, const Pose& pose, double t) {
   const Hit hit = workpiece_.nearest(state.part, pose, std::numeric_limits<double>::infinity(), state.near);
   ++looks_;
   state.near = hit.cell;
-  state.clearance = std::max(hit.distance, 0.0);
+  state.distance = hit.distance;
   state.moved = state.used = 0;
   if (!deepest_ || hit.distance < deepest_->hit.distance) deepest_ = Deepest{hit, state.part, pose, t};
+}
+
+double Sweep::distance_at_end() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PartState& state : parts_) {
+    if (pose_) least = std::min(least, state.distance - state.moved);
+  }
+  return least;
 }
 
 /// Of the way that the part may go between two looks, at `to`.
 double Sweep::share_after(const PartState& state, const Pose& from, const Pose& to) const {
   const Displacement by = displacement_of(state.part, from, to, workpiece_.reach_from(from.tip));
   const double moved =
-      state.clearance > 0 ? (state.moved + by.all) / state.clearance : std::numeric_limits<double>::infinity();
+      state.clearance() > 0 ? (state.moved + by.all) / state.clearance() : std::numeric_limits<double>::infinity();
   return std::min(moved, state.used + by.all / touching_step(state.part, tolerance_, by.axial));
 }
 
@@ -98,8 +106,8 @@ std::optional<Deepest> Sweep::follow(const Way& way) {
     t = t + step >= 1 - 1e-12 ? 1 : t + step;
     advance(way.at(t));
     for (PartState& state : parts_) {
-      const bool touches = state.moved >= state.clearance;
-      const bool is_spent = std::min(state.used, state.clearance > 0 ? state.moved / state.clearance : 2) >= 0.5;
+      const bool touches = state.moved >= state.clearance();
+      const bool is_spent = std::min(state.used, state.clearance() > 0 ? state.moved / state.clearance() : 2) >= 0.5;
       if (is_spent || (t == 1 && touches)) look(state, *pose_, t);
     }
     step *= std::clamp(share > 0 ? 0.95 / share : 4.0, 0.25, 4.0);

@@ -40,6 +40,9 @@ class Sweep {
   /// All of a way of the tool that is held; where another begins elsewhere than this one has ended, all parts are looked at
   /// there. None where nothing had to be looked at. Work is bounded by the way's length over the tolerance, and by most_looks.
   std::optional<Deepest> follow(const Way& way);
+  /// Where the last way has ended, of the part that is nearest to the surfaces or deepest in them; a lower bound where none touches
+  /// them, infinite before any way. mm.
+  double distance_at_end() const;
 
   /// Of one way: a part is looked at so many times at most; ways that would take more are looked at in longer steps.
   static constexpr int most_looks = 1 << 20;
@@ -48,10 +51,12 @@ class Sweep {
  private:
   struct PartState {
     Part part;
-    double clearance = 0;  ///< when it was looked at last, mm
-    double moved = 0;      ///< since then, no place of it more than that, mm
-    double used = 0;       ///< since then, of the way that a part that touches may go: 1: all
+    double distance = 0;  ///< when it was looked at last, mm
+    double moved = 0;     ///< since then, no place of it more than that, mm
+    double used = 0;      ///< since then, of the way that a part that touches may go: 1: all
     std::uint32_t near = Hit::no_cell;
+
+    double clearance() const { return distance > 0 ? distance : 0; }
   };
   void look(PartState& state, const Pose& pose, double t);
   double share_after(const PartState& state, const Pose& from, const Pose& to) const;

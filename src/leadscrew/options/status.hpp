@@ -25,6 +25,7 @@ inline Status status_of(const base::Diagnostic& diagnostic) {
   if (diagnostic.severity != base::Severity::error) return Status::done;
   if (diagnostic.code == "interrupted") return Status::interrupted;
   if (diagnostic.code == "usage") return Status::usage;
+  if (diagnostic.code == "gouge" || diagnostic.code == "gouge-contact") return Status::not_kept;
   const bool is_of_files = diagnostic.code.starts_with("io-") || diagnostic.code.ends_with("-changed") ||
                            diagnostic.code == "input-too-large";
   return is_of_files ? Status::input_output : Status::rejected;

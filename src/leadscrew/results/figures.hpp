@@ -6,6 +6,7 @@
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/gcode/remark.hpp>
+#include <leadscrew/gouging/program_check.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
 #include <leadscrew/pipeline/path_survey.hpp>
@@ -66,6 +67,7 @@ struct CheckFigures {
   /// Of a program without errors.
   std::vector<Extent> extents{};
   std::optional<double> bound_s{};  ///< as pipeline::Summary has it
+  std::optional<gouging::GougeVerdict> gouging{};  ///< where it was asked for
   // What the program says.
   std::vector<gcode::Remark> messages{};  ///< the first of them
   std::int64_t message_count = 0;         ///< of all

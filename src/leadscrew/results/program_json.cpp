@@ -1,4 +1,5 @@
 #include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/gouging.hpp>
 #include <leadscrew/results/program_json.hpp>
 
 namespace leadscrew::results {
@@ -177,18 +178,20 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
 
 Json json_of_check(const std::string& program, const machine::Machine& machine, const CheckFigures& reading,
                    const Diagnostics& diagnostics) {
-  return Json::object({{"schema", check_schema},
-                       {"program", program},
-                       {"machine", machine.name},
-                       {"blocks", reading.blocks},
-                       {"moves", reading.moves},
-                       {"extents", list_of(reading.extents)},
-                       {"bound_s", reading.bound_s},
-                       {"errors", count(diagnostics, base::Severity::error)},
-                       {"warnings", count(diagnostics, base::Severity::warning)},
-                       {"message_count", reading.message_count},
-                       {"messages", list_of(reading.messages)},
-                       {"diagnostics", list_of(diagnostics)}});
+  Json json = Json::object({{"schema", check_schema},
+                            {"program", program},
+                            {"machine", machine.name},
+                            {"blocks", reading.blocks},
+                            {"moves", reading.moves},
+                            {"extents", list_of(reading.extents)},
+                            {"bound_s", reading.bound_s},
+                            {"errors", count(diagnostics, base::Severity::error)},
+                            {"warnings", count(diagnostics, base::Severity::warning)},
+                            {"message_count", reading.message_count},
+                            {"messages", list_of(reading.messages)},
+                            {"diagnostics", list_of(diagnostics)}});
+  if (reading.gouging) json["gouging"] = json_of_gouging(*reading.gouging);
+  return json;
 }
 
 Json json_of_verify(const std::string& program, const machine::Machine& machine, const VerifyFigures& figures,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/results/diagnostic_text.hpp>
+#include <leadscrew/results/gouging.hpp>
 #include <leadscrew/results/program_text.hpp>
 
 namespace leadscrew::results {
@@ -196,6 +197,7 @@ std::string check_summary(const std::string& program, const CheckFigures& readin
           : style(Tone::good, "no problem");
   std::string text = fmt::format("{}: {}, {}: {}\n", style(Tone::strong, printable(program)),
                                  counted(reading.blocks, "block"), counted(reading.moves, "move"), problems);
+  if (reading.gouging) text += row("gouging", gouging_text(*reading.gouging, style));
   if (!reading.bound_s) return text;
   text += row("time", fmt::format("at least {} by feed and velocities alone", seconds_text(*reading.bound_s)));
   return text + row("extents", extents_text(reading.extents));
