@@ -145,7 +145,7 @@ TEST(GougeCheck, KnowsTheToolThatAMoveIsMadeWith) {
 
 TEST(GougeCheck, SeesToolsThatLeanOnMachinesOfFiveAxes) {
   const auto program = [](double lead) {
-    return "T1 M6\nG43.4 H1\nG0 Z100\n" + patch + "G6.5 D1 Q2 A" + std::to_string(lead) + " B0 Z60 F3000\nM2\n";
+    return "T1 M6\nG43.4 H1\nG0 Z100\n" + patch + "G6.5 D1 Q6 A" + std::to_string(lead) + " B0 Z60 F3000\nM2\n";
   };
   for (const char* kinematics : {"table-table-ac", "head-head-bc"}) {
     const GougeVerdict upright = verdict_of(program(5), kinematics);
