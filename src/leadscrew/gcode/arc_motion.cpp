@@ -152,16 +152,22 @@ void Motion::arc_as_curve(const Block& block, const ArcPlan& plan, const base::A
   if (!plan.reaches) line_to(block, target, feed);
 }
 
-// Only a circle that reaches beyond a limit is worth finding out how far along it the arc goes.
+// Whether the whole circle reaches beyond a limit.
+bool Motion::bulges_outside(const ArcCircle& circle) const {
+  const auto reaches = [&](base::Axis axis, double center) {
+    return center - circle.radius < travel_.low()[base::index(axis)] ||
+           center + circle.radius > travel_.high()[base::index(axis)];
+  };
+  return reaches(first_axis(modal_.plane), circle.center.first) ||
+         reaches(second_axis(modal_.plane), circle.center.second);
+}
+
+// Only where the circle reaches beyond a limit is it worth finding out how far along it the arc goes.
 void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan) {
+  const ArcCircle& circle = plan.circle;
+  if (!bulges_outside(circle)) return;
   const base::Axis first = first_axis(modal_.plane);
   const base::Axis second = second_axis(modal_.plane);
-  const auto reaches = [&](base::Axis axis, double center) {
-    return center - plan.circle.radius < travel_.low()[base::index(axis)] ||
-           center + plan.circle.radius > travel_.high()[base::index(axis)];
-  };
-  const ArcCircle& circle = plan.circle;
-  if (!reaches(first, circle.center.first) && !reaches(second, circle.center.second)) return;
   const PlaneBox box = arc_extent(start, circle.end, circle.center, plan.turns);
   travel_.bulge_inside(block, first, box.low.first, box.high.first) &&
       travel_.bulge_inside(block, second, box.low.second, box.high.second);
@@ -188,6 +194,30 @@ void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& pla
   const bool known = plan_arc(block, from, end, plan);
   plan.reaches = plan.circle.end.first == end.first && plan.circle.end.second == end.second;
   return known;
+}
+
+std::optional<ArcCircle> Motion::plain_circle(const Block& block, Code motion, const base::AxisVector& target) const {
+  const base::Axis first = first_axis(modal_.plane), second = second_axis(modal_.plane);
+  const char first_letter = offset_letter(first), second_letter = offset_letter(second);
+  constexpr std::uint32_t offsets = letter_bit('I') | letter_bit('J') | letter_bit('K');
+  const std::uint32_t centred = block.words & (letter_bit(first_letter) | letter_bit(second_letter));
+  const bool known = (block.words & offsets) == centred && (centred != 0) != block.has('R');
+  if (!known || modal_.arc_distance != Distance::incremental || !machine_.has(first) || !machine_.has(second))
+    return {};
+  const PlanePoint start = in_plane(frame_.position, modal_.plane), end = in_plane(target, modal_.plane);
+  const ArcTolerance tolerance = arc_tolerance(frame_.length_unit != 1);
+  const int direction = motion == Code::G3 ? 1 : -1;
+  const PlanePoint center{start.first + block.value_or(first_letter, 0) * frame_.length_unit,
+                          start.second + block.value_or(second_letter, 0) * frame_.length_unit};
+  const ArcCircle circle = block.has('R')
+                               ? circle_by_radius(start, end, block['R'] * frame_.length_unit, direction, tolerance)
+                               : circle_by_center(start, end, center, direction, 1, tolerance);
+  const bool reaches = circle.end.first == end.first && circle.end.second == end.second;
+  if (circle.problem != ArcCircle::Problem::none || !reaches || bulges_outside(circle)) return {};
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    if (!(travel_.low()[i] <= target[i] && target[i] <= travel_.high()[i])) return {};
+  }
+  return circle;
 }
 
 void Motion::arc(const Block& block) {

@@ -148,16 +148,21 @@ void Interpreter::finish_block(const Block& block) {
   if (!ended_) stop_.reset();
 }
 
-Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line line, Move& move) {
-  constexpr std::uint32_t plain_words = axis_letter_bits | letter_bit('F') | letter_bit('N');
+// Whether nothing but its axis words, F and what else is in `words` says what the block means, and all of that is known.
+inline bool Interpreter::is_plain_block(const Block& block, Code motion, std::uint32_t words) const {
   const std::uint32_t axes = block.words & axis_letter_bits;
+  return !(block.words & ~words) && !(block.groups & ~bit(Group::motion)) && !(axes & ~machine_letters_) && axes != 0 &&
+         modal_.feed_mode == FeedMode::per_minute && frame_.is_offset_only() && !frame_.tip_control() &&
+         !modal_.polar && modal_.is_plain && (!block.has('F') || block['F'] > 0) &&
+         (motion == Code::G0 || modal_.feed_known || block.has('F')) && !curves_.open();
+}
+
+Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line line, Move& move) {
   const Code motion = block.groups ? block.codes[index(Group::motion)] : modal_.motion;
-  if ((block.words & ~plain_words) || (block.groups & ~bit(Group::motion)) || motion > Code::G1 ||
-      (axes & ~machine_letters_) || axes == 0 || modal_.feed_mode != FeedMode::per_minute || !frame_.is_offset_only() ||
-      frame_.tip_control() || modal_.polar || !modal_.is_plain || (block.has('F') && !(block['F'] > 0)) ||
-      (motion == Code::G1 && !modal_.feed_known && !block.has('F')) || curves_.open()) {
-    return Plain::no;
-  }
+  if (motion > Code::G1) return execute_plain_arc(block, motion, line, move);
+  constexpr std::uint32_t plain_words = axis_letter_bits | letter_bit('F') | letter_bit('N');
+  if (!is_plain_block(block, motion, plain_words)) return Plain::no;
+  const std::uint32_t axes = block.words & axis_letter_bits;
   // No state changes before all axis words are known to be inside.
   const base::AxisVector& offset = frame_.offset();
   base::AxisVector target;  // of the axes that stand in the block
@@ -186,6 +191,28 @@ Interpreter::Plain Interpreter::execute_plain(const Block& block, base::Line lin
     const std::size_t i = base::index(axis_of_letter(static_cast<unsigned>(std::countr_zero(rest))));
     move.end[i] = frame_.position[i] = target[i];
   }
+  return Plain::move;
+}
+
+// The same of an arc without P, of which nothing is to be reported.
+Interpreter::Plain Interpreter::execute_plain_arc(const Block& block, Code motion, base::Line line, Move& move) {
+  constexpr std::uint32_t plain_words = axis_letter_bits | letter_bit('F') | letter_bit('N') | letter_bit('I') |
+                                        letter_bit('J') | letter_bit('K') | letter_bit('R');
+  if (!is_arc(motion) || modal_.motion > Code::G3 || !travel_.all_inside() ||
+      !is_plain_block(block, motion, plain_words)) {
+    return Plain::no;
+  }
+  const base::AxisVector target = motion_.target_of(block);
+  const std::optional<ArcCircle> circle = motion_.plain_circle(block, motion, target);
+  if (!circle) return Plain::no;
+  if (block.has('F')) motion_.set_feed(block);
+  modal_.motion = motion;
+  outbox_.prepare(move, Move::Kind::arc, line);
+  move.end = frame_.position = target;
+  move.center_first = circle->center.first;
+  move.center_second = circle->center.second;
+  move.turns = motion == Code::G3 ? 1 : -1;
+  move.feed = {Feed::Mode::units_per_second, modal_.linear_feed};
   return Plain::move;
 }
 

@@ -38,7 +38,8 @@ class Interpreter : Part {
   enum class Plain : std::uint8_t { no, no_move, move };
 
   /// Executes, more quickly than execute() does, what nearly all blocks are: axis words and F, with G0 or G1 or
-  /// neither. `no`: the block is something else and has not been executed. The caller passes a block without problems.
+  /// neither, and most arcs. `no`: the block is something else and has not been executed. The caller passes a block
+  /// without problems.
   Plain execute_plain(const Block& block, base::Line line, Move& move);
 
   /// Executes any block. If it or its reading had a problem it makes no move, but what is known of it takes effect, so
@@ -99,6 +100,8 @@ class Interpreter : Part {
   void dispatch_cycle(Code code, const Block& block);  // dispatch.cpp
   void stop(const Block& block);
   bool is_plain() const;
+  bool is_plain_block(const Block& block, Code motion, std::uint32_t words) const;
+  [[gnu::noinline]] Plain execute_plain_arc(const Block& block, Code motion, base::Line line, Move& move);
   bool next_of_block(Move& move);
   [[gnu::noinline]] bool next_with_vectors(Move& move);
 

@@ -4,6 +4,7 @@
 #include <leadscrew/gcode/arc.hpp>
 #include <leadscrew/gcode/outbox.hpp>
 #include <leadscrew/gcode/travel.hpp>
+#include <optional>
 
 namespace leadscrew::gcode {
 
@@ -15,6 +16,10 @@ class Motion : Part {
   void straight(const Block& block);
   /// G2 and G3.
   void arc(const Block& block);
+  /// Of one of them where nothing but offsets lies between the program's coordinates and the machine's: the circle that
+  /// leads to the target in a turn at most and stays inside travel all round. Nothing where there is none, or it needs a
+  /// closer look, which is for arc() to take.
+  std::optional<ArcCircle> plain_circle(const Block& block, Code motion, const base::AxisVector& target) const;
 
   /// The feed mode and F of the block.
   void set_feed(const Block& block);
@@ -43,6 +48,7 @@ class Motion : Part {
   };
 
   bool feed_per_revolution(const Block& block, Feed& feed);
+  bool bulges_outside(const ArcCircle& circle) const;
   bool arc_center(const Block& block, PlanePoint start, PlanePoint& center);
   bool report_circle(const Block& block, const ArcCircle& circle);
   bool plan_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan);
