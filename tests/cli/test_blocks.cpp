@@ -7,6 +7,16 @@
 namespace leadscrew::cli::testing {
 namespace test_blocks {
 
+constexpr std::string_view slow_mill = R"(name = "slow"
+kinematics = "cartesian"
+[axis.X]
+travel_mm = [-500, 500]
+max_velocity_mm_s = 2
+max_acceleration_mm_s2 = 1000000
+max_jerk_mm_s3 = 1000000000
+blu_mm = 0.001
+)";
+
 /// The last cells of a row, behind its quoted text.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
@@ -33,6 +43,42 @@ TEST(Blocks, AndRapidsAreDrawnFromTheSameWords) {
   EXPECT_TRUE(contains(page, "G0 X40 Y9</td><td>rapid</td>"));
 }
 
+// A line of a subprogram, or in a loop, is another block each time.
+TEST(Blocks, AreToldByFileLineAndVisit) {
+  const Folder folder;
+  folder.write("sub.ngc", "o<sub> sub\nG1 X[#1] (of a file)\no<sub> endsub\nM2\n");
+  folder.write("part.ngc", "G61.1 F600\no1 repeat [2]\nG1 X1 (own)\no<sub> call [5]\no1 endrepeat\nM2\n");
+  const Outcome run =
+      leadscrew(folder, {"run", "part.ngc", "--blocks", "b.csv", "--report", "r.html", "--trace", "t.csv", "--json"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  std::istringstream rows(folder.read("b.csv"));
+  std::string told, row;
+  while (std::getline(rows, row)) {
+    const std::size_t text = row.find('"'), behind = row.find(",jerk X");
+    if (behind != std::string::npos) told += row.substr(0, row.find('"', text + 1)) + row.substr(behind + 7) + "\n";
+  }
+  EXPECT_EQ(told,
+            "3,\"G1 X1 (own),,0\n2,\"G1 X[#1] (of a file),\"sub.ngc\",1\n"
+            "3,\"G1 X1 (own),,3\n2,\"G1 X[#1] (of a file),\"sub.ngc\",4\n");
+  const std::string page = folder.read("r.html");
+  for (const char* cells : {">3</td><td class=\"source\" title=\"G1 X1 (own)\">", ">3, visit 3</td>",
+                            ">sub.ngc:2, visit 4</td><td class=\"source\" title=\"G1 X[#1] (of a file)\">"}) {
+    EXPECT_TRUE(contains(page, cells)) << cells;
+  }
+  // Of a motion that is judged by limits it has not been planned for.
+  folder.write("slow.toml", std::string(slow_mill));
+  const Outcome verify = leadscrew(folder, {"verify", "t.csv", "part.ngc", "--machine", "slow.toml", "--json"});
+  ASSERT_EQ(verify.status, 1) << verify.errors;
+  const Json object = verify.json(), violations = object["violations"];
+  EXPECT_FALSE(violations[0].contains("file"));
+  EXPECT_FALSE(violations[0].contains("visit"));
+  EXPECT_EQ(violations.back()["line"], 2);
+  EXPECT_EQ(violations.back()["file"], 1);
+  EXPECT_EQ(violations.back()["visit"], 4);
+  const Outcome words = leadscrew(folder, {"verify", "t.csv", "part.ngc", "--machine", "slow.toml"});
+  EXPECT_TRUE(contains(words.output, ", line 3: X velocity is")) << words.output;
+}
+
 TEST(Blocks, AreWrittenWithWhatTheyTookAndLost) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G61 F6000\nG0 Z5\nG1 X10 (a \"quoted\" word)\n\nG4 P0.25\nG1 X30 F600\nM2\n");
@@ -43,7 +89,8 @@ TEST(Blocks, AreWrittenWithWhatTheyTookAndLost) {
   std::getline(lines, header);
   EXPECT_EQ(
       header,
-      "line,text,from X,from Y,from Z,to X,to Y,to Z,length,feed_asked,feed_reached,time,least_time,time_lost,cause");
+      "line,text,from X,from Y,from Z,to X,to Y,to Z,length,feed_asked,feed_reached,time,least_time,time_lost,cause,"
+      "file,visit");
   const std::vector<std::string> begins = {"2,\"G0 Z5\",", "3,\"G1 X10 (a \"\"quoted\"\" word)\",", "5,\"G4 P0.25\",",
                                            "6,\"G1 X30 F600\","};
   double seconds = 0, lost = 0;
@@ -51,7 +98,7 @@ TEST(Blocks, AreWrittenWithWhatTheyTookAndLost) {
     ASSERT_TRUE(std::getline(lines, line));
     EXPECT_EQ(line.substr(0, begin.size()), begin);
     const auto cells = cells_of(line);
-    ASSERT_EQ(cells.size(), 13u) << line;
+    ASSERT_EQ(cells.size(), 15u) << line;
     seconds += std::stod(cells[9]);
     lost += std::stod(cells[11]);
     EXPECT_NEAR(std::stod(cells[9]) - std::stod(cells[10]), std::stod(cells[11]), 1e-12);

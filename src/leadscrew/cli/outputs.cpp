@@ -169,7 +169,7 @@ base::Result<void> Outputs::open_blocks(const files::InputFile& program) {
   auto file = create(*blocks_path_, files::OutputFile::Access::sequential);
   if (!file) return base::failure(file.error());
   blocks_file_ = std::move(*file);
-  blocks_ = std::make_unique<results::BlockWriter>(blocks_file_->sink(), program.source(), job_->machine);
+  blocks_ = std::make_unique<results::BlockWriter>(blocks_file_->sink(), program, job_->machine);
   return {};
 }
 

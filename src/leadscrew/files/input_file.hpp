@@ -52,6 +52,10 @@ class InputFile {
   /// Those that have been opened, in the order of their names.
   std::vector<const InputFile*> subprograms() const;
 
+  /// The one that lines with this base::file() are of, once its program has been read: this, or a subprogram of it. Null
+  /// where there is none.
+  const InputFile* text_of(int file) const;
+
   /// Has it been written to since it was opened, read already or not, or a subprogram of it? Error: `changed`.
   base::Result<void> unchanged() const;
 
@@ -72,6 +76,7 @@ class InputFile {
   base::Diagnostic changed_;
   mutable base::CheckedText text_;                                         ///< what any source has read so far
   mutable std::map<std::string, std::unique_ptr<InputFile>> subprograms_;  ///< by their names
+  mutable std::vector<const InputFile*> in_order_;                         ///< of these, in the order of their opening
 };
 
 /// The whole of a small file, such as a machine file. Errors as above; `input-too-large` of a file of any kind.

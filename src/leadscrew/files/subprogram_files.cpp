@@ -73,7 +73,14 @@ base::Result<const InputFile*> InputFile::subprogram(const std::string& name,
   }
   auto file = InputFile::open(path, "program-changed");
   if (!file) return base::failure(file.error());
-  return subprograms_.emplace(name, std::make_unique<InputFile>(std::move(*file))).first->second.get();
+  return in_order_.emplace_back(
+      subprograms_.emplace(name, std::make_unique<InputFile>(std::move(*file))).first->second.get());
+}
+
+const InputFile* InputFile::text_of(int file) const {
+  if (file == 0) return this;
+  const auto i = static_cast<std::size_t>(file) - 1;
+  return i < in_order_.size() ? in_order_[i] : nullptr;
 }
 
 std::vector<const InputFile*> InputFile::subprograms() const {

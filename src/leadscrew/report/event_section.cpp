@@ -20,7 +20,7 @@ void put_event_section(std::string& page, const PageContent& content) {
       "class=\"text\">Motion</th></tr></thead>"
       "<tbody>\n");
   for (const base::PassedEvent& event : events) {
-    put(page, "<tr><td>", std::to_string(base::number(event.line)), "</td><td class=\"text\">", base::code_of(event),
+    put(page, "<tr><td>", place_text(content.report, event.line), "</td><td class=\"text\">", base::code_of(event),
         "</td><td>", base::has_output(event.kind) ? std::to_string(event.output) : "", "</td><td>",
         base::has_value(event.kind) ? base::text(event.value) : "", "</td><td>",
         base::has_q(event.kind) ? base::text(event.q) : "", "</td><td>",

@@ -58,7 +58,7 @@ void put_dearest(std::string& page, const PageContent& content) {
     const LostBlock& block = blocks[i];
     const std::string rank = std::to_string(i + 1), source = escaped(source_of(content.report, block.line), 120);
     put(page, "<tr id=\"lost", rank, "\" data-place=\"", rank, "\"><td><a class=\"rank\" href=\"#path\">", rank,
-        "</a></td><td>", std::to_string(base::number(block.line)), "</td><td class=\"source\" title=\"", source, "\">",
+        "</a></td><td>", place_text(content.report, block.line), "</td><td class=\"source\" title=\"", source, "\">",
         source, "</td><td>", feed_text(block.feed_asked), "</td><td>", feed_text(block.feed_reached), "</td><td>",
         readable_time(block.duration), "</td><td>", readable_time(block.lost), "</td><td class=\"text\">",
         escaped(cause_text(block.cause)), "</td></tr>\n");

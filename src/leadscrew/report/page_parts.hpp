@@ -25,6 +25,9 @@ std::string_view unit(base::Axis axis);
 /// The text of a line that a table of blocks names, where it is known.
 std::string_view source_of(const Report& report, base::Line line);
 
+/// Where a block stands in the program: "12", "sub.ngc:12, visit 3".
+std::string place_text(const Report& report, base::Line line);
+
 /// The verdict in a sentence for each promise that is broken; empty when all are kept.
 std::vector<std::string> broken_promises(const PageContent& content);
 

@@ -72,6 +72,7 @@ struct Report {
   std::vector<Loss> losses;           ///< the dearest first; empty where they were not looked for
   std::vector<base::Diagnostic> diagnostics;
   std::vector<std::pair<base::Line, std::string>> source;  ///< text of the lines that the tables of blocks name
+  std::vector<std::string> texts;                          ///< names of the program's texts, by base::file() of lines
 };
 
 /// Writes the page; below 5 MB for any recording. followed: where slides followed the words that were recorded, or

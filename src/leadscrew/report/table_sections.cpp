@@ -26,8 +26,7 @@ void put_ratio(std::string& page, double ratio) {
 
 void put_line_and_source(std::string& page, const Report& report, base::Line line) {
   const std::string source = escaped(source_of(report, line), 120);
-  put(page, "<td>", std::to_string(base::number(line)), "</td><td class=\"source\" title=\"", source, "\">", source,
-      "</td>");
+  put(page, "<td>", place_text(report, line), "</td><td class=\"source\" title=\"", source, "\">", source, "</td>");
 }
 
 std::string_view order_name(int order) {
@@ -96,6 +95,17 @@ std::string_view source_of(const Report& report, base::Line line) {
   const auto found =
       std::ranges::find(report.source, base::place_of(line), [](const auto& entry) { return entry.first; });
   return found == report.source.end() ? std::string_view() : std::string_view(found->second);
+}
+
+std::string place_text(const Report& report, base::Line line) {
+  std::string text;
+  if (const auto file = static_cast<std::size_t>(base::file(line)); file != 0 && file < report.texts.size()) {
+    const std::string& name = report.texts[file];
+    text = escaped(name.substr(name.find_last_of('/') + 1), 60) + ":";
+  }
+  text += std::to_string(base::number(line));
+  if (base::visit(line) != 0) text += ", visit " + std::to_string(base::visit(line));
+  return text;
 }
 
 void put_limit_section(std::string& page, const PageContent& content) {

@@ -88,6 +88,7 @@ Json json_of_drive(const std::string& program, const machine::Machine& machine, 
                             {"starvations", counters.starvations},
                             {"latency_ns", json_of(figures.latencies)},
                             {"diagnostics", json_of_diagnostics(diagnostics)}});
+  put_file_and_visit(json, figures.last.line);
   if (!figures.has_drives) return json;
   json["axes"] = json_of_axes(figures.axes);
   json["feed"] = Json::object(
@@ -106,8 +107,8 @@ std::string drive_summary(const std::string& program, const machine::Machine& ma
                                                                           : style(Tone::warning, name(figures.end)));
   text += fmt::format("  words      {} made, {} taken{}; {:.3f} s\n", periods(counters.words), periods(figures.taken),
                       figures.has_drives ? " by the drives" : "", seconds(figures, machine));
-  text += fmt::format("  came to    line {}, {:.3f} mm of the path\n", base::number(figures.last.line),
-                      figures.last.path_length);
+  text +=
+      fmt::format("  came to    {}, {:.3f} mm of the path\n", line_text(figures.last.line), figures.last.path_length);
   text += fmt::format(
       "  on time    {} periods slept through, {} given way; planner late {} times, {} of its chunks too late\n",
       counters.overruns, counters.slips, counters.starvations, counters.late_chunks);

@@ -16,6 +16,13 @@ std::int64_t count(const Diagnostics& diagnostics, base::Severity severity) {
   return std::ranges::count(diagnostics, severity, &base::Diagnostic::severity);
 }
 
+std::string line_text(base::Line line) {
+  std::string text = fmt::format("line {}", base::number(line));
+  if (base::file(line) != 0) text += fmt::format(" of subprogram file {}", base::file(line));
+  if (base::visit(line) != 0) text += fmt::format(", visit {}", base::visit(line));
+  return text;
+}
+
 bool RunFigures::kept() const {
   return !verdict.objects() && summary.plan.greatest() <= largest_ratio;
 }

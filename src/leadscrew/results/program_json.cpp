@@ -96,11 +96,13 @@ Json cpu_of(const ComputingTime& effort) {
 Json violations_of(const referee::Verdict& verdict) {
   Json list = Json::list();
   for (const referee::Violation& violation : verdict.violations) {
-    list.push_back(Json::object({{"t", violation.t},
-                                 {"line", base::number(violation.line)},
-                                 {"what", violation.what},
-                                 {"value", violation.value},
-                                 {"limit", violation.limit}}));
+    Json objection = Json::object({{"t", violation.t},
+                                   {"line", base::number(violation.line)},
+                                   {"what", violation.what},
+                                   {"value", violation.value},
+                                   {"limit", violation.limit}});
+    put_file_and_visit(objection, violation.line);
+    list.push_back(std::move(objection));
   }
   return list;
 }
@@ -126,6 +128,11 @@ Json json_of_rejected(std::string_view schema, const std::string& program, const
                        {"program", program},
                        {"machine", machine.empty() ? Json(nullptr) : Json(machine)},
                        {"diagnostics", list_of(diagnostics)}});
+}
+
+void put_file_and_visit(Json& json, base::Line line) {
+  if (base::file(line) != 0) json["file"] = base::file(line);
+  if (base::visit(line) != 0) json["visit"] = base::visit(line);
 }
 
 Json json_of_diagnostics(const Diagnostics& diagnostics) {

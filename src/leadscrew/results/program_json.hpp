@@ -27,6 +27,9 @@ Json json_of_rejected(std::string_view schema, const std::string& program, const
 /// The list of them, as it stands under "diagnostics".
 Json json_of_diagnostics(const Diagnostics& diagnostics);
 
+/// Adds to an object that has the number of a line what else identifies its block: `file` and `visit`, where they are not 0.
+void put_file_and_visit(Json& json, base::Line line);
+
 /// `tip`, of the tool's tip and its direction, where tool centre point control was.
 void add_tip(Json& json, const referee::Verdict& verdict);
 /// What run and simulate say alike of a program that has been moved through: {schema … dwell_s}, and then `more`.

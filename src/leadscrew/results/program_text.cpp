@@ -63,8 +63,8 @@ std::string violations_text(const referee::Verdict& verdict, const Style& style)
   std::string text;
   for (std::size_t i = 0; i < std::min(verdict.violations.size(), most_violations); ++i) {
     const referee::Violation& violation = verdict.violations[i];
-    text += fmt::format("  {} t = {:.4f} s, line {}: {} is {:.6g}, limit {:.6g}\n", style(Tone::error, "!"),
-                        violation.t, base::number(violation.line), violation.what, violation.value, violation.limit);
+    text += fmt::format("  {} t = {:.4f} s, {}: {} is {:.6g}, limit {:.6g}\n", style(Tone::error, "!"), violation.t,
+                        line_text(violation.line), violation.what, violation.value, violation.limit);
   }
   const auto shown = static_cast<std::int64_t>(std::min(verdict.violations.size(), most_violations));
   if (verdict.violation_count > shown) text += fmt::format("  … and {} more\n", verdict.violation_count - shown);

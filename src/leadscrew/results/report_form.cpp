@@ -15,10 +15,7 @@ constexpr std::size_t longest_line = 200;
 
 std::set<base::Line> lines_named(const report::Recording& recording, const report::Report& report) {
   std::set<base::Line> lines;
-  // Of the program's own text.
-  const auto insert = [&lines](base::Line line) {
-    if (base::file(line) == 0) lines.insert(base::place_of(line));
-  };
+  const auto insert = [&lines](base::Line line) { lines.insert(base::place_of(line)); };
   for (const report::LostBlock& block : recording.dearest_blocks()) insert(block.line);
   for (const report::Violation& violation : report.violations) insert(violation.line);
   for (const report::BlockFigures& block : recording.slowest_blocks()) insert(block.line);
@@ -28,14 +25,16 @@ std::set<base::Line> lines_named(const report::Recording& recording, const repor
 
 using SourceLines = std::vector<std::pair<base::Line, std::string>>;
 
-/// Gathers the beginnings of wanted lines from a text that comes in pieces.
+/// Gathers the beginnings of wanted lines of a text, all of which are its own, while it comes in pieces.
 class LineGatherer {
  public:
-  explicit LineGatherer(const std::set<base::Line>& wanted) : wanted_(wanted) { begin_line(); }
+  LineGatherer(const std::set<base::Line>& wanted, int file) : wanted_(wanted), line_(base::line_at(1, file)) {
+    begin_line();
+  }
 
   void take(char c) {
     if (c == '\n') {
-      line_ = base::Line{base::number(line_) + 1};
+      line_ = base::line_at(base::number(line_) + 1, base::file(line_));
       begin_line();
     } else if (is_wanted_ && c != '\r' && lines_.back().second.size() < longest_line) {
       lines_.back().second += c;
@@ -53,13 +52,13 @@ class LineGatherer {
 
   const std::set<base::Line>& wanted_;
   SourceLines lines_;
-  base::Line line_{1};
+  base::Line line_;
   bool is_wanted_ = false;
 };
 
-base::Result<SourceLines> source_lines(const files::InputFile& file, const std::set<base::Line>& wanted) {
-  LineGatherer gatherer(wanted);
-  auto source = file.source();
+base::Result<SourceLines> source_lines(const files::InputFile& text, int file, const std::set<base::Line>& wanted) {
+  LineGatherer gatherer(wanted, file);
+  auto source = text.source();
   std::array<char, 1 << 16> buffer;
   while (!gatherer.has_all()) {
     const auto got = source(buffer);
@@ -68,6 +67,21 @@ base::Result<SourceLines> source_lines(const files::InputFile& file, const std::
     for (std::size_t i = 0; i < *got; ++i) gatherer.take(buffer[i]);
   }
   return std::move(gatherer).lines();
+}
+
+/// The program's texts, and of each of them the lines that are named.
+base::Result<void> take_texts(const files::InputFile& program, const std::set<base::Line>& named,
+                              report::Report& report) {
+  for (int file = 0; const files::InputFile* const text = program.text_of(file); ++file) {
+    report.texts.push_back(text->name());
+    const std::set<base::Line> wanted(named.lower_bound(base::line_at(0, file)),
+                                      named.lower_bound(base::line_at(0, file + 1)));
+    if (wanted.empty()) continue;
+    auto lines = source_lines(*text, file, wanted);
+    if (!lines) return base::failure(lines.error());
+    report.source.insert(report.source.end(), lines->begin(), lines->end());
+  }
+  return {};
 }
 
 /// plan: null where there is none.
@@ -124,9 +138,8 @@ base::Result<report::Report> report_of(const ReportParts& parts, const referee::
   report.diagnostics = parts.diagnostics;
   report.violation_count = verdict.violation_count;
   report.violations = by_block(verdict.violations);
-  auto source = source_lines(parts.program, lines_named(parts.recording, report));
-  if (!source) return base::failure(source.error());
-  report.source = std::move(*source);
+  const auto taken = take_texts(parts.program, lines_named(parts.recording, report), report);
+  if (!taken) return base::failure(taken.error());
   return report;
 }
 
