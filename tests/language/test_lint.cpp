@@ -1,6 +1,7 @@
 // What `check --lint` warns of, and what it does not.
 
 #include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/gcode/modal_state.hpp>
 #include <leadscrew/language/lint.hpp>
 
 #include "reading.hpp"
@@ -22,7 +23,7 @@ std::string found_in(std::string_view text, std::optional<double> stock_top = {}
   Lint lint(machine, stock_top);
   gcode::Move move;
   while (reader.next(move)) {
-    for (const base::Diagnostic& each : lint.see(move, reader.frame())) reader.warn(move, each);
+    for (const base::Diagnostic& each : lint.see(move, reader.frame(), reader.modal())) reader.warn(move, each);
   }
   return found;
 }
@@ -48,8 +49,26 @@ TEST(Lint, TheTopIsThatOfTheOffsetInForce) {
   EXPECT_EQ(found_in("G10 L2 P1 Z20\nT1 M6\nG0 Z-1\nX10\nM2\n"), "4 lint-rapid; ");
 }
 
+// There Z0 is the face of the work, and rapids beside it are usual.
+TEST(Lint, KnowsNoTopOnLathes) {
+  EXPECT_EQ(found_in("G18\n" + ready + "G0 X22 Z-10\nG1 X20 F100\nZ-20\nG0 X30\nM2\n"), "");
+}
+
+TEST(Lint, KnowsNoTopInTheMachinesCoordinates) {
+  EXPECT_EQ(found_in(ready + "G53 G0 Z-2\nG53 G0 X10\nZ5\nM2\n"), "");
+  EXPECT_EQ(found_in(ready + "G53 G0 Z-2\nG0 X10\nM2\n"), "5 lint-rapid; ");
+}
+
 TEST(Lint, LetsCyclesGoBackIntoTheirHoles) {
   EXPECT_EQ(found_in(ready + "G83 X10 Z-10 R1 Q3 F100\nX20\nG80\nM2\n"), "");
+}
+
+TEST(Lint, LetsFanucsTappingTurnTheSpindle) {
+  machine::Machine haas = gcode::nine_axes();
+  haas.dialect = machine::Dialect::haas;
+  const std::string tapping = "T1 M6\nG0 Z5\nG95 G84 X10 Z-10 R2 F1 S500\nG80\nG94 ";
+  EXPECT_EQ(found_in(tapping + "M30\n", {}, haas), "");
+  EXPECT_EQ(found_in(tapping + "G1 Z-1 X30 F100\nM30\n", {}, haas), "5 lint-spindle-off; ");
 }
 
 TEST(Lint, FindsCutsWithoutASpindleOrATool) {

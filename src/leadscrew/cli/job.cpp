@@ -197,7 +197,8 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
     const auto excess = survey && log.errors() == 0 ? survey->observe(move) : std::nullopt;
     if (excess) reader.warn_of_feed(move, results::warning_of(*excess));
     if (lint) {
-      for (base::Diagnostic& found : lint->see(move, reader.frame())) reader.warn(move, std::move(found));
+      for (base::Diagnostic& found : lint->see(move, reader.frame(), reader.modal()))
+        reader.warn(move, std::move(found));
     }
     if (is_motion(move)) ++reading.moves;
     if (is_pause(move)) ++reading.pauses;

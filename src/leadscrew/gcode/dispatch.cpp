@@ -58,6 +58,9 @@ void Interpreter::dispatch(Code code, const Block& block) {
       return probing_.probe(block);
     case Code::G52:
       return offsets_.set_local(block);
+    case Code::G53:
+      modal_.in_machine = modal_.line;
+      return;
     case Code::G53_1:
     case Code::G253:
       curves_.forget_tangent();

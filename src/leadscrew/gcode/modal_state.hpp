@@ -64,6 +64,8 @@ struct ModalState {
   bool in_profile = false;   ///< the block is one of the contour of Fanuc's G70 to G73
   bool is_plain = true;      ///< no mode asks for more than what axis words and F say: no G7, G96, M73, G66
 
+  base::Line in_machine{};  ///< of G53: the block that had it last
+
   // Of the block in execution.
   Code to_do = Code::none;  ///< its motion
   base::Line line{};

@@ -28,7 +28,7 @@ double length_in_plane(const Move& move) {
 
 }  // namespace
 
-std::vector<base::Diagnostic> Lint::see(const Move& move, const gcode::Frame& frame) {
+std::vector<base::Diagnostic> Lint::see(const Move& move, const gcode::Frame& frame, const gcode::ModalState& modal) {
   found_.clear();
   if (move.kind == Move::Kind::event) {
     see_event(move.event);
@@ -36,9 +36,11 @@ std::vector<base::Diagnostic> Lint::see(const Move& move, const gcode::Frame& fr
     const double top = frame.offset()[base::index(Axis::Z)] + stock_top_;
     if (std::hypot(move.start[0] - x_, move.start[1] - y_) > rounding) depth_ = std::numeric_limits<double>::infinity();
     if (move.feed.mode == gcode::Feed::Mode::rapid) {
-      see_rapid(move, top);
+      // On lathes Z says nothing of the stock's top; where the work is in the machine's coordinates, nobody knows here.
+      const bool knows_top = modal.plane != gcode::Plane::ZX && modal.in_machine != move.line;
+      if (knows_top) see_rapid(move, top);
     } else if (!move.is_probing()) {  // which cuts nothing
-      see_feed(move, top);
+      see_feed(move, top, modal);
       see_unit(move, frame);
     }
     const bool stays = length_in_plane(move) <= rounding;
@@ -71,14 +73,17 @@ void Lint::see_event(const base::Event& event) {
   }
 }
 
-void Lint::see_feed(const Move& move, double top) {
+void Lint::see_feed(const Move& move, double top, const gcode::ModalState& modal) {
   if (std::min(z_of(move.start), z_of(move.end)) >= top - rounding || machine_.laser) return;
   const bool changes_tools = machine_.dialect != machine::Dialect::grbl && machine_.dialect != machine::Dialect::marlin;
   if (!has_tool_ && changes_tools) {
     warn("lint-no-tool", "the program cuts and has called no tool", "T1 M6 before the first cut");
     has_tool_ = true;
   }
-  if (!spindle_on_ && !told_of_spindle_) {
+  // Fanuc's and Haas' tapping cycles turn the spindle themselves.
+  const bool taps = gcode::is_of_fanuc_family(machine_.dialect) &&
+                    (modal.motion == gcode::Code::G74 || modal.motion == gcode::Code::G84);
+  if (!spindle_on_ && !told_of_spindle_ && !taps) {
     warn("lint-spindle-off", "the program cuts while the spindle is off", "S1000 M3 before the cut");
     told_of_spindle_ = true;
   }

@@ -4,6 +4,7 @@
 
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/gcode/frame.hpp>
+#include <leadscrew/gcode/modal_state.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <limits>
@@ -21,12 +22,12 @@ class Lint {
       : machine_(machine), stock_top_(stock_top.value_or(0)) {}
 
   /// What is wrong with a move, as warnings without a place: `lint-no-tool`, `lint-spindle-off`, `lint-rapid`,
-  /// `lint-feed-unit`; the first few of each. `frame` is that of its block.
-  std::vector<base::Diagnostic> see(const gcode::Move& move, const gcode::Frame& frame);
+  /// `lint-feed-unit`; the first few of each. `frame` and `modal` are those of its block.
+  std::vector<base::Diagnostic> see(const gcode::Move& move, const gcode::Frame& frame, const gcode::ModalState& modal);
 
  private:
   void see_event(const base::Event& event);
-  void see_feed(const gcode::Move& move, double top);
+  void see_feed(const gcode::Move& move, double top, const gcode::ModalState& modal);
   void see_rapid(const gcode::Move& move, double top);
   void see_unit(const gcode::Move& move, const gcode::Frame& frame);
   void warn(std::string_view code, std::string message, std::string hint);
