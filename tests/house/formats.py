@@ -340,6 +340,9 @@ def check_drives(schemas):
     (scratch / "calls.ngc").write_text("G1 X0.5 F6000\no<called> call [1]\n", encoding="utf-8")
     json_of(schemas, "drive", "drive", "calls.ngc", "--state", "calls.state")
     schemas.fit("state", json.loads((scratch / "calls.state").read_text(encoding="utf-8")), "the state in a subprogram")
+    (scratch / "half.ngc").write_text("G1 X0.5 F6000\no<called> call [0.6]\n", encoding="utf-8")
+    run("run", "half.ngc", "--trace", "half.csv", "--quiet")
+    json_of(schemas, "verify", "verify", "half.csv", "calls.ngc", status=1)
     json_of(schemas, "drive", "drive", "fast.ngc", "--sink", "sink.csv")
     check_header("sink.csv", columns("trace", "XYZ"))
 

@@ -63,6 +63,12 @@ TEST(Lint, LetsCyclesGoBackIntoTheirHoles) {
   EXPECT_EQ(found_in(ready + "G83 X10 Z-10 R1 Q3 F100\nX20\nG80\nM2\n"), "");
 }
 
+TEST(Lint, LetsFineBoringLeaveTheWall) {
+  machine::Machine haas = gcode::nine_axes();
+  haas.dialect = machine::Dialect::haas;
+  EXPECT_EQ(found_in(ready + "G99 G76 X10 Z-10 R2 Q0.2 F100\nG80\nG0 Z-1 X0\nM30\n", {}, haas), "6 lint-rapid; ");
+}
+
 TEST(Lint, LetsFanucsTappingTurnTheSpindle) {
   machine::Machine haas = gcode::nine_axes();
   haas.dialect = machine::Dialect::haas;

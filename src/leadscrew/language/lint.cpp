@@ -22,6 +22,13 @@ double z_of(const base::AxisVector& position) {
   return position[base::index(Axis::Z)];
 }
 
+// On lathes Z says nothing of the stock's top; where the work is in the machine's coordinates, nobody knows here; and
+// G76 and G87 take the tool off the wall of their bore at its bottom.
+bool knows_top(const Move& move, const gcode::ModalState& modal) {
+  const bool leaves_wall = modal.motion == gcode::Code::G76_bore || modal.motion == gcode::Code::G87;
+  return modal.plane != gcode::Plane::ZX && modal.in_machine != move.line && !leaves_wall;
+}
+
 double length_in_plane(const Move& move) {
   return std::hypot(move.end[0] - move.start[0], move.end[1] - move.start[1]);
 }
@@ -36,9 +43,7 @@ std::vector<base::Diagnostic> Lint::see(const Move& move, const gcode::Frame& fr
     const double top = frame.offset()[base::index(Axis::Z)] + stock_top_;
     if (std::hypot(move.start[0] - x_, move.start[1] - y_) > rounding) depth_ = std::numeric_limits<double>::infinity();
     if (move.feed.mode == gcode::Feed::Mode::rapid) {
-      // On lathes Z says nothing of the stock's top; where the work is in the machine's coordinates, nobody knows here.
-      const bool knows_top = modal.plane != gcode::Plane::ZX && modal.in_machine != move.line;
-      if (knows_top) see_rapid(move, top);
+      if (knows_top(move, modal)) see_rapid(move, top);
     } else if (!move.is_probing()) {  // which cuts nothing
       see_feed(move, top, modal);
       see_unit(move, frame);
