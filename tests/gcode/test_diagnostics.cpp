@@ -230,5 +230,24 @@ TEST(DeepNesting, IsAnErrorAndNotACrash) {
   }
 }
 
+TEST(Diagnostics, TellTextInUtf16Once) {
+  using namespace std::literals;
+  for (const std::string_view text :
+       {"\xFF\xFEG\0000\0 \0X\0001\0\n\0M\0002\0\n\0"sv, "\xFE\xFF\0G\0000\0 \0X\0001\0\n"sv}) {
+    const Reading reading = read(text);
+    ASSERT_EQ(reading.errors, 1);
+    EXPECT_EQ(reading.diagnostics[0].code, "bad-character");
+    EXPECT_EQ(reading.diagnostics[0].message, "the text is in UTF-16, two bytes for a character");
+  }
+}
+
+TEST(Diagnostics, KnowAnExponentWhereTheySeeOne) {
+  const auto hint = [](std::string_view text) { return read(text).diagnostics.at(0).hint; };
+  const std::string exponents = "numbers have no exponents: 1e-3 is written 0.001";
+  EXPECT_EQ(hint("G0 X1e-5\nM2\n"), exponents);
+  EXPECT_EQ(hint("#1=2.E3\nM2\n"), exponents);
+  EXPECT_NE(hint("G0 X1 E5\nM2\n"), exponents);
+}
+
 }  // namespace test_diagnostics
 }  // namespace leadscrew::gcode

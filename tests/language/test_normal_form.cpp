@@ -34,6 +34,11 @@ TEST(NormalForm, KeepsWhatItDoesNotKnow) {
   EXPECT_EQ(normal_form("M117 hello g01", Dialect::marlin), "M117 hello g01");
 }
 
+// As what stands behind the program's end.
+TEST(NormalForm, KeepsLettersWithoutNumbers) {
+  EXPECT_EQ(normal_form("made by a post", gcode::Dialect::leadscrew), "made by a post");
+}
+
 TEST(NormalForm, KeepsPointsWhereTheyMatter) {
   EXPECT_EQ(normal_form("g04p2.0", Dialect::haas), "G4 P2.");
   EXPECT_EQ(normal_form("g04p200", Dialect::haas), "G4 P200");

@@ -163,7 +163,9 @@ void BlockCheck::check_words(const Block& block) {
     const char name = static_cast<char>('A' + letter);
     std::string message = "nothing in this block takes ";
     message += name;
-    error("unused-word", block.column[letter], std::move(message), users_of(name));
+    const bool is_exponent = name == 'E' && follows_digit(block.column[letter]);
+    error("unused-word", block.column[letter], std::move(message),
+          is_exponent ? "numbers have no exponents: 1e-3 is written 0.001" : users_of(name));
   }
   for (std::uint32_t rest = dependent & used_twice; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
@@ -250,6 +252,12 @@ void BlockCheck::check_threading(const Block& block) {
   check_needs(block, motion, motion_column(block));
   if (block.words & axis_letter_bits) return;
   error("missing-word", motion_column(block), name(motion) + " lacks axis words", example_of(motion) + " Z-10");
+}
+
+bool BlockCheck::follows_digit(std::uint32_t column) const {
+  if (column <= 1) return false;
+  const char before = reporter_.byte(column - 1);
+  return before == '.' || ('0' <= before && before <= '9');
 }
 
 /// "P belongs to G2, G3 and G4"

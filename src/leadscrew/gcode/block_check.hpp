@@ -26,6 +26,7 @@ class BlockCheck : Part {
   std::uint32_t vector_words(const Block& block) const;
   [[gnu::cold]] void check_vectors(const Block& block);
   void check_needs(const Block& block, Code code, std::uint32_t column);
+  [[gnu::cold]] bool follows_digit(std::uint32_t column) const;
   std::string users_of(char letter) const;
 
   Travel& travel_;

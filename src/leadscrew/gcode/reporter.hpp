@@ -77,6 +77,8 @@ class Reporter {
   const std::string& file() const { return file_of(line_.id); }  ///< of the line being read
   base::Line line() const { return line_.id; }                   ///< being read
   std::int64_t column(const char* p) const { return p - line_.begin + 1; }
+  /// The byte of the line at a column of its text.
+  char byte(std::int64_t column) const { return line_.begin[column - 1]; }
   /// Gives the files of a program their names, by their numbers.
   void set_files(const std::vector<std::string>& files) { files_ = files; }
 

@@ -24,6 +24,12 @@ Form form_of(char c) {
   }
 }
 
+// Whether the text begins with the mark of UTF-16.
+[[gnu::cold]] bool begins_wide_text(const TextLine& line) {
+  const std::string_view text(line.begin, static_cast<std::size_t>(line.end - line.begin));
+  return line.number == 1 && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"));
+}
+
 }  // namespace
 
 bool BlockReader::other(const char*& p, const TextLine& line) {
@@ -32,6 +38,12 @@ bool BlockReader::other(const char*& p, const TextLine& line) {
     if (form == Form::program_name) return program_name(p);
     if (form == Form::checksum) return checksum(p, line);
     return controller_command(p);
+  }
+  if (begins_wide_text(line)) {
+    reporter_.error("bad-character", 1, "the text is in UTF-16, two bytes for a character",
+                    "save it as plain text: ASCII or UTF-8");
+    reporter_.stop();  // every line would be another
+    return false;
   }
   std::string hint = "a letter and a number, #parameter=value, or a comment";
   if (form != Form::count) {

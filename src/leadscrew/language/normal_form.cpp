@@ -60,7 +60,8 @@ std::string normal_form(std::string_view line, Dialect dialect) {
   const bool points_matter = has_form(dialect, Form::whole_milliseconds);
   std::string result;
   for (const Token& token : tokens) {
-    if (token.kind == Token::Kind::other) return std::string(text);
+    const bool is_letter = token.kind == Token::Kind::word && token.value.empty();
+    if (is_letter || token.kind == Token::Kind::other) return std::string(text);
     if (!result.empty() && result != "/") result += ' ';
     if (token.kind != Token::Kind::word) {
       result += token.text;
