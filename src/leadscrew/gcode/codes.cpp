@@ -182,6 +182,8 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   with_axes(g(Code::G72_profile, 720, Group::nonmodal, {T}, "roughs the contour of blocks P to Q along X; in a block before, W is the depth of a cut", fanuc_manual, "PQRUW")),
   with_axes(g(Code::G73_profile, 730, Group::nonmodal, {T}, "repeats the contour of blocks P to Q, nearer each time; in a block before, U and W are how far off, R is how often", fanuc_manual, "PQRUW")),
   with_axes(g(Code::G76_profile, 760, Group::nonmodal, {T}, "threading cycle of many cuts; its finish is said in a block before", fanuc_manual, "PQR")),
+  with_axes(g(Code::G74_face, 740, Group::nonmodal, {T}, "pecks along Z, at places beside each other along X; in a block before, R is how far back between pecks", fanuc_manual, "PQR")),
+  with_axes(g(Code::G75, 750, Group::nonmodal, {T}, "pecks along X, at places beside each other along Z; in a block before, R is how far back between pecks", fanuc_manual, "PQR")),
   g(Code::G7, 70, Group::lathe, linuxcnc, "X is a diameter", manual),
   g(Code::G8, 80, Group::lathe, linuxcnc, "X is a radius", manual),
   with_axes(g(Code::G68, 680, Group::rotation, {L, F, H, M}, "turns coordinates about a point", fanuc_manual, "R", "R")),

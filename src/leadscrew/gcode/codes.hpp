@@ -81,6 +81,7 @@ enum class Code : std::uint8_t {
   G40, G41, G41_1, G42, G42_1, G43, G43_1, G43_2, G43_4, G43_5, G44, G49, G98, G99, G50, G51, G50_1, G51_1,
   G54, G55, G56, G57, G58, G59, G59_1, G59_2, G59_3, G54_1, G154, G61, G61_1, G64, G96, G97,
   G90_turn, G92_thread, G94_face, G50_turn, G70_profile, G71_profile, G72_profile, G73_profile, G76_profile,
+  G74_face, G75,
   G7, G8, G68, G68_2, G68_4, G68_3, G268, G69, G269, G15, G16, G62, G63, G100, G101, G110, G67,
   M0, M1, M2, M30, M60, M62, M63, M64, M65, M66, M67, M68, M6, M61, M3, M4, M5, M19, M29, M56, M7, M8, M9,
   M48, M49, M50, M51, M52, M53, M70, M71, M72, M73, M97, M98, M99, G65, G66, M100, M428, M429,

@@ -236,11 +236,12 @@ void DialectForms::rewrite_turning(Block& block, const TextLine& line) const {
     block.value[static_cast<std::size_t>(along - 'A')] +=
         axis == base::Axis::X && modal_.diameters ? 2 * stands : stands;
   }
-  if (!block.is(Code::G76_profile)) return;
+  const bool pecks = block.is(Code::G74_face) || block.is(Code::G75);
+  if (!pecks && !block.is(Code::G76_profile)) return;
   // Depths that take no point: thousandths of a millimetre, or ten-thousandths of an inch.
   const double least = frame_.length_unit == 1 ? 1e-3 : 1e-4;
   for (const char letter : {'P', 'Q'}) {
-    const bool is_length = letter == 'Q' || block.has('X') || block.has('Z');
+    const bool is_length = pecks || letter == 'Q' || block.has('X') || block.has('Z');
     if (block.has(letter) && is_length && is_whole(line, block.column_of(letter)))
       move_word(block, letter, letter, least);
   }

@@ -88,6 +88,9 @@ void Interpreter::dispatch_cycle(Code code, const Block& block) {
     case Code::G94_face:
     case Code::G92_thread:
       return turning_cycles_.cut(block);
+    case Code::G74_face:
+    case Code::G75:
+      return pecking_cycles_.peck(block);
     case Code::G76_profile:
       return threading_.cycle_of_two_blocks(block);
     case Code::G70_profile:

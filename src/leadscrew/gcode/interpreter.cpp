@@ -20,6 +20,7 @@ Interpreter::Interpreter(const Context& context)
       pocket_cycle_(context, motion_, cutter_, planned_),
       engraving_(context, motion_, planned_),
       turning_cycles_(context, motion_, threading_, outbox_),
+      pecking_cycles_(context, motion_, planned_),
       surface_blocks_(context),
       surface_moves_(context, motion_, travel_, outbox_, surface_blocks_),
       directed_curve_(context, motion_, travel_, outbox_),

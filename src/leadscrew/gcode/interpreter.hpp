@@ -17,6 +17,7 @@
 #include <leadscrew/gcode/machine_events.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/offsets.hpp>
+#include <leadscrew/gcode/pecking_cycles.hpp>
 #include <leadscrew/gcode/pocket_cycle.hpp>
 #include <leadscrew/gcode/polar.hpp>
 #include <leadscrew/gcode/probing.hpp>
@@ -120,6 +121,7 @@ class Interpreter : Part {
   PocketCycle pocket_cycle_;
   Engraving engraving_;
   TurningCycles turning_cycles_;
+  PeckingCycles pecking_cycles_;
   SurfaceBlocks surface_blocks_;
   SurfaceMoves surface_moves_;
   DirectedCurve directed_curve_;

@@ -80,6 +80,8 @@ constexpr Example examples[] = {
     {Code::G73_profile,
      "G97 S900 M3\nG0 X40. Z2.\nG73 U3. W1. R3\nG73 P10 Q30 U0.4 W0.1 F0.25\nN10 G0 X20.\nG1 Z-10.\nN30 X40."},
     {Code::G76_profile, "G97 S500 M3\nG0 X24. Z4.\nG76 P010060 Q50 R0.02\nG76 X17.4 Z-14. P1300 Q300 F2."},
+    {Code::G74_face, "G97 S500 M3\nG0 X0 Z2.\nG74 R1.\nG74 Z-20. Q5000 F0.1"},
+    {Code::G75, "G97 S500 M3\nG0 X42. Z-10.\nG75 R0.5\nG75 X30. Z-19. P2000 Q3000 F0.1"},
     {Code::G92, "G0 X10\nG92 X0"},
     {Code::G92_1, "G92 X5\nG92.1"},
     {Code::G92_2, "G92 X5\nG92.2"},
