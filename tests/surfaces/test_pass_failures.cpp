@@ -100,10 +100,17 @@ TEST(PassFailure, AnEdgeTurnsTheNormal) {
   for (const double y : {0.0, 20.0}) {
     for (const double x : {0.0, 10.0, 20.0}) form.net.push_back({{x, y, x == 10 ? 5.0 : 0.0}, 1});
   }
-  const Outcome outcome = outcome_of(ball_on(form));
-  ASSERT_TRUE(outcome.failure);
-  EXPECT_EQ(outcome.failure->kind, Kind::edge);
-  EXPECT_EQ(outcome.failure->u, 0.5);
+  for (const Direction along : {Direction::u, Direction::v}) {
+    Machining machining = ball_on(form);
+    machining.along = along;
+    const Outcome outcome = outcome_of(machining);
+    ASSERT_TRUE(outcome.failure);
+    EXPECT_EQ(outcome.failure->kind, Kind::edge);
+    EXPECT_EQ(outcome.failure->u, 0.5);
+    EXPECT_EQ(outcome.told, 0u);
+    machining.u = {0.5, 1};
+    EXPECT_FALSE(kind_of(machining));
+  }
 }
 
 TEST(PassFailure, ATipStandsStillWhileTheBallTurnsInACylinderOfItsOwnRadius) {

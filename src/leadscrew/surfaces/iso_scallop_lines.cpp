@@ -3,7 +3,7 @@
 //
 //     Δφ(r) = g/w        w = √(EG − F²)/|S_r + φ′ S_φ|
 //
-// with r the parameter along, φ(r) the one across, both g and w in the middle between the lines. φ is a uniform B-spline of degree 5,
+// with r the parameter along, φ(r) the one across. φ is a uniform B-spline of degree 5,
 // so smooth that the tip has its curvature. Steps are added to its coefficients: first each that of its own place (Schoenberg's
 // approximation, which does not swing), then times the least of wanted over found along its support, so that no place has more than
 // it may.
@@ -40,6 +40,7 @@ class UniformSpline : public AcrossFunction {
 
   std::size_t spans() const { return spans_; }
   std::vector<double>& coefficients() { return coefficients_; }
+  const std::vector<double>& coefficients() const { return coefficients_; }
   double knot(double index) const {
     return range_.from + (range_.to - range_.from) * index / static_cast<double>(spans_);
   }
@@ -96,6 +97,7 @@ class IsoScallopLines : public PassLines {
   double place(std::size_t sample) const { return spline_.knot(static_cast<double>(sample) / per_span); }
   std::vector<double> wanted_steps(PassLog& log, const UniformSpline& middle) const;
   UniformSpline fitted(const std::vector<double>& wanted) const;
+  UniformSpline line_at(const UniformSpline& steps, double share) const;
   bool advance(PassLog& log);
   std::vector<Range> parts_inside() const;
   bool is_inside(double at) const { return (course_.last - spline_.at(at).value) * course_.sign_across() > 0; }
@@ -166,21 +168,27 @@ UniformSpline IsoScallopLines::fitted(const std::vector<double>& wanted) const {
   return steps;
 }
 
+/// The line a share of the steps on.
+UniformSpline IsoScallopLines::line_at(const UniformSpline& steps, double share) const {
+  UniformSpline line = spline_;
+  for (std::size_t i = 0; i < line.coefficients().size(); ++i) {
+    line.coefficients()[i] += course_.sign_across() * share * steps.coefficients()[i];
+  }
+  return line;
+}
+
 /// To the next line.
 bool IsoScallopLines::advance(PassLog& log) {
-  if (steps_.empty()) steps_ = wanted_steps(log, spline_);
+  const std::vector<double> here = wanted_steps(log, spline_);
+  if (steps_.empty()) steps_ = here;
   for (int round = 0; round < 2 && !log.failure; ++round) {
-    UniformSpline middle = fitted(steps_);
-    for (std::size_t i = 0; i < middle.coefficients().size(); ++i) {
-      middle.coefficients()[i] = spline_.coefficients()[i] + course_.sign_across() * middle.coefficients()[i] / 2;
-    }
-    steps_ = wanted_steps(log, middle);
+    const UniformSpline step = fitted(steps_);
+    const std::vector<double> middle = wanted_steps(log, line_at(step, 0.5)),
+                              there = wanted_steps(log, line_at(step, 1));
+    if (!log.failure) steps_ = weighted(here, middle, there);
   }
   if (log.failure) return false;
-  UniformSpline step = fitted(steps_);
-  for (std::size_t i = 0; i < step.coefficients().size(); ++i) {
-    spline_.coefficients()[i] += course_.sign_across() * step.coefficients()[i];
-  }
+  spline_ = line_at(fitted(steps_), 1);
   return true;
 }
 

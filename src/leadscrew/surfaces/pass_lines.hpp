@@ -4,6 +4,7 @@
 
 #include <leadscrew/surfaces/pass_nodes.hpp>
 #include <memory>
+#include <utility>
 
 namespace leadscrew::surfaces {
 
@@ -18,6 +19,9 @@ class PassLines {
 
 /// Of the machining's pattern.
 std::unique_ptr<PassLines> lines_of(PassLog& log);
+/// The log tells of an edge inside the range, whether a pass would cross it or go by.
+void look_for_edges(PassLog& log);
+
 std::unique_ptr<PassLines> spiral_lines(PassLog& log);
 std::unique_ptr<PassLines> planar_lines(PassLog& log);
 std::unique_ptr<PassLines> iso_scallop_lines(PassLog& log);
@@ -41,12 +45,32 @@ Course course_of(const Machining& machining, Direction along);
 /// Places along a range of one parameter where steps are found: both ends, and some inside each span of the surface.
 std::vector<double> places_along(const Surface& surface, Direction along, const Range& range, std::size_t least);
 
-/// The step of the parameter across that a line at a constant one allows: the least of g/w over `places`, by a parabola through the
-/// three about it. direction: in which the pass is gone; towards: 1 or −1, where the next pass lies. Not 0 but where the log fails.
-double least_step(PassLog& log, Direction along, const std::vector<double>& places, double across, double direction,
-                  double towards);
+/// g/w along a line at a constant parameter across: none where the log fails. direction: 1 or −1, in which the pass is gone; towards: 1
+/// or −1, where the next pass lies.
+std::vector<double> steps_along(PassLog& log, Direction along, const std::vector<double>& places, double across,
+                                double direction, double towards);
 
-/// Whether the steps of lines at a constant parameter across are more than passes may be, found from some of them: the log tells then.
+/// What one curvature across the whole step would be, as step: where curvature changes between two passes, the ridge has a quarter
+/// of that at each and half of that in the middle, as it is summed twice from both contacts.
+std::vector<double> weighted(const std::vector<double>& here, const std::vector<double>& middle,
+                             const std::vector<double>& there);
+
+/// Steps from one line at a constant parameter across to the next.
+class LineSteps {
+ public:
+  LineSteps(Direction along, std::vector<double> places) : along_(along), places_(std::move(places)) {}
+
+  const std::vector<double>& places() const { return places_; }
+  /// Of the parameter across; left: how much of it there is to the end; guess: about the step, or 0. Not 0 but where the log fails.
+  double next(PassLog& log, double across, double left, double direction, double towards, double guess);
+
+ private:
+  Direction along_;
+  std::vector<double> places_;
+  std::vector<double> there_;  // of the line that was come to last, where the tool is the same whatever the direction
+};
+
+/// Whether the steps of lines at a constant parameter across are more than passes may be, found from some: the log tells then.
 bool are_too_many(PassLog& log, const Course& course, const std::vector<double>& places);
 
 /// The least of a function known at some places, ascending, by a parabola; no less than 0.9 of the least value.

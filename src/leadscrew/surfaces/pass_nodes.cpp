@@ -15,8 +15,9 @@ constexpr double axis_tolerance = 1e-9;  // radians
 constexpr double least_cross = 1e-9;
 /// Speed of the tip, of the contact's, below which it stands still.
 constexpr double least_speed = 1e-6;
-/// Steps of directions, radians, and of curvatures, 1/mm, that are none.
-constexpr double no_turn = 1e-9, no_bend = 1e-10;
+/// Steps where smooth parts of a line meet: of the tip, mm, beyond which there is an edge; of directions, radians, beyond which there
+/// is a corner; and of derivatives, below which there is none.
+constexpr double widest_leap = knot_tolerance, widest_axis_leap = 1e-7, widest_turn_at_knot = 1e-5, no_step = 1e-10;
 /// Deepest halving of a smooth part of a line.
 constexpr std::size_t most_halvings = 40;
 constexpr std::size_t most_parts = 64;
@@ -170,17 +171,18 @@ bool LineOfNodes::is_close(const Sample& a, const Sample& m, const Sample& b, co
   return true;
 }
 
-/// Joins two smooth parts: second derivatives become the mean of both sides'. False where there is a corner or a failure.
+/// Joins two smooth parts: both get the mean of both sides' derivatives, and are within knot_tolerance where these are not the same.
+/// False where there is a corner or a failure.
 bool LineOfNodes::join(Sample& before, Sample& after) {
-  const double size =
-      std::max({1.0, std::abs(before.tip[0][0]), std::abs(before.tip[1][0]), std::abs(before.tip[2][0])});
-  if (step_of(before.tip, after.tip, 0) > 1e-9 * size || step_of(before.axis, after.axis, 0) > 1e-8) {
+  const auto step = [&](std::size_t order) {
+    return std::max(step_of(before.tip, after.tip, order), step_of(before.axis, after.axis, order));
+  };
+  if (step_of(before.tip, after.tip, 0) > widest_leap || step_of(before.axis, after.axis, 0) > widest_axis_leap) {
     log_.fail(Why::edge, after.place.u.value, after.place.v.value);
     return false;
   }
-  if (step_of(before.tip, after.tip, 1) > no_turn || step_of(before.axis, after.axis, 1) > no_turn) return false;
-  const double bend = std::max(step_of(before.tip, after.tip, 2), step_of(before.axis, after.axis, 2));
-  if (bend > no_bend) before.tolerance = after.tolerance = knot_tolerance;
+  if (step(1) > widest_turn_at_knot) return false;
+  if (std::max({step(0), step(1), step(2)}) > no_step) before.tolerance = after.tolerance = knot_tolerance;
   for (VectorOf<Jet2> Sample::* member : {&Sample::tip, &Sample::axis, &Sample::contact}) {
     for (std::size_t k = 0; k < 3; ++k) {
       Jet2 &a = (before.*member)[k], &b = (after.*member)[k];

@@ -10,7 +10,8 @@ class Passes::Maker {
  public:
   explicit Maker(Machining machining) : machining_(std::move(machining)) {
     log_.machining = &machining_;
-    lines_ = lines_of(log_);
+    look_for_edges(log_);
+    if (!log_.failure) lines_ = lines_of(log_);
   }
 
   std::optional<Pass> next() {

@@ -80,7 +80,7 @@ struct PassFailure {
     gouge,         ///< the tool gouges where it touches (local_clearance)
     flat_contact,  ///< a flat tool stands on the surface with all of its bottom and no lean
     overhang,      ///< the tool's axis points into the surface
-    edge,          ///< the normal turns by a step, so that the tip would leap
+    edge,          ///< the normal turns by a step inside the range, so that the tip would leap
     cusp,          ///< the tip stands still while the contact moves
     too_many,      ///< passes, or nodes of one
     no_step,       ///< no step leaves so low a ridge: concave surface, tool too large
@@ -109,7 +109,7 @@ class Passes {
   const Machining& machining() const;
   /// Passes told so far.
   std::size_t count() const;
-  /// Where the tool bends least more than the surface, of all passes made so far.
+  /// Where the tool bends least more than the surface, of all places of passes and between them that were looked at so far.
   struct Least {
     double clearance = 0;  ///< 1/mm, as local_clearance
     double u = 0, v = 0;

@@ -158,7 +158,8 @@ class PlanarLines : public PassLines {
 
  private:
   void find_parameters(PassLog& log);
-  double step_at_level(PassLog& log, double level);
+  double step_of(PassLog& log, const Section& section, double place) const;
+  double step_between(PassLog& log, double level, double next) const;
   bool is_too_many(PassLog& log);
   bool advance(PassLog& log);
   void find_borders(const Surface& surface);
@@ -255,28 +256,34 @@ void PlanarLines::find_borders(const Surface& surface) {
   }
 }
 
-/// The least of g √(1 − n_z²) along the section at a level; where that meets nothing, at the place nearest to it.
-double PlanarLines::step_at_level(PassLog& log, double level) {
-  const Section at = section(*log.machining->surface, level);
+/// g √(1 − n_z²) where a section is at a place along, or where the border is nearest to it; 0 where the log fails.
+double PlanarLines::step_of(PassLog& log, const Section& section, double place) const {
   const double direction = (course_.from < course_.to) == (told_ % 2 == 1) ? 1 : -1;
+  const numeric::Jet<3> across = section.meets(place) ? section.at(place) : numeric::Jet<3>(section.across(place));
+  const LinePlace line = line_place(course_.along, place, direction, across);
+  const std::optional<Contact> contact = contact_at(log, line);
+  if (!contact) return 0;
+  Vector towards{};
+  towards[coordinate_] = to_ > from_ ? 1 : -1;
+  const double step = step_at(log, *contact, line, towards), n = contact->frame.n[coordinate_];
+  return step * std::sqrt(std::max(1 - n * n, 0.0));
+}
+
+/// The least along the section in the middle between two levels; where that meets nothing, at the place nearest to it.
+double PlanarLines::step_between(PassLog& log, double level, double next) const {
+  const Surface& surface = *log.machining->surface;
+  const Section here = section(surface, level), at = section(surface, (level + next) / 2),
+                there = section(surface, next);
   std::vector<double> places, steps;
   std::copy_if(places_.begin(), places_.end(), std::back_inserter(places),
                [&](double place) { return at.meets(place); });
-  const bool is_met = !places.empty();
-  if (!is_met) {
+  if (places.empty()) {
     places.push_back(*std::min_element(places_.begin(), places_.end(),
                                        [&](double a, double b) { return at.distance(a) < at.distance(b); }));
   }
-  Vector towards{};
-  towards[coordinate_] = to_ > from_ ? 1 : -1;
   for (const double place : places) {
-    const numeric::Jet<3> across = is_met ? at.at(place) : numeric::Jet<3>(at.across(place));
-    const LinePlace line = line_place(course_.along, place, direction, across);
-    const std::optional<Contact> contact = contact_at(log, line);
-    if (!contact) return 0;
-    const double step = step_at(log, *contact, line, towards), n = contact->frame.n[coordinate_];
+    steps.push_back((step_of(log, here, place) + 2 * step_of(log, at, place) + step_of(log, there, place)) / 4);
     if (log.failure) return 0;
-    steps.push_back(step * std::sqrt(std::max(1 - n * n, 0.0)));
   }
   return least_of(places, steps);
 }
@@ -285,7 +292,7 @@ bool PlanarLines::is_too_many(PassLog& log) {
   constexpr int parts = 8;
   double count = 1;
   for (int k = 1; k < 2 * parts; k += 2) {
-    const double step = step_at_level(log, from_ + (to_ - from_) * k / (2 * parts));
+    const double level = from_ + (to_ - from_) * k / (2 * parts), step = step_between(log, level, level);
     if (log.failure) return true;
     count += std::abs(to_ - from_) / parts / step;
   }
@@ -303,9 +310,10 @@ bool PlanarLines::advance(PassLog& log) {
     at_ = from_;
     return true;
   }
-  double step = step_ > 0 ? step_ : step_at_level(log, before + sign * 1e-6 * std::abs(to_ - from_));
-  for (int round = 0; round < 3 && !log.failure; ++round) {
-    step = step_at_level(log, before + sign * std::min(step, std::abs(to_ - before)) / 2);
+  const double inside = before + sign * 1e-6 * std::abs(to_ - from_);
+  double step = step_ > 0 ? step_ : step_between(log, inside, inside);
+  for (int round = 0; round < 2 && !log.failure; ++round) {
+    step = step_between(log, before, before + sign * std::min(step, std::abs(to_ - before)));
   }
   if (log.failure) return false;
   step_ = step;

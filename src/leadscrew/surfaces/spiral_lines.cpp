@@ -74,18 +74,14 @@ double SpiralLines::corner_factor(PassLog& log) const {
   return factor;
 }
 
-/// In the middle between each leg and the one inside it.
 void SpiralLines::find_steps(PassLog& log) {
   const double factor = corner_factor(log);
   for (std::size_t k = 0; k < 4 && !log.failure; ++k) {
     Side& side = sides_[k];
     const Side &before = sides_[(k + 3) % 4], &after = sides_[(k + 1) % 4];
     const Range run = {std::min(before.at, after.at), std::max(before.at, after.at)};
-    const std::vector<double> places = places_along(*log.machining->surface, side.along, run, least_leg_places);
-    for (int round = 0; round < 3 && !log.failure; ++round) {
-      const double middle = side.at + side.inwards * std::min(side.step, gap(k % 2)) / 2;
-      side.step = factor * least_step(log, side.along, places, middle, side.along_sign, side.inwards);
-    }
+    LineSteps steps(side.along, places_along(*log.machining->surface, side.along, run, least_leg_places));
+    side.step = factor * steps.next(log, side.at, gap(k % 2), side.along_sign, side.inwards, side.step / factor);
   }
 }
 
