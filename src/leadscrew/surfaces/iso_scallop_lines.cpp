@@ -95,7 +95,7 @@ class IsoScallopLines : public PassLines {
 
  private:
   double place(std::size_t sample) const { return spline_.knot(static_cast<double>(sample) / per_span); }
-  std::vector<double> wanted_steps(PassLog& log, const UniformSpline& middle) const;
+  std::vector<StepPlace> steps_on(PassLog& log, const UniformSpline& line) const;
   UniformSpline fitted(const std::vector<double>& wanted) const;
   UniformSpline line_at(const UniformSpline& steps, double share) const;
   bool advance(PassLog& log);
@@ -104,7 +104,7 @@ class IsoScallopLines : public PassLines {
 
   Course course_;
   UniformSpline spline_;
-  std::vector<double> steps_;  // told last, at all samples
+  std::vector<double> wanted_;  // steps told last, at all samples
   std::size_t told_ = 0;
   bool is_done_ = false;
 };
@@ -121,13 +121,13 @@ IsoScallopLines::IsoScallopLines(PassLog& log)
   spline_.cross({across.begin() + 1, across.end() - 1});
 }
 
-/// g/w at all samples; beyond the border as at it.
-std::vector<double> IsoScallopLines::wanted_steps(PassLog& log, const UniformSpline& middle) const {
+/// At all samples; beyond the border as at it.
+std::vector<StepPlace> IsoScallopLines::steps_on(PassLog& log, const UniformSpline& spline) const {
   const Range width = course_.width();
   const double direction = (course_.from < course_.to) == (told_ % 2 == 1) ? 1 : -1;
-  std::vector<double> wanted;
+  std::vector<StepPlace> steps;
   for (std::size_t k = 0; k <= per_span * spline_.spans(); ++k) {
-    numeric::Jet<3> across = middle.at(place(k));
+    numeric::Jet<3> across = spline.at(place(k));
     across.value = std::clamp(across.value, width.from, width.to);
     const LinePlace line = line_place(course_.along, place(k), direction, across);
     const std::optional<Contact> contact = contact_at(log, line);
@@ -138,9 +138,9 @@ std::vector<double> IsoScallopLines::wanted_steps(PassLog& log, const UniformSpl
     if (log.failure) return {};
     const Frame& frame = contact->frame;
     const double area = std::sqrt(frame.E * frame.G - frame.F * frame.F);
-    wanted.push_back(step * numeric::norm(numeric::sum(by_run, across.first, by_across)) / area);
+    steps.push_back({step, area / numeric::norm(numeric::sum(by_run, across.first, by_across))});
   }
-  return wanted;
+  return steps;
 }
 
 /// A spline that is no more than wanted anywhere.
@@ -179,16 +179,18 @@ UniformSpline IsoScallopLines::line_at(const UniformSpline& steps, double share)
 
 /// To the next line.
 bool IsoScallopLines::advance(PassLog& log) {
-  const std::vector<double> here = wanted_steps(log, spline_);
-  if (steps_.empty()) steps_ = here;
-  for (int round = 0; round < 2 && !log.failure; ++round) {
-    const UniformSpline step = fitted(steps_);
-    const std::vector<double> middle = wanted_steps(log, line_at(step, 0.5)),
-                              there = wanted_steps(log, line_at(step, 1));
-    if (!log.failure) steps_ = weighted(here, middle, there);
-  }
+  const std::vector<StepPlace> here = steps_on(log, spline_);
   if (log.failure) return false;
-  spline_ = line_at(fitted(steps_), 1);
+  if (wanted_.empty()) {
+    for (const StepPlace& place : here) wanted_.push_back(place.step / place.width);
+  }
+  for (int round = 0; round < 2; ++round) {
+    const UniformSpline step = fitted(wanted_);
+    const std::vector<StepPlace> middle = steps_on(log, line_at(step, 0.5)), there = steps_on(log, line_at(step, 1));
+    if (log.failure) return false;
+    for (std::size_t k = 0; k < wanted_.size(); ++k) wanted_[k] = step_between(here[k], middle[k], there[k]);
+  }
+  spline_ = line_at(fitted(wanted_), 1);
   return true;
 }
 

@@ -70,9 +70,9 @@ double least_of(const std::vector<double>& places, const std::vector<double>& va
   return bend > 0 ? std::max(values[k] - slope * slope / (4 * bend), 0.9 * values[k]) : values[k];
 }
 
-std::vector<double> steps_along(PassLog& log, Direction along, const std::vector<double>& places, double across,
-                                double direction, double towards) {
-  std::vector<double> steps;
+std::vector<StepPlace> steps_along(PassLog& log, Direction along, const std::vector<double>& places, double across,
+                                   double direction, double towards) {
+  std::vector<StepPlace> steps;
   steps.reserve(places.size());
   for (const double place : places) {
     const LinePlace at = line_place(along, place, direction, across);
@@ -81,31 +81,43 @@ std::vector<double> steps_along(PassLog& log, Direction along, const std::vector
     const Vector& by_across = along == Direction::u ? contact->jet.v : contact->jet.u;
     const double step = step_at(log, *contact, at, numeric::sum(Vector{}, towards, by_across));
     if (log.failure) return {};
-    steps.push_back(step / width_of(contact->frame, along));
+    steps.push_back({step, width_of(contact->frame, along)});
   }
   return steps;
 }
 
-std::vector<double> weighted(const std::vector<double>& here, const std::vector<double>& middle,
-                             const std::vector<double>& there) {
-  std::vector<double> steps(middle.size());
-  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = (here[k] + 2 * middle[k] + there[k]) / 4;
-  return steps;
+double step_between(const StepPlace& here, const StepPlace& middle, const StepPlace& there) {
+  return (here.step + 2 * middle.step + there.step) / 4 * 6 / (here.width + 4 * middle.width + there.width);
+}
+
+namespace {
+
+double least_between(const std::vector<double>& places, const std::vector<StepPlace>& here,
+                     const std::vector<StepPlace>& middle, const std::vector<StepPlace>& there) {
+  std::vector<double> steps(places.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = step_between(here[k], middle[k], there[k]);
+  return least_of(places, steps);
+}
+
+}  // namespace
+
+double least_on(const std::vector<double>& places, const std::vector<StepPlace>& line) {
+  return least_between(places, line, line, line);
 }
 
 /// The middle and the next line are found from the step, and the step from them.
 double LineSteps::next(PassLog& log, double across, double left, double direction, double towards, double guess) {
   const auto steps_at = [&](double at) { return steps_along(log, along_, places_, at, direction, towards); };
-  const std::vector<double> here = there_.empty() ? steps_at(across) : std::exchange(there_, {});
+  const std::vector<StepPlace> here = there_.empty() ? steps_at(across) : std::exchange(there_, {});
   double step = guess;
   for (int round = 0; round < 4 && !log.failure; ++round) {
-    if (!(step > 0)) step = least_of(places_, here);
+    if (!(step > 0)) step = least_on(places_, here);
     const double reach = std::min(step, left);
-    const std::vector<double> middle = steps_at(across + towards * reach / 2),
-                              there = steps_at(across + towards * reach);
+    const std::vector<StepPlace> middle = steps_at(across + towards * reach / 2),
+                                 there = steps_at(across + towards * reach);
     if (log.failure) return 0;
-    const double found = least_of(places_, weighted(here, middle, there));
-    const bool is_near = std::abs(found - step) < 3e-3 * found;
+    const double found = least_between(places_, here, middle, there);
+    const bool is_near = std::abs(found - step) < 1e-3 * found;
     step = found;
     if (!is_near) continue;
     if (log.machining->cutter.is_ball()) there_ = there;
@@ -120,9 +132,10 @@ bool are_too_many(PassLog& log, const Course& course, const std::vector<double>&
   const double width = course.last - course.first, direction = course.from < course.to ? 1 : -1;
   for (int k = 0; k <= parts; ++k) {
     const double across = course.first + width * k / parts;
-    const std::vector<double> steps = steps_along(log, course.along, places, across, direction, course.sign_across());
+    const std::vector<StepPlace> steps =
+        steps_along(log, course.along, places, across, direction, course.sign_across());
     if (log.failure) return true;
-    const double step = least_of(places, steps);
+    const double step = least_on(places, steps);
     count += (k == 0 || k == parts ? 0.5 : 1) * std::abs(width) / parts / step;
   }
   if (!(count <= static_cast<double>(most_passes))) {

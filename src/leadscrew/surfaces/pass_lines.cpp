@@ -52,10 +52,10 @@ void ParameterLines::find_equal_steps(PassLog& log) {
   for (std::size_t k = 0; k <= lines; ++k) {
     const double across = course_.first + width * static_cast<double>(k) / static_cast<double>(lines);
     for (std::size_t number = 0; number < (comes_back_ && !log.machining->cutter.is_ball() ? 2u : 1u); ++number) {
-      const std::vector<double> steps =
+      const std::vector<StepPlace> steps =
           steps_along(log, course_.along, places, across, direction(number), course_.sign_across());
       if (log.failure) return;
-      least = std::min(least, least_of(places, steps));
+      least = std::min(least, least_on(places, steps));
     }
   }
   is_equal_ = true;

@@ -45,15 +45,21 @@ Course course_of(const Machining& machining, Direction along);
 /// Places along a range of one parameter where steps are found: both ends, and some inside each span of the surface.
 std::vector<double> places_along(const Surface& surface, Direction along, const Range& range, std::size_t least);
 
-/// g/w along a line at a constant parameter across: none where the log fails. direction: 1 or −1, in which the pass is gone; towards: 1
+/// At a place of a line: g, mm, and w, mm of the surface across the line for one unit of what tells lines apart.
+struct StepPlace {
+  double step = 0, width = 1;
+};
+/// Along a line at a constant parameter across: none where the log fails. direction: 1 or −1, in which the pass is gone; towards: 1
 /// or −1, where the next pass lies.
-std::vector<double> steps_along(PassLog& log, Direction along, const std::vector<double>& places, double across,
-                                double direction, double towards);
+std::vector<StepPlace> steps_along(PassLog& log, Direction along, const std::vector<double>& places, double across,
+                                   double direction, double towards);
 
-/// What one curvature across the whole step would be, as step: where curvature changes between two passes, the ridge has a quarter
-/// of that at each and half of that in the middle, as it is summed twice from both contacts.
-std::vector<double> weighted(const std::vector<double>& here, const std::vector<double>& middle,
-                             const std::vector<double>& there);
+/// g/w from one line to another, of places at both and in the middle. Where curvature changes between two passes, the ridge has a quarter of
+/// that at each and half of that in the middle, as it is summed twice from both contacts; w is summed once (Simpson's rule).
+double step_between(const StepPlace& here, const StepPlace& middle, const StepPlace& there);
+
+/// The least g/w of one line, by a parabola.
+double least_on(const std::vector<double>& places, const std::vector<StepPlace>& line);
 
 /// Steps from one line at a constant parameter across to the next.
 class LineSteps {
@@ -67,7 +73,8 @@ class LineSteps {
  private:
   Direction along_;
   std::vector<double> places_;
-  std::vector<double> there_;  // of the line that was come to last, where the tool is the same whatever the direction
+  std::vector<StepPlace>
+      there_;  // of the line that was come to last, where the tool is the same whatever the direction
 };
 
 /// Whether the steps of lines at a constant parameter across are more than passes may be, found from some: the log tells then.

@@ -158,8 +158,8 @@ class PlanarLines : public PassLines {
 
  private:
   void find_parameters(PassLog& log);
-  double step_of(PassLog& log, const Section& section, double place) const;
-  double step_between(PassLog& log, double level, double next) const;
+  StepPlace step_of(PassLog& log, const Section& section, double place) const;
+  double step_to(PassLog& log, double level, double next) const;
   bool is_too_many(PassLog& log);
   bool advance(PassLog& log);
   void find_borders(const Surface& surface);
@@ -256,21 +256,21 @@ void PlanarLines::find_borders(const Surface& surface) {
   }
 }
 
-/// g √(1 − n_z²) where a section is at a place along, or where the border is nearest to it; 0 where the log fails.
-double PlanarLines::step_of(PassLog& log, const Section& section, double place) const {
+/// Where a section is at a place along, or where the border is nearest to it.
+StepPlace PlanarLines::step_of(PassLog& log, const Section& section, double place) const {
   const double direction = (course_.from < course_.to) == (told_ % 2 == 1) ? 1 : -1;
   const numeric::Jet<3> across = section.meets(place) ? section.at(place) : numeric::Jet<3>(section.across(place));
   const LinePlace line = line_place(course_.along, place, direction, across);
   const std::optional<Contact> contact = contact_at(log, line);
-  if (!contact) return 0;
+  if (!contact) return {};
   Vector towards{};
   towards[coordinate_] = to_ > from_ ? 1 : -1;
   const double step = step_at(log, *contact, line, towards), n = contact->frame.n[coordinate_];
-  return step * std::sqrt(std::max(1 - n * n, 0.0));
+  return {step, 1 / std::sqrt(std::max(1 - n * n, 1e-12))};
 }
 
 /// The least along the section in the middle between two levels; where that meets nothing, at the place nearest to it.
-double PlanarLines::step_between(PassLog& log, double level, double next) const {
+double PlanarLines::step_to(PassLog& log, double level, double next) const {
   const Surface& surface = *log.machining->surface;
   const Section here = section(surface, level), at = section(surface, (level + next) / 2),
                 there = section(surface, next);
@@ -282,7 +282,7 @@ double PlanarLines::step_between(PassLog& log, double level, double next) const 
                                        [&](double a, double b) { return at.distance(a) < at.distance(b); }));
   }
   for (const double place : places) {
-    steps.push_back((step_of(log, here, place) + 2 * step_of(log, at, place) + step_of(log, there, place)) / 4);
+    steps.push_back(step_between(step_of(log, here, place), step_of(log, at, place), step_of(log, there, place)));
     if (log.failure) return 0;
   }
   return least_of(places, steps);
@@ -292,7 +292,7 @@ bool PlanarLines::is_too_many(PassLog& log) {
   constexpr int parts = 8;
   double count = 1;
   for (int k = 1; k < 2 * parts; k += 2) {
-    const double level = from_ + (to_ - from_) * k / (2 * parts), step = step_between(log, level, level);
+    const double level = from_ + (to_ - from_) * k / (2 * parts), step = step_to(log, level, level);
     if (log.failure) return true;
     count += std::abs(to_ - from_) / parts / step;
   }
@@ -311,9 +311,9 @@ bool PlanarLines::advance(PassLog& log) {
     return true;
   }
   const double inside = before + sign * 1e-6 * std::abs(to_ - from_);
-  double step = step_ > 0 ? step_ : step_between(log, inside, inside);
+  double step = step_ > 0 ? step_ : step_to(log, inside, inside);
   for (int round = 0; round < 2 && !log.failure; ++round) {
-    step = step_between(log, before, before + sign * std::min(step, std::abs(to_ - before)));
+    step = step_to(log, before, before + sign * std::min(step, std::abs(to_ - before)));
   }
   if (log.failure) return false;
   step_ = step;
