@@ -173,6 +173,7 @@ TEST(GougeCheck, CountsFromWhereTheToolIsClearFirst) {
   const std::string end = patch + "G6.5 D1 Q3 Z40 F3000\n";
   EXPECT_FALSE(verdict_of("T1 M6\nG43 H1\nG0 X30 Y30\nZ100\n" + end + "M2\n").gouged());
   EXPECT_EQ(verdict_of("T1 M6\nG43 H1\nG0 X30 Y30\nZ100\nG1 Z0 F100\nG0 Z100\n" + end + "M2\n").gouges.size(), 1u);
+  EXPECT_TRUE(verdict_of("T1 M6\nG43 H1\nG1 X30 Y30 F600\nG0 Z100\n" + end + "M2\n").gouged());  // no rapid
 }
 
 TEST(GougeCheck, SaysNothingOfProgramsWithoutSurfaces) {

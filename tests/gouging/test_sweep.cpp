@@ -145,6 +145,49 @@ TEST(Sweep, FindsTheSecondOfTwoBumps) {
   EXPECT_GT(found.depth, 0.2);
 }
 
+double greatest_concave_curvature(const Surface& surface) {
+  double greatest = 0;
+  for (int j = 0; j <= 100; ++j) {
+    for (int i = 0; i <= 100; ++i) {
+      const surfaces::SurfaceJet jet = surface.jet(i / 100.0, j / 100.0);
+      const auto frame = surfaces::frame_of(jet, 1);
+      const auto pair = surfaces::tangents_of(jet, *frame, surfaces::Direction::u);
+      greatest = std::max(greatest, surfaces::curvature_of(jet, *frame, pair).principal()[0]);
+    }
+  }
+  return greatest;
+}
+
+TEST(Sweep, TellsBallsThatFitRandomSurfacesFromThoseThatDoNot) {
+  Random random(22);
+  for (int round = 0; round < 6; ++round) {
+    std::array<std::array<double, 4>, 4> heights{};
+    for (auto& row : heights) {
+      for (double& z : row) z = random.between(-6, 6);
+    }
+    const auto surface = std::make_shared<Surface>(surfaces::test::bicubic(heights));
+    const double bend = greatest_concave_curvature(*surface);
+    const Workpiece workpiece({surface}, tolerance / 4);
+    for (const double share : {0.8, 1.6}) {
+      const double R = share / bend;
+      surfaces::Machining how = machining(surface, {R, R});
+      how.step = 8, how.scallop = 0;
+      how.allows_gouging = true;
+      const Found found = deepest_of(how, Tool({{R, R}, 0, 0, 0, 0, 0}), workpiece);
+      surfaces::Passes passes(how);
+      while (passes.next()) {
+      }
+      const bool gouges = passes.least_clearance()->clearance < 0;
+      if (share < 1) {
+        EXPECT_FALSE(gouges);
+        EXPECT_LT(found.depth, 1e-4) << round;
+      } else if (gouges) {
+        EXPECT_GT(found.depth, 1e-4) << round;
+      }
+    }
+  }
+}
+
 /// At evenly spaced places.
 double deepest_by_sampling(const Tool& tool, const Way& way, const Workpiece& workpiece, int count) {
   double least = 1e9;

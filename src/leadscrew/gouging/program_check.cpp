@@ -138,6 +138,7 @@ void ProgramCheck::follow(gcode::Reader reader, const Workpiece& workpiece) {
     ++verdict_.moves;
     const base::AxisVector& offset = reader.frame().tool();
     const Way way = way_of(move, poses_, {offset[0], offset[1], offset[2]});
+    if (move.feed.mode != gcode::Feed::Mode::rapid || machined.surface) is_clear_ = true;
     if (!is_clear_ && !begins_clear(way, workpiece)) continue;
     const double before = sweep.distance_at_end();
     const auto deepest = sweep.follow(way);
@@ -146,7 +147,7 @@ void ProgramCheck::follow(gcode::Reader reader, const Workpiece& workpiece) {
   }
 }
 
-/// Once the tool is clear of all surfaces, where a way begins.
+/// Once the tool is clear of all surfaces, where a rapid begins.
 bool ProgramCheck::begins_clear(const Way& way, const Workpiece& workpiece) {
   const Pose begin = way.at(0);
   is_clear_ = true;

@@ -8,7 +8,7 @@
 // Surfaces are what is left when the program has run: a place of any of them that is inside a tool, by whichever move, has been
 // cut. One that is machined again elsewhere, in another coordinate system or below a roughing of itself, is another surface, and
 // both are taken as what shall be left. Where a program begins with its tool inside a surface, as from machine zero, which is
-// none of the program's, its moves count from where the tool is clear first.
+// none of the program's, rapids count from where the tool is clear first.
 
 #include <functional>
 #include <leadscrew/gcode/machined.hpp>
