@@ -73,8 +73,10 @@ std::vector<double> UniformSpline::breaks(double from, double to) const {
   double before = at(range_.from).value;
   for (std::size_t k = 1; k <= parts; ++k) {
     const double high_end = knot(static_cast<double>(k) / 4), after = at(high_end).value;
-    for (const double cut : across_breaks_) {
-      if ((before < cut) == (after < cut)) continue;
+    // Those c with before < c ≤ after, or the other way round.
+    const auto first = std::upper_bound(across_breaks_.begin(), across_breaks_.end(), std::min(before, after));
+    for (auto it = first; it != across_breaks_.end() && *it <= std::max(before, after); ++it) {
+      const double cut = *it;
       double low = knot(static_cast<double>(k - 1) / 4), high = high_end;
       for (int round = 0; round < 60; ++round) {
         const double middle = (low + high) / 2;

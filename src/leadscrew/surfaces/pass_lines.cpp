@@ -43,10 +43,11 @@ double ParameterLines::direction(std::size_t number) const {
   return comes_back_ && number % 2 == 1 ? -first : first;
 }
 
-/// ⌈width/least step⌉ steps, the least of all lines sampled more densely across than along.
+/// ⌈width/least step⌉ steps, the least of lines all over the range, some in each span.
 void ParameterLines::find_equal_steps(PassLog& log) {
   const std::vector<double>& places = steps_.places();
-  const std::size_t lines = 4 * places.size();
+  const Direction across_direction = course_.along == Direction::u ? Direction::v : Direction::u;
+  const std::size_t lines = 128 + 8 * (log.machining->surface->breaks(across_direction).size() - 1);
   const double width = course_.last - course_.first;
   double least = std::abs(width);
   for (std::size_t k = 0; k <= lines; ++k) {

@@ -111,8 +111,10 @@ std::vector<double> Section::breaks(double from, double to) const {
   double before = across(from);
   for (std::size_t k = 1; k < places.size(); ++k) {
     const double after = across(places[k]);
-    for (const double cut : across_breaks) {
-      if ((before < cut) == (after < cut)) continue;
+    // Those c with before < c ≤ after, or the other way round.
+    const auto first = std::upper_bound(across_breaks.begin(), across_breaks.end(), std::min(before, after));
+    for (auto it = first; it != across_breaks.end() && *it <= std::max(before, after); ++it) {
+      const double cut = *it;
       double low = places[k - 1], high = places[k];
       for (int round = 0; round < 60; ++round) {
         const double middle = (low + high) / 2;
