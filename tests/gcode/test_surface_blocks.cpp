@@ -1,5 +1,8 @@
 // G6.4: surfaces as programs define them, and what is wrong with some.
 
+#include <leadscrew/surfaces/surface_text.hpp>
+#include <random>
+
 #include "surface_programs.hpp"
 
 namespace leadscrew::gcode {
@@ -39,6 +42,27 @@ TEST(SurfaceBlocks, TakeWeightsKnotsAndRemarks) {
   EXPECT_EQ(form.knots[1], (std::vector<double>{0, 0, 0, 1, 1, 1}));
   EXPECT_EQ(form.point(2, 0), (surfaces::NetPoint{{20, 0, 0}, 2.5}));
   EXPECT_EQ(form.point(1, 1), (surfaces::NetPoint{{10, 10, 0}, 1}));
+}
+
+/// Whatever surfaces::definition_text() writes is read back to the last bit.
+TEST(SurfaceBlocks, AreReadAsTheyAreWritten) {
+  std::mt19937 random(24);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 40; ++round) {
+    SurfaceForm form{{1 + round % 5, 1 + round / 5 % 5}, {}, {}, {}};
+    for (std::size_t d = 0; d < 2; ++d) {
+      form.count[d] = static_cast<std::size_t>(form.degree[d]) + 1 + static_cast<std::size_t>(round % 3);
+      form.knots[d] = surfaces::uniform_knots(form.count[d], form.degree[d]);
+      if (round % 2 == 0) continue;  // even ones are not written
+      for (double& knot : form.knots[d]) knot = (knot - 0.1) * (1 + knot / 3) * 1e-3;
+    }
+    for (std::size_t i = 0; i < form.count[0] * form.count[1]; ++i) {
+      const auto u = static_cast<double>(i % form.count[0]), v = static_cast<double>(i / form.count[0]);
+      form.net.push_back({{10 * u + unit(random), 10 * v + unit(random), 1e-9 * unit(random)}, 0.5 + unit(random)});
+    }
+    ASSERT_FALSE(surfaces::fault_of(form));
+    EXPECT_EQ(form_of(surfaces::definition_text(form, 1)), form) << surfaces::definition_text(form, 1);
+  }
 }
 
 TEST(SurfaceBlocks, AreCoordinatesUnderG91Too) {

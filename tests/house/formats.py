@@ -22,7 +22,7 @@ page = (source / "docs/formats.md").read_text(encoding="utf-8")
 problems = []
 statuses = set()
 
-SLOW_STUDIES = {"limits", "tube", "bounds"}  # tests/study has them
+SLOW_STUDIES = {"limits", "tube", "bounds", "surface"}  # tests/study has them
 AXES = "XYZABCUVW"
 POSES = ["tx", "ty", "tz", "i", "j", "k"]  # columns of machines with kinematics
 

@@ -3,6 +3,7 @@
 
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/geometry/nurbs.hpp>
+#include <leadscrew/machine/tool_table.hpp>
 #include <string>
 
 namespace leadscrew::study {
@@ -14,7 +15,8 @@ geometry::NurbsForm plane_cubic();
 /// A part program and where it begins.
 struct PartProgram {
   std::string text;
-  base::AxisVector start{};  ///< machine coordinates, mm
+  base::AxisVector start{};    ///< machine coordinates, mm
+  machine::ToolTable tools{};  ///< whose shapes surfaces need
 };
 
 /// A word of a block, such as " X1.25"; the number reads back bit for bit.

@@ -17,8 +17,7 @@ gcode::ReaderOptions options_of(const PartProgram& program) {
 /// Reads the program whole, as whoever moves a machine must before moving it.
 base::Result<void> check(const PartProgram& program, const machine::Machine& machine) {
   std::optional<base::Diagnostic> first;
-  const machine::ToolTable tools;
-  gcode::Reader reader(gcode::text_source(program.text), machine, tools, options_of(program),
+  gcode::Reader reader(gcode::text_source(program.text), machine, program.tools, options_of(program),
                        [&](const base::Diagnostic& diagnostic) {
                          if (!first && diagnostic.severity == base::Severity::error) first = diagnostic;
                        });
@@ -44,7 +43,7 @@ class TimedPlanning {
  public:
   TimedPlanning(const PartProgram& program, const machine::Machine& machine, const Host& host)
       : host_(host),
-        reader_(gcode::text_source(program.text), machine, tools_, options_of(program), nullptr),
+        reader_(gcode::text_source(program.text), machine, program.tools, options_of(program), nullptr),
         builder_(machine),
         planner_(machine, program.start) {}
 
@@ -85,7 +84,6 @@ class TimedPlanning {
   }
 
   const Host& host_;
-  machine::ToolTable tools_;
   gcode::Reader reader_;
   toolpath::Builder builder_;
   planner::Planner planner_;
@@ -143,10 +141,9 @@ base::Result<Planned> plan(const PartProgram& program, const machine::Machine& m
 
 base::Result<Judged> judge(const PartProgram& program, const machine::Machine& machine) {
   if (auto sound = check(program, machine); !sound) return base::failure(sound.error());
-  const machine::ToolTable tools;
-  gcode::Reader reader(gcode::text_source(program.text), machine, tools, options_of(program), nullptr);
+  gcode::Reader reader(gcode::text_source(program.text), machine, program.tools, options_of(program), nullptr);
   referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, machine, machine.period);
-  pipeline::Program motion(gcode::text_source(program.text), machine, tools, options_of(program), nullptr);
+  pipeline::Program motion(gcode::text_source(program.text), machine, program.tools, options_of(program), nullptr);
   while (motion.prepare()) referee.observe(motion.cycle().position);
   return Judged{motion.summary(), referee.conclude()};
 }
