@@ -22,7 +22,7 @@ constexpr std::array<Study, 17> all_studies = {{
      real_time_rows, real_time_picture},
     {"five-axes", "A pass over a patch by five axes, as lines of axes and as a path of the tip", five_axes_rows,
      five_axes_picture},
-    {"surface", "A surface as one block, and as thousands of lines", surface_rows},
+    {"surface", "A surface as one block, and as thousands of lines", surface_rows, surface_picture},
     {"adaptive-force", "Force held and time saved by adaptive control, by planner and by NC program", adaptive_rows},
     {"koren-feed", "Koren's feed words and clocks, by formula and by registers", feed_code_rows},
     {"digital-integrals", "Lines and arcs of a teaching interpolator in n-bit registers", digital_integrals_rows},

@@ -80,6 +80,8 @@ report::ChartSheet five_axes_picture();
 /// A surface in one block beside the same passes in short lines: size, times with a stop at each line and blended, ridges,
 /// how near the tool is to the surface, feed, and the cycle's time beside that of the paper.
 Rows surface_rows(const Host& host);
+/// The first seconds of each: feed, and the tool's distance from the surface.
+report::ChartSheet surface_picture();
 
 /// A slot of changing depth under adaptive control, from 50 to 200 % of the programmed feed: force held and time saved
 /// by the planner's feed override and by that of the NC program; what becomes of the feed when the sensor fails.

@@ -178,7 +178,57 @@ Rows surface_cycle_rows(const Host& host) {
   return rows;
 }
 
+/// Words from the first touch on, for so many seconds: the tip's feed and how far the ball is off the surface.
+struct SurfaceSamples {
+  std::vector<double> feed, off;  ///< mm/s; µm, up to the greatest shown
+};
+SurfaceSamples surface_samples(const PartProgram& program, const surfaces::Surface& surface) {
+  constexpr double shown_seconds = 4, touching = 0.02, greatest = 20;  // s, mm, µm
+  const machine::Machine machine = mill();
+  gcode::ReaderOptions options;
+  options.start = program.start;
+  pipeline::Program motion(gcode::text_source(program.text), machine, program.tools, options, nullptr);
+  const double period = machine.period.seconds();
+  SurfaceSamples samples;
+  std::optional<Vector> last;
+  while (motion.prepare() && static_cast<double>(samples.feed.size()) * period < shown_seconds) {
+    const base::AxisVector& at = motion.cycle().position;
+    const Vector tip = {at[0], at[1], at[2]};
+    const double off = contact_error(surface, tip);
+    if (!last && off > touching) continue;
+    if (last) {
+      samples.feed.push_back(std::hypot(tip[0] - (*last)[0], tip[1] - (*last)[1], tip[2] - (*last)[2]) / period);
+      samples.off.push_back(std::min(1e3 * off, greatest));
+    }
+    last = tip;
+  }
+  return samples;
+}
+
 }  // namespace
+
+report::ChartSheet surface_picture() {
+  const PatchMachined patch;
+  const double period = mill().period.seconds();
+  const SurfaceSamples block = surface_samples(surface_program(surface_feed), patch.surface),
+                       stops = surface_samples(stopping_lines(patch.lines[0]), patch.surface),
+                       blended = surface_samples(blended_lines(patch.lines[0]), patch.surface);
+  report::ChartSheet sheet;
+  sheet.title = "the first seconds on a patch";
+  sheet.keys = {{0, of_chord(patch.lines[0]) + ", a stop at each"}, {1, "the same, blended"}, {3, "one block"}};
+  sheet.same_scale = false;
+  const auto add = [&](std::string title, std::vector<double> SurfaceSamples::* part, std::vector<double> levels) {
+    std::vector<report::Curve> curves;
+    for (const auto& [samples, color] : {std::pair(&stops, 0), {&blended, 1}, {&block, 3}}) {
+      curves.push_back(report::evenly_spaced(samples->*part, period));
+      curves.back().color = static_cast<std::size_t>(color);
+    }
+    sheet.charts.push_back({std::move(title), std::move(curves), std::move(levels)});
+  };
+  add("feed of the tip, mm/s", &SurfaceSamples::feed, {surface_feed});
+  add("ball off the surface, µm, up to 20: links lift it", &SurfaceSamples::off, {});
+  return sheet;
+}
 
 Rows surface_rows(const Host& host) {
   const PatchMachined patch;
