@@ -26,7 +26,7 @@ TEST(Study, ListNamesWhatThereIs) {
   }
   EXPECT_EQ(names, (Names{"butterfly", "feed-fluctuation", "limits", "table-1", "orders", "10001", "fpga-table-1",
                           "lecture", "closed-loop-pulses", "real-time-vs-offline", "adaptive-force", "koren-feed",
-                          "digital-integrals", "bounds", "tube", "five-axes"}));
+                          "digital-integrals", "bounds", "tube", "five-axes", "surface"}));
 }
 
 TEST(ShareOut, DoesEachPartOnce) {
@@ -104,7 +104,8 @@ TEST(Study, UnknownNameIsAUsageErrorThatSaysWhatWasMeant) {
            Misuse{{"study", "zzz"},
                   "there are list, butterfly, feed-fluctuation, limits, tube, table-1, orders, 10001, fpga-table-1, "
                   "lecture, "
-                  "closed-loop-pulses, real-time-vs-offline, five-axes, adaptive-force, koren-feed, digital-integrals, "
+                  "closed-loop-pulses, real-time-vs-offline, five-axes, surface, adaptive-force, koren-feed, "
+                  "digital-integrals, "
                   "bounds"},
            Misuse{{"study"}, "NAME"},
            Misuse{{"study", "butterfly", "--words", "made"}, "--words: there is none of butterfly; there is of tube"},
