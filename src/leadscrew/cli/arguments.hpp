@@ -52,6 +52,7 @@ struct Arguments {
   bool lint = false;                      ///< of check
   std::optional<double> stock_top;        ///< of check: Z of the program, mm
   std::vector<std::string> subprograms;   ///< folders
+  bool allow_gouge = false;               ///< surfaces are machined though the tool gouges
   std::optional<std::int64_t> fuel;       ///< lines in loops and subprograms, ≥ 1
   std::optional<int> threads;             ///< that work on several programs, 1 … 1024; none: as many as processors
   bool json = false;

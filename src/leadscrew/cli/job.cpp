@@ -128,7 +128,7 @@ gcode::ReaderOptions Job::reader_options() const {
   options.fuel = arguments.fuel.value_or(options.fuel);
   options.parameters = parameters;
   options.warns_of_unset = arguments.lint;
-  options.allows_gouging = arguments.gouge;
+  options.allows_gouging = arguments.gouge || arguments.allow_gouge;
   return options;
 }
 

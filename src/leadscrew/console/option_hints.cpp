@@ -18,7 +18,8 @@ struct OptionHint {
 using enum OptionHint::Place;
 
 /// Every command that meets such a problem has the options that are named.
-constexpr std::array<OptionHint, 18> option_hints = {{
+constexpr std::array<OptionHint, 19> option_hints = {{
+    {"surface-gouge", behind, "--allow-gouge machines it all the same"},
     {"unknown-tool", behind, "--tools FILE gives the table"},
     {"no-tool-table", behind, "--tools FILE gives one"},
     {"travel", behind, "--machine FILE names another machine, --start where the program begins"},

@@ -136,6 +136,13 @@ void Interpreter::execute_surface(const Block& words) {
     block.groups &= ~bit(Group::motion);
   }
   block.words &= ~(axis_letter_bits | polar_bits);
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
+    if (code == Code::G6_4 || machine_.has(axis)) continue;
+    error("unknown-axis", block.column_of(Group::nonmodal),
+          name(code) + " moves axis " + base::letter(axis) + ", which the machine does not have",
+          "surfaces and curves in space take X, Y and Z");
+    break;
+  }
   curves_.forget_tangent();
   cycles_.end_series();
   surface_words_ = &words;

@@ -29,10 +29,32 @@ double rate_of(const surfaces::VectorOf<numeric::Jet<2>>& axis) {
   return std::hypot(axis[0][1], axis[1][1], axis[2][1]);
 }
 
+surfaces::PassNode between(const surfaces::PassNode& from, const surfaces::PassNode& to, double share) {
+  const double width = to.t - from.t;
+  surfaces::PassNode node;
+  node.t = from.t + share * width;
+  for (std::size_t k = 0; k < 3; ++k) {
+    node.tip[k] = surfaces::hermite_jet(from.tip[k], to.tip[k], width, share);
+    node.axis[k] = surfaces::hermite_jet(from.axis[k], to.axis[k], width, share);
+    node.contact[k] = surfaces::hermite_jet(from.contact[k], to.contact[k], width, share);
+  }
+  node.axis = surfaces::unit_of(node.axis);
+  node.u = from.u + share * (to.u - from.u);
+  node.v = from.v + share * (to.v - from.v);
+  return node;
+}
+
 }  // namespace
 
-/// The angles of a node, the shorter way round from those before.
-std::optional<PoseFailure> PosePath::hold(Node& node, const Angles& before) const {
+/// At a pole, and not to stay there.
+bool PosePath::is_in_pole(const surfaces::PassNode& place) const {
+  const kinematics::Vector direction{place.axis[0][0], place.axis[1][0], place.axis[2][0]};
+  return rate_of(place.axis) >= steady &&
+         kinematics::angle_from_pole(*chain_, direction) < numeric::degrees_of_radian.hi * pole_itself;
+}
+
+/// The angles of a node by one of both solutions, the shorter way round from those before.
+std::optional<PoseFailure> PosePath::hold(Node& node, std::size_t side, const Angles& before) const {
   const surfaces::PassNode& place = node.place;
   PoseFailure failure{PoseFailure::Kind::pole, place.u, place.v};
   const kinematics::Vector direction{place.axis[0][0], place.axis[1][0], place.axis[2][0]};
@@ -42,22 +64,55 @@ std::optional<PoseFailure> PosePath::hold(Node& node, const Angles& before) cons
     failure.miss = plain.miss;
     return failure;
   }
-  const double from_pole = numeric::degrees_of_radian.hi * pole_itself;
-  if (kinematics::angle_from_pole(*chain_, direction) < from_pole && rate_of(place.axis) < steady) {
-    node.angles = {Jet(before[0]), Jet(plain.angles[plain.count == 2 ? side_ : 0][1])};
+  const bool is_pole = kinematics::angle_from_pole(*chain_, direction) < numeric::degrees_of_radian.hi * pole_itself;
+  if (is_pole && rate_of(place.axis) < steady) {
+    node.angles = {Jet(before[0]), Jet(plain.angles[plain.count == 2 ? side : 0][1])};
   } else {
     const auto found = kinematics::solutions(*chain_, place.axis);
-    if (found.count < 2 || !is_finite(found.angles[side_])) return failure;
-    node.angles = found.angles[side_];
+    if (found.count < 2 || !is_finite(found.angles[side])) return failure;
+    node.angles = found.angles[side];
   }
   for (std::size_t i = 0; i < 2; ++i)
     node.angles[i][0] = before[i] + std::remainder(node.angles[i][0] - before[i], turn_of_angle);
   return std::nullopt;
 }
 
+/// The angles of a node at a pole, from places before and behind it, either of which may lack. `angles`: those before.
+std::optional<PoseFailure> PosePath::hold_through_pole(Node& node, const surfaces::PassNode* before,
+                                                       const surfaces::PassNode* behind, const Angles& angles) const {
+  constexpr double near = 1.0 / 64;
+  constexpr double greatest_swing = 30;  // degrees
+  const double t = node.place.t;
+  const PoseFailure failure{PoseFailure::Kind::pole, node.place.u, node.place.v};
+  node.is_given = true;
+  std::optional<Node> a, b;
+  if (before) a = Node{between(*before, node.place, 1 - near), {}};
+  if (behind) b = Node{between(node.place, *behind, near), {}};
+  if (a && hold(*a, side_, angles)) return failure;
+  if (b) {
+    const Angles from = a ? angles_of(*a) : angles;
+    Node other = *b;
+    if (hold(*b, side_, from) || hold(other, 1 - side_, from)) return failure;
+    if (a && std::abs(other.angles[0][0] - from[0]) < std::abs(b->angles[0][0] - from[0])) b = other;
+    if (a && std::abs(b->angles[0][0] - from[0]) > greatest_swing) return failure;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (a && b) {
+      const double width = b->place.t - a->place.t;
+      node.angles[i] = surfaces::hermite_jet(a->angles[i], b->angles[i], width, (t - a->place.t) / width);
+      continue;
+    }
+    const Node& one = a ? *a : *b;
+    const double d = t - one.place.t;
+    const Jet& f = one.angles[i];
+    node.angles[i].derivative = {f[0] + d * (f[1] + d * f[2] / 2), f[1] + d * f[2], f[2]};
+  }
+  return std::nullopt;
+}
+
 /// Do quintics of the angles hold the tool as the path says?
 bool PosePath::is_held(const Node& a, const Node& b) const {
-  const double width = b.place.t - a.place.t;
+  const double width = b.place.t - a.place.t, tolerance = is_link_ ? link_tolerance : axis_tolerance;
   for (const double share : {0.5, 0.25, 0.75}) {
     surfaces::Vector axis;
     Angles angles;
@@ -65,47 +120,67 @@ bool PosePath::is_held(const Node& a, const Node& b) const {
       axis[k] = surfaces::hermite_value(a.place.axis[k], b.place.axis[k], width, share);
     for (std::size_t i = 0; i < 2; ++i) angles[i] = surfaces::hermite_value(a.angles[i], b.angles[i], width, share);
     const surfaces::Vector wanted = surfaces::unit_of(axis), held = kinematics::direction_of(*chain_, angles);
-    if (!(std::hypot(held[0] - wanted[0], held[1] - wanted[1], held[2] - wanted[2]) <= axis_tolerance)) return false;
+    if (!(std::hypot(held[0] - wanted[0], held[1] - wanted[1], held[2] - wanted[2]) <= tolerance)) return false;
   }
   return true;
 }
 
-PosePath::Node PosePath::between(const Node& a, const Node& b) {
-  const surfaces::PassNode &from = a.place, &to = b.place;
-  const double width = to.t - from.t;
-  Node node;
-  node.place.t = from.t + width / 2;
-  for (std::size_t k = 0; k < 3; ++k) {
-    node.place.tip[k] = surfaces::hermite_jet(from.tip[k], to.tip[k], width, 0.5);
-    node.place.axis[k] = surfaces::hermite_jet(from.axis[k], to.axis[k], width, 0.5);
-    node.place.contact[k] = surfaces::hermite_jet(from.contact[k], to.contact[k], width, 0.5);
+/// On the side so far, or else on the other, where the path goes straight through a pole.
+bool PosePath::is_reached(const Node& at, Node& next, std::optional<PoseFailure>& failure) {
+  for (const std::size_t side : {side_, 1 - side_}) {
+    if (!next.is_given) {
+      failure = hold(next, side, angles_of(at));
+      if (failure) return false;
+    }
+    if (!is_held(at, next)) continue;
+    side_ = side;
+    return true;
   }
-  node.place.axis = surfaces::unit_of(node.place.axis);
-  node.place.u = (from.u + to.u) / 2;
-  node.place.v = (from.v + to.v) / 2;
-  return node;
+  return false;
 }
 
 /// Depth first, from the beginning: what waits on the stack lies behind.
 std::optional<PoseFailure> PosePath::add_between(const Node& from, const Node& to) {
+  constexpr double beside_middle = 7.0 / 16;
   std::vector<Node> ahead = {to};
   Node at = from;
+  std::optional<PoseFailure> failure;
   while (!ahead.empty()) {
-    Node& next = ahead.back();
-    const Angles before{at.angles[0][0], at.angles[1][0]};
-    if (auto failure = hold(next, before)) return failure;
-    if (is_held(at, next)) {
+    if (is_reached(at, ahead.back(), failure)) {
       if (nodes_.size() == most_nodes_in_all) break;
-      at = next;
+      at = ahead.back();
       nodes_.push_back(at);
       ahead.pop_back();
-      if (ahead.empty()) return std::nullopt;
       continue;
     }
-    if (next.place.t - at.place.t < least_part) break;
-    ahead.push_back(between(at, next));
+    if (failure) return failure;
+    if (ahead.back().place.t - at.place.t < (is_link_ ? least_part_of_link : least_part)) break;
+    const surfaces::PassNode& place = ahead.back().place;
+    Node middle{between(at.place, place, 0.5), {}};
+    if (is_in_pole(middle.place)) middle.place = between(at.place, place, beside_middle);
+    ahead.push_back(std::move(middle));
   }
+  if (ahead.empty()) return std::nullopt;
   return PoseFailure{PoseFailure::Kind::pole, at.place.u, at.place.v};
+}
+
+/// Does the tool go on as it has come?
+bool PosePath::joins(const Node& first) const {
+  return end_ && end_->place.axis == first.place.axis && end_->place.tip == first.place.tip;
+}
+
+std::optional<PoseFailure> PosePath::add_first(surfaces::PassNode place, const surfaces::PassNode& behind) {
+  Node first{std::move(place), {}};
+  const Angles before = end_ ? angles_of(*end_) : angles_;
+  if (joins(first)) {
+    first.angles = end_->angles;
+  } else if (is_in_pole(first.place)) {
+    if (auto failure = hold_through_pole(first, nullptr, &behind, before)) return failure;
+  } else if (auto failure = hold(first, side_, before)) {
+    return failure;
+  }
+  nodes_.push_back(std::move(first));
+  return std::nullopt;
 }
 
 std::optional<PoseFailure> PosePath::load(surfaces::Pass pass) {
@@ -117,18 +192,20 @@ std::optional<PoseFailure> PosePath::load(surfaces::Pass pass) {
     for (surfaces::PassNode& place : pass.nodes) nodes_.push_back({std::move(place), {}});
     return std::nullopt;
   }
-  Node first{std::move(pass.nodes.front()), {}};
-  if (auto failure = hold(first, angles_)) return failure;
-  nodes_.push_back(first);
-  for (std::size_t k = 1; k < pass.nodes.size(); ++k) {
+  std::optional<PoseFailure> failure = add_first(pass.nodes[0], pass.nodes[1]);
+  for (std::size_t k = 1; k < pass.nodes.size() && !failure; ++k) {
     const Node from = nodes_.back();
-    if (auto failure = add_between(from, {std::move(pass.nodes[k]), {}})) {
-      nodes_.clear();
-      return failure;
-    }
+    Node to{pass.nodes[k], {}};
+    const surfaces::PassNode* const behind = k + 1 < pass.nodes.size() ? &pass.nodes[k + 1] : nullptr;
+    if (is_in_pole(to.place)) failure = hold_through_pole(to, &pass.nodes[k - 1], behind, angles_of(from));
+    if (!failure) failure = add_between(from, to);
   }
-  angles_ = {nodes_.back().angles[0][0], nodes_.back().angles[1][0]};
-  return std::nullopt;
+  if (failure) {
+    nodes_.clear();
+  } else {
+    end_ = nodes_.back();
+  }
+  return failure;
 }
 
 void PosePath::set_angles(base::AxisVector& place) const {

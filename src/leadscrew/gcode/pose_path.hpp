@@ -4,7 +4,9 @@
 //     nodes: tip(t), axis(t) with two derivatives ──solutions on jets──▶ angles(t) with two derivatives ──▶ quintics, C2
 //
 // Between two nodes the angles' quintics hold the tool along the path's own direction to within axis_tolerance; where they do not,
-// as near a pole of the rotary axes, a node is put between. The path keeps to one of both solutions.
+// as near a pole of the rotary axes, a node is put between. The path keeps to one of both solutions, but where it goes straight
+// through a pole: there the other one goes on as smoothly. At a pole itself solutions have no derivatives; the angles there are
+// those between a place before it and one behind.
 
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/kinematics/pose.hpp>
@@ -30,7 +32,9 @@ class PosePath {
  public:
   using Angles = kinematics::Angles<double>;
   static constexpr double axis_tolerance = 2e-10;            ///< radians
+  static constexpr double link_tolerance = 1e-5;             ///< the same of links, which touch nothing
   static constexpr double least_part = 1e-4;                 ///< of t: nearer to each other nodes are not put
+  static constexpr double least_part_of_link = 1e-5;         ///< the same of links
   static constexpr std::size_t most_nodes_in_all = 1 << 16;  ///< of one pass
 
   /// Rotary axes stand where they are.
@@ -41,6 +45,7 @@ class PosePath {
     chain_ = &chain;
     side_ = side;
     angles_ = angles;
+    end_.reset();
   }
 
   /// The next pass or link, which begins where the one before ends; all of the one before has been taken.
@@ -65,16 +70,24 @@ class PosePath {
   struct Node {
     surfaces::PassNode place;
     kinematics::Angles<Jet> angles{};
+    bool is_given = false;  ///< the angles, which are not those of a solution
   };
 
-  std::optional<PoseFailure> hold(Node& node, const Angles& before) const;
+  std::optional<PoseFailure> hold(Node& node, std::size_t side, const Angles& before) const;
+  std::optional<PoseFailure> hold_through_pole(Node& node, const surfaces::PassNode* before,
+                                               const surfaces::PassNode* behind, const Angles& angles) const;
+  bool is_in_pole(const surfaces::PassNode& place) const;
+  bool joins(const Node& first) const;
+  bool is_reached(const Node& at, Node& next, std::optional<PoseFailure>& failure);
+  std::optional<PoseFailure> add_first(surfaces::PassNode place, const surfaces::PassNode& behind);
   std::optional<PoseFailure> add_between(const Node& from, const Node& to);
   bool is_held(const Node& a, const Node& b) const;
-  static Node between(const Node& a, const Node& b);
+  static Angles angles_of(const Node& node) { return {node.angles[0][0], node.angles[1][0]}; }
 
   const kinematics::Chain* chain_ = nullptr;
   std::size_t side_ = 0;
-  Angles angles_{};  ///< where the path has come to
+  Angles angles_{};          ///< where the path begins
+  std::optional<Node> end_;  ///< where it has come to
   std::vector<Node> nodes_;
   std::size_t next_ = 0;        ///< the curve that is taken next begins there
   std::size_t taken_from_ = 0;  ///< the one taken last began there

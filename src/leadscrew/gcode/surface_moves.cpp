@@ -27,41 +27,43 @@ std::string SurfaceMoves::where(double u, double v) const {
 bool SurfaceMoves::report(const surfaces::PassFailure& failure) {
   using Kind = surfaces::PassFailure::Kind;
   const std::string place = "pass " + std::to_string(passes_ ? passes_->count() + 1 : 1) + where(failure.u, failure.v);
-  const auto told = [&](std::string_view code, const std::string& message, std::string hint) {
+  const auto problem = [&](std::string_view code, const std::string& message, std::string hint) {
     return error(code, column(), place + ": " + message, std::move(hint));
   };
   switch (failure.kind) {
     case Kind::normal:
-      return told("surface-normal", "the surface has no normal", "a range U V I J that leaves the place out");
+      return problem("surface-normal", "the surface has no normal", "a range U V I J that leaves the place out");
     case Kind::gouge:
-      return told("surface-gouge",
-                  "the tool gouges beside its contact: the surface bends by " + text(-failure.amount) +
-                      " / mm more than the tool",
-                  "a smaller tool, another lead or tilt; or allow it");
+      return problem("surface-gouge",
+                     "the tool gouges beside its contact: the surface bends by " + text(-failure.amount) +
+                         " / mm more than the tool",
+                     "a smaller tool, or another lead or tilt");
     case Kind::flat_contact:
-      return told("surface-flat-contact", "the tool stands on the surface with all of its bottom",
-                  "a lead A, or a ball");
+      return problem("surface-flat-contact", "the tool stands on the surface with all of its bottom",
+                     "a lead A, or a ball");
     case Kind::overhang:
-      return told("surface-overhang", "the tool's direction points into the surface",
-                  "R-1 for the other side, A and B so that the tool follows the surface, or a range without the place");
+      return problem(
+          "surface-overhang", "the tool's direction points into the surface",
+          "R-1 for the other side, A and B so that the tool follows the surface, or a range without the place");
     case Kind::edge:
-      return told("surface-edge", "the surface has an edge, where the tool would leap",
-                  "a surface for each side of it");
+      return problem("surface-edge", "the surface has an edge, where the tool would leap",
+                     "a surface for each side of it");
     case Kind::cusp:
-      return told("surface-cusp", "the tip stands still while the contact moves: the tool is as round as the surface",
-                  "a smaller tool, or another lead or tilt");
+      return problem("surface-cusp",
+                     "the tip stands still while the contact moves: the tool is as round as the surface",
+                     "a smaller tool, or another lead or tilt");
     case Kind::too_many:
-      return told("surface-passes",
-                  "there would be " + text(failure.amount) + " passes, or more places of one, than there may be",
-                  "a greater H or Q");
+      return problem("surface-passes",
+                     "there would be " + text(failure.amount) + " passes, or more places of one, than there may be",
+                     "a greater H or Q");
     case Kind::no_step:
-      return told("surface-step", "no step leaves ridges so low", "a greater H, or a smaller tool");
+      return problem("surface-step", "no step leaves ridges so low", "a greater H, or a smaller tool");
     case Kind::section:
-      return told("surface-section", "planes of this direction meet the surface in lines that double back",
-                  "the other direction L, another pattern S, or a smaller range U V I J");
+      return problem("surface-section", "planes of this direction meet the surface in lines that double back",
+                     "the other direction L, another pattern S, or a smaller range U V I J");
     case Kind::link:
-      return told("surface-link", "no way was found to the next pass that keeps off the surface",
-                  "another pattern S, or a smaller range");
+      return problem("surface-link", "no way was found to the next pass that keeps off the surface",
+                     "another pattern S, or a smaller range");
   }
   return false;
 }
@@ -133,7 +135,9 @@ bool SurfaceMoves::choose_angles() {
   const kinematics::Angles<double> before{frame_.position[base::index(turns[0].axis)],
                                           frame_.position[base::index(turns[1].axis)]};
   RotaryLift lift(chain, kinematics::limits_of(machine_, chain), before);
-  surfaces::Passes passes(machined_->machining);
+  surfaces::Machining draft = machined_->machining;
+  draft.is_draft = true;
+  surfaces::Passes passes(std::move(draft));
   while (const auto pass = passes.next()) {
     if (!lift.add(*pass)) {
       return error("pose-out-of-reach", column(),

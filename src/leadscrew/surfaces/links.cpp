@@ -169,7 +169,8 @@ std::vector<PassNode> LinkMaker::nodes_of(const Course& course, const Ends& ends
       off = std::max(off, std::abs(hermite_value(a.tip[k], b.tip[k], width, 0.5) - middle.tip[k][0]));
       turned = std::max(turned, std::abs(hermite_value(a.axis[k], b.axis[k], width, 0.5) - middle.axis[k][0]));
     }
-    const bool is_close = off <= link_tip_tolerance && turned <= link_axis_tolerance;
+    const double loose = machining_.is_draft ? 1e5 : 1;
+    const bool is_close = off <= loose * link_tip_tolerance && turned <= loose * link_axis_tolerance;
     if (turns && !is_close && nodes.size() + ahead.size() < most_link_nodes) {
       ahead.push_back(middle.t);
     } else {
@@ -186,7 +187,7 @@ std::vector<PassNode> LinkMaker::nodes_of(const Course& course, const Ends& ends
 }
 
 std::optional<Pass> LinkMaker::between(PassLog& log, const PassNode& from, const PassNode& to) {
-  if (!clearance_) clearance_.emplace(*machining_.surface, machining_.cutter);
+  if (!clearance_ && !machining_.is_draft) clearance_.emplace(*machining_.surface, machining_.cutter);
   const Ends ends = ends_of(from, to);
   double worst = 0;
   if (ends.turn < std::numbers::pi - 1e-3) {
@@ -198,7 +199,7 @@ std::optional<Pass> LinkMaker::between(PassLog& log, const PassNode& from, const
         const double lift = lifts[k] * (is_far ? machining_.cutter.radius : ends.distance);
         if (!is_far && lift > 2 * machining_.cutter.radius + ends.distance) break;
         const Course course = is_far ? far_course(ends, lift) : near_course(ends, lift);
-        const double clearance = worst_clearance(course, ends, is_far);
+        const double clearance = machining_.is_draft ? 0 : worst_clearance(course, ends, is_far);
         worst = k == 0 ? clearance : std::max(worst, clearance);
         if (clearance < -clearance_tolerance) continue;
         last = k;

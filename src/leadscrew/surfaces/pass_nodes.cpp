@@ -11,6 +11,7 @@ namespace {
 using Why = PassFailure::Kind;
 
 constexpr double axis_tolerance = 1e-9;  // radians
+constexpr double draft_tolerance = 1e-2, square_of_draft_turn = 1e-6;
 /// |Su × Sv| of |Su|·|Sv| below which there is no normal.
 constexpr double least_cross = 1e-9;
 /// Speed of the tip, of the contact's, below which it stands still.
@@ -149,6 +150,7 @@ bool LineOfNodes::is_close_at(const Sample& a, const Sample& b, double length, d
     turned += axis_off * axis_off;
     size = std::max(size, std::abs(tip[k]));
   }
+  if (log_.machining->is_draft) return off <= draft_tolerance * draft_tolerance && turned <= square_of_draft_turn;
   const double least = 16 * std::numeric_limits<double>::epsilon() * size;
   const double allowed = std::max(tolerance, least);
   const double allowed_turn = tolerance > log_.machining->tolerance ? 100 * axis_tolerance : axis_tolerance;
