@@ -16,13 +16,32 @@ double share_of(const std::vector<double>& lines, std::size_t k) {
   return (before + behind) / 2;
 }
 
+/// Grids are finer across the passes.
+PlaceTree::Block block_of(const Target& target) {
+  switch (target.across) {
+    case Target::Across::u:
+      return {8, 2};
+    case Target::Across::v:
+      return {2, 8};
+    case Target::Across::both:
+      break;
+  }
+  return {4, 4};
+}
+
+/// What is higher is looked at in a reading of its own, if there is any: of places that no pass has come to yet, every word that
+/// is somewhere near would be the lowest so far.
+double first_reach(const Target& target) {
+  return target.expected > 0 ? std::min(target.reach, 4 * target.expected + 1e-3) : target.reach;
+}
+
 }  // namespace
 
 Measurement::Measurement(Target target)
     : target_(std::move(target)),
       net_(target_.form, target_.side),
       lines_(grid_of(target_)),
-      tree_(lines_.u.size(), lines_.v.size()) {
+      tree_(lines_.u.size(), lines_.v.size(), block_of(target_)) {
   std::vector<Basis> columns;
   for (const double u : lines_.u) columns.push_back(net_.basis(surfaces::Direction::u, u));
   area_.reserve(lines_.u.size() * lines_.v.size());
@@ -34,7 +53,7 @@ Measurement::Measurement(Target target)
       area_.push_back(static_cast<float>(place.area * share_of(lines_.u, i) * share_of(lines_.v, j)));
     }
   }
-  tree_.begin(target_.reach);
+  tree_.begin(first_reach(target_));
 }
 
 void Measurement::add(const ToolPose& pose, const ToolBody& body, std::int64_t word, bool joined) {
@@ -42,7 +61,7 @@ void Measurement::add(const ToolPose& pose, const ToolBody& body, std::int64_t w
 }
 
 void Measurement::take(const WordStep& step) {
-  if (again_) return peaks_.see(step.tool, step.word);
+  if (stage_ == Stage::peaks) return peaks_.see(step.tool, step.word);
   steps_.push_back(step);
   if (steps_.size() >= steps_at_once) lower_all();
 }
@@ -62,12 +81,14 @@ void Measurement::lower_all() {
 
 bool Measurement::end_reading() {
   words_.end([this](const WordStep& step) { take(step); });
-  if (!again_) {
+  if (stage_ != Stage::peaks) {
     lower_all();
-    steps_.shrink_to_fit();
+    const bool is_first = stage_ == Stage::near && first_reach(target_) < target_.reach;
+    stage_ = Stage::far;
+    if (is_first && tree_.raise(first_reach(target_), target_.reach)) return true;
+    stage_ = Stage::peaks;
     survey();
     peaks_.choose(tree_, lines_, target_);
-    again_ = true;
     return true;
   }
   peaks_.refine(net_);

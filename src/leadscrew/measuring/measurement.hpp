@@ -7,7 +7,8 @@
 //                   ↑ ridge: height above S along n
 //
 // At each place of a grid on the surface: how far along n the first of all tools is met. That is 0 where a tool touches, the
-// height of the ridge between two passes, and negative where a tool has cut into the surface. The trace is read twice:
+// height of the ridge between two passes, and negative where a tool has cut into the surface. The trace is read twice, or
+// three times where places are left that no tool has come near:
 //
 //   1  all words against the grid (place_tree.hpp), many at a time, of these first few, far apart, then those between, so that
 //      most find what they leave to be lower already
@@ -70,7 +71,8 @@ class Measurement {
   Peaks peaks_;
   WordPath words_;
   std::vector<WordStep> steps_;
-  bool again_ = false;  // the second reading
+  /// Of readings: what is near the surface, what else is within reach, and the peaks.
+  enum class Stage : std::uint8_t { near, far, peaks } stage_ = Stage::near;
   Findings findings_;
 };
 

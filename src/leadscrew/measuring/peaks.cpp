@@ -103,7 +103,7 @@ void Peaks::make_cells(std::vector<Candidate>& candidates, const PlaceTree& map,
     const auto behind = [](std::size_t k, std::size_t count) { return std::min(k + 1, count - 1); };
     const std::array<std::size_t, 3> i = {before(place.i), place.i, behind(place.i, map.columns())},
                                      j = {before(place.j), place.j, behind(place.j, map.rows())};
-    Cell cell{{lines.u[i[0]], lines.u[i[2]]}, {lines.v[j[0]], lines.v[j[2]]}, is_cut, PlaceTree(3, 3), {}};
+    Cell cell{{lines.u[i[0]], lines.u[i[2]]}, {lines.v[j[0]], lines.v[j[2]]}, is_cut, PlaceTree(3, 3, {3, 3}), {}};
     double highest = 0;
     for (std::size_t b = 0; b < 3; ++b) {
       for (std::size_t a = 0; a < 3; ++a) {

@@ -56,7 +56,7 @@ class Peaks {
   struct Cell {
     surfaces::Range u, v;
     bool is_cut = false;
-    PlaceTree around{1, 1};  // nine places
+    PlaceTree around;  // nine places
     std::vector<Kept> tools;
   };
   struct Candidate {

@@ -9,9 +9,10 @@ using numeric::difference;
 using numeric::dot;
 using numeric::norm;
 
-PlaceTree::PlaceTree(std::size_t columns, std::size_t rows) : columns_(columns), rows_(rows) {
-  std::size_t wide = (columns + side - 1) / side, high = (rows + side - 1) / side;
-  places_.assign(wide * high * side * side, GridPlace{{}, {}, no_place});
+PlaceTree::PlaceTree(std::size_t columns, std::size_t rows, Block block)
+    : columns_(columns), rows_(rows), block_(block) {
+  std::size_t wide = (columns + block.columns - 1) / block.columns, high = (rows + block.rows - 1) / block.rows;
+  places_.assign(wide * high * block.columns * block.rows, GridPlace{{}, {}, no_place});
   while (true) {
     levels_.push_back({wide, high, std::vector<Node>(wide * high)});
     if (wide == 1 && high == 1) break;
@@ -34,12 +35,27 @@ void PlaceTree::begin(double reach) {
   }
 }
 
+bool PlaceTree::raise(double from, double to) {
+  bool raised = false;
+  for (GridPlace& place : places_) {
+    if (place.height < from) continue;
+    place.height = to;
+    raised = true;
+  }
+  for (Level& level : levels_) {
+    for (Node& node : level.nodes) {
+      if (node.highest >= from) node.highest = to;
+    }
+  }
+  return raised;
+}
+
 /// From the places in it. (Each place is looked at once a level.)
 void PlaceTree::build(std::size_t level, std::size_t i, std::size_t j) {
-  const std::size_t wide = side << level;
+  const std::size_t wide = block_.columns << level, high = block_.rows << level;
   std::vector<const GridPlace*> places;
   // Of the higher levels the blocks' borders and centres alone would not do: a surface may bulge anywhere.
-  for (std::size_t row = j * wide; row < std::min(rows_, (j + 1) * wide); ++row) {
+  for (std::size_t row = j * high; row < std::min(rows_, (j + 1) * high); ++row) {
     for (std::size_t column = i * wide; column < std::min(columns_, (i + 1) * wide); ++column)
       places.push_back(&at(column, row));
   }
@@ -107,14 +123,17 @@ void PlaceTree::visit(std::size_t level, std::size_t i, std::size_t j, const Swe
 void PlaceTree::visit_block(Node& node, std::size_t block, const SweptTool& tool) {
   const double below = deepest_of(tool.body());
   double highest = no_place;
-  GridPlace* const places = &places_[block * side * side];
-  for (std::size_t k = 0; k < side * side; ++k) {
+  const std::size_t count = block_.columns * block_.rows;
+  GridPlace* const places = &places_[block * count];
+  for (std::size_t k = 0; k < count; ++k) {
     GridPlace& place = places[k];
     if (place.height == no_place) continue;
-    const double height = tool.entry(place.s, place.n, below, place.height);
-    if (height < place.height) {
-      place.height = height;
-      lowered_ = true;
+    if (tool.may_enter(place.s, place.n, place.height)) {
+      const double height = tool.entry(place.s, place.n, below, place.height);
+      if (height < place.height) {
+        place.height = height;
+        lowered_ = true;
+      }
     }
     highest = std::max(highest, place.height);
   }

@@ -1,7 +1,7 @@
 #pragma once
 // What is left on a grid of places of a surface, lowered by tools that pass by.
 //
-// The grid lies in blocks of 8 by 8 places, and four blocks in one of the level above, up to one of all. Each knows how far its
+// The grid lies in blocks of a few places, and four blocks in one of the level above, up to one of all. Each knows how far its
 // places lie beside and along the mean of their normals, and the greatest height in it. A tool that cannot come below that,
 // by the tangent of its distance at the block's centre (it is convex), is passed over with all the places in it.
 
@@ -28,10 +28,13 @@ inline double deepest_of(const ToolBody& body) {
 
 class PlaceTree {
  public:
-  static constexpr std::size_t side = 8;  ///< of a block
+  /// Of a block, in places.
+  struct Block {
+    std::size_t columns = 4, rows = 4;
+  };
 
-  /// columns × rows places, each ≥ 1.
-  PlaceTree(std::size_t columns, std::size_t rows);
+  /// columns × rows places, each ≥ 1. Blocks had better be as wide as they are high on the surface.
+  PlaceTree(std::size_t columns, std::size_t rows, Block block);
 
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return rows_; }
@@ -40,6 +43,8 @@ class PlaceTree {
 
   /// Once all places are set: nothing nearer than `reach`, mm, is left anywhere.
   void begin(double reach);
+  /// Sets what is still as high as `from` to `to`, the greater. False where nothing is.
+  bool raise(double from, double to);
   /// Lowers what is left by a tool. True where it has lowered any.
   bool lower(const SweptTool& tool);
   /// May it lower any, as far as the root can tell?
@@ -60,7 +65,8 @@ class PlaceTree {
   };
 
   std::size_t index(std::size_t i, std::size_t j) const {
-    return ((j / side) * levels_.front().columns + i / side) * side * side + (j % side) * side + i % side;
+    const std::size_t number = (j / block_.rows) * levels_.front().columns + i / block_.columns;
+    return number * block_.columns * block_.rows + (j % block_.rows) * block_.columns + i % block_.columns;
   }
   static bool may_reach(const Node& node, const SweptTool& tool);
   static void enclose(Node& node, const std::vector<const GridPlace*>& places);
@@ -69,6 +75,7 @@ class PlaceTree {
   void visit_block(Node& node, std::size_t block, const SweptTool& tool);
 
   std::size_t columns_, rows_;
+  Block block_;
   std::vector<Level> levels_;  // of blocks first
   std::vector<GridPlace> places_;
   bool lowered_ = false;

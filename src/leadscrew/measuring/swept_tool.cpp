@@ -94,8 +94,7 @@ SweptTool::Entry SweptTool::entry_at(double share, const Vector& s, const Vector
 }
 
 double SweptTool::entry(const Vector& s, const Vector& n, double below, double above) const {
-  const Distance first = least_distance(sum(s, above, n));
-  if (first.value > 0 && (above <= 0 || dot(first.gradient, n) < 0)) return above;
+  if (!may_enter(s, n, above)) return above;
   const Entry begin = entry_at(0, s, n, below, above);
   if (begin.exists && begin.slope >= 0) return std::min(above, begin.t);
   // Convex: no entry on the way is before the tangent.

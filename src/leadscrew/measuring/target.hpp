@@ -14,6 +14,7 @@ struct Target {
   /// Of the passes; both ways where they have none, as in spirals.
   enum class Across { u, v, both } across = Across::v;
   double step = 0;                    ///< between passes, mm; > 0
+  double expected = 0;                ///< height of ridges, mm, roughly: looked for first; 0: nothing is known
   double reach = 1;                   ///< what is left above so many mm has not been reached; > 0
   double places_per_step = 20;        ///< across the passes, if there are no more than most_places
   std::size_t most_places = 1 << 20;  ///< of the grid; ≥ 64
