@@ -31,22 +31,22 @@ struct Passes {
   int words = 600;
 };
 
-inline void give(Measurement& measurement, const Passes& passes, double lift = 0) {
-  std::int64_t word = 0;
+/// Measured with all readings; lifted by so many mm along the axis.
+inline const Findings& measured(Measurement& measurement, const Passes& passes, double lift = 0) {
+  std::vector<ToolPose> poses;
   for (const double v : passes.v) {
     for (int k = 0; k <= passes.words; ++k) {
-      const double u = static_cast<double>(k) / passes.words;
-      ToolPose pose = held(*passes.surface, u, v, passes.cutter, passes.orientation);
+      ToolPose pose =
+          held(*passes.surface, static_cast<double>(k) / passes.words, v, passes.cutter, passes.orientation);
       for (std::size_t i = 0; i < 3; ++i) pose.tip[i] += lift * pose.axis[i];
-      measurement.add(pose, {passes.cutter.radius, passes.cutter.corner_radius}, word++, k > 0);
+      poses.push_back(pose);
     }
   }
-}
-
-/// Measured with both readings.
-inline const Findings& measured(Measurement& measurement, const Passes& passes, double lift = 0) {
-  do give(measurement, passes, lift);
-  while (measurement.end_reading());
+  const ToolBody body{passes.cutter.radius, passes.cutter.corner_radius};
+  do {
+    for (std::size_t k = 0; k < poses.size(); ++k)
+      measurement.add(poses[k], body, static_cast<std::int64_t>(k), k % static_cast<std::size_t>(passes.words + 1) > 0);
+  } while (measurement.end_reading());
   return measurement.findings();
 }
 

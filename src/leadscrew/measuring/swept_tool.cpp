@@ -104,8 +104,26 @@ double SweptTool::entry(const Vector& s, const Vector& n, double below, double a
   if (!end.exists) return least;
   least = std::min(least, end.t);
   if (!begin.exists || end.slope <= 0) return least;
-  const Entry middle = entry_at(begin.slope / (begin.slope - end.slope), s, n, below, above);
-  return middle.exists ? std::min(least, middle.t) : least;
+  return least_between({begin, 0}, {end, 1}, s, n, below, least);
+}
+
+/// By the slope, until the tangents at both ends leave no more to be found.
+double SweptTool::least_between(Place from, Place to, const Vector& s, const Vector& n, double below,
+                                double least) const {
+  constexpr int most_steps = 12;
+  constexpr double enough = 1e-9;  // mm
+  for (int step = 0; step < most_steps; ++step) {
+    const double steeper = to.entry.slope - from.entry.slope;
+    const double crossing = (from.entry.t - to.entry.t + to.entry.slope * (to.share - from.share)) / steeper;
+    if (from.entry.t + from.entry.slope * crossing >= least - enough) break;
+    // The secant's zero, exact where the entry is a parabola; at every other step where the tangents cross.
+    const double at = step % 2 == 0 ? -from.entry.slope / steeper * (to.share - from.share) : crossing;
+    const Place middle{entry_at(from.share + at, s, n, below, least), from.share + at};
+    if (!middle.entry.exists) break;
+    least = std::min(least, middle.entry.t);
+    (middle.entry.slope < 0 ? from : to) = middle;
+  }
+  return least;
 }
 
 }  // namespace leadscrew::measuring

@@ -59,9 +59,15 @@ class SweptTool {
     double t = 0, slope = 0;
     bool exists = false;
   };
+  struct Place {
+    Entry entry;
+    double share = 0;
+  };
   ToolPose pose_at(double share) const;
   double approach(const ToolPose& pose, const Vector& point, const Vector& gradient) const;
   Entry entry_at(double share, const Vector& s, const Vector& n, double below, double above) const;
+
+  double least_between(Place from, Place to, const Vector& s, const Vector& n, double below, double least) const;
 
   ToolBody body_;
   ToolPose from_;
