@@ -25,6 +25,7 @@ constexpr double steps_shown = 3;  // on either side of the section's ridge
 struct HeightScale {
   double top = 0;
   bool square_root = false;
+  double allowed = 0;  // of cuts
 
   std::size_t level(double height) const {
     const double part = top > 0 ? std::clamp(height / top, 0.0, 1.0) : 0;
@@ -34,8 +35,10 @@ struct HeightScale {
   }
 };
 
-HeightScale scale_of(const Findings& found) {
-  return {std::max(0.0, found.ridge.height), found.ridges > 0 && found.mean_ridge < 0.25 * found.ridge.height};
+HeightScale scale_of(const Pictured& pictured) {
+  const Findings& found = pictured.measurement->findings();
+  return {std::max(0.0, found.ridge.height), found.ridges > 0 && found.mean_ridge < 0.25 * found.ridge.height,
+          pictured.allowed_cut};
 }
 
 /// Where the two parameters lie in the picture: u to the right, v up.
@@ -82,30 +85,58 @@ enum : int { empty_cell = -1, unreached_cell = -2, cut_cell = -3 };
 
 int kind_of(const CellHeights& heights, const HeightScale& scale) {
   if (heights.unreached) return unreached_cell;
-  if (heights.least < -std::max(1e-4, 0.05 * scale.top)) return cut_cell;
+  if (heights.least < -scale.allowed) return cut_cell;
   return heights.most == no_place ? int{empty_cell} : static_cast<int>(scale.level(heights.most));
 }
 
+/// Places from … to − 1 of a line of the grid.
+struct Places {
+  std::size_t from = 0, to = 0;
+};
+
+/// Those that fall into a cell, or the one beside it where none does.
+Places places_in(std::size_t cell_number, std::size_t cells, std::size_t places) {
+  const std::size_t from = cell_number * places / cells;
+  return {from, std::max(from + 1, (cell_number + 1) * places / cells)};
+}
+
+/// Those within half a step as well, so that every cell has a ridge in it.
+Places widened(const Places& places, double half_step, std::size_t count) {
+  const auto more = static_cast<std::size_t>(half_step);
+  return {places.from - std::min(places.from, more), std::min(count, places.to + more)};
+}
+
+CellHeights heights_in(const PlaceTree& map, const Places& columns, const Places& rows, double reach) {
+  CellHeights heights;
+  for (std::size_t j = rows.from; j < rows.to; ++j) {
+    for (std::size_t i = columns.from; i < columns.to; ++i) {
+      const double height = map.at(i, j).height;
+      if (height == no_place) continue;
+      heights.unreached = heights.unreached || height >= reach;
+      if (height < reach) heights.most = std::max(heights.most, height);
+      heights.least = std::min(heights.least, height);
+    }
+  }
+  return heights;
+}
+
 std::vector<CellHeights> cells_of(const Measurement& measurement, std::size_t columns, std::size_t rows) {
-  std::vector<CellHeights> cells(columns * rows);
   const PlaceTree& map = measurement.map();
-  // A cell that no place of the grid falls into has those of the places beside it.
-  const auto each = [](std::size_t k, std::size_t count, std::size_t of) { return k * of / count; };
+  const Target& target = measurement.target();
+  const bool across_u = target.across == Target::Across::u;
+  const double length = std::max(length_of_line(map, across_u), 1e-9);
+  const double places_per_step = target.step * static_cast<double>(across_u ? map.columns() : map.rows()) / length;
+  const double half = std::min(places_per_step / 2, 64.0);
+  std::vector<CellHeights> cells;
   for (std::size_t row = 0; row < rows; ++row) {
+    const Places j = places_in(row, rows, map.rows());
     for (std::size_t column = 0; column < columns; ++column) {
-      CellHeights& heights = cells[row * columns + column];
-      const std::size_t i_end =
-          std::max(each(column, columns, map.columns()) + 1, each(column + 1, columns, map.columns()));
-      const std::size_t j_end = std::max(each(row, rows, map.rows()) + 1, each(row + 1, rows, map.rows()));
-      for (std::size_t j = each(row, rows, map.rows()); j < j_end; ++j) {
-        for (std::size_t i = each(column, columns, map.columns()); i < i_end; ++i) {
-          const double height = map.at(i, j).height;
-          if (height == no_place) continue;
-          heights.most = std::max(heights.most, height);
-          heights.least = std::min(heights.least, height);
-          heights.unreached = heights.unreached || height >= measurement.target().reach;
-        }
-      }
+      const Places i = places_in(column, columns, map.columns());
+      cells.push_back(heights_in(map, i, j, target.reach));
+      cells.back().most =
+          std::max(cells.back().most, target.across == Target::Across::u
+                                          ? heights_in(map, widened(i, half, map.columns()), j, target.reach).most
+                                          : heights_in(map, i, widened(j, half, map.rows()), target.reach).most);
     }
   }
   return cells;
@@ -124,10 +155,10 @@ void put_map(std::string& out, const Measurement& measurement, const MapPlace& p
       const int kind = kind_of(cells[row * columns + column], scale);
       for (end = column + 1; end < columns && kind_of(cells[row * columns + end], scale) == kind;) ++end;
       put(strokes[static_cast<std::size_t>(kind + 4)], "M", fixed(place.left + static_cast<double>(column) * wide, 1),
-          " ", fixed(y, 1), "h", fixed(static_cast<double>(end - column) * wide, 1));
+          " ", fixed(y, 1), "h", fixed(static_cast<double>(end - column) * wide + 0.3, 1));
     }
   }
-  put(out, "<g shape-rendering=\"crispEdges\" stroke-width=\"", fixed(high + 0.2, 2), "\">\n");
+  put(out, "<g shape-rendering=\"crispEdges\" stroke-width=\"", fixed(high + 0.3, 2), "\">\n");
   for (std::size_t k = 0; k < strokes.size(); ++k) {
     if (strokes[k].empty() || k == 3) continue;
     put(out, "<path class=\"",
@@ -164,14 +195,14 @@ void put_legend(std::string& out, const Measurement& measurement, const HeightSc
   const auto stroke = [&](const std::string& kind) {
     return "<path class=\"" + kind + "\" stroke-width=\"8\" d=\"M" + fixed(x, 1) + " " + fixed(y, 1) + "h14\"/>";
   };
-  const auto triangle = [&](const std::string& shape) {
-    return "<path class=\"peak\" d=\"M" + fixed(x + 1, 1) + " " + fixed(shape.back() == '-' ? y + 5 : y - 5, 1) +
-           "h12l-6 " + (shape.back() == '-' ? "-10" : "10") + "z\"/>";
+  const auto triangle = [&](bool is_cut) {
+    return "<path class=\"peak\" d=\"M" + fixed(x + 1, 1) + " " + fixed(is_cut ? y - 5 : y + 5, 1) +
+           (is_cut ? "h12l-6 10z\"/>" : "h12l-6 -10z\"/>");
   };
   const Findings& found = measurement.findings();
-  if (found.ridge.word >= 0) key(triangle("-"), "tallest");
-  if (found.cut.word >= 0) key(triangle("+"), "deepest cut");
-  if (found.cut.word >= 0) key(stroke("cut"), "cut");
+  if (found.ridge.word >= 0) key(triangle(false), "tallest");
+  if (found.cut.word >= 0) key(triangle(true), "deepest cut");
+  if (-found.cut.height > scale.allowed) key(stroke("cut"), "cut deeper than allowed");
   if (found.not_reached > 0) key(stroke("missed"), "not reached");
 }
 
@@ -270,7 +301,7 @@ base::Result<void> write_map_svg(const std::string& title, const std::vector<Pic
   double y = title_height;
   for (const Pictured& pictured : surfaces) {
     const Measurement& measurement = *pictured.measurement;
-    const HeightScale scale = scale_of(measurement.findings());
+    const HeightScale scale = scale_of(pictured);
     put(body, "<text x=\"", fixed(margin, 1), "\" y=\"", fixed(y + 12, 1), "\">", escaped(pictured.title, 100),
         "</text>\n");
     const MapPlace place = place_of(measurement, y + heading_height);

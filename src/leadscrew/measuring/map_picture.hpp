@@ -13,7 +13,8 @@ namespace leadscrew::measuring {
 struct Pictured {
   std::string title;
   const Measurement* measurement = nullptr;
-  double scallop = 0;  ///< mm asked for, drawn dashed; 0: none was
+  double scallop = 0;      ///< mm asked for, drawn dashed; 0: none was
+  double allowed_cut = 0;  ///< mm; ≥ 0
 };
 
 /// SVG, one surface below the other. Errors: those of the sink.
