@@ -45,7 +45,8 @@ inline const Findings& measured(Measurement& measurement, const Passes& passes, 
   const ToolBody body{passes.cutter.radius, passes.cutter.corner_radius};
   do {
     for (std::size_t k = 0; k < poses.size(); ++k)
-      measurement.add(poses[k], body, static_cast<std::int64_t>(k), k % static_cast<std::size_t>(passes.words + 1) > 0);
+      measurement.add(poses[k], body, {static_cast<std::int64_t>(k)},
+                      k % static_cast<std::size_t>(passes.words + 1) > 0);
   } while (measurement.end_reading());
   return measurement.findings();
 }

@@ -27,7 +27,7 @@ TEST(Cuts, AreAsDeepAsTheToolIsTooLow) {
   // Along the axis; along n it is less where the surface slopes, and all of it where it is level.
   EXPECT_LE(found.cut.height, -0.0199);
   EXPECT_GE(found.cut.height, -0.02 - 1e-5);
-  EXPECT_GE(found.cut.word, 0);
+  EXPECT_GE(found.cut.word.number, 0);
 }
 
 /// One word that goes down into the middle of a plane.
@@ -38,12 +38,12 @@ TEST(Cuts, AreFoundBetweenThePlacesOfTheGridWithTheirWord) {
     do {
       for (std::int64_t word = 0; word < 100; ++word) {
         const double depth = word == 57 ? 0.125 : -0.5;
-        measurement.add({{17.1234, 11.0321, -depth}, {0, 0, 1}}, body, word, word != 57 && word != 58);
+        measurement.add({{17.1234, 11.0321, -depth}, {0, 0, 1}}, body, {word}, word != 57 && word != 58);
       }
     } while (measurement.end_reading());
     const Findings& found = measurement.findings();
     EXPECT_NEAR(found.cut.height, -0.125, 1e-9);
-    EXPECT_EQ(found.cut.word, 57);
+    EXPECT_EQ(found.cut.word.number, 57);
     const double off = std::hypot(found.cut.place[0] - 17.1234, found.cut.place[1] - 11.0321);
     EXPECT_LT(off, body.radius - body.corner_radius + 1e-3);
     EXPECT_GT(found.not_reached, 1200 - 3.2 * 3.2 * 3.1416) << "the rest";
@@ -56,10 +56,10 @@ TEST(Cuts, OfToolsBehindTheSurfaceAreNone) {
   do {
     // As long as the ball alone: all of it lies below.
     for (std::int64_t word = 0; word < 100; ++word)
-      measurement.add({{0.4 * static_cast<double>(word), 15, -8}, {0, 0, 1}}, {3, 3, 6}, word, word > 0);
+      measurement.add({{0.4 * static_cast<double>(word), 15, -8}, {0, 0, 1}}, {3, 3, 6}, {word}, word > 0);
   } while (measurement.end_reading());
   EXPECT_NEAR(measurement.findings().not_reached, 1200, 1e-3);
-  EXPECT_EQ(measurement.findings().cut.word, -1);
+  EXPECT_EQ(measurement.findings().cut.word.number, -1);
 }
 
 TEST(Cuts, OfAFlankAreSeenAsWellAsThoseOfATip) {
@@ -73,7 +73,7 @@ TEST(Cuts, OfAFlankAreSeenAsWellAsThoseOfATip) {
   Measurement measurement(target);
   do {
     for (std::int64_t word = 0; word < 100; ++word)
-      measurement.add({{2.97, 0.4 * static_cast<double>(word), -1}, {0, 0, 1}}, {3, 0, 20}, word, word > 0);
+      measurement.add({{2.97, 0.4 * static_cast<double>(word), -1}, {0, 0, 1}}, {3, 0, 20}, {word}, word > 0);
   } while (measurement.end_reading());
   const Findings& found = measurement.findings();
   EXPECT_NEAR(found.cut.height, -0.03, 1e-9);

@@ -76,7 +76,7 @@ TEST(Scallops, OfABallRoundACylinderAreTheClosedForm) {
           const SurfacePlace at = Net(target.form, side).at(k / 200.0, v);
           ToolPose pose{{}, at.n};
           pose.tip = at.s;
-          measurement.add(pose, {radius, radius}, word++, k > 0);
+          measurement.add(pose, {radius, radius}, {word++}, k > 0);
         }
       }
     } while (measurement.end_reading());

@@ -152,7 +152,7 @@ TEST(WordPath, FollowsACircleBetweenItsWords) {
   WordPath path;
   for (int k = 0; k <= 60; ++k) {
     const double angle = 2 * std::numbers::pi * k / 60;
-    path.add({{20 * std::cos(angle), 20 * std::sin(angle), 0}, {0, 0, 1}}, {1, 1}, k, k > 0, sink);
+    path.add({{20 * std::cos(angle), 20 * std::sin(angle), 0}, {0, 0, 1}}, {1, 1}, {k}, k > 0, sink);
   }
   path.end(sink);
   EXPECT_LT(off, 1e-4) << "chords alone would be 0.027 off";
@@ -171,7 +171,7 @@ TEST(WordPath, GoesStraightAtACornerAndNotAcrossABreak) {
   WordPath path;
   const std::vector<Vector> tips = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}};
   for (std::size_t k = 0; k < tips.size(); ++k)
-    path.add({tips[k], {0, 0, 1}}, {1, 1}, static_cast<std::int64_t>(k), k != 3, sink);
+    path.add({tips[k], {0, 0, 1}}, {1, 1}, {static_cast<std::int64_t>(k)}, k != 3, sink);
   path.end(sink);
   EXPECT_EQ(steps, 5) << "two words where something begins, and three ways";
 }

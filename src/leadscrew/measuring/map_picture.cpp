@@ -200,8 +200,8 @@ void put_legend(std::string& out, const Measurement& measurement, const HeightSc
            (is_cut ? "h12l-6 10z\"/>" : "h12l-6 -10z\"/>");
   };
   const Findings& found = measurement.findings();
-  if (found.ridge.word >= 0) key(triangle(false), "tallest");
-  if (found.cut.word >= 0) key(triangle(true), "deepest cut");
+  if (found.ridge.exists()) key(triangle(false), "tallest");
+  if (found.cut.exists()) key(triangle(true), "deepest cut");
   if (-found.cut.height > scale.allowed) key(stroke("cut"), "cut deeper than allowed");
   if (found.not_reached > 0) key(stroke("missed"), "not reached");
 }
@@ -306,12 +306,12 @@ base::Result<void> write_map_svg(const std::string& title, const std::vector<Pic
         "</text>\n");
     const MapPlace place = place_of(measurement, y + heading_height);
     put_map(body, measurement, place, scale);
-    if (measurement.findings().ridge.word >= 0) put_peak(body, measurement, place, measurement.findings().ridge, false);
-    if (measurement.findings().cut.word >= 0) put_peak(body, measurement, place, measurement.findings().cut, true);
+    if (measurement.findings().ridge.exists()) put_peak(body, measurement, place, measurement.findings().ridge, false);
+    if (measurement.findings().cut.exists()) put_peak(body, measurement, place, measurement.findings().cut, true);
     y = place.top + place.high + 26;
     put_legend(body, measurement, scale, y);
     y += legend_height;
-    if (measurement.findings().ridge.word >= 0) {
+    if (measurement.findings().ridge.exists()) {
       put_section(body, pictured, y);
       y += section_height + 26;
     }

@@ -56,11 +56,12 @@ Measurement::Measurement(Target target)
   tree_.begin(first_reach(target_));
 }
 
-void Measurement::add(const ToolPose& pose, const ToolBody& body, std::int64_t word, bool joined) {
+void Measurement::add(const ToolPose& pose, const ToolBody& body, const WordPlace& word, bool joined) {
   words_.add(pose, body, word, joined, [this](const WordStep& step) { take(step); });
 }
 
 void Measurement::take(const WordStep& step) {
+  if (stage_ == Stage::done) return;
   if (stage_ == Stage::peaks) return peaks_.see(step.tool, step.word);
   steps_.push_back(step);
   if (steps_.size() >= steps_at_once) lower_all();
@@ -81,6 +82,7 @@ void Measurement::lower_all() {
 
 bool Measurement::end_reading() {
   words_.end([this](const WordStep& step) { take(step); });
+  if (stage_ == Stage::done) return false;
   if (stage_ != Stage::peaks) {
     lower_all();
     const bool is_first = stage_ == Stage::near && first_reach(target_) < target_.reach;
@@ -91,6 +93,7 @@ bool Measurement::end_reading() {
     peaks_.choose(tree_, lines_, target_);
     return true;
   }
+  stage_ = Stage::done;
   peaks_.refine(net_);
   findings_.ridge = peaks_.ridge();
   findings_.cut = peaks_.cut();

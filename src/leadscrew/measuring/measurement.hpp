@@ -46,9 +46,10 @@ class Measurement {
   Measurement& operator=(const Measurement&) = delete;
 
   /// The next word's tool: where it is, and what of it cuts. `joined`: it has come straight from the word before, as the same
-  /// body, turning by less than a degree or so. Words are numbered from 0.
-  void add(const ToolPose& pose, const ToolBody& body, std::int64_t word, bool joined);
-  /// After the last word. True: all words are to be given once more.
+  /// body, turning by less than a degree or so.
+  void add(const ToolPose& pose, const ToolBody& body, const WordPlace& word, bool joined);
+  /// After the last word. True: all words are to be given once more. Once it is false, words and readings change
+  /// nothing any more.
   bool end_reading();
 
   /// After the last reading.
@@ -72,7 +73,7 @@ class Measurement {
   WordPath words_;
   std::vector<WordStep> steps_;
   /// Of readings: what is near the surface, what else is within reach, and the peaks.
-  enum class Stage : std::uint8_t { near, far, peaks } stage_ = Stage::near;
+  enum class Stage : std::uint8_t { near, far, peaks, done } stage_ = Stage::near;
   Findings findings_;
 };
 

@@ -129,7 +129,7 @@ void Peaks::choose(const PlaceTree& map, const GridLines& lines, const Target& t
   make_cells(cut_candidates_, map, lines, true);
 }
 
-void Peaks::see(const SweptTool& tool, std::int64_t word) {
+void Peaks::see(const SweptTool& tool, const WordPlace& word) {
   for (Cell& cell : cells_) {
     if (cell.tools.size() < most_tools && cell.around.may_lower(tool)) cell.tools.push_back({tool, word});
   }
@@ -137,7 +137,7 @@ void Peaks::see(const SweptTool& tool, std::int64_t word) {
 
 Peak Peaks::height_at(const Cell& cell, const Net& net, double u, double v) const {
   const SurfacePlace place = net.at(u, v);
-  Peak peak{reach_, u, v, place.s, -1};
+  Peak peak{reach_, u, v, place.s, {}};
   for (const Kept& kept : cell.tools) {
     const double height = kept.tool.entry(place.s, place.n, deepest_of(kept.tool.body()), peak.height);
     if (height >= peak.height) continue;
@@ -156,8 +156,8 @@ Peak Peaks::refined(const Cell& cell, const Net& net) const {
     for (int j = 0; j <= parts; ++j) {
       for (int i = 0; i <= parts; ++i) {
         const Peak found = height_at(cell, net, u.from + i * wide, v.from + j * high);
-        if (found.word < 0) continue;  // no tool: not reached
-        if (best.word < 0 || (cell.is_cut ? found.height < best.height : found.height > best.height)) best = found;
+        if (!found.exists()) continue;  // no tool: not reached
+        if (!best.exists() || (cell.is_cut ? found.height < best.height : found.height > best.height)) best = found;
       }
     }
     u = {std::max(cell.u.from, best.u - wide), std::min(cell.u.to, best.u + wide)};
@@ -169,9 +169,9 @@ Peak Peaks::refined(const Cell& cell, const Net& net) const {
 void Peaks::refine(const Net& net) {
   for (const Cell& cell : cells_) {
     const Peak peak = refined(cell, net);
-    if (peak.word < 0) continue;
+    if (!peak.exists()) continue;
     Peak& best = cell.is_cut ? cut_ : ridge_;
-    if (best.word < 0 || (cell.is_cut ? peak.height < best.height : peak.height > best.height)) best = peak;
+    if (!best.exists() || (cell.is_cut ? peak.height < best.height : peak.height > best.height)) best = peak;
   }
   cells_.clear();
 }

@@ -14,16 +14,20 @@
 #include <leadscrew/measuring/net.hpp>
 #include <leadscrew/measuring/place_tree.hpp>
 #include <leadscrew/measuring/target.hpp>
+#include <leadscrew/measuring/word_path.hpp>
 #include <vector>
 
 namespace leadscrew::measuring {
 
 /// A place that stands out.
 struct Peak {
-  double height = 0;       ///< mm along n
-  double u = 0, v = 0;     ///< where
-  Vector place{};          ///< mm
-  std::int64_t word = -1;  ///< whose tool leaves it so; −1: none's
+  double height = 0;    ///< mm along n
+  double u = 0, v = 0;  ///< where
+  Vector place{};       ///< mm
+  WordPlace word;       ///< whose tool leaves it so
+
+  /// Has any been found?
+  bool exists() const { return word.number >= 0; }
 };
 
 /// Where a line of the grid crosses a ridge: heights by the number of the place, `at` between two of them.
@@ -39,7 +43,7 @@ class Peaks {
   /// Of a finished map. What it gets must not change before refine().
   void choose(const PlaceTree& map, const GridLines& lines, const Target& target);
   /// Keeps the tool where it may leave least of one of them.
-  void see(const SweptTool& tool, std::int64_t word);
+  void see(const SweptTool& tool, const WordPlace& word);
   /// Seeks them, of the tools seen. `net`: of the target.
   void refine(const Net& net);
 
@@ -51,7 +55,7 @@ class Peaks {
  private:
   struct Kept {
     SweptTool tool;
-    std::int64_t word = 0;
+    WordPlace word;
   };
   struct Cell {
     surfaces::Range u, v;

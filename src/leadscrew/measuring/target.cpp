@@ -17,7 +17,15 @@ double parameter(const surfaces::Range& range, std::size_t k, std::size_t interv
              : range.from + (range.to - range.from) * static_cast<double>(k) / static_cast<double>(intervals);
 }
 
-/// The longest of some lines along a direction of parameters, mm.
+std::vector<double> spread(const surfaces::Range& range, double count) {
+  const auto intervals = static_cast<std::size_t>(std::max(count, static_cast<double>(fewest_lines - 1)));
+  std::vector<double> parameters;
+  for (std::size_t k = 0; k <= intervals; ++k) parameters.push_back(parameter(range, k, intervals));
+  return parameters;
+}
+
+}  // namespace
+
 double length_along(const Target& target, surfaces::Direction direction) {
   constexpr std::size_t lines = 8, chords = 64;
   const Net net(target.form, target.side);
@@ -37,15 +45,6 @@ double length_along(const Target& target, surfaces::Direction direction) {
   }
   return longest;
 }
-
-std::vector<double> spread(const surfaces::Range& range, double count) {
-  const auto intervals = static_cast<std::size_t>(std::max(count, static_cast<double>(fewest_lines - 1)));
-  std::vector<double> parameters;
-  for (std::size_t k = 0; k <= intervals; ++k) parameters.push_back(parameter(range, k, intervals));
-  return parameters;
-}
-
-}  // namespace
 
 GridLines grid_of(const Target& target) {
   const double spacing = target.step / target.places_per_step;

@@ -25,5 +25,7 @@ struct GridLines {
   std::vector<double> u, v;
 };
 GridLines grid_of(const Target& target);
+/// The longest of some lines of its range along a direction of parameters, mm.
+double length_along(const Target& target, surfaces::Direction direction);
 
 }  // namespace leadscrew::measuring

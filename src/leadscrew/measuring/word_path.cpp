@@ -52,23 +52,25 @@ void WordPath::tell(std::size_t from, const Sink& sink) {
   // A corner that is as sharp as that is no motion of a machine: nothing is known of what lies between.
   const bool is_smooth = has_before && has_behind && most < length / 2;
   const double parts = is_smooth ? std::clamp(std::ceil(std::sqrt(chord / exact_enough)), 1.0, most_parts) : 1;
-  const std::int64_t word = word_ - static_cast<std::int64_t>(count_ - 1 - from);
   ToolPose begin = p[1];
   for (double k = 1; k <= parts; ++k) {
     const ToolPose end = k == parts ? p[2] : between(p, k / parts);
-    sink({SweptTool(body_, begin, end), word, chord / (parts * parts)});
+    sink({SweptTool(body_, begin, end), places_[from], chord / (parts * parts)});
     begin = end;
   }
 }
 
-void WordPath::add(const ToolPose& pose, const ToolBody& body, std::int64_t word, bool joined, const Sink& sink) {
-  if (!joined) end(sink);
+void WordPath::add(const ToolPose& pose, const ToolBody& body, const WordPlace& word, bool joined, const Sink& sink) {
+  // What turns by more than 60° between two words has not gone the shortest way.
+  const bool leaps = count_ > 0 && numeric::dot(pose.axis, poses_[count_ - 1].axis) < 0.5;
+  if (!joined || leaps) end(sink);
   body_ = body;
-  word_ = word;
   if (count_ == poses_.size()) {
     std::move(poses_.begin() + 1, poses_.end(), poses_.begin());
+    std::move(places_.begin() + 1, places_.end(), places_.begin());
     --count_;
   }
+  places_[count_] = word;
   poses_[count_++] = pose;
   if (count_ == 1) return sink({SweptTool(body, pose, pose), word, 0});
   if (count_ >= 3) tell(count_ - 3, sink);
