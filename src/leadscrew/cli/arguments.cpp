@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <leadscrew/cli/about.hpp>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/curve_program.hpp>
@@ -50,6 +51,13 @@ constexpr std::string_view verify_examples =
     "  leadscrew verify other-controller.csv part.ngc --report judged.html\n"
     "\n"
     "TRACE is CSV with columns t and axis letters, or NPY. Without --period its rows must be evenly spaced in t.\n";
+
+constexpr std::string_view measure_examples =
+    "Examples:\n"
+    "  leadscrew measure words.csv part.ngc --tools tools.tbl\n"
+    "  leadscrew measure words.csv part.ngc --tools tools.tbl --allow 0.002 --picture left.svg --map left.csv\n"
+    "\n"
+    "TRACE is CSV with columns t, line and axis letters, or NPY; without line the program may have one tool only.\n";
 
 std::string shell_quoted(std::string_view text) {
   const auto is_plain = [](char c) {
@@ -138,6 +146,40 @@ void describe_verify(Command& command, Arguments& arguments) {
   command.help(std::string(verify_examples) + curves_text());
 }
 
+Parsed<double> parse_reach(std::string_view text) {
+  auto reach = parse_number(text);
+  if (reach && *reach <= 0) return wrong("\"{}\": above 0", text);
+  return reach;
+}
+
+Parsed<std::int64_t> parse_places(std::string_view text) {
+  const auto places = parse_number(text);
+  if (!places) return tl::unexpected(places.error());
+  if (*places >= 4096 && *places <= 1 << 24 && *places == std::floor(*places))
+    return static_cast<std::int64_t>(*places);
+  return wrong("\"{}\": a whole number from 4096 to 16777216", text);
+}
+
+void describe_measure(Command& command, Arguments& arguments) {
+  results::MeasureQuestion& question = arguments.measure;
+  command.word("TRACE", "Trace, " + trace::endings_text() + "; - is standard input", arguments.judged_trace,
+               file(trace_endings()));
+  command.word("PROGRAM", "Its part program, which machines surfaces (G6.5); - is standard input", arguments.programs,
+               program_values());
+  add_common(command, arguments);
+  command.value("--allow", "MM", "How deep a cut may be (default: the machine's tolerance)", question.allowed_cut,
+                parse_tolerance);
+  command.value("--ridge", "MM", "How tall a ridge may be (default: ridges are not judged)", question.allowed_ridge,
+                parse_tolerance);
+  command.value("--reach", "MM", "What is left above has not been reached (default: 1)", question.reach, parse_reach);
+  command.value("--places", "COUNT", "Of the grid at most, 4096 to 16777216 (default: 1048576)", question.places,
+                parse_places);
+  command.output("--map", "FILE.csv", "Write what is left at each place of the grid", question.map, {".csv"});
+  command.output("--picture", "FILE.svg", "Write what is left in colours, and a section across the passes",
+                 question.picture, {".svg"});
+  command.help(std::string(measure_examples));
+}
+
 struct Described {
   const char* name;
   const char* what;
@@ -149,6 +191,7 @@ constexpr std::array<Described, 14> verbs = {
     {{"run", "Plan and interpolate; summary, report, picture, traces, steps", describe_run},
      {"check", "Read only: diagnostics", describe_check},
      {"verify", "The referee: any trace against its program and machine", describe_verify},
+     {"measure", "The surface that a tool leaves: ridges, cuts, what was not reached", describe_measure},
      {"canon", "The canonical machining calls of a program, as rs274 -g prints them", describe_canon},
      {"pulse", "One line or arc in reference pulses, clock by clock", describe_pulse},
      {"study", "Published tables and figures made again, ours beside them", describe_study},
@@ -172,7 +215,8 @@ std::vector<std::string> command_names() {
 void describe_program(options::Program& program, Arguments& arguments) {
   program.exit_statuses = exit_statuses;
   program.known_commands =
-      "; there are run, check, verify, canon and simulate for programs, drive to run them on time, pulse, study and "
+      "; there are run, check, verify, measure, canon and simulate for programs, drive to run them on time, pulse, "
+      "study and "
       "design; "
       "explain and format for blocks in words and in order, surfaces for STEP and IGES; help says more";
   describe_itself(program.itself, arguments);

@@ -14,6 +14,7 @@
 #include <leadscrew/console/console.hpp>
 #include <leadscrew/drive/setup.hpp>
 #include <leadscrew/gcode/move.hpp>
+#include <leadscrew/results/measured.hpp>
 #include <leadscrew/results/sizing.hpp>
 #include <optional>
 #include <string>
@@ -23,15 +24,16 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Verb { run, check, verify, canon, pulse, study, design, simulate, drive, explain, format, surfaces };
+  enum class Verb { run, check, verify, measure, canon, pulse, study, design, simulate, drive, explain, format, surfaces };
 
   Verb verb = Verb::run;
   std::optional<std::string> explained;   ///< of explain: a block
   bool explain_page = false;              ///< of explain: every code
-  std::vector<std::string> programs;      ///< one or more; of canon and verify one
-  std::string judged_trace;               ///< of verify
+  std::vector<std::string> programs;      ///< one or more; of canon, verify and measure one
+  std::string judged_trace;               ///< of verify and measure
   RunArguments run;                       ///< of run; its files of simulate too
   SimulateArguments simulate;             ///< of simulate
+  results::MeasureQuestion measure;       ///< of measure
   PulseArguments pulse;                   ///< of pulse
   results::SizingQuestion design;         ///< of design
   drive::Options drive;                   ///< of drive

@@ -6,6 +6,7 @@
 #include <leadscrew/cli/design.hpp>
 #include <leadscrew/cli/drive.hpp>
 #include <leadscrew/cli/language.hpp>
+#include <leadscrew/cli/measure.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/pulse.hpp>
 #include <leadscrew/cli/run.hpp>
@@ -45,6 +46,8 @@ std::string_view schema_of(Arguments::Verb command) {
       return results::check_schema;
     case Arguments::Verb::verify:
       return results::verify_schema;
+    case Arguments::Verb::measure:
+      return results::measure_schema;
     case Arguments::Verb::simulate:
       return results::simulate_schema;
     case Arguments::Verb::drive:
@@ -91,6 +94,8 @@ Status perform(const Arguments& arguments) {
       return canon(*job, console);
     case Arguments::Verb::verify:
       return verify(*job, console);
+    case Arguments::Verb::measure:
+      return measure(*job, console);
     case Arguments::Verb::simulate:
       return simulate(*job, console);
     case Arguments::Verb::drive:

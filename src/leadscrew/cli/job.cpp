@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
-#include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/gcode/frame.hpp>
@@ -12,6 +11,7 @@
 #include <leadscrew/language/lint.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>
 #include <leadscrew/results/figures.hpp>
+#include <leadscrew/results/trace_period.hpp>
 
 namespace leadscrew::cli {
 
@@ -173,7 +173,7 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
                      pipeline::Survey* survey, gcode::RemarkSink remarks) {
   const std::int64_t moves_between_checks = survey ? 64 : 4096;  // a survey may make the tool path as well
-  if (is_trace(file, job.machine.axis_set())) {
+  if (results::is_trace(file, job.machine.axis_set())) {
     log.add({base::Severity::error,
              "not-a-program",
              "is a trace, not a part program",

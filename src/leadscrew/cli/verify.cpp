@@ -3,7 +3,6 @@
 #include <cmath>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/trace_period.hpp>
 #include <leadscrew/cli/verify.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
@@ -11,6 +10,7 @@
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
 #include <leadscrew/results/report_form.hpp>
+#include <leadscrew/results/trace_period.hpp>
 #include <leadscrew/trace/trace_reader.hpp>
 
 namespace leadscrew::cli {
@@ -30,7 +30,8 @@ class Verification {
     const auto program_file = open_program(program);
     if (!program_file) log_.add(program_file.error());
     if (log_.errors() > 0) return std::nullopt;
-    if (is_trace(*program_file, job_.machine.axis_set()) && !is_trace(*trace_file, job_.machine.axis_set())) {
+    if (results::is_trace(*program_file, job_.machine.axis_set()) &&
+        !results::is_trace(*trace_file, job_.machine.axis_set())) {
       log_.add(base::problem("usage", fmt::format("{} is the trace, {} is not: the two are swapped", program, trace),
                              fmt::format("leadscrew verify {} {}", program, trace)));
       return std::nullopt;
@@ -52,8 +53,9 @@ class Verification {
  private:
   base::Result<results::VerifyFigures> judge(const files::InputFile& trace, const files::InputFile& program,
                                              const OutputPaths& paths) {
-    const auto period = job_.arguments.period ? base::Result<base::Period>(*job_.arguments.period)
-                                              : trace_period(trace, job_.machine.axis_set(), job_.machine.period);
+    const auto period = job_.arguments.period
+                            ? base::Result<base::Period>(*job_.arguments.period)
+                            : results::trace_period(trace, job_.machine.axis_set(), job_.machine.period);
     if (!period) return base::failure(period.error());
     job_.machine.period = *period;
     auto outputs = Outputs::open(paths, job_);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <leadscrew/cli/trace_period.hpp>
+#include <leadscrew/results/trace_period.hpp>
 #include <leadscrew/trace/trace_reader.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 namespace {
 
@@ -53,4 +53,4 @@ bool is_trace(const files::InputFile& file, base::AxisSet axes) {
   return trace::TraceReader::open(file.source(), file.name(), axes).has_value();
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results

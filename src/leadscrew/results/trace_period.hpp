@@ -6,7 +6,7 @@
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/files/input_file.hpp>
 
-namespace leadscrew::cli {
+namespace leadscrew::results {
 
 /// Rows must be evenly spaced, to 2 % of the first spacing, which leaves room for times of few digits; the period is
 /// their mean spacing, to the nanosecond. A trace of one row has the period `otherwise`. Errors: `trace-period` with
@@ -16,4 +16,4 @@ base::Result<base::Period> trace_period(const files::InputFile& file, base::Axis
 /// Does it begin as a trace does? No part program can.
 bool is_trace(const files::InputFile& file, base::AxisSet axes);
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::results
