@@ -315,6 +315,24 @@ def signals_of(file):
     return found
 
 
+def check_measures(schemas):
+    (scratch / "ball.tbl").write_text("T1 D10 R5\n")
+    (scratch / "patch.ngc").write_text("G21 G90 T1 M6\nG6.4 D1 P2 Q2 I2 J2\nX0 Y0 Z0\nX8\nX0 Y6\nX8\n"
+                                       "G6.5 D1 H0.05 L1 Z2 F6000\nG0 X20\nM2\n")
+    (scratch / "cuts.ngc").write_text((scratch / "patch.ngc").read_text().replace("G0 X20", "G0 Z2 X4 Y3\nG1 Z-0.1\nG0 Z2"))
+    measure = ["--tools", "ball.tbl", "--start", "Z5"]
+    for name in ("patch", "cuts"):
+        run("run", f"{name}.ngc", *measure, "--trace", f"{name}.csv", "--quiet")
+    few = [*measure, "--places", "5000", "--map", "map.csv", "--picture", "map.svg"]
+    json_of(schemas, "measure", "measure", "cuts.csv", "cuts.ngc", *few, status=1)
+    found = json_of(schemas, "measure", "measure", "patch.csv", "patch.ngc", *few)
+    check(0.045 < found["surfaces"][0]["ridge"]["mm"] < 0.0501, f"ridges of 0.05 mm are {found['surfaces'][0]['ridge']}")
+    check_header("map.csv", columns("map", "XYZ"))
+    places = found["surfaces"][0]["columns"] * found["surfaces"][0]["rows"]
+    check(len(rows_of("map.csv")) == places + 1, "map.csv has another number of places")
+    json_of(schemas, "rejected", "measure", "patch.csv", square, status=3)
+
+
 def check_simulations(schemas):
     json_of(schemas, "simulate", "simulate", square)
     json_of(schemas, "simulate", "simulate", "turn.ngc", "--machine", "worn6.toml")
@@ -472,6 +490,7 @@ def main():
     check_runs(schemas)
     check_traces(schemas)
     check_tables()
+    check_measures(schemas)
     check_simulations(schemas)
     check_drives(schemas)
     check_pulses(schemas)
