@@ -54,7 +54,7 @@ TEST(Measure, FindsTheScallopsThatWereAskedFor) {
   EXPECT_LT(found.surface["cut"]["mm"].get<double>(), 2e-5) << "words on chords";
   EXPECT_EQ(found.surface["not_reached_mm2"], 0);
   EXPECT_NEAR(found.surface["area_mm2"].get<double>(), 3673.206807, 0.1);
-  EXPECT_EQ(found.surface["ridge"]["line"], 18);
+  EXPECT_EQ(found.surface["ridge"]["line"], 19);
 }
 
 TEST(Measure, TellsACutAndItsBlockAndFailsWhereItIsDeeperThanAllowed) {
@@ -85,7 +85,7 @@ TEST(Measure, TakesAToolsLengthFromItsPlace) {
 TEST(Measure, PutsSeveralToolsOverOneSurfaceTogether) {
   const Folder folder;
   const std::string program = "G21 G90 G61 T1 M6 G43 H1\n" + plane +
-                              "G6.5 D1 Q1 Z5 F6000\nG0 Z40\nG49\nT2 M6 G43 H2\nG6.5 D1 Q0.5 Z5 F6000\nM2\n";
+                              "G6.5 D1 Q1 Z5 F6000\nG0 Z95\nG49\nT2 M6 G43 H2\nG6.5 D1 Q0.5 Z5 F6000\nM2\n";
   const Measured found = measured(folder, program);
   ASSERT_EQ(found.outcome.status, 0) << found.outcome.errors;
   EXPECT_EQ(found.surface["line"], 10);
@@ -101,7 +101,7 @@ TEST(Measure, PutsSeveralToolsOverOneSurfaceTogether) {
 
 TEST(Measure, JudgesALeaningToolByThePosesOfItsAxes) {
   const Folder folder;
-  const std::string program = "G21 G90 G61 T3 M6\nG43.4 H3\n" + plane + "G6.5 D1 Q1 A10 Z15 F3000\nG49\nM2\n";
+  const std::string program = "G21 G90 G61 T3 M6\nG43.4 H3\n" + plane + "G6.5 D1 Q1 S1 A10 Z15 F3000\nG49\nM2\n";
   const Measured found =
       measured(folder, program, {}, {"--machine", std::string(LEADSCREW_SOURCE_DIR) + "/machines/table-table-ac.toml"});
   ASSERT_EQ(found.outcome.status, 0) << found.outcome.errors;

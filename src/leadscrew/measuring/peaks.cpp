@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/measuring/peaks.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 
 namespace leadscrew::measuring {
 
@@ -30,6 +31,10 @@ double crest_at(const std::vector<double>& h, std::size_t k, double reach) {
     (left(middle) < right(middle) ? from : to) = middle;
   }
   return std::clamp(left(from), h[k], std::min(2 * h[k], reach));
+}
+
+bool is_beyond(const Peak& peak, const Peak& other, bool is_cut) {
+  return is_cut ? peak.height < other.height : peak.height > other.height;
 }
 
 template <class Candidates, class Before>
@@ -135,10 +140,10 @@ void Peaks::see(const SweptTool& tool, const WordPlace& word) {
   }
 }
 
-Peak Peaks::height_at(const Cell& cell, const Net& net, double u, double v) const {
+Peak Peaks::height_at(const std::vector<Kept>& tools, const Net& net, double u, double v) const {
   const SurfacePlace place = net.at(u, v);
   Peak peak{reach_, u, v, place.s, {}};
-  for (const Kept& kept : cell.tools) {
+  for (const Kept& kept : tools) {
     const double height = kept.tool.entry(place.s, place.n, deepest_of(kept.tool.body()), peak.height);
     if (height >= peak.height) continue;
     peak.height = height;
@@ -147,31 +152,46 @@ Peak Peaks::height_at(const Cell& cell, const Net& net, double u, double v) cons
   return peak;
 }
 
-Peak Peaks::refined(const Cell& cell, const Net& net) const {
+/// Leaves those that may lower what is left in a part of a cell, where nothing is higher than `highest` by more than its size.
+void Peaks::keep_near(std::vector<Kept>& tools, const Net& net, const surfaces::Range& u, const surfaces::Range& v,
+                      double highest) const {
+  PlaceTree around(3, 3, {3, 3});
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const SurfacePlace place = net.at(u.from + (u.to - u.from) * static_cast<double>(i) / 2,
+                                        v.from + (v.to - v.from) * static_cast<double>(j) / 2);
+      around.at(i, j) = {place.s, place.n, 0};
+    }
+  }
+  const double size = numeric::distance(around.at(0, 0).s, around.at(2, 2).s);
+  around.begin(std::min(reach_, std::max(highest, 0.0) + size));
+  std::erase_if(tools, [&](const Kept& kept) { return !around.may_lower(kept.tool); });
+}
+
+Peak Peaks::refined(Cell& cell, const Net& net) const {
   constexpr int parts = 8, rounds = 12;  // each time a quarter of the width
   surfaces::Range u = cell.u, v = cell.v;
-  Peak best = height_at(cell, net, (u.from + u.to) / 2, (v.from + v.to) / 2);
+  Peak best = height_at(cell.tools, net, (u.from + u.to) / 2, (v.from + v.to) / 2);
   for (int round = 0; round < rounds; ++round) {
     const double wide = (u.to - u.from) / parts, high = (v.to - v.from) / parts;
     for (int j = 0; j <= parts; ++j) {
       for (int i = 0; i <= parts; ++i) {
-        const Peak found = height_at(cell, net, u.from + i * wide, v.from + j * high);
-        if (!found.exists()) continue;  // no tool: not reached
-        if (!best.exists() || (cell.is_cut ? found.height < best.height : found.height > best.height)) best = found;
+        const Peak found = height_at(cell.tools, net, u.from + i * wide, v.from + j * high);
+        if (found.exists() && (!best.exists() || is_beyond(found, best, cell.is_cut))) best = found;
       }
     }
     u = {std::max(cell.u.from, best.u - wide), std::min(cell.u.to, best.u + wide)};
     v = {std::max(cell.v.from, best.v - high), std::min(cell.v.to, best.v + high)};
+    keep_near(cell.tools, net, u, v, best.height);
   }
   return best;
 }
 
 void Peaks::refine(const Net& net) {
-  for (const Cell& cell : cells_) {
+  for (Cell& cell : cells_) {
     const Peak peak = refined(cell, net);
-    if (!peak.exists()) continue;
     Peak& best = cell.is_cut ? cut_ : ridge_;
-    if (!best.exists() || (cell.is_cut ? peak.height < best.height : peak.height > best.height)) best = peak;
+    if (peak.exists() && (!best.exists() || is_beyond(peak, best, cell.is_cut))) best = peak;
   }
   cells_.clear();
 }

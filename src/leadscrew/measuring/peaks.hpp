@@ -70,8 +70,10 @@ class Peaks {
   void cross(const PlaceTree& map, bool along_columns, double reach);
   void find_cuts(const PlaceTree& map);
   void make_cells(std::vector<Candidate>& candidates, const PlaceTree& map, const GridLines& lines, bool is_cut);
-  Peak refined(const Cell& cell, const Net& net) const;
-  Peak height_at(const Cell& cell, const Net& net, double u, double v) const;
+  Peak refined(Cell& cell, const Net& net) const;
+  Peak height_at(const std::vector<Kept>& tools, const Net& net, double u, double v) const;
+  void keep_near(std::vector<Kept>& tools, const Net& net, const surfaces::Range& u, const surfaces::Range& v,
+                 double highest) const;
 
   std::vector<Candidate> ridge_candidates_, cut_candidates_;
   std::vector<Cell> cells_;

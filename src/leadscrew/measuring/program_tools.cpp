@@ -16,9 +16,21 @@ std::optional<ToolBody> body_of(const machine::Tool* tool) {
 }
 
 bool is_same(const ProgramSurface& surface, const gcode::Machined& other, const std::array<double, 3>& offset) {
+  constexpr double rounding = 1e-9;  // mm
   const surfaces::Machining &a = surface.machined->machining, &b = other.machining;
-  return surface.machined->is_of_tip == other.is_of_tip && surface.offset == offset && a.side == b.side && a.u == b.u &&
-         a.v == b.v && (a.surface == b.surface || a.surface->form() == b.surface->form());
+  if (surface.machined->is_of_tip != other.is_of_tip || a.side != b.side || !(a.u == b.u) || !(a.v == b.v))
+    return false;
+  const surfaces::SurfaceForm &form = a.surface->form(), &other_form = b.surface->form();
+  if (form.degree != other_form.degree || form.knots != other_form.knots || form.net.size() != other_form.net.size())
+    return false;
+  for (std::size_t k = 0; k < form.net.size(); ++k) {
+    if (form.net[k].weight != other_form.net[k].weight) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double apart = form.net[k].position[i] - surface.offset[i] - other_form.net[k].position[i] + offset[i];
+      if (std::abs(apart) > rounding) return false;
+    }
+  }
+  return true;
 }
 
 /// How many mm there are to be between passes, by what they leave, roughly.
