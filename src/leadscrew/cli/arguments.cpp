@@ -187,7 +187,7 @@ struct Described {
 };
 
 /// Those of Arguments::Verb, in its order; then those that are answered at once.
-constexpr std::array<Described, 14> verbs = {
+constexpr std::array<Described, 15> verbs = {
     {{"run", "Plan and interpolate; summary, report, picture, traces, steps", describe_run},
      {"check", "Read only: diagnostics", describe_check},
      {"verify", "The referee: any trace against its program and machine", describe_verify},

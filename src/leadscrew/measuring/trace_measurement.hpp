@@ -38,6 +38,8 @@ class TraceMeasurement {
   /// In the order of tools().surfaces().
   const std::vector<std::unique_ptr<Measurement>>& measurements() const { return measurements_; }
   std::int64_t words() const { return words_; }
+  /// Of the machine.
+  base::AxisSet axes() const { return machine_->axis_set(); }
 
  private:
   base::Result<void> read_once(const Opener& open, const Watcher& watch, std::int64_t& rows);
