@@ -88,7 +88,7 @@ TEST(Measure, PutsSeveralToolsOverOneSurfaceTogether) {
                               "G6.5 D1 Q1 Z5 F6000\nG0 Z95\nG49\nT2 M6 G43 H2\nG6.5 D1 Q0.5 Z5 F6000\nM2\n";
   const Measured found = measured(folder, program);
   ASSERT_EQ(found.outcome.status, 0) << found.outcome.errors;
-  EXPECT_EQ(found.surface["line"], 10);
+  EXPECT_EQ(found.surface["line"], 11);
   EXPECT_NEAR(found.surface["ridge"]["mm"].get<double>(), 5 - std::sqrt(25 - 0.0625), 1e-6);
 
   // Another controller's trace does not tell lines: then nobody knows which tool cuts.
