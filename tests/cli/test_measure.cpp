@@ -128,8 +128,8 @@ TEST(Measure, WritesAMapAndAPictureAndSaysSo) {
                                           "--places", "5000", "--map", "left.csv", "--picture", "left.svg"});
   ASSERT_EQ(told.status, 0) << told.errors;
   for (const char* text :
-       {"surface 1, line 7: 13 passes of a ball of 10 mm, 1 mm apart", "cut        none", "tall at u",
-        "all of it reached", "kept: no cut deeper than 0.01 mm", "wrote      left.csv", "wrote      left.svg"})
+       {"surface 1, line 7: 13 passes of a ball of 10 mm, 1 mm apart", "deep at u", "tall at u", "all of it reached",
+        "kept: no cut deeper than 0.01 mm", "wrote      left.csv", "wrote      left.svg"})
     EXPECT_TRUE(contains(told.output, text)) << text << "\n" << told.output;
   EXPECT_TRUE(folder.read("left.csv").starts_with("line,u,v,x,y,z,height\n7,0,0,0,0,0,"));
   for (const char* text :
