@@ -51,7 +51,7 @@ TEST(DirectedCurves, AreSmooth) {
   const Reading reading = read_well(
       "F600\nG0 A20 Z40\nG43.4\nG6.6 P3\nX10 Y5 Z38 I0.2 J0.5 K1\nX20 Y5 I0.3 K1\nX30 Y0 Z39 I0.1 J0.2 K1\nM2\n",
       table());
-  const NurbsCurve& curve = reading.of(Move::Kind::nurbs).at(0).curve;
+  const NurbsCurve curve = reading.of(Move::Kind::nurbs).at(0).curve;
   constexpr double h = 1e-4;
   for (std::size_t k = 6; k + 6 < curve.knots.size(); k += 3) {
     const double u = curve.knots[k];

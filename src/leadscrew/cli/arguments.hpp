@@ -24,7 +24,21 @@
 namespace leadscrew::cli {
 
 struct Arguments {
-  enum class Verb { run, check, verify, measure, canon, pulse, study, design, simulate, drive, explain, format, surfaces };
+  enum class Verb {
+    run,
+    check,
+    verify,
+    measure,
+    canon,
+    pulse,
+    study,
+    design,
+    simulate,
+    drive,
+    explain,
+    format,
+    surfaces
+  };
 
   Verb verb = Verb::run;
   std::optional<std::string> explained;   ///< of explain: a block

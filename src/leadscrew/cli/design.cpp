@@ -1,6 +1,6 @@
 #include <leadscrew/cli/design.hpp>
-#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/sizing.hpp>
 

@@ -2,8 +2,8 @@
 // `leadscrew design`: sizes of digital integrators, their clocks and feed words.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/options.hpp>
+#include <leadscrew/console/console.hpp>
 
 namespace leadscrew::cli {
 

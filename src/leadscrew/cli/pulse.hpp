@@ -2,8 +2,8 @@
 // `leadscrew pulse`: one line or arc by interpolators of reference pulses, clock by clock.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/options.hpp>
+#include <leadscrew/console/console.hpp>
 
 namespace leadscrew::cli {
 

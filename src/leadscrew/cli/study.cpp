@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
+#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>

@@ -2,8 +2,8 @@
 // `leadscrew study`: the published experiments made again, as a table or as JSON.
 
 #include <leadscrew/cli/arguments.hpp>
-#include <leadscrew/console/console.hpp>
 #include <leadscrew/cli/options.hpp>
+#include <leadscrew/console/console.hpp>
 
 namespace leadscrew::cli {
 

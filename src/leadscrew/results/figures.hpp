@@ -66,7 +66,7 @@ struct CheckFigures {
   std::int64_t moves = 0;  ///< lines and arcs
   /// Of a program without errors.
   std::vector<Extent> extents{};
-  std::optional<double> bound_s{};  ///< as pipeline::Summary has it
+  std::optional<double> bound_s{};                 ///< as pipeline::Summary has it
   std::optional<gouging::GougeVerdict> gouging{};  ///< where it was asked for
   // What the program says.
   std::vector<gcode::Remark> messages{};  ///< the first of them
