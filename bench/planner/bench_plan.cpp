@@ -170,6 +170,14 @@ const bool added = [] {
   const machine::Machine trunnion = testing_support::trunnion();
   add("blade of 4500 short lines in five axes", trunnion,
       path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), trunnion));
+  machine::Machine like_mill = trunnion;
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
+    auto& limits = like_mill.axes[base::index(axis)];
+    const auto of_mill = machine::mill3().axes[base::index(axis)];
+    limits->velocity = of_mill->velocity, limits->acceleration = of_mill->acceleration, limits->jerk = of_mill->jerk;
+  }
+  add("the same with the linear axes of the built-in mill", like_mill,
+      path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), like_mill));
   testing_support::CurveInSixAxes curve(50);
   const geometry::Point at = curve.start();
   Path path;

@@ -42,7 +42,7 @@ void take_nearer(Nearest& best, double distance, const Vector& place) {
 void test_edge(const Part& part, const Vector& from, const Vector& to, Nearest& best) {
   const Vector along = difference(to, from);
   double low = 0, high = 1;
-  Slope at_low = slope_at(part, from), at_high = slope_at(part, to);
+  const Slope at_low = slope_at(part, from), at_high = slope_at(part, to);
   take_nearer(best, at_low.value, from);
   take_nearer(best, at_high.value, to);
   double fall = dot(at_low.gradient, along), rise = dot(at_high.gradient, along);
@@ -184,7 +184,7 @@ Nearest nearest_of_triangle(const Part& part, const std::array<Vector, 3>& trian
     lowest = std::min(lowest, vertex[2]);
   }
   if (highest <= part.top) return nearest_of_polygon(part, triangle, bound);
-  Nearest of_all = nearest_of_polygon(part, triangle, bound);
+  const Nearest of_all = nearest_of_polygon(part, triangle, bound);
   const double above = std::max({of_all.distance, lowest - part.top, 0.0});
   if (of_all.distance >= bound || lowest >= part.top) return {std::min(above, bound), of_all.place};
   // What is left of the triangle below the top

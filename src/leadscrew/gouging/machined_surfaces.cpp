@@ -33,7 +33,7 @@ std::shared_ptr<const surfaces::Surface> MachinedSurfaces::add(const gcode::Mach
   if (!machined.is_of_tip) {
     SurfaceForm form = surface->form();
     const Vector tool = {frame.tool()[0], frame.tool()[1], frame.tool()[2]};
-    gcode::Move move;
+    const gcode::Move move;
     base::AxisVector place = frame.position;
     for (surfaces::NetPoint& point : form.net) {
       for (std::size_t k = 0; k < 3; ++k) place[k] = point.position[k];

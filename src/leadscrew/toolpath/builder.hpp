@@ -35,7 +35,7 @@ class Builder {
   /// From now on an event says where a move begins whose feed is not that of the one before (Event::programmed_feed).
   void tell_feed() { told_feed_ = -1; }
   /// The same of the tool that a move is made with, and of what its feed is counted by (Event::tool_offset, tip_control).
-  void tell_tool() { told_tool_.emplace(); }
+  void tell_tool() { told_tool_ = ToldTool(); }
   /// No more moves will come.
   void finish();
   /// The next element that is settled, if there is one.
