@@ -17,23 +17,15 @@ void Interpreter::dispatch(Code code, const Block& block) {
       return motion_.arc(block);
     case Code::G5:
     case Code::G5_1:
-      return curves_.spline(block);
     case Code::G5_2:
-      return curves_.nurbs(block);
     case Code::G5_3:
-      return curves_.end_nurbs(block);
     case Code::G6_2:
-      return curves_.add_to_nurbs_with_knots(block);
+    case Code::G6_4:
+    case Code::G6_5:
+    case Code::G6_6:
+      return dispatch_curve(code, block);
     case Code::G10:
       return offsets_.set_system(block);
-    case Code::G6_4:
-      return surface_blocks_.begin(*surface_words_);
-    case Code::G6_5:
-      vectors_.forget_direction();
-      return surface_moves_.begin(*surface_words_);
-    case Code::G6_6:
-      vectors_.forget_direction();
-      return directed_curve_.begin(*surface_words_);
     case Code::G12:
     case Code::G13:
       return circular_pockets_.mill(block);
@@ -73,6 +65,30 @@ void Interpreter::dispatch(Code code, const Block& block) {
       return offsets_.set_shift(block);
     default:
       dispatch_cycle(code, block);
+  }
+}
+
+void Interpreter::dispatch_curve(Code code, const Block& block) {
+  switch (code) {
+    case Code::G5:
+    case Code::G5_1:
+      return curves_.spline(block);
+    case Code::G5_2:
+      return curves_.nurbs(block);
+    case Code::G5_3:
+      return curves_.end_nurbs(block);
+    case Code::G6_2:
+      return curves_.add_to_nurbs_with_knots(block);
+    case Code::G6_4:
+      return surface_blocks_.begin(*surface_words_);
+    case Code::G6_5:
+      vectors_.forget_direction();
+      return surface_moves_.begin(*surface_words_);
+    case Code::G6_6:
+      vectors_.forget_direction();
+      return directed_curve_.begin(*surface_words_);
+    default:
+      return;
   }
 }
 

@@ -98,7 +98,9 @@ class Interpreter : Part {
   void execute_motion(const Block& block);
   /// What a motion or a code of group 0 does.
   void dispatch(Code code, const Block& block);
-  void dispatch_cycle(Code code, const Block& block);  // dispatch.cpp
+  // dispatch.cpp
+  void dispatch_curve(Code code, const Block& block);
+  void dispatch_cycle(Code code, const Block& block);
   void stop(const Block& block);
   bool is_plain() const;
   bool is_plain_block(const Block& block, Code motion, std::uint32_t words) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <leadscrew/markup/markup.hpp>
 #include <leadscrew/measuring/map_picture.hpp>
 #include <leadscrew/numeric/vectors.hpp>
@@ -81,7 +82,7 @@ struct CellHeights {
   bool unreached = false;
 };
 
-enum : int { empty_cell = -1, unreached_cell = -2, cut_cell = -3 };
+enum : std::int8_t { empty_cell = -1, unreached_cell = -2, cut_cell = -3 };
 
 int kind_of(const CellHeights& heights, const HeightScale& scale) {
   if (heights.unreached) return unreached_cell;
@@ -154,7 +155,8 @@ void put_map(std::string& out, const Measurement& measurement, const MapPlace& p
     for (std::size_t column = 0, end = 0; column < columns; column = end) {
       const int kind = kind_of(cells[row * columns + column], scale);
       for (end = column + 1; end < columns && kind_of(cells[row * columns + end], scale) == kind;) ++end;
-      put(strokes[static_cast<std::size_t>(kind + 4)], "M", fixed(place.left + static_cast<double>(column) * wide, 1),
+      const int stroke = kind + 4;
+      put(strokes[static_cast<std::size_t>(stroke)], "M", fixed(place.left + static_cast<double>(column) * wide, 1),
           " ", fixed(y, 1), "h", fixed(static_cast<double>(end - column) * wide + 0.3, 1));
     }
   }

@@ -5,6 +5,7 @@
 #include <leadscrew/study/surface_patch.hpp>
 #include <leadscrew/surfaces/frame.hpp>
 #include <leadscrew/surfaces/surface_text.hpp>
+#include <limits>
 
 namespace leadscrew::study {
 
@@ -212,7 +213,8 @@ FeedErrors feed_errors(int order, double feed, double period) {
   const Surface surface(patch_form());
   constexpr double v = 0.5;
   const double step = feed * period;
-  FeedErrors errors{INFINITY, -INFINITY};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  FeedErrors errors{infinity, -infinity};
   for (double u = 0;;) {
     const auto jet = surface.jet(u, v);
     const double speed = numeric::norm(jet.u);

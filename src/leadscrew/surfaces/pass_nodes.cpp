@@ -185,7 +185,7 @@ bool LineOfNodes::join(Sample& before, Sample& after) {
   }
   if (step(1) > widest_turn_at_knot) return false;
   if (std::max({step(0), step(1), step(2)}) > no_step) before.tolerance = after.tolerance = knot_tolerance;
-  for (VectorOf<Jet2> Sample::* member : {&Sample::tip, &Sample::axis, &Sample::contact}) {
+  for (VectorOf<Jet2> Sample::* const member : {&Sample::tip, &Sample::axis, &Sample::contact}) {
     for (std::size_t k = 0; k < 3; ++k) {
       Jet2 &a = (before.*member)[k], &b = (after.*member)[k];
       for (std::size_t order = 0; order <= 2; ++order) a[order] = b[order] = (a[order] + b[order]) / 2;
