@@ -2,7 +2,9 @@
 // Surfaces for tests.
 
 #include <cmath>
+#include <leadscrew/surfaces/passes.hpp>
 #include <leadscrew/surfaces/surface.hpp>
+#include <memory>
 #include <utility>
 
 namespace leadscrew::surfaces::test {
@@ -63,6 +65,15 @@ inline SurfaceForm plane() {
     for (std::size_t i = 0; i < 2; ++i) form.net.push_back({{i == 0 ? 0.0 : 40.0, j == 0 ? 0.0 : 30.0, 0}, 1});
   }
   return form;
+}
+
+/// An upright ball of this radius that leaves ridges of this height, mm, in zigzag along u.
+inline Machining ball_on(const SurfaceForm& form, double radius = 5, double scallop = 0.01) {
+  Machining machining;
+  machining.surface = std::make_shared<Surface>(form);
+  machining.cutter = {radius, radius};
+  machining.scallop = scallop;
+  return machining;
 }
 
 }  // namespace leadscrew::surfaces::test

@@ -12,14 +12,6 @@ namespace test_pass_failures {
 
 using Kind = PassFailure::Kind;
 
-Machining ball_on(const SurfaceForm& form, double radius = 5) {
-  Machining machining;
-  machining.surface = std::make_shared<Surface>(form);
-  machining.cutter = {radius, radius};
-  machining.scallop = 0.01;
-  return machining;
-}
-
 struct Outcome {
   std::size_t told = 0;
   std::optional<PassFailure> failure;
@@ -44,7 +36,7 @@ constexpr std::array all_patterns = {Pattern::zig, Pattern::zigzag, Pattern::spi
 
 TEST(PassFailure, ABallGougesPatchAFromItsSmallestRadiusOfCurvatureOn) {
   for (const Direction along : {Direction::u, Direction::v}) {
-    Machining machining = ball_on(test::patch_a(), 45.4);
+    Machining machining = test::ball_on(test::patch_a(), 45.4);
     machining.along = along;
     EXPECT_FALSE(kind_of(machining));
     machining.cutter = {45.5, 45.5};
@@ -62,7 +54,7 @@ TEST(PassFailure, ABallGougesPatchAFromItsSmallestRadiusOfCurvatureOn) {
 
 TEST(PassFailure, TooManyPassesAreFoundBeforeAnyIsMade) {
   for (const Pattern pattern : all_patterns) {
-    Machining machining = ball_on(test::patch_a());
+    Machining machining = test::ball_on(test::patch_a());
     machining.pattern = pattern;
     machining.scallop = 0;
     for (const double step : {1e-6, 1e-300}) {
@@ -77,7 +69,7 @@ TEST(PassFailure, TooManyPassesAreFoundBeforeAnyIsMade) {
 }
 
 TEST(PassFailure, NoStepIsFoundWhereTheToolFillsTheSurface) {
-  Machining machining = ball_on(test::cylinder(5, 30));
+  Machining machining = test::ball_on(test::cylinder(5, 30));
   machining.orientation.rule = Orientation::Rule::normal;
   EXPECT_EQ(kind_of(machining), Kind::no_step);
   machining.cutter = {5, 0};
@@ -89,7 +81,7 @@ TEST(PassFailure, NoStepIsFoundWhereTheToolFillsTheSurface) {
 TEST(PassFailure, TheNormalVanishes) {
   SurfaceForm form = test::patch_a();
   for (std::size_t i = 0; i < 4; ++i) form.net[i].position = {30, 0, 0};
-  const Outcome outcome = outcome_of(ball_on(form));
+  const Outcome outcome = outcome_of(test::ball_on(form));
   ASSERT_TRUE(outcome.failure);
   EXPECT_EQ(outcome.failure->kind, Kind::normal);
   EXPECT_EQ(outcome.failure->v, 0);
@@ -101,7 +93,7 @@ TEST(PassFailure, AnEdgeTurnsTheNormal) {
     for (const double x : {0.0, 10.0, 20.0}) form.net.push_back({{x, y, x == 10 ? 5.0 : 0.0}, 1});
   }
   for (const Direction along : {Direction::u, Direction::v}) {
-    Machining machining = ball_on(form);
+    Machining machining = test::ball_on(form);
     machining.along = along;
     const Outcome outcome = outcome_of(machining);
     ASSERT_TRUE(outcome.failure);
@@ -114,7 +106,7 @@ TEST(PassFailure, AnEdgeTurnsTheNormal) {
 }
 
 TEST(PassFailure, ATipStandsStillWhileTheBallTurnsInACylinderOfItsOwnRadius) {
-  Machining machining = ball_on(test::cylinder(5, 30));
+  Machining machining = test::ball_on(test::cylinder(5, 30));
   machining.side = 1;
   machining.orientation.axis = {0, -1, 0};
   machining.along = Direction::v;
@@ -124,7 +116,7 @@ TEST(PassFailure, ATipStandsStillWhileTheBallTurnsInACylinderOfItsOwnRadius) {
 }
 
 TEST(PassFailure, TheAxisPointsIntoTheSurface) {
-  Machining machining = ball_on(test::cylinder(20, 50));
+  Machining machining = test::ball_on(test::cylinder(20, 50));
   EXPECT_EQ(kind_of(machining), Kind::overhang);
   machining.side = -1;
   EXPECT_FALSE(kind_of(machining));
@@ -133,7 +125,7 @@ TEST(PassFailure, TheAxisPointsIntoTheSurface) {
 TEST(PassFailure, AFlatStandsOnADome) {
   const SurfaceForm dome = test::bicubic({{{0, 2, 2, 0}, {2, 6, 6, 2}, {2, 6, 6, 2}, {0, 2, 2, 0}}});
   for (const double corner : {0.0, 1.0}) {
-    Machining machining = ball_on(dome);
+    Machining machining = test::ball_on(dome);
     machining.cutter = {5, corner};
     machining.equal_steps = true;
     EXPECT_EQ(kind_of(machining), Kind::flat_contact);
@@ -143,7 +135,7 @@ TEST(PassFailure, AFlatStandsOnADome) {
 }
 
 TEST(PassFailure, PlanesMeetAFoldInLinesThatDoubleBack) {
-  Machining machining = ball_on(test::cylinder(20, 50));
+  Machining machining = test::ball_on(test::cylinder(20, 50));
   machining.side = -1;
   machining.pattern = Pattern::planar;
   machining.along = Direction::u;
@@ -153,7 +145,7 @@ TEST(PassFailure, PlanesMeetAFoldInLinesThatDoubleBack) {
 }
 
 TEST(PassFailure, NoLinkTurnsTheToolOver) {
-  Machining machining = ball_on(test::plane());
+  Machining machining = test::ball_on(test::plane());
   machining.orientation = {Orientation::Rule::leaned, {}, 1.5705, 0};
   const Outcome outcome = outcome_of(machining);
   ASSERT_TRUE(outcome.failure);
@@ -163,7 +155,7 @@ TEST(PassFailure, NoLinkTurnsTheToolOver) {
 
 TEST(Passes, AreFewWhereTheRangeIsNarrowOrTheStepIsWide) {
   for (const Pattern pattern : all_patterns) {
-    Machining machining = ball_on(test::patch_a());
+    Machining machining = test::ball_on(test::patch_a());
     machining.pattern = pattern;
     machining.v = {0.3, 0.3 + 1e-7};
     const Outcome narrow = outcome_of(machining);

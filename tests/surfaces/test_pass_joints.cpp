@@ -30,14 +30,6 @@ SurfaceForm with_knots(std::size_t repeated, unsigned seed) {
   return form;
 }
 
-Machining ball_on(const SurfaceForm& form) {
-  Machining machining;
-  machining.surface = std::make_shared<Surface>(form);
-  machining.cutter = {2, 2};
-  machining.scallop = 0.05;
-  return machining;
-}
-
 struct Told {
   std::vector<Pass> passes;
   std::size_t corners = 0;
@@ -86,7 +78,7 @@ double farthest(const Machining& machining, const std::vector<Pass>& passes) {
 
 TEST(PassJoints, AreSmoothAtSimpleKnotsWithinAMicronsThousandth) {
   for (const unsigned seed : {1u, 2u}) {
-    const Machining machining = ball_on(with_knots(1, seed));
+    const Machining machining = test::ball_on(with_knots(1, seed), 2, 0.05);
     const Told all = told(machining);
     EXPECT_TRUE(all.is_whole);
     EXPECT_EQ(all.corners, 0u);
@@ -95,7 +87,7 @@ TEST(PassJoints, AreSmoothAtSimpleKnotsWithinAMicronsThousandth) {
 }
 
 TEST(PassJoints, AreCornersWhereTheSurfaceBendsByAStep) {
-  const Machining machining = ball_on(with_knots(2, 1));
+  const Machining machining = test::ball_on(with_knots(2, 1), 2, 0.05);
   const Told all = told(machining);
   EXPECT_TRUE(all.is_whole);
   EXPECT_GT(all.corners, 2 * all.passes.size() / 4);
@@ -117,7 +109,7 @@ TEST(PassJoints, OfArcsInOneCircleAreNone) {
       form.net.push_back({{x, 20 * round[j].first, 20 * round[j].second}, j % 2 == 1 ? std::sqrt(0.5) : 1});
     }
   }
-  Machining machining = ball_on(form);
+  Machining machining = test::ball_on(form, 2, 0.05);
   machining.side = -1;
   machining.along = Direction::v;
   machining.orientation = {Orientation::Rule::leaned, {}, 0.2, 0};
@@ -142,7 +134,7 @@ TEST(PassJoints, LongPassesAreToldInPartsThatGoOnSmoothly) {
   for (std::size_t k = 0; k < 3200; ++k) {
     form.net.push_back({{static_cast<double>(k % 1600), k < 1600 ? 0.0 : 1.0, height(random)}, 1});
   }
-  Machining machining = ball_on(form);
+  Machining machining = test::ball_on(form, 2, 0.05);
   machining.scallop = 0;
   machining.step = 1;
   const Told all = told(machining);

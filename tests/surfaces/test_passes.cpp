@@ -15,14 +15,6 @@
 namespace leadscrew::surfaces {
 namespace test_passes {
 
-Machining ball_on_patch_a() {
-  Machining machining;
-  machining.surface = std::make_shared<Surface>(test::patch_a());
-  machining.cutter = {5, 5};
-  machining.scallop = 0.01;
-  return machining;
-}
-
 struct Told {
   std::vector<Pass> passes, links;
   std::optional<PassFailure> failure;
@@ -36,7 +28,7 @@ Told told(const Machining& machining) {
 }
 
 TEST(Passes, AreThoseOfTheStudy) {
-  Machining machining = ball_on_patch_a();
+  Machining machining = test::ball_on(test::patch_a());
   const Told all = told(machining);
   EXPECT_FALSE(all.failure);
   EXPECT_EQ(all.passes.size(), 100u);
@@ -60,7 +52,7 @@ TEST(Passes, AreThoseOfTheStudy) {
 TEST(Passes, BeginAtTheirCorner) {
   for (int corner = 1; corner <= 4; ++corner) {
     for (const Direction along : {Direction::u, Direction::v}) {
-      Machining machining = ball_on_patch_a();
+      Machining machining = test::ball_on(test::patch_a());
       machining.start_corner = corner;
       machining.along = along;
       machining.u = {0.1, 0.6};
@@ -84,7 +76,7 @@ Vector true_tip(const Surface& surface, double u, double v, double radius) {
 }
 
 TEST(Passes, AreTheTipsPathToATenthOfANanometre) {
-  const Machining machining = ball_on_patch_a();
+  const Machining machining = test::ball_on(test::patch_a());
   const Told all = told(machining);
   double worst = 0;
   for (std::size_t k = 0; k < all.passes.size(); k += 9) {
@@ -108,7 +100,7 @@ TEST(Passes, AreTheTipsPathToATenthOfANanometre) {
 }
 
 TEST(Passes, GoOnIntoTheirLinksWithDirectionAndCurvature) {
-  Machining machining = ball_on_patch_a();
+  Machining machining = test::ball_on(test::patch_a());
   machining.cutter = {5, 1};
   machining.orientation = {Orientation::Rule::leaned, {}, 0.1, 0.05};
   for (const Pattern pattern : {Pattern::zigzag, Pattern::zig}) {
@@ -137,7 +129,7 @@ TEST(Passes, GoOnIntoTheirLinksWithDirectionAndCurvature) {
 }
 
 TEST(QuinticSpline, IsTheQuinticsBetweenItsNodes) {
-  const Told all = told(ball_on_patch_a());
+  const Told all = told(test::ball_on(test::patch_a()));
   const Pass& pass = all.passes[37];
   std::vector<double> t;
   std::vector<std::array<numeric::Jet<2>, 3>> jets;

@@ -40,14 +40,6 @@ Measured measured(const Machining& machining, std::size_t looked_at = 10) {
   return result;
 }
 
-Machining ball_on(const SurfaceForm& form) {
-  Machining machining;
-  machining.surface = std::make_shared<Surface>(form);
-  machining.cutter = {5, 5};
-  machining.scallop = 0.01;
-  return machining;
-}
-
 SurfaceForm saddle() {
   return test::bicubic({{{0, 4, 8, 12}, {4, 4, 4, 4}, {4, 4, 4, 4}, {12, 8, 4, 0}}});
 }
@@ -56,8 +48,8 @@ const Orientation forward{Orientation::Rule::leaned, {}, 0.2, 0}, aside{Orientat
 
 TEST(Ridges, AreAsAskedForOnPlaneCylinderAndSphere) {
   const Orientation normal{Orientation::Rule::normal, {}, 0, 0};
-  Machining plane = ball_on(test::plane()), outside = ball_on(test::cylinder(20, 50)),
-            sphere = ball_on(test::sphere(25));
+  Machining plane = test::ball_on(test::plane()), outside = test::ball_on(test::cylinder(20, 50)),
+            sphere = test::ball_on(test::sphere(25));
   outside.side = -1;
   outside.orientation = sphere.orientation = normal;
   Machining inside = outside, round = outside;
@@ -74,7 +66,7 @@ TEST(Ridges, OfToolsThatLeanAreAsAskedForOnAPlane) {
   for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}, Cutter{5, 5}}) {
     for (const Orientation& orientation : {forward, aside}) {
       for (const Pattern pattern : {Pattern::zigzag, Pattern::zig}) {
-        Machining machining = ball_on(test::plane());
+        Machining machining = test::ball_on(test::plane());
         machining.cutter = cutter;
         machining.orientation = orientation;
         machining.pattern = pattern;
@@ -90,7 +82,7 @@ TEST(Ridges, AreNoHigherOnCurvedPatches) {
   for (const SurfaceForm& form : {test::patch_a(), saddle()}) {
     for (const Cutter& cutter : {Cutter{5, 5}, Cutter{5, 1}, Cutter{5, 0}}) {
       for (const Orientation& orientation : {forward, aside}) {
-        Machining machining = ball_on(form);
+        Machining machining = test::ball_on(form);
         machining.cutter = cutter;
         machining.orientation = orientation;
         const Measured ridges = measured(machining, 4);
@@ -117,7 +109,7 @@ SurfaceForm random_form(std::mt19937& random) {
 TEST(Ridges, AreNoHigherOnRandomPatches) {
   std::mt19937 random(11);
   for (int round = 0; round < 6; ++round) {
-    Machining machining = ball_on(random_form(random));
+    Machining machining = test::ball_on(random_form(random));
     machining.cutter = round % 3 == 2 ? Cutter{2, 0.7} : Cutter{2, 2};
     if (round % 3 > 0) machining.orientation = forward;
     machining.along = round % 2 == 0 ? Direction::u : Direction::v;
@@ -130,7 +122,7 @@ TEST(Ridges, AreNoHigherOnRandomPatches) {
 TEST(Ridges, OfIsoScallopPassesAreEverywhereAsHigh) {
   std::mt19937 random(12);
   for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random)}) {
-    Machining machining = ball_on(form);
+    Machining machining = test::ball_on(form);
     machining.cutter = {2, 2};
     machining.pattern = Pattern::iso_scallop;
     const Measured ridges = measured(machining, 6);
@@ -143,7 +135,7 @@ TEST(Ridges, OfPassesInPlanesAreNoHigher) {
   std::mt19937 random(13);
   for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random)}) {
     for (const Direction along : {Direction::u, Direction::v}) {
-      Machining machining = ball_on(form);
+      Machining machining = test::ball_on(form);
       machining.cutter = {2, 2};
       machining.pattern = Pattern::planar;
       machining.along = along;
@@ -156,7 +148,7 @@ TEST(Ridges, OfPassesInPlanesAreNoHigher) {
 
 /// Between a leg and the one inside it, one turn on.
 TEST(Ridges, OfPassesRoundTheRangeAreNoHigherAtTheirCornersToo) {
-  Machining machining = ball_on(test::plane());
+  Machining machining = test::ball_on(test::plane());
   machining.pattern = Pattern::spiral_in;
   std::vector<Pass> legs;
   Passes made(machining);
