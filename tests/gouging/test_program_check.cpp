@@ -101,7 +101,7 @@ TEST(GougeCheck, FindsTheHolderAgainstAWallThatIsMachinedToo) {
   const auto program = [](int tool) {
     const std::string number = std::to_string(tool);
     return "T" + number + " M6\nG43 H" + number + "\nG0 Z150\n" + patch + definition(2, wall(-12, 60)) +
-           "G6.5 D1 H0.01 Z100 F3000\nG0 Z200\nY-60\nG6.5 D2 Q10 R1 Z120\nM2\n";
+           "G6.5 D1 H0.1 Z100 F3000\nG0 Z200\nY-60\nG6.5 D2 Q10 R1 Z120\nM2\n";
   };
   const GougeVerdict verdict = verdict_of(program(1));
   ASSERT_TRUE(verdict.gouged());
