@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <leadscrew/pulse/arc.hpp>
 
-namespace leadscrew::hdl {
+namespace leadscrew::hardware {
 
 /// What a unit of decision is loaded with.
 struct Decision {
@@ -185,4 +185,4 @@ class Octants {
   int quadrant_, borders_;
 };
 
-}  // namespace leadscrew::hdl
+}  // namespace leadscrew::hardware
