@@ -28,7 +28,7 @@ module registers #(
     output logic        reg_error,
 
     input  logic hold_pin,  // motion is held while it is high, as by CONTROL.HOLD
-    output logic interrupt_line,
+    output logic irq,
 
     // As motion_core has them
     output logic                          command_push,
@@ -51,7 +51,7 @@ module registers #(
     input  logic                fifo_low,
 
     output logic             hold,
-    output logic             abort_motion,
+    output logic             abort_now,
     output logic [     15:0] prescale,
     output logic [     31:0] watchdog_period,
     output logic             watchdog_kick,
@@ -64,7 +64,7 @@ module registers #(
     input  logic [4:0] error,
     output logic [4:0] error_clear,
     output logic [3:0] interrupt_enable,
-    input  logic       core_interrupt,
+    input  logic       core_irq,
 
     input  logic [AXES*POSITION_WIDTH-1:0] position,
     output logic [               AXES-1:0] position_set,
@@ -104,7 +104,7 @@ module registers #(
   logic [6:0] all_errors;
   assign all_errors = {error_partial, error_address, error};
 
-  assign interrupt_line = core_interrupt || (interrupt_enable[2] && (error_address || error_partial));
+  assign irq = core_irq || (interrupt_enable[2] && (error_address || error_partial));
 
   logic hold_register;
   assign hold = hold_register || hold_pin;
@@ -139,7 +139,7 @@ module registers #(
         value = {30'd0, probe_enable, hold_register};
       end
       registers_package::STATUS:
-      value = {running_tag, 9'd0, hold, interrupt_line, latched, fifo_low, fifo_full, busy, running};
+      value = {running_tag, 9'd0, hold, irq, latched, fifo_low, fifo_full, busy, running};
       registers_package::ERROR: begin
         can_write = 1'b1;
         value = {25'd0, all_errors};
@@ -252,7 +252,7 @@ module registers #(
 
   // What a write makes happen for one clock.
   always_ff @(posedge clk) begin
-    abort_motion <= 1'b0;
+    abort_now <= 1'b0;
     latch <= 1'b0;
     latch_clear <= 1'b0;
     watchdog_kick <= 1'b0;
@@ -262,7 +262,7 @@ module registers #(
     paper_start <= 1'b0;
     if (accepted && !rst) begin
       case (place)
-        registers_package::TRIGGER: {watchdog_kick, latch_clear, latch, abort_motion} <= reg_write_data[3:0];
+        registers_package::TRIGGER: {watchdog_kick, latch_clear, latch, abort_now} <= reg_write_data[3:0];
         registers_package::ERROR: error_clear <= reg_write_data[4:0];
         registers_package::POSITION_SET: position_set <= reg_write_data[AXES-1:0];
         registers_package::COMMAND_PUSH: command_push <= 1'b1;

@@ -62,13 +62,12 @@ module fsmc (
   // The register that was read last; its high halfword is still to be fetched.
   logic [31:0] kept;
   logic [6:0] kept_address;
-  logic has_kept, fetches, fetch_comes, is_ready;
+  logic has_kept, fetches, is_ready;
 
   always_ff @(posedge clk) begin
     reg_write <= 1'b0;
     reg_read <= 1'b0;
     fetches <= reg_read;
-    fetch_comes <= fetches;
     if (write_ends) begin
       low_strobe <= 2'b00;
       if (!address_3[0]) begin
