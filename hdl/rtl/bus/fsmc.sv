@@ -3,6 +3,7 @@
 //   NE   ‾\__________/‾     A and NBL stand while NE and NWE, or NOE, are low; D is taken where NWE rises.
 //   NWE  ‾‾‾\_____/‾‾‾‾     NWE low ≥ 3 clocks, high ≥ 2 between two writes.
 //   NOE  ‾‾‾\_______/‾‾     D is driven while NE and NOE are low, and valid 6 clocks after NOE falls, or where NWAIT rises.
+//                           NOE high ≥ 3 clocks between two reads.
 //
 // Nothing of the bus is synchronous to clk: all inputs go through two flip-flops, and what stood at the last clock at
 // which NWE was seen low is what is written. NWE must be seen low at two clocks: what is shorter is a glitch.
