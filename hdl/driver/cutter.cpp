@@ -1,0 +1,153 @@
+#include "cutter.hpp"
+
+#include "registers.hpp"
+
+namespace leadscrew::driver {
+
+namespace {
+
+constexpr std::uint32_t source_drives = 1, source_of_units = 2;  // + u: the axis follows unit u
+constexpr int source_bits = 4;
+constexpr std::uint32_t one_over_root_2 = 46341;  // · 2^16
+
+std::uint32_t magnitude(std::int32_t value) {
+  const auto bits = static_cast<std::uint32_t>(value);
+  return value < 0 ? 0 - bits : bits;
+}
+
+void set_unit(Command& command, int unit, const hardware::Decision& of) {
+  command.decision[unit] = static_cast<std::int32_t>(of.decision);
+  command.straight[unit] = static_cast<std::int32_t>(of.straight);
+  command.diagonal[unit] = static_cast<std::int32_t>(of.diagonal);
+}
+
+void set_source(Command& command, int axis, std::uint32_t source) {
+  command.source |= source << (source_bits * axis);
+}
+
+void set_sense(Command& command, int axis, bool is_backward) {
+  command.push |= static_cast<std::uint32_t>(is_backward) << (registers::command_push_backward_bit + axis);
+}
+
+}  // namespace
+
+Refusal Cutter::problem_of(const Move& move) const {
+  if (move.kind == Move::Kind::dwell) return Refusal::none;
+  if (move.feed == 0 || move.feed > std::uint64_t{1} << core_.feed_width) return Refusal::feed;
+  if (move.kind == Move::Kind::line) {
+    for (int axis = 0; axis < most_axes; ++axis) {
+      if (move.delta[axis] != 0 && axis >= core_.axes) return Refusal::axis;
+      if (magnitude(move.delta[axis]) >> core_.width != 0) return Refusal::too_long;
+    }
+    return Refusal::none;
+  }
+  if (move.first_axis >= core_.axes || move.second_axis >= core_.axes || move.first_axis == move.second_axis)
+    return Refusal::axis;
+  const pulse::Point from = move.arc.start, to = move.arc.end;
+  if (from == pulse::Point{} || to == pulse::Point{}) return Refusal::no_arc;
+  // The radius: |coordinates| ≤ R < 2^(width − 1), with a step beside the circle
+  const std::int64_t most = (std::int64_t{1} << (core_.width - 1)) - 2;
+  const std::int64_t of_coordinates[] = {from.x, from.y, to.x, to.y};
+  for (const std::int64_t coordinate : of_coordinates) {
+    if (pulse::absolute(coordinate) > most) return Refusal::too_long;
+  }
+  return move.arc.squared_radius() > most * most ? Refusal::too_long : Refusal::none;
+}
+
+Refusal Cutter::take(const Move& move) {
+  if (!done()) return Refusal::busy;
+  const Refusal problem = problem_of(move);
+  if (problem != Refusal::none) return problem;
+  move_ = move;
+  switch (move.kind) {
+    case Move::Kind::line:
+      for (const std::int32_t delta : move.delta) left_ |= magnitude(delta);
+      left_ = left_ != 0;
+      break;
+    case Move::Kind::arc:
+      octants_ = hardware::Octants(move.arc);
+      left_ = octants_.done() ? 0 : 1;
+      break;
+    case Move::Kind::dwell:
+      left_ = move.ticks;
+      break;
+  }
+  return Refusal::none;
+}
+
+Command Cutter::next() {
+  Command command;
+  switch (move_.kind) {
+    case Move::Kind::line:
+      command = line();
+      break;
+    case Move::Kind::arc:
+      command = octant();
+      break;
+    case Move::Kind::dwell:
+      command = dwell();
+      break;
+  }
+  command.feed = move_.feed;
+  command.diagonal_feed = diagonal_feed();
+  command.push |= static_cast<std::uint32_t>(move_.tag) << registers::command_push_tag_bit;
+  command.push |= static_cast<std::uint32_t>(move_.is_last && done()) << registers::command_push_final_bit;
+  return command;
+}
+
+std::uint64_t Cutter::diagonal_feed() const {
+  if (move_.speed == Move::Speed::even_steps) return move_.feed;
+  return (move_.feed >> 16) * one_over_root_2 + ((move_.feed & 0xFFFF) * one_over_root_2 >> 16);
+}
+
+/// The first of the longest axes drives, all others follow it.
+Command Cutter::line() {
+  Command command;
+  int driving = 0;
+  for (int axis = 1; axis < core_.axes; ++axis) {
+    if (magnitude(move_.delta[axis]) > magnitude(move_.delta[driving])) driving = axis;
+  }
+  command.count = magnitude(move_.delta[driving]);
+  int unit = 0;
+  for (int axis = 0; axis < core_.axes; ++axis) {
+    const std::uint32_t steps = magnitude(move_.delta[axis]);
+    if (steps == 0) continue;
+    set_sense(command, axis, move_.delta[axis] < 0);
+    if (steps == command.count) {
+      set_source(command, axis, source_drives);
+      continue;
+    }
+    set_source(command, axis, source_of_units + static_cast<std::uint32_t>(unit));
+    set_unit(command, unit++, hardware::along_line(steps, command.count));
+  }
+  left_ = 0;
+  return command;
+}
+
+Command Cutter::octant() {
+  const hardware::Octant octant = octants_.next();
+  left_ = octants_.done() ? 0 : 1;
+  Command command;
+  command.count = static_cast<std::uint32_t>(octant.count);
+  const int drives = octant.x_drives ? move_.first_axis : move_.second_axis;
+  const int follows = octant.x_drives ? move_.second_axis : move_.first_axis;
+  set_source(command, drives, source_drives);
+  set_source(command, follows, source_of_units);
+  set_unit(command, 0, octant.other);
+  command.push = (static_cast<std::uint32_t>(octant.other.curve) & 3) << registers::command_push_curve_bit;
+  set_sense(command, move_.first_axis, octant.sign_x < 0);
+  set_sense(command, move_.second_axis, octant.sign_y < 0);
+  return command;
+}
+
+/// As long as the counter allows.
+Command Cutter::dwell() {
+  const std::uint32_t most = (std::uint32_t{1} << core_.width) - 1;
+  Command command;
+  command.count = left_ < most ? left_ : most;
+  command.push = std::uint32_t{1} << registers::command_push_dwell_bit;
+  left_ -= command.count;
+  return command;
+}
+
+}  // namespace leadscrew::driver
