@@ -144,7 +144,7 @@ Command Cutter::octant() {
 Command Cutter::dwell() {
   const std::uint32_t most = (std::uint32_t{1} << core_.width) - 1;
   Command command;
-  command.count = left_ < most ? left_ : most;
+  command.count = left_ < most ? static_cast<std::uint32_t>(left_) : most;
   command.push = std::uint32_t{1} << registers::command_push_dwell_bit;
   left_ -= command.count;
   return command;

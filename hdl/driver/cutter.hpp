@@ -24,7 +24,7 @@ struct Move {
   std::int32_t delta[most_axes] = {};  ///< of a line, steps
   pulse::Arc arc{};                    ///< of an arc, steps about its centre, in the plane of two axes
   std::uint8_t first_axis = 0, second_axis = 1;
-  std::uint32_t ticks = 0;  ///< of a dwell
+  std::uint64_t ticks = 0;  ///< of a dwell
 };
 
 enum class Refusal : std::uint8_t {
@@ -70,7 +70,7 @@ class Cutter {
   CoreParameters core_{};
   Move move_{};
   hardware::Octants octants_{pulse::Arc{{1, 0}, {1, 0}}};
-  std::uint32_t left_ = 0;  // ticks of a dwell; of others 1 until the last command
+  std::uint64_t left_ = 0;  // ticks of a dwell; of others 1 until the last command
 };
 
 }  // namespace leadscrew::driver
