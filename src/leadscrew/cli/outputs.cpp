@@ -1,23 +1,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
+#include <leadscrew/files/same_output.hpp>
 #include <leadscrew/results/report_form.hpp>
 
 namespace leadscrew::cli {
 
-namespace {
+using files::is_same_output;
 
-/// /dev/null, a pipe: what exists and is no regular file.
-bool is_special(const std::string& path) {
-  struct stat status = {};
-  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-}
+namespace {
 
 tl::unexpected<base::Diagnostic> usage_problem(std::string message, std::string hint) {
   return base::failure({base::Severity::error, "usage", std::move(message), std::move(hint), {}, {}});
@@ -27,13 +23,6 @@ base::Result<std::unique_ptr<files::OutputFile>> create(const std::string& path,
   auto file = files::OutputFile::create(path, access);
   if (!file) return base::failure(file.error());
   return std::make_unique<files::OutputFile>(std::move(*file));
-}
-
-/// The path by which two spellings of one file are equal.
-std::filesystem::path normal(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path known = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
-  return error ? std::filesystem::path(path).lexically_normal() : known;
 }
 
 /// NAME of DIR/NAME.csv.
@@ -46,7 +35,7 @@ std::string stem_of(const std::string& program) {
 
 OutputPaths output_paths(const Arguments& arguments, const std::string& program) {
   OutputPaths paths{arguments.run.trace,  arguments.run.report, arguments.run.picture, arguments.run.charts,
-                    arguments.run.pulses, arguments.run.events, arguments.run.blocks};
+                    arguments.run.pulses, arguments.run.events, arguments.run.blocks,  arguments.run.waves};
   paths.program = shown_name(program);
   if (!arguments.run.out) return paths;
   const std::string base = (std::filesystem::path(*arguments.run.out) / stem_of(program)).string();
@@ -56,11 +45,6 @@ OutputPaths output_paths(const Arguments& arguments, const std::string& program)
   if (!paths.pulses) return paths;
   if (const auto format = step_format(*paths.pulses)) paths.pulses = base + ".steps." + *format;
   return paths;
-}
-
-bool is_same_output(const std::string& path, const std::string& other) {
-  std::error_code error;
-  return !is_special(path) && (normal(path) == normal(other) || std::filesystem::equivalent(path, other, error));
 }
 
 base::Result<void> check_written(const std::vector<std::string>& paths, const files::InputFile& program,

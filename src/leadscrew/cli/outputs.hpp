@@ -23,20 +23,17 @@ namespace leadscrew::cli {
 
 /// Which files a run was asked to write.
 struct OutputPaths {
-  std::optional<std::string> trace, report, picture, charts, pulses, events, blocks;
+  std::optional<std::string> trace, report, picture, charts, pulses, events, blocks, waves;
   std::string program = {};  ///< its name, as results have it
 
-  std::array<std::optional<std::string>, 8> all() const {
-    return {trace, files::side_of(trace), report, picture, charts, pulses, events, blocks};
+  std::array<std::optional<std::string>, 9> all() const {
+    return {trace, files::side_of(trace), report, picture, charts, pulses, events, blocks, waves};
   }
 };
 
 /// --trace, --pulses, --report and --picture, or DIR/NAME.csv, .html and .svg where --out stands for them, and
 /// NAME.steps.vcd or .csv where --pulses names a format. `program`: path, "-" is standard input, or a curve.
 OutputPaths output_paths(const Arguments& arguments, const std::string& program);
-
-/// Do both name one regular file, or one that is yet to be made?
-bool is_same_output(const std::string& path, const std::string& other);
 
 /// What is wrong with files that are to be written, before anything is done: one is read by the command too, or two are
 /// the same.

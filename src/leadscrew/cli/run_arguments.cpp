@@ -73,13 +73,23 @@ void add_pulses(Command& command, RunArguments& run) {
   command.flag("--accelerate",
                "Of --pulse-method: feed rises and falls as the axes can; else one that an axis cannot make is refused",
                run.accelerate);
+  command.flag("--hardware-model",
+               "Of --pulses: by the hardware itself, hdl/rtl as Verilator simulates it (method bresenham)",
+               run.hardware_model);
+  command.output("--waves", "FILE.fst", "Of --hardware-model: write all its signals, at every clock", run.waves,
+                 {".fst"});
   command.value("--step-clock", "HZ", "Of --pulses: 10kHz to 10MHz (default 1MHz)", run.step_clock, parse_frequency);
   add_step_times(command, run);
 }
 
 /// Options that would be ignored, and steps of several programs in one file.
-Parsed<void> check_pulses(const Arguments& arguments) {
-  const RunArguments& run = arguments.run;
+Parsed<void> check_pulses(Arguments& arguments) {
+  RunArguments& run = arguments.run;
+  if (run.hardware_model) {
+    if (run.accelerate || run.pulse_method.value_or(nc::PulseMethod::bresenham) != nc::PulseMethod::bresenham)
+      return wrong("--hardware-model is --pulse-method bresenham, at constant feed");
+    run.pulse_method = nc::PulseMethod::bresenham;
+  }
   if (run.accelerate && !run.pulse_method)
     return wrong("--accelerate is of --pulse-method; steps that follow the words have the words' acceleration");
   if (run.pulses && !run.out && step_format(*run.pulses))
@@ -116,8 +126,9 @@ void describe_run(Command& command, Arguments& arguments) {
   add_threads(command, arguments);
   command.check([&arguments] { return check_pulses(arguments); });
   add_one_set_of_parameters(command, arguments);
-  command.only_with("--pulses", {"--pulse-method", "--step-clock", "--step-length", "--step-space", "--direction-setup",
-                                 "--direction-hold"});
+  command.only_with("--hardware-model", {"--waves"});
+  command.only_with("--pulses", {"--pulse-method", "--hardware-model", "--step-clock", "--step-length", "--step-space",
+                                 "--direction-setup", "--direction-hold"});
   command.help(std::string(run_examples) + curves_text());
 }
 

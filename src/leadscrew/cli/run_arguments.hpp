@@ -18,7 +18,9 @@ struct RunArguments {
       out;                                      ///< pulses: beside out maybe a step format
   std::optional<nc::PulseMethod> pulse_method;  ///< of --pulses; none: steps that follow the words
   bool accelerate = false;                      ///< of a pulse_method: keep the axes' acceleration
-  std::int64_t step_clock = 1'000'000;          ///< of --pulses, Hz
+  bool hardware_model = false;          ///< of --pulses: by the model of the hardware; pulse_method is bresenham
+  std::optional<std::string> waves;     ///< of hardware_model: its signals
+  std::int64_t step_clock = 1'000'000;  ///< of --pulses, Hz
   /// Of --pulses, in place of every axis' own; ns, in the order of machine::all_step_times.
   std::array<std::optional<std::int64_t>, 4> step_times;
 };

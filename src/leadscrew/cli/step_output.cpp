@@ -6,6 +6,7 @@
 #include <leadscrew/cli/step_hints.hpp>
 #include <leadscrew/cli/step_output.hpp>
 #include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/hardware/model_program.hpp>
 #include <leadscrew/nc/pulse_program.hpp>
 #include <string_view>
 
@@ -80,10 +81,13 @@ nc::PulseOptions pulse_options(const Job& job) {
 void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& log) {
   if (!job.arguments.run.pulses) return;
   if (!job.arguments.run.pulse_method) return check_signals(job, log);
+  const bool in_hardware = job.arguments.run.hardware_model;
+  if (const auto missing = in_hardware ? hardware::missing_model() : std::nullopt) return log.add(*missing);
   check_screws(job, log);
   if (has_too_many(log)) return;
   // What else the reader has to say has been said.
-  nc::check_pulses(
+  const auto check = in_hardware ? hardware::check_model_program : nc::check_pulses;
+  check(
       file.source(), job.machine, job.tools, job.reader_options(file), pulse_options(job),
       [&](const base::Diagnostic& problem) {
         if (is_of_pulses(problem) || problem.code == too_many_problems) log.add(in_options(problem, job));
@@ -159,17 +163,30 @@ base::Result<void> StepOutput::finish(const files::InputFile& program) {
 
 base::Result<void> StepOutput::write_program(const files::InputFile& program) {
   std::optional<base::Diagnostic> problem;
-  nc::PulseProgram pulses(program.source(), job_->machine, job_->tools, job_->reader_options(program),
-                          pulse_options(*job_), [&](const base::Diagnostic& found) {
-                            if (is_of_pulses(found) && !problem) problem = found;
-                          });
+  const auto write = [&]<typename Pulses>(std::type_identity<Pulses>, const auto&... more) {
+    Pulses pulses(
+        program.source(), job_->machine, job_->tools, job_->reader_options(program), pulse_options(*job_),
+        [&](const base::Diagnostic& found) {
+          if (is_of_pulses(found) && !problem) problem = found;
+        },
+        more...);
+    return write_steps(pulses);
+  };
+  const RunArguments& run = job_->arguments.run;
+  auto written = run.hardware_model ? write(std::type_identity<hardware::ModelProgram>(), run.waves)
+                                    : write(std::type_identity<nc::PulseProgram>());
+  if (written && problem) return base::failure(*problem);
+  return written;
+}
+
+template <typename Pulses>
+base::Result<void> StepOutput::write_steps(Pulses& pulses) {
   std::array<steps::StepEvent, steps_between_checks> buffer;
   for (auto steps = pulses.next(buffer); state_ && !steps.empty(); steps = pulses.next(buffer)) {
     put(steps);
     if (files::interrupted()) return base::failure(files::interruption());
   }
   if (pulses.source_failure()) return base::failure(*pulses.source_failure());
-  if (problem) return base::failure(*problem);
   return state_;
 }
 

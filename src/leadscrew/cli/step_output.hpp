@@ -52,6 +52,8 @@ class StepOutput {
   void follow(const base::Word& word);
   base::Result<void> follow_to_the_end();
   base::Result<void> write_program(const files::InputFile& program);
+  template <typename Pulses>
+  base::Result<void> write_steps(Pulses& pulses);
 
   files::OutputFile file_;
   const Job* job_;

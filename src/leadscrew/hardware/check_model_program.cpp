@@ -1,0 +1,70 @@
+#include <leadscrew/gcode/number.hpp>
+#include <leadscrew/hardware/block_moves.hpp>
+#include <leadscrew/hardware/model_program.hpp>
+#include <string>
+#include <utility>
+
+namespace leadscrew::hardware {
+
+namespace {
+
+base::Diagnostic in_hardware(const nc::Block& block, std::string_view code, std::string message, std::string hint) {
+  base::Diagnostic found = base::problem(code, std::move(message), std::move(hint), {.field = nc::pulses_field});
+  found.place.line = base::number(block.line);
+  return found;
+}
+
+std::optional<base::Diagnostic> hardware_problem(const nc::Block& block, const Lanes& lanes) {
+  const BlockMove made = move_of(block, lanes);
+  const std::string letter(1, base::letter(base::all_axes[made.axis]));
+  switch (made.problem) {
+    case BlockMove::Problem::none:
+      break;
+    case BlockMove::Problem::helix:
+      return in_hardware(block, "hardware-helix", "the hardware: an arc along which " + letter + " moves too",
+                         "write it as lines, or leave --hardware-model out");
+    case BlockMove::Problem::axis:
+      return in_hardware(block, "hardware-axes",
+                         "the hardware: " + letter + ", where its " + std::to_string(MotionModel::axes) +
+                             " axes are those that the machine has before it",
+                         "give a machine of fewer axes, or leave --hardware-model out");
+    case BlockMove::Problem::too_long:
+      return in_hardware(block, "hardware-register",
+                         "the hardware: more steps of " + letter + " than its counters of " +
+                             std::to_string(model_width) + " bits hold",
+                         "lines of up to 16777215 steps, arcs of radii up to 8388606: write shorter ones, or leave "
+                         "--hardware-model out");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<base::Diagnostic> missing_model() {
+  if (has_motion_model()) return std::nullopt;
+  return base::problem("hardware-model", "--hardware-model: this leadscrew was built without the model of the hardware",
+                       "install verilator and build with cmake --preset release -DLEADSCREW_HARDWARE=ON");
+}
+
+std::int64_t check_model_program(gcode::ByteSource source, const machine::Machine& machine,
+                                 const machine::ToolTable& tools, const gcode::ReaderOptions& reading,
+                                 const nc::PulseOptions& options, const gcode::DiagnosticSink& sink,
+                                 const nc::GoesOn& goes_on) {
+  gcode::Reader reader(std::move(source), machine, tools, reading, sink);
+  nc::BlockMaker maker(machine, options, reading.start);
+  const Lanes lanes(machine);
+  gcode::Move move;
+  while (goes_on() && reader.next(move)) {
+    maker.stand_at(move.start);
+    maker.load(move);
+    while (goes_on()) {
+      auto planned = maker.next();
+      if (!planned) break;
+      auto problem = *planned ? hardware_problem((*planned)->block, lanes) : std::optional((*planned).error());
+      if (problem) reader.reject(move, std::move(*problem));
+    }
+  }
+  return reader.errors() + (reader.source_failure() ? 1 : 0);
+}
+
+}  // namespace leadscrew::hardware
