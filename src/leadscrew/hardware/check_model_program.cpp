@@ -8,7 +8,7 @@ namespace leadscrew::hardware {
 
 namespace {
 
-base::Diagnostic in_hardware(const nc::Block& block, std::string_view code, std::string message, std::string hint) {
+base::Diagnostic refusal(const nc::Block& block, std::string_view code, std::string message, std::string hint) {
   base::Diagnostic found = base::problem(code, std::move(message), std::move(hint), {.field = nc::pulses_field});
   found.place.line = base::number(block.line);
   return found;
@@ -21,15 +21,15 @@ std::optional<base::Diagnostic> hardware_problem(const nc::Block& block, const L
     case BlockMove::Problem::none:
       break;
     case BlockMove::Problem::helix:
-      return in_hardware(block, "hardware-helix", "the hardware: an arc along which " + letter + " moves too",
+      return refusal(block, "hardware-helix", "the hardware: an arc along which " + letter + " moves too",
                          "write it as lines, or leave --hardware-model out");
     case BlockMove::Problem::axis:
-      return in_hardware(block, "hardware-axes",
+      return refusal(block, "hardware-axes",
                          "the hardware: " + letter + ", where its " + std::to_string(MotionModel::axes) +
                              " axes are those that the machine has before it",
                          "give a machine of fewer axes, or leave --hardware-model out");
     case BlockMove::Problem::too_long:
-      return in_hardware(block, "hardware-register",
+      return refusal(block, "hardware-register",
                          "the hardware: more steps of " + letter + " than its counters of " +
                              std::to_string(model_width) + " bits hold",
                          "lines of up to 16777215 steps, arcs of radii up to 8388606: write shorter ones, or leave "
