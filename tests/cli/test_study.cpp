@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <leadscrew/cli/share_out.hpp>
+#include <leadscrew/realtime/share_out.hpp>
 #include <vector>
 
 #include "command.hpp"
@@ -32,7 +32,7 @@ TEST(Study, ListNamesWhatThereIs) {
 TEST(ShareOut, DoesEachPartOnce) {
   for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
     std::vector<int> done(count);
-    share_out(count, [&](std::size_t i) { ++done[i]; });
+    realtime::share_out(count, [&](std::size_t i) { ++done[i]; });
     EXPECT_EQ(done, std::vector<int>(count, 1));
   }
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/share_out.hpp>
 #include <leadscrew/cli/study.hpp>
 #include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/realtime/share_out.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>
 #include <leadscrew/results/studies.hpp>
 #include <leadscrew/study/studies.hpp>
@@ -64,7 +64,7 @@ Status study(const Arguments& arguments, Console& console) {
       std::find_if(known.begin(), known.end(), [&](const auto& s) { return s.name == arguments.study.name; });
   if (chosen == known.end()) return Status::usage;
   files::end_when_interrupted();
-  const study::Host host = {realtime::SystemClocks::processor_seconds, wall_seconds, share_out};
+  const study::Host host = {realtime::SystemClocks::processor_seconds, wall_seconds, realtime::share_out};
   const study::Rows rows = chosen->rows(host);
   if (arguments.study.picture) {
     if (auto drawn = draw(*chosen, *arguments.study.picture); !drawn) {

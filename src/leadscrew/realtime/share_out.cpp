@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <atomic>
-#include <leadscrew/cli/share_out.hpp>
+#include <leadscrew/realtime/share_out.hpp>
 #include <thread>
 #include <vector>
 
-namespace leadscrew::cli {
+namespace leadscrew::realtime {
 
 void share_out(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
@@ -17,4 +17,4 @@ void share_out(std::size_t count, const std::function<void(std::size_t)>& work) 
   take();
 }
 
-}  // namespace leadscrew::cli
+}  // namespace leadscrew::realtime
