@@ -226,7 +226,7 @@ void expect_sound(Draw& draw, const NamedChain& named) {
 
 TEST(PoleRuns, KeepTheToolWithinItsTolerance) {
   Draw draw(2026);
-  for (int k = 0; k < 20 && !::testing::Test::HasFatalFailure(); ++k)
+  for (int k = 0; k < 8 && !::testing::Test::HasFatalFailure(); ++k)
     for (const NamedChain& named : all_chains()) expect_sound(draw, named);
 }
 

@@ -61,12 +61,13 @@ struct Pose {
 struct VectorProgram {
   double p = 0, e = 0, cone = 0;
   std::vector<Pose> poses;
+  std::vector<kinematics::GreatCircle> circles;  ///< from each direction to the next
 
   Pose at(double place) const {
     const auto k = std::min(static_cast<std::size_t>(std::max(place, 0.0)), poses.size() - 2);
     const double share = std::clamp(place - static_cast<double>(k), 0.0, 1.0);
-    const kinematics::GreatCircle circle(poses[k].direction, poses[k + 1].direction);
-    return {numeric::sum(poses[k].tip, share, numeric::difference(poses[k + 1].tip, poses[k].tip)), circle.at(share)};
+    return {numeric::sum(poses[k].tip, share, numeric::difference(poses[k + 1].tip, poses[k].tip)),
+            circles[k].at(share)};
   }
   /// The greater of what a pose is off by in the tip and in the direction, of P and E.
   double off(const Pose& pose, double place) const {
@@ -106,6 +107,8 @@ VectorProgram random_vectors(const Vector& pole) {
         y = 0.9 * y + between(-step, step);
     }
   }
+  for (std::size_t k = 0; k + 1 < program.poses.size(); ++k)
+    program.circles.emplace_back(program.poses[k].direction, program.poses[k + 1].direction);
   return program;
 }
 
@@ -162,15 +165,19 @@ class PoseMatcher {
  private:
   /// Along one line both are the farther off the farther from their least.
   void search(const Pose& pose, double leg, double& best) {
-    double from = leg, to = leg + 1;
+    const double golden = (std::sqrt(5.0) - 1) / 2;  // of the width is kept each time, and one of the two places in it
+    double from = leg, to = leg + 1, left = to - golden, right = from + golden;
+    double off_left = program_.off(pose, left), off_right = program_.off(pose, right);
     while (to - from > 1e-5) {
-      const double third = (to - from) / 3;
-      if (program_.off(pose, from + third) < program_.off(pose, to - third))
-        to -= third;
-      else
-        from += third;
+      if (off_left < off_right) {
+        to = right, right = left, off_right = off_left;
+        off_left = program_.off(pose, left = to - golden * (to - from));
+      } else {
+        from = left, left = right, off_left = off_right;
+        off_right = program_.off(pose, right = from + golden * (to - from));
+      }
     }
-    const double off = program_.off(pose, from);
+    const double off = std::min(off_left, off_right);
     if (off >= best) return;
     best = off;
     place_ = from;
