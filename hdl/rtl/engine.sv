@@ -40,31 +40,38 @@ module engine #(
   logic [    AXES-2:0] steps;  // of each unit
   logic [         1:0] curve;
   logic [    AXES-1:0] drives;
-  logic overflow, counts, feeding, goes_diagonal, after_diagonal;
+  logic overflow, counts, over, after_diagonal;
 
   assign steps_left = running ? left[WIDTH-1:0] + WIDTH'(2) : '0;
   assign overflow = sum[FEED_WIDTH];
-  assign goes_diagonal = steps[0];
-  assign counts   = overflow | dwell;
-  assign finished = running & counts & left[WIDTH];
-  assign take     = go & next_valid & (finished | ~running);
-  assign feeding  = take | (running & ~finished);
+  assign counts = overflow | dwell;
+  assign over = counts & left[WIDTH];
+  assign finished = running & over;
+  assign take = go & next_valid & over;
 
+  // The word of the next tick. It follows the sign of a step a tick late, so that the adder does not wait for it.
   always_comb begin
-    word = (overflow ? goes_diagonal : after_diagonal) ? feed_diagonal : feed;
-    if (finished | ~running) word = next_feed;
+    word = after_diagonal ? feed_diagonal : feed;
+    if (over) word = next_feed;
   end
 
+  // At rest: the last tick of a dwell that does not end.
   always_ff @(posedge clk) begin
     if (rst | abort_now) begin
       sum <= '0;
       running <= 1'b0;
-      dwell <= 1'b0;
+      dwell <= 1'b1;
+      left[WIDTH] <= 1'b1;
     end else if (go) begin
       sum <= {1'b0, sum[FEED_WIDTH-1:0]};
-      if (feeding) sum <= {1'b0, sum[FEED_WIDTH-1:0]} + word;
-      running <= feeding;
-      if (finished | ~running) dwell <= next_dwell & next_valid;
+      if (next_valid | ~over) sum <= {1'b0, sum[FEED_WIDTH-1:0]} + word;
+      if (over) begin
+        running <= next_valid;
+        dwell <= next_dwell | ~next_valid;
+        if (next_valid) left <= next_left;
+      end else if (counts) begin
+        left <= left - 1'b1;
+      end
     end
     if (rst) begin
       source <= '0;
@@ -74,15 +81,11 @@ module engine #(
       backward <= next_backward;
     end
     if (take) begin
-      left <= next_left;
       curve <= next_curve;
       feed <= next_feed;
       feed_diagonal <= next_feed_diagonal;
-      after_diagonal <= 1'b0;
-    end else if (go & counts) begin
-      left <= left - 1'b1;
-      after_diagonal <= goes_diagonal;
     end
+    if (go & counts) after_diagonal <= steps[0] & ~over;
   end
 
   genvar u, i;

@@ -36,9 +36,9 @@
 //
 // Feed: at every tick (each `prescale` + 1 clocks) command_feed is added to a remainder of FEED_WIDTH bits, its overflow
 // is a step of the driving axis; 2^FEED_WIDTH, an overflow at every tick, is the greatest word. Between commands the
-// remainder stays, and no tick is lost. After a diagonal step (one of unit 0) and up to the next one in this command
-// command_feed_diagonal is added: command_feed/√2 there makes the speed along the path even, command_feed leaves all
-// steps evenly spaced.
+// remainder stays, and no tick is lost. From the second tick after a diagonal step (one of unit 0) up to that after the
+// next step of this command command_feed_diagonal is added: command_feed/√2 there makes the speed along the path even,
+// command_feed leaves all steps evenly spaced.
 //
 // Where an axis is to step sooner than its drive's times allow, all axes wait for it: the path stays, and
 // error[ERROR_STRETCHED] tells. With step_length 1 and all other times 0 nothing ever waits (for models: two steps at

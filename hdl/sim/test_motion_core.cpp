@@ -1,0 +1,368 @@
+#include <Vmotion_core.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "core_bench.hpp"
+
+// rtl/motion_core.sv as a whole: feed and dwells, the queue, hold, abort, watchdog, positions.
+
+namespace leadscrew::hardware {
+namespace test_motion_core {
+
+using Core24 = Core<Vmotion_core, 24, 40>;
+enum Error : int { overflow = 1, underflow = 2, watchdog = 4, stretched = 8, empty = 16 };
+
+struct Step {
+  std::int64_t tick = 0;
+  CorePulse pulse;
+
+  friend bool operator==(const Step&, const Step&) = default;
+};
+
+CoreCommand with_feed(CoreCommand command, std::uint64_t feed) {
+  command.feed = command.feed_diagonal = feed;
+  return command;
+}
+CoreCommand final_line(const CoreVector& delta, std::uint64_t feed) {
+  CoreCommand command = with_feed(line_command(delta), feed);
+  command.final = true;
+  return command;
+}
+
+/// Random lines, arcs and dwells with a feed each, and their steps by pulse/: the feed's remainder goes through.
+struct RandomProgram {
+  std::vector<CoreCommand> commands;
+  std::vector<Step> steps;
+
+  explicit RandomProgram(std::uint64_t seed) : random_(seed) {
+    for (int block = 0; block < 40; ++block) {
+      feed_word_ = draw(1, 8) == 1 ? capacity : draw(capacity / 40, capacity - 1);
+      feed_.feed(feed_word_);
+      switch (draw(0, 3)) {
+        case 0:
+          add_dwell(draw(1, 50));
+          break;
+        case 1:
+          add_arc();
+          break;
+        default:
+          add_line({draw(-40, 40), draw(-40, 40), draw(-40, 40)});
+      }
+    }
+    commands.back().final = true;
+  }
+
+ private:
+  static constexpr std::int64_t capacity = std::int64_t{1} << 40;
+
+  std::int64_t draw(std::int64_t least, std::int64_t greatest) {
+    return std::uniform_int_distribution<std::int64_t>(least, greatest)(random_);
+  }
+  void add_dwell(std::int64_t ticks) {
+    CoreCommand dwell;
+    dwell.count = ticks;
+    dwell.dwell = true;
+    commands.push_back(dwell);
+    tick_ += ticks;
+  }
+  void add_line(const CoreVector& delta) {
+    if (delta == CoreVector{}) return;
+    commands.push_back(with_feed(line_command(delta), static_cast<std::uint64_t>(feed_word_)));
+    make(line_of_pulse(delta), [](const CorePulse& pulse) { return pulse; });
+  }
+  void add_arc() {
+    pulse::Arc arc{{draw(1, 50), draw(-50, 50)}, {}, pulse::Direction::clockwise};
+    arc.end = {arc.start.y, -arc.start.x};
+    std::vector<CoreCommand> octants;
+    push_arc(octants, arc, 2, 0);
+    for (const CoreCommand& octant : octants)
+      commands.push_back(with_feed(octant, static_cast<std::uint64_t>(feed_word_)));
+    make(CircleOfPulse(arc), [](const pulse::Pulse<2>& pulse) { return CorePulse{{pulse.step[1], 0, pulse.step[0]}}; });
+  }
+  template <typename State, typename Placed>
+  void make(State state, const Placed& placed) {
+    while (!state.done()) {
+      ++tick_;
+      if (feed_.step()) steps.push_back({tick_, placed(state.step())});
+    }
+  }
+
+  std::mt19937_64 random_;
+  pulse::FeedDda feed_{capacity, 0};
+  std::int64_t feed_word_ = 0, tick_ = 0;
+};
+
+std::vector<Step> steps_of(Core24& core, const std::vector<CoreCommand>& commands) {
+  std::vector<Step> steps;
+  std::int64_t tick = 0;
+  core.run(commands, 1'000'000, [&](const CorePulse& pulse) {
+    ++tick;
+    if (pulse != CorePulse{}) steps.push_back({tick, pulse});
+  });
+  return steps;
+}
+
+void expect_positions(Core24& core, const std::vector<Step>& steps) {
+  for (std::size_t axis = 0; axis < core_axes; ++axis) {
+    const std::int64_t sum =
+        std::accumulate(steps.begin(), steps.end(), std::int64_t{0},
+                        [&](std::int64_t so_far, const Step& step) { return so_far + step.pulse.step[axis]; });
+    EXPECT_EQ(core.position(axis), sum);
+  }
+}
+
+TEST(MotionCore, MakesWholeProgramsTickByTick) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Core24 core;
+    const RandomProgram program(seed);
+    EXPECT_EQ(steps_of(core, program.commands), program.steps) << "seed " << seed;
+    EXPECT_EQ(core->error, 0);
+    EXPECT_EQ(core->commands_done, program.commands.size());
+    expect_positions(core, program.steps);
+  }
+}
+
+TEST(MotionCore, PassesATickEachSoManyClocks) {
+  const RandomProgram program(100);
+  Core24 core;
+  core->prescale = 4;
+  std::vector<Step> steps = steps_of(core, program.commands);
+  ASSERT_EQ(steps.size(), program.steps.size());
+  const std::int64_t first = steps[0].tick - 5 * program.steps[0].tick;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    ASSERT_EQ(steps[i].tick, 5 * program.steps[i].tick + first);
+    ASSERT_EQ(steps[i].pulse, program.steps[i].pulse);
+  }
+}
+
+TEST(MotionCore, RefusesWhatTheFullQueueCannotHold) {
+  Core24 core;
+  core->hold = 1;
+  const std::int64_t depth = 16;
+  for (std::int64_t i = 0; i < depth + 3; ++i) {
+    EXPECT_EQ(core->fifo_full, i >= depth);
+    core.offer(final_line({1 << std::min<std::int64_t>(i, 18), 0, -1}, Core24::every_tick));
+    core.clock();
+    EXPECT_EQ(core->fifo_level, std::min(i + 1, depth));
+    EXPECT_EQ(core->error, i >= depth ? overflow : 0);
+  }
+  core.offer_nothing();
+  core->hold = 0;
+  core->error_clear = overflow;
+  core.clock();
+  core->error_clear = 0;
+  steps_of(core, {});
+  EXPECT_EQ(core.position(0), (1 << depth) - 1);
+  EXPECT_EQ(core.position(2), -depth);
+  EXPECT_EQ(core->error, 0);
+}
+
+TEST(MotionCore, TellsWhereTheQueueRunsDryAndGoesOn) {
+  Core24 core;
+  const CoreCommand line = with_feed(line_command({5, -3, 2}), Core24::every_tick);
+  EXPECT_EQ(steps_of(core, {line}).size(), 5u);
+  EXPECT_EQ(core->error, underflow);
+  EXPECT_EQ(steps_of(core, {line, line}).size(), 10u);
+  EXPECT_EQ(core->error, underflow);
+  core->error_clear = underflow;
+  core.clock();
+  core->error_clear = 0;
+  EXPECT_EQ(steps_of(core, {line, final_line({0, 0, 1}, Core24::every_tick)}).size(), 6u);
+  EXPECT_EQ(core->error, 0);
+  EXPECT_EQ(core.position(0), 20);
+  EXPECT_EQ(core.position(1), -12);
+  EXPECT_EQ(core.position(2), 9);
+}
+
+TEST(MotionCore, RefusesACommandWithoutSteps) {
+  Core24 core;
+  CoreCommand nothing = final_line({1, 0, 0}, Core24::every_tick);
+  nothing.count = 0;
+  EXPECT_TRUE(steps_of(core, {nothing}).empty());
+  EXPECT_EQ(core->error, empty);
+  EXPECT_EQ(core->fifo_level, 0);
+}
+
+TEST(MotionCore, HoldStopsWithinAStepAndLosesNone) {
+  const RandomProgram program(7);
+  Core24 core;
+  std::mt19937_64 random(8);
+  std::size_t pushed = 0, seen = 0;
+  for (std::int64_t clock = 0; clock < 200'000 && (pushed < program.commands.size() || core->busy); ++clock) {
+    if (random() % 30 == 0) core->hold = !core->hold;
+    core.offer_nothing();
+    if (pushed < program.commands.size() && !core->fifo_full) core.offer(program.commands[pushed++]);
+    const CorePulse pulse = core.pulse();
+    if (pulse != CorePulse{}) {
+      ASSERT_EQ(core->hold, 0);
+      ASSERT_LT(seen, program.steps.size());
+      ASSERT_EQ(pulse, program.steps[seen++].pulse);
+    }
+    core.clock();
+  }
+  EXPECT_EQ(seen, program.steps.size());
+  EXPECT_EQ(core->error, 0);
+}
+
+TEST(MotionCore, AbortDropsAllAndKeepsThePosition) {
+  Core24 core;
+  core.for_all_times(7, 7, 0, 0);
+  const CoreCommand line = with_feed(line_command({1000, 400, -100}), Core24::every_tick / 16);
+  for (int i = 0; i < 3; ++i) {
+    core.offer(line);
+    core.clock();
+  }
+  core.offer_nothing();
+  std::int64_t steps = 0;
+  while (steps < 50) {
+    steps += core.pulse().step[0];
+    core.clock();
+  }
+  ASSERT_EQ(core->step & 1, 1);
+  core->abort_now = 1;
+  core.clock();
+  core->abort_now = 0;
+  EXPECT_EQ(core->running, 0);
+  EXPECT_EQ(core->fifo_level, 0);
+  int high = 2;  // clocks so far: the decision's and the abort's
+  for (; core->step & 1; ++high) core.clock();
+  EXPECT_EQ(high, 1 + 7);
+  for (int clock = 0; clock < 1000; ++clock) {
+    EXPECT_EQ(core.pulse(), CorePulse{});
+    core.clock();
+  }
+  EXPECT_EQ(core.position(0), 50);
+  EXPECT_EQ(core->busy, 0);
+  EXPECT_EQ(steps_of(core, {final_line({-50, 0, 0}, Core24::every_tick / 16)}).size(), 50u);
+  EXPECT_EQ(core.position(0), 0);
+}
+
+TEST(MotionCore, StopsWhereTheWatchdogIsNotKicked) {
+  Core24 core;
+  core->watchdog_period = 50;
+  core.offer(final_line({1000, 0, 0}, Core24::every_tick));
+  for (int clock = 0; clock < 200; ++clock) {
+    core->watchdog_kick = clock % 50 == 0;
+    core.clock();
+    core.offer_nothing();
+  }
+  EXPECT_EQ(core->error, 0);
+  core->watchdog_kick = 0;
+  for (int clock = 0; clock < 60; ++clock) core.clock();
+  EXPECT_EQ(core->error, watchdog);
+  const std::int64_t stopped = core.position(0);
+  EXPECT_GT(stopped, 190);
+  EXPECT_LT(stopped, 260);
+  for (int clock = 0; clock < 60; ++clock) core.clock();
+  EXPECT_EQ(core.position(0), stopped);
+  core->watchdog_period = 0;
+  core->error_clear = watchdog;
+  core.clock();
+  core->error_clear = 0;
+  steps_of(core, {});
+  EXPECT_EQ(core.position(0), 1000);
+  EXPECT_EQ(core->error, 0);
+}
+
+TEST(MotionCore, InterruptsAtTheWatermark) {
+  Core24 core;
+  core->watermark = 2;
+  core->interrupt_enable = 1;
+  core->hold = 1;
+  core->eval();
+  EXPECT_EQ(core->irq, 1);
+  for (int i = 1; i <= 4; ++i) {
+    core.offer(final_line({10, 0, 0}, Core24::every_tick));
+    core.clock();
+    EXPECT_EQ(core->irq, i <= 2);
+  }
+  core.offer_nothing();
+  core->hold = 0;
+  std::int64_t clocks = 0;
+  for (; !core->irq && clocks < 100; ++clocks) core.clock();
+  EXPECT_EQ(core->fifo_level, 2);
+  core->interrupt_enable = 2;
+  core->eval();
+  EXPECT_EQ(core->irq, 0);
+  steps_of(core, {});
+  EXPECT_EQ(core->irq, 1);
+}
+
+TEST(MotionCore, LatchesPositionsAtTheProbe) {
+  Core24 core;
+  core->position_set = 0b101;
+  core->position_set_value = static_cast<std::uint32_t>(-7);
+  core.clock();
+  core->position_set = 0;
+  EXPECT_EQ(core.position(0), -7);
+  EXPECT_EQ(core.position(1), 0);
+  EXPECT_EQ(core.position(2), -7);
+  core.offer(final_line({100, 50, -25}, Core24::every_tick));
+  core.clock();
+  core.offer_nothing();
+  core->probe_enable = 1;
+  for (int clock = 0; clock < 40; ++clock) core.clock();
+  EXPECT_EQ(core->latched, 0);
+  const std::int64_t before = core.position(0);
+  core->probe = 1;
+  for (int clock = 0; clock < 10; ++clock) core.clock();
+  EXPECT_EQ(core->latched, 1);
+  EXPECT_EQ(core.latched_position(0), before + 2);  // the flip-flops
+  EXPECT_EQ(core.latched_position(1), std::llround((core.latched_position(0) + 7) / 2.0 - 0.25));
+  core->latch_clear = 1;
+  core.clock();
+  core->latch_clear = 0;
+  for (int clock = 0; clock < 10; ++clock) core.clock();
+  EXPECT_EQ(core->latched, 0) << "the probe still touches";
+  core->latch = 1;
+  const std::int64_t now = core.position(0);
+  core.clock();
+  core->latch = 0;
+  EXPECT_EQ(core.latched_position(0), now);
+}
+
+/// The greatest and the least speed over 200 steps of a quarter of R 2000, BLU a tick over `feed`.
+std::pair<double, double> speeds_of_a_quarter(double share_of_diagonal) {
+  Core24 core;
+  constexpr std::int64_t radius = 2000;
+  constexpr double feed = 0.05;
+  std::vector<CoreCommand> commands;
+  push_arc(commands, {{radius, 0}, {0, radius}, pulse::Direction::counterclockwise}, 0, 1);
+  for (CoreCommand& command : commands) {
+    command.feed = static_cast<std::uint64_t>(feed * static_cast<double>(Core24::every_tick));
+    command.feed_diagonal = static_cast<std::uint64_t>(static_cast<double>(command.feed) * share_of_diagonal);
+  }
+  commands.back().final = true;
+  const std::vector<Step> steps = steps_of(core, commands);
+  std::vector<std::pair<double, double>> way{{0, 0}};  // tick, angle
+  double x = radius, y = 0;
+  for (const Step& step : steps) {
+    x += step.pulse.step[0];
+    y += step.pulse.step[1];
+    way.emplace_back(static_cast<double>(step.tick), std::atan2(y, x));
+  }
+  double least = 1e9, greatest = 0;
+  for (std::size_t i = 200; i < way.size(); ++i) {
+    const double speed = radius * (way[i].second - way[i - 200].second) / (way[i].first - way[i - 200].first) / feed;
+    least = std::min(least, speed);
+    greatest = std::max(greatest, speed);
+  }
+  return {least, greatest};
+}
+
+/// With evenly spaced steps the speed is 1/max(|cos|, |sin|) times that along an axis, up to √2; with diagonal steps √2
+/// as long it is √(c² + s²)/(c + (√2 − 1) s), down to 1/1.0824 at an eighth of a turn's half.
+TEST(MotionCore, GoesAroundACircleEvenlyWhereDiagonalStepsTakeLonger) {
+  const auto [even_least, even_greatest] = speeds_of_a_quarter(1);
+  EXPECT_GT(even_least, 0.99);
+  EXPECT_GT(even_greatest, 1.35);
+  const auto [least, greatest] = speeds_of_a_quarter(std::sqrt(0.5));
+  EXPECT_GT(least, 0.91);
+  EXPECT_LT(greatest, 1.01);
+}
+
+}  // namespace test_motion_core
+}  // namespace leadscrew::hardware
