@@ -1,13 +1,13 @@
-// motion_core.sv of two axes and width 4: any lines and any octants one after the other, with any feeds of at least half
-// a step a tick, times of drives, holds and aborts.
+// motion_core.sv of two axes and width 4: any lines, or any octants that begin on an axis (OCTANTS), one after the other,
+// with any feeds of at least half a step a tick, times of drives, holds and aborts.
 module core_properties #(
-    parameter int WIDTH = 4
+    parameter int WIDTH = 4,
+    parameter bit OCTANTS = 1'b0
 ) (
     input logic clk,
     input logic any_hold,
     input logic any_abort,
     input logic any_push,
-    input logic is_octant,  // else a line
     input logic x_drives,
     input logic [1:0] any_backward,
     input logic [WIDTH-1:0] any_count,  // of a line; of an octant: steps of g
@@ -39,7 +39,8 @@ module core_properties #(
   logic octant, swapped;
   logic [1:0] sense, step_strobe, step_backward, step, direction;
   logic [WIDTH+1:0] decision, straight, diagonal;
-  logic fits;
+  logic fits, is_octant;
+  assign is_octant = OCTANTS;
   assign fits = any_count != '0 & (is_octant ? any_other[WIDTH-1:WIDTH-1] == 1'b0 & any_count < any_other
                                              : any_other <= any_count);
   assign push = any_push & ~busy & ~waiting & fits & ~abort_now;
@@ -122,10 +123,10 @@ module core_properties #(
   );
 
   // What is to be and what is
-  logic [5:0] seen_x, seen_y, was_x, was_y;
+  logic [5:0] seen_x, seen_y;
   logic [WIDTH-1:0] made, made_other;
-  logic [1:0] was_strobe, was_step;
-  logic was_running, was_aborted, aborted, ends, driving, following;
+  logic [1:0] was_strobe;
+  logic was_running, aborted, ends, driving, following;
   logic [LONG-1:0] since_push, allowed;
   logic [3:0] pushed;
   assign driving = swapped ? step_strobe[1] : step_strobe[0];
@@ -144,8 +145,8 @@ module core_properties #(
   always_ff @(posedge clk) begin
     begun <= 1'b1;
     if (rst) begin
-      {seen_x, seen_y, was_x, was_y} <= '0;
-      {was_strobe, was_step, was_running, was_aborted, aborted, waiting} <= '0;
+      {seen_x, seen_y} <= '0;
+      {was_strobe, was_running, aborted, waiting} <= '0;
       {made, made_other, since_push, pushed, count, other} <= '0;
       octant <= 1'b0;
       may_abort <= with_aborts;
@@ -155,11 +156,8 @@ module core_properties #(
       // Pulses of one clock: a pulse at each clock at which the signal is high
       if (step[0]) seen_x <= direction[0] ? seen_x - 1'b1 : seen_x + 1'b1;
       if (step[1]) seen_y <= direction[1] ? seen_y - 1'b1 : seen_y + 1'b1;
-      {was_y, was_x} <= position;
       was_strobe <= step_strobe;
-      was_step <= step;
       was_running <= running;
-      was_aborted <= abort_now;
       waiting <= push;
       if (~hold) since_push <= since_push + 1'b1;
       if (push) begin
@@ -179,7 +177,7 @@ module core_properties #(
     end
   end
 
-  assign fails_position = begun & {was_y, was_x} != {seen_y + (step[1] ? (direction[1] ? 6'h3f : 6'h01) : 6'h00),
+  assign fails_position = begun & position != {seen_y + (step[1] ? (direction[1] ? 6'h3f : 6'h01) : 6'h00),
                                                      seen_x + (step[0] ? (direction[0] ? 6'h3f : 6'h01) : 6'h00)};
   assign fails_idle = begun & (step_strobe != '0 & (~running | hold | abort_now) | step != was_strobe);
   assign fails_end = begun & (ends & ~octant & (made != count | made_other != other)
