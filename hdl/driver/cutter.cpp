@@ -113,7 +113,8 @@ Command Cutter::line() {
     const std::uint32_t steps = magnitude(move_.delta[axis]);
     if (steps == 0) continue;
     set_sense(command, axis, move_.delta[axis] < 0);
-    if (steps == command.count) {
+    // What drives beside is no step of a unit, which alone have the feed of diagonal steps.
+    if (axis == driving || (steps == command.count && move_.speed == Move::Speed::even_steps)) {
       set_source(command, axis, source_drives);
       continue;
     }

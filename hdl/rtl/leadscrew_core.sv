@@ -186,12 +186,41 @@ module leadscrew_core #(
       .direction(direction)
   );
 
-  // PAPER
-  assign paper_busy = 1'b0;
-  assign paper_refused = 1'b0;
-  assign paper_x = 32'd0;
-  assign paper_z = 32'd0;
-  assign {X_Pwm_Out, Z_Pwm_Out, X_Dir, Z_Dir} = 4'b0000;
+  generate
+    if (PAPER_WIDTH > 0) begin : paper
+      logic signed [PAPER_WIDTH-1:0] x, z;
+      assign paper_x = 32'(x);
+      assign paper_z = 32'(z);
+      paper_interpolators #(
+          .WIDTH(PAPER_WIDTH)
+      ) interpolators (
+          .clk(clk),
+          .rst(rst),
+          .start_x(paper_start_x[PAPER_WIDTH-1:0]),
+          .start_z(paper_start_z[PAPER_WIDTH-1:0]),
+          .end_x(paper_end_x[PAPER_WIDTH-1:0]),
+          .end_z(paper_end_z[PAPER_WIDTH-1:0]),
+          .clockwise(paper_clockwise),
+          .method(paper_method),
+          .start(paper_start),
+          .busy(paper_busy),
+          .refused(paper_refused),
+          .x(x),
+          .z(z),
+          .x_pulse(X_Pwm_Out),
+          .z_pulse(Z_Pwm_Out),
+          .x_up(X_Dir),
+          .z_up(Z_Dir)
+      );
+    end else begin : no_paper
+      assign {paper_busy, paper_refused, paper_x, paper_z} = '0;
+      assign {X_Pwm_Out, Z_Pwm_Out, X_Dir, Z_Dir} = '0;
+    end
+  endgenerate
+
+  // Without them nothing takes these; with them only as many bits as they have.
   logic unused;
-  assign unused = &{1'b0, paper_start_x, paper_start_z, paper_end_x, paper_end_z, paper_method, paper_clockwise, paper_start};
+  assign unused = &{
+    1'b0, paper_start_x, paper_start_z, paper_end_x, paper_end_z, paper_method, paper_clockwise, paper_start
+  };
 endmodule
