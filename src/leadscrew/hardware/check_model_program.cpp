@@ -22,18 +22,18 @@ std::optional<base::Diagnostic> hardware_problem(const nc::Block& block, const L
       break;
     case BlockMove::Problem::helix:
       return refusal(block, "hardware-helix", "the hardware: an arc along which " + letter + " moves too",
-                         "write it as lines, or leave --hardware-model out");
+                     "write it as lines, or leave --hardware-model out");
     case BlockMove::Problem::axis:
       return refusal(block, "hardware-axes",
-                         "the hardware: " + letter + ", where its " + std::to_string(MotionModel::axes) +
-                             " axes are those that the machine has before it",
-                         "give a machine of fewer axes, or leave --hardware-model out");
+                     "the hardware: " + letter + ", where its " + std::to_string(MotionModel::axes) +
+                         " axes are those that the machine has before it",
+                     "give a machine of fewer axes, or leave --hardware-model out");
     case BlockMove::Problem::too_long:
       return refusal(block, "hardware-register",
-                         "the hardware: more steps of " + letter + " than its counters of " +
-                             std::to_string(model_width) + " bits hold",
-                         "lines of up to 16777215 steps, arcs of radii up to 8388606: write shorter ones, or leave "
-                         "--hardware-model out");
+                     "the hardware: more steps of " + letter + " than its counters of " + std::to_string(model_width) +
+                         " bits hold",
+                     "lines of up to 16777215 steps, arcs of radii up to 8388606: write shorter ones, or leave "
+                     "--hardware-model out");
   }
   return std::nullopt;
 }
