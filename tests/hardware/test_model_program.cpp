@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <leadscrew/hardware/model_program.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -92,6 +94,35 @@ TEST(ModelProgram, StepsAsTheSoftwareDoes) {
   EXPECT_EQ(steps_of(hardware), expected);
   EXPECT_EQ(hardware.ticks(), software.ticks());
   EXPECT_GT(hardware.clocks(), hardware.ticks());
+}
+
+/// The file of waveforms has its name once the program is at its end, and is gone where it does not come there.
+TEST(ModelProgram, WritesWaveformsWholeOrNotAtAll) {
+  if (missing_model()) GTEST_SKIP() << "built without the model";
+  const std::filesystem::path waves = std::filesystem::path(testing::TempDir()) / "leadscrew_model_waves.fst";
+  const std::filesystem::path part = waves.string() + ".part";
+  std::filesystem::remove(waves);
+  const Conditions conditions;
+  const auto moves = [&](const std::string& path) {
+    return std::make_unique<ModelProgram>(
+        gcode::text_source("G1 X0.1 F600\n"), conditions.machine, conditions.tools, gcode::ReaderOptions{},
+        conditions.options, [](const base::Diagnostic&) {}, path);
+  };
+  auto program = moves(waves.string());
+  EXPECT_TRUE(std::filesystem::exists(part));
+  program.reset();
+  EXPECT_FALSE(std::filesystem::exists(part));
+  EXPECT_FALSE(std::filesystem::exists(waves));
+  program = moves(waves.string());
+  EXPECT_EQ(steps_of(*program).size(), 100U);
+  EXPECT_FALSE(program->source_failure());
+  EXPECT_FALSE(std::filesystem::exists(part));
+  EXPECT_GT(std::filesystem::file_size(waves), 1000U);
+  std::filesystem::remove(waves);
+  program = moves("/no/such/folder/x.fst");
+  EXPECT_TRUE(steps_of(*program).empty());
+  ASSERT_TRUE(program->source_failure());
+  EXPECT_EQ(program->source_failure()->code, "io-open");
 }
 
 }  // namespace test_model_program
