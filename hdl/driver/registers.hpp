@@ -66,7 +66,7 @@ inline constexpr int status_fifo_low_bit = 3;
 inline constexpr int status_latched_bit = 4;
 /// The interrupt line.
 inline constexpr int status_interrupt_bit = 5;
-/// By CONTROL.HOLD or by the pin `hold`.
+/// By CONTROL.HOLD or by the pin `hold_pin`.
 inline constexpr int status_held_bit = 6;
 /// Tag of the running command, or of the last one.
 inline constexpr int status_tag_bit = 16;
@@ -227,7 +227,7 @@ inline constexpr int paper_method_method_bits = 2;
 /// Cw.
 inline constexpr int paper_method_clockwise_bit = 4;
 
-/// Bit 0: Syn for one clock. Everything is latched then.
+/// Bit 0: Syn for one clock. Everything is latched then; while BUSY it is ignored.
 inline constexpr std::uint32_t paper_start = 0x154;
 /// Begin.
 inline constexpr int paper_start_syn_bit = 0;
