@@ -10,20 +10,26 @@
 
 namespace leadscrew::pulse {
 
-/// |coordinates| ≤ greatest_coordinate; neither start nor end at the origin. The end may be off the circle through the
+/// |coordinates| ≤ greatest_coordinate_of<Register>; neither start nor end at the origin. The end may be off the circle through the
 /// start by up to half a BLU: it is reached all the same.
-struct Arc {
-  Point start, end;
+template <typename Register>
+struct BasicArc {
+  BasicPoint<Register> start, end;
   Direction direction = Direction::counterclockwise;
 
-  constexpr std::int64_t squared_radius() const { return start.x * start.x + start.y * start.y; }
+  constexpr Square<Register> squared_radius() const {
+    const Square<Register> x = start.x, y = start.y;
+    return x * x + y * y;
+  }
   constexpr bool is_counterclockwise() const { return direction == Direction::counterclockwise; }
 
-  friend constexpr bool operator==(const Arc&, const Arc&) = default;
+  friend constexpr bool operator==(const BasicArc&, const BasicArc&) = default;
 };
+using Arc = BasicArc<std::int64_t>;
 
 /// The quadrant in which a motion from this place goes on: 0 … 3.
-constexpr int quadrant(Point at, Direction direction) {
+template <typename Register>
+constexpr int quadrant(BasicPoint<Register> at, Direction direction) {
   const auto [x, y] = at;
   if (direction == Direction::counterclockwise) {
     if (x > 0 && y >= 0) return 0;
@@ -48,26 +54,28 @@ constexpr int after(int quadrant, Direction direction) {
 }
 
 /// How many borders of quadrants the arc passes: 0 … 4.
-constexpr int borders(const Arc& arc) {
+template <typename Register>
+constexpr int borders(const BasicArc<Register>& arc) {
   const int sense = static_cast<int>(arc.direction);
   const int from = quadrant(arc.start, arc.direction), to = quadrant(arc.end, static_cast<Direction>(-sense));
   const int passed = (sense * (to - from)) & 3;
-  const std::int64_t cross = arc.start.x * arc.end.y - arc.start.y * arc.end.x;
-  const std::int64_t dot = arc.start.x * arc.end.x + arc.start.y * arc.end.y;
+  const Square<Register> x = arc.start.x, y = arc.start.y;
+  const Square<Register> cross = x * arc.end.y - y * arc.end.x, dot = x * arc.end.x + y * arc.end.y;
   const bool goes_round = sense * cross < 0 || (cross == 0 && dot > 0);
   return passed == 0 && goes_round ? 4 : passed;
 }
 
 /// Where the circle leaves a quadrant: the lattice point of the axis nearest to it.
-constexpr Point border(int quadrant, Direction direction, std::int64_t radius) {
+template <typename Register>
+constexpr BasicPoint<Register> border(int quadrant, Direction direction, Register radius) {
   // Counterclockwise the first quadrant is left at +Y; clockwise the second.
   switch (direction == Direction::counterclockwise ? quadrant : (quadrant + 3) & 3) {
     case 0:
       return {0, radius};
     case 1:
-      return {-radius, 0};
+      return {static_cast<Register>(-radius), 0};
     case 2:
-      return {0, -radius};
+      return {0, static_cast<Register>(-radius)};
     default:
       return {radius, 0};
   }

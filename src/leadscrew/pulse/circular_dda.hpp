@@ -23,20 +23,22 @@ struct CircularDdaOptions {
   Order order = Order::x_first;
   Preload preload = Preload::half;  ///< at the start of every quadrant
   int places = 0;  ///< binary places of the radius in the capacity, 0 … 16: 0 as published; more where feed on circles
-                   ///< of irrational radius is to be exact
+                   ///< of irrational radius is to be exact (R·2^places within the registers; 0 below 64 bits)
   int bits = 0;    ///< of the registers, where the capacity is 2ⁿ: every coordinate of the arc below it, places 0; 0
                    ///< where it is the radius
 };
 
-class CircularDda {
+template <typename Register>
+class BasicCircularDda {
  public:
   static constexpr std::size_t axes = 2;
 
-  constexpr explicit CircularDda(const Arc& arc, CircularDdaOptions options = {})
+  constexpr explicit BasicCircularDda(const BasicArc<Register>& arc, CircularDdaOptions options = {})
       : arc_(arc),
         options_(options),
-        radius_(root(arc.squared_radius(), 0)),
-        capacity_(options.bits > 0 ? std::int64_t{1} << options.bits : root(arc.squared_radius(), options.places)),
+        radius_(static_cast<Register>(root(arc.squared_radius(), 0))),
+        capacity_(static_cast<Register>(options.bits > 0 ? Register{1} << options.bits
+                                                         : root(arc.squared_radius(), options.places))),
         quadrant_(quadrant(arc.start, arc.direction)),
         borders_(borders(arc)) {
     if (capacity_ < 1) capacity_ = 1;
@@ -54,19 +56,20 @@ class CircularDda {
   }
 
   /// For a run of clocks: a copy, to be stepped by itself as long as it goes on and to be given back then.
-  constexpr QuadrantRegisters stretch() const { return now_; }
-  constexpr void give_back(const QuadrantRegisters& stretch) {
+  constexpr BasicQuadrantRegisters<Register> stretch() const { return now_; }
+  constexpr void give_back(const BasicQuadrantRegisters<Register>& stretch) {
     now_ = stretch;
     if (done()) pass_on();
   }
 
-  constexpr Point at() const {
-    return {target_.x - now_.x().sign * now_.x().left, target_.y - now_.y().sign * now_.y().left};
+  constexpr BasicPoint<Register> at() const {
+    return {static_cast<Register>(target_.x - now_.x().sign * now_.x().left),
+            static_cast<Register>(target_.y - now_.y().sign * now_.y().left)};
   }
-  constexpr Integrator x() const { return now_.integrator(now_.x()); }
-  constexpr Integrator y() const { return now_.integrator(now_.y()); }
-  constexpr std::int64_t left_x() const { return now_.x().left; }
-  constexpr std::int64_t left_y() const { return now_.y().left; }
+  constexpr BasicIntegrator<Register> x() const { return now_.integrator(now_.x()); }
+  constexpr BasicIntegrator<Register> y() const { return now_.integrator(now_.y()); }
+  constexpr Register left_x() const { return now_.x().left; }
+  constexpr Register left_y() const { return now_.y().left; }
   constexpr int in_quadrant() const { return quadrant_; }  ///< 0 … 3
 
  private:
@@ -78,8 +81,8 @@ class CircularDda {
     auto& arrived = is_first ? now_.second : now_.first;
     if (alone.integrand > 0 && !now_.step(alone)) return {};
     --alone.left;
-    arrived.integrand += arrived.change;
-    arrived.beyond += arrived.change;
+    arrived.integrand = static_cast<Register>(arrived.integrand + arrived.change);
+    arrived.beyond = static_cast<Register>(arrived.beyond + arrived.change);
     const Pulse<2> pulse = is_first == now_.x_is_first ? Pulse<2>{{alone.sign, 0}} : Pulse<2>{{0, alone.sign}};
     if (done()) pass_on();
     return pulse;
@@ -94,7 +97,7 @@ class CircularDda {
     }
   }
 
-  constexpr void load(Point at) {
+  constexpr void load(BasicPoint<Register> at) {
     target_ = borders_ == 0 ? arc_.end : border(quadrant_, arc_.direction, radius_);
     const bool is_parallel = options_.order == Order::parallel;
     const bool x_shrinks = ((quadrant_ & 1) == 0) == arc_.is_counterclockwise();
@@ -104,27 +107,28 @@ class CircularDda {
     now_.sees_new = is_parallel ? 0 : -1;
     const bool x_lags = absolute(at.y) < absolute(at.x);
     // In a quadrant no coordinate changes its sign.
-    load(now_.x(), target_.x - at.x, {absolute(at.y), absolute(target_.y)}, x_lags);
-    load(now_.y(), target_.y - at.y, {absolute(at.x), absolute(target_.x)}, !x_lags);
+    load(now_.x(), static_cast<Register>(target_.x - at.x), {absolute(at.y), absolute(target_.y)}, x_lags);
+    load(now_.y(), static_cast<Register>(target_.y - at.y), {absolute(at.x), absolute(target_.x)}, !x_lags);
   }
 
   /// Of an axis: its displacement, and the other one's |coordinate| from here to the target.
-  constexpr void load(QuadrantRegisters::AxisIntegrator& axis, std::int64_t delta, std::array<std::int64_t, 2> other,
-                      bool lags) {
-    const std::int64_t unit = std::int64_t{1} << options_.places;
-    axis.integrand = other[0] * unit;
-    axis.change = sign(other[1] - other[0]) * unit;
-    axis.beyond = preloaded(options_.preload, capacity_, lags) + axis.integrand - capacity_;
+  constexpr void load(typename BasicQuadrantRegisters<Register>::AxisIntegrator& axis, Register delta,
+                      std::array<Register, 2> other, bool lags) {
+    const auto unit = static_cast<Register>(Register{1} << options_.places);
+    axis.integrand = static_cast<Register>(other[0] * unit);
+    axis.change = static_cast<Register>(sign(static_cast<Register>(other[1] - other[0])) * unit);
+    axis.beyond = static_cast<Register>(preloaded(options_.preload, capacity_, lags) + axis.integrand - capacity_);
     axis.left = absolute(delta);
     axis.sign = sign(delta);
   }
 
-  Arc arc_;
+  BasicArc<Register> arc_;
   CircularDdaOptions options_;
-  std::int64_t radius_, capacity_;
-  int quadrant_, borders_;  ///< where it is; how many are still to be passed
-  Point target_;            ///< of the quadrant
-  QuadrantRegisters now_;
+  Register radius_, capacity_;
+  int quadrant_, borders_;       ///< where it is; how many are still to be passed
+  BasicPoint<Register> target_;  ///< of the quadrant
+  BasicQuadrantRegisters<Register> now_;
 };
+using CircularDda = BasicCircularDda<std::int64_t>;
 
 }  // namespace leadscrew::pulse

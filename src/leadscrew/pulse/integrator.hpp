@@ -6,28 +6,30 @@
 
 namespace leadscrew::pulse {
 
-class Integrator {
+template <typename Register>
+class BasicIntegrator {
  public:
-  constexpr Integrator() = default;
+  constexpr BasicIntegrator() = default;
   /// capacity: q > 0, as many as an n-bit register has values (2ⁿ) or any other. preload: 0 ≤ r < q,
   /// or −1, with which it overflows as one does that begins empty and only overflows at r > q.
-  constexpr Integrator(std::int64_t capacity, std::int64_t preload) : capacity_(capacity), remainder_(preload) {}
+  constexpr BasicIntegrator(Register capacity, Register preload) : capacity_(capacity), remainder_(preload) {}
 
   /// Does it overflow? 0 ≤ integrand. With an integrand above the capacity the remainder grows: at most one pulse a
   /// clock.
-  constexpr bool add(std::int64_t integrand) {
-    remainder_ += integrand;
+  constexpr bool add(Register integrand) {
+    remainder_ = static_cast<Register>(remainder_ + integrand);
     const bool overflows = remainder_ >= capacity_;
-    remainder_ -= overflows ? capacity_ : 0;
+    remainder_ = static_cast<Register>(remainder_ - (overflows ? capacity_ : 0));
     return overflows;
   }
 
-  constexpr std::int64_t capacity() const { return capacity_; }
-  constexpr std::int64_t remainder() const { return remainder_; }
+  constexpr Register capacity() const { return capacity_; }
+  constexpr Register remainder() const { return remainder_; }
 
  private:
-  std::int64_t capacity_ = 1, remainder_ = 0;
+  Register capacity_ = 1, remainder_ = 0;
 };
+using Integrator = BasicIntegrator<std::int64_t>;
 
 /// What the remainders hold at first. Empty ones are what Koren's program has and what a cleared register holds; half
 /// full ones halve the error of a line, for they round where empty ones cut off.
@@ -38,14 +40,15 @@ enum class Preload : std::uint8_t {
   full,          ///< q − 1
 };
 
-constexpr std::int64_t preloaded(Preload preload, std::int64_t capacity, bool is_lagging) {
+template <typename Register>
+constexpr Register preloaded(Preload preload, Register capacity, bool is_lagging) {
   switch (preload) {
     case Preload::half:
-      return capacity / 2;
+      return static_cast<Register>(capacity / 2);
     case Preload::half_lagging:
-      return is_lagging ? capacity / 2 : 0;
+      return static_cast<Register>(is_lagging ? capacity / 2 : 0);
     case Preload::full:
-      return capacity - 1;
+      return static_cast<Register>(capacity - 1);
     case Preload::none:
       break;
   }

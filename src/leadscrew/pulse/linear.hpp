@@ -6,22 +6,22 @@
 namespace leadscrew::pulse {
 
 /// An integrator an axis, whose integrand is the axis' displacement, and a counter of the steps that are left.
-template <std::size_t axis_count>
+template <std::size_t axis_count, typename Register = std::int64_t>
 class LinearDda {
  public:
   static constexpr std::size_t axes = axis_count;
 
-  /// Displacement of each axis, signed, |delta| ≤ greatest_coordinate. capacity q ≥ the largest of them: 2ⁿ for n-bit
+  /// Displacement of each axis, signed, |delta| ≤ greatest_coordinate_of<Register>. capacity q ≥ the largest of them: 2ⁿ for n-bit
   /// registers, where a line takes 2ⁿ clocks; or its length rounded up, where feed is the rate of the clock. The line
   /// ends at its end whatever the preload.
-  constexpr LinearDda(const std::array<std::int64_t, axes>& delta, std::int64_t capacity, Preload preload)
-      : LinearDda(delta, capacity, 0) {
-    std::int64_t longest = 0;
-    for (const std::int64_t integrand : integrand_) longest = integrand > longest ? integrand : longest;
+  constexpr LinearDda(const std::array<Register, axes>& delta, Register capacity, Preload preload)
+      : LinearDda(delta, capacity, Register{0}) {
+    Register longest = 0;
+    for (const Register integrand : integrand_) longest = integrand > longest ? integrand : longest;
     for (std::size_t i = 0; i < axes; ++i)
       integrator_[i] = {capacity, preloaded(preload, capacity, integrand_[i] < longest)};
   }
-  constexpr LinearDda(const std::array<std::int64_t, axes>& delta, std::int64_t capacity, std::int64_t preload) {
+  constexpr LinearDda(const std::array<Register, axes>& delta, Register capacity, Register preload) {
     for (std::size_t i = 0; i < axes; ++i) {
       integrand_[i] = left_[i] = absolute(delta[i]);
       sign_[i] = sign(delta[i]);
@@ -30,8 +30,8 @@ class LinearDda {
   }
 
   constexpr bool done() const {
-    std::int64_t left = 0;
-    for (const std::int64_t of_axis : left_) left |= of_axis;
+    Register left = 0;
+    for (const Register of_axis : left_) left |= of_axis;
     return left == 0;
   }
 
@@ -39,20 +39,20 @@ class LinearDda {
     Pulse<axes> pulse;
     for (std::size_t i = 0; i < axes; ++i) {
       const bool steps = left_[i] > 0 && integrator_[i].add(integrand_[i]);
-      left_[i] -= steps;
+      left_[i] = static_cast<Register>(left_[i] - steps);
       pulse.step[i] = steps ? sign_[i] : std::int8_t{0};
     }
     return pulse;
   }
 
-  constexpr std::int64_t integrand(std::size_t axis) const { return integrand_[axis]; }
-  constexpr std::int64_t left(std::size_t axis) const { return left_[axis]; }
-  constexpr const Integrator& integrator(std::size_t axis) const { return integrator_[axis]; }
+  constexpr Register integrand(std::size_t axis) const { return integrand_[axis]; }
+  constexpr Register left(std::size_t axis) const { return left_[axis]; }
+  constexpr const BasicIntegrator<Register>& integrator(std::size_t axis) const { return integrator_[axis]; }
 
  private:
-  std::array<std::int64_t, axes> integrand_{}, left_{};
+  std::array<Register, axes> integrand_{}, left_{};
   std::array<std::int8_t, axes> sign_{};
-  std::array<Integrator, axes> integrator_{};
+  std::array<BasicIntegrator<Register>, axes> integrator_{};
 };
 
 /// The smallest q that a line of this squared length may have: its length, rounded up.
@@ -67,8 +67,10 @@ constexpr std::int64_t capacity_for(std::int64_t squared_length) {
 ///
 /// Each axis keeps what share of its distance it has made, ⌊2⁶² k/a⌋ after k of a steps, by additions. For a ≤ 2³⁰ two
 /// such shares are equal or at least 2⁻⁶⁰ apart, so that these order them.
-template <std::size_t axis_count>
+template <std::size_t axis_count, typename Register = std::int64_t>
 class LinearPointComparison {
+  static_assert(sizeof(Register) == 8, "shares of a distance take 62 bits; in a plane any registers do");
+
  public:
   static constexpr std::size_t axes = axis_count;
 
@@ -144,12 +146,12 @@ class LinearPointComparison {
 
 /// In a plane, for the displacement (a, b) and x and y counted along it, that is the sign of F = |a|·y − |b|·x: above
 /// the line F > 0, where x steps; below it y does.
-template <>
-class LinearPointComparison<2> {
+template <typename Register>
+class LinearPointComparison<2, Register> {
  public:
   static constexpr std::size_t axes = 2;
 
-  constexpr explicit LinearPointComparison(const std::array<std::int64_t, 2>& delta)
+  constexpr explicit LinearPointComparison(const std::array<Register, 2>& delta)
       : distance_{absolute(delta[0]), absolute(delta[1])}, left_(distance_), sign_{sign(delta[0]), sign(delta[1])} {}
 
   constexpr bool done() const { return (left_[0] | left_[1]) == 0; }
@@ -157,34 +159,35 @@ class LinearPointComparison<2> {
   constexpr Pulse<2> step() {
     if (done()) return {};
     // A mask, for a branch would be mispredicted.
-    const std::int64_t y_steps = -static_cast<std::int64_t>(f_ < 0 || distance_[0] == 0);
-    left_[0] += ~y_steps;
-    left_[1] += y_steps;
-    f_ += (distance_[0] & y_steps) - (distance_[1] & ~y_steps);
+    const auto y_steps = static_cast<Register>(-static_cast<Register>(f_ < 0 || distance_[0] == 0));
+    left_[0] = static_cast<Register>(left_[0] + ~y_steps);
+    left_[1] = static_cast<Register>(left_[1] + y_steps);
+    f_ = static_cast<Register>(f_ + (distance_[0] & y_steps) - (distance_[1] & ~y_steps));
     return {{static_cast<std::int8_t>(sign_[0] & ~y_steps), static_cast<std::int8_t>(sign_[1] & y_steps)}};
   }
 
-  constexpr std::int64_t deviation() const { return f_; }  ///< F
-  constexpr std::int64_t left(std::size_t axis) const { return left_[axis]; }
+  constexpr Register deviation() const { return f_; }  ///< F
+  constexpr Register left(std::size_t axis) const { return left_[axis]; }
 
  private:
-  std::array<std::int64_t, 2> distance_, left_;
+  std::array<Register, 2> distance_, left_;
   std::array<std::int8_t, 2> sign_;
-  std::int64_t f_ = 0;
+  Register f_ = 0;
 };
 
 /// Bresenham's line: the longer axis steps at every clock, the other where the line is half a BLU away; so do the
 /// methods of least error, for on a line the nearest of three points is one of two. Ends after max(|a|, |b|) clocks.
-class LinearBresenham {
+template <typename Register>
+class BasicLinearBresenham {
  public:
   static constexpr std::size_t axes = 2;
 
-  constexpr explicit LinearBresenham(Point delta)
+  constexpr explicit BasicLinearBresenham(BasicPoint<Register> delta)
       : is_steep_(absolute(delta.y) > absolute(delta.x)),
         long_(is_steep_ ? absolute(delta.y) : absolute(delta.x)),
         short_(is_steep_ ? absolute(delta.x) : absolute(delta.y)),
         left_(long_),
-        deviation_(-long_),
+        deviation_(static_cast<Register>(-long_)),
         sign_x_(sign(delta.x)),
         sign_y_(sign(delta.y)) {}
 
@@ -193,21 +196,22 @@ class LinearBresenham {
   constexpr Pulse<2> step() {
     if (done()) return {};
     --left_;
-    deviation_ += 2 * short_;
+    deviation_ = static_cast<Register>(deviation_ + 2 * short_);
     const bool both = deviation_ > 0;
-    deviation_ -= both ? 2 * long_ : 0;
+    if (both) deviation_ = static_cast<Register>(deviation_ - 2 * long_);
     return {{both || !is_steep_ ? sign_x_ : std::int8_t{0}, both || is_steep_ ? sign_y_ : std::int8_t{0}}};
   }
 
   /// Twice the distance from the line along the shorter axis, times the line's length along the longer axis, less that
   /// length.
-  constexpr std::int64_t deviation() const { return deviation_; }
-  constexpr std::int64_t left() const { return left_; }  ///< steps of the longer axis
+  constexpr Register deviation() const { return deviation_; }
+  constexpr Register left() const { return left_; }  ///< steps of the longer axis
 
  private:
   bool is_steep_;
-  std::int64_t long_, short_, left_, deviation_;
+  Register long_, short_, left_, deviation_;
   std::int8_t sign_x_, sign_y_;
 };
+using LinearBresenham = BasicLinearBresenham<std::int64_t>;
 
 }  // namespace leadscrew::pulse

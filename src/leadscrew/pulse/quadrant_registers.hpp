@@ -9,18 +9,19 @@
 
 namespace leadscrew::pulse {
 
-struct QuadrantRegisters {
+template <typename Register>
+struct BasicQuadrantRegisters {
   /// Registers of the integrator of one axis.
   struct AxisIntegrator {
-    std::int64_t beyond = -1;    ///< r + p − q
-    std::int64_t integrand = 0;  ///< p: |coordinate of the other axis|, with the capacity's binary places
-    std::int64_t change = 0;     ///< what a step of the other axis adds to it
-    std::int64_t left = 0;       ///< the counter
+    Register beyond = -1;    ///< r + p − q
+    Register integrand = 0;  ///< p: |coordinate of the other axis|, with the capacity's binary places
+    Register change = 0;     ///< what a step of the other axis adds to it
+    Register left = 0;       ///< the counter
     std::int8_t sign = 0;
   };
   AxisIntegrator first, second;  ///< in the order in which they are clocked
-  std::int64_t capacity = 1;
-  std::int64_t sees_new = -1;  ///< a mask: does the second integrator see the first axis' new coordinate?
+  Register capacity = 1;
+  Register sees_new = -1;  ///< a mask: does the second integrator see the first axis' new coordinate?
   bool x_is_first = true;
 
   constexpr const AxisIntegrator& x() const { return x_is_first ? first : second; }
@@ -32,16 +33,18 @@ struct QuadrantRegisters {
 
   /// One clock of both integrators; while it goes on.
   [[gnu::always_inline]] constexpr Pulse<2> step() {
-    const std::int64_t first_waits = first.beyond >> 63, change = second.change & ~first_waits;
-    const std::int64_t seen = second.beyond + (change & sees_new);
-    const std::int64_t second_waits = seen >> 63;
-    second.integrand += change;
-    second.beyond = (seen + (second.integrand - capacity)) + (capacity & second_waits);
-    const std::int64_t follows = first.change & ~second_waits;
-    first.beyond = ((first.beyond + (first.integrand - capacity)) + (capacity & first_waits)) + follows;
-    first.integrand += follows;
-    first.left += ~first_waits;
-    second.left += ~second_waits;
+    const Register first_waits = where_negative(first.beyond);
+    const auto change = static_cast<Register>(second.change & ~first_waits);
+    const auto seen = static_cast<Register>(second.beyond + (change & sees_new));
+    const Register second_waits = where_negative(seen);
+    second.integrand = static_cast<Register>(second.integrand + change);
+    second.beyond = static_cast<Register>((seen + (second.integrand - capacity)) + (capacity & second_waits));
+    const auto follows = static_cast<Register>(first.change & ~second_waits);
+    first.beyond =
+        static_cast<Register>(((first.beyond + (first.integrand - capacity)) + (capacity & first_waits)) + follows);
+    first.integrand = static_cast<Register>(first.integrand + follows);
+    first.left = static_cast<Register>(first.left + ~first_waits);
+    second.left = static_cast<Register>(second.left + ~second_waits);
     const auto one = static_cast<std::int8_t>(first.sign & ~first_waits);
     const auto other = static_cast<std::int8_t>(second.sign & ~second_waits);
     return x_is_first ? Pulse<2>{{one, other}} : Pulse<2>{{other, one}};
@@ -50,13 +53,14 @@ struct QuadrantRegisters {
   /// One clock of the integrator of one axis alone, whose counter is not 0: does it overflow?
   constexpr bool step(AxisIntegrator& alone) const {
     const bool overflows = alone.beyond >= 0;
-    alone.beyond += alone.integrand - (overflows ? capacity : 0);
+    alone.beyond = static_cast<Register>(alone.beyond + alone.integrand - (overflows ? capacity : 0));
     return overflows;
   }
 
-  constexpr Integrator integrator(const AxisIntegrator& side) const {
-    return {capacity, side.beyond - side.integrand + capacity};
+  constexpr BasicIntegrator<Register> integrator(const AxisIntegrator& side) const {
+    return {capacity, static_cast<Register>(side.beyond - side.integrand + capacity)};
   }
 };
+using QuadrantRegisters = BasicQuadrantRegisters<std::int64_t>;
 
 }  // namespace leadscrew::pulse
