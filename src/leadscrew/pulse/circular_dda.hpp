@@ -59,6 +59,11 @@ class BasicCircularDda {
   constexpr BasicQuadrantRegisters<Register> stretch() const { return now_; }
   constexpr void give_back(const BasicQuadrantRegisters<Register>& stretch) {
     now_ = stretch;
+    settle();
+  }
+  /// To be stepped in place as long as they go on; settle() then, and step() from there.
+  constexpr BasicQuadrantRegisters<Register>& registers() { return now_; }
+  constexpr void settle() {
     if (done()) pass_on();
   }
 

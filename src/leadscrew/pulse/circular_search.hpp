@@ -34,14 +34,15 @@ struct SearchRegisters {
 
   /// One clock; while it goes on.
   [[gnu::always_inline]] constexpr Pulse<2> step() {
-    const auto [shrinks, grows] = choose();
-    f = static_cast<Register>(f + (shrinks & by_shrinking) + (grows & by_growing));
-    by_shrinking = static_cast<Register>(by_shrinking - 2 * shrinks);
-    by_growing = static_cast<Register>(by_growing - 2 * grows);
-    const auto shrinks_8 = static_cast<std::int8_t>(shrinks), grows_8 = static_cast<std::int8_t>(grows);
-    const auto crossed = static_cast<std::int8_t>((shrinks_8 ^ grows_8) & y_shrinks);
-    return {{static_cast<std::int8_t>((shrinks_8 ^ crossed) & sign_x),
-             static_cast<std::int8_t>((grows_8 ^ crossed) & sign_y)}};
+    if constexpr (prefers_branches<Register>) {
+      return step_by_branches();
+    } else {
+      const auto [shrinks, grows] = choose();
+      f += (shrinks & by_shrinking) + (grows & by_growing);
+      by_shrinking -= 2 * shrinks;
+      by_growing -= 2 * grows;
+      return pulse_of(static_cast<std::int8_t>(shrinks), static_cast<std::int8_t>(grows));
+    }
   }
 
   constexpr BasicPoint<Register> at() const {
@@ -52,27 +53,63 @@ struct SearchRegisters {
   }
 
  private:
-  /// Masks, for a branch would be mispredicted every third clock: −1 where the axis steps, else 0.
+  /// From masks, −1 where the axis steps.
+  constexpr Pulse<2> pulse_of(std::int8_t shrinks, std::int8_t grows) const {
+    const auto crossed = static_cast<std::int8_t>((shrinks ^ grows) & y_shrinks);
+    return {
+        {static_cast<std::int8_t>((shrinks ^ crossed) & sign_x), static_cast<std::int8_t>((grows ^ crossed) & sign_y)}};
+  }
+
+  /// Masks: −1 where the axis steps, else 0.
   struct Steps {
     Register shrinking = 0, growing = 0;
   };
-  static constexpr Register negated(Register mask) { return static_cast<Register>(~mask); }
 
   constexpr Steps choose() const {
     if constexpr (method == Search::point_comparison) {
-      const Register outward = where_negative(static_cast<Register>(on_circle == OnCircle::inward ? f : f - 1));
-      return {negated(outward), outward};
+      const Register outward = where_negative(on_circle == OnCircle::inward ? f : f - 1);
+      return {~outward, outward};
     } else {
       // Of two steps, which add a and b: |F + a + b| < |F + b| where a(2F + 2b + a) < 0. As a < 0 for the shrinking
       // axis, and b > 0 for the other, and both are odd, neither bracket is 0.
-      const Register shrinks = negated(where_negative(static_cast<Register>(2 * (f + by_growing) + by_shrinking)));
-      const Register grows = where_negative(static_cast<Register>(2 * (f + by_shrinking) + by_growing));
+      const Register shrinks = ~where_negative(2 * (f + by_growing) + by_shrinking);
+      const Register grows = where_negative(2 * (f + by_shrinking) + by_growing);
       if constexpr (method == Search::least_error) return {shrinks, grows};
       // w² = v² − F − b: the place on the circle beside the next one of the long axis. It is nearer to v ∓ 1 than to v
       // where 4w² has passed (2v ∓ 1)², which is where the same brackets change sign.
-      const Register growing_is_long = where_negative(static_cast<Register>(by_shrinking + by_growing - 3));
-      return {static_cast<Register>(shrinks | ~growing_is_long), static_cast<Register>(grows | growing_is_long)};
+      const Register growing_is_long = where_negative(by_shrinking + by_growing - 3);
+      return {shrinks | ~growing_is_long, grows | growing_is_long};
     }
+  }
+
+  /// The same choices. Of the least error's two conditions one holds at every clock, so that the step that it asks for
+  /// can be made before the other is looked at.
+  [[gnu::always_inline]] constexpr Pulse<2> step_by_branches() {
+    bool shrinks = true, grows = true;
+    if constexpr (method == Search::point_comparison) {
+      shrinks = on_circle == OnCircle::inward ? f >= 0 : f > 0;
+      grows = !shrinks;
+      shrinks ? shrink() : grow();
+    } else if (method == Search::improved_least_error ? by_shrinking + by_growing < 3
+                                                      : 2 * (f + by_shrinking) + by_growing < 0) {
+      grow();
+      shrinks = 2 * f + by_shrinking >= 0;
+      if (shrinks) shrink();
+    } else {
+      shrink();
+      grows = method == Search::improved_least_error && 2 * f + by_growing < 0;
+      if (grows) grow();
+    }
+    const bool x_steps = y_shrinks ? grows : shrinks, y_steps = y_shrinks ? shrinks : grows;
+    return {{x_steps ? sign_x : std::int8_t{0}, y_steps ? sign_y : std::int8_t{0}}};
+  }
+  [[gnu::always_inline]] constexpr void shrink() {
+    f = static_cast<Register>(f + by_shrinking);
+    by_shrinking = static_cast<Register>(by_shrinking + 2);
+  }
+  [[gnu::always_inline]] constexpr void grow() {
+    f = static_cast<Register>(f + by_growing);
+    by_growing = static_cast<Register>(by_growing + 2);
   }
 };
 
@@ -100,6 +137,12 @@ class CircularSearch {
     return pulse;
   }
 
+  /// To be stepped in place as long as they go on; settle() then, and step() from there.
+  constexpr Registers& registers() { return now_; }
+  constexpr void settle() {
+    if (!has_come_out_ && !now_.goes_on()) leave();
+  }
+
   constexpr BasicPoint<Register> at() const { return has_come_out_ ? out_ : now_.at(); }
   constexpr Register deviation() const { return now_.f; }  ///< F
   constexpr int in_quadrant() const { return quadrant_; }  ///< 0 … 3
@@ -120,6 +163,7 @@ class CircularSearch {
     const Register left = left_from(at);
     const auto last = static_cast<Register>(now_.by_shrinking + 2 * left);
     if (left <= 0) {
+      now_.last_shrinking = now_.by_shrinking;  // they do not go on
       has_come_out_ = true;
       out_ = at;
     } else if (x_ends_ != x_shrinks) {

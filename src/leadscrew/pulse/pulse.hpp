@@ -49,6 +49,11 @@ struct SquareOf<std::int16_t> {
 template <typename Register>
 using Square = typename SquareOf<Register>::Type;
 
+/// Does a branch cost less than a mask? On a microcontroller, which predicts none and masks byte by byte; elsewhere one
+/// that depends on the path would be mispredicted every third clock.
+template <typename Register>
+inline constexpr bool prefers_branches = sizeof(Register) < sizeof(std::int64_t);
+
 /// Greatest |coordinate| that an interpolator with such registers takes, BLU: sums of six coordinates fit in a register
 /// (CircularSearch compares F + 2|x| + 2|y|), squares in a Square. With 64 bits: squares, and radii with 16 binary
 /// places. 2¹² for 16 bits, 2²⁸ for 32, 2³⁰ for 64.
@@ -82,10 +87,13 @@ constexpr Number where_negative(Number value) {
 /// digit.
 template <std::signed_integral Number>
 constexpr Number root(Number n, int places) {
+  constexpr int top = 8 * static_cast<int>(sizeof(Number)) - 4;  // the first two bits of n
+  constexpr auto below = static_cast<Number>((Number{1} << top) - 1);
   Number digits = 0, rest = 0;
   // Two bits of n for each digit of its root; behind the point they are 0. One digit more says how to round.
-  for (int pair = 4 * static_cast<int>(sizeof(Number)) - 2; pair >= -places - 1; --pair) {
-    rest = 4 * rest + (pair >= 0 ? (n >> (2 * pair)) & 3 : 0);
+  for (int left = top / 2 + 2 + places; left > 0; --left) {
+    rest = 4 * rest + ((n >> top) & 3);
+    n = 4 * (n & below);
     const Number tried = 4 * digits + 1;
     digits *= 2;
     if (rest >= tried) {

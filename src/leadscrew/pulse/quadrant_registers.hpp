@@ -3,7 +3,7 @@
 // something.
 //
 // An integrator is kept as r + p − q, which is negative where the next clock gives no overflow: all but that sign, and
-// what a step changes, is known a clock before. There are no branches: the processor would mispredict them.
+// what a step changes, is known a clock before.
 
 #include <leadscrew/pulse/integrator.hpp>
 
@@ -33,21 +33,22 @@ struct BasicQuadrantRegisters {
 
   /// One clock of both integrators; while it goes on.
   [[gnu::always_inline]] constexpr Pulse<2> step() {
-    const Register first_waits = where_negative(first.beyond);
-    const auto change = static_cast<Register>(second.change & ~first_waits);
-    const auto seen = static_cast<Register>(second.beyond + (change & sees_new));
-    const Register second_waits = where_negative(seen);
-    second.integrand = static_cast<Register>(second.integrand + change);
-    second.beyond = static_cast<Register>((seen + (second.integrand - capacity)) + (capacity & second_waits));
-    const auto follows = static_cast<Register>(first.change & ~second_waits);
-    first.beyond =
-        static_cast<Register>(((first.beyond + (first.integrand - capacity)) + (capacity & first_waits)) + follows);
-    first.integrand = static_cast<Register>(first.integrand + follows);
-    first.left = static_cast<Register>(first.left + ~first_waits);
-    second.left = static_cast<Register>(second.left + ~second_waits);
-    const auto one = static_cast<std::int8_t>(first.sign & ~first_waits);
-    const auto other = static_cast<std::int8_t>(second.sign & ~second_waits);
-    return x_is_first ? Pulse<2>{{one, other}} : Pulse<2>{{other, one}};
+    if constexpr (prefers_branches<Register>) {
+      return step_by_branches();
+    } else {
+      const Register first_waits = where_negative(first.beyond), change = second.change & ~first_waits;
+      const Register seen = second.beyond + (change & sees_new);
+      const Register second_waits = where_negative(seen);
+      second.integrand += change;
+      second.beyond = (seen + (second.integrand - capacity)) + (capacity & second_waits);
+      const Register follows = first.change & ~second_waits;
+      first.beyond = ((first.beyond + (first.integrand - capacity)) + (capacity & first_waits)) + follows;
+      first.integrand += follows;
+      first.left += ~first_waits;
+      second.left += ~second_waits;
+      return pulse_of(static_cast<std::int8_t>(first.sign & ~first_waits),
+                      static_cast<std::int8_t>(second.sign & ~second_waits));
+    }
   }
 
   /// One clock of the integrator of one axis alone, whose counter is not 0: does it overflow?
@@ -59,6 +60,34 @@ struct BasicQuadrantRegisters {
 
   constexpr BasicIntegrator<Register> integrator(const AxisIntegrator& side) const {
     return {capacity, static_cast<Register>(side.beyond - side.integrand + capacity)};
+  }
+
+ private:
+  constexpr Pulse<2> pulse_of(std::int8_t one, std::int8_t other) const {
+    return x_is_first ? Pulse<2>{{one, other}} : Pulse<2>{{other, one}};
+  }
+
+  [[gnu::always_inline]] constexpr Pulse<2> step_by_branches() {
+    std::int8_t one = 0, other = 0;
+    auto first_beyond = static_cast<Register>(first.beyond + first.integrand);
+    if (first.beyond >= 0) {
+      one = first.sign;
+      --first.left;
+      first_beyond = static_cast<Register>(first_beyond - capacity);
+      second.integrand = static_cast<Register>(second.integrand + second.change);
+      if (sees_new) second.beyond = static_cast<Register>(second.beyond + second.change);
+    }
+    auto second_beyond = static_cast<Register>(second.beyond + second.integrand);
+    if (second.beyond >= 0) {
+      other = second.sign;
+      --second.left;
+      second_beyond = static_cast<Register>(second_beyond - capacity);
+      first.integrand = static_cast<Register>(first.integrand + first.change);
+      first_beyond = static_cast<Register>(first_beyond + first.change);
+    }
+    first.beyond = first_beyond;
+    second.beyond = second_beyond;
+    return pulse_of(one, other);
   }
 };
 using QuadrantRegisters = BasicQuadrantRegisters<std::int64_t>;
