@@ -45,7 +45,7 @@ class Session {
   void move(char kind, Point start, Point end, State state, Count& count) {
     ++count.moves;
     bool is_first = true;
-    const char answer = send(kind, start, end, 1000, [&](const Interrupt& found) {
+    const char answer = send(kind, start, end, 6000, [&](const Interrupt& found) {
       // The first interrupt shows nothing yet; the last finds that there is no more.
       const pulse::Pulse<2> expected = is_first || state.done() ? pulse::Pulse<2>{} : state.step();
       if (found.pulse != expected) throw std::runtime_error("another pulse: " + text(kind, start, end));
