@@ -19,6 +19,10 @@ struct RegisterOf<32> {
   using Type = std::int32_t;
 };
 
+/// Cycles from step to step on an ATmega328P: a step over a border of quadrants takes less.
+template <typename Register>
+inline constexpr std::uint16_t least_period = 80 * 8 * sizeof(Register);
+
 /// Koren's program: integrators that begin half full, Y's fed with X's new coordinate (eq. 27); q the radius, and of a
 /// line its longer component.
 template <typename Number>

@@ -15,7 +15,7 @@
 //   kind       'l' line, '+' arc counterclockwise, '-' arc clockwise
 //   start x y  of an arc from its centre, BLU; 0 0 for a line
 //   end x y    of an arc from its centre; of a line from where the machine stands
-//   period     cycles from step to step, at least least_period
+//   period     cycles from step to step, at least least_period<Register>
 // It is answered by '!' instead where it is refused: coordinates above greatest_coordinate_of, an end of an arc at the
 // centre, a period too short. 1 000 000 baud, 8N1.
 
@@ -38,9 +38,6 @@ namespace {
 using Method = METHOD<RegisterOf<REGISTER_BITS>::Type>;
 using Register = Method::Register;
 using Place = pulse::BasicPoint<Register>;
-
-/// An interrupt that also passes a border of quadrants takes less.
-constexpr std::uint16_t least_period = 640;
 
 constinit Method::Circle circle = Method::circle({});
 constinit Method::Line line = Method::line({});
@@ -89,8 +86,7 @@ std::uint8_t load(std::uint8_t kind, Place start, Place end) {
     return 1 << OCIE1B;
   }
   if ((kind != '+' && kind != '-') || start == Place{} || end == Place{}) return 0;
-  circle = Method::circle(
-      {start, end, kind == '+' ? pulse::Direction::counterclockwise : pulse::Direction::clockwise});
+  circle = Method::circle({start, end, kind == '+' ? pulse::Direction::counterclockwise : pulse::Direction::clockwise});
   return 1 << OCIE1A;
 }
 
@@ -169,7 +165,7 @@ int main() {
     const auto end_x = receive_number<Register>(), end_y = receive_number<Register>();
     const auto period = receive_number<std::uint16_t>();
     const std::uint8_t interrupt = load(kind, {start_x, start_y}, {end_x, end_y});
-    const bool is_taken = interrupt != 0 && period >= least_period;
+    const bool is_taken = interrupt != 0 && period >= least_period<Register>;
     if (is_taken) run(interrupt, period);
     send(is_taken ? '.' : '!');
   }

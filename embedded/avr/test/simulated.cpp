@@ -36,7 +36,8 @@ struct Count {
 
 class Session {
  public:
-  Session(Chip& chip, int bits) : chip_(chip), bytes_(bits / 8) {
+  Session(Chip& chip, int bits)
+      : chip_(chip), bytes_(bits / 8), period_(bits == 16 ? least_period<std::int16_t> : least_period<std::int32_t>) {
     if (chip_.run([](const Interrupt&) {}) != '.') throw std::runtime_error("the firmware does not begin with '.'");
   }
 
@@ -45,7 +46,7 @@ class Session {
   void move(char kind, Point start, Point end, State state, Count& count) {
     ++count.moves;
     bool is_first = true;
-    const char answer = send(kind, start, end, 6000, [&](const Interrupt& found) {
+    const char answer = send(kind, start, end, period_, [&](const Interrupt& found) {
       // The first interrupt shows nothing yet; the last finds that there is no more.
       const pulse::Pulse<2> expected = is_first || state.done() ? pulse::Pulse<2>{} : state.step();
       if (found.pulse != expected) throw std::runtime_error("another pulse: " + text(kind, start, end));
@@ -58,6 +59,8 @@ class Session {
     if (answer != '.') throw std::runtime_error("refused: " + text(kind, start, end));
     if (!state.done()) throw std::runtime_error("too few pulses: " + text(kind, start, end));
   }
+
+  int period() const { return period_; }
 
   void expect_refused(char kind, Point start, Point end, int period) {
     const char answer = send(kind, start, end, period, [](const Interrupt&) {});
@@ -81,7 +84,7 @@ class Session {
   }
 
   Chip& chip_;
-  int bytes_;
+  int bytes_, period_;
 };
 
 /// All with R² ≤ 900, in both directions: 63 328.
@@ -136,18 +139,20 @@ struct Checked {
     send_line({-1000, 617});
     send_line({3, -1000});
     refuse(session, bits);
+    if (static_cast<int>(std::max(arcs.worst_border, lines.worst_border)) >= session.period())
+      throw std::runtime_error("a step over a border takes longer than the least period");
     report(chip, name, bits, arcs, lines);
     return 0;
   }
 
   static void refuse(Session& session, int bits) {
     const std::int64_t above = (std::int64_t{1} << (bits - 4)) + 1;
-    session.expect_refused('l', {}, {above, 0}, 1000);
-    session.expect_refused('+', {0, 5}, {0, -above}, 1000);
-    session.expect_refused('-', {0, 0}, {5, 0}, 1000);
-    session.expect_refused('+', {5, 0}, {0, 0}, 1000);
-    session.expect_refused('l', {}, {5, 0}, 10);
-    session.expect_refused('?', {5, 0}, {5, 0}, 1000);
+    session.expect_refused('l', {}, {above, 0}, session.period());
+    session.expect_refused('+', {0, 5}, {0, -above}, session.period());
+    session.expect_refused('-', {0, 0}, {5, 0}, session.period());
+    session.expect_refused('+', {5, 0}, {0, 0}, session.period());
+    session.expect_refused('l', {}, {5, 0}, session.period() - 1);
+    session.expect_refused('?', {5, 0}, {5, 0}, session.period());
   }
 
   static void report(const Chip& chip, std::string_view name, int bits, const Count& arcs, const Count& lines) {

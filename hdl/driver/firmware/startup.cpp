@@ -21,6 +21,11 @@ namespace {
   stop();
 }
 
+/// Of the system timer, where a program has one.
+extern "C" [[gnu::weak]] void system_tick() {
+  stop();
+}
+
 using Handler = void (*)();
 
 // The Cortex-M4's own exceptions; the interrupts of peripherals are not used.
@@ -30,6 +35,6 @@ struct Vectors {
 };
 [[gnu::section(".vectors"), gnu::used]] const Vectors vectors = {
     &stack_end,
-    {reset, stop, stop, stop, stop, stop, nullptr, nullptr, nullptr, nullptr, stop, stop, nullptr, stop, stop}};
+    {reset, stop, stop, stop, stop, stop, nullptr, nullptr, nullptr, nullptr, stop, stop, nullptr, stop, system_tick}};
 
 }  // namespace
