@@ -26,7 +26,8 @@ struct Measured {
   Outcome outcome;
   nlohmann::json surface;
 };
-Measured measured(const Folder& folder, const std::string& program, const Words& more = {}, const Words& of_both = {}) {
+Measured measured(const Folder& folder, const std::string& program, const Words& more = {}, const Words& of_both = {},
+                  const std::string& places = "8192") {
   folder.write("part.ngc", program);
   folder.write("tools.tbl", balls);
   Words run = {"run", "part.ngc", "--tools", "tools.tbl", "--start", "Z50", "--trace", "t.csv", "--quiet"};
@@ -34,7 +35,7 @@ Measured measured(const Folder& folder, const std::string& program, const Words&
   const Outcome ran = leadscrew(folder, run);
   EXPECT_EQ(ran.status, 0) << ran.errors;
   Words words = {"measure", "t.csv", "part.ngc", "--tools",  "tools.tbl",
-                 "--start", "Z50",   "--json",   "--places", "60000"};
+                 "--start", "Z50",   "--json",   "--places", places};
   words.insert(words.end(), of_both.begin(), of_both.end());
   words.insert(words.end(), more.begin(), more.end());
   Measured result{leadscrew(folder, words), {}};
@@ -46,7 +47,7 @@ Measured measured(const Folder& folder, const std::string& program, const Words&
 TEST(Measure, FindsTheScallopsThatWereAskedFor) {
   const Folder folder;
   const Measured found = measured(folder, "G21 G90 G61 T1 M6\n" + patch_a + "G6.5 D1 H0.01 L1 S2 Z30 F12000\nM2\n",
-                                  {"--ridge", "0.01001"});
+                                  {"--ridge", "0.01001"}, {}, "30000");
   ASSERT_EQ(found.outcome.status, 0) << found.outcome.errors;
   EXPECT_EQ(found.surface["passes"], 100);
   EXPECT_NEAR(found.surface["ridge"]["mm"].get<double>(), 0.01, 1e-5);
@@ -159,9 +160,9 @@ TEST(Measure, RefusesWhatCannotBeMeasured) {
 TEST(Measure, LeavesOutSurfacesBeyondThoseItHoldsAndSaysSo) {
   const Folder folder;
   std::string program = "G21 G90 G61 T1 M6\n";
-  for (int k = 0; k < 18; ++k) {
+  for (int k = 0; k < 17; ++k) {
     const std::string x = std::to_string(10 * k), to = std::to_string(10 * k + 4);
-    program += "G6.4 D1 P2 Q2 I2 J2\nX" + x + " Y0 Z0\nX" + to + "\nX" + x + " Y4\nX" + to + "\nG6.5 D1 Q2 Z5 F6000\n";
+    program += "G6.4 D1 P2 Q2 I2 J2\nX" + x + " Y0 Z0\nX" + to + "\nX" + x + " Y4\nX" + to + "\nG6.5 D1 Q4 Z5 F12000\n";
   }
   const Measured found = measured(folder, program + "M2\n");
   EXPECT_EQ(found.outcome.status, 0);

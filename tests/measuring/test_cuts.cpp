@@ -16,7 +16,7 @@ using surfaces::Surface;
 Target target_of(const Surface& surface) {
   Target target{
       surface.form(), surface.range(Direction::u), surface.range(Direction::v), 1, Target::Across::v, 0.6, 0.01};
-  target.most_places = 1 << 16;
+  target.most_places = 1 << 14;
   return target;
 }
 

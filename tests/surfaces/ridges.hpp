@@ -24,12 +24,12 @@ inline double from_tool(const Cutter& cutter, const Vector& tip, const Vector& a
   return std::hypot(aside, up) - cutter.corner_radius;
 }
 
-/// The least over a window of t of f, which has one minimum there.
+/// The least over a window of t of f, which has one minimum there, found to 0.618 to the power of rounds.
 template <typename F>
-double least_of(const F& f, double from, double to) {
+double least_of(const F& f, double from, double to, int rounds) {
   constexpr double golden = 0.6180339887498949;
   double a = to - golden * (to - from), b = from + golden * (to - from), at_a = f(a), at_b = f(b);
-  for (int round = 0; round < 36; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     if (at_a < at_b) {
       to = b, b = a, at_b = at_a;
       a = to - golden * (to - from), at_a = f(a);
@@ -80,7 +80,7 @@ class Ridges {
       for (double& x : across) x = -x;
     }
     double low = 0, high = numeric::dot(across, numeric::difference(other, contact)), found = 0;
-    for (int round = 0; round < 30; ++round) {
+    for (int round = 0; round < 22; ++round) {
       const double s = (low + high) / 2;
       const Vector place = on_section(contact, f, across, s, u, v);
       const Vector up = frame_of(machining_.surface->jet(u, v), machining_.side)->n;
@@ -103,9 +103,9 @@ class Ridges {
   double nearest(const Pass& pass, const Vector& point) const {
     double best = 0, least = 1e300;
     const double end = pass.nodes.back().t;
-    for (int k = 0; k <= 200; ++k) {
-      const double d = numeric::distance(at(pass, &PassNode::contact, end * k / 200), point);
-      if (d < least) least = d, best = end * k / 200;
+    for (int k = 0; k <= 100; ++k) {
+      const double d = numeric::distance(at(pass, &PassNode::contact, end * k / 100), point);
+      if (d < least) least = d, best = end * k / 100;
     }
     return best;
   }
@@ -125,16 +125,17 @@ class Ridges {
   /// How high above the place along `up` the tool's sweep about t begins.
   double left(const Pass& pass, double t, const Vector& place, const Vector& up) const {
     const double window = 1.5 * machining_.cutter.radius + 1;
+    const int rounds = machining_.cutter.corner_radius > 0 ? 24 : 36;  // an edge's least is sharp, others are flat
     const auto clear = [&](double height) {
       const Vector point = numeric::sum(place, height, up);
       return least_of(
           [&](double at_t) {
             return from_tool(machining_.cutter, at(pass, &PassNode::tip, at_t), at(pass, &PassNode::axis, at_t), point);
           },
-          std::max(t - window, 0.0), std::min(t + window, pass.nodes.back().t));
+          std::max(t - window, 0.0), std::min(t + window, pass.nodes.back().t), rounds);
     };
     double h0 = 0, f0 = clear(h0), h1 = f0, f1 = clear(h1);
-    for (int round = 0; round < 6 && std::abs(f1) > 1e-10 && f1 != f0; ++round) {
+    for (int round = 0; round < 6 && std::abs(f1) > 1e-9 && f1 != f0; ++round) {
       const double next = h1 - f1 * (h1 - h0) / (f1 - f0);
       h0 = h1, f0 = f1;
       h1 = next, f1 = clear(h1);

@@ -132,23 +132,42 @@ void Peaks::choose(const PlaceTree& map, const GridLines& lines, const Target& t
   find_cuts(map);
   make_cells(ridge_candidates_, map, lines, false);
   make_cells(cut_candidates_, map, lines, true);
+  enclose_cells();
+}
+
+void Peaks::enclose_cells() {
+  for (const Cell& cell : cells_) {
+    for (std::size_t k = 0; k < 3; ++k) middle_[k] += cell.around.at(1, 1).s[k] / static_cast<double>(cells_.size());
+  }
+  for (const Cell& cell : cells_) {
+    for (std::size_t place = 0; place < 9; ++place)
+      far_ = std::max(far_, numeric::distance(cell.around.at(place % 3, place / 3).s, middle_));
+  }
+  far_ += std::max(0.0, reach_);
 }
 
 void Peaks::see(const SweptTool& tool, const WordPlace& word) {
+  if (tool.least_distance(middle_).value > far_) return;
   for (Cell& cell : cells_) {
     if (cell.tools.size() < most_tools && cell.around.may_lower(tool)) cell.tools.push_back({tool, word});
   }
 }
 
-Peak Peaks::height_at(const std::vector<Kept>& tools, const Net& net, double u, double v) const {
+/// The last two that left least come first: near a crest one of them most likely does again, and the others are refused at once.
+Peak Peaks::height_at(std::vector<Kept>& tools, const Net& net, double u, double v) const {
   const SurfacePlace place = net.at(u, v);
   Peak peak{reach_, u, v, place.s, {}};
-  for (const Kept& kept : tools) {
-    const double height = kept.tool.entry(place.s, place.n, deepest_of(kept.tool.body()), peak.height);
+  std::size_t lowest = 0;
+  for (std::size_t k = 0; k < tools.size(); ++k) {
+    const SweptTool& tool = tools[k].tool;
+    const double height = tool.entry(place.s, place.n, deepest_of(tool.body()), peak.height);
     if (height >= peak.height) continue;
     peak.height = height;
-    peak.word = kept.word;
+    peak.word = tools[k].word;
+    lowest = k;
   }
+  if (lowest > 1) std::swap(tools[1], tools[lowest]);
+  if (lowest > 0) std::swap(tools[0], tools[1]);
   return peak;
 }
 

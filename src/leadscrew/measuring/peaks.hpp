@@ -70,13 +70,17 @@ class Peaks {
   void cross(const PlaceTree& map, bool along_columns, double reach);
   void find_cuts(const PlaceTree& map);
   void make_cells(std::vector<Candidate>& candidates, const PlaceTree& map, const GridLines& lines, bool is_cut);
+  void enclose_cells();
   Peak refined(Cell& cell, const Net& net) const;
-  Peak height_at(const std::vector<Kept>& tools, const Net& net, double u, double v) const;
+  Peak height_at(std::vector<Kept>& tools, const Net& net, double u, double v) const;
   void keep_near(std::vector<Kept>& tools, const Net& net, const surfaces::Range& u, const surfaces::Range& v,
                  double highest) const;
 
   std::vector<Candidate> ridge_candidates_, cut_candidates_;
   std::vector<Cell> cells_;
+  // All cells, up to the reach, are in a ball: what does not come into it is near none of them.
+  Vector middle_{};
+  double far_ = 0;  // its radius, mm
   double reach_ = 0, sum_ = 0;
   std::int64_t ridges_ = 0;
   Peak ridge_, cut_;
