@@ -26,6 +26,9 @@ struct CircularDdaOptions {
                    ///< of irrational radius is to be exact (R·2^places within the registers; 0 below 64 bits)
   int bits = 0;    ///< of the registers, where the capacity is 2ⁿ: every coordinate of the arc below it, places 0; 0
                    ///< where it is the radius
+  /// q, where it is another one: ≥ every |coordinate| of the arc, places and bits 0; a turn takes 2πq clocks. 0: by places
+  /// and bits.
+  std::int32_t capacity = 0;
 };
 
 template <typename Register>
@@ -37,8 +40,9 @@ class BasicCircularDda {
       : arc_(arc),
         options_(options),
         radius_(static_cast<Register>(root(arc.squared_radius(), 0))),
-        capacity_(static_cast<Register>(options.bits > 0 ? Register{1} << options.bits
-                                                         : root(arc.squared_radius(), options.places))),
+        capacity_(options.capacity > 0 ? static_cast<Register>(options.capacity)
+                  : options.bits > 0   ? static_cast<Register>(Register{1} << options.bits)
+                                       : static_cast<Register>(root(arc.squared_radius(), options.places))),
         quadrant_(quadrant(arc.start, arc.direction)),
         borders_(borders(arc)) {
     if (capacity_ < 1) capacity_ = 1;
