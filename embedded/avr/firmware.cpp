@@ -94,11 +94,13 @@ std::uint8_t load(std::uint8_t kind, Place start, Place end) {
 void run(std::uint8_t interrupt, std::uint16_t period) {
   NEXT_PORT = 0;
   is_running = true;
+  TCCR1B = 1 << WGM12;  // the timer stands
   TCNT1 = 0;
   OCR1A = static_cast<std::uint16_t>(period - 1);
   OCR1B = static_cast<std::uint16_t>(period - 1);
   TIFR1 = 1 << OCF1A | 1 << OCF1B;
   TIMSK1 = interrupt;
+  TCCR1B = 1 << WGM12 | 1 << CS10;  // it counts cycles up to OCR1A
   for (;;) {
     cli();
     if (!is_running) break;
@@ -155,7 +157,6 @@ int main() {
   UBRR0 = 1;  // 1 000 000 baud at double speed
   UCSR0A = 1 << U2X0;
   UCSR0B = 1 << RXEN0 | 1 << TXEN0;
-  TCCR1B = 1 << WGM12 | 1 << CS10;  // counts cycles up to OCR1A
   SMCR = 1 << SE;                   // sleep is idle
   sei();
   send('.');
