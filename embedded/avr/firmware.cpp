@@ -157,7 +157,7 @@ int main() {
   UBRR0 = 1;  // 1 000 000 baud at double speed
   UCSR0A = 1 << U2X0;
   UCSR0B = 1 << RXEN0 | 1 << TXEN0;
-  SMCR = 1 << SE;                   // sleep is idle
+  SMCR = 1 << SE;  // sleep is idle
   sei();
   send('.');
   for (;;) {
