@@ -96,4 +96,39 @@ TEST(NarrowVectors, AreTravelledAsTheExactPathIs) {
   expect_exact(leaning(1e-3), "G64 P0.0001 E0.0001", 1e-4);  // from beside the pole
 }
 
+/// Beside a pole the first axis turns half a circle within a fraction of a millimetre of the tip's: the exact path is a curve of
+/// hundreds of short spans there, and its table of arc length must be as good beside the speed as beside a span.
+TEST(NarrowVectors, KeepJerkWhereTheFirstAxisTurnsBesideAPole) {
+  machine::Machine machine;
+  machine.kinematics = "head-head-bc";
+  machine.rotary_chain = machine::preset_chain(machine.kinematics);
+  machine.rotary_chain->tool_zero = {76.2256, -29.76928, -40.5008};
+  machine.rotary_chain->axes[0].point = {20.58736, -38.00704, 3.69008};
+  machine.rotary_chain->axes[1].point = {-36.80496, -14.04624, 58.35456};
+  for (machine::RotaryAxis& axis : machine.rotary_chain->axes) axis.sign = -1;
+  const auto give = [&](base::Axis axis, double velocity, double acceleration, double jerk) {
+    machine.axes[base::index(axis)] = machine::AxisLimits{-1e5, 1e5, velocity, acceleration, jerk, 0.001};
+  };
+  give(base::Axis::X, 38.1248, 1105.134, 1704539);
+  give(base::Axis::Y, 120.9411, 17370.49, 111129.7);
+  give(base::Axis::Z, 1788.813, 330.1551, 187116.0);
+  give(base::Axis::B, 27.30216, 4454.757, 188594.1);
+  give(base::Axis::C, 567.7577, 5210.315, 12622.23);
+  machine.period = {1'000'000};
+  const Judged outcome = judge(
+      "G21 G90 G17 G94 F3000 G61\nG43.5 H1\nG1 X0 Y0 Z0\nG1 X-7.749620 Y-7.266040 Z9.684380\n"
+      "G1 X4.851220 Y-16.995430 Z10.261160 I0.080653852 J0.003482019 K2.726815511\n"
+      "G1 X-4.090400 Y-29.267260 Z-0.385330 I0.037925353 J0.015874864 K3.824202693\n"
+      "G1 X-3.535009 Y-29.631009 Z-0.446338 I0.018864981 J0.007537905 K5.859322327\n"
+      "G1 X-3.670440 Y-29.866370 Z-0.380331 I0.001556176 J0.000601566 K1.519538605\n"
+      "G1 X-3.330806 Y-29.964299 Z-0.619449 I0.041771062 J0.016548746 K4.932600973\n"
+      "G1 X-2.941453 Y-29.378828 Z-0.219972 I-0.029996337 J-0.011847181 K3.830510060\n"
+      "G1 X-3.434246 Y-29.939982 Z-0.448143 I0.014786145 J0.006033779 K3.558161251\nM2\n",
+      machine);
+  EXPECT_EQ(outcome.errors, 0);
+  EXPECT_LE(testing_support::worst_planned(outcome.summary.plan), 1 + 1e-9);
+  EXPECT_LE(testing_support::worst_judged(outcome.verdict), 1.001);
+  EXPECT_EQ(outcome.verdict.violation_count, 0);
+}
+
 }  // namespace test_narrow_vectors

@@ -108,7 +108,8 @@ std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& spac
     const bool is_mixed = to_be_named(feed_axes(moving), moving) != FeedAxes::none;
     const std::optional<Point> weights = is_mixed ? std::optional(space.weights_of_length()) : std::nullopt;
     const auto contact = move.curve.contact.empty() ? nullptr : std::make_shared<const ContactRate>(move.curve);
-    for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, {}, weights)) {
+    const geometry::MapTolerance tables = move.is_of_tip ? tables_for_motion : geometry::MapTolerance{};
+    for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, tables, weights)) {
       const FeedAxes axes = to_be_named(feed_axes(piece.moving()), piece.moving());
       Piece& made = pieces.emplace_back(Piece{piece, 0, {}, false, nullptr, contact ? FeedAxes::contact : axes});
       made.contact = contact;
