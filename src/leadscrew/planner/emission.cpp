@@ -220,11 +220,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
   const std::size_t last = section.piece_at(end, Side::left);
   const double on_curves = borders > most_borders ? dense_steps : has_table(first) || has_table(last) ? map_steps : 1;
   const auto look_at = [&](std::size_t piece, double s, Side side) {
-    return one_sided_jets(section.piece(piece).axes(), s - section.offset(piece), side);
-  };
-  const auto place = [&](std::size_t piece, double s, const geometry::PointJet& jet) {
-    const double on_piece = s - section.offset(piece);
-    return constraints::Place{jet, feed_factor * section.piece(piece).greatest_speed(on_piece, jet)};
+    return seen_place_without_chords(section.piece(piece), s - section.offset(piece), side);
   };
   base::AxisSet moving;
   for (std::size_t p = first; p <= last; ++p) moving.insert(section.piece(p).axes().moving());
@@ -241,8 +237,8 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
       slowest = std::min(slowest, least_speed(segment, duration * (k - 1) / looks, duration * k / looks));
     before = at;
     while (piece < last && section.offset(piece + 1) < at.s) ++piece;
-    const geometry::PointJet jet = look_at(piece, at.s, k == 0 ? Side::right : Side::left);
-    peaks.look(constraints, place(piece, at.s, jet), at, turns(jet) ? between_looks : 1);
+    const SeenPlace seen = look_at(piece, at.s, k == 0 ? Side::right : Side::left);
+    peaks.look(constraints, seen.at_feed(feed_factor), at, turns(seen.jet) ? between_looks : 1);
   }
   // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
   LimitRatios ratios = peaks.greatest();
@@ -250,9 +246,8 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
     const double s = section.offset(p);
     const PathState at = evaluate(segment, time_at(segment, s));
     for (const Side side : {Side::left, Side::right}) {
-      const std::size_t on = side == Side::left ? p - 1 : p;
-      const geometry::PointJet jet = look_at(on, s, side);
-      constraints.raise(place(on, s, jet), rates(at), ratios);
+      const SeenPlace seen = look_at(side == Side::left ? p - 1 : p, s, side);
+      constraints.raise(seen.at_feed(feed_factor), rates(at), ratios);
     }
   }
   const machine::Derivatives greatest = ratios.by_derivative();

@@ -51,10 +51,10 @@ class Placement {
   /// direction does not turn.
   void ramps() {
     const auto ramp = [&](double s, Side side) {
-      const geometry::PointJet jet = section_.jets(s, side);
+      const SeenPlace seen = section_.see(s, side);
+      const geometry::PointJet& jet = seen.jet;
       const machine::Derivatives t = tangent_limits(jet, constraints_);
-      const double speed = std::sqrt(constraints_.greatest_square(
-          {jet, range_.feed_factor * section_.greatest_speed(s, side, jet), section_.chords(s, side, jet)}));
+      const double speed = std::sqrt(constraints_.greatest_square(seen.at_feed(range_.feed_factor)));
       // Where jerk is next to no limit, what counts is how long speed rises: far less than that is short enough.
       const double rise = std::min(speed / t.acceleration, std::sqrt(length() / t.acceleration));
       const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
@@ -108,14 +108,15 @@ class Placement {
   }
 
   Sample at(double s, Side side) const {
-    const geometry::PointJet jet = section_.jets(s, side);
+    const SeenPlace seen = section_.see(s, side);
+    const geometry::PointJet& jet = seen.jet;
     const machine::Derivatives t = tangent_limits(jet, constraints_);
     Sample sample;
     sample.s = s;
     sample.a = t.acceleration;
     sample.j = t.jerk;
-    const double feed = range_.feed_factor * section_.greatest_speed(s, side, jet);
-    const constraints::Place place{jet, feed, section_.chords(s, side, jet)};
+    const constraints::Place place = seen.at_feed(range_.feed_factor);
+    const double feed = place.feed;
     double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
     const auto [second, third] = bends(jet, s, side, t.acceleration);
     sample.greatest = cap;

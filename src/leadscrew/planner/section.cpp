@@ -10,12 +10,50 @@ namespace {
 constexpr double negligible_jerk =
     1e-4;  // of the limit of jerk: steps of velocity or acceleration that take no more in a period are passed
 
+/// So little aside of s, 0 ≤ s ≤ length, that a step of the third derivative at s is told from which side it is seen.
+double aside_of(double length, double s, Side side) {
+  constexpr double aside = 4e-13;
+  const double step = aside * length;
+  return std::clamp(side == Side::left ? s - step : s + step, 0.0, length);
+}
+
+/// `path`: the jet of the curve's own coordinates there.
+SeenPlace place_of_tip(const toolpath::Piece& piece, double s, const geometry::PointJet& path) {
+  using toolpath::FeedAxes;
+  SeenPlace seen{piece.transformation->axes_of(path), piece.feed, {}};
+  if (piece.feed_axes == FeedAxes::contact)
+    seen.speed = piece.greatest_speed(s, seen.jet);
+  else if (piece.feed_axes != FeedAxes::none)
+    seen.speed = piece.feed / toolpath::rate(path, piece.feed_axes);
+  return seen;
+}
+geometry::PointJet path_jet(const toolpath::Piece& piece, double s, Side side) {
+  return geometry::jets(piece.curve, aside_of(geometry::length(piece.curve), s, side));
+}
+
 }  // namespace
 
 geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side side) {
-  constexpr double aside = 4e-13;
-  const double length = axes.length(), step = aside * length;
-  return axes.jets(std::clamp(side == Side::left ? s - step : s + step, 0.0, length));
+  return axes.jets(aside_of(axes.length(), s, side));
+}
+
+SeenPlace seen_place_without_chords(const toolpath::Piece& piece, double s, Side side) {
+  if (piece.transformation) return place_of_tip(piece, s, path_jet(piece, s, side));
+  SeenPlace seen{one_sided_jets(piece.axes(), s, side), 0, {}};
+  seen.speed = piece.greatest_speed(s, seen.jet);
+  return seen;
+}
+
+SeenPlace seen_place(const toolpath::Piece& piece, double s, Side side) {
+  if (!piece.transformation) {
+    SeenPlace seen = seen_place_without_chords(piece, s, side);
+    seen.chords.sagitta = piece.sagitta;
+    return seen;
+  }
+  const geometry::PointJet path = path_jet(piece, s, side);
+  SeenPlace seen = place_of_tip(piece, s, path);
+  seen.chords = {piece.sagitta, kinematics::tip_bend(*piece.transformation, seen.jet, path)};
+  return seen;
 }
 
 bool turns(const geometry::PointJet& jet) {

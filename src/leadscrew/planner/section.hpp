@@ -16,6 +16,20 @@ enum class Side : std::uint8_t { left, right };
 /// side it is seen.
 geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side side);
 
+/// What limits ask of a place on a piece. Where the piece has a transformation all of it comes of one jet of the curve's own
+/// coordinates, which costs more than all that is made of it.
+struct SeenPlace {
+  geometry::PointJet jet{};      ///< of axes, as one_sided_jets() has it
+  double speed = 0;              ///< greatest by programmed feed, units of path length per second
+  constraints::Chords chords{};  ///< of those between words
+
+  /// `feed_factor`: of the programmed feed. This must outlive it.
+  constraints::Place at_feed(double feed_factor) const { return {jet, feed_factor * speed, chords}; }
+};
+SeenPlace seen_place(const toolpath::Piece& piece, double s, Side side);
+/// Without what chords between words leave.
+SeenPlace seen_place_without_chords(const toolpath::Piece& piece, double s, Side side);
+
 /// Does the direction of the path turn here: is any q″ other than 0?
 bool turns(const geometry::PointJet& jet);
 
@@ -49,15 +63,14 @@ class Section {
   geometry::PointJet jets(double s, Side side) const;
   /// How many polynomials there are from one place to another, less one.
   std::size_t borders(double from, double to) const;
+  SeenPlace see(double s, Side side) const {
+    const std::size_t index = piece_at(s, side);
+    return seen_place(pieces_[index], s - offsets_[index], side);
+  }
   /// By programmed feed, units/s; `jet` is the section's there.
   double greatest_speed(double s, Side side, const geometry::PointJet& jet) const {
     const std::size_t index = piece_at(s, side);
     return pieces_[index].greatest_speed(s - offsets_[index], jet);
-  }
-  /// Of those between words there; likewise.
-  constraints::Chords chords(double s, Side side, const geometry::PointJet& jet) const {
-    const std::size_t index = piece_at(s, side);
-    return chords_of(pieces_[index], s - offsets_[index], jet);
   }
 
  private:

@@ -81,11 +81,12 @@ class SpeedProblem::Builder {
   };
   RowPairs rows_at(double s, Side side) const { return constraints_.row_pairs({section_.jets(s, side), infinity}); }
   Look look(double s, Side side) const {
-    const geometry::PointJet jet = section_.jets(s, side);
-    const double feed = feed_factor_ * section_.greatest_speed(s, side, jet);
-    const double square = constraints_.greatest_square({jet, feed, section_.chords(s, side, jet)});
-    const bool by_feed = square == squared(feed);
-    return {constraints_.row_pairs({jet, infinity}), (turns(jet) && !by_feed ? turning_margin : feed_margin) * square};
+    const SeenPlace seen = section_.see(s, side);
+    const constraints::Place place = seen.at_feed(feed_factor_);
+    const double square = constraints_.greatest_square(place);
+    const bool by_feed = square == squared(place.feed);
+    return {constraints_.row_pairs({seen.jet, infinity}),
+            (turns(seen.jet) && !by_feed ? turning_margin : feed_margin) * square};
   }
 
   void place_basis() {
