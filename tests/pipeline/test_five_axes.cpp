@@ -90,9 +90,7 @@ std::vector<const base::Word*> unbound_words(const std::vector<base::Word>& word
 }
 
 /// Where no limit binds, the tip goes as fast as programmed. On the programmed path: where a blend joins degrees to
-/// millimetres it has a feed of its own. Chords between words may be as coarse as they like. On the mean of every tenth of a
-/// second: where one axis turns round, what binds the tangent has a peak, knots of the time law lie dense, and its barrier
-/// keeps off the feed for some milliseconds.
+/// millimetres it has a feed of its own. Chords between words may be as coarse as they like.
 RC_GTEST_PROP(FiveAxes, KeepTheFeedWhereNoLimitBinds, ()) {
   machine::Machine machine = five_axes();
   machine.chord_error = 10;
@@ -108,18 +106,9 @@ RC_GTEST_PROP(FiveAxes, KeepTheFeedWhereNoLimitBinds, ()) {
   pipeline::Program program(gcode::text_source(text), machine, tools, {}, nullptr);
   std::vector<base::Word> words;
   while (program.prepare()) words.push_back(program.cycle());
-  double sum = 0;
-  std::vector<double> shares;  // of consecutive words
-  const base::Word* last = nullptr;
   for (const base::Word* word : unbound_words(words, machine)) {
     const auto feed = feeds.find(base::number(word->line));
-    if (feed == feeds.end()) continue;
-    if (!last || word != last + 1 || word->line != last->line) shares.clear(), sum = 0;
-    last = word;
-    shares.push_back(word->feed / feed->second);
-    sum += shares.back() - (shares.size() > tenth ? shares[shares.size() - 1 - tenth] : 0);
-    RC_ASSERT(shares.back() >= 0.99);
-    if (shares.size() >= tenth) RC_ASSERT(sum >= 0.999 * static_cast<double>(tenth));
+    if (feed != feeds.end()) RC_ASSERT(word->feed >= 0.999 * feed->second);
   }
 }
 

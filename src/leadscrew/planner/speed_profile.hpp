@@ -109,6 +109,15 @@ class SpeedProfile {
   int newton_steps() const { return newton_steps_; }
 
  private:
+  /// Coefficients of a stretch at nearly the greatest speed.
+  struct Cruise {
+    std::size_t begin = 0, end = 0;
+    double square = 0;     ///< of that speed
+    bool goes_on = false;  ///< has it begun before the window?
+  };
+  std::vector<Cruise> cruises() const;
+  static void level(const Cruise& cruise, std::vector<double>& c);
+
   const CubicBasis& basis(std::size_t interval) const { return problem_.basis()[interval]; }
   const std::vector<double>& c() const { return levelled_.empty() ? iterate_.coefficients() : levelled_; }
   void set(std::vector<double> coefficients);
@@ -124,6 +133,7 @@ class SpeedProfile {
   std::vector<double> far_inside_;  ///< coefficients to retreat to
   SpeedGoal goal_;                  ///< creep, once descended to
   bool too_fast_ = false;
+  bool is_of_tip_ = false;  ///< does any of its pieces have a transformation?
   int newton_steps_ = 0;
 };
 

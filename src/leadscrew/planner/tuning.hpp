@@ -62,6 +62,16 @@ inline constexpr std::size_t least_ahead = 16;  // intervals
 inline constexpr double effort_of_proof = 3;    // units, of a segment
 }  // namespace window
 
+/// Cruises that are levelled. Nearer and longer: fewer levelled, and feed some parts in ten thousand lower there. Shorter
+/// blends and deeper dips: more whose levelling would break a limit, and is taken back.
+namespace cruises {
+inline constexpr double near = 4e-3;         // below the cap, of x, where one begins and ends
+inline constexpr double deepest_dip = 2e-2;  // between, on paths of the tip
+inline constexpr double same_cap = 1e-9;     // of x, from one coefficient to another, there
+inline constexpr std::size_t shortest = 40;  // coefficients
+inline constexpr std::size_t blend = 16;     // over which one is reached and left
+}  // namespace cruises
+
 /// The barrier method. Faster growth: fewer stages, of more steps each. More that is negligible: fewer steps a stage, until
 /// the next begins too far from its centre. Shorter steps at the next attempt: fewer attempts; longer: fewer steps.
 namespace barrier {
