@@ -78,7 +78,7 @@ TYPED_TEST(ArcsOfWidth6, BetweenLatticePointsOfEveryCircleAreThoseOfPulse) {
     const std::string different = bench.follow(arc);
     if (!different.empty()) FAIL() << different;
   });
-  EXPECT_GT(arcs, 57000);
+  EXPECT_EQ(arcs, 57'888);
 }
 
 /// Some of those whose end is beside the circle too, and of those that are refused.

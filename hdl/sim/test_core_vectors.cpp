@@ -5,7 +5,7 @@
 
 #include "core_program.hpp"
 
-// The same vectors in a second simulator, iverilog; script/core-mutants breaks the core and runs them too.
+// The same vectors in a second simulator, iverilog; script/hardware-mutants breaks the core and runs them too.
 
 namespace leadscrew::hardware {
 namespace test_core_vectors {
