@@ -15,7 +15,7 @@ std::uint32_t magnitude(std::int32_t value) {
   return value < 0 ? 0 - bits : bits;
 }
 
-void set_unit(Command& command, int unit, const hardware::Decision& of) {
+void set_unit(Command& command, int unit, const Decision& of) {
   command.decision[unit] = static_cast<std::int32_t>(of.decision);
   command.straight[unit] = static_cast<std::int32_t>(of.straight);
   command.diagonal[unit] = static_cast<std::int32_t>(of.diagonal);
@@ -65,7 +65,7 @@ Refusal Cutter::take(const Move& move) {
       left_ = left_ != 0;
       break;
     case Move::Kind::arc:
-      octants_ = hardware::Octants(move.arc);
+      octants_ = Octants(move.arc);
       left_ = octants_.done() ? 0 : 1;
       break;
     case Move::Kind::dwell:
@@ -119,14 +119,14 @@ Command Cutter::line() {
       continue;
     }
     set_source(command, axis, source_of_units + static_cast<std::uint32_t>(unit));
-    set_unit(command, unit++, hardware::along_line(steps, command.count));
+    set_unit(command, unit++, along_line(steps, command.count));
   }
   left_ = 0;
   return command;
 }
 
 Command Cutter::octant() {
-  const hardware::Octant octant = octants_.next();
+  const Octant octant = octants_.next();
   left_ = octants_.done() ? 0 : 1;
   Command command;
   command.count = static_cast<std::uint32_t>(octant.count);

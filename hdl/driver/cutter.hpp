@@ -69,7 +69,7 @@ class Cutter {
 
   CoreParameters core_{};
   Move move_{};
-  hardware::Octants octants_{pulse::Arc{{1, 0}, {1, 0}}};
+  Octants octants_{pulse::Arc{{1, 0}, {1, 0}}};
   std::uint64_t left_ = 0;  // ticks of a dwell; of others 1 until the last command
 };
 

@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <leadscrew/pulse/arc.hpp>
 
-namespace leadscrew::hardware {
+namespace leadscrew::driver {
 
 /// What a unit of decision is loaded with.
 struct Decision {
@@ -185,4 +185,4 @@ class Octants {
   int quadrant_, borders_;
 };
 
-}  // namespace leadscrew::hardware
+}  // namespace leadscrew::driver

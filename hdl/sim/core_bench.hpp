@@ -11,6 +11,8 @@
 
 namespace leadscrew::hardware {
 
+using driver::along_line, driver::Decision, driver::Octant, driver::Octants;
+
 inline constexpr std::size_t core_axes = 3, core_units = core_axes - 1;
 using CorePulse = pulse::Pulse<core_axes>;
 using CoreVector = std::array<std::int64_t, core_axes>;

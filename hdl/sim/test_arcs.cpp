@@ -144,8 +144,7 @@ TYPED_TEST(ArcsOfWidth24, RandomOnesToRadius100AreThoseOfPulse) {
 TYPED_TEST(ArcsOfWidth24, AtTheGreatestRadiusAreThoseOfPulse) {
   typename TypeParam::Large bench(24);
   constexpr std::int64_t greatest = (1 << 23) - 3;
-  // 2809 · 8388605² = (2809 · 8388605 / 53)² …: points of the circle near its axes come of small slopes only, so the
-  // ends lie beside it by less than half a BLU.
+  // Short arcs across the axes: an end 2000 BLU beside an axis is 2000²/2R = 0.24 BLU off the circle.
   for (const Direction direction : both_ways) {
     const auto sense = static_cast<std::int64_t>(direction);
     for (const Point start : {Point{greatest, 0}, Point{0, greatest}, Point{-greatest, 0}, Point{0, -greatest}}) {

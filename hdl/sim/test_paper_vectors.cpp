@@ -8,7 +8,7 @@
 
 #include "arc_bench.hpp"
 
-// The interpolators of rtl/paper in a second simulator, iverilog, on vectors that pulse/ makes; script/paper-mutants breaks
+// The interpolators of rtl/paper in a second simulator, iverilog, on vectors that pulse/ makes; script/hardware-mutants breaks
 // them and runs the same.
 
 namespace leadscrew::hardware {
@@ -26,7 +26,9 @@ std::string said_by_iverilog(const std::string& bench, const std::string& option
   std::istringstream each(modules);
   for (std::string module; each >> module;) sources += " " + hdl + "rtl/paper/" + module + ".sv";
   const std::string compiled = name + ".vvp";
-  if (std::system(("iverilog -g2012 -o " + compiled + " -s " + bench + " " + options + " " + sources).c_str()) != 0)
+  if (std::system(
+          ("iverilog -g2012 -I " + hdl + "sim/iverilog -o " + compiled + " -s " + bench + " " + options + " " + sources)
+              .c_str()) != 0)
     return "not compiled";
   const std::string told = name + ".said";
   if (std::system(("vvp " + compiled + " +rows=" + name + ".rows > " + told).c_str()) != 0) return "not run";

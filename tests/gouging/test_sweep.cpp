@@ -199,7 +199,7 @@ double deepest_by_sampling(const Tool& tool, const Way& way, const Workpiece& wo
   return -least;
 }
 
-void misses_nothing(int rounds) {
+void misses_nothing(int rounds, int samples) {
   Random random(21);
   const auto surface = std::make_shared<Surface>(surfaces::test::patch_a());
   const Workpiece workpiece({surface}, tolerance / 4);
@@ -219,7 +219,7 @@ void misses_nothing(int rounds) {
     }
     const Way way = line(ends[0], ends[1]);
     const auto found = sweep.follow(way);
-    const double expected = deepest_by_sampling(tool, way, workpiece, 800);
+    const double expected = deepest_by_sampling(tool, way, workpiece, samples);
     if (expected > 0) {
       EXPECT_GE(-found->hit.distance, expected - 0.75 * tolerance);
       EXPECT_LE(-found->hit.distance, expected + 0.05);  // places that were not sampled
@@ -233,10 +233,10 @@ void misses_nothing(int rounds) {
   EXPECT_GT(clear, rounds / 12);
 }
 TEST(Sweep, MissesNothingOnRandomWays) {
-  misses_nothing(24);
+  misses_nothing(24, 800);
 }
 TEST(LongSweep, MissesNothingOnRandomWays) {
-  misses_nothing(240);
+  misses_nothing(240, 1500);
 }
 
 }  // namespace test_sweep

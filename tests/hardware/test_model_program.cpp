@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-// Programs for the hardware: what it refuses, and, where the model is built in, its steps beside those of nc/.
+// Programs for the hardware: what it refuses, and its steps beside those of nc/. Tests of
+// ModelInTheCommand are run where the model is built in.
 
 namespace leadscrew::hardware {
 namespace test_model_program {
@@ -27,13 +28,13 @@ struct Conditions {
 /// "3 hardware-helix; ": lines and codes.
 std::string problems_of(const std::string& text, const Conditions& conditions = {}) {
   std::string problems;
-  const std::int64_t errors = check_model_program(
+  const std::int64_t errors = nc::check_pulses(
       gcode::text_source(text), conditions.machine, conditions.tools, {}, conditions.options,
       [&](const base::Diagnostic& found) {
         if (found.severity == base::Severity::error)
           problems += std::to_string(found.place.line) + " " + std::string(found.code) + "; ";
       },
-      [] { return true; });
+      [] { return true; }, model_check(conditions.machine));
   EXPECT_EQ(errors > 0, !problems.empty());
   return problems;
 }
@@ -77,12 +78,13 @@ constexpr const char* program_of_all_kinds =
     "G18 G2 X12 Z-1 R3\nG19 G3 Y2 Z-3 R-2\nG17\n"
     "G5 X20 Y3 I3 J1 P-1 Q-2\nG0 X0 Y0 Z0\nG2 I1.5 J-0.7\n";
 
-TEST(ModelProgram, StepsAsTheSoftwareDoes) {
+TEST(ModelProgram, IsMissingWhereItWasNotBuiltIn) {
+  const auto missing = missing_model();
+  EXPECT_EQ(missing ? missing->code : "", make_motion_model({}) ? "" : "hardware-model");
+}
+
+TEST(ModelInTheCommand, StepsAsTheSoftwareDoes) {
   ASSERT_EQ(problems_of(program_of_all_kinds), "");
-  if (missing_model()) {
-    EXPECT_EQ(missing_model()->code, "hardware-model");
-    GTEST_SKIP() << "built without the model";
-  }
   const Conditions conditions;
   const auto no_errors = [](const base::Diagnostic& found) { EXPECT_NE(found.severity, base::Severity::error); };
   nc::PulseProgram software(gcode::text_source(program_of_all_kinds), conditions.machine, conditions.tools, {},
@@ -97,8 +99,7 @@ TEST(ModelProgram, StepsAsTheSoftwareDoes) {
 }
 
 /// The file of waveforms has its name once the program is at its end, and is gone where it does not come there.
-TEST(ModelProgram, WritesWaveformsWholeOrNotAtAll) {
-  if (missing_model()) GTEST_SKIP() << "built without the model";
+TEST(ModelInTheCommand, WritesWaveformsWholeOrNotAtAll) {
   const std::filesystem::path waves = std::filesystem::path(testing::TempDir()) / "leadscrew_model_waves.fst";
   const std::filesystem::path part = waves.string() + ".part";
   std::filesystem::remove(waves);

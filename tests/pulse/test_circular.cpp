@@ -2,11 +2,11 @@
 
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/circular_search.hpp>
-#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "lattice_arcs.hpp"
 #include "tracing.hpp"
 
 // Bounds: of every arc between lattice points of one circle, and of every circle.
@@ -59,31 +59,16 @@ bool is_exception(const std::string& method, std::int64_t squared_radius) {
 
 /// All arcs with R² ≤ 900, both ways; the full circle from each point among them.
 TEST_P(OnEveryLatticeArc, EndsExactlyAndStaysWithinItsBound) {
-  constexpr std::int64_t reach = 30;
-  std::map<std::int64_t, std::vector<Point>> circles;
-  for (std::int64_t x = -reach; x <= reach; ++x) {
-    for (std::int64_t y = -reach; y <= reach; ++y) {
-      const std::int64_t n = x * x + y * y;
-      if (n > 0 && n <= reach * reach) circles[n].push_back({x, y});
-    }
-  }
   double one = 0, more = 0, exception = 0;
   std::int64_t arcs = 0, not_ended = 0;
-  for (const auto& [n, points] : circles) {
-    const bool is_other = is_exception(GetParam().name, n);
-    for (const Point& start : points) {
-      for (const Point& end : points) {
-        for (const Direction direction : {Direction::clockwise, Direction::counterclockwise}) {
-          const Arc arc{start, end, direction};
-          const Trace found = GetParam().trace(arc);
-          ++arcs;
-          not_ended += !found.ends;
-          double& worst = is_other ? exception : borders(arc) == 0 ? one : more;
-          worst = std::max(worst, found.worst);
-        }
-      }
-    }
-  }
+  testing_support::each_lattice_arc(30, [&](const Arc& arc) {
+    const Trace found = GetParam().trace(arc);
+    ++arcs;
+    not_ended += !found.ends;
+    const bool is_other = is_exception(GetParam().name, arc.squared_radius());
+    double& worst = is_other ? exception : borders(arc) == 0 ? one : more;
+    worst = std::max(worst, found.worst);
+  });
   EXPECT_EQ(arcs, 63328);
   EXPECT_EQ(not_ended, 0);
   EXPECT_LE(one, GetParam().one_quadrant);

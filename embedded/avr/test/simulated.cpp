@@ -11,10 +11,11 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <lattice_arcs.hpp>
 
 #include "../../methods.hpp"
 #include "chip.hpp"
@@ -87,28 +88,6 @@ class Session {
   int bytes_, period_;
 };
 
-/// All with R² ≤ 900, in both directions: 63 328.
-std::vector<Arc> all_lattice_arcs() {
-  constexpr std::int64_t reach = 30;
-  std::map<std::int64_t, std::vector<Point>> circles;
-  for (std::int64_t x = -reach; x <= reach; ++x) {
-    for (std::int64_t y = -reach; y <= reach; ++y) {
-      const std::int64_t n = x * x + y * y;
-      if (n > 0 && n <= reach * reach) circles[n].push_back({x, y});
-    }
-  }
-  std::vector<Arc> arcs;
-  for (const auto& [n, points] : circles) {
-    for (const Point start : points) {
-      for (const Point end : points) {
-        arcs.push_back({start, end, Direction::clockwise});
-        arcs.push_back({start, end, Direction::counterclockwise});
-      }
-    }
-  }
-  return arcs;
-}
-
 std::vector<Point> all_lines() {
   std::vector<Point> lines;
   for (std::int64_t a = -30; a <= 30; ++a) {
@@ -129,8 +108,10 @@ struct Checked {
       session.move(kind, arc.start, arc.end, Method::circle(arc), arcs);
     };
     const auto send_line = [&](Point delta) { session.move('l', {}, delta, Method::line(delta), lines); };
-    const std::vector<Arc> lattice = all_lattice_arcs();
-    for (std::size_t i = every / 2; i < lattice.size(); i += every) send_arc(lattice[i]);
+    std::size_t arc_at = every / 2;
+    testing_support::each_lattice_arc(30, [&](const Arc& arc) {
+      if (++arc_at % every == 0) send_arc(arc);
+    });
     send_arc({{0, 1000}, {0, 1000}, Direction::clockwise});
     send_arc({{-600, 800}, {600, 800}, Direction::counterclockwise});
     const std::vector<Point> deltas = all_lines();

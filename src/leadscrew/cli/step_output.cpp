@@ -86,13 +86,12 @@ void check_steps(const files::InputFile& file, const Job& job, DiagnosticLog& lo
   check_screws(job, log);
   if (has_too_many(log)) return;
   // What else the reader has to say has been said.
-  const auto check = in_hardware ? hardware::check_model_program : nc::check_pulses;
-  check(
+  nc::check_pulses(
       file.source(), job.machine, job.tools, job.reader_options(file), pulse_options(job),
       [&](const base::Diagnostic& problem) {
         if (is_of_pulses(problem) || problem.code == too_many_problems) log.add(in_options(problem, job));
       },
-      [] { return !files::interrupted(); });
+      [] { return !files::interrupted(); }, in_hardware ? hardware::model_check(job.machine) : nc::BlockCheck{});
   if (files::interrupted()) log.add(files::interruption());
 }
 

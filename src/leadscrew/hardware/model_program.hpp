@@ -18,17 +18,14 @@ namespace leadscrew::hardware {
 /// `hardware-model`: the command was built without it.
 std::optional<base::Diagnostic> missing_model();
 
-/// As nc::check_pulses() does, and with the blocks that the core cannot make: `hardware-helix` an arc with axes beside its
-/// plane, `hardware-register` more steps than its counters hold, `hardware-axes` an axis beyond its last one.
-std::int64_t check_model_program(gcode::ByteSource source, const machine::Machine& machine,
-                                 const machine::ToolTable& tools, const gcode::ReaderOptions& reading,
-                                 const nc::PulseOptions& options, const gcode::DiagnosticSink& sink,
-                                 const nc::GoesOn& goes_on);
+/// For nc::check_pulses(): the blocks that the core cannot make. `hardware-helix` an arc with axes beside its plane,
+/// `hardware-register` more steps than its counters hold, `hardware-axes` an axis beyond its last one.
+nc::BlockCheck model_check(const machine::Machine& machine);
 
 class ModelProgram {
  public:
-  /// A program that check_model_program() finds nothing wrong with, where there is no missing_model(). The machine and the
-  /// tool table must outlive it. waves: see make_motion_model().
+  /// A program that nc::check_pulses() with model_check() finds nothing wrong with, where there is no missing_model().
+  /// The machine and the tool table must outlive it. waves: see make_motion_model().
   ModelProgram(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                const gcode::ReaderOptions& reading, const nc::PulseOptions& options, gcode::DiagnosticSink sink,
                const std::optional<std::string>& waves);

@@ -153,7 +153,8 @@ void Peaks::see(const SweptTool& tool, const WordPlace& word) {
   }
 }
 
-/// The last two that left least come first: near a crest one of them most likely does again, and the others are refused at once.
+/// The last two that left least come first: near a crest one of them most likely does again, and the others are refused at
+/// once.
 Peak Peaks::height_at(std::vector<Kept>& tools, const Net& net, double u, double v) const {
   const SurfacePlace place = net.at(u, v);
   Peak peak{reach_, u, v, place.s, {}};

@@ -22,7 +22,7 @@ constexpr std::int64_t most_changing = 64;  // commands, before it is seen wheth
 
 std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                           const gcode::ReaderOptions& reading, const PulseOptions& options,
-                          const gcode::DiagnosticSink& sink, const GoesOn& goes_on) {
+                          const gcode::DiagnosticSink& sink, const GoesOn& goes_on, const BlockCheck& more) {
   gcode::Reader reader(std::move(source), machine, tools, reading, sink);
   BlockMaker maker(machine, options, reading.start);
   gcode::Move move;
@@ -33,7 +33,8 @@ std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& mach
     while (goes_on()) {
       auto planned = maker.next();
       if (!planned) break;
-      if (!*planned) reader.reject(move, std::move(planned->error()));
+      auto problem = !*planned ? std::optional(planned->error()) : more ? more((*planned)->block) : std::nullopt;
+      if (problem) reader.reject(move, std::move(*problem));
     }
   }
   return reader.errors() + (reader.source_failure() ? 1 : 0);

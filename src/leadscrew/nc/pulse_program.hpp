@@ -20,12 +20,16 @@ namespace leadscrew::nc {
 /// Asked before every block: is the work still wanted?
 using GoesOn = std::function<bool()>;
 
+/// What is wrong with a block for whoever is to make its pulses, or nothing.
+using BlockCheck = std::function<std::optional<base::Diagnostic>(const Block&)>;
+
 /// Reads and plans a whole program without a pulse: each problem goes to the sink, in the order of the text, those of
 /// the reader too. A block in which the reader finds an error is not planned, and after 100 errors in all it stops. How
-/// many there are, up to where it no longer goes on; a program that has one must not be moved.
+/// many there are, up to where it no longer goes on; a program that has one must not be moved. `more` looks at each block
+/// too, if it is given.
 std::int64_t check_pulses(gcode::ByteSource source, const machine::Machine& machine, const machine::ToolTable& tools,
                           const gcode::ReaderOptions& reading, const PulseOptions& options,
-                          const gcode::DiagnosticSink& sink, const GoesOn& goes_on);
+                          const gcode::DiagnosticSink& sink, const GoesOn& goes_on, const BlockCheck& more = {});
 
 class PulseProgram {
  public:

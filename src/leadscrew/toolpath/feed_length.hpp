@@ -42,8 +42,8 @@ std::optional<Piece> straight_piece(const geometry::Point& start, const geometry
 geometry::Curve simplest(const geometry::Curve& curve, const ToleranceSpace& space = {});
 
 /// Tables of arc length for what is fitted and blended, and for curves of the tip, which may be lines of tool vectors. Their
-/// spans are much shorter than their radii, and what a table may be off by is told by the shorter of the two. For times alone, without words, far fewer pieces do: a time
-/// changes by some 1e-8 of it.
+/// spans are much shorter than their radii, and what a table may be off by is told by the shorter of the two. For times
+/// alone, without words, far fewer pieces do: a time changes by some 1e-8 of it.
 inline constexpr geometry::MapTolerance tables_for_motion{1e-7, 1e-6, 1e-6}, tables_for_times{1e-5, 1e-3, 1e-2, 1e-9};
 
 /// Smooth pieces of what was fitted, by the length of tolerances.

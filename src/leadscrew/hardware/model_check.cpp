@@ -1,4 +1,3 @@
-#include <leadscrew/gcode/number.hpp>
 #include <leadscrew/hardware/block_moves.hpp>
 #include <leadscrew/hardware/model_program.hpp>
 #include <string>
@@ -46,25 +45,8 @@ std::optional<base::Diagnostic> missing_model() {
                        "install verilator and build with cmake --preset release -DLEADSCREW_HARDWARE=ON");
 }
 
-std::int64_t check_model_program(gcode::ByteSource source, const machine::Machine& machine,
-                                 const machine::ToolTable& tools, const gcode::ReaderOptions& reading,
-                                 const nc::PulseOptions& options, const gcode::DiagnosticSink& sink,
-                                 const nc::GoesOn& goes_on) {
-  gcode::Reader reader(std::move(source), machine, tools, reading, sink);
-  nc::BlockMaker maker(machine, options, reading.start);
-  const Lanes lanes(machine);
-  gcode::Move move;
-  while (goes_on() && reader.next(move)) {
-    maker.stand_at(move.start);
-    maker.load(move);
-    while (goes_on()) {
-      auto planned = maker.next();
-      if (!planned) break;
-      auto problem = *planned ? hardware_problem((*planned)->block, lanes) : std::optional((*planned).error());
-      if (problem) reader.reject(move, std::move(*problem));
-    }
-  }
-  return reader.errors() + (reader.source_failure() ? 1 : 0);
+nc::BlockCheck model_check(const machine::Machine& machine) {
+  return [lanes = Lanes(machine)](const nc::Block& block) { return hardware_problem(block, lanes); };
 }
 
 }  // namespace leadscrew::hardware
