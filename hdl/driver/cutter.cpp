@@ -8,7 +8,6 @@ namespace {
 
 constexpr std::uint32_t source_drives = 1, source_of_units = 2;  // + u: the axis follows unit u
 constexpr int source_bits = 4;
-constexpr std::uint32_t one_over_root_2 = 46341;  // · 2^16
 
 std::uint32_t magnitude(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
@@ -65,7 +64,7 @@ Refusal Cutter::take(const Move& move) {
       left_ = left_ != 0;
       break;
     case Move::Kind::arc:
-      octants_ = Octants(move.arc);
+      octants_ = Octants(move.arc, move.speed == Move::Speed::even_path ? Cut::pieces : Cut::octants);
       left_ = octants_.done() ? 0 : 1;
       break;
     case Move::Kind::dwell:
@@ -88,39 +87,48 @@ Command Cutter::next() {
       command = dwell();
       break;
   }
-  command.feed = move_.feed;
-  command.diagonal_feed = diagonal_feed();
   command.push |= static_cast<std::uint32_t>(move_.tag) << registers::command_push_tag_bit;
   command.push |= static_cast<std::uint32_t>(move_.is_last && done()) << registers::command_push_final_bit;
   return command;
 }
 
-std::uint64_t Cutter::diagonal_feed() const {
-  if (move_.speed == Move::Speed::even_steps) return move_.feed;
-  return (move_.feed >> 16) * one_over_root_2 + ((move_.feed & 0xFFFF) * one_over_root_2 >> 16);
+/// At least 1, at most a step a tick.
+void Cutter::set_feed(Command& command, const Pace& pace) const {
+  const std::uint64_t most = std::uint64_t{1} << core_.feed_width, low = move_.feed & (Pace::one - 1);
+  const std::uint64_t word = (move_.feed >> 30) * pace.feed + (low * pace.feed >> 30);
+  const std::uint64_t straight = word + (std::uint64_t{pace.head_start} << (core_.feed_width - 30));
+  command.feed = word == 0 ? 1 : word;
+  command.straight_feed = straight < command.feed ? command.feed : straight < most ? straight : most;
 }
 
-/// The first of the longest axes drives, all others follow it.
+/// Steps of the driving axis over the length of the line.
+std::uint32_t Cutter::share_of_driving(std::uint32_t count) const {
+  std::int64_t square = 0;
+  for (const std::int32_t delta : move_.delta) square += std::int64_t{delta} * delta;
+  const ScaledRoot length(square);
+  return static_cast<std::uint32_t>((std::int64_t{count} << length.places << 30) / length.root);
+}
+
+/// The longest axes drive, all others follow them.
 Command Cutter::line() {
   Command command;
-  int driving = 0;
-  for (int axis = 1; axis < core_.axes; ++axis) {
-    if (magnitude(move_.delta[axis]) > magnitude(move_.delta[driving])) driving = axis;
+  for (const std::int32_t delta : move_.delta) {
+    if (magnitude(delta) > command.count) command.count = magnitude(delta);
   }
-  command.count = magnitude(move_.delta[driving]);
   int unit = 0;
   for (int axis = 0; axis < core_.axes; ++axis) {
     const std::uint32_t steps = magnitude(move_.delta[axis]);
     if (steps == 0) continue;
     set_sense(command, axis, move_.delta[axis] < 0);
-    // What drives beside is no step of a unit, which alone have the feed of diagonal steps.
-    if (axis == driving || (steps == command.count && move_.speed == Move::Speed::even_steps)) {
+    if (steps == command.count) {
       set_source(command, axis, source_drives);
       continue;
     }
     set_source(command, axis, source_of_units + static_cast<std::uint32_t>(unit));
     set_unit(command, unit++, along_line(steps, command.count));
   }
+  const std::uint32_t speed = move_.speed == Move::Speed::even_path ? share_of_driving(command.count) : Pace::one;
+  set_feed(command, {speed, 0});
   left_ = 0;
   return command;
 }
@@ -129,6 +137,7 @@ Command Cutter::octant() {
   const Octant octant = octants_.next();
   left_ = octants_.done() ? 0 : 1;
   Command command;
+  set_feed(command, octant.pace);
   command.count = static_cast<std::uint32_t>(octant.count);
   const int drives = octant.x_drives ? move_.first_axis : move_.second_axis;
   const int follows = octant.x_drives ? move_.second_axis : move_.first_axis;

@@ -131,8 +131,8 @@ class Driver {
     set(0, command.count);
     set(1, static_cast<std::uint32_t>(command.feed));
     set(2, static_cast<std::uint32_t>(command.feed >> 32));
-    set(3, static_cast<std::uint32_t>(command.diagonal_feed));
-    set(4, static_cast<std::uint32_t>(command.diagonal_feed >> 32));
+    set(3, static_cast<std::uint32_t>(command.straight_feed));
+    set(4, static_cast<std::uint32_t>(command.straight_feed >> 32));
     set(5, command.source);
     for (std::uint32_t unit = 0; unit + 1 < static_cast<std::uint32_t>(core_.axes); ++unit) {
       set(plain_registers + 3 * unit, static_cast<std::uint32_t>(command.decision[unit]));

@@ -7,7 +7,7 @@
 namespace leadscrew::driver::registers {
 
 inline constexpr std::uint32_t identification_value = 0x4C534352;
-inline constexpr std::uint32_t version_value = 0x00010000;
+inline constexpr std::uint32_t version_value = 0x00020000;
 
 /// 0x4C534352, "LSCR".
 inline constexpr std::uint32_t identification = 0x000;
@@ -167,11 +167,12 @@ inline constexpr std::uint32_t command_feed_low = 0x054;
 /// Bits FEED_WIDTH:32 of it.
 inline constexpr std::uint32_t command_feed_high = 0x058;
 
-/// The same, after a step of unit 0: the feed word/√2 for an even speed along the path, the feed word for even steps.
-inline constexpr std::uint32_t command_diagonal_feed_low = 0x05C;
+/// The word that is added at a step of the driving axis without unit 0: more for an even speed along the path, the
+/// same for even steps.
+inline constexpr std::uint32_t command_straight_feed_low = 0x05C;
 
 /// Bits FEED_WIDTH:32 of it.
-inline constexpr std::uint32_t command_diagonal_feed_high = 0x060;
+inline constexpr std::uint32_t command_straight_feed_high = 0x060;
 
 /// Four bits an axis, axis 0 lowest: 0 it stands, 1 it drives, 2 + u it follows unit u.
 inline constexpr std::uint32_t command_source = 0x064;

@@ -78,7 +78,7 @@ module core_properties #(
       .command_final(1'b1),
       .command_tag(16'd0),
       .command_feed({any_feed[2], any_feed[2] ? 2'b00 : {1'b1, any_feed[0]}}),
-      .command_feed_diagonal({any_feed[2], any_feed[2] ? 2'b00 : {1'b1, any_feed[1]}}),
+      .command_feed_straight({any_feed[2], any_feed[2] ? 2'b00 : {1'b1, any_feed[1]}}),
       .command_source(x_drives ? 8'h21 : 8'h12),
       .command_backward(any_backward),
       .command_curve({1'b0, is_octant}),

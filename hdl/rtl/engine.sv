@@ -17,7 +17,7 @@ module engine #(
     input  logic                          next_dwell,
     input  logic [               WIDTH:0] next_left,  // count − 2, two's complement: its sign is that of the last step
     input  logic [          FEED_WIDTH:0] next_feed,  // 0 for a dwell
-    input  logic [          FEED_WIDTH:0] next_feed_diagonal,
+    input  logic [          FEED_WIDTH:0] next_feed_straight,
     input  logic [            4*AXES-1:0] next_source,
     input  logic [              AXES-1:0] next_backward,
     input  logic [                   1:0] next_curve,
@@ -35,24 +35,25 @@ module engine #(
 );
   logic                dwell;
   logic [     WIDTH:0] left;  // steps from here to the end, less 2: negative at the last one
-  logic [FEED_WIDTH:0] sum, feed, feed_diagonal, word;
+  logic [FEED_WIDTH:0] sum, feed, feed_straight, word;
   logic [  4*AXES-1:0] source;
   logic [    AXES-2:0] steps;  // of each unit
   logic [         1:0] curve;
   logic [    AXES-1:0] drives;
-  logic overflow, counts, over, after_diagonal;
+  logic overflow, counts, over, straight;
 
   assign steps_left = running ? left[WIDTH-1:0] + WIDTH'(2) : '0;
   assign overflow = sum[FEED_WIDTH];
+  assign straight = overflow & ~steps[0];
   assign counts = overflow | dwell;
   assign over = counts & left[WIDTH];
   assign finished = running & over;
   assign take = go & next_valid & over;
 
-  // The word of the next tick. It follows the sign of a step a tick late, so that the adder does not wait for it.
+  // What is added for the next tick. Both conditions are of registers' topmost bits, so that the adder does not wait long.
   always_comb begin
-    word = after_diagonal ? feed_diagonal : feed;
-    if (over) word = next_feed;
+    word = straight ? feed_straight : feed;
+    if (over) word = straight ? next_feed_straight : next_feed;
   end
 
   // At rest: the last tick of a dwell that does not end.
@@ -83,9 +84,8 @@ module engine #(
     if (take) begin
       curve <= next_curve;
       feed <= next_feed;
-      feed_diagonal <= next_feed_diagonal;
+      feed_straight <= next_feed_straight;
     end
-    if (go & counts) after_diagonal <= steps[0] & ~over;
   end
 
   genvar u, i;

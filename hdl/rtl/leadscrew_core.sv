@@ -39,7 +39,7 @@ module leadscrew_core #(
   logic latch, probe_enable, latched, latch_clear, core_irq;
   logic [WIDTH-1:0] command_count, steps_left;
   logic [15:0] command_tag, prescale, running_tag;
-  logic [FEED_WIDTH:0] command_feed, command_feed_diagonal;
+  logic [FEED_WIDTH:0] command_feed, command_feed_straight;
   logic [4*AXES-1:0] command_source;
   logic [AXES-1:0] command_backward, position_set;
   logic [1:0] command_curve;
@@ -79,7 +79,7 @@ module leadscrew_core #(
       .command_final(command_final),
       .command_tag(command_tag),
       .command_feed(command_feed),
-      .command_feed_diagonal(command_feed_diagonal),
+      .command_feed_straight(command_feed_straight),
       .command_source(command_source),
       .command_backward(command_backward),
       .command_curve(command_curve),
@@ -144,7 +144,7 @@ module leadscrew_core #(
       .command_final(command_final),
       .command_tag(command_tag),
       .command_feed(command_feed),
-      .command_feed_diagonal(command_feed_diagonal),
+      .command_feed_straight(command_feed_straight),
       .command_source(command_source),
       .command_backward(command_backward),
       .command_curve(command_curve),

@@ -36,9 +36,10 @@
 //
 // Feed: at every tick (each `prescale` + 1 clocks) command_feed is added to a remainder of FEED_WIDTH bits, its overflow
 // is a step of the driving axis; 2^FEED_WIDTH, an overflow at every tick, is the greatest word. Between commands the
-// remainder stays, and no tick is lost. From the second tick after a diagonal step (one of unit 0) up to that after the
-// next step of this command command_feed_diagonal is added: command_feed/√2 there makes the speed along the path even,
-// command_feed leaves all steps evenly spaced.
+// remainder stays, and no tick is lost. At the tick of a step of the driving axis without one of unit 0
+// command_feed_straight is added instead, which gives the next step a start before what follows a diagonal one: so the
+// remainder is length of path, and hdl/driver/octants.hpp chooses both words for an even speed along it. The same word
+// twice leaves all steps evenly spaced. At the last step of a command both are the next one's.
 //
 // Where an axis is to step sooner than its drive's times allow, all axes wait for it: the path stays, and
 // error[ERROR_STRETCHED] tells. With step_length 1 and all other times 0 nothing ever waits (for models: two steps at
@@ -62,7 +63,7 @@ module motion_core #(
     input logic                            command_final,          // motion may end here: no underflow behind it
     input logic [                    15:0] command_tag,            // anything; seen at running_tag
     input logic [            FEED_WIDTH:0] command_feed,           // steps/tick · 2^FEED_WIDTH, up to 2^FEED_WIDTH
-    input logic [            FEED_WIDTH:0] command_feed_diagonal,  // the same, after a step of unit 0
+    input logic [            FEED_WIDTH:0] command_feed_straight,  // in its place at a step without unit 0
     input logic [              4*AXES-1:0] command_source,         // four bits an axis: 0, 1, 2 + u
     input logic [                AXES-1:0] command_backward,       // steps of −1
     input logic [                     1:0] command_curve,          // c, two's complement: 00, 01, 11
@@ -133,7 +134,7 @@ module motion_core #(
   // The queue
   logic [COMMAND_WIDTH-1:0] pushed, queued;
   logic [WIDTH:0] pushed_left, next_left;
-  logic [FEED_WIDTH:0] pushed_feed, pushed_feed_diagonal, next_feed, next_feed_diagonal;
+  logic [FEED_WIDTH:0] pushed_feed, pushed_feed_straight, next_feed, next_feed_straight;
   logic [15:0] next_tag;
   logic [4*AXES-1:0] next_source;
   logic [AXES-1:0] next_backward;
@@ -144,14 +145,14 @@ module motion_core #(
   assign is_empty = command_count == '0;
   assign pushed_left = {1'b0, command_count} - (WIDTH + 1)'(2);
   assign pushed_feed = command_dwell ? '0 : command_feed;
-  assign pushed_feed_diagonal = command_dwell ? '0 : command_feed_diagonal;
+  assign pushed_feed_straight = command_dwell ? '0 : command_feed_straight;
   assign pushed = {
     command_decision, command_straight, command_diagonal, command_curve, command_backward, command_source,
-    pushed_feed, pushed_feed_diagonal, command_tag, command_final, command_dwell, pushed_left
+    pushed_feed, pushed_feed_straight, command_tag, command_final, command_dwell, pushed_left
   };
   assign {
     next_decision, next_straight, next_diagonal, next_curve, next_backward, next_source,
-    next_feed, next_feed_diagonal, next_tag, next_final, next_dwell, next_left
+    next_feed, next_feed_straight, next_tag, next_final, next_dwell, next_left
   } = queued;
 
   command_fifo #(
@@ -199,7 +200,7 @@ module motion_core #(
       .next_dwell(next_dwell),
       .next_left(next_left),
       .next_feed(next_feed),
-      .next_feed_diagonal(next_feed_diagonal),
+      .next_feed_straight(next_feed_straight),
       .next_source(next_dwell ? '0 : next_source),
       .next_backward(next_backward),
       .next_curve(next_curve),

@@ -37,7 +37,7 @@ module registers #(
     output logic                          command_final,
     output logic [                  15:0] command_tag,
     output logic [          FEED_WIDTH:0] command_feed,
-    output logic [          FEED_WIDTH:0] command_feed_diagonal,
+    output logic [          FEED_WIDTH:0] command_feed_straight,
     output logic [            4*AXES-1:0] command_source,
     output logic [              AXES-1:0] command_backward,
     output logic [                   1:0] command_curve,
@@ -188,7 +188,7 @@ module registers #(
       end
       registers_package::TRIGGER, registers_package::POSITION_SET, registers_package::COMMAND_COUNT,
       registers_package::COMMAND_FEED_LOW, registers_package::COMMAND_FEED_HIGH,
-      registers_package::COMMAND_DIAGONAL_FEED_LOW, registers_package::COMMAND_DIAGONAL_FEED_HIGH,
+      registers_package::COMMAND_STRAIGHT_FEED_LOW, registers_package::COMMAND_STRAIGHT_FEED_HIGH,
       registers_package::COMMAND_SOURCE, registers_package::COMMAND_PUSH:
       can_write = 1'b1;
       default: begin
@@ -322,9 +322,9 @@ module registers #(
         registers_package::COMMAND_COUNT: command_count <= reg_write_data[WIDTH-1:0];
         registers_package::COMMAND_FEED_LOW: command_feed[31:0] <= reg_write_data;
         registers_package::COMMAND_FEED_HIGH: command_feed[FEED_WIDTH:32] <= reg_write_data[FEED_WIDTH-32:0];
-        registers_package::COMMAND_DIAGONAL_FEED_LOW: command_feed_diagonal[31:0] <= reg_write_data;
-        registers_package::COMMAND_DIAGONAL_FEED_HIGH:
-        command_feed_diagonal[FEED_WIDTH:32] <= reg_write_data[FEED_WIDTH-32:0];
+        registers_package::COMMAND_STRAIGHT_FEED_LOW: command_feed_straight[31:0] <= reg_write_data;
+        registers_package::COMMAND_STRAIGHT_FEED_HIGH:
+        command_feed_straight[FEED_WIDTH:32] <= reg_write_data[FEED_WIDTH-32:0];
         registers_package::COMMAND_SOURCE: command_source <= reg_write_data[4*AXES-1:0];
         registers_package::COMMAND_PUSH: begin
           command_backward <= reg_write_data[AXES-1:0];
@@ -347,7 +347,7 @@ module registers #(
     if (rst) begin
       command_count <= '0;
       command_feed <= '0;
-      command_feed_diagonal <= '0;
+      command_feed_straight <= '0;
       command_source <= '0;
       command_backward <= '0;
       command_curve <= 2'b00;

@@ -3,7 +3,7 @@
 // verilator lint_off UNUSEDPARAM
 package registers_package;
   localparam logic [31:0] IDENTIFICATION_VALUE = 32'h4C534352;
-  localparam logic [31:0] VERSION_VALUE = 32'h00010000;
+  localparam logic [31:0] VERSION_VALUE = 32'h00020000;
   localparam logic [8:0] IDENTIFICATION = 9'h000;
   localparam logic [8:0] VERSION = 9'h004;
   localparam logic [8:0] PARAMETERS = 9'h008;
@@ -77,8 +77,8 @@ package registers_package;
   localparam logic [8:0] COMMAND_COUNT = 9'h050;
   localparam logic [8:0] COMMAND_FEED_LOW = 9'h054;
   localparam logic [8:0] COMMAND_FEED_HIGH = 9'h058;
-  localparam logic [8:0] COMMAND_DIAGONAL_FEED_LOW = 9'h05C;
-  localparam logic [8:0] COMMAND_DIAGONAL_FEED_HIGH = 9'h060;
+  localparam logic [8:0] COMMAND_STRAIGHT_FEED_LOW = 9'h05C;
+  localparam logic [8:0] COMMAND_STRAIGHT_FEED_HIGH = 9'h060;
   localparam logic [8:0] COMMAND_SOURCE = 9'h064;
   localparam logic [8:0] COMMAND_PUSH = 9'h068;
   localparam int COMMAND_PUSH_BACKWARD_BIT = 0;

@@ -11,7 +11,7 @@
 
 namespace leadscrew::hardware {
 
-using driver::along_line, driver::Decision, driver::Octant, driver::Octants;
+using driver::along_line, driver::Cut, driver::Decision, driver::Octant, driver::Octants, driver::Pace;
 
 inline constexpr std::size_t core_axes = 3, core_units = core_axes - 1;
 using CorePulse = pulse::Pulse<core_axes>;
@@ -22,7 +22,7 @@ struct CoreCommand {
   std::int64_t count = 0;
   bool dwell = false, final = false;
   std::uint16_t tag = 0;
-  std::uint64_t feed = 0, feed_diagonal = 0;
+  std::uint64_t feed = 0, feed_straight = 0;
   std::array<std::uint8_t, core_axes> source{};
   std::array<bool, core_axes> backward{};
   std::int8_t curve = 0;
@@ -119,7 +119,7 @@ class Core {
     put(model_->command_final, command.final);
     put(model_->command_tag, command.tag);
     put(model_->command_feed, command.feed);
-    put(model_->command_feed_diagonal, command.feed_diagonal);
+    put(model_->command_feed_straight, command.feed_straight);
     put(model_->command_source, source);
     put(model_->command_backward, backward);
     put(model_->command_curve, bits_of(command.curve, 2));

@@ -22,7 +22,7 @@ void write(std::ostream& to, const CoreCommand& command) {
     backward |= std::uint64_t{command.backward[axis]} << axis;
   }
   to << std::hex << command.count << ' ' << int{command.dwell} << ' ' << int{command.final} << ' ' << command.feed
-     << ' ' << command.feed_diagonal << ' ' << source << ' ' << backward << ' ' << bits_of(command.curve, 2) << ' '
+     << ' ' << command.feed_straight << ' ' << source << ' ' << backward << ' ' << bits_of(command.curve, 2) << ' '
      << units_of(command, &Decision::decision) << ' ' << units_of(command, &Decision::straight) << ' '
      << units_of(command, &Decision::diagonal) << '\n';
 }

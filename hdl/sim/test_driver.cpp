@@ -158,19 +158,24 @@ std::int64_t duration(Port& port, Bus& bus, driver::Driver<Bus>& driver, const M
   while (port.clocks() < begin + 200'000) {
     if (port->step_strobe != 0) last = port.clocks();
     bus.pass(20'000);
+    if (!driver.ready()) driver.service();
   }
   return last - begin;
 }
 
-/// Along a diagonal a step of both axes is √2 long.
+/// As long as the path is, at a step of its length each ten ticks.
 TEST_F(Driver, KeepsTheSpeedAlongThePathEven) {
   Move move = line(1000, 1000);
   EXPECT_NEAR(static_cast<double>(duration(port_, bus_, driver_, move)), 10'000, 20);
   move.speed = Move::Speed::even_path;
-  EXPECT_NEAR(static_cast<double>(duration(port_, bus_, driver_, move)), 10'000 * std::sqrt(2.0), 50);
+  EXPECT_NEAR(static_cast<double>(duration(port_, bus_, driver_, move)), 10'000 * std::sqrt(2.0), 20);
   move = line(1000, 999);
+  move.delta[2] = -400;
   move.speed = Move::Speed::even_path;
-  EXPECT_NEAR(static_cast<double>(duration(port_, bus_, driver_, move)), 10'000 * std::sqrt(2.0), 50);
+  EXPECT_NEAR(static_cast<double>(duration(port_, bus_, driver_, move)), 10 * std::sqrt(1e6 + 999 * 999 + 160'000), 20);
+  move = line(0, -1000);
+  move.speed = Move::Speed::even_path;
+  EXPECT_NEAR(static_cast<double>(duration(port_, bus_, driver_, move)), 10'000, 20);
   move = line(0, 0);
   move.kind = Move::Kind::arc;
   move.arc = {{1000, 0}, {1000, 0}};
@@ -178,10 +183,24 @@ TEST_F(Driver, KeepsTheSpeedAlongThePathEven) {
   EXPECT_NEAR(uneven, 10 * 8 * 1000 / std::sqrt(2.0), 100);
   move.speed = Move::Speed::even_path;
   const auto even = static_cast<double>(duration(port_, bus_, driver_, move));
-  // An octant has R (√2 − 1) steps of one axis and R (1 − 1/√2) of both: lengths of 1 and √2. The
-  // feed's word follows a step a tick late, of ten.
-  const double expected = 10 * 8 * 1000 * 2 * (std::sqrt(2.0) - 1);
-  EXPECT_NEAR(even, expected, 0.01 * expected);
+  const double expected = 10 * 2 * 1000 * std::acos(-1.0);
+  EXPECT_GE(even, 0.9999 * expected);
+  EXPECT_LE(even, 1.0006 * expected);
+}
+
+/// Beyond a step a tick there is none: feeds of arcs that would ask for one are cut off, and slower.
+TEST_F(Driver, NeverAsksForMoreThanAStepATick) {
+  Move move = line(0, 0);
+  move.kind = Move::Kind::arc;
+  move.arc = {{1000, 0}, {0, 1000}};
+  move.speed = Move::Speed::even_path;
+  move.feed = every(1);
+  const auto clocks = static_cast<double>(duration(port_, bus_, driver_, move));
+  EXPECT_EQ(driver_.position(0), -1000);
+  EXPECT_EQ(driver_.position(1), 1000);
+  EXPECT_EQ(driver_.errors(), 0);
+  EXPECT_GT(clocks, 500 * std::acos(-1.0));
+  EXPECT_LT(clocks, 500 * std::acos(-1.0) * 1.3);
 }
 
 }  // namespace test_driver

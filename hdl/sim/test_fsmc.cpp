@@ -125,7 +125,7 @@ TEST_F(Fsmc, ReadsBothHalvesAtOnce) {
   bus_.write32(at::position_set, 1);
   bus_.write32(at::command_count, 2000);
   bus_.write32(at::command_feed_high, 1U << 8);
-  bus_.write32(at::command_diagonal_feed_high, 1U << 8);
+  bus_.write32(at::command_straight_feed_high, 1U << 8);
   bus_.write32(at::command_source, 1);
   bus_.write32(at::command_push, 1U << at::command_push_final_bit);
   std::uint32_t last = 0xFFF0;

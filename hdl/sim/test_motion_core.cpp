@@ -24,7 +24,7 @@ CoreCommand final_line(const CoreVector& delta, std::uint64_t feed) {
 std::vector<Step> steps_of(Core24& core, const std::vector<CoreCommand>& commands) {
   std::vector<Step> steps;
   std::int64_t tick = 0;
-  core.run(commands, 1'000'000, [&](const CorePulse& pulse) {
+  core.run(commands, 10'000'000, [&](const CorePulse& pulse) {
     ++tick;
     if (pulse != CorePulse{}) steps.push_back({tick, pulse});
   });
@@ -250,44 +250,52 @@ TEST(MotionCore, LatchesPositionsAtTheProbe) {
   EXPECT_EQ(core.latched_position(0), now);
 }
 
-/// The greatest and the least speed over 200 steps of a quarter of R 2000, BLU a tick over `feed`.
-std::pair<double, double> speeds_of_a_quarter(double share_of_diagonal) {
+constexpr double feed_of_arcs = 0.05;  // steps a tick
+
+/// The least and the greatest speed over so many steps of a quarter of a circle, over the feed.
+std::pair<double, double> speeds_of_a_quarter(std::int64_t radius, Cut cut, std::size_t steps_of_window) {
   Core24 core;
-  constexpr std::int64_t radius = 2000;
-  constexpr double feed = 0.05;
   std::vector<CoreCommand> commands;
-  push_arc(commands, {{radius, 0}, {0, radius}, pulse::Direction::counterclockwise}, 0, 1);
-  for (CoreCommand& command : commands) {
-    command.feed = static_cast<std::uint64_t>(feed * static_cast<double>(Core24::every_tick));
-    command.feed_diagonal = static_cast<std::uint64_t>(static_cast<double>(command.feed) * share_of_diagonal);
+  for (Octants octants({{radius, 0}, {0, radius}}, cut); !octants.done();) {
+    const Octant octant = octants.next();
+    commands.push_back(octant_command(octant, 0, 1));
+    const double word = feed_of_arcs * octant.pace.feed, unit = static_cast<double>(Core24::every_tick) / Pace::one;
+    commands.back().feed = static_cast<std::uint64_t>(word * unit);
+    commands.back().feed_straight = static_cast<std::uint64_t>((word + octant.pace.head_start) * unit);
   }
   commands.back().final = true;
-  const std::vector<Step> steps = steps_of(core, commands);
   std::vector<std::pair<double, double>> way{{0, 0}};  // tick, angle
-  double x = radius, y = 0;
-  for (const Step& step : steps) {
+  auto x = static_cast<double>(radius), y = 0.0;
+  for (const Step& step : steps_of(core, commands)) {
     x += step.pulse.step[0];
     y += step.pulse.step[1];
     way.emplace_back(static_cast<double>(step.tick), std::atan2(y, x));
   }
+  EXPECT_EQ(core.position(1), radius);
   double least = 1e9, greatest = 0;
-  for (std::size_t i = 200; i < way.size(); ++i) {
-    const double speed = radius * (way[i].second - way[i - 200].second) / (way[i].first - way[i - 200].first) / feed;
+  for (std::size_t i = steps_of_window; i < way.size(); ++i) {
+    const auto& [from_tick, from] = way[i - steps_of_window];
+    const double speed =
+        static_cast<double>(radius) * (way[i].second - from) / (way[i].first - from_tick) / feed_of_arcs;
     least = std::min(least, speed);
     greatest = std::max(greatest, speed);
   }
   return {least, greatest};
 }
 
-/// With evenly spaced steps the speed is 1/max(|cos|, |sin|) times that along an axis, up to √2; with diagonal steps √2
-/// as long it is √(c² + s²)/(c + (√2 − 1) s), down to 1/1.0824 at an eighth of a turn's half.
-TEST(MotionCore, GoesAroundACircleEvenlyWhereDiagonalStepsTakeLonger) {
-  const auto [even_least, even_greatest] = speeds_of_a_quarter(1);
-  EXPECT_GT(even_least, 0.99);
-  EXPECT_GT(even_greatest, 1.35);
-  const auto [least, greatest] = speeds_of_a_quarter(std::sqrt(0.5));
-  EXPECT_GT(least, 0.91);
-  EXPECT_LT(greatest, 1.01);
+/// With evenly spaced steps the speed is 1/max(|cos|, |sin|) times that along an axis, up to √2.
+TEST(MotionCore, GoesAroundACircleUnevenlyByEvenSteps) {
+  const auto [least, greatest] = speeds_of_a_quarter(2000, Cut::octants, 200);
+  EXPECT_GT(least, 0.99);
+  EXPECT_GT(greatest, 1.35);
+}
+
+/// octants.hpp promises speeds of 1 − 0.0006 to 1 in pieces of R/16 steps; single steps weigh less in a long window, here a
+/// third of a piece.
+TEST(MotionCore, GoesAroundACircleEvenlyInPieces) {
+  const auto [least, greatest] = speeds_of_a_quarter(200'000, Cut::pieces, 4000);
+  EXPECT_GT(least, 1 - 0.0006);
+  EXPECT_LT(greatest, 1 + 0.0001);
 }
 
 }  // namespace test_motion_core

@@ -78,7 +78,7 @@ class Registers : public testing::Test {
   void push_line(std::uint32_t count, std::uint32_t tag, bool is_final) {
     bus_.write(at::command_count, count);
     bus_.write(at::command_feed_high, 1U << (feed_width - 32));
-    bus_.write(at::command_diagonal_feed_high, 1U << (feed_width - 32));
+    bus_.write(at::command_straight_feed_high, 1U << (feed_width - 32));
     bus_.write(at::command_source, 1);
     bus_.write(at::command_push,
                tag << at::command_push_tag_bit | std::uint32_t{is_final} << at::command_push_final_bit);

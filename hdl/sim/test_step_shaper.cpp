@@ -63,7 +63,7 @@ std::vector<CoreCommand> moves_of(std::mt19937_64& random) {
     if (delta != CoreVector{}) commands.push_back(line_command(delta));
     push_arc(commands, {{3 + i, i}, {3 + i, i}, pulse::Direction::clockwise}, 0, 1);
   }
-  for (CoreCommand& command : commands) command.feed = command.feed_diagonal = Core24::every_tick;
+  for (CoreCommand& command : commands) command.feed = command.feed_straight = Core24::every_tick;
   commands.back().final = true;
   return commands;
 }
@@ -120,7 +120,7 @@ TEST(StepShaper, WaitsNoLongerThanItMust) {
   Core24 core;
   core.for_all_times(3, 4, 5, 6);
   std::vector<CoreCommand> commands{line_command({4, 0, 0}), line_command({-3, 0, 0})};
-  for (CoreCommand& command : commands) command.feed = command.feed_diagonal = Core24::every_tick;
+  for (CoreCommand& command : commands) command.feed = command.feed_straight = Core24::every_tick;
   commands.back().final = true;
   std::vector<std::int64_t> steps;
   std::int64_t clock = 0;

@@ -35,7 +35,7 @@ module engine_pins #(
       .next_dwell(command[1]),
       .next_left(command[2+:WIDTH+1]),
       .next_feed(command[WIDTH+3+:FEED_WIDTH+1]),
-      .next_feed_diagonal(command[WIDTH+FEED_WIDTH+4+:FEED_WIDTH+1]),
+      .next_feed_straight(command[WIDTH+FEED_WIDTH+4+:FEED_WIDTH+1]),
       .next_source(command[WIDTH+2*FEED_WIDTH+5+:8]),
       .next_backward(command[WIDTH+2*FEED_WIDTH+13+:2]),
       .next_curve(command[WIDTH+2*FEED_WIDTH+15+:2]),

@@ -6,7 +6,7 @@ module core_vectors;
   logic clk = 1'b0, rst = 1'b1, push = 1'b0;
   logic [WIDTH-1:0] count;
   logic dwell, final_one, running, busy, full, low, irq, latched;
-  logic [FEED_WIDTH:0] feed, feed_diagonal;
+  logic [FEED_WIDTH:0] feed, feed_straight;
   logic [4*AXES-1:0] source;
   logic [AXES-1:0] backward, strobe, sense, step, direction, expected_strobe, expected_sense;
   logic [1:0] curve;
@@ -23,7 +23,7 @@ module core_vectors;
       .FEED_WIDTH(FEED_WIDTH)
   ) core (
       .clk(clk), .rst(rst), .command_push(push), .command_count(count), .command_dwell(dwell),
-      .command_final(final_one), .command_tag(16'd0), .command_feed(feed), .command_feed_diagonal(feed_diagonal),
+      .command_final(final_one), .command_tag(16'd0), .command_feed(feed), .command_feed_straight(feed_straight),
       .command_source(source), .command_backward(backward), .command_curve(curve), .command_decision(decision),
       .command_straight(straight), .command_diagonal(diagonal), .fifo_level(level), .fifo_full(full),
       .watermark(5'd0), .fifo_low(low), .hold(1'b0), .abort_now(1'b0), .prescale(16'd0), .watchdog_period(32'd0),
@@ -55,7 +55,7 @@ module core_vectors;
     while (idle < 8) begin
       push = 1'b0;
       if (!full) begin
-        got = $fscanf(commands, "%h %h %h %h %h %h %h %h %h %h %h", count, dwell, final_one, feed, feed_diagonal,
+        got = $fscanf(commands, "%h %h %h %h %h %h %h %h %h %h %h", count, dwell, final_one, feed, feed_straight,
                       source, backward, curve, decision, straight, diagonal);
         push = got == 11;
       end
