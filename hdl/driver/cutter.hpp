@@ -13,8 +13,8 @@ struct Move {
   enum class Kind : std::uint8_t { line, arc, dwell };
   enum class Speed : std::uint8_t {
     even_steps,  ///< feed is of the axis that drives, whatever the others do
-    /// feed is along the path, of all axes of a line: 0.06 % less at most around circles of R ≥ 724 (256/R² below, up
-    /// to 7.6 %), in no more than 13 commands to an octant. Arcs are slower where a step would be due within a tick: from
+    /// feed is along the path, of all axes of a line: 0.05 % less at most around circles of R ≥ 724 (260/R² below, up
+    /// to 7.6 %), in no more than 14 commands to an octant. Arcs are slower where a step would be due within a tick: from
     /// 0.7 steps a tick on
     even_path,
   };

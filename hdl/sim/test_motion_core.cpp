@@ -290,7 +290,7 @@ TEST(MotionCore, GoesAroundACircleUnevenlyByEvenSteps) {
   EXPECT_GT(greatest, 1.35);
 }
 
-/// octants.hpp promises speeds of 1 − 0.0006 to 1 in pieces of R/16 steps; single steps weigh less in a long window, here a
+/// octants.hpp promises speeds of 1 − 0.0005 to 1 in pieces of R/16 steps; single steps weigh less in a long window, here a
 /// third of a piece.
 TEST(MotionCore, GoesAroundACircleEvenlyInPieces) {
   const auto [least, greatest] = speeds_of_a_quarter(200'000, Cut::pieces, 4000);
