@@ -22,14 +22,12 @@ inline double field(const Part& part, double rho, double z) {
   return is_within ? -distance : distance;
 }
 
-/// At a place of the workpiece.
+/// At a place of the workpiece. From the axis it is the length of the cross product: of the difference of two squares half of the digits
+/// would be lost beside it.
 inline double field(const Part& part, const Pose& pose, const Vector& place) {
-  double z = 0, square = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    z += (place[k] - pose.tip[k]) * pose.axis[k];
-    square += (place[k] - pose.tip[k]) * (place[k] - pose.tip[k]);
-  }
-  return field(part, std::sqrt(std::max(square - z * z, 0.0)), z);
+  const Vector &o = pose.axis, d = {place[0] - pose.tip[0], place[1] - pose.tip[1], place[2] - pose.tip[2]};
+  const double rho = std::hypot(o[1] * d[2] - o[2] * d[1], o[2] * d[0] - o[0] * d[2], o[0] * d[1] - o[1] * d[0]);
+  return field(part, rho, o[0] * d[0] + o[1] * d[1] + o[2] * d[2]);
 }
 
 class Random {

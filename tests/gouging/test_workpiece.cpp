@@ -165,7 +165,7 @@ TEST(Workpiece, RefinesOnTheSurface) {
   refines_on_the_surface(16);
 }
 TEST(LongWorkpiece, RefinesOnTheSurface) {
-  refines_on_the_surface(48);
+  refines_on_the_surface(230);
 }
 
 TEST(Workpiece, IsMadeCoarserWhereThereWouldBeTooManyTriangles) {
