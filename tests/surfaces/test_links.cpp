@@ -103,6 +103,32 @@ TEST(Links, OfNeighbouringPassesAreAFewStepsLong) {
   }
 }
 
+/// Where the ball is nearly as round as the surface, the path of its centre is bent much more than the surface is.
+TEST(Links, StayNearWhereTheBallIsNearlyAsRoundAsTheSurface) {
+  for (const double radius : {20.0, 40.0, 45.0, 45.4, 45.44}) {
+    for (const Pattern pattern : {Pattern::zigzag, Pattern::zig}) {
+      for (const Direction along : {Direction::u, Direction::v}) {
+        Machining machining = on_patch_a({radius, radius}, {}, pattern);
+        machining.along = along;
+        machining.scallop = 0;
+        machining.step = 6;
+        for (const Pass& link : links_of(machining)) {
+          const double length = link.nodes.back().t;
+          const Vector from = test::at(link, &PassNode::tip, 0), to = test::at(link, &PassNode::tip, length);
+          double farthest = 0;
+          for (int i = 1; i < 200; ++i) {
+            const Vector tip = test::at(link, &PassNode::tip, length * i / 200);
+            farthest = std::max(farthest, std::min(numeric::distance(tip, from), numeric::distance(tip, to)));
+            const Vector next = test::at(link, &PassNode::tip, length * (i + 0.01) / 200);
+            EXPECT_GT(numeric::distance(tip, next), 0.05 * 0.01 * length / 200);
+          }
+          EXPECT_LT(farthest, radius + numeric::distance(from, to));
+        }
+      }
+    }
+  }
+}
+
 /// Brute force over a fine grid of a patch.
 TEST(ToolClearance, IsTheLeastDistanceOfTheSurfaceFromTheTool) {
   std::mt19937 random(5);
