@@ -20,7 +20,7 @@ double aside_of(double length, double s, Side side) {
 /// `path`: the jet of the curve's own coordinates there.
 SeenPlace place_of_tip(const toolpath::Piece& piece, double s, const geometry::PointJet& path) {
   using toolpath::FeedAxes;
-  SeenPlace seen{piece.transformation->axes_of(path), piece.feed, {}};
+  SeenPlace seen{piece.transformation->axes_of(path), piece.feed, {}, piece.feed_axes != FeedAxes::none};
   if (piece.feed_axes == FeedAxes::contact)
     seen.speed = piece.greatest_speed(s, seen.jet);
   else if (piece.feed_axes != FeedAxes::none)
@@ -39,7 +39,7 @@ geometry::PointJet one_sided_jets(const toolpath::AxisPath& axes, double s, Side
 
 SeenPlace seen_place_without_chords(const toolpath::Piece& piece, double s, Side side) {
   if (piece.transformation) return place_of_tip(piece, s, path_jet(piece, s, side));
-  SeenPlace seen{one_sided_jets(piece.axes(), s, side), 0, {}};
+  SeenPlace seen{one_sided_jets(piece.axes(), s, side)};
   seen.speed = piece.greatest_speed(s, seen.jet);
   return seen;
 }

@@ -22,6 +22,7 @@ struct SeenPlace {
   geometry::PointJet jet{};      ///< of axes, as one_sided_jets() has it
   double speed = 0;              ///< greatest by programmed feed, units of path length per second
   constraints::Chords chords{};  ///< of those between words
+  bool speed_varies = false;     ///< along the piece: where feed is that of the tip or of a contact
 
   /// `feed_factor`: of the programmed feed. This must outlive it.
   constraints::Place at_feed(double feed_factor) const { return {jet, feed_factor * speed, chords}; }

@@ -69,7 +69,9 @@ class SpeedProblem::Builder {
     left_ = look(s[0], Side::right);
     problem_.caps_.knots[0] = left_.cap;
     add_site(0, 0, left_.rows);
+    speed_varies_.assign(n, false);
     for (std::size_t k = 0; k < n; ++k) add_interval(k);
+    lower_varying_caps();
     cap_coefficients();
   }
 
@@ -77,7 +79,8 @@ class SpeedProblem::Builder {
   /// What is asked at one place.
   struct Look {
     RowPairs rows;
-    double cap = 0;  ///< greatest x
+    double cap = 0;             ///< greatest x
+    bool speed_varies = false;  ///< the cap is by a feed that varies along the path
   };
   RowPairs rows_at(double s, Side side) const { return constraints_.row_pairs({section_.jets(s, side), infinity}); }
   Look look(double s, Side side) const {
@@ -86,7 +89,7 @@ class SpeedProblem::Builder {
     const double square = constraints_.greatest_square(place);
     const bool by_feed = square == squared(place.feed);
     return {constraints_.row_pairs({seen.jet, infinity}),
-            (turns(seen.jet) && !by_feed ? turning_margin : feed_margin) * square};
+            (turns(seen.jet) && !by_feed ? turning_margin : feed_margin) * square, by_feed && seen.speed_varies};
   }
 
   void place_basis() {
@@ -132,6 +135,7 @@ class SpeedProblem::Builder {
     const Look middle = look(half, Side::left), right = look(end, Side::left);
     caps.middles[k] = middle.cap;
     caps.knots[k + 1] = right.cap;
+    speed_varies_[k] = left_.speed_varies || middle.speed_varies || right.speed_varies;
     if (k > 0 && knots.breaks[k]) add_site(k, 0, left_.rows);
     add_hull(k, {&left_.rows, &middle.rows, &right.rows});
     const double fastest = std::sqrt(std::max({caps.middles[k], caps.knots[k], caps.knots[k + 1]}));
@@ -219,6 +223,23 @@ class SpeedProblem::Builder {
     end_site(site);
   }
 
+  /// x keeps below caps at knots and in the middles and weaves between. Where they are all one, it is levelled on them; where
+  /// a feed varies, what it is above them in between would fail the proof, and the window would be planned again.
+  void lower_varying_caps() {
+    SquareCaps& caps = problem_.caps_;
+    const std::size_t n = problem_.intervals(), first = problem_.starts_at_rest() ? 0 : intervals_begun;
+    const auto differ = [](double a, double b) { return std::abs(a - b) > tuning::cruises::same_cap * b; };
+    bool before = false;
+    for (std::size_t k = first; k < n; ++k) {
+      const bool here =
+          speed_varies_[k] && (differ(caps.knots[k], caps.middles[k]) || differ(caps.knots[k + 1], caps.middles[k]));
+      if (here || before) caps.knots[k] *= varying_feed_margin;
+      if (here) caps.middles[k] *= varying_feed_margin;
+      before = here;
+    }
+    if (before) caps.knots[n] *= varying_feed_margin;
+  }
+
   /// A coefficient is no greater than the greatest x over the two intervals in the middle of its reach; the spline lies
   /// in the hull of its coefficients. Where the programmed speed falls at a knot, the smaller holds on both sides.
   void cap_coefficients() {
@@ -246,8 +267,9 @@ class SpeedProblem::Builder {
   const Section& section_;
   const constraints::Constraints& constraints_;
   double feed_factor_;
-  std::size_t pairs_ = 0;  ///< of rows, of the site that was begun last
-  Look left_;              ///< at the knot that has been reached, looking on
+  std::size_t pairs_ = 0;           ///< of rows, of the site that was begun last
+  std::vector<bool> speed_varies_;  ///< of each interval: its caps are by a feed that varies
+  Look left_;                       ///< at the knot that has been reached, looking on
 };
 
 SpeedProblem::SpeedProblem(const Section& section, const constraints::Constraints& constraints, Knots knots,

@@ -93,7 +93,8 @@ inline constexpr double stops_committed = 3, stops_ahead = 4.5;
 inline constexpr double least_reach = 0.25;  // s
 /// Intervals times axes that move: so long does a window take to plan.
 inline constexpr std::size_t rows_of_a_window = 960;
-inline constexpr std::size_t least_intervals = 200, greatest_intervals = 360;
+/// More: a greater part of each window is committed, a quarter of it where it reaches no farther than stops do.
+inline constexpr std::size_t least_intervals = 320, greatest_intervals = 360;
 inline constexpr double few_share = 0.6;           // of the intervals that a window may have
 inline constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 inline constexpr std::size_t most_pieces = 900;
@@ -117,8 +118,10 @@ inline constexpr double between_lowerings = 1e6;  // units of effort
 /// Rows of a window. Nearer to 1: nearer to the least time. Farther: fewer windows planned again, since what lies between
 /// the places looked at, and the step from spline to quintics, take that much of the limits.
 namespace rows {
-inline constexpr double limit_margin = 0.9995;      // of acceleration and jerk
-inline constexpr double feed_margin = 1 - 1e-7;     // of the programmed speed, squared
+inline constexpr double limit_margin = 0.9995;           // of acceleration and jerk
+inline constexpr double feed_margin = 1 - 1e-7;          // of the programmed speed, squared
+inline constexpr double varying_feed_margin = 1 - 1e-4;  // of the same, where it varies from knot to knot
+inline constexpr std::size_t intervals_begun = 4;   // of a window that begins in motion: they are travelled as they are
 inline constexpr double turning_margin = 1 - 3e-4;  // of the speed, squared, where axes trade it with others
 inline constexpr double least_peak = 0.01;          // of a limit, by the curve alone at the greatest speed
 inline constexpr std::size_t most_borders = 7;      // between polynomials, that an interval has sites for
