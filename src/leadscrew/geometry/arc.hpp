@@ -39,7 +39,11 @@ class Arc {
   std::size_t second() const { return second_; }
   double radius() const { return radius_; }             ///< mm
   double angle_rate() const { return rate_.hi.value; }  ///< ω = dθ/ds, rad per unit of length, signed
-  const Slopes& slopes() const { return slopes_; }      ///< of the straight coordinates
+  /// Radians, signed as the constructor's.
+  numeric::DoubleDouble sweep() const {
+    return numeric::DoubleDouble(rate_.hi.value, rate_.lo) * numeric::DoubleDouble(length_);
+  }
+  const Slopes& slopes() const { return slopes_; }  ///< of the straight coordinates
 
   /// What turned() is made of, for kernels that make many positions at once with the same operations.
   struct Turn {

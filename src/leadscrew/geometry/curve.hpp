@@ -17,6 +17,7 @@
 #include <leadscrew/geometry/line.hpp>
 #include <leadscrew/geometry/nurbs.hpp>
 #include <leadscrew/geometry/point.hpp>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -73,5 +74,8 @@ inline std::size_t borders(const Curve& curve, double from, double to) {
 void append_shape(const Curve& curve, std::vector<double>& numbers);
 /// What lies between two path lengths, 0 ≤ from < to ≤ length, by the same length.
 Curve part(const Curve& curve, double from, double to);
+/// The curve turned and shifted, of the same length and as exact; nothing if it is an arc that would lie askew of X Y, Y Z
+/// and Z X.
+std::optional<Curve> moved(const Curve& curve, const RigidMotion& motion);
 
 }  // namespace leadscrew::geometry

@@ -90,6 +90,8 @@ class Nurbs {
   /// What lies between two arc lengths, 0 ≤ from < to ≤ length. There its table is exact, as it is where its pieces
   /// meet: whatever goes on with the curve's own direction and curvature joins it without a step.
   Nurbs part(double from, double to) const;
+  /// Turned and shifted. Length is told by X, Y and Z alike, or by none of them.
+  Nurbs moved(const RigidMotion& motion) const;
   /// Pieces of the table u(s).
   std::size_t map_pieces() const { return record_count_; }
   /// Borders of them from one arc length to another, 0 ≤ from ≤ to ≤ length: there q‴ bends.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <leadscrew/base/axes.hpp>
 #include <leadscrew/numeric/compensated.hpp>
 #include <leadscrew/numeric/double_double.hpp>
@@ -16,6 +17,11 @@ using Point = base::AxisVector;
 using PointJet = std::array<numeric::Jet<>, base::axis_count>;
 /// First derivatives of X Y Z, U V W or A B C.
 using Rates = std::array<double, 3>;
+/// X, Y and Z turned and shifted, all other coordinates as they are.
+struct RigidMotion {
+  std::array<std::array<double, 3>, 3> rotation{};  ///< rows; orthonormal, its determinant is 1
+  std::function<Point(const Point&)> place{};       ///< of a point: turned and shifted, rounded once
+};
 /// Before it is rounded.
 using UnroundedPoint = std::array<numeric::Compensated, base::axis_count>;
 

@@ -35,4 +35,19 @@ std::size_t AxisPath::borders(double from, double to) const {
   return borders + static_cast<std::size_t>(turned / part_of_turn);
 }
 
+std::optional<geometry::Curve> standing_curve(const kinematics::Transformation& transformation,
+                                              const geometry::Curve& curve) {
+  if (is_turning(transformation, geometry::moving(curve))) return std::nullopt;
+  const auto degrees = kinematics::angles_of(transformation.chain, geometry::start(curve));
+  geometry::RigidMotion motion;
+  for (std::size_t j = 0; j < 3; ++j) {
+    kinematics::Vector3<double> unit{};
+    unit[j] = 1;
+    const auto turned = kinematics::in_machine(transformation.chain, degrees, unit);
+    for (std::size_t i = 0; i < 3; ++i) motion.rotation[i][j] = turned[i];
+  }
+  motion.place = [&](const geometry::Point& point) { return transformation.axes_of(point); };
+  return geometry::moved(curve, motion);
+}
+
 }  // namespace leadscrew::toolpath

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/kinematics/transformation.hpp>
+#include <optional>
 #include <vector>
 
 namespace leadscrew::toolpath {
@@ -66,5 +67,10 @@ class AxisPath {
   const geometry::Curve& curve_;
   const kinematics::Transformation* transformation_;
 };
+
+/// The same path in the axes' own coordinates, where no rotary axis of the chain turns on the curve, a curve of the tip and
+/// of those axes; nothing where one does, and where an arc would lie askew of the machine's planes.
+std::optional<geometry::Curve> standing_curve(const kinematics::Transformation& transformation,
+                                              const geometry::Curve& curve);
 
 }  // namespace leadscrew::toolpath

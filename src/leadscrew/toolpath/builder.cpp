@@ -168,16 +168,14 @@ void Builder::take_settled(std::optional<Blending>& blending) {
   while (std::optional<Piece> piece = blending->pop()) settle_piece(std::move(*piece));
 }
 
-/// Where no rotary axis turns, a line of the tip is a line of the axes.
+/// Where no rotary axis turns, a curve of the tip is one of the axes.
 void Builder::settle_piece(Piece piece) {
-  piece.transformation = transformation_;
-  const auto* const line = std::get_if<geometry::Line>(&piece.curve);
-  if (transformation_ && line) {
-    const base::AxisSet moving = piece.axes().moving();
-    const auto& turns = transformation_->chain.turns();
-    if (!moving.contains(turns[0].axis) && !moving.contains(turns[1].axis)) {
-      piece.curve = geometry::Line(piece.axes().start(), piece.axes().end(), line->length());
-      piece.transformation = nullptr;
+  if (transformation_) {
+    auto curve = piece.feed_axes == FeedAxes::contact ? std::nullopt : standing_curve(*transformation_, piece.curve);
+    if (curve) {
+      piece.curve = std::move(*curve);
+    } else {
+      piece.transformation = transformation_;
     }
   }
   settled_.emplace_back(std::move(piece));
