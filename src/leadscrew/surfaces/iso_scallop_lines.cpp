@@ -12,6 +12,7 @@
 #include <cmath>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
+#include <utility>
 
 namespace leadscrew::surfaces {
 
@@ -106,7 +107,8 @@ class IsoScallopLines : public PassLines {
 
   Course course_;
   UniformSpline spline_;
-  std::vector<double> wanted_;  // steps told last, at all samples
+  std::vector<double> wanted_;    // steps told last, at all samples
+  std::vector<StepPlace> there_;  // as in LineSteps
   std::size_t told_ = 0;
   bool is_done_ = false;
 };
@@ -179,18 +181,28 @@ UniformSpline IsoScallopLines::line_at(const UniformSpline& steps, double share)
   return line;
 }
 
-/// To the next line.
+/// To the next line: the middle and the next one are found from the steps told last, and the steps from them. Where these are
+/// nearly the same, the places that they come from move too little to change them.
 bool IsoScallopLines::advance(PassLog& log) {
-  const std::vector<StepPlace> here = steps_on(log, spline_);
+  const std::vector<StepPlace> here = there_.empty() ? steps_on(log, spline_) : std::exchange(there_, {});
   if (log.failure) return false;
   if (wanted_.empty()) {
     for (const StepPlace& place : here) wanted_.push_back(place.step / place.width);
   }
-  for (int round = 0; round < 2; ++round) {
+  constexpr double near = 1e-3;
+  bool is_near = false;
+  for (int round = 0; round < 2 && !is_near; ++round) {
     const UniformSpline step = fitted(wanted_);
-    const std::vector<StepPlace> middle = steps_on(log, line_at(step, 0.5)), there = steps_on(log, line_at(step, 1));
+    const std::vector<StepPlace> middle = steps_on(log, line_at(step, 0.5));
+    std::vector<StepPlace> there = steps_on(log, line_at(step, 1));
     if (log.failure) return false;
-    for (std::size_t k = 0; k < wanted_.size(); ++k) wanted_[k] = step_between(here[k], middle[k], there[k]);
+    is_near = true;
+    for (std::size_t k = 0; k < wanted_.size(); ++k) {
+      const double found = step_between(here[k], middle[k], there[k]);
+      is_near = is_near && std::abs(found - wanted_[k]) < near * found;
+      wanted_[k] = found;
+    }
+    if (is_near && log.machining->cutter.is_ball()) there_ = std::move(there);
   }
   spline_ = line_at(fitted(wanted_), 1);
   return true;

@@ -54,10 +54,10 @@ double step_of(const VectorOf<Jet2>& a, const VectorOf<Jet2>& b, std::size_t ord
 }  // namespace
 
 /// A flat tool with no lean touches with all of its bottom: right on a plane, and where it follows a normal that it leaves nowhere.
-std::optional<Contact> contact_at(PassLog& log, const LinePlace& place) {
+std::optional<Contact> contact_at(PassLog& log, const LinePlace& place, const SurfaceJet& jet) {
   const Machining& machining = *log.machining;
   const double u = place.u.value, v = place.v.value;
-  Contact contact{machining.surface->jet(u, v), {}, {}};
+  Contact contact{jet, {}, {}};
   const std::optional<Frame> frame = frame_of(contact.jet, machining.side);
   const bool has_normal =
       frame && frame->E * frame->G - frame->F * frame->F > least_cross * least_cross * frame->E * frame->G;
@@ -80,6 +80,10 @@ std::optional<Contact> contact_at(PassLog& log, const LinePlace& place) {
     log.fail(Why::flat_contact, u, v);
   }
   return log.failure ? std::nullopt : std::optional(contact);
+}
+
+std::optional<Contact> contact_at(PassLog& log, const LinePlace& place) {
+  return contact_at(log, place, log.machining->surface->jet_of_second_order(place.u.value, place.v.value));
 }
 
 namespace {
@@ -117,7 +121,9 @@ class LineOfNodes {
 
 std::optional<Sample> LineOfNodes::sample_at(const Span& span, double distance) {
   Sample sample{distance, span.inside(line_.at(distance)), {}, {}, {}};
-  const std::optional<Contact> contact = contact_at(log_, sample.place);
+  const LinePlace& place = sample.place;
+  const std::optional<Contact> contact =
+      contact_at(log_, place, log_.machining->surface->jet(place.u.value, place.v.value));
   if (!contact) return std::nullopt;
   const Touch<Jet2> touch = touch_along(*log_.machining, contact->jet, sample.place);
   const double square = dot_first(touch.tip, 1, 1);

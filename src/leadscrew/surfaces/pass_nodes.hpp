@@ -22,12 +22,14 @@ struct PassLog {
   }
 };
 
-/// Jet, frame and bending at a place; none where it may not be machined, which the log then tells.
+/// Frame and bending at a place of this jet; none where it may not be machined, which the log then tells.
 struct Contact {
   SurfaceJet jet;
   Frame frame;
   Bending bending;
 };
+std::optional<Contact> contact_at(PassLog& log, const LinePlace& place, const SurfaceJet& jet);
+/// With the jet of second order.
 std::optional<Contact> contact_at(PassLog& log, const LinePlace& place);
 
 /// Parts of a pass along a line, more than one where it has corners or many nodes. Fewer than told where the log has a failure.

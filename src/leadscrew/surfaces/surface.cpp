@@ -118,9 +118,9 @@ using Partials = std::array<std::array<Homogeneous, 4>, 4>;
 
 constexpr std::array<std::array<double, 4>, 4> binomial = {{{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
 
-/// S from w S and w, by Leibniz' rule (Piegl and Tiller, eq. 4.20); the first three of each become S.
-void divide_by_weight(Partials& partials) {
-  for (std::size_t order = 0; order <= 3; ++order) {
+/// S from w S and w, by Leibniz' rule (Piegl and Tiller, eq. 4.20), to the highest order; the first three of each become S.
+void divide_by_weight(Partials& partials, std::size_t highest) {
+  for (std::size_t order = 0; order <= highest; ++order) {
     for (std::size_t a = 0; a <= order; ++a) {
       const std::size_t b = order - a;
       Homogeneous sum = partials[a][b];
@@ -142,21 +142,22 @@ Vector position_in(const Homogeneous& h) {
 
 }  // namespace
 
-SurfaceJet Surface::jet(double u, double v) const {
+template <std::size_t highest>
+SurfaceJet Surface::jet_of(double u, double v) const {
   const Weights along = weights_of(axes_[0], u, 3), across = weights_of(axes_[1], v, 3);
   Partials partials{};
   for (std::size_t l = 0; l < axes_[1].terms; ++l) {
     const Homogeneous* const row = &homogeneous_[along.first + (across.first + l) * form_.count[0]];
     std::array<Homogeneous, 4> of_row{};
     for (std::size_t k = 0; k < axes_[0].terms; ++k) {
-      for (std::size_t a = 0; a < 4; ++a) add_scaled(of_row[a], along.derivative[a][k], row[k]);
+      for (std::size_t a = 0; a <= highest; ++a) add_scaled(of_row[a], along.derivative[a][k], row[k]);
     }
-    for (std::size_t a = 0; a < 4; ++a) {
-      for (std::size_t b = 0; a + b < 4; ++b) add_scaled(partials[a][b], across.derivative[b][l], of_row[a]);
+    for (std::size_t a = 0; a <= highest; ++a) {
+      for (std::size_t b = 0; a + b <= highest; ++b) add_scaled(partials[a][b], across.derivative[b][l], of_row[a]);
     }
   }
   if (is_rational_) {
-    divide_by_weight(partials);
+    divide_by_weight(partials, highest);
   } else {
     const double w = partials[0][0][3];
     for (auto& row : partials) {
@@ -169,6 +170,14 @@ SurfaceJet Surface::jet(double u, double v) const {
           position_in(partials[2][0]), position_in(partials[1][1]), position_in(partials[0][2]),
           position_in(partials[3][0]), position_in(partials[2][1]), position_in(partials[1][2]),
           position_in(partials[0][3])};
+}
+
+SurfaceJet Surface::jet(double u, double v) const {
+  return jet_of<3>(u, v);
+}
+
+SurfaceJet Surface::jet_of_second_order(double u, double v) const {
+  return jet_of<2>(u, v);
 }
 
 }  // namespace leadscrew::surfaces

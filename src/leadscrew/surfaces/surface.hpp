@@ -93,6 +93,8 @@ class Surface {
   /// Parameters beyond a range are taken as its ends. No allocation; bounded work.
   Vector at(double u, double v) const;
   SurfaceJet jet(double u, double v) const;
+  /// The third derivatives are 0: curvature needs none of them.
+  SurfaceJet jet_of_second_order(double u, double v) const;
 
  private:
   static constexpr std::size_t most_terms = highest_degree + 1;
@@ -111,6 +113,8 @@ class Surface {
   };
   static Axis axis_of(int degree, const std::vector<double>& knots);
   static Weights weights_of(const Axis& axis, double parameter, std::size_t orders);
+  template <std::size_t highest>
+  SurfaceJet jet_of(double u, double v) const;
 
   SurfaceForm form_;
   std::array<Axis, 2> axes_;
