@@ -100,7 +100,7 @@ void QuickSurvey::observe_tip(const gcode::Move& move) {
     const double distance = std::fabs(move.end[i] - move.start[i]) - (base::is_rotary(axis) ? angle_cut : cut);
     if (i >= 3) by_axes = std::max(by_axes, distance * slowness_[i]);
   }
-  for (toolpath::Piece& piece : toolpath::pieces_of(move)) {
+  for (toolpath::Piece& piece : toolpath::pieces_of(move, {}, toolpath::tables_for_times)) {
     piece.transformation = transformation;
     toolpath::widen(piece, machine_.axis_set(), least_, greatest_);
   }
@@ -160,7 +160,7 @@ void QuickSurvey::end_chain() {
 
 std::optional<FeedExcess> QuickSurvey::observe_curve(const gcode::Move& move) {
   end_chain();
-  for (const toolpath::Piece& piece : toolpath::pieces_of(move)) {
+  for (const toolpath::Piece& piece : toolpath::pieces_of(move, {}, toolpath::tables_for_times)) {
     toolpath::widen(piece, machine_.axis_set(), least_, greatest_);
   }
   const double length = toolpath::feed_length(move);

@@ -88,7 +88,8 @@ std::optional<Piece> straight_piece(const Point& start, const Point& end, FeedAx
   return Piece{geometry::Line(start, end, length), 0, {}, false, nullptr, named};
 }
 
-std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& space) {
+std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& space,
+                             const std::optional<geometry::MapTolerance>& told) {
   std::vector<Piece> pieces;
   if (move.kind == gcode::Move::Kind::line) {
     const FeedAxes axes = feed_axes(geometry::moving(move.start, move.end));
@@ -108,7 +109,7 @@ std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& spac
     const bool is_mixed = to_be_named(feed_axes(moving), moving) != FeedAxes::none;
     const std::optional<Point> weights = is_mixed ? std::optional(space.weights_of_length()) : std::nullopt;
     const auto contact = move.curve.contact.empty() ? nullptr : std::make_shared<const ContactRate>(move.curve);
-    const geometry::MapTolerance tables = move.is_of_tip ? tables_for_motion : geometry::MapTolerance{};
+    const geometry::MapTolerance tables = told.value_or(move.is_of_tip ? tables_for_motion : geometry::MapTolerance{});
     for (const geometry::Nurbs& piece : geometry::smooth_pieces(curve, tables, weights)) {
       const FeedAxes axes = to_be_named(feed_axes(piece.moving()), piece.moving());
       Piece& made = pieces.emplace_back(Piece{piece, 0, {}, false, nullptr, contact ? FeedAxes::contact : axes});

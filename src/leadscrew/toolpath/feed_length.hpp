@@ -31,8 +31,9 @@ double feed_length(const gcode::Move& move);
 double time_by_feed(const Piece& piece, double from, double to);
 
 /// The move as smooth pieces, each beginning where the one before ends, without their feed; none where it does not
-/// move. A curve is cut where feed comes to be counted by other axes.
-std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& space = {});
+/// move. A curve is cut where feed comes to be counted by other axes. tables: of its arc length; none: as fine as words need.
+std::vector<Piece> pieces_of(const gcode::Move& move, const ToleranceSpace& space = {},
+                             const std::optional<geometry::MapTolerance>& tables = {});
 /// A straight one whose feed is counted by `axes`; none of no length.
 std::optional<Piece> straight_piece(const geometry::Point& start, const geometry::Point& end, FeedAxes axes,
                                     const ToleranceSpace& space = {});
