@@ -280,4 +280,19 @@ TEST(FiveAxes, TellTheFeedOfTheTip) {
   EXPECT_GE(at_feed, 1000U);
 }
 
+/// A degree counts no less than a 64th of what it usually does: of the second E 2.6e-4 mm would be left.
+TEST(FiveAxes, KeepALesserToleranceOfTheDirectionBehindAGreaterOne) {
+  machine::Machine machine = machine::mill3();
+  machine.rotary_chain = machine::preset_chain("table-table-ac");
+  for (const base::Axis axis : {base::Axis::A, base::Axis::C})
+    machine.axes[base::index(axis)] = machine::AxisLimits{-360, 360, 100, 1000, 20000, 0.001};
+  const Judged outcome = judge(
+      "G21 G90 G94 G17 F1200\nG64 P0.002 E0.273\nG43.4 H1\nG1 X9.351 Y0.577 Z-0.872 A0.755 C0.894\n"
+      "G1 A42.550 C-42.745\nG64 P0.023 E0.036\nG1 X9.327 Y0.934 Z-0.657\nG1 X20.096 Y0.934 A41.649 C-45.562\nM2\n",
+      machine);
+  EXPECT_EQ(outcome.errors, 0);
+  EXPECT_EQ(outcome.verdict.violation_count, 0);
+  EXPECT_LE(worst_judged(outcome.verdict), 1.001);
+}
+
 }  // namespace test_five_axes

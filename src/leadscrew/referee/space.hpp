@@ -4,10 +4,12 @@
 //
 // In the latter a place is matched by the tip and the rotary axes together, so that a tip that comes by twice is told apart
 // by how the tool stands. A degree counts as P/E mm there, P the tolerance of the tip and E that of the tool's direction:
-// what is within P is then within both, and no more of one is asked for than its own. P and E are those of the first move
+// what is within P is then within both, and no more of one is asked for than its own; 64 times what a degree usually counts at
+// most, and a 64th of it at least. P and E are those of the first move
 // that travels and may be rounded; where they change before coordinates do, of a move with others less is allowed: the lesser of P and E times
 // what a degree counts.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
@@ -55,6 +57,7 @@ class Spaces {
 
  private:
   static constexpr std::size_t most_ahead = 64;  // moves among which tolerances are looked for
+  static constexpr double most_stretched = 64;
 
   static Space space_of(const gcode::Move& move) { return move.is_of_tip ? Space{true, move.tool} : Space{}; }
   /// Are there so many moves ahead?
@@ -68,7 +71,9 @@ class Spaces {
       if (space_of(move) != space_) break;
       const bool travels = move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event;
       const bool is_rounded = move.path_mode == gcode::PathMode::blend && move.tolerance >= gcode::least_rounded;
-      if (travels && is_rounded && move.orientation_tolerance > 0) return move.tolerance / move.orientation_tolerance;
+      if (!travels || !is_rounded || !(move.orientation_tolerance > 0)) continue;
+      return std::clamp(move.tolerance / move.orientation_tolerance, millimetres_per_degree / most_stretched,
+                        millimetres_per_degree * most_stretched);
     }
     return millimetres_per_degree;
   }
