@@ -10,9 +10,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr std::int64_t most_clocks_shown = 64;  // unasked
 constexpr std::int64_t clocks_between_checks = 1 << 16;
-constexpr std::int64_t most_places = 10'000'000;  // that --path and --table give: half a gigabyte of text
 
 base::Result<results::AllPulses> measured(const PulseArguments& arguments) {
   results::AllPulses all;
@@ -27,19 +25,6 @@ base::Result<results::AllPulses> measured(const PulseArguments& arguments) {
     all.push_back({run, measurement.figures()});
   }
   return all;
-}
-
-/// Every clock as text is for curves of some size.
-base::Result<void> check_length(const PulseArguments& arguments, const results::AllPulses& pulses) {
-  if (!arguments.path && !arguments.table) return {};
-  std::int64_t clocks = 0;
-  for (const waves::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
-  if (clocks <= most_places) return {};
-  return base::failure(base::problem("too-many-clocks",
-                                     std::to_string(clocks) + " clocks are too many for " +
-                                         (arguments.path ? "--path" : "--table") + ", which gives up to " +
-                                         std::to_string(most_places),
-                                     "--vcd writes any number of them"));
 }
 
 /// A file that takes bytes until the user interrupts.
@@ -71,18 +56,13 @@ base::Result<void> write_files(const PulseArguments& arguments, const results::A
   return files::publish_together({dump->get(), picture->get()});
 }
 
-std::string text_of(const PulseArguments& arguments, const results::AllPulses& pulses, const Style& style) {
-  std::string text = results::pulse_summary(arguments.curve, pulses, style);
-  const bool is_short = pulses.size() == 1 && pulses.front().figures.clocks <= most_clocks_shown;
-  if (!arguments.table && !is_short) return text;
-  for (const waves::MeasuredPulses& each : pulses) text += "\n" + results::pulse_table(arguments.curve, each, style);
-  return text;
-}
-
 base::Result<results::AllPulses> made(const PulseArguments& arguments) {
   auto pulses = measured(arguments);
   if (!pulses) return pulses;
-  if (auto sound = check_length(arguments, *pulses); !sound) return base::failure(sound.error());
+  if (arguments.path || arguments.table) {
+    if (auto sound = results::check_clocks(*pulses, arguments.path ? "--path" : "--table"); !sound)
+      return base::failure(sound.error());
+  }
   if (auto written = write_files(arguments, *pulses); !written) return base::failure(written.error());
   return pulses;
 }
@@ -116,7 +96,7 @@ Status pulse(const Arguments& arguments, Console& console) {
     return write_output(console, results::json_text(results::pulse_schema,
                                                     {results::json_of_pulses(asked.curve, *pulses, asked.path)}));
   if (arguments.quiet && !asked.table) return Status::done;
-  return write_output(console, text_of(asked, *pulses, console.output_style()));
+  return write_output(console, results::pulse_text(asked.curve, *pulses, console.output_style(), asked.table));
 }
 
 }  // namespace leadscrew::cli

@@ -11,6 +11,9 @@ using nc::PulseConventions;
 using nc::PulseCurve;
 using nc::PulseRun;
 
+constexpr std::int64_t most_clocks_shown = 64;    // unasked
+constexpr std::int64_t most_clocks = 10'000'000;  // as text: half a gigabyte
+
 std::string point_text(pulse::Point at) {
   return fmt::format("({}, {})", at.x, at.y);
 }
@@ -95,8 +98,7 @@ std::vector<std::pair<std::string, std::size_t>> columns_of(const PulseCurve& cu
   return columns;
 }
 
-}  // namespace
-
+/// A line of figures for each method, and the conventions that were in force.
 std::string pulse_summary(const PulseCurve& curve, const AllPulses& pulses, const Style& style) {
   std::string title = waves::title_of(curve);
   if (curve.is_arc()) title += fmt::format(", R = {:.6g} BLU", curve.radius());
@@ -114,6 +116,7 @@ std::string pulse_summary(const PulseCurve& curve, const AllPulses& pulses, cons
   return text;
 }
 
+/// Every register at every clock.
 std::string pulse_table(const PulseCurve& curve, const waves::MeasuredPulses& pulses, const Style& style) {
   const auto columns = columns_of(curve, pulses.figures);
   const std::size_t widest = std::max<std::size_t>(5, digits(pulses.figures.clocks));
@@ -134,6 +137,26 @@ std::string pulse_table(const PulseCurve& curve, const waves::MeasuredPulses& pu
     if (run.done()) return text;
     run.step();
   }
+}
+
+}  // namespace
+
+std::string pulse_text(const PulseCurve& curve, const AllPulses& pulses, const Style& style, bool with_tables) {
+  std::string text = pulse_summary(curve, pulses, style);
+  const bool is_short = pulses.size() == 1 && pulses.front().figures.clocks <= most_clocks_shown;
+  if (!with_tables && !is_short) return text;
+  for (const waves::MeasuredPulses& each : pulses) text += "\n" + pulse_table(curve, each, style);
+  return text;
+}
+
+base::Result<void> check_clocks(const AllPulses& pulses, std::string_view option) {
+  std::int64_t clocks = 0;
+  for (const waves::MeasuredPulses& each : pulses) clocks += each.figures.clocks;
+  if (clocks <= most_clocks) return {};
+  return base::failure(
+      base::problem("too-many-clocks",
+                    fmt::format("{} clocks are too many for {}, which gives up to {}", clocks, option, most_clocks),
+                    "--vcd writes any number of them"));
 }
 
 Json json_of_pulses(const PulseCurve& curve, const AllPulses& pulses, bool with_path) {
