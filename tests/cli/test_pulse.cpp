@@ -86,9 +86,27 @@ TEST(Pulse, NamesTheConventionsThatWereInForce) {
                   {"preload", "zero"},
                   {"order", "x-first"},
                   {"end_rule", "counters-by-quadrant-drained"}}));
+  EXPECT_EQ(options({"--method", "dda", "--capacity", "12"}), Json({{"capacity", 12},
+                                                                    {"preload", "half-lagging"},
+                                                                    {"order", "parallel"},
+                                                                    {"end_rule", "counters-by-quadrant-drained"}}));
+  EXPECT_EQ(options({"--method", "koren", "--capacity", "12"})["capacity"], 12);
   EXPECT_EQ(options({"--method", "point-comparison", "--tie", "inward"})["tie"], "inward");
   EXPECT_EQ(options({"--method", "koren"})["order"], "x-first");
   EXPECT_EQ(options({"--method", "koren"})["preload"], "half");
+}
+
+/// Koren's hardware, 2 in long in steps of 0.0001 in: q of 12 in, so that a sixth of the commands give a step.
+TEST(Pulse, HasRegistersOfFixedCapacity) {
+  const Folder folder;
+  const auto clocks = [&](const Words& curve) {
+    Words words = {"pulse", "--method", "koren", "--capacity", "120000", "--preload", "zero", "--json"};
+    words.insert(words.end(), curve.begin(), curve.end());
+    return leadscrew(folder, words).json()["methods"][0]["clocks"].get<double>();
+  };
+  EXPECT_EQ(clocks({"--line", "--end", "20000,0"}), 120'000);
+  // A turn, 2πq, and a clock or two of each quadrant, which waits for its counters.
+  EXPECT_NEAR(clocks({"--arc", "--start", "10000,0", "--end", "10000,0"}), 83'982, 75);
 }
 
 /// With F = 0 inward, as its text has it, point comparison is 1 BLU off.
@@ -252,6 +270,11 @@ TEST(PulseUsage, ErrorsSayWhatWasMeantAndDoNothing) {
            Misuse{quarter({"--bits", "31"}), "from 1 to 30"},
            Misuse{quarter({"--bits", "8.5"}), "from 1 to 30"},
            Misuse{quarter({"--method", "min-error", "--preload", "half"}), "--preload is for dda and koren"},
+           Misuse{quarter({"--method", "min-error", "--capacity", "9"}), "--capacity is for dda and koren"},
+           Misuse{quarter({"--capacity", "9", "--bits", "4"}), "registers of N bits have the capacity 2^N"},
+           Misuse{quarter({"--capacity", "0"}), "--capacity 0: is not a whole number from 1 to 1073741824"},
+           Misuse{quarter({"--capacity", "1073741825"}), "from 1 to 1073741824"},
+           Misuse{quarter({"--capacity", "1e5"}), "from 1 to 1073741824"},
            Misuse{quarter({"--method", "dda", "--tie", "inward"}), "--tie is for arcs by point-comparison"},
            Misuse{{"pulse", "--line", "--end", "5,1", "--order", "parallel"}, "--order is for arcs"},
            Misuse{quarter({"--path"}), "--path is for --json"},
@@ -291,6 +314,8 @@ TEST(PulseRejection, NamesTheRegisterOrTheValue) {
            Misuse{quarter({"--bits", "2"}), "register x of 2 bits holds no more than 3"},
            Misuse{{"pulse", "--line", "--end", "3,3", "--bits", "2", "--method", "koren"},
                   "the length, rounded up, is 5: register q of 2 bits holds no more than 3"},
+           Misuse{quarter({"--capacity", "4"}),
+                  "the radius, rounded, is 5: integrators of capacity 4 take no more than that [register-overflow]"},
            Misuse{{"pulse", "--line", "--end", "1,-9999999999"}, "y of the end is -9999999999: register y holds"},
            Misuse{{"pulse", "--line", "--end", "99999999999999999999,1"},
                   "x of the end is 99999999999999999999: register x holds no more than 1073741824 [register-overflow]"},

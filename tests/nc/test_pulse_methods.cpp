@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <leadscrew/nc/pulse_figures.hpp>
+#include <leadscrew/pulse/free_circle.hpp>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -63,6 +65,42 @@ TEST(PulseMethods, DrawALineOf4BitsIn16Clocks) {
   EXPECT_EQ(run.clock(), 16);
   EXPECT_EQ(run.conventions().capacity, 16);
   EXPECT_EQ(PulseRun(PulseMethod::dda, level).conventions().bits, 4);
+}
+
+/// Registers of Koren's hardware: the capacity is that of the longest line, whatever the line.
+TEST(PulseMethods, DrawALineInRegistersOfAnyCapacity) {
+  const PulseCurve level{line, {3, 4}, {13, 4}, {}, {}};
+  for (const PulseMethod method : {PulseMethod::dda, PulseMethod::koren}) {
+    PulseRun run(method, level, {.capacity = 120, .preload = pulse::Preload::none, .tie = {}, .order = {}});
+    for (std::int64_t clock = 1; !run.done(); ++clock) {
+      run.step();
+      EXPECT_EQ(run.at(), (Point{3 + clock * 10 / 120, 4})) << clock;
+      EXPECT_EQ(value_of(run, "rx"), clock * 10 % 120) << clock;
+      EXPECT_EQ(value_of(run, "q"), 120);
+    }
+    EXPECT_EQ(run.clock(), 120);
+    EXPECT_EQ(run.conventions().capacity, 120);
+    EXPECT_FALSE(run.conventions().bits.has_value());
+  }
+}
+
+/// A quarter of 100 in registers of 1200: the bare generator's places, until the counters end it after 1200·π/2 clocks.
+TEST(PulseMethods, DrawAnArcInRegistersOfAnyCapacity) {
+  const PulseCurve arc_of_100{arc, {7, 100}, {-93, 200}, {-93, 100}, Direction::counterclockwise};
+  for (const auto& [method, order] :
+       {std::pair{PulseMethod::dda, pulse::Order::parallel}, {PulseMethod::koren, pulse::Order::x_first}}) {
+    PulseRun run(method, arc_of_100, {.capacity = 1200, .preload = pulse::Preload::none, .tie = {}, .order = {}});
+    pulse::FreeCircle bare({100, 0}, 1200, 0, order, pulse::Accumulation::sign_magnitude);
+    while (!run.done() && bare.at().x > 0 && bare.at().y < 100) {
+      run.step();
+      bare.step();
+      ASSERT_EQ(run.at(), (Point{bare.at().x - 93, bare.at().y + 100})) << run.clock();
+    }
+    while (!run.done()) run.step();
+    EXPECT_EQ(run.at(), (Point{-93, 200}));
+    EXPECT_NEAR(static_cast<double>(run.clock()), 1200 * std::numbers::pi / 2, 1200 / 10.0);
+    EXPECT_EQ(run.conventions().capacity, 1200);
+  }
 }
 
 TEST(PulseMethods, SayWhichConventionsAreInForce) {
@@ -272,6 +310,24 @@ TEST(PulseProblems, TheCapacityIsNamedWhereBitsDoNotHoldIt) {
   EXPECT_FALSE(capacity_problem(PulseMethod::koren, {arc, {5, 5}, {4, 6}, {}, Direction::counterclockwise}, options));
   options.bits = 4;
   EXPECT_FALSE(capacity_problem(PulseMethod::koren, segment, options));
+}
+
+/// The least that takes a quarter of 5 and a line of 7 along one axis; no other method has a capacity.
+TEST(PulseProblems, TheCapacityAskedForTakesEveryIntegrand) {
+  const PulseCurve segment{line, {2, 0}, {-2, -7}, {}, {}};
+  for (const PulseMethod method : {PulseMethod::dda, PulseMethod::koren}) {
+    for (const auto& [curve, least, said] :
+         {std::tuple{quarter, 5, "the radius, rounded, is 5: integrators of capacity 4 take no more"},
+          {segment, 7, "the longer distance along an axis is 7: integrators of capacity 6 take no more"}}) {
+      EXPECT_FALSE(capacity_problem(method, curve, {.capacity = least}));
+      const auto problem = capacity_problem(method, curve, {.capacity = least - 1});
+      ASSERT_TRUE(problem);
+      EXPECT_EQ(problem->code, "register-overflow");
+      EXPECT_NE(problem->message.find(said), std::string::npos) << problem->message;
+      EXPECT_EQ(problem->hint, "a capacity of " + std::to_string(least) + " would do");
+    }
+  }
+  EXPECT_FALSE(capacity_problem(PulseMethod::min_error, quarter, {.capacity = 4}));
 }
 
 /// (3, 4) is 5 from the centre; (4, 4) .66 more, (5, 1) .1 more.

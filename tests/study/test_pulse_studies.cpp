@@ -271,8 +271,24 @@ TEST(KorenFeedStudy, ComesOut) {
   expect_exact(rows, {{"instructions of the longest interrupt", Verdict::no_worse},
                       {"time of the longest interrupt", Verdict::no_worse},
                       {"load", Verdict::no_worse},
+                      {"an axis beside the other's coordinate summed over q, eq. 12", Verdict::kept},
+                      {"feed along the path", Verdict::reproduced},
                       {"time measured on their computer", Verdict::not_reproducible}});
-  EXPECT_EQ(rows.size(), 21u);
+  EXPECT_EQ(rows.size(), 28u);
+}
+
+/// 20 000 commands a second, a sixth of a radian a second: what the registers are found to do, beside figures of hand.
+TEST(KorenFeedStudy, ClocksACircleByTheRegistersOfTheHardware) {
+  const Rows rows = feed_code_rows({});
+  constexpr const char* group =
+      "a circle of 1 in at 10 in/min by the registers of the hardware, eqs. 12, 13, 15 and 17";
+  EXPECT_EQ(ours(rows, group, "f by pulses, eq. 17"), 100);
+  EXPECT_NEAR(ours(rows, group, "commands, eq. 6"), 20'000, 0.1);
+  EXPECT_LE(ours(rows, group, "an axis beside the other's coordinate summed over q, eq. 12"), 1);
+  EXPECT_EQ(ours(rows, group, "commands of the quarter"), 188'496);
+  EXPECT_NEAR(ours(rows, group, "angular velocity, eq. 13"), 1.0 / 6, 5e-6);
+  EXPECT_NEAR(ours(rows, group, "time of a turn"), 37.699, 5e-4);
+  EXPECT_NEAR(ours(rows, group, "feed along the path"), 1666.67, 0.17);
 }
 
 /// A register for 12 in works at a sixth of its clock along 2 in; with q = L each command is a pulse.

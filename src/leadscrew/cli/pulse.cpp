@@ -84,9 +84,11 @@ Status pulse(const Arguments& arguments, Console& console) {
   for (const base::Diagnostic& each : nc::problems_of(asked.curve, asked.options.bits)) log.add(each);
   if (log.errors() > 0) return rejected(arguments, log, console);
   for (const nc::PulseMethod method : asked.methods) {
-    if (const auto problem = nc::capacity_problem(method, asked.curve, asked.options)) log.add(*problem);
+    const auto problem = nc::capacity_problem(method, asked.curve, asked.options);
+    if (!problem) continue;
+    log.add(*problem);
+    return rejected(arguments, log, console);
   }
-  if (log.errors() > 0) return rejected(arguments, log, console);
   const auto pulses = made(asked);
   if (!pulses) {
     log.add(pulses.error());

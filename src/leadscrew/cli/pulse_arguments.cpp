@@ -105,6 +105,13 @@ Parsed<int> parse_bits(std::string_view text) {
   return bits;
 }
 
+Parsed<std::int64_t> parse_capacity(std::string_view text) {
+  const auto capacity = parse_coordinate(text);
+  if (!capacity || *capacity < 1 || *capacity > pulse::greatest_coordinate)
+    return wrong("is not a whole number from 1 to {}", pulse::greatest_coordinate);
+  return *capacity;
+}
+
 Parsed<void> check_curve(const Command& command, const GivenCurve& given) {
   if (given.arc == given.line) return wrong("needs either --arc or --line");
   if (given.clockwise && given.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
@@ -132,14 +139,17 @@ Parsed<void> check_use(const PulseArguments& arguments) {
   const bool is_arc = arguments.curve.is_arc();
   const auto check = [&](std::string_view option, bool is_given, bool nc::MethodUses::* use) -> Parsed<void> {
     const auto has = [&](PulseMethod method) { return nc::uses_of(method).*use; };
-    const bool is_of_arcs = use != &nc::MethodUses::preload;
+    const bool is_of_arcs = use == &nc::MethodUses::order || use == &nc::MethodUses::tie;
     const bool is_used =
         std::any_of(arguments.methods.begin(), arguments.methods.end(), has) && (is_arc || !is_of_arcs);
     if (!is_given || is_used) return {};
     return wrong("{} is for {}{}", option, is_of_arcs ? "arcs by " : "", names_of(has));
   };
   const nc::MethodOptions& options = arguments.options;
+  if (options.bits && options.capacity)
+    return wrong("--bits and --capacity: registers of N bits have the capacity 2^N, give one of the two");
   return check("--preload", options.preload.has_value(), &nc::MethodUses::preload)
+      .and_then([&] { return check("--capacity", options.capacity.has_value(), &nc::MethodUses::capacity); })
       .and_then([&] { return check("--order", options.order.has_value(), &nc::MethodUses::order); })
       .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); });
 }
@@ -170,6 +180,8 @@ void add_methods(Command& command, PulseArguments& pulse) {
   command.value("--method", "LIST", "Some of " + names_of_pulse_methods() + " (default: all)", pulse.methods,
                 parse_methods, {.words = pulse_method_names(), .is_list = true});
   command.value("--bits", "N", "Width of the registers; the capacity of dda is then 2^N", options.bits, parse_bits);
+  command.value("--capacity", "N", "At which dda and koren overflow, fixed (default: by the curve, as --json says)",
+                options.capacity, parse_capacity);
   command.choice("--preload", "LOAD", "Of the remainders: zero, half, half-lagging or full", options.preload,
                  named(nc::all_preloads));
   command.choice("--tie", "WAY", "Where point comparison goes on the circle: outward or inward", options.tie,

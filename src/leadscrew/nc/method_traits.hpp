@@ -12,7 +12,7 @@
 //   Circle, circle()              that of arcs in programs
 //   Curves, load()                the interpolators of one curve alone, and the one of a curve
 //   conventions()                 what is in force for a curve (PulseConventions)
-//   takes_preload, _order, _tie   which options it has; order and tie are of arcs
+//   takes_preload, _capacity, _order, _tie   which options it has; order and tie are of arcs
 //   bits_hold_capacity            must the registers asked for hold the capacity of the curve?
 //   candidates                    which values it compares at a clock, to be shown
 //   paper_names()                 its registers' names in the paper
@@ -90,7 +90,8 @@ inline constexpr std::array<PaperName, 6> names_of_koren_arcs = {
 
 /// What all rows say that do not say otherwise.
 struct MethodDefaults {
-  static constexpr bool takes_preload = false, takes_order = false, takes_tie = false, bits_hold_capacity = false;
+  static constexpr bool takes_preload = false, takes_capacity = false, takes_order = false, takes_tie = false,
+                        bits_hold_capacity = false;
   static constexpr Candidates candidates = Candidates::none;
   static constexpr std::string_view in_programs = {};
   static std::span<const PaperName> paper_names(PulseCurve::Shape) { return names_of_fpga; }
@@ -126,17 +127,16 @@ struct BySearch : MethodDefaults {
 /// Arcs and lines by integrators.
 struct ByIntegrators : MethodDefaults {
   static constexpr CommandRate rate = CommandRate::path_length;
-  static constexpr bool takes_preload = true, takes_order = true;
+  static constexpr bool takes_preload = true, takes_capacity = true, takes_order = true;
   using Circle = ProgramCircle;
   using Curves = TypeList<pulse::CircularDda, pulse::LinearDda<2>>;
-
- protected:
-  /// bits: of the integrands' registers, 0 for as many as it takes.
   template <typename State>
-  static State loaded(const PulseCurve& curve, const PulseConventions& in_force, int bits) {
+  static State load(const PulseCurve& curve, const PulseConventions& in_force, const MethodOptions&) {
     const pulse::Preload preload = in_force.preload.value_or(pulse::Preload::none);
     if (curve.is_arc())
-      return pulse::CircularDda(curve.arc(), {in_force.order.value_or(pulse::Order::parallel), preload, 0, bits});
+      return pulse::CircularDda(curve.arc(), {.order = in_force.order.value_or(pulse::Order::parallel),
+                                              .preload = preload,
+                                              .capacity = static_cast<std::int32_t>(*in_force.capacity)});
     const pulse::Point delta = curve.delta();
     return pulse::LinearDda<2>({delta.x, delta.y}, *in_force.capacity, preload);
   }
@@ -178,10 +178,6 @@ struct Dda : ByIntegrators {
   static Circle circle(const pulse::Arc& arc, const InterpolationOptions& options) {
     return Circle(arc, {pulse::Order::parallel, options.preload, options.places});
   }
-  template <typename State>
-  static State load(const PulseCurve& curve, const PulseConventions& in_force, const MethodOptions&) {
-    return loaded<State>(curve, in_force, in_force.bits.value_or(0));
-  }
   static PulseConventions conventions(const PulseCurve& curve, const MethodOptions& options) {
     return of_hardware(curve, options);
   }
@@ -222,10 +218,6 @@ struct Koren : ByIntegrators {
   }
   static Circle circle(const pulse::Arc& arc, const InterpolationOptions& options) {
     return Circle(arc, {pulse::Order::x_first, options.preload, options.places});
-  }
-  template <typename State>
-  static State load(const PulseCurve& curve, const PulseConventions& in_force, const MethodOptions&) {
-    return loaded<State>(curve, in_force, 0);
   }
   static PulseConventions conventions(const PulseCurve& curve, const MethodOptions& options) {
     return of_software(curve, options);

@@ -10,10 +10,13 @@ using pulse::Preload;
 
 namespace {
 
+std::int64_t longer_of(pulse::Point delta) {
+  return std::max(pulse::absolute(delta.x), pulse::absolute(delta.y));
+}
+
 /// The fewest bits that hold the longer component of a line.
 int bits_for(pulse::Point delta) {
-  const std::int64_t longer = std::max(pulse::absolute(delta.x), pulse::absolute(delta.y));
-  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(longer)));
+  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(longer_of(delta))));
 }
 
 std::int64_t radius_of(const pulse::Arc& arc) {
@@ -27,7 +30,19 @@ PulseConventions of_options(const MethodOptions& options) {
 PulseConventions by_integrators(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force = of_options(options);
   in_force.end = curve.is_arc() ? "counters-by-quadrant-drained" : "counters";
+  in_force.capacity = options.capacity;
   return in_force;
+}
+
+/// An integrator that adds more than its capacity at a clock would have to overflow twice.
+std::optional<base::Diagnostic> capacity_below_integrands(const PulseCurve& curve, std::int64_t capacity) {
+  const std::int64_t greatest = curve.is_arc() ? radius_of(curve.arc()) : longer_of(curve.delta());
+  if (greatest <= capacity) return std::nullopt;
+  const std::string_view what = curve.is_arc() ? "the radius, rounded," : "the longer distance along an axis";
+  return base::problem("register-overflow",
+                       std::string(what) + " is " + std::to_string(greatest) + ": integrators of capacity " +
+                           std::to_string(capacity) + " take no more than that",
+                       "a capacity of " + std::to_string(greatest) + " would do");
 }
 
 }  // namespace
@@ -44,14 +59,16 @@ PulseConventions by_search(const PulseCurve& curve, const MethodOptions& options
 PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force = by_integrators(curve, options);
   if (curve.is_arc()) {
-    in_force.capacity = options.bits ? std::int64_t{1} << *options.bits : radius_of(curve.arc());
+    if (!in_force.capacity)
+      in_force.capacity = options.bits ? std::int64_t{1} << *options.bits : radius_of(curve.arc());
     in_force.preload = options.preload.value_or(Preload::half_lagging);
     in_force.order = options.order.value_or(Order::parallel);
     return in_force;
   }
+  in_force.preload = options.preload.value_or(Preload::none);
+  if (in_force.capacity) return in_force;
   in_force.bits = options.bits.value_or(bits_for(curve.delta()));
   in_force.capacity = std::int64_t{1} << *in_force.bits;
-  in_force.preload = options.preload.value_or(Preload::none);
   return in_force;
 }
 
@@ -62,12 +79,12 @@ PulseConventions of_software(const PulseCurve& curve, const MethodOptions& optio
   PulseConventions in_force = by_integrators(curve, options);
   in_force.preload = options.preload.value_or(Preload::half);
   if (curve.is_arc()) {
-    in_force.capacity = radius_of(curve.arc());
+    if (!in_force.capacity) in_force.capacity = radius_of(curve.arc());
     in_force.order = options.order.value_or(Order::x_first);
     return in_force;
   }
   const pulse::Point delta = curve.delta();
-  in_force.capacity = pulse::capacity_for(delta.x * delta.x + delta.y * delta.y);
+  if (!in_force.capacity) in_force.capacity = pulse::capacity_for(delta.x * delta.x + delta.y * delta.y);
   return in_force;
 }
 
@@ -80,7 +97,9 @@ CommandRate rate_of(PulseMethod method) {
 }
 
 MethodUses uses_of(PulseMethod method) {
-  return with_row(method, [](auto row) { return MethodUses{row.takes_preload, row.takes_order, row.takes_tie}; });
+  return with_row(method, [](auto row) {
+    return MethodUses{row.takes_preload, row.takes_capacity, row.takes_order, row.takes_tie};
+  });
 }
 
 std::string_view conventions_in_programs(PulseMethod method) {
@@ -107,6 +126,7 @@ PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, con
 
 std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
                                                  const MethodOptions& options) {
+  if (options.capacity && uses_of(method).capacity) return capacity_below_integrands(curve, *options.capacity);
   const bool bits_hold_capacity = with_row(method, [](auto row) { return row.bits_hold_capacity; });
   if (!bits_hold_capacity || !options.bits) return std::nullopt;
   const std::int64_t capacity = *conventions_of(method, curve, options).capacity;

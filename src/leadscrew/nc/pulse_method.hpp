@@ -51,6 +51,7 @@ std::string_view name(pulse::Order order);
 /// Which of the options below a method has.
 struct MethodUses {
   bool preload = false;
+  bool capacity = false;
   bool order = false;  ///< on arcs
   bool tie = false;    ///< on arcs
 };
@@ -68,6 +69,8 @@ struct InterpolationOptions {
 /// Conventions that were asked for; each method has a default of its own for what was not.
 struct MethodOptions {
   std::optional<int> bits;  ///< 1 … 30: of the registers; the capacity of `dda` is 2ⁿ
+  /// Of integrators, 1 … 2³⁰: that of hardware whose registers stay as they are whatever the curve. Without bits.
+  std::optional<std::int64_t> capacity{};
   std::optional<pulse::Preload> preload;
   std::optional<pulse::OnCircle> tie;
   std::optional<pulse::Order> order;
@@ -93,7 +96,8 @@ PulseConventions of_software(const PulseCurve& curve, const MethodOptions& optio
 PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options);
 
 /// Of a curve that problems_of() finds nothing wrong with: `register-overflow` where the bits asked for do not hold the
-/// capacity of `koren`, which is the radius of an arc, rounded, and the length of a line, rounded up.
+/// capacity of `koren`, which is the radius of an arc, rounded, and the length of a line, rounded up; or where the capacity
+/// asked for is less than an integrand: than the radius, rounded, or the longer of a line's distances along the axes.
 std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
                                                  const MethodOptions& options);
 

@@ -24,10 +24,8 @@ struct CircularDdaOptions {
   Preload preload = Preload::half;  ///< at the start of every quadrant
   int places = 0;  ///< binary places of the radius in the capacity, 0 … 16: 0 as published; more where feed on circles
                    ///< of irrational radius is to be exact (R·2^places within the registers; 0 below 64 bits)
-  int bits = 0;    ///< of the registers, where the capacity is 2ⁿ: every coordinate of the arc below it, places 0; 0
-                   ///< where it is the radius
-  /// q, where it is another one: ≥ every |coordinate| of the arc, places and bits 0; a turn takes 2πq clocks. 0: by places
-  /// and bits.
+  /// q, where it is not the radius: 2ⁿ of n-bit registers, or any other; ≥ every |coordinate| of the arc, places 0; a turn
+  /// takes 2πq clocks. 0: the radius, by places.
   std::int32_t capacity = 0;
 };
 
@@ -41,7 +39,6 @@ class BasicCircularDda {
         options_(options),
         radius_(static_cast<Register>(root(arc.squared_radius(), 0))),
         capacity_(options.capacity > 0 ? static_cast<Register>(options.capacity)
-                  : options.bits > 0   ? static_cast<Register>(Register{1} << options.bits)
                                        : static_cast<Register>(root(arc.squared_radius(), options.places))),
         quadrant_(quadrant(arc.start, arc.direction)),
         borders_(borders(arc)) {

@@ -101,7 +101,7 @@ Count endless_arcs(int bits, Preload preload) {
     if (pulse::borders(arc) > 0) return;
     const std::int64_t most_clocks = 16 << bits;
     const auto anything = [](Point) { return std::int64_t{0}; };
-    const pulse::CircularDda dda(arc, {.order = Order::parallel, .preload = preload, .bits = bits});
+    const pulse::CircularDda dda(arc, {.order = Order::parallel, .preload = preload, .capacity = 1 << bits});
     ++count.tried;
     count.failed += !follow(dda, arc.start, arc.end, most_clocks, anything, [](const auto&) {}).ends;
   };

@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <cmath>
 #include <leadscrew/design/inverse_time.hpp>
 #include <leadscrew/nc/nc_program.hpp>
-#include <leadscrew/pulse/circular_dda.hpp>
+#include <leadscrew/pulse/free_circle.hpp>
 #include <leadscrew/pulse/linear.hpp>
 #include <leadscrew/study/studies.hpp>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -57,6 +60,82 @@ Rows inverse_time_rows() {
        because(exact_row("time of that line, by its registers", {"s", 3}, 60 / (by_inches / 10),
                          clocks_to_end(feed, line) / design.clock_pps),
                "feed DDA and axis DDA clocked at 2 MHz")});
+}
+
+/// What the registers of the hardware make of a circle from (R, 0), counterclockwise and without an end: two integrators
+/// and the feed DDA before them, clocked until the tool is back at Y = 0.
+struct HardwareTurn {
+  std::int64_t clocks = 0, commands = 0;
+  std::int64_t quarter_clocks = 0, quarter_commands = 0;  ///< until X = 0
+  double apart = 0;          ///< within that quarter: steps of an axis beside Σ of the other coordinate over q, BLU
+  double path = 0;           ///< ∫ρ dθ, BLU
+  double quarter_angle = 0;  ///< rad
+};
+
+HardwareTurn hardware_turn(std::int64_t radius, std::int64_t capacity, pulse::FeedDda feed) {
+  constexpr std::int64_t empty_and_strict = -1;  // overflow where r > q
+  pulse::FreeCircle circle({radius, 0}, capacity, empty_and_strict, pulse::Order::parallel,
+                           pulse::Accumulation::sign_magnitude);
+  HardwareTurn turn;
+  pulse::Point sum;  // of both coordinates over the commands of the quarter
+  while (true) {
+    ++turn.clocks;
+    if (!feed.step()) continue;
+    ++turn.commands;
+    const pulse::Point before = circle.at();
+    circle.step();
+    const pulse::Point at = circle.at();
+    const auto x = static_cast<double>(before.x), y = static_cast<double>(before.y);
+    const auto dx = static_cast<double>(at.x - before.x), dy = static_cast<double>(at.y - before.y);
+    turn.path += (x * dy - y * dx) / std::hypot(x, y);
+    if (turn.quarter_clocks == 0) {
+      sum = {sum.x + before.x, sum.y + before.y};
+      const auto shares = [&](std::int64_t of) { return static_cast<double>(of) / static_cast<double>(capacity); };
+      turn.apart = std::max({turn.apart, std::abs(static_cast<double>(radius - at.x) - shares(sum.y)),
+                             std::abs(static_cast<double>(at.y) - shares(sum.x))});
+      if (at.x == 0) {
+        turn.quarter_clocks = turn.clocks;
+        turn.quarter_commands = turn.commands;
+        turn.quarter_angle = std::atan2(static_cast<double>(at.y), static_cast<double>(at.x));
+      }
+    }
+    if (before.y < 0 && at.y >= 0) return turn;
+  }
+}
+
+/// Around 1 in at 10 in/min, in registers for 12 in.
+Rows circle_rows() {
+  constexpr double feed_in_min = 10, radius_in = 1;
+  const design::InverseTimeDesign design = design::design_inverse_time(range);
+  const double feed_pps = feed_in_min / 60 / blu_inch, radius_blu = radius_in / blu_inch;
+  const double by_pulses = 600 * feed_pps / radius_blu;
+  const std::int64_t word = std::llround(by_pulses);
+  const HardwareTurn turn =
+      hardware_turn(std::llround(radius_blu), design.capacity, pulse::FeedDda(design.feed_capacity, word));
+  const double seconds = static_cast<double>(turn.clocks) / design.clock_pps;
+  const double quarter_seconds = static_cast<double>(turn.quarter_clocks) / design.clock_pps;
+  const double omega = static_cast<double>(word) * design.clock_pps /
+                       (static_cast<double>(design.capacity) * static_cast<double>(design.feed_capacity));
+  return under(
+      "a circle of 1 in at 10 in/min by the registers of the hardware, eqs. 12, 13, 15 and 17",
+      {because(exact_row("f by pulses, eq. 17", unscaled,
+                         design::inverse_time_word(range, radius_in, feed_in_min, false).word, by_pulses),
+               "beside f by inches, eq. 15"),
+       because(exact_row("commands, eq. 6", pps, omega * static_cast<double>(design.capacity),
+                         static_cast<double>(turn.commands) / seconds),
+               "f w0/q0; those of the feed DDA over a turn"),
+       because(limit_row("an axis beside the other's coordinate summed over q, eq. 12", {"BLU", 3}, 1, turn.apart),
+               "the greatest difference within the first quarter, both axes, at every command"),
+       because(exact_row("commands of the quarter", unscaled,
+                         std::ceil(std::numbers::pi / 2 * static_cast<double>(design.capacity)),
+                         static_cast<double>(turn.quarter_commands)),
+               "π q/2, rounded up; overflow where r > q, both integrators on one clock"),
+       because(exact_row("angular velocity, eq. 13", {"rad/s", 5}, omega, turn.quarter_angle / quarter_seconds),
+               "f w0/(q q0), a sixth; over the quarter"),
+       because(exact_row("time of a turn", {"s", 3}, 2 * std::numbers::pi / omega, seconds),
+               "2π/ω; until the tool is back at Y = 0"),
+       because(reproduced_row("feed along the path", {"pps", 2}, feed_pps, turn.path / seconds, omega),
+               "V = ω R; within what a BLU of the radius makes: Euler's method and whole steps go outward")});
 }
 
 std::int64_t commands(std::int64_t word, std::int64_t clocks) {
@@ -186,6 +265,7 @@ Rows efficiency_rows() {
 Rows feed_code_rows(const Host&) {
   Rows rows = integrator_rows();
   append(rows, inverse_time_rows());
+  append(rows, circle_rows());
   append(rows, direct_rows());
   append(rows, efficiency_rows());
   append(rows, load_rows());
