@@ -282,7 +282,7 @@ TEST(KorenFeedStudy, ClocksACircleByTheRegistersOfTheHardware) {
   const Rows rows = feed_code_rows({});
   constexpr const char* group =
       "a circle of 1 in at 10 in/min by the registers of the hardware, eqs. 12, 13, 15 and 17";
-  EXPECT_EQ(ours(rows, group, "f by pulses, eq. 17"), 100);
+  EXPECT_NEAR(ours(rows, group, "f by pulses, eq. 17"), 100, 1e-9);
   EXPECT_NEAR(ours(rows, group, "commands, eq. 6"), 20'000, 0.1);
   EXPECT_LE(ours(rows, group, "an axis beside the other's coordinate summed over q, eq. 12"), 1);
   EXPECT_EQ(ours(rows, group, "commands of the quarter"), 188'496);
