@@ -61,7 +61,11 @@ TEST(SimulateCurve, BeginsWhereItsProgramDoes) {
 TEST(SimulateCurve, IsDrivenAsItIsRun) {
   const Folder folder;
   const Json run = figures_of(folder, {"run", "curve:circle@100", "--json"}, 0);
-  const Json driven = figures_of(folder, {"drive", "curve:circle@100", "--trace", "d.csv", "--json"}, 0);
+  const Json driven = figures_of(folder,
+                                 {"drive", "curve:circle@100", "--trace", "d.csv", "--json",
+                                  // Planned to its end before it moves: no planner is too slow.
+                                  "--look-ahead", "60s", "--lead", "2s"},
+                                 0);
   EXPECT_EQ(driven["program"], "curve:circle@100");
   EXPECT_EQ(driven["words"], run["words"]);
   EXPECT_EQ(leadscrew(folder, {"verify", "d.csv", "curve:circle@100"}).status, 0);

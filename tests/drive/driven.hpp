@@ -107,16 +107,13 @@ inline bool comes_to(const Folder& folder, double length) {
   });
 }
 
-/// Drives until the planner was never late, which is seldom more than once: only then words are those of run.
+/// Drives a program of less than a minute, planned to its end before motion begins: however slow the planner is, it is
+/// never late, and words are those of run.
 inline Outcome drive_without_a_tail(const Folder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"drive", "part.ngc", "--json", "--look-ahead", "2s", "--lead", "1s"});
-  Outcome driven;
-  for (int attempt = 0; attempt < 5; ++attempt) {
-    driven = leadscrew(folder, arguments);
-    EXPECT_EQ(driven.status, 0) << driven.errors;
-    if (driven.json()["starvations"] == 0) return driven;
-  }
-  ADD_FAILURE() << "the planner was always late";
+  arguments.insert(arguments.begin(), {"drive", "part.ngc", "--json", "--look-ahead", "60s", "--lead", "2s"});
+  Outcome driven = leadscrew(folder, arguments);
+  EXPECT_EQ(driven.status, 0) << driven.errors;
+  EXPECT_EQ(driven.json()["starvations"], 0);
   return driven;
 }
 

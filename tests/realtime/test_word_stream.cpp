@@ -33,6 +33,22 @@ TEST(WordStream, ShowsWordsOnlyOncePublished) {
   EXPECT_TRUE(stream.push(word_at(4)));
 }
 
+/// Round and round in the room that is asked for, which may be less than there could be.
+TEST(WordStream, HoldsAsManyWordsAsItHasRoomFor) {
+  const auto stream = std::make_unique<realtime::WordStream<1 << 20, 1 << 20>>(3);
+  base::Word word;
+  for (int round = 0; round < 5; ++round) {
+    for (const int k : {0, 1, 2}) EXPECT_TRUE(stream->push(word_at(10 * round + k)));
+    EXPECT_FALSE(stream->push(word_at(-1)));
+    EXPECT_TRUE(stream->publish());
+    for (const int k : {0, 1, 2}) {
+      EXPECT_TRUE(stream->pop(word));
+      EXPECT_EQ(word.position[0], 10 * round + k);
+    }
+    EXPECT_FALSE(stream->pop(word));
+  }
+}
+
 TEST(WordStream, LeadsToRestBehindTheLastPublishedWord) {
   realtime::WordStream<4, 2> stream;
   base::Word word;

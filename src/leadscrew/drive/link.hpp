@@ -81,6 +81,9 @@ struct Link {
 
   static constexpr std::size_t most_words = 1 << 16, longest_stop_path = 1 << 18;
 
+  /// `room` for words, 1 … most_words.
+  explicit Link(std::size_t room = most_words) : words(room) {}
+
   const pid_t maker = ::getpid();  ///< of the words: this is made by the command
   realtime::WordStream<most_words, longest_stop_path> words;
   realtime::Ring<base::PassedEvent, 1 << 14> events;  ///< of words, there before them

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <leadscrew/drive/drive_side.hpp>
@@ -21,8 +22,8 @@ base::Result<std::unique_ptr<Process>> Process::start(const Setup& setup, Beginn
   void* memory = ::mmap(nullptr, sizeof(Link), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
     return base::failure(files::system_failure("io-open", "no memory to share", "drives", errno));
-  // Not set to zero once more: what is not used takes no memory.
-  std::unique_ptr<Process> process(new Process(new (memory) Link));
+  // What is not used is not touched, and takes no memory and no time.
+  std::unique_ptr<Process> process(new Process(new (memory) Link(std::min(setup.most_waiting(), Link::most_words))));
   process->id_ = ::fork();
   if (process->id_ < 0) return base::failure(files::system_failure("io-open", "cannot start", "drives", errno));
   if (process->id_ == 0) {

@@ -1,6 +1,9 @@
 #pragma once
 // What a drive is asked for: the machine, how its program is read, and the files that are written while it moves.
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -39,6 +42,14 @@ struct Setup {
   // Of the reading that words are made of, by a thread of its own: as in gcode::ReaderOptions.
   gcode::RemarkSink remarks = {};
   std::function<void(const std::vector<gcode::NumberedValue>&)> parameters_at_end = {};
+
+  /// Periods of a time, s.
+  std::int64_t words_in(double seconds) const { return std::llround(seconds / machine.period.seconds()); }
+  std::int64_t words_of_slice() const { return std::max<std::int64_t>(1, words_in(slice_duration)); }
+  /// Words that wait to be taken by the drives, at most.
+  std::size_t most_waiting() const {
+    return static_cast<std::size_t>(2 * (words_in(options.lead) + words_of_slice()) + 4);
+  }
 
   /// Of a program that comes while it moves.
   gcode::ReaderOptions reader_options(const std::string& file) const {

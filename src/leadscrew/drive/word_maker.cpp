@@ -14,18 +14,6 @@ constexpr double least_spare = 0.1;       // s planned behind the words that are
 constexpr double usual_look_ahead = 0.3;  // s, where nothing else is asked for
 constexpr double least_look_ahead = 0.02;
 
-std::int64_t words_in(double seconds, const Setup& setup) {
-  return std::llround(seconds / setup.machine.period.seconds());
-}
-
-std::int64_t words_of_slice(const Setup& setup) {
-  return std::max<std::int64_t>(1, words_in(slice_duration, setup));
-}
-
-std::size_t most_waiting(const Setup& setup) {
-  return static_cast<std::size_t>(2 * (words_in(setup.options.lead, setup) + words_of_slice(setup)) + 4);
-}
-
 }  // namespace
 
 WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const base::Word& first, Link& link,
@@ -34,14 +22,14 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
       live_(setup.options.live ? std::make_unique<LiveProgram>(setup, program.name()) : nullptr),
       source_(source_of(setup)),
       lead_(setup.options.lead + slice_duration),
-      sink_(link, setup.machine, first.position, most_waiting(setup)) {
+      sink_(link, setup.machine, first.position, setup.most_waiting()) {
   source_.unchanged = [this] { return program_.unchanged(); };
   if (setup.machine.rotary_chain) source_.tell_tool();
   source_.stop_when(files::interrupted);
   source_.planner().slice(longest_chunk);
   source_.planner().start_at(first.path_length, first.line);
   const Options& options = setup.options;
-  const std::int64_t slice = words_of_slice(setup);
+  const std::int64_t slice = setup.words_of_slice();
   const realtime::RunnerOptions runner_options = {
       .period = setup.machine.period,
       .position = first.position,
@@ -50,7 +38,7 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
       .look_ahead = std::max(options.look_ahead.value_or(usual_look_ahead), options.lead + least_spare) +
                     static_cast<double>(slice) * setup.machine.period.seconds(),
       .least_look_ahead = options.look_ahead ? std::nullopt : std::optional(least_look_ahead),
-      .lead = words_in(options.lead, setup),
+      .lead = setup.words_in(options.lead),
       .slice = slice};
   runner_.emplace(runner_options, planning(std::move(may_start)), sink_.sink());
 }

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/realtime/untouched_array.hpp>
 #include <type_traits>
 
 namespace leadscrew::realtime {
@@ -28,6 +29,11 @@ class WordStream {
   static_assert(std::is_trivially_copyable_v<base::Word> && std::atomic<std::uint64_t>::is_always_lock_free);
 
  public:
+  /// `room`: of words, 1 … most_words; memory of so many is touched, and no other.
+  explicit WordStream(std::size_t room = most_words) noexcept : room_(room) {
+    for (std::size_t k = 0; k < room_; ++k) words_.write(k, {});
+  }
+
   // The maker's.
 
   /// How many words wait to be taken, published or not.
@@ -36,15 +42,15 @@ class WordStream {
   }
   /// Not seen by the drives before it is published. False if there is no room.
   bool push(const base::Word& word) noexcept {
-    if (waiting() >= most_words) return false;
-    words_[pushed_++ % most_words] = word;
+    if (waiting() >= room_) return false;
+    words_.write(pushed_++ % room_, word);
     return true;
   }
   /// Appends a place, a period later, to the stop path behind the last word pushed. False if it is too long.
   bool append_stop_position(const base::PathPlace& place) noexcept {
     StopPath& stop_path = stop_paths_[spare_];
     if (stop_path.size == longest_stop_path) return false;
-    stop_path.places[stop_path.size++] = place;
+    stop_path.places.write(stop_path.size++, place);
     return true;
   }
   /// All words pushed so far, and the stop path behind them. False if the drives have left: then they never see them.
@@ -63,7 +69,7 @@ class WordStream {
   bool pop(base::Word& word) noexcept {
     const std::uint64_t number = read_.load(std::memory_order_relaxed);
     if (number == head(state_.load(std::memory_order_acquire))) return false;
-    word = words_[number % most_words];
+    words_.read(number % room_, word);
     read_.store(number + 1, std::memory_order_release);
     return true;
   }
@@ -80,7 +86,7 @@ class WordStream {
   bool follow_stop_path(base::PathPlace& place) noexcept {
     const StopPath& stop_path = stop_paths_[state_.load(std::memory_order_acquire) >> 1 & 1];
     if (followed_ == stop_path.size) return false;
-    place = stop_path.places[followed_++];
+    stop_path.places.read(followed_++, place);
     return true;
   }
 
@@ -90,8 +96,7 @@ class WordStream {
 
   struct StopPath {
     std::size_t size = 0;
-    std::array<base::PathPlace, longest_stop_path>
-        places;  ///< not touched before they are needed, so that most of this memory is never mapped
+    UntouchedArray<base::PathPlace, longest_stop_path> places;
   };
 
   static std::uint64_t head(std::uint64_t state) noexcept { return state >> 2; }
@@ -102,7 +107,8 @@ class WordStream {
   std::size_t followed_ = 0;                      ///< of the stop path; the drives'
   alignas(cache_line) std::uint64_t pushed_ = 0;  ///< the maker's
   std::uint64_t spare_ = 1;                       ///< stop path that is being written; the maker's
-  alignas(cache_line) std::array<base::Word, most_words> words_;
+  const std::size_t room_;
+  alignas(cache_line) UntouchedArray<base::Word, most_words> words_;
   std::array<StopPath, 2> stop_paths_;
 };
 
