@@ -2,16 +2,19 @@
 
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/planner/planner.hpp>
 #include <leadscrew/toolpath/builder.hpp>
 #include <percentiles.hpp>
 #include <string>
+#include <trunnion.hpp>
 
 namespace {
 
@@ -54,20 +57,40 @@ std::string beginning_of(const std::string& name, int blocks) {
   return text + "M2\n";
 }
 
-/// "share": of the time that the motion takes; "per motion": blocks per second of motion.
-void prepare(benchmark::State& state, const std::string& text) {
-  const machine::Machine machine = wide_mill();
-  const machine::ToolTable tools;
+std::string text_of(const std::string& name) {
+  std::ifstream file(std::string(LEADSCREW_SOURCE_DIR) + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A fifth of the patch of the examples, by a ball of 10 mm that leads by 8 degrees: 40 passes.
+std::string passes(const std::string& pattern) {
+  const std::string patch = text_of("/examples/17-patch-leaning.ngc");
+  return patch.substr(0, patch.find("T5 M6")) + "T4 M6\nG43.4 H4\nG0 Z30\nG6.5 D1 A8 H0.0025 J0.2 " + pattern +
+         " Z30 F3000\nM2\n";
+}
+
+/// "share": of the time that the motion takes; "per motion": blocks per second of motion; "first": s until there is the first
+/// chunk of motion.
+void prepare(benchmark::State& state, const std::string& text, const machine::Machine& machine) {
+  const machine::ToolTable tools = gcode::read_tool_table(text_of("/examples/tools.tbl"), "tools.tbl").table;
   std::int64_t blocks = 0;
-  double motion = 0;
+  double motion = 0, first = 0;
   for (auto _ : state) {
-    gcode::Reader reader(gcode::text_source(text), machine, tools, {},
-                         [&](const base::Diagnostic& d) { state.SkipWithError(d.message.c_str()); });
-    toolpath::Builder builder;
+    const auto begin = std::chrono::steady_clock::now();
+    bool is_begun = false;
+    gcode::Reader reader(gcode::text_source(text), machine, tools, {}, [&](const base::Diagnostic& d) {
+      if (d.severity == base::Severity::error) state.SkipWithError(d.message.c_str());
+    });
+    toolpath::Builder builder = machine.rotary_chain ? toolpath::Builder(machine) : toolpath::Builder();
     planner::Planner planner(machine, {});
     const auto plan = [&] {
       while (const std::optional<toolpath::Element> element = builder.pop()) planner.push(*element);
-      while (const std::optional<planner::Chunk> chunk = planner.pop()) motion += chunk->duration.value();
+      while (const std::optional<planner::Chunk> chunk = planner.pop()) {
+        motion += chunk->duration.value();
+        if (is_begun) continue;
+        is_begun = true;
+        first += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      }
     };
     gcode::Move move;
     while (reader.next(move)) {
@@ -82,22 +105,28 @@ void prepare(benchmark::State& state, const std::string& text) {
   }
   state.SetItemsProcessed(blocks);
   state.counters["per_motion_s"] = static_cast<double>(blocks) / motion;
+  state.counters["first"] = benchmark::Counter(first, benchmark::Counter::kAvgIterations);
   state.counters["share"] = benchmark::Counter(motion, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 const std::string long_program = beginning_of(LEADSCREW_SOURCE_DIR "/out/long-program.ngc", 3000);
 
-auto* const fine = leadscrew::bench::with_percentiles(
-    benchmark::RegisterBenchmark("prepare/lines of 5 µm", prepare, wave(0.005))->Iterations(1));
-auto* const differing = leadscrew::bench::with_percentiles(
-    benchmark::RegisterBenchmark("prepare/lines of 5 µm, feeds differ", prepare, wave(0.005, Feeds::differing))
-        ->Iterations(1));
-auto* const coarse = leadscrew::bench::with_percentiles(
-    benchmark::RegisterBenchmark("prepare/lines of 0.1 mm", prepare, wave(0.1))->Iterations(1));
-auto* const sliced =
-    long_program.size() < 100
-        ? nullptr
-        : leadscrew::bench::with_percentiles(
-              benchmark::RegisterBenchmark("prepare/a slicer's program", prepare, long_program)->Iterations(1));
+void add(const std::string& name, const std::string& text, const machine::Machine& machine = wide_mill()) {
+  leadscrew::bench::with_percentiles(
+      benchmark::RegisterBenchmark(("prepare/" + name).c_str(), [=](benchmark::State& state) {
+        prepare(state, text, machine);
+      })->Iterations(1));
+}
+
+const bool added = [] {
+  add("lines of 5 µm", wave(0.005));
+  add("lines of 5 µm, feeds differ", wave(0.005, Feeds::differing));
+  add("lines of 0.1 mm", wave(0.1));
+  if (long_program.size() >= 100) add("a slicer's program", long_program);
+  const machine::Machine trunnion = testing_support::trunnion();
+  add("surface in 40 passes, five axes", passes("S2"), trunnion);
+  add("surface in 40 passes of one ridge, five axes", passes("S4"), trunnion);
+  return true;
+}();
 
 }  // namespace

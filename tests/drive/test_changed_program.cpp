@@ -87,7 +87,7 @@ void expect_checked_words_only(const Change& change, int milliseconds, bool keep
   // The checked program goes on from there.
   write_over(folder.path() / "part.ngc", text, false);
   Running rest(folder, {"drive", "part.ngc", "--resume", "state", "--quiet"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_TRUE(eventually([&] { return state_of(folder) == "moving"; }));
   rest.send(SIGTERM);
   EXPECT_EQ(rest.wait().status, 130);
 }

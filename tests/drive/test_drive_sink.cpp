@@ -96,6 +96,7 @@ TEST(DriveSink, WaitsForTheReaderOfAPipe) {
   const std::string pipe = folder.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   Running unread(folder, {"drive", "part.ngc", "--sink", "pipe", "--quiet"});
+  ASSERT_TRUE(eventually([&] { return unread.handles(SIGINT); }));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   unread.send(SIGINT);
   EXPECT_EQ(unread.wait().status, 130);

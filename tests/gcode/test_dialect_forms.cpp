@@ -203,6 +203,20 @@ TEST(ForeignLanguages, AreOneErrorEach) {
   EXPECT_EQ(read(lines).problems(), "2:1 foreign-language; ");
 }
 
+TEST(ForeignLanguages, AreFilesOfSurfacesToo) {
+  const std::string step = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n";
+  const auto section = [](const std::string& text, char letter) {
+    return text + std::string(72 - text.size(), ' ') + letter + "      1\n";
+  };
+  const std::string iges = section("", 'S') + section("1H,,1H;,4HPART,8Hpart.igs", 'G');
+  for (const auto& [text, line] : {std::pair(step, 1), {section("A part.", 'S') + iges, 1}, {iges, 2}}) {
+    const Reading reading = read(text);
+    EXPECT_EQ(reading.problems(), std::to_string(line) + ":1 foreign-language; ");
+    ASSERT_FALSE(reading.diagnostics.empty());
+    EXPECT_NE(reading.diagnostics.front().hint.find("leadscrew surfaces"), std::string::npos);
+  }
+}
+
 TEST(ForeignLanguages, AreNotSeenInRemarksAndNames) {
   EXPECT_EQ(read("(SUPA FMAX) G0 X\nM2\n").problems(), "1:17 bad-number; ");
   EXPECT_EQ(read("(BEGIN PGM) G0 X\nM2\n").problems(), "1:17 bad-number; ");

@@ -7,15 +7,18 @@ namespace leadscrew::gcode {
 
 namespace {
 
-constexpr std::string_view heidenhain = "Heidenhain Klartext", siemens = "Siemens Sinumerik";
+constexpr std::string_view by_cam = "let the CAM write ISO G-code: its post-processor for Fanuc, Haas or LinuxCNC",
+                           by_surfaces = "leadscrew surfaces FILE writes its faces as blocks (G6.4)";
+constexpr ForeignLanguage heidenhain = {"Heidenhain Klartext", by_cam}, siemens = {"Siemens Sinumerik", by_cam},
+                          step = {"a STEP file", by_surfaces}, iges = {"an IGES file", by_surfaces};
 
 struct Sign {
   std::string_view text;  ///< in capitals; '#' stands for one or more digits
-  std::string_view language;
+  ForeignLanguage language;
 };
 
 // What stands at the beginning of a word of such a program and cannot be G-code.
-constexpr std::array<Sign, 48> signs = {{
+constexpr std::array<Sign, 49> signs = {{
     {"BEGIN PGM", heidenhain},
     {"END PGM", heidenhain},
     {"BLK FORM", heidenhain},
@@ -64,6 +67,7 @@ constexpr std::array<Sign, 48> signs = {{
     {"GOTOB", siemens},
     {"CR=", siemens},
     {"R#=", siemens},
+    {"ISO-#-#", step},
 }};
 
 constexpr bool is_digit_of_sign(char c) {
@@ -102,9 +106,19 @@ void hide_remarks(std::string& text) {
   }
 }
 
+/// A line of its first two sections: 72 columns of text, the section's letter, the line's number to the right of seven columns.
+bool is_iges(std::string_view line) {
+  constexpr std::size_t letter = 72, width = 80;
+  if (line.size() != width || (line[letter] != 'S' && line[letter] != 'G')) return false;
+  const std::string_view number = line.substr(letter + 1);
+  const std::size_t digits = std::min(number.find_first_not_of(" 0"), number.size());
+  return digits < number.size() && number.find_first_not_of("0123456789", digits) == std::string_view::npos;
+}
+
 }  // namespace
 
-std::optional<std::string_view> foreign_language(std::string_view line) {
+std::optional<ForeignLanguage> foreign_language(std::string_view line) {
+  if (is_iges(line)) return iges;
   constexpr std::size_t most_looked_at = 300;
   std::string text(line.substr(0, most_looked_at));
   std::ranges::transform(text, text.begin(),

@@ -1,13 +1,17 @@
 #pragma once
-// Part programs in languages that are not read: Siemens' and Heidenhain's own.
+// Texts that are no G-code: programs in Siemens' and Heidenhain's own languages, and files of surfaces.
 
 #include <optional>
 #include <string_view>
 
 namespace leadscrew::gcode {
 
-/// The language that a line is surely written in where it is none of the dialects of G-code: "Siemens Sinumerik",
-/// "Heidenhain Klartext".
-std::optional<std::string_view> foreign_language(std::string_view line);
+struct ForeignLanguage {
+  std::string_view name;  ///< "Siemens Sinumerik", "Heidenhain Klartext", "a STEP file", "an IGES file"
+  std::string_view hint;  ///< what makes G-code of it
+};
+
+/// The language that a line is surely written in where it is none of the dialects of G-code.
+std::optional<ForeignLanguage> foreign_language(std::string_view line);
 
 }  // namespace leadscrew::gcode

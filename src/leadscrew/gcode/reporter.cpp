@@ -101,9 +101,9 @@ void Reporter::refuse_foreign() {
 }
 
 // One error says it: every line of such a text would be another.
-bool Reporter::refuse_language(std::string_view language) {
-  error_at(line_.id, 1, text(), "foreign-language", "this is " + std::string(language) + ", not G-code",
-           "let the CAM write ISO G-code: its post-processor for Fanuc, Haas or LinuxCNC", {});
+bool Reporter::refuse_language(const ForeignLanguage& language) {
+  error_at(line_.id, 1, text(), "foreign-language", "this is " + std::string(language.name) + ", not G-code",
+           std::string(language.hint), {});
   full_ = true;
   return false;
 }

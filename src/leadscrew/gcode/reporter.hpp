@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/base/line.hpp>
+#include <leadscrew/gcode/foreign_language.hpp>
 #include <leadscrew/gcode/line_source.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <string>
@@ -83,7 +84,7 @@ class Reporter {
   void set_files(const std::vector<std::string>& files) { files_ = files; }
 
  private:
-  bool refuse_language(std::string_view language);
+  bool refuse_language(const ForeignLanguage& language);
   void send(base::Severity severity, std::string_view code, base::Place place, std::string message, std::string hint,
             std::string source, base::Subject subject = {});
   bool error_at(base::Line line, std::int64_t column, std::string_view text, std::string_view code, std::string message,
