@@ -45,6 +45,27 @@ TEST(PoseColumns, StandBehindTheAxes) {
   EXPECT_GE(array.size(), 128 + 15 * sizeof(double));
 }
 
+/// Whatever stands behind the words is not in the way of who reads them.
+TEST(PoseColumns, AndAllOthersAreReadOverInBothFormats) {
+  for (const std::string_view ending : {".csv", ".npy"}) {
+    for (int kinds = 0; kinds < 8; ++kinds) {
+      const MoreColumns columns{(kinds & 1) != 0, (kinds & 2) != 0, (kinds & 4) != 0};
+      std::string bytes;
+      WordWriter writer(ending, into(bytes), trunnion_axes(), base::Period{1'000'000}, columns);
+      base::Word word;
+      word.position = {1, 2, 3, 4, 0, 6};
+      ASSERT_TRUE(writer.write(word, BesideWord{}));
+      ASSERT_TRUE(writer.finish());
+      if (const auto header = writer.header()) bytes.replace(0, header->size(), *header);
+      auto reader = TraceReader::open(from(bytes, 1000), "trace", trunnion_axes());
+      ASSERT_TRUE(reader) << ending << kinds << ": " << reader.error().message;
+      const auto row = reader->next();
+      ASSERT_TRUE(row && *row) << ending << kinds;
+      EXPECT_EQ((*row)->position, word.position) << ending << kinds;
+    }
+  }
+}
+
 TEST(PoseColumns, AreNamedWithTheirUnits) {
   const auto named = named_columns(trunnion_axes(), {.pose = true});
   ASSERT_EQ(named.size(), 15U);

@@ -1,6 +1,7 @@
 // The header of a NumPy array file is a Python literal: a dictionary of `descr` ('<f8', or a list of (name, type)
 // pairs), `fortran_order` and `shape`. NumPy Enhancement Proposal 1 fixes keys and types; their order is free.
 
+#include <leadscrew/trace/named_columns.hpp>
 #include <leadscrew/trace/npy_rows.hpp>
 #include <leadscrew/trace/writer.hpp>
 
@@ -225,12 +226,16 @@ base::Result<void> NpyRows::take_plain_columns(std::int64_t columns, base::AxisS
     }
   }
   axes_ = machine_axes;
-  const std::size_t of_words = fields_.size(),
-                    of_slides = slide_columns.size() * static_cast<std::size_t>(machine_axes.size());
-  for (const std::size_t others : {std::size_t{0}, std::size_t{1}, of_slides, of_slides + 1}) {
-    if (columns != static_cast<std::int64_t>(of_words + others)) continue;
-    fields_.resize(of_words + others);  // their names are of no use here
-    return {};
+  const std::size_t of_words = fields_.size();
+  for (const bool actual : {false, true}) {
+    for (const bool power : {false, true}) {
+      for (const bool pose : {false, true}) {
+        const std::size_t all = named_columns(machine_axes, {actual, power, pose}).size();
+        if (columns != static_cast<std::int64_t>(all)) continue;
+        fields_.resize(all);  // the names of the others are of no use here
+        return {};
+      }
+    }
   }
   return base::failure(wrong("trace-column", "the array has " + std::to_string(columns) + " columns",
                              "the " + std::to_string(of_words) + " columns t line s feed " + letters(machine_axes) +
