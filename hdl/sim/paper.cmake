@@ -21,4 +21,5 @@ leadscrew_model(Vlecture_dda TOP lecture_dda SOURCES paper/lecture_dda.sv paper/
 leadscrew_model(Vlecture_timer TOP digital_integrator SOURCES paper/digital_integrator.sv PARAMETERS WIDTH=13)
 leadscrew_model(Vup_down_counter TOP up_down_counter SOURCES paper/up_down_counter.sv PARAMETERS WIDTH=4)
 leadscrew_bench(paper SOURCES sim/test_digital_integrator.cpp sim/test_arcs.cpp sim/test_waveforms.cpp
-  sim/test_koren_hw.cpp sim/test_lecture_dda.cpp sim/test_paper_vectors.cpp)
+  sim/test_waveform_pictures.cpp sim/waveform_picture.cpp sim/test_koren_hw.cpp sim/test_lecture_dda.cpp sim/test_paper_vectors.cpp
+  ROOMS markup)

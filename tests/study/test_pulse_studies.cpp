@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <leadscrew/study/chopped.hpp>
 #include <leadscrew/study/studies.hpp>
@@ -345,31 +346,6 @@ TEST(DigitalIntegrals, CountersEndEveryArcOfAQuadrant) {
     EXPECT_EQ(ours(rows, "arcs", what), 0);
     EXPECT_GT(std::stoi(found(rows, "arcs", what).why.substr(3)), 7680);  // at least as many as were tried elsewhere
   }
-}
-
-/// Both conventions of the DDA were chosen for the table's figures; each makes 7 pulses in 8 clocks.
-TEST(FpgaTable1Study, ComesOut) {
-  const Rows rows = fpga_rows({});
-  for (const Row& row : rows) {
-    const bool is_dda = row.group.starts_with("DDA");
-    const Verdict told = !row.published                 ? Verdict::measured
-                         : row.what == "logic elements" ? Verdict::not_reproducible
-                         : row.what == "pulses"         ? Verdict::differs
-                         : is_dda                       ? Verdict::fitted
-                                                        : Verdict::exact;
-    EXPECT_EQ(row.verdict, told) << row.group << ": " << row.what;
-  }
-  EXPECT_EQ(rows.size(), 19u);
-  for (const char* group : {"DDA", "DDA, growing axis first"}) {
-    EXPECT_EQ(ours(rows, group, "steps"), 8) << group;
-    EXPECT_EQ(ours(rows, group, "pulses"), 7) << group;
-    EXPECT_EQ(published(found(rows, group, "pulses")), 8) << group;
-    EXPECT_NEAR(ours(rows, group, "greatest error"), 0.385, 5e-4) << group;
-  }
-  constexpr const char* others = "greatest error by other conventions";
-  EXPECT_NEAR(ours(rows, others, "point comparison, F = 0 inward"), 1, 1e-12);
-  EXPECT_NEAR(ours(rows, others, "DDA, both axes half full"), 0.831, 5e-4);
-  EXPECT_NEAR(ours(rows, others, "DDA, both half full, x first"), 0.657, 5e-4);
 }
 
 }  // namespace test_pulse_studies

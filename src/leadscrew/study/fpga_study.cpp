@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <array>
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/circular_search.hpp>
+#include <leadscrew/study/fpga_cells.hpp>
 #include <leadscrew/study/lattice_path.hpp>
 #include <leadscrew/study/studies.hpp>
+#include <string>
+#include <utility>
 
 // "FPGA-based implementation of circular interpolation": steps and errors of its methods on one quarter circle.
 
@@ -21,12 +26,35 @@ LatticePath along(State state) {
   return follow_arc(std::move(state), quarter);
 }
 
-consteval Published tabled(double figure) {
+constexpr Published tabled(double figure) {
   return {figure, {Paper::fpga_interpolation, "Table 1"}};
 }
 
-Row elements_row(const Published& elements) {
-  return not_reproducible_row("logic elements", {"", 0}, elements, "of their device and compiler");
+/// Theirs, and ours.
+Rows element_rows(const Published& elements, const FpgaCells& cells) {
+  return {not_reproducible_row("logic elements", {"", 0}, elements, "of their device and compiler"),
+          because(measured_row("logic cells of our hardware", {"", 0}, cells.logic),
+                  "16 bits, one quadrant, Cyclone IV by yosys before placing, beside " +
+                      std::to_string(cells.flip_flops) + " flip-flops: hdl/syn/table_1.txt")};
+}
+
+/// Sizes themselves are of devices and compilers; their order is of the methods.
+Rows order_rows() {
+  const std::array searches = {point_comparison_cells, improved_least_error_cells, least_error_cells};
+  const auto rank = [&](const FpgaCells& cells, bool with_dda) {
+    const auto is_less = [&](const FpgaCells& other) { return other.logic < cells.logic; };
+    return 1.0 + static_cast<double>(std::ranges::count_if(searches, is_less)) +
+           (with_dda && is_less(dda_cells) ? 1 : 0);
+  };
+  const auto of_three = [&](const std::string& what, double place, const FpgaCells& cells) {
+    return exact_row(what + ", of the three searches", {"", 0}, tabled(place), rank(cells, false));
+  };
+  return under(
+      "order of sizes, the least first",
+      {of_three("point comparison", 1, point_comparison_cells),
+       of_three("improved least error", 2, improved_least_error_cells), of_three("least error", 3, least_error_cells),
+       because(exact_row("DDA, of all four", {"", 0}, tabled(2), rank(dda_cells, true)),
+               "theirs is as large as the improved search; ours begins on the X axis and has two adders, no squares")});
 }
 
 double error_of(const LatticePath& path) {
@@ -34,10 +62,11 @@ double error_of(const LatticePath& path) {
 }
 
 Rows search_rows(const std::string& method, const Published& steps, const Published& error, const LatticePath& path,
-                 const std::string& why, const Published& elements) {
-  return under(method,
-               {exact_row("steps", {"", 0}, steps, static_cast<double>(path.clocks)),
-                because(exact_row("greatest error", {"BLU", 3}, error, error_of(path)), why), elements_row(elements)});
+                 const std::string& why, const Rows& elements) {
+  Rows rows = {exact_row("steps", {"", 0}, steps, static_cast<double>(path.clocks)),
+               because(exact_row("greatest error", {"BLU", 3}, error, error_of(path)), why)};
+  append(rows, elements);
+  return under(method, std::move(rows));
 }
 
 /// By either of the two conventions of a DDA in whole numbers that give both figures.
@@ -55,7 +84,7 @@ Rows dda_method_rows() {
   using pulse::CircularDda;
   Rows rows = fitted_dda_rows(along(CircularDda(quarter, {pulse::Order::parallel, pulse::Preload::half_lagging})),
                               "capacity R, only the lagging axis half full");
-  rows.push_back(elements_row(tabled(724)));
+  append(rows, element_rows(tabled(724), dda_cells));
   rows = under("DDA", std::move(rows));
   append(rows, under("DDA, growing axis first",
                      fitted_dda_rows(along(CircularDda(quarter, {pulse::Order::growing_first, pulse::Preload::none})),
@@ -84,12 +113,15 @@ Rows other_rows() {
 Rows fpga_rows(const Host&) {
   Rows rows = search_rows("point comparison", tabled(10), tabled(0.877),
                           along(CircularSearch<Search::point_comparison>(quarter)),
-                          "F = 0 goes outward; inward, as the text has it, the error is 1.000", tabled(690));
+                          "F = 0 goes outward; inward, as the text has it, the error is 1.000",
+                          element_rows(tabled(690), point_comparison_cells));
   append(rows, search_rows("least error", tabled(7), tabled(0.385), along(CircularSearch<Search::least_error>(quarter)),
-                           "the least of |F|, whatever wins a tie", tabled(792)));
+                           "the least of |F|, whatever wins a tie", element_rows(tabled(792), least_error_cells)));
   append(rows, search_rows("improved least error", tabled(7), tabled(0.385),
-                           along(CircularSearch<Search::improved_least_error>(quarter)), "", tabled(724)));
+                           along(CircularSearch<Search::improved_least_error>(quarter)), "",
+                           element_rows(tabled(724), improved_least_error_cells)));
   append(rows, dda_method_rows());
+  append(rows, order_rows());
   append(rows, other_rows());
   return rows;
 }
