@@ -138,7 +138,9 @@ void expect_best(const NamedChain& named, Draw& draw, int& done, int& failed) {
   ++done;
   ASSERT_FALSE(run.failure()) << named.name << " at " << run.failure()->vertex;
   EXPECT_TRUE(run.is_exact());
-  EXPECT_NEAR(run.cost(), every.cost, 1e-9 * (1 + every.cost)) << named.name;
+  // At the end of reach both solutions are one, which rounding tells to ±1e-6 degrees: turning by 180 at 50 degrees/s then
+  // costs up to 1.4e-7 s² more or less at a vertex.
+  EXPECT_NEAR(run.cost(), every.cost, 1e-7 * static_cast<double>(count)) << named.name;
   expect_sound(named.chain, limits, directions, run);
 }
 
@@ -217,6 +219,21 @@ TEST(RotaryRuns, GoRoundPolesOutsideTheTolerance) {
     const auto angles = run.angles();
     const bool is_through = angles.front()[1] * angles.back()[1] < 0;
     EXPECT_EQ(is_through, miss < 0.05) << miss;
+  }
+}
+
+/// At every crossing there are two ways on, by one solution and by the other; of all those that meet only the cheapest of each
+/// choice of whole turns is worth going on with.
+TEST(RotaryRuns, StayExactHoweverOftenTheyCrossAPole) {
+  const Chain chain = trunnion();
+  for (const double travel : {200.0, 500.0}) {
+    Draw draw(1);
+    RotaryRun run(chain, trunnion_limits(travel, 110), {0, 20}, 0.05);
+    for (int k = 0; k < 60; ++k) {
+      ASSERT_TRUE(run.add(spherical(20, draw(-180, 180)))) << travel << " at " << k;
+      ASSERT_TRUE(run.add({0, 0, 1}));
+    }
+    EXPECT_TRUE(run.is_exact()) << travel;
   }
 }
 

@@ -161,7 +161,8 @@ void RotaryRun::keep(const Way& way, std::vector<Way>& ways) {
   ways.push_back(way);
 }
 
-/// Leaves out what costs more than another way from the same beginning to the same place, and has gone as far.
+/// Leaves out what costs more than another way from the same beginning to the same place, which may begin at the same whole
+/// turns: what follows is the same for both.
 void RotaryRun::prune(std::vector<Way>& ways) {
   // Stable, and without memory of its own; ways are few.
   for (auto way = ways.begin(); way != ways.end(); ++way) {
@@ -173,8 +174,8 @@ void RotaryRun::prune(std::vector<Way>& ways) {
       if (other.start != way.start || other.side != way.side) return false;
       for (std::size_t i = 0; i < 2; ++i) {
         if (std::abs(other.now[i] - way.now[i]) > same_angle) return false;
-        if (is_begun_) continue;
-        if (other.low[i] < way.low[i] - same_angle || other.high[i] > way.high[i] + same_angle) return false;
+        const auto may = turns_of(way, i), may_other = turns_of(other, i);
+        if (may_other[0] > may[0] || may_other[1] < may[1]) return false;
       }
       return true;
     };

@@ -14,9 +14,9 @@
 //
 // Ways are kept as they are relative to their beginning, with how far each axis has gone, least and greatest; which whole turns
 // the beginning may be at follows from those, so that travel of hundreds of turns costs nothing. Of ways that meet, those
-// that cost more and have gone as far are dropped. That is exact dynamic programming (Bellman), but where more than
-// most_ways stay open at one vertex, which takes more crossings of poles than travel has turns. Time and memory grow in
-// proportion to vertices and open ways, two as long as no pole is near: 24 bytes each.
+// that cost more and leave no other turns open are dropped. That is exact dynamic programming (Bellman), but where more than
+// most_ways stay open at one vertex, which takes many crossings of poles in travel of many turns: then the costliest are given
+// up. Time and memory grow in proportion to vertices and open ways, two as long as no pole is near: 24 bytes each.
 
 #include <array>
 #include <cstddef>
