@@ -295,4 +295,30 @@ TEST(FiveAxes, KeepALesserToleranceOfTheDirectionBehindAGreaterOne) {
   EXPECT_LE(worst_judged(outcome.verdict), 1.001);
 }
 
+/// Where control begins anew the tip's place is computed from the axes; told once more it differs in its last digits, by less
+/// than the axes do.
+TEST(FiveAxes, RestWhereTheyAreToldOfWhereTheyAre) {
+  const machine::Machine machine = testing_support::trunnion(5);
+  for (const char* const mode : {"G61", "G64 P0.01"}) {
+    for (int k = 0; k < 40; ++k) {
+      char place[100];
+      std::snprintf(place, sizeof place, "G0 X%.3f Y%.3f Z%.3f A%.3f C%.3f\n", 38.273 - 1.7 * k, -32.751 + 0.93 * k,
+                    1.376 + 0.19 * k, 19.311 + k, 25.902 + 7.3 * k);
+      const std::string there = std::string("G21 G90 ") + mode + "\nG43 H1\nM428\n" + place;
+      const Judged once = judge(there + "M2\n", machine);
+      const Judged twice = judge(there + "M429\nM428\n" + place + "M2\n", machine);
+      EXPECT_EQ(twice.errors, 0);
+      EXPECT_EQ(twice.verdict.violation_count, 0) << place;
+      EXPECT_LE(twice.summary.time_s, once.summary.time_s + 0.002) << place;  // two words
+    }
+  }
+  // And behind a corner that cuts what there is of it.
+  const Judged cut = judge(
+      "G21 G90 G17 G94 F8000\nG64 P0.01 E0.05\nG43.4 H2\nG1 Y-0.9 A62.53 C-0.84\nG1 X-0.11 Z-5.23 A62.645 C-1.99\nG1 "
+      "C-43.344\nG43.4 H2\nG0 X-0.11 Y-0.9 Z-5.23 A62.645 C-43.344\nM2\n",
+      machine);
+  EXPECT_EQ(cut.errors, 0);
+  EXPECT_EQ(cut.verdict.violation_count, 0);
+}
+
 }  // namespace test_five_axes

@@ -25,6 +25,25 @@ double feed_of(const gcode::Move& move) {
   return std::numeric_limits<double>::infinity();
 }
 
+bool stands(const geometry::Curve& curve) {
+  const auto* line = std::get_if<geometry::Line>(&curve);
+  return line && line->start() == line->end();
+}
+
+/// Where control of the tip begins or ends, its place is computed anew, and a program that tells it once more asks for a move of
+/// some units in the last place of the axes: as good as none.
+bool is_of_rounding(const gcode::Move& move, const kinematics::Transformation* transformation) {
+  if (!transformation || move.kind != gcode::Move::Kind::line) return false;
+  double greatest = 0, farthest = 0;
+  for (std::size_t i = 0; i < move.start.size(); ++i) {
+    greatest = std::max(greatest, std::abs(move.start[i]));
+    farthest = std::max(farthest, std::abs(move.end[i] - move.start[i]));
+  }
+  if (farthest > 1e-9) return false;
+  for (const double axis : transformation->axes_of(move.start)) greatest = std::max(greatest, std::abs(axis));
+  return farthest <= 8 * std::numeric_limits<double>::epsilon() * greatest;
+}
+
 }  // namespace
 
 /// A racing line uses all of the tolerance, and acceleration: it leaves nothing for chords between words.
@@ -106,7 +125,8 @@ Allowance Builder::allowance_of(const gcode::Move& move, const Piece& piece) con
 void Builder::move_along(const gcode::Move& move) {
   take_space(move);
   const ToleranceSpace space = space_.value_or(ToleranceSpace{});
-  std::vector<Piece> pieces = pieces_of(move, space);
+  std::vector<Piece> pieces;
+  if (!is_of_rounding(move, transformation_.get())) pieces = pieces_of(move, space);
   const double feed = pieces.empty() ? 0 : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
   if (!pieces.empty()) note_feed(move.line, feed);
@@ -168,11 +188,16 @@ void Builder::take_settled(std::optional<Blending>& blending) {
   while (std::optional<Piece> piece = blending->pop()) settle_piece(std::move(*piece));
 }
 
-/// Where no rotary axis turns, a curve of the tip is one of the axes.
+/// Where no rotary axis turns, a curve of the tip is one of the axes. Of what corners leave of a move that is hardly one, the axes
+/// may round to none.
 void Builder::settle_piece(Piece piece) {
   if (transformation_) {
     auto curve = piece.feed_axes == FeedAxes::contact ? std::nullopt : standing_curve(*transformation_, piece.curve);
     if (curve) {
+      if (stands(*curve)) {
+        for (const EventMark& mark : events_of(piece)) passed_.push_back({0, mark.event});
+        return;
+      }
       piece.curve = std::move(*curve);
     } else {
       piece.transformation = transformation_;
