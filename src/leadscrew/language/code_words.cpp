@@ -238,14 +238,29 @@ bool is_of_tool_vector(Code code, char letter) {
   return (code == Code::G0 || code == Code::G1) && 'I' <= letter && letter <= 'K';
 }
 
+namespace {
+
+/// What the table says of it; null where the code does not take it or nothing is said of it.
+const Row* row_of(Code code, char letter) {
+  if (code == Code::none) return nullptr;
+  const gcode::CodeRow& known = gcode::row(code);
+  if (!known.words.has(letter) && !known.more_words.has(letter)) return nullptr;
+  for (const Row& row : rows) {
+    if (row.first <= code && code <= row.last && row.letter == letter) return &row;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool takes(Code code, char letter) {
+  return gcode::row(code).words.has(letter) || row_of(code, letter) != nullptr;
+}
+
 WordMeaning meaning_of(Code code, char letter) {
   if (is_of_tool_vector(code, letter))
     return {"under G43.5: part of the tool's direction, from the tip to the spindle", ""};
-  if (code != Code::none && gcode::row(code).words.has(letter)) {
-    for (const Row& row : rows) {
-      if (row.first <= code && code <= row.last && row.letter == letter) return {row.meaning, row.unit};
-    }
-  }
+  if (const Row* row = row_of(code, letter)) return {row->meaning, row->unit};
   return meaning_alone(letter);
 }
 

@@ -17,6 +17,9 @@ struct WordMeaning {
 /// the letter means nothing there.
 WordMeaning meaning_of(gcode::Code code, char letter);
 
+/// Whether a code other than Code::none takes a letter, in any dialect, so that its meaning is told.
+bool takes(gcode::Code code, char letter);
+
 /// Whether a letter beside a code belongs to it under G43.5 alone: I, J and K of lines.
 bool is_of_tool_vector(gcode::Code code, char letter);
 

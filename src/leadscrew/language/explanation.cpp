@@ -150,7 +150,7 @@ class Explanation {
   static std::string alone(const CodeRow& row) {
     std::string text;
     for (char letter = 'A'; letter <= 'Z'; ++letter) {
-      if (row.words.has(letter)) text += word_line(letter, {}, meaning_of(row.code, letter));
+      if (takes(row.code, letter)) text += word_line(letter, {}, meaning_of(row.code, letter));
     }
     std::string_view rest = example_of(row.code);
     for (std::string_view head = "such as"; !rest.empty(); head = "") {

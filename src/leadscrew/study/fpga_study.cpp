@@ -5,6 +5,7 @@
 #include <leadscrew/study/fpga_cells.hpp>
 #include <leadscrew/study/lattice_path.hpp>
 #include <leadscrew/study/studies.hpp>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -38,22 +39,24 @@ Rows element_rows(const Published& elements, const FpgaCells& cells) {
                       std::to_string(cells.flip_flops) + " flip-flops: hdl/syn/table_1.txt")};
 }
 
+/// Of a size among others: 1 for the least.
+double rank_of(const FpgaCells& cells, std::span<const FpgaCells> among) {
+  return 1.0 + static_cast<double>(
+                   std::ranges::count_if(among, [&](const FpgaCells& other) { return other.logic < cells.logic; }));
+}
+
 /// Sizes themselves are of devices and compilers; their order is of the methods.
 Rows order_rows() {
-  const std::array searches = {point_comparison_cells, improved_least_error_cells, least_error_cells};
-  const auto rank = [&](const FpgaCells& cells, bool with_dda) {
-    const auto is_less = [&](const FpgaCells& other) { return other.logic < cells.logic; };
-    return 1.0 + static_cast<double>(std::ranges::count_if(searches, is_less)) +
-           (with_dda && is_less(dda_cells) ? 1 : 0);
-  };
+  constexpr std::array all = {point_comparison_cells, improved_least_error_cells, least_error_cells, dda_cells};
+  const std::span searches = std::span(all).first(3);
   const auto of_three = [&](const std::string& what, double place, const FpgaCells& cells) {
-    return exact_row(what + ", of the three searches", {"", 0}, tabled(place), rank(cells, false));
+    return exact_row(what + ", of the three searches", {"", 0}, tabled(place), rank_of(cells, searches));
   };
   return under(
       "order of sizes, the least first",
       {of_three("point comparison", 1, point_comparison_cells),
        of_three("improved least error", 2, improved_least_error_cells), of_three("least error", 3, least_error_cells),
-       because(exact_row("DDA, of all four", {"", 0}, tabled(2), rank(dda_cells, true)),
+       because(exact_row("DDA, of all four", {"", 0}, tabled(2), rank_of(dda_cells, all)),
                "theirs is as large as the improved search; ours begins on the X axis and has two adders, no squares")});
 }
 
