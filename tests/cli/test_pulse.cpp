@@ -106,7 +106,7 @@ TEST(Pulse, HasRegistersOfFixedCapacity) {
   };
   EXPECT_EQ(clocks({"--line", "--end", "20000,0"}), 120'000);
   // A turn, 2πq, and a clock or two of each quadrant, which waits for its counters.
-  EXPECT_NEAR(clocks({"--arc", "--start", "10000,0", "--end", "10000,0"}), 753'982, 75);
+  EXPECT_NEAR(clocks({"--arc", "--start", "10000,0", "--end", "10000,0"}), 753'982, 8);
 }
 
 /// With F = 0 inward, as its text has it, point comparison is 1 BLU off.
