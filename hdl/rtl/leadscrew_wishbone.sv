@@ -1,7 +1,7 @@
 // The motion core on Wishbone B4: beside a processor on the same chip.
 module leadscrew_wishbone #(
     parameter int AXES = 3,        // 2 … 7
-    parameter int WIDTH = 24,      // of counts, bits: circles of R < 2^(WIDTH−1)
+    parameter int WIDTH = 24,      // 4 … 30: of counts, bits: circles of R < 2^(WIDTH−1)
     parameter int FEED_WIDTH = 40, // of the feed DDA's remainder: 33 … 62
     parameter int DEPTH_LOG2 = 4,  // the FIFO holds 2^DEPTH_LOG2 commands
     parameter int PAPER_WIDTH = 0  // 4 … 31: the paper's interpolators too, with coordinates of so many bits
