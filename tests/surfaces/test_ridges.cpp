@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "long_seed.hpp"
 #include "patches.hpp"
 #include "ridges.hpp"
 
@@ -24,6 +25,16 @@ struct Effort {
   double mean_in_planes;  ///< of the scallop, at least: the fewer passes, the more of them lie at the range's edges
 };
 constexpr Effort brief{0.04, 3, 3, 0.65}, full{0.01, 10, 7, 0.7};
+
+/// Does the pass after k go through the whole range? Where it is cut by the border at an angle, places at its ends lie farther from it.
+bool is_next_whole(const Machining& machining, const std::vector<Pass>& passes, std::size_t k) {
+  const Pass& next = passes[k + 1];
+  const bool is_u = machining.along == Direction::u;
+  const PassNode &begin = next.nodes.front(), &end = next.nodes.back();
+  const Range& run = is_u ? machining.u : machining.v;
+  const double length = std::abs(is_u ? end.u - begin.u : end.v - begin.v);
+  return next.number == passes[k].number + 1 && length > (run.to - run.from) * (1 - 1e-9);
+}
 
 /// At some places of some passes, the ridge to the next.
 Measured measured(Machining machining, const Effort& effort) {
@@ -122,20 +133,21 @@ TEST(LongRidges, AreNoHigherOnCurvedPatches) {
 }
 
 /// A wavy net with inner knots, steep by no more than the tool can follow.
-SurfaceForm random_form(std::mt19937& random) {
+SurfaceForm random_form(std::mt19937& random, double height = 3) {
   std::uniform_real_distribution<double> unit(0, 1);
   const std::array<int, 2> degrees = {3 + static_cast<int>(2 * unit(random)), 3 + static_cast<int>(2 * unit(random))};
   SurfaceForm form{degrees, {}, {6, 7}, {}};
   for (std::size_t d = 0; d < 2; ++d) form.knots[d] = uniform_knots(form.count[d], degrees[d]);
   for (std::size_t k = 0; k < 42; ++k) {
     const double x = static_cast<double>(k % 6), y = static_cast<double>(k / 6);
-    form.net.push_back({{10 * x + unit(random), 9 * y + unit(random), 3 * unit(random)}, 0.8 + 0.4 * unit(random)});
+    form.net.push_back(
+        {{10 * x + unit(random), 9 * y + unit(random), height * unit(random)}, 0.8 + 0.4 * unit(random)});
   }
   return form;
 }
 
-void on_random_patches(const Effort& effort) {
-  std::mt19937 random(11);
+void on_random_patches(const Effort& effort, unsigned seed) {
+  std::mt19937 random(seed);
   for (int round = 0; round < 6; ++round) {
     Machining machining = test::ball_on(random_form(random));
     machining.cutter = round % 3 == 2 ? Cutter{2, 0.7} : Cutter{2, 2};
@@ -147,10 +159,10 @@ void on_random_patches(const Effort& effort) {
   }
 }
 TEST(Ridges, AreNoHigherOnRandomPatches) {
-  on_random_patches(brief);
+  on_random_patches(brief, 11);
 }
 TEST(LongRidges, AreNoHigherOnRandomPatches) {
-  on_random_patches(full);
+  on_random_patches(full, testing_support::long_seed());
 }
 
 void of_iso_scallop_passes(const Effort& effort) {
@@ -169,6 +181,99 @@ TEST(Ridges, OfIsoScallopPassesAreEverywhereAsHigh) {
 }
 TEST(LongRidges, OfIsoScallopPassesAreEverywhereAsHigh) {
   of_iso_scallop_passes(full);
+}
+
+void of_iso_scallop_passes_that_lean(const Effort& effort) {
+  std::mt19937 random(14);
+  for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random, 1)}) {
+    for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
+      for (const Orientation& orientation : {forward, aside}) {
+        Machining machining = test::ball_on(form);
+        machining.cutter = cutter;
+        machining.orientation = orientation;
+        machining.pattern = Pattern::iso_scallop;
+        const Measured ridges = measured(machining, effort);
+        EXPECT_LE(ridges.most, 1 + 1e-3);
+        EXPECT_GT(ridges.mean, 0.9);
+      }
+    }
+  }
+}
+TEST(Ridges, OfIsoScallopPassesThatLeanAreEverywhereAsHigh) {
+  of_iso_scallop_passes_that_lean(brief);
+}
+TEST(LongRidges, OfIsoScallopPassesThatLeanAreEverywhereAsHigh) {
+  of_iso_scallop_passes_that_lean(full);
+}
+
+/// The greatest ridge, of the height asked for, between passes whose next one is cut by the border, or goes along it, and those
+/// after them.
+double tallest_at_border(const Machining& machining, int places) {
+  std::vector<Pass> passes;
+  Passes made(machining);
+  while (std::optional<Pass> pass = made.next()) {
+    if (!pass->is_link) passes.push_back(*pass);
+  }
+  EXPECT_FALSE(made.failure());
+  const test::Ridges ridges(machining);
+  double most = 0;
+  for (std::size_t k = 0; k + 1 < passes.size(); ++k) {
+    if (k + 2 < passes.size() && is_next_whole(machining, passes, k)) continue;
+    for (int i = 1; i <= places; ++i) {
+      const double height = ridges.height(passes, k, passes[k].nodes.back().t * i / (places + 1));
+      if (std::isfinite(height)) most = std::max(most, height / machining.scallop);
+    }
+  }
+  return most;
+}
+
+/// The neighbour there is the pass along the border, which may be gone the same way: then it has the other side of the tool towards them.
+void of_passes_cut_by_the_border(const Effort& effort, const std::vector<unsigned>& seeds) {
+  for (const unsigned seed : seeds) {
+    std::mt19937 random(seed);
+    const SurfaceForm form = random_form(random, 1);
+    for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
+      for (const Orientation& orientation : {forward, aside}) {
+        Machining machining = test::ball_on(form, 5, 0.04);
+        machining.cutter = cutter;
+        machining.orientation = orientation;
+        machining.pattern = Pattern::iso_scallop;
+        EXPECT_LE(tallest_at_border(machining, 5 * effort.places), 1 + 1e-3) << "seed " << seed;
+      }
+    }
+  }
+}
+TEST(Ridges, OfPassesThatTheBorderCutsAreNoHigher) {
+  of_passes_cut_by_the_border(brief, {17, 22});
+}
+TEST(LongRidges, OfPassesThatTheBorderCutsAreNoHigher) {
+  const unsigned seed = testing_support::long_seed();
+  of_passes_cut_by_the_border(full, {seed, seed + 1, seed + 2, seed + 3});
+}
+
+void of_patterns_that_lean_on_random_patches(const Effort& effort, unsigned seed) {
+  std::mt19937 random(seed);
+  const SurfaceForm form = random_form(random, 1);
+  for (const Pattern pattern : {Pattern::zigzag, Pattern::zig, Pattern::iso_scallop}) {
+    for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
+      for (const Orientation& orientation : {forward, aside}) {
+        Machining machining = test::ball_on(form);
+        machining.cutter = cutter;
+        machining.orientation = orientation;
+        machining.pattern = pattern;
+        const Measured ridges = measured(machining, effort);
+        EXPECT_LE(ridges.most, 1 + 1e-3) << "seed " << seed << ", pattern " << static_cast<int>(pattern);
+        EXPECT_GT(ridges.mean, pattern == Pattern::iso_scallop ? 0.9 : 0.6);
+      }
+    }
+  }
+}
+TEST(Ridges, OfAllPatternsThatLeanAreNoHigher) {
+  of_patterns_that_lean_on_random_patches(brief, 20);
+}
+TEST(LongRidges, OfAllPatternsThatLeanAreNoHigher) {
+  const unsigned seed = testing_support::long_seed();
+  for (unsigned k = 0; k < 4; ++k) of_patterns_that_lean_on_random_patches(full, seed + k);
 }
 
 void of_passes_in_planes(const Effort& effort) {

@@ -7,89 +7,31 @@
 // so smooth that the tip has its curvature. Steps are added to its coefficients: first each that of its own place (Schoenberg's
 // approximation, which does not swing), then times the least of wanted over found along its support, so that no place has more than
 // it may.
+//
+// Tools with an edge that lean get a first guess so. Then the line's reach back is held against the last one's reach on
+// (reach.hpp), and steps grow by the overlap until no gap is left and little overlap. Their guess is what the last two lines gone the
+// same way had, as the lean changes sides with the way.
 
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/numeric/vectors.hpp>
+#include <leadscrew/surfaces/across_spline.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
+#include <leadscrew/surfaces/reach.hpp>
 #include <utility>
 
 namespace leadscrew::surfaces {
 
 namespace {
 
-/// The six polynomials of a uniform B-spline of degree 5 on one of its spans, times 120: powers of x, 0 … 1.
-constexpr std::array<std::array<double, 6>, 6> uniform_quintics = {{{1, -5, 10, -10, 5, -1},
-                                                                    {26, -50, 20, 20, -20, 5},
-                                                                    {66, 0, -60, 0, 30, -10},
-                                                                    {26, 50, 20, -20, -20, 10},
-                                                                    {1, 5, 10, 10, 5, -5},
-                                                                    {0, 0, 0, 0, 0, 1}}};
-
 constexpr std::size_t fewest_spans = 32, most_spans = 512;
-constexpr std::size_t per_span = 2;  // places where steps are found
-
-class UniformSpline : public AcrossFunction {
- public:
-  UniformSpline(const Range& range, std::size_t spans, double value)
-      : range_(range), spans_(spans), coefficients_(spans + 5, value) {}
-
-  numeric::Jet<3> at(double place) const override;
-  std::vector<double> breaks(double from, double to) const override;
-  /// Where the surface has breaks across: crossings of them are breaks too.
-  void cross(std::vector<double> across_breaks) { across_breaks_ = std::move(across_breaks); }
-
-  std::size_t spans() const { return spans_; }
-  std::vector<double>& coefficients() { return coefficients_; }
-  const std::vector<double>& coefficients() const { return coefficients_; }
-  double knot(double index) const {
-    return range_.from + (range_.to - range_.from) * index / static_cast<double>(spans_);
-  }
-
- private:
-  Range range_;
-  std::size_t spans_;
-  std::vector<double> coefficients_;
-  std::vector<double> across_breaks_;
-};
-
-numeric::Jet<3> UniformSpline::at(double place) const {
-  const double scale = static_cast<double>(spans_) / (range_.to - range_.from);
-  const double position = std::clamp((place - range_.from) * scale, 0.0, static_cast<double>(spans_));
-  const std::size_t span = std::min(static_cast<std::size_t>(position), spans_ - 1);
-  const double x = position - static_cast<double>(span);
-  std::array<double, 6> c{};
-  for (std::size_t k = 0; k < 6; ++k) {
-    for (std::size_t i = 0; i < 6; ++i) c[i] += coefficients_[span + k] * uniform_quintics[k][i] / 120;
-  }
-  return {c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5])))),
-          scale * (c[1] + x * (2 * c[2] + x * (3 * c[3] + x * (4 * c[4] + x * 5 * c[5])))),
-          scale * scale * (2 * c[2] + x * (6 * c[3] + x * (12 * c[4] + x * 20 * c[5]))),
-          scale * scale * scale * (6 * c[3] + x * (24 * c[4] + x * 60 * c[5]))};
-}
-
-std::vector<double> UniformSpline::breaks(double from, double to) const {
-  std::vector<double> found;
-  const std::size_t parts = 4 * spans_;
-  double before = at(range_.from).value;
-  for (std::size_t k = 1; k <= parts; ++k) {
-    const double high_end = knot(static_cast<double>(k) / 4), after = at(high_end).value;
-    // Those c with before < c ≤ after, or the other way round.
-    const auto first = std::upper_bound(across_breaks_.begin(), across_breaks_.end(), std::min(before, after));
-    for (auto it = first; it != across_breaks_.end() && *it <= std::max(before, after); ++it) {
-      const double cut = *it;
-      double low = knot(static_cast<double>(k - 1) / 4), high = high_end;
-      for (int round = 0; round < 60; ++round) {
-        const double middle = (low + high) / 2;
-        ((at(middle).value < cut) == (before < cut) ? low : high) = middle;
-      }
-      found.push_back((low + high) / 2);
-    }
-    before = after;
-  }
-  std::erase_if(found, [&](double place) { return !(place > from && place < to); });
-  return found;
-}
+constexpr std::size_t places_per_span = 2;  // where steps are found, at the least
+/// Of reaches: a line may bend as fast as ends of reaches are away from their contacts, or steps found from them do not settle.
+constexpr std::size_t reaches_per_span = 4, fewest_reach_spans = 8;
+constexpr double shortest_reach_span = 1.0 / 3;  // of the radius about which the edge is round
+constexpr int most_step_rounds = 6;
+constexpr double border_margin = 1e-3;       // of what is left to the border, where a line must not go beyond it
+constexpr double least_overlap_gain = 1e-2;  // of a step, below which a line is not moved once more
 
 class IsoScallopLines : public PassLines {
  public:
@@ -97,30 +39,82 @@ class IsoScallopLines : public PassLines {
   std::vector<Line> next(PassLog& log) override;
 
  private:
-  double place(std::size_t sample) const { return spline_.knot(static_cast<double>(sample) / per_span); }
+  double place(std::size_t sample) const {
+    return spline_.knot(static_cast<double>(sample) / static_cast<double>(per_span_));
+  }
   std::vector<StepPlace> steps_on(PassLog& log, const UniformSpline& line) const;
-  UniformSpline fitted(const std::vector<double>& wanted) const;
+  UniformSpline fitted(const std::vector<double>& wanted) const {
+    return spline_below(course_.run(), spline_.spans(), per_span_, wanted);
+  }
   UniformSpline line_at(const UniformSpline& steps, double share) const;
   bool advance(PassLog& log);
+  bool find_by_rule(PassLog& log);
+  std::optional<Reaches> reaches_of(PassLog& log, const UniformSpline& line, double towards) const;
+  std::vector<double> at_samples(const UniformSpline& line) const;
+  double stretch(const std::vector<double>& step, const std::vector<std::optional<double>>& overlap,
+                 const std::vector<double>& limit, std::vector<double>& wanted) const;
+  std::optional<UniformSpline> steps_by_reach(PassLog& log);
+  const std::optional<Reaches>& border_reaches(PassLog& log, bool rises);
+  bool keep_inside(PassLog& log, const Reaches& here, bool rises, const std::vector<double>& left,
+                   std::vector<double>& limit);
+  bool limit_steps(PassLog& log, const Reaches& here, const std::vector<double>& left, const std::vector<double>& step,
+                   std::vector<double>& limit);
   std::vector<Range> parts_inside() const;
   bool is_inside(double at) const { return (course_.last - spline_.at(at).value) * course_.sign_across() > 0; }
 
   Course course_;
   UniformSpline spline_;
-  std::vector<double> wanted_;    // steps told last, at all samples
+  std::size_t per_span_;
+  std::vector<double> wanted_;  // steps told last, at all samples
+  /// Of lines that are gone the same way, by reaches: the last, and the one before.
+  struct Told {
+    std::vector<double> last, before;
+  };
+  std::array<Told, 2> by_reach_;  // gone up and down, as it comes
+  std::array<std::optional<Reaches>, 2>
+      border_;                    // gone down and up, back from the last border, once they are asked for
   std::vector<StepPlace> there_;  // as in LineSteps
   std::size_t told_ = 0;
   bool is_done_ = false;
 };
 
-std::size_t spans_for(const Surface& surface, Direction along) {
+std::size_t spans_of_surface(const Surface& surface, Direction along) {
   return std::clamp(4 * (surface.breaks(along).size() - 1), fewest_spans, most_spans);
+}
+
+/// Of the shortest of three lines, mm.
+double length_along(const Surface& surface, const Course& course) {
+  double least = 1e300;
+  for (const double across : {course.first, (course.first + course.last) / 2, course.last}) {
+    double length = 0;
+    std::optional<Vector> before;
+    for (const double place : places_along(surface, course.along, course.run(), 17)) {
+      const Vector at = course.along == Direction::u ? surface.at(place, across) : surface.at(across, place);
+      if (before) length += numeric::distance(*before, at);
+      before = at;
+    }
+    least = std::min(least, length);
+  }
+  return least;
+}
+
+std::size_t spans_for(const Machining& machining, const Course& course) {
+  const std::size_t spans = spans_of_surface(*machining.surface, course.along);
+  if (!has_reach(machining)) return spans;
+  const double shortest = shortest_reach_span * (machining.cutter.radius - machining.cutter.corner_radius);
+  const double fit = length_along(*machining.surface, course) / shortest;
+  return fit < static_cast<double>(spans) ? std::max(fewest_reach_spans, static_cast<std::size_t>(fit)) : spans;
 }
 
 IsoScallopLines::IsoScallopLines(PassLog& log)
     : course_(course_of(*log.machining, log.machining->along)),
-      spline_(course_.run(), spans_for(*log.machining->surface, course_.along), course_.first) {
+      spline_(course_.run(), spans_for(*log.machining, course_), course_.first),
+      per_span_(places_per_span) {
   const Surface& surface = *log.machining->surface;
+  if (has_reach(*log.machining)) {
+    const std::size_t places = places_per_span * spans_of_surface(surface, course_.along), spans = spline_.spans();
+    per_span_ = std::max(reaches_per_span, (places + spans - 1) / spans);
+  }
   std::vector<double> across = surface.breaks(course_.along == Direction::u ? Direction::v : Direction::u);
   spline_.cross({across.begin() + 1, across.end() - 1});
 }
@@ -130,7 +124,7 @@ std::vector<StepPlace> IsoScallopLines::steps_on(PassLog& log, const UniformSpli
   const Range width = course_.width();
   const double direction = (course_.from < course_.to) == (told_ % 2 == 1) ? 1 : -1;
   std::vector<StepPlace> steps;
-  for (std::size_t k = 0; k <= per_span * spline_.spans(); ++k) {
+  for (std::size_t k = 0; k <= per_span_ * spline_.spans(); ++k) {
     numeric::Jet<3> across = spline.at(place(k));
     across.value = std::clamp(across.value, width.from, width.to);
     const LinePlace line = line_place(course_.along, place(k), direction, across);
@@ -147,31 +141,6 @@ std::vector<StepPlace> IsoScallopLines::steps_on(PassLog& log, const UniformSpli
   return steps;
 }
 
-/// A spline that is no more than wanted anywhere.
-UniformSpline IsoScallopLines::fitted(const std::vector<double>& wanted) const {
-  UniformSpline steps(course_.run(), spline_.spans(), 0);
-  std::vector<double>& c = steps.coefficients();
-  const auto last = static_cast<std::ptrdiff_t>(wanted.size()) - 1;
-  // The coefficient i belongs to the knot i − 2, and reaches three spans to both sides.
-  const auto sample_of = [&](std::size_t i) {
-    return (static_cast<std::ptrdiff_t>(i) - 2) * static_cast<std::ptrdiff_t>(per_span);
-  };
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    c[i] = wanted[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(sample_of(i), 0, last))];
-  }
-  std::vector<double> share;
-  for (std::size_t k = 0; k < wanted.size(); ++k) share.push_back(wanted[k] / steps.at(place(k)).value);
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    const std::ptrdiff_t reach = 3 * static_cast<std::ptrdiff_t>(per_span);
-    const std::ptrdiff_t from = std::max<std::ptrdiff_t>(sample_of(i) - reach, 0),
-                         to = std::min(sample_of(i) + reach, last);
-    double least = 1e300;
-    for (std::ptrdiff_t k = from; k <= to; ++k) least = std::min(least, share[static_cast<std::size_t>(k)]);
-    c[i] *= least;
-  }
-  return steps;
-}
-
 /// The line a share of the steps on.
 UniformSpline IsoScallopLines::line_at(const UniformSpline& steps, double share) const {
   UniformSpline line = spline_;
@@ -181,9 +150,9 @@ UniformSpline IsoScallopLines::line_at(const UniformSpline& steps, double share)
   return line;
 }
 
-/// To the next line: the middle and the next one are found from the steps told last, and the steps from them. Where these are
+/// Steps to the next line: the middle and the next one are found from the steps told last, and the steps from them. Where these are
 /// nearly the same, the places that they come from move too little to change them.
-bool IsoScallopLines::advance(PassLog& log) {
+bool IsoScallopLines::find_by_rule(PassLog& log) {
   const std::vector<StepPlace> here = there_.empty() ? steps_on(log, spline_) : std::exchange(there_, {});
   if (log.failure) return false;
   if (wanted_.empty()) {
@@ -204,15 +173,157 @@ bool IsoScallopLines::advance(PassLog& log) {
     }
     if (is_near && log.machining->cutter.is_ball()) there_ = std::move(there);
   }
-  spline_ = line_at(fitted(wanted_), 1);
+  return true;
+}
+
+/// At all samples inside the border. Of the next line, towards the last one, or of the last towards the next.
+std::optional<Reaches> IsoScallopLines::reaches_of(PassLog& log, const UniformSpline& spline, double towards) const {
+  const Range width = course_.width();
+  const bool rises = (course_.from < course_.to) == (told_ % 2 == 1), is_next = towards != course_.sign_across();
+  std::vector<std::optional<LinePlace>> places;
+  for (std::size_t k = 0; k <= per_span_ * spline_.spans(); ++k) {
+    const numeric::Jet<3> across = spline.at(place(k));
+    places.emplace_back();
+    if (across.value < width.from || across.value > width.to) continue;
+    places.back() = line_place(course_.along, place(k), rises != is_next ? 1 : -1, across);
+  }
+  return reaches_along(log, course_.along, places, towards);
+}
+
+std::vector<double> IsoScallopLines::at_samples(const UniformSpline& line) const {
+  std::vector<double> values;
+  for (std::size_t k = 0; k <= per_span_ * line.spans(); ++k) values.push_back(line.at(place(k)).value);
+  return values;
+}
+
+/// Steps with the overlap added; where that is not known, in the same ratio as at the nearest sample where it is. Returns by how
+/// much they change, of themselves, at the most.
+double IsoScallopLines::stretch(const std::vector<double>& step, const std::vector<std::optional<double>>& overlap,
+                                const std::vector<double>& limit, std::vector<double>& wanted) const {
+  std::vector<std::size_t> known;
+  for (std::size_t k = 0; k < overlap.size(); ++k) {
+    if (overlap[k]) known.push_back(k);
+  }
+  double most = 0;
+  std::size_t nearest = 0;  // of those known
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const auto is_nearer = [&](std::size_t a, std::size_t b) {
+      return (a > k ? a - k : k - a) <= (b > k ? b - k : k - b);
+    };
+    while (nearest + 1 < known.size() && is_nearer(known[nearest + 1], known[nearest])) ++nearest;
+    double ratio = 1;
+    if (!known.empty()) {
+      const std::size_t at = known[nearest];
+      ratio = std::clamp(1 + *overlap[at] / step[at], 0.25, 4.0);
+    }
+    const double found = std::min(step[k] * ratio, limit[k]);
+    most = std::max(most, std::abs(found / wanted[k] - 1));
+    wanted[k] = found;
+  }
+  return most;
+}
+
+const std::optional<Reaches>& IsoScallopLines::border_reaches(PassLog& log, bool rises) {
+  std::optional<Reaches>& reaches = border_[rises ? 1 : 0];
+  if (!reaches) {
+    std::vector<std::optional<LinePlace>> places;
+    for (std::size_t k = 0; k <= per_span_ * spline_.spans(); ++k) {
+      places.emplace_back(line_place(course_.along, place(k), rises ? 1 : -1, course_.last));
+    }
+    reaches = reaches_along(log, course_.along, places, -course_.sign_across());
+  }
+  return reaches;
+}
+
+/// Steps are limited to end short of the border where the line along it, gone this way, leaves a gap to this line's reaches: there the
+/// next line must be between. left: to the border. Returns whether that is so anywhere.
+bool IsoScallopLines::keep_inside(PassLog& log, const Reaches& here, bool rises, const std::vector<double>& left,
+                                  std::vector<double>& limit) {
+  const std::optional<Reaches>& border = border_reaches(log, rises);
+  if (!border) return false;
+  const bool is_u = course_.along == Direction::u;
+  const std::vector<std::optional<double>> overlap = overlaps(course_.along, here, *border, course_.sign_across());
+  bool is_needed = false;
+  for (std::size_t k = 0; k < overlap.size(); ++k) {
+    if (!here[k] || !overlap[k] || *overlap[k] >= -widest_gap * left[k]) continue;
+    is_needed = true;
+    // Reaches end ahead of their contacts or behind: the next line must go on until its own is there.
+    const double ahead = 2 * std::abs((is_u ? (*border)[k]->u : (*border)[k]->v) - place(k));
+    const auto more = 1 + static_cast<std::size_t>(ahead / (place(1) - place(0)));
+    for (std::size_t i = k - std::min(k, more); i <= std::min(k + more, limit.size() - 1); ++i) {
+      if (left[i] > 0) limit[i] = (1 - border_margin) * left[i];
+    }
+  }
+  return is_needed;
+}
+
+/// Where the next line lies beyond the border, the one along the border is this line's neighbour: either the next, which comes back, or
+/// one after some that are cut by the border. Returns whether steps are longer than the limit is now.
+bool IsoScallopLines::limit_steps(PassLog& log, const Reaches& here, const std::vector<double>& left,
+                                  const std::vector<double>& step, std::vector<double>& limit) {
+  std::size_t beyond = 0;
+  for (std::size_t k = 0; k < step.size(); ++k) beyond += step[k] > left[k] ? 1 : 0;
+  if (beyond == 0) return false;
+  const bool rises = (course_.from < course_.to) == (told_ % 2 == 1);
+  if (!keep_inside(log, here, !rises, left, limit) && beyond == step.size()) return false;
+  keep_inside(log, here, rises, left, limit);
+  for (std::size_t k = 0; k < step.size(); ++k) {
+    if (step[k] > limit[k]) return true;
+  }
+  return false;
+}
+
+/// None where a place has no reach.
+std::optional<UniformSpline> IsoScallopLines::steps_by_reach(PassLog& log) {
+  const std::optional<Reaches> here = reaches_of(log, spline_, course_.sign_across());
+  if (!here) return std::nullopt;
+  Told& told = by_reach_[told_ % 2];
+  std::vector<double> wanted = told.last.empty() ? wanted_ : told.last, limit(wanted.size(), 1e300);
+  for (std::size_t k = 0; k < told.before.size(); ++k) {
+    wanted[k] *= std::clamp(wanted[k] / told.before[k], 0.8, 1.25);
+  }
+  std::vector<double> left = at_samples(spline_);
+  for (double& across : left) across = (course_.last - across) * course_.sign_across();
+  std::optional<UniformSpline> taken;
+  for (int round = 0; round < most_step_rounds && !taken; ++round) {
+    const UniformSpline tried = fitted(wanted);
+    const std::vector<double> step = at_samples(tried);
+    const std::optional<Reaches> there = reaches_of(log, line_at(tried, 1), -course_.sign_across());
+    if (!there) return std::nullopt;
+    const std::vector<std::optional<double>> overlap = overlaps(course_.along, *here, *there, course_.sign_across());
+    bool has_gap = false;
+    for (std::size_t k = 0; k < overlap.size(); ++k) {
+      has_gap = has_gap || (overlap[k] && *overlap[k] < -widest_gap * step[k]);
+    }
+    const bool is_over = limit_steps(log, *here, left, step, limit);
+    if (stretch(step, overlap, limit, wanted) < least_overlap_gain && !has_gap && !is_over) taken = tried;
+  }
+  if (!taken) taken = fitted(wanted);
+  told.before = std::exchange(told.last, wanted);
+  return taken;
+}
+
+bool IsoScallopLines::advance(PassLog& log) {
+  const bool is_known = !by_reach_[told_ % 2].last.empty();
+  if (!is_known && !find_by_rule(log)) return false;
+  std::optional<UniformSpline> steps;
+  if (has_reach(*log.machining)) steps = steps_by_reach(log);
+  if (!steps && !log.failure) {
+    if (is_known && !find_by_rule(log)) return false;
+    steps = fitted(wanted_);
+  }
+  if (log.failure) return false;
+  spline_ = line_at(*steps, 1);
   return true;
 }
 
 /// Where the line has not run out at the border, ascending.
 std::vector<Range> IsoScallopLines::parts_inside() const {
   std::vector<Range> parts;
-  const std::size_t count = 2 * per_span * spline_.spans();
-  const auto at = [&](std::size_t k) { return spline_.knot(static_cast<double>(k) / (2 * per_span)); };
+  const std::size_t count = 2 * per_span_ * spline_.spans();
+  const auto at = [&](std::size_t k) {
+    return spline_.knot(static_cast<double>(k) / (2 * static_cast<double>(per_span_)));
+  };
   bool inside = is_inside(at(0));
   double begin = at(0);
   for (std::size_t k = 1; k <= count; ++k) {

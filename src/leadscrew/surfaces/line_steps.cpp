@@ -4,6 +4,7 @@
 #include <cmath>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
+#include <leadscrew/surfaces/reach.hpp>
 #include <leadscrew/surfaces/step_over.hpp>
 #include <utility>
 
@@ -105,8 +106,46 @@ double least_on(const std::vector<double>& places, const std::vector<StepPlace>&
   return least_between(places, line, line, line);
 }
 
-/// The middle and the next line are found from the step, and the step from them.
 double LineSteps::next(PassLog& log, double across, double left, double direction, double towards, double guess) {
+  if (!has_reach(*log.machining)) return by_rule(log, across, left, direction, towards, guess);
+  const double first = guess > 0 ? guess : by_rule(log, across, left, direction, towards, 0);
+  if (log.failure) return 0;
+  if (const std::optional<double> step = by_reach(log, across, left, direction, towards, first)) return *step;
+  return log.failure ? 0 : by_rule(log, across, left, direction, towards, first);
+}
+
+/// The reach of the next line is held against that of this one, and the step grows by the least overlap. In zigzag the next line is gone
+/// back.
+std::optional<double> LineSteps::by_reach(PassLog& log, double across, double left, double direction, double towards,
+                                          double guess) const {
+  const auto reaches = [&](double at, double way, double side) {
+    std::vector<std::optional<LinePlace>> line;
+    for (const double place : places_) line.emplace_back(line_place(along_, place, way, at));
+    return reaches_along(log, along_, line, side);
+  };
+  const std::optional<Reaches> here = reaches(across, direction, towards);
+  const double back = log.machining->pattern == Pattern::zigzag ? -direction : direction;
+  double step = guess;
+  for (int round = 0; round < 6 && here; ++round) {
+    const double tried = std::min(step, left);
+    const std::optional<Reaches> there = reaches(across + towards * tried, back, -towards);
+    if (!there) return std::nullopt;
+    const std::vector<std::optional<double>> overlap = overlaps(along_, *here, *there, towards);
+    std::vector<double> places, steps;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      if (!overlap[k]) continue;
+      places.push_back(places_[k]);
+      steps.push_back(std::max(tried + *overlap[k], tried / 4));
+    }
+    if (places.empty()) return std::nullopt;
+    step = std::min(least_of(places, steps), 4 * tried);
+    if (std::abs(step - tried) < widest_gap * step || (tried == left && step > left)) return step;
+  }
+  return std::nullopt;
+}
+
+/// The middle and the next line are found from the step, and the step from them.
+double LineSteps::by_rule(PassLog& log, double across, double left, double direction, double towards, double guess) {
   const auto steps_at = [&](double at) { return steps_along(log, along_, places_, at, direction, towards); };
   const std::vector<StepPlace> here = there_.empty() ? steps_at(across) : std::exchange(there_, {});
   double step = guess;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/surfaces/pass_lines.hpp>
+#include <leadscrew/surfaces/reach.hpp>
 
 namespace leadscrew::surfaces {
 
@@ -56,7 +57,12 @@ void ParameterLines::find_equal_steps(PassLog& log) {
       const std::vector<StepPlace> steps =
           steps_along(log, course_.along, places, across, direction(number), course_.sign_across());
       if (log.failure) return;
-      least = std::min(least, least_on(places, steps));
+      const double left = std::abs(course_.last - across), by_rule = least_on(places, steps);
+      least = std::min(least, by_rule);
+      if (has_reach(*log.machining) && left >= by_rule) {
+        least = std::min(least, steps_.next(log, across, left, direction(number), course_.sign_across(), by_rule));
+        if (log.failure) return;
+      }
     }
   }
   is_equal_ = true;

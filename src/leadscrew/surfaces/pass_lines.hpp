@@ -71,6 +71,10 @@ class LineSteps {
   double next(PassLog& log, double across, double left, double direction, double towards, double guess);
 
  private:
+  double by_rule(PassLog& log, double across, double left, double direction, double towards, double guess);
+  std::optional<double> by_reach(PassLog& log, double across, double left, double direction, double towards,
+                                 double guess) const;
+
   Direction along_;
   std::vector<double> places_;
   std::vector<StepPlace>
