@@ -8,6 +8,7 @@
 
 #include "../surfaces/patches.hpp"
 #include "bodies.hpp"
+#include "long_seed.hpp"
 #include "ways.hpp"
 
 namespace leadscrew::gouging {
@@ -199,8 +200,8 @@ double deepest_by_sampling(const Tool& tool, const Way& way, const Workpiece& wo
   return -least;
 }
 
-void misses_nothing(int rounds, int samples) {
-  Random random(21);
+void misses_nothing(unsigned seed, int rounds, int samples) {
+  Random random(seed);
   const auto surface = std::make_shared<Surface>(surfaces::test::patch_a());
   const Workpiece workpiece({surface}, tolerance / 4);
   int meets = 0, clear = 0;
@@ -233,10 +234,10 @@ void misses_nothing(int rounds, int samples) {
   EXPECT_GT(clear, rounds / 12);
 }
 TEST(Sweep, MissesNothingOnRandomWays) {
-  misses_nothing(24, 800);
+  misses_nothing(21, 24, 800);
 }
 TEST(LongSweep, MissesNothingOnRandomWays) {
-  misses_nothing(240, 1500);
+  misses_nothing(testing_support::long_seed(), 240, 1500);
 }
 
 }  // namespace test_sweep
