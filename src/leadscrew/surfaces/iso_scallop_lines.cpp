@@ -10,7 +10,8 @@
 //
 // Tools with an edge that lean get a first guess so. Then the line's reach back is held against the last one's reach on
 // (reach.hpp), and steps grow by the overlap until no gap is left and little overlap. Their guess is what the last two lines gone the
-// same way had, as the lean changes sides with the way.
+// same way had, as the lean changes sides with the way. A line may run out at the border only where the pass along the border leaves
+// no gap to the last one.
 
 #include <algorithm>
 #include <cmath>

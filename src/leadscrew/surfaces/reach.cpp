@@ -16,20 +16,20 @@ constexpr double least_sine = 1e-3;                           // of the tool's l
 constexpr double least_turn = 0.02;                           // of c_t × c_φ, of the product of their lengths
 constexpr double widest_angle_step = 0.3;                     // radians, of one round
 constexpr double greatest_angle = 2.8;                        // radians
-constexpr double near_reach_height = 1e-5, near_foot = 1e-4;  // before the last round: of h; mm
+constexpr double near_reach_height = 1e-3, near_foot = 5e-3;  // before the last round, which squares them: of h; mm
 constexpr int most_reach_rounds = 20;
 
 /// The edge of a tool at one place of a line, with what its sweep needs.
 class Edge {
  public:
-  Edge(const Cutter& cutter, const Touch<Jet2>& touch, const Vector& towards) : corner_(cutter.corner_radius) {
-    const Jet2 r = corner_;
-    VectorOf<Jet2> center, first;
+  Edge(const Cutter& cutter, const Touch<Jet1>& touch, const Vector& towards) : corner_(cutter.corner_radius) {
+    const Jet1 r = corner_;
+    VectorOf<Jet1> center, first;
     for (std::size_t k = 0; k < 3; ++k) {
       center[k] = touch.tip[k] + r * touch.axis[k];
       first[k] = touch.contact[k] + r * touch.normal[k] - center[k];
     }
-    VectorOf<Jet2> second = cross_of(touch.axis, first);
+    VectorOf<Jet1> second = cross_of(touch.axis, first);
     for (std::size_t k = 0; k < 3; ++k) normal_[k] = touch.normal[k][0];
     const double sign = second[0][0] * towards[0] + second[1][0] * towards[1] + second[2][0] * towards[2] < 0 ? -1 : 1;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -74,12 +74,12 @@ class Edge {
   Vector center_{}, center_rate_{}, first_{}, first_rate_{}, second_{}, second_rate_{}, normal_{};
 };
 
-/// Beyond its range the surface goes on as the quadric of its border.
+/// The place with both first derivatives. Beyond its range the surface goes on as the quadric of its border.
 SurfaceJet extended_jet(const Surface& surface, double u, double v) {
   const Range us = surface.range(Direction::u), vs = surface.range(Direction::v);
   const double at_u = std::clamp(u, us.from, us.to), at_v = std::clamp(v, vs.from, vs.to), du = u - at_u, dv = v - at_v;
+  if (du == 0 && dv == 0) return surface.jet_of_first_order(u, v);
   SurfaceJet jet = surface.jet_of_second_order(at_u, at_v);
-  if (du == 0 && dv == 0) return jet;
   for (std::size_t k = 0; k < 3; ++k) {
     jet.s[k] += du * (jet.u[k] + du * jet.uu[k] / 2 + dv * jet.uv[k]) + dv * (jet.v[k] + dv * jet.vv[k] / 2);
     jet.u[k] += du * jet.uu[k] + dv * jet.uv[k];
@@ -89,11 +89,10 @@ SurfaceJet extended_jet(const Surface& surface, double u, double v) {
 }
 
 /// Adds to u and v what moves a place of the surface by this in its tangent plane.
-void move_foot(const SurfaceJet& jet, const Vector& by, double& u, double& v) {
-  const double E = dot(jet.u, jet.u), F = dot(jet.u, jet.v), G = dot(jet.v, jet.v), a = dot(jet.u, by),
-               b = dot(jet.v, by), determinant = E * G - F * F;
-  u += (G * a - F * b) / determinant;
-  v += (E * b - F * a) / determinant;
+void move_foot(const SurfaceJet& jet, const Frame& frame, const Vector& by, double& u, double& v) {
+  const double a = dot(jet.u, by), b = dot(jet.v, by), determinant = frame.E * frame.G - frame.F * frame.F;
+  u += (frame.G * a - frame.F * b) / determinant;
+  v += (frame.E * b - frame.F * a) / determinant;
 }
 
 /// Of a tool with an edge that touches at a place of a line. towards: on the surface, to the side; near: of a neighbouring place,
@@ -102,7 +101,7 @@ void move_foot(const SurfaceJet& jet, const Vector& by, double& u, double& v) {
 /// d√H = H′/(2 √H) dφ, H the height of X(φ) above the surface.
 std::optional<ReachEnd> reach_at(const Machining& machining, const SurfaceJet& jet, const LinePlace& place,
                                  const Vector& towards, double height, const std::optional<ReachEnd>& near) {
-  const Touch<Jet2> touch = touch_along(machining, jet, place);
+  const Touch<Jet1> touch = touch_of_first_order(machining, jet, place);
   double cosine = 0;
   for (std::size_t k = 0; k < 3; ++k) cosine += touch.axis[k][0] * touch.normal[k][0];
   if (!(1 - cosine * cosine > least_sine * least_sine)) return std::nullopt;
@@ -124,7 +123,7 @@ std::optional<ReachEnd> reach_at(const Machining& machining, const SurfaceJet& j
       if (end.angle + step <= 0) step = -end.angle / 2;
     }
     const Vector ahead = sum(sum(off, step, point->by_angle), -high - step * rise, frame->n);
-    move_foot(foot, ahead, end.u, end.v);
+    move_foot(foot, *frame, ahead, end.u, end.v);
     end.angle += step;
     if (!(end.angle < greatest_angle)) return std::nullopt;
     const bool is_at = high > 0 && rise > 0 && std::abs(high - height) <= near_reach_height * height;
@@ -140,20 +139,41 @@ bool has_reach(const Machining& machining) {
          machining.orientation.rule == Orientation::Rule::leaned;
 }
 
+namespace {
+
+/// What the next place's reach is expected to be, from its contact, by those of the last two.
+class Expected {
+ public:
+  std::optional<ReachEnd> next() const {
+    if (!last_ || !before_) return last_;
+    return ReachEnd{2 * last_->angle - before_->angle, 2 * last_->u - before_->u, 2 * last_->v - before_->v};
+  }
+  void add(const ReachEnd& end, const LinePlace& place) {
+    before_ = last_;
+    last_ = {end.angle, end.u - place.u.value, end.v - place.v.value};
+  }
+
+ private:
+  std::optional<ReachEnd> last_, before_;
+};
+
+}  // namespace
+
 std::optional<Reaches> reaches_along(PassLog& log, Direction along, const std::vector<std::optional<LinePlace>>& places,
                                      double towards) {
   Reaches reaches;
-  std::optional<ReachEnd> near;
+  reaches.reserve(places.size());
+  Expected expected;
   for (const std::optional<LinePlace>& place : places) {
     reaches.emplace_back();
     if (!place) continue;
     const std::optional<Contact> contact = contact_at(log, *place);
     if (!contact) return std::nullopt;
     const Vector side = sum(Vector{}, towards, along == Direction::u ? contact->jet.v : contact->jet.u);
-    reaches.back() = reach_at(*log.machining, contact->jet, *place, side, log.machining->scallop, near);
+    const double height = log.machining->scallop;
+    reaches.back() = reach_at(*log.machining, contact->jet, *place, side, height, expected.next());
     if (!reaches.back()) return std::nullopt;
-    near = reaches.back();
-    near->u -= place->u.value, near->v -= place->v.value;
+    expected.add(*reaches.back(), *place);
   }
   return reaches;
 }

@@ -180,4 +180,8 @@ SurfaceJet Surface::jet_of_second_order(double u, double v) const {
   return jet_of<2>(u, v);
 }
 
+SurfaceJet Surface::jet_of_first_order(double u, double v) const {
+  return jet_of<1>(u, v);
+}
+
 }  // namespace leadscrew::surfaces

@@ -95,6 +95,8 @@ class Surface {
   SurfaceJet jet(double u, double v) const;
   /// The third derivatives are 0: curvature needs none of them.
   SurfaceJet jet_of_second_order(double u, double v) const;
+  /// All but the first are 0.
+  SurfaceJet jet_of_first_order(double u, double v) const;
 
  private:
   static constexpr std::size_t most_terms = highest_degree + 1;

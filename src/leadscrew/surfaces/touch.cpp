@@ -26,6 +26,20 @@ Touch<Jet2> touch_along(const Machining& machining, const SurfaceJet& jet, const
   return touch_of(machining, contact, by_u, by_v, along);
 }
 
+Touch<Jet1> touch_of_first_order(const Machining& machining, const SurfaceJet& jet, const LinePlace& place) {
+  const double u1 = place.u[1], u2 = place.u[2], v1 = place.v[1], v2 = place.v[2];
+  VectorOf<Jet1> contact, by_u, by_v, along;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double u_rate = jet.uu[k] * u1 + jet.uv[k] * v1, v_rate = jet.uv[k] * u1 + jet.vv[k] * v1;
+    const double first = jet.u[k] * u1 + jet.v[k] * v1;
+    contact[k].derivative = {jet.s[k], first};
+    along[k].derivative = {first, u_rate * u1 + v_rate * v1 + jet.u[k] * u2 + jet.v[k] * v2};
+    by_u[k].derivative = {jet.u[k], u_rate};
+    by_v[k].derivative = {jet.v[k], v_rate};
+  }
+  return touch_of(machining, contact, by_u, by_v, along);
+}
+
 Touch<double> touch_at(const Machining& machining, const SurfaceJet& jet, const LinePlace& place) {
   Vector along;
   for (std::size_t k = 0; k < 3; ++k) along[k] = jet.u[k] * place.u[1] + jet.v[k] * place.v[1];

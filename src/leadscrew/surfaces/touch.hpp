@@ -10,6 +10,7 @@
 
 namespace leadscrew::surfaces {
 
+using Jet1 = numeric::Jet<1>;
 using Jet2 = numeric::Jet<2>;
 
 /// u and v of a line, by the line's parameter.
@@ -53,6 +54,8 @@ Touch<T> touch_of(const Machining& machining, const VectorOf<T>& contact, const 
 
 /// With two derivatives by the line's parameter.
 Touch<Jet2> touch_along(const Machining& machining, const SurfaceJet& jet, const LinePlace& place);
+/// With one, of a jet of second order.
+Touch<Jet1> touch_of_first_order(const Machining& machining, const SurfaceJet& jet, const LinePlace& place);
 /// The place alone.
 Touch<double> touch_at(const Machining& machining, const SurfaceJet& jet, const LinePlace& place);
 
