@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "interventions.hpp"
 #include "live_program.hpp"
 #include "random_program.hpp"
-#include "worst_ratios.hpp"
 
 // Programs that change what of the overrides is obeyed (M48 to M50, M52, M53), overridden, held and kept waiting at any
 // instant: still no limit exceeded, never off the path, at rest at the end, and what is obeyed is what the events say
@@ -17,13 +17,12 @@ namespace test_overrides {
 
 using namespace leadscrew;
 using testing_support::any;
-using testing_support::Intervention;
+using testing_support::expect_kept;
 using testing_support::limits_of;
 using testing_support::LiveProgram;
+using testing_support::random_interventions;
 using testing_support::random_machine;
 using testing_support::RandomProgram;
-using testing_support::worst_judged;
-using testing_support::worst_planned;
 
 constexpr std::int64_t most_ticks = 6'000;
 
@@ -54,31 +53,6 @@ std::vector<base::Event> programmed_events(const std::string& text, const machin
   return events;
 }
 
-std::vector<Intervention> random_interventions(int ticks) {
-  std::vector<Intervention> interventions;
-  std::int64_t at = 0;
-  const int count = any(1, 8);
-  for (int k = 0; k < count; ++k) {
-    at += any(0, 1 + 2 * ticks / count);
-    const double factor = *rc::gen::element(0.0, 0.0, 0.01, 0.3, 0.5, 1.0, 1.3, 2.0);
-    interventions.push_back({at, factor, *rc::gen::element<std::int64_t>(0, 0, 0, 15, 45, 300)});
-  }
-  interventions.push_back({at + any(0, 300), 1.0, 0});
-  for (const Intervention& each : interventions) {
-    RC_LOG() << "tick " << each.tick << " factor " << each.factor << " silent " << each.silence << '\n';
-  }
-  return interventions;
-}
-
-void expect_kept(LiveProgram& live) {
-  const referee::Verdict verdict = live.conclude();
-  RC_ASSERT(worst_planned(live.plan()) <= 1 + 1e-9);
-  RC_ASSERT(worst_judged(verdict) <= 1.001);
-  RC_ASSERT(verdict.deviation_mm <= verdict.tolerance_mm + 1e-6);
-  RC_ASSERT(verdict.end_error_mm <= 1e-9);
-  for (const base::Word& word : live.words) RC_ASSERT(word.feed >= -1e-6);  // never back
-}
-
 RC_GTEST_PROP(Overrides, KeepEveryLimitWhateverIsObeyed, ()) {
   machine::Machine machine = random_machine();
   machine.period = {1'000'000};
@@ -90,7 +64,7 @@ RC_GTEST_PROP(Overrides, KeepEveryLimitWhateverIsObeyed, ()) {
     if (whole.run({}, most_ticks)) ticks = whole.words.size();
   }
   RC_LOG() << text << limits_of(machine);
-  const auto interventions = random_interventions(static_cast<int>(*ticks));
+  const auto interventions = random_interventions(*ticks);
   LiveProgram live(text, machine);
   RC_ASSERT(live.run(interventions, 100 * most_ticks));
   expect_kept(live);

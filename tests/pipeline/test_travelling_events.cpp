@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interventions.hpp"
 #include "live_program.hpp"
 #include "motion_with_events.hpp"
 #include "random_program.hpp"
@@ -246,17 +247,7 @@ void keep_events_under_interventions(int blocks) {
   RC_LOG() << text << testing_support::limits_of(machine);
   LiveProgram whole(text, machine);
   if (!whole.run({}, 8'000)) return;
-  std::vector<Intervention> interventions;
-  std::int64_t at = 0;
-  const int ticks = static_cast<int>(whole.words.size()), count = any(1, 8);
-  for (int k = 0; k < count; ++k) {
-    at += any(0, 1 + 2 * ticks / count);
-    interventions.push_back(
-        {at, *rc::gen::element(0.0, 0.0, 0.3, 0.5, 1.0, 2.0), *rc::gen::element<std::int64_t>(0, 0, 15, 45, 300)});
-    RC_LOG() << "tick " << at << " factor " << interventions.back().factor << " silent " << interventions.back().silence
-             << '\n';
-  }
-  interventions.push_back({at + any(0, 300), 1.0, 0});
+  const std::vector<Intervention> interventions = testing_support::random_interventions(whole.words.size());
   LiveProgram live(text, machine);
   RC_ASSERT(live.run(interventions, 800'000));
   RC_ASSERT(live.diagnostics == 0);

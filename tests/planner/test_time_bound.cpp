@@ -152,6 +152,21 @@ TEST(TimeBound, OfACircleInPiecesIsThatOfTheWhole) {
   EXPECT_NEAR(bound(pieces, mill(1000)), bound({whole}, mill(1000)), 1e-4);
 }
 
+/// The greater speed is reached, and left, within a small part of the first of a curve's intervals.
+TEST(TimeBound, OfACurveWhoseFeedJumpsIsThatOfItsFeeds) {
+  const double half = 3.141592653589793;
+  std::vector<toolpath::Element> circle;
+  double expected = 0;
+  geometry::Point at{};
+  for (const double feed : {0.04, 0.1, 0.04}) {
+    const auto arc = arc_piece(at, 1, 0, half, feed);
+    at = geometry::end(arc.curve);
+    circle.push_back(arc);
+    expected += half / feed;
+  }
+  EXPECT_NEAR(bound(circle, mill(300)), expected, 1e-3);
+}
+
 RC_GTEST_PROP(TimeBound, IsNeverAboveAJerkLimitedMotion, ()) {
   std::vector<toolpath::Element> path;
   geometry::Point at{};

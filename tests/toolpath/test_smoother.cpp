@@ -13,8 +13,9 @@ namespace test_smoother {
 
 /// Places along a curve, in mm, so dense that their chords are off by no more than a few thousandths of the tolerance.
 void append_places(Polyline& places, const geometry::Curve& curve, double tolerance) {
-  std::vector<double> borders = geometry::breaks(curve);
-  borders.insert(borders.begin(), 0);
+  const auto breaks = geometry::breaks(curve);
+  std::vector<double> borders{0};
+  borders.insert(borders.end(), breaks.begin(), breaks.end());
   borders.push_back(geometry::length(curve));
   int count = 1;
   if (const auto* arc = std::get_if<geometry::Arc>(&curve)) {

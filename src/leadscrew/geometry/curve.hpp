@@ -18,6 +18,7 @@
 #include <leadscrew/geometry/nurbs.hpp>
 #include <leadscrew/geometry/point.hpp>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -55,10 +56,11 @@ inline Rates rates(const Curve& curve, double s, std::size_t first) {
 inline PointJet jets(const Curve& curve, double s) {
   return geometry::visit([&](const auto& kind) { return kind.jets(s); }, curve);
 }
-/// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.
-inline std::vector<double> breaks(const Curve& curve) {
+/// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous. Valid as long as
+/// the curve.
+inline std::span<const double> breaks(const Curve& curve) {
   const auto* nurbs = std::get_if<Nurbs>(&curve);
-  return nurbs ? nurbs->breaks() : std::vector<double>();
+  return nurbs ? nurbs->breaks() : std::span<const double>();
 }
 /// Coordinates that differ.
 base::AxisSet moving(const Point& start, const Point& end);

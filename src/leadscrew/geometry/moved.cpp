@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/geometry/nurbs_table.hpp>
+#include <span>
 
 namespace leadscrew::geometry {
 
@@ -103,7 +104,8 @@ Nurbs Nurbs::moved(const RigidMotion& motion) const {
     table->records.insert(table->records.end(), numbers, numbers + kept);
     add_turned(from, numbers, start_, motion, *table);
   }
-  table->breaks = breaks();
+  const std::span<const double> jumps = breaks();
+  table->breaks.assign(jumps.begin(), jumps.end());
 
   Nurbs moved = *this;
   moved.first_record_ = moved.first_break_ = 0;

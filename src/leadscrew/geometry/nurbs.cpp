@@ -4,6 +4,7 @@
 #include <leadscrew/geometry/nurbs_table.hpp>
 #include <leadscrew/geometry/rational.hpp>
 #include <leadscrew/numeric/bisection.hpp>
+#include <span>
 #include <type_traits>
 
 namespace leadscrew::geometry {
@@ -270,13 +271,10 @@ PointJet Nurbs::jets_at(double u) const {
   return record_jets(*table_, record, x, start_);
 }
 
-std::vector<double> Nurbs::breaks() const {
-  std::vector<double> inside;
-  for (std::uint32_t i = 0; i < break_count_; ++i) {
-    const double s = table_->breaks[first_break_ + i];
-    if (s > 0 && s < length_) inside.push_back(s);
-  }
-  return inside;
+std::span<const double> Nurbs::breaks() const {
+  const std::span all(table_->breaks.data() + first_break_, break_count_);
+  const auto first = std::ranges::upper_bound(all, 0.0), last = std::ranges::lower_bound(all, length_);
+  return first < last ? std::span(first, last) : std::span<const double>();
 }
 
 void Nurbs::append_shape(std::vector<double>& numbers) const {

@@ -20,6 +20,7 @@
 #include <leadscrew/geometry/point.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace leadscrew::geometry {
@@ -83,8 +84,8 @@ class Nurbs {
   double last_parameter() const { return last_parameter_; }
 
   /// Arc lengths inside (0, length), ascending, where q‴ has a step or a bend: knots at which the B-spline is only C2
-  /// or C3.
-  std::vector<double> breaks() const;
+  /// or C3. Valid as long as the curve.
+  std::span<const double> breaks() const;
   /// As geometry::append_shape() has it.
   void append_shape(std::vector<double>& numbers) const;
   /// What lies between two arc lengths, 0 ≤ from < to ≤ length. There its table is exact, as it is where its pieces

@@ -96,12 +96,6 @@ class Peaks {
   LimitRatios jumping_;  ///< of what does not run smoothly
 };
 
-/// The time at which the segment passes a place inside it.
-double time_at(const Segment& segment, double s) {
-  const auto is_before = [&](double t) { return evaluate(segment, t).s < s; };
-  return numeric::bisect(0, segment.duration.value(), 200, is_before, 1e-16).to;
-}
-
 /// The same polynomial from a later time on.
 Segment later(const Segment& segment, double t) {
   Segment rest = segment;
@@ -240,15 +234,18 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
     const SeenPlace seen = look_at(piece, at.s, k == 0 ? Side::right : Side::left);
     peaks.look(constraints, seen.at_feed(feed_factor), at, turns(seen.jet) ? between_looks : 1);
   }
-  // Where pieces meet inside the segment, on both sides: one may be too short for any of the looks.
+  // Where pieces meet inside the segment, or q‴ jumps, on both sides: one may be too short for any of the looks.
   LimitRatios ratios = peaks.greatest();
-  for (std::size_t p = first + 1; p <= last; ++p) {
-    const double s = section.offset(p);
+  const auto look_on_both_sides = [&](double s, std::size_t before_it, std::size_t behind_it) {
     const PathState at = evaluate(segment, time_at(segment, s));
-    for (const Side side : {Side::left, Side::right}) {
-      const SeenPlace seen = look_at(side == Side::left ? p - 1 : p, s, side);
-      constraints.raise(seen.at_feed(feed_factor), rates(at), ratios);
-    }
+    constraints.raise(look_at(before_it, s, Side::left).at_feed(feed_factor), rates(at), ratios);
+    constraints.raise(look_at(behind_it, s, Side::right).at_feed(feed_factor), rates(at), ratios);
+  };
+  for (std::size_t p = first; p <= last; ++p) {
+    if (p > first) look_on_both_sides(section.offset(p), p - 1, p);
+    const double offset = section.offset(p);
+    for (const double s : section.piece(p).axes().breaks(segment.s0.value() - offset, end - offset))
+      look_on_both_sides(offset + s, p, p);
   }
   const machine::Derivatives greatest = ratios.by_derivative();
   constexpr double rounding = 1e-9;

@@ -30,10 +30,15 @@ void raise_limit_ratios(const Chunk& chunk, const constraints::Constraints& cons
     if (segment.state == base::MotionState::rest) continue;
     const toolpath::AxisPath axes = chunk.pieces[segment.piece].axes();
     const int count = looks(axes, segment);
-    for (int k = 0; k <= count; ++k) {
-      const PathState at = evaluate(segment, segment.duration.value() * k / count);
-      const geometry::PointJet jet = one_sided_jets(axes, at.s, k == 0 ? Side::right : Side::left);
+    const auto look = [&](double time, Side side) {
+      const PathState at = evaluate(segment, time);
+      const geometry::PointJet jet = one_sided_jets(axes, at.s, side);
       constraints.raise({jet, no_feed}, rates(at), ratios);
+    };
+    const double duration = segment.duration.value();
+    for (int k = 0; k <= count; ++k) look(duration * k / count, k == 0 ? Side::right : Side::left);
+    for (const double s : axes.breaks(segment.s0.value(), evaluate(segment, duration).s)) {
+      for (const Side side : {Side::left, Side::right}) look(time_at(segment, s), side);
     }
   }
 }

@@ -10,8 +10,8 @@ constexpr constraints::PathRates rates(const PathState& at) {
   return {at.speed, at.acceleration, at.jerk};
 }
 
-/// Of a chunk's motion, at both ends of every segment, and inside where curvature couples path and time; feed left out,
-/// which may have been overridden. Raises `ratios` where it is larger.
+/// Of a chunk's motion, at both ends of every segment, inside where curvature couples path and time, and on both sides
+/// of where q‴ jumps; feed left out, which may have been overridden. Raises `ratios` where it is larger.
 void raise_limit_ratios(const Chunk& chunk, const constraints::Constraints& constraints,
                         constraints::LimitRatios& ratios);
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <leadscrew/numeric/bisection.hpp>
 #include <leadscrew/planner/motion.hpp>
 
 namespace leadscrew::planner {
@@ -42,6 +43,11 @@ PathState evaluate(const Segment& segment, double tau) {
       .acceleration = 2 * c2 + tau * (6 * c3 + tau * (12 * c4 + tau * 20 * c5)),
       .jerk = 6 * c3 + tau * (24 * c4 + tau * 60 * c5),
   };
+}
+
+double time_at(const Segment& segment, double s) {
+  const auto is_before = [&](double t) { return evaluate(segment, t).s < s; };
+  return numeric::bisect(0, segment.duration.value(), 200, is_before, 1e-16).to;
 }
 
 }  // namespace leadscrew::planner

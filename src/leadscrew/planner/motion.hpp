@@ -45,6 +45,8 @@ struct PathState {
 };
 /// At τ, seconds.
 PathState evaluate(const Segment& segment, double tau);
+/// The time, seconds since it began, at which the segment passes a place inside it, of its piece's length.
+double time_at(const Segment& segment, double s);
 
 /// Speed and acceleration that count as rest, units/s and units/s²: any usual jerk leads beyond them within
 /// nanoseconds.

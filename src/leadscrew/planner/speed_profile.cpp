@@ -18,7 +18,7 @@ double smooth_share(double u) {
 bool is_of_tip(const Section& section, const Knots& knots) {
   const std::size_t last = section.piece_at(knots.s.back(), Side::left);
   for (std::size_t p = section.piece_at(knots.s.front(), Side::right); p <= last; ++p) {
-    if (section.piece(p).transformation) return true;
+    if (section.piece(p).is_of_tip) return true;
   }
   return false;
 }

@@ -133,7 +133,7 @@ class SpeedProfile {
   std::vector<double> far_inside_;  ///< coefficients to retreat to
   SpeedGoal goal_;                  ///< creep, once descended to
   bool too_fast_ = false;
-  bool is_of_tip_ = false;  ///< does any of its pieces have a transformation?
+  bool is_of_tip_ = false;  ///< is any of its pieces under tool centre point control?
   int newton_steps_ = 0;
 };
 

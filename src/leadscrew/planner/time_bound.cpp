@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <leadscrew/planner/time_bound.hpp>
 #include <leadscrew/planner/tuning.hpp>
@@ -33,6 +34,13 @@ double finest_step(const geometry::PointJet& jet, base::AxisSet moving) {
   }
   const double by_turn = second > 0 ? finest_turn / second : infinity;
   return third > 0 ? std::min(by_turn, std::sqrt(finest_turn / third)) : by_turn;
+}
+
+/// Is the time at these greatest squares of speed, at both ends and in the middle, that by the mean of the ends?
+bool is_told_by_ends(double x_begin, double x_middle, double x_end) {
+  const double begin = std::sqrt(x_begin), middle = std::sqrt(x_middle), end = std::sqrt(x_end);
+  const double by_ends = 2 / (begin + end), by_three = (1 / begin + 4 / middle + 1 / end) / 6;
+  return !(std::abs(by_ends - by_three) > finest_time * by_three);
 }
 
 }  // namespace
@@ -84,7 +92,7 @@ void TimeBound::add_curved(const toolpath::Piece& piece, bool ends_at_rest) {
   const toolpath::AxisPath axes = piece.axes();
   const base::AxisSet moving = axes.moving();
   const double length = axes.length();
-  const std::vector<double> breaks = axes.breaks();
+  const std::span<const double> breaks = axes.breaks();
   auto stop_at = breaks.begin();
   double s = 0;
   geometry::PointJet here = axes.jets(0);
@@ -108,11 +116,23 @@ void TimeBound::add_curved(const toolpath::Piece& piece, bool ends_at_rest) {
       here = axes.jets(s_next);
       step_here = finest_step(here, moving);
     }
+    double x_next = velocity_limit(s_next, here, piece);
+    geometry::PointJet middle = axes.jets((s + s_next) / 2);
+    // And where feed is counted by what changes along the curve.
+    for (int halving = 0; piece.feed_axes != toolpath::FeedAxes::none && halving < most_halvings; ++halving) {
+      const double x_middle = velocity_limit((s + s_next) / 2, middle, piece);
+      if (is_told_by_ends(x_here, x_middle, x_next)) break;
+      s_next = s + (s_next - s) / 2;
+      here = middle;
+      step_here = finest_step(here, moving);
+      x_next = x_middle;
+      middle = axes.jets((s + s_next) / 2);
+    }
     Interval& interval = waiting_.emplace_back();
     interval.length = s_next - s;
     interval.x_max = x_here;
-    interval.x_end_max = x_here = velocity_limit(s_next, here, piece);
-    add_rows(axes.jets((s + s_next) / 2), interval);
+    interval.x_end_max = x_here = x_next;
+    add_rows(middle, interval);
     settle_first_half();
     s = s_next;
     if (stop_at != breaks.end() && s >= *stop_at) ++stop_at;
@@ -189,26 +209,44 @@ double TimeBound::greatest_start(const Interval& interval, double x_end) {
 }
 
 double TimeBound::greatest_end(const Interval& interval, double x_begin) {
-  if (interval.is_straight()) {
-    return std::min(interval.x_end_max, x_begin + 2 * interval.straight_b * interval.length);
-  }
-  double b = infinity;
-  for (std::size_t i = 0; i < interval.row_count; ++i) {
-    const AccelerationBound& row = interval.rows[i];
-    b = std::min(b, row.limit - row.by_x * x_begin);
-  }
-  return std::clamp(x_begin + 2 * interval.length * b, 0.0, interval.x_end_max);
+  const double up = greatest_slopes(interval, x_begin, 0).up;
+  return std::clamp(x_begin + interval.length * up, 0.0, interval.x_end_max);
 }
 
-/// On a straight interval speed rises to a peak below the limit, stays there, and falls; else b is constant.
+/// x rises from one knot as fast as accelerations allow, stays below the line between the greatest at both knots, and falls to
+/// the other: the lowest of three straight lines. Where feed jumps at a knot that takes next to nothing of the interval.
 double TimeBound::duration(const Interval& interval, double x_begin, double x_end) {
-  const double v_begin = std::sqrt(x_begin), v_end = std::sqrt(x_end);
-  if (!interval.is_straight()) return 2 * interval.length / (v_begin + v_end);
-  const double b = interval.straight_b;
-  const double peak = std::min(interval.x_max, (x_begin + x_end) / 2 + b * interval.length);
-  const double cruise = std::max(0.0, interval.length - (2 * peak - x_begin - x_end) / (2 * b));
-  const double v_peak = std::sqrt(peak);
-  return std::max(0.0, 2 * v_peak - v_begin - v_end) / b + cruise / v_peak;
+  const double length = interval.length, chord = (x_end - x_begin) / length;
+  const auto [up, down] = greatest_slopes(interval, x_begin, x_end);
+  const double rise = std::max(up, chord), fall = std::max(down, -chord);
+  const double top = (interval.x_end_max - interval.x_max) / length, x_fall = x_end + fall * length;
+  const auto x_at = [&](double s) {
+    return std::min({x_begin + rise * s, interval.x_max + top * s, x_end + fall * (length - s)});
+  };
+  // Where two of the lines cross.
+  std::array<double, 5> places{0, (interval.x_max - x_begin) / (rise - top), (x_fall - interval.x_max) / (top + fall),
+                               (x_fall - x_begin) / (rise + fall), length};
+  for (double& place : places) place = std::isfinite(place) ? std::clamp(place, 0.0, length) : 0;
+  std::ranges::sort(places);
+  double seconds = 0, v = std::sqrt(x_begin);
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const double distance = places[k] - places[k - 1], v_next = std::sqrt(std::max(x_at(places[k]), 0.0));
+    if (v + v_next > 0) seconds += 2 * distance / (v + v_next);
+    v = v_next;
+  }
+  return seconds;
+}
+
+/// Of x by s, at the first knot where it rises and at the second where it falls.
+TimeBound::Slopes TimeBound::greatest_slopes(const Interval& interval, double x_begin, double x_end) {
+  if (interval.is_straight()) return {2 * interval.straight_b, 2 * interval.straight_b};
+  Slopes slopes{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  for (std::size_t i = 0; i < interval.row_count; ++i) {
+    const AccelerationBound& row = interval.rows[i];
+    slopes.up = std::min(slopes.up, 2 * (row.limit - row.by_x * x_begin));
+    slopes.down = std::min(slopes.down, 2 * (row.limit + row.by_x * x_end));
+  }
+  return slopes;
 }
 
 }  // namespace leadscrew::planner

@@ -10,8 +10,8 @@
 //   backward  K_i = the greatest x at knot i from which knot i+1 can be reached with x ≤ K_{i+1}
 //   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x_i, at most K_{i+1}
 //
-// with b constant between knots and the limits kept at both ends of each interval. On lines that is exact with one
-// interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it.
+// with b constant between knots and the limits kept at both ends of each interval; time is that of the fastest way between the
+// two speeds, b as great as it may be at either knot. On lines that is exact with one interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it.
 
 #include <array>
 #include <cstddef>
@@ -61,6 +61,10 @@ class TimeBound {
   void settle(std::size_t count, double x_beyond);
   static double greatest_start(const Interval& interval, double x_end);
   static double greatest_end(const Interval& interval, double x_begin);
+  struct Slopes {
+    double up = 0, down = 0;
+  };
+  static Slopes greatest_slopes(const Interval& interval, double x_begin, double x_end);
   static double duration(const Interval& interval, double x_begin, double x_end);
   double velocity_limit(double s, const geometry::PointJet& jet, const toolpath::Piece& piece) const;
   void add_rows(const geometry::PointJet& middle, Interval& interval) const;

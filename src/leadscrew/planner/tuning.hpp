@@ -178,6 +178,7 @@ inline constexpr double dense_steps = 1 + 1e-3;    // where there are so many th
 namespace bound {
 inline constexpr std::size_t most_waiting = 2048;  // intervals
 inline constexpr double finest_turn = 0.005;       // rad, of a curve between knots; and change of curvature times step
+inline constexpr double finest_time = 1e-5;        // of the time between knots, by which the mean of speeds may be off
 inline constexpr int fewest_intervals = 32;        // of a curve
 inline constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
 inline constexpr int most_halvings = 20;

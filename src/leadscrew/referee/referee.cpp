@@ -156,7 +156,10 @@ class Referee::Implementation {
     const double before = metric.distance(point(position_), end);
     if (before <= near * step + beside && section_->stops.is_rest(metric.point(position_), metric.point(position)))
       section_->has_rested = true;
-    return section_->has_rested && (metric.distance(here, end) >= before || !section_->matcher.is_on_last_piece(here));
+    const double distance = metric.distance(here, end);
+    // Held a little before the end it may yet go on.
+    const bool stays = distance == before && distance > section_->source.end_tolerance() + nanometre + beside;
+    return section_->has_rested && ((distance >= before && !stays) || !section_->matcher.is_on_last_piece(here));
   }
 
   void observe_finite(const base::AxisVector& position, std::optional<double> planned_feed) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <leadscrew/toolpath/axis_path.hpp>
 
@@ -21,6 +22,14 @@ base::AxisSet AxisPath::moving() const {
   // A table that is turned takes each of X, Y and Z in the workpiece into all three.
   for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) moving.insert(axis);
   return moving;
+}
+
+std::span<const double> AxisPath::breaks(double from, double to) const {
+  const std::span all = breaks();
+  const double rounding = 1e-12 * length();
+  const auto first = std::ranges::upper_bound(all, from + rounding),
+             last = std::ranges::lower_bound(all, to - rounding);
+  return first < last ? std::span(first, last) : std::span<const double>();
 }
 
 std::size_t AxisPath::borders(double from, double to) const {

@@ -11,6 +11,7 @@
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/kinematics/transformation.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace leadscrew::toolpath {
@@ -34,7 +35,10 @@ class AxisPath {
   /// Positions and three derivatives by path length.
   geometry::PointJet jets(double s) const { return axes_of(geometry::jets(curve_, s)); }
   /// Path lengths strictly inside, increasing, at which the third derivative jumps; the first two are continuous.
-  std::vector<double> breaks() const { return geometry::breaks(curve_); }
+  /// Valid as long as the path's curve.
+  std::span<const double> breaks() const { return geometry::breaks(curve_); }
+  /// Those of them between two path lengths, from which they are farther than rounding, 1e-12 of the path's length.
+  std::span<const double> breaks(double from, double to) const;
   /// How many polynomials there are from one path length to another, 0 ≤ from ≤ to ≤ length, less one: between two of
   /// them derivatives may have peaks anywhere. A part of a turn counts as one more.
   std::size_t borders(double from, double to) const;

@@ -191,6 +191,7 @@ void Builder::take_settled(std::optional<Blending>& blending) {
 /// Where no rotary axis turns, a curve of the tip is one of the axes. Of what corners leave of a move that is hardly one, the axes
 /// may round to none.
 void Builder::settle_piece(Piece piece) {
+  piece.is_of_tip = transformation_ != nullptr;
   if (transformation_) {
     auto curve = piece.feed_axes == FeedAxes::contact ? std::nullopt : standing_curve(*transformation_, piece.curve);
     if (curve) {

@@ -76,6 +76,8 @@ struct Piece {
   /// Between the curve's coordinates, those of the tool's tip and the rotary axes, and the machine's axes; none: they are
   /// the same.
   std::shared_ptr<const kinematics::Transformation> transformation{};
+  /// Under tool centre point control, also where no rotary axis turns and there is no transformation.
+  bool is_of_tip = false;
   /// By which feed is counted where feed_axes says so: the curve is a Nurbs then.
   std::shared_ptr<const ContactRate> contact{};
 

@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <leadscrew/planner/emission.hpp>
+#include <leadscrew/planner/limit_ratios.hpp>
+#include <random_numbers.hpp>
+
+#include "random_section.hpp"
+
+// The proof that a motion keeps its limits, against every ten-thousandth of it.
+
+namespace test_emission {
+
+using namespace leadscrew;
+using testing_support::any;
+using testing_support::logarithmic;
+
+/// A cubic B-spline: its third derivative jumps at every knot.
+planner::Section cubic_spline() {
+  geometry::NurbsForm form;
+  form.degree = 3;
+  const int points = any(6, 12);
+  for (int k = 0; k < points; ++k) {
+    geometry::Point point{};
+    point[0] = 5 * k;
+    for (const std::size_t i : {1, 2}) point[i] = any(-500, 501) / 100.0;
+    form.points.push_back(point);
+  }
+  for (int k = 0; k < points + 4; ++k) form.knots.push_back(std::clamp(k - 3, 0, points - 3));
+  planner::Section section;
+  for (const geometry::Nurbs& piece : geometry::smooth_pieces(form)) section.append({piece, 100, {}});
+  return section;
+}
+
+/// A stop may pass knots at which the third derivative jumps, anywhere between the places that the proof looks at.
+RC_GTEST_PROP(Proof, SeesJumpsOfTheThirdDerivative, ()) {
+  const planner::Section section = cubic_spline();
+  const machine::Machine machine = testing_support::random_machine();
+  const constraints::Constraints constraints(machine);
+  planner::PathState from;
+  from.s = section.length() * any(0, 800) / 1000.0;
+  from.speed = logarithmic(1, 100);
+  const double longest = 2 * (section.length() - from.s) / from.speed;
+  const planner::Segment stop = planner::stop_within(from, longest * any(100, 1000) / 1000.0);
+  constraints::LimitRatios seen;
+  constexpr int parts = 10'000;
+  for (int k = 0; k <= parts; ++k) {
+    const planner::PathState at = planner::evaluate(stop, stop.duration.value() * k / parts);
+    for (const planner::Side side : {planner::Side::left, planner::Side::right})
+      constraints.raise({section.jets(at.s, side), 1e300}, planner::rates(at), seen);
+  }
+  const machine::Derivatives greatest = seen.by_derivative();
+  const planner::Ratios proven = planner::greatest_ratios(stop, section, constraints, 1e300, planner::close_looks);
+  RC_ASSERT(proven.rows >= (1 - 1e-3) * std::max(greatest.acceleration, greatest.jerk));
+}
+
+}  // namespace test_emission
