@@ -8,7 +8,7 @@
 namespace test_layout {
 
 TEST(Layout, OfErrors) {
-  EXPECT_EQ(sizeof(leadscrew_error), 1104U);
+  EXPECT_EQ(sizeof(leadscrew_error), 1136U);
   EXPECT_EQ(offsetof(leadscrew_error, size), 0U);
   EXPECT_EQ(offsetof(leadscrew_error, severity), 8U);
   EXPECT_EQ(offsetof(leadscrew_error, line), 16U);
@@ -17,6 +17,7 @@ TEST(Layout, OfErrors) {
   EXPECT_EQ(offsetof(leadscrew_error, message), 80U);
   EXPECT_EQ(offsetof(leadscrew_error, hint), 592U);
   EXPECT_EQ(offsetof(leadscrew_error, file), 848U);  // the first version's end
+  EXPECT_EQ(offsetof(leadscrew_error, field), 1104U);
 }
 
 TEST(Layout, OfWords) {
@@ -94,6 +95,45 @@ TEST(Layout, OfStates) {
   EXPECT_EQ(offsetof(leadscrew_state, state), 328U);
   EXPECT_EQ(offsetof(leadscrew_state, file), 332U);
   EXPECT_EQ(offsetof(leadscrew_state, visit), 336U);  // the first version's end
+}
+
+TEST(Layout, OfPulseTasks) {
+  EXPECT_EQ(sizeof(leadscrew_pulse_task), 112U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, kind), 8U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, turns), 12U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, bits), 16U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, start), 24U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, end), 40U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, center), 56U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, capacity), 72U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, method), 80U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, preload), 88U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, order), 96U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, tie), 104U);
+}
+
+TEST(Layout, OfPulseConventions) {
+  EXPECT_EQ(sizeof(leadscrew_pulse_conventions), 136U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, bits), 8U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, capacity), 16U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, clocks_per_blu), 24U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, preload), 32U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, order), 56U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, tie), 80U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, end), 104U);
+}
+
+TEST(Layout, OfPulseFigures) {
+  EXPECT_EQ(sizeof(leadscrew_pulse_figures), 96U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, clocks), 8U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, pulses), 16U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, position), 24U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, worst), 40U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, worst_clock), 56U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, error), 64U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, max_error), 72U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, rms_error), 80U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_figures, is_done), 88U);
 }
 
 }  // namespace test_layout

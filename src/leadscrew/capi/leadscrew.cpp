@@ -38,43 +38,16 @@ static_assert(LEADSCREW_LOSS == static_cast<int>(gcode::ProbeSearch::loss));
 
 namespace {
 
-void tell(leadscrew_error* error, const base::Diagnostic& diagnostic) {
-  fill(error, error_of(diagnostic));
-}
-
-int misuse(leadscrew_error* error, const char* message) {
-  tell(error, base::problem("misuse", message, {}));
-  return LEADSCREW_MISUSE;
-}
-
 /// Can memory hold so long a text?
 bool is_text(const char* text, std::size_t length) {
   return text != nullptr && length <= std::string().max_size();
-}
-
-/// Of what is wrong with what was given, or of work that somebody ended.
-int rejected(leadscrew_error* error, const base::Diagnostic& diagnostic) {
-  tell(error, diagnostic);
-  if (diagnostic.code == "interrupted") return LEADSCREW_INTERRUPTED;
-  return diagnostic.code.substr(0, 3) == "io-" ? LEADSCREW_INPUT : LEADSCREW_REJECTED;
 }
 
 int code_of(const base::Result<void>& result, leadscrew_error* error) {
   return result ? LEADSCREW_OK : rejected(error, result.error());
 }
 
-/// What `work` returns, unless there is no memory for it.
-template <class Work>
-int guarded(leadscrew_error* error, const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    tell(error, base::problem("memory", "out of memory", {}));
-    return LEADSCREW_OUT_OF_MEMORY;
-  }
-}
-
-/// The same of a motion, while nobody else is in it.
+/// What `work` returns of a motion, while nobody else is in it.
 template <class Work>
 int within(leadscrew_motion* motion, leadscrew_error* error, const Work& work) {
   if (motion == nullptr) return misuse(error, "the motion is NULL");

@@ -7,7 +7,8 @@
  *   while (!leadscrew_motion_next(motion, words, sizeof *words, 1000, &count, &error) && count > 0) …
  *   leadscrew_motion_free(motion);  leadscrew_machine_free(machine);
  *
- * or all of it planned at once, leadscrew_motion_plan(): its duration, and where its axes are at any time.
+ * or all of it planned at once, leadscrew_motion_plan(): its duration, and where its axes are at any time; or one line or
+ * arc by an interpolator of reference pulses, every register to be seen at every clock: leadscrew_pulses_load().
  *
  * Lengths are mm, angles degrees, times seconds. Axes stand in the order X Y Z A B C U V W.
  *
@@ -44,6 +45,7 @@ extern "C" {
 typedef struct leadscrew_machine leadscrew_machine;       /**< limits and period; never changes */
 typedef struct leadscrew_motion leadscrew_motion;         /**< along one program, or along moves */
 typedef struct leadscrew_trajectory leadscrew_trajectory; /**< a motion, planned to its end; never changes */
+typedef struct leadscrew_pulses leadscrew_pulses;         /**< an interpolator of reference pulses along one curve */
 
 /** What functions return. */
 enum {
@@ -68,6 +70,7 @@ typedef struct leadscrew_error {
   char hint[256];    /**< what would be right; may be empty */
   /* Here the error of the first version ended. */
   char file[256]; /**< of the text: the program's name, or a subprogram's; may be empty */
+  char field[32]; /**< of what was given: the field that it is about, such as "end.x"; may be empty */
 } leadscrew_error;
 
 /** One servo period. */
@@ -184,6 +187,61 @@ typedef struct leadscrew_state {
   int32_t reserved;                    /**< 0 */
 } leadscrew_state;
 
+/** One line or arc for an interpolator of reference pulses. Coordinates are whole BLU, basic length units. */
+typedef struct leadscrew_pulse_task {
+  size_t size;         /**< of this structure, sizeof */
+  int32_t kind;        /**< LEADSCREW_LINE or LEADSCREW_ARC; an arc whose end is its start is a full circle */
+  int32_t turns;       /**< of an arc: 1 counterclockwise, -1 clockwise */
+  int32_t bits;        /**< of the registers, 1 ... 30; 0: as the method has them by default */
+  int32_t reserved;    /**< 0 */
+  int64_t start[2];    /**< |coordinate| <= 2^30 */
+  int64_t end[2];      /**< the same; of an arc, off the circle by half a BLU at most */
+  int64_t center[2];   /**< of an arc */
+  int64_t capacity;    /**< q of integrators, 1 ... 2^30; 0: by the curve, or 2^bits */
+  const char* method;  /**< a name of LEADSCREW_METHODS */
+  const char* preload; /**< and so on; NULL or empty: the method's own */
+  const char* order;   /**< of integrators of arcs */
+  const char* tie;     /**< of arcs by point comparison */
+} leadscrew_pulse_task;
+
+/** Names that leadscrew_pulse_name() lists, and options that methods have, as bits of leadscrew_pulse_uses(). */
+enum {
+  LEADSCREW_METHODS = 0,
+  LEADSCREW_PRELOADS = 1,
+  LEADSCREW_ORDERS = 2,
+  LEADSCREW_TIES = 3,
+  LEADSCREW_CAPACITY = 4
+};
+
+/** What is in force, with what a method has by default; empty or 0 where it has no such choice. */
+typedef struct leadscrew_pulse_conventions {
+  size_t size;      /**< of this structure, sizeof */
+  int32_t bits;     /**< of the registers */
+  int32_t reserved; /**< 0 */
+  int64_t capacity; /**< q */
+  double
+      clocks_per_blu; /**< of the path, of integrators: with q times the feed over the length or the radius they keep it */
+  char preload[24];
+  char order[24];
+  char tie[24]; /**< what happens where two steps are as good as one another */
+  char end[32]; /**< how the end is found */
+} leadscrew_pulse_conventions;
+
+/** Of the clocks until now. */
+typedef struct leadscrew_pulse_figures {
+  size_t size; /**< of this structure, sizeof */
+  int64_t clocks;
+  int64_t pulses;      /**< clocks with a step */
+  int64_t position[2]; /**< BLU */
+  int64_t worst[2];    /**< where the error was greatest first, BLU */
+  int64_t worst_clock;
+  double error;     /**< here, BLU: of an arc > 0 outside, of a line > 0 to its left */
+  double max_error; /**< greatest distance from the curve, BLU */
+  double rms_error; /**< over the places after each pulse, BLU */
+  int32_t is_done;  /**< not 0: further clocks give nothing */
+  int32_t reserved; /**< 0 */
+} leadscrew_pulse_figures;
+
 /** Such as "0.1.0". */
 LEADSCREW_API const char* leadscrew_version(void);
 
@@ -260,6 +318,42 @@ LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory
                                           leadscrew_error* error);
 /** It may be NULL. */
 LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
+
+/** Of LEADSCREW_METHODS ... LEADSCREW_TIES the name with this number, from 0; NULL where there are not so many. */
+LEADSCREW_API const char* leadscrew_pulse_name(int what, size_t number);
+/** Which options a method has: 1 << LEADSCREW_PRELOADS and so on, together; 0 of a name that is none. */
+LEADSCREW_API int leadscrew_pulse_uses(const char* method);
+/** LEADSCREW_REJECTED and the problem with this number, from 0, that a curve has: a line of no length, an arc of radius 0,
+ * an end off the circle, a register that does not hold a coordinate. LEADSCREW_OK where there are not so many. */
+LEADSCREW_API int leadscrew_pulses_problem(const leadscrew_pulse_task* task, size_t number, leadscrew_error* problem);
+/** Loads the registers; LEADSCREW_REJECTED with the first problem. An option that the method does not have, and bits
+ * beside a capacity, are LEADSCREW_MISUSE. */
+LEADSCREW_API int leadscrew_pulses_load(const leadscrew_pulse_task* task, leadscrew_pulses** pulses,
+                                        leadscrew_error* error);
+/** Another one that stands at the same clock: the way to come back to it. */
+LEADSCREW_API int leadscrew_pulses_copy(const leadscrew_pulses* pulses, leadscrew_pulses** copy,
+                                        leadscrew_error* error);
+/** It may be NULL. */
+LEADSCREW_API void leadscrew_pulses_free(leadscrew_pulses* pulses);
+LEADSCREW_API int leadscrew_pulses_conventions(const leadscrew_pulses* pulses, leadscrew_pulse_conventions* conventions,
+                                               leadscrew_error* error);
+LEADSCREW_API int leadscrew_pulses_figures(const leadscrew_pulses* pulses, leadscrew_pulse_figures* figures,
+                                           leadscrew_error* error);
+/** The name of a number of each row, from 0; NULL where there are not so many. First "clock", the pulse "dx" and "dy" (-1,
+ * 0, 1) and the place "X" and "Y" of the task's coordinates, then what `leadscrew pulse --table` shows: the place from the
+ * centre or a line's start "x" and "y", and the method's registers. Behind these, of an arc the "quadrant" (0 ... 3) from
+ * which it goes on, and of integrators how the last clock added: of an arc "Jx" and "Jy", then the sums "Sx" and "Sy" and
+ * whether they overflowed, "ox" and "oy". */
+LEADSCREW_API const char* leadscrew_pulses_column(const leadscrew_pulses* pulses, size_t number);
+/** The row as it stands: as many numbers as there are columns. */
+LEADSCREW_API int leadscrew_pulses_row(const leadscrew_pulses* pulses, int64_t* row, leadscrew_error* error);
+/** The next clocks, a row each, at most `capacity`; fewer only at the end. `rows` may be NULL: then they are made and not
+ * shown. */
+LEADSCREW_API int leadscrew_pulses_next(leadscrew_pulses* pulses, int64_t* rows, size_t capacity, size_t* count,
+                                        leadscrew_error* error);
+/** Why the last clock gave what it did, in a line or two, with the numbers that decided: writes at most `length` bytes, the
+ * last one 0, and returns how many all of it has, without that. Empty before the first clock. */
+LEADSCREW_API size_t leadscrew_pulses_why(const leadscrew_pulses* pulses, char* text, size_t length);
 
 /* NOLINTEND(readability-identifier-naming,performance-enum-size) */
 

@@ -7,13 +7,6 @@ namespace leadscrew::capi {
 
 namespace {
 
-template <std::size_t size>
-void copy_text(char (&to)[size], std::string_view from) {
-  const std::size_t length = std::min(from.size(), size - 1);
-  std::copy_n(from.begin(), length, to);
-  to[length] = '\0';
-}
-
 gcode::NurbsCurve curve_of(const leadscrew_move& move) {
   gcode::NurbsCurve curve;
   curve.degree = move.degree;
@@ -40,19 +33,6 @@ host::SubprogramText subprograms_of(const leadscrew_options& given) {
 }
 
 }  // namespace
-
-leadscrew_error error_of(const base::Diagnostic& diagnostic) {
-  leadscrew_error error{};
-  error.size = sizeof error;
-  error.severity = static_cast<std::int32_t>(diagnostic.severity);
-  error.line = diagnostic.place.line;
-  error.column = diagnostic.place.column;
-  copy_text(error.code, diagnostic.code);
-  copy_text(error.message, diagnostic.message);
-  copy_text(error.hint, diagnostic.hint);
-  copy_text(error.file, diagnostic.place.file);
-  return error;
-}
 
 leadscrew_event event_of(const base::PassedEvent& from) {
   leadscrew_event event{};

@@ -23,8 +23,8 @@ double length_of(Point delta) {
   return std::sqrt(static_cast<double>(delta.x * delta.x + delta.y * delta.y));
 }
 
-void add(Problems& problems, std::string_view code, std::string message, std::string hint) {
-  problems.push_back(base::problem(code, std::move(message), std::move(hint)));
+void add(Problems& problems, std::string_view code, std::string message, std::string hint, base::Subject subject) {
+  problems.push_back(base::problem(code, std::move(message), std::move(hint), subject));
 }
 
 base::Diagnostic overflow(std::string_view name, std::string_view meaning, std::string_view value,
@@ -35,59 +35,63 @@ base::Diagnostic overflow(std::string_view name, std::string_view meaning, std::
                        std::move(hint));
 }
 
-void check_register(Problems& problems, const RegisterContent& content, std::optional<int> bits) {
-  if (auto problem = overflow_of(content, bits)) problems.push_back(std::move(*problem));
+void check_register(Problems& problems, const RegisterContent& content, std::optional<int> bits,
+                    base::Subject subject) {
+  auto problem = overflow_of(content, bits);
+  if (!problem) return;
+  problem->subject = subject;
+  problems.push_back(std::move(*problem));
+}
+
+/// Both coordinates of a point; `of` is what messages call it, and what is behind it.
+void check_point(Problems& problems, std::string_view field, const std::string& of, Point at, std::optional<int> bits) {
+  check_register(problems, {"x", at.x, "x of the " + of}, bits, {.axis = base::Axis::X, .field = field});
+  check_register(problems, {"y", at.y, "y of the " + of}, bits, {.axis = base::Axis::Y, .field = field});
 }
 
 /// As they were given: beyond the greatest even their differences might be out of range.
 void check_given(Problems& problems, const PulseCurve& curve) {
-  const auto check = [&](const char* of, Point at) {
-    check_register(problems, {"x", at.x, "x of the " + std::string(of)}, std::nullopt);
-    check_register(problems, {"y", at.y, "y of the " + std::string(of)}, std::nullopt);
-  };
-  check("start", curve.start);
-  check("end", curve.end);
-  if (curve.is_arc()) check("centre", curve.center);
+  check_point(problems, "start", "start", curve.start, std::nullopt);
+  check_point(problems, "end", "end", curve.end, std::nullopt);
+  if (curve.is_arc()) check_point(problems, "center", "centre", curve.center, std::nullopt);
 }
 
 void check_line(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
   const Point delta = curve.delta();
   if (delta == Point{}) {
     add(problems, "no-way", "the line ends at " + point_text(curve.end) + ", where it starts",
-        "give an end away from the start; a full circle is an arc");
+        "give an end away from the start; a full circle is an arc", {.field = "end"});
     return;
   }
-  check_register(problems, {"Jx", delta.x, "the distance along x"}, bits);
-  check_register(problems, {"Jy", delta.y, "the distance along y"}, bits);
+  check_register(problems, {"Jx", delta.x, "the distance along x"}, bits, {.axis = base::Axis::X, .field = "end"});
+  check_register(problems, {"Jy", delta.y, "the distance along y"}, bits, {.axis = base::Axis::Y, .field = "end"});
 }
 
 void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
   const pulse::Arc arc = curve.arc();
   if (arc.start == Point{}) {
     add(problems, "zero-radius", "the radius is 0: the arc starts at its centre " + point_text(curve.center),
-        "a centre away from the start");
+        "a centre away from the start", {.field = "center"});
     return;
   }
   const std::size_t before = problems.size();
-  check_register(problems, {"x", arc.start.x, "x of the start, from the centre,"}, bits);
-  check_register(problems, {"y", arc.start.y, "y of the start, from the centre,"}, bits);
-  check_register(problems, {"x", arc.end.x, "x of the end, from the centre,"}, bits);
-  check_register(problems, {"y", arc.end.y, "y of the end, from the centre,"}, bits);
+  check_point(problems, "start", "start, from the centre,", arc.start, bits);
+  check_point(problems, "end", "end, from the centre,", arc.end, bits);
   if (problems.size() > before) return;
   const double radius = curve.radius(), at_end = length_of(arc.end);
   if (std::abs(at_end - radius) > 0.5) {
     add(problems, "end-off-circle",
         "the end " + point_text(curve.end) + " is " + base::fixed_text(at_end, 3) + " BLU from the centre, the start " +
             base::fixed_text(radius, 3),
-        "the end may be off the circle through the start by half a BLU at most");
+        "the end may be off the circle through the start by half a BLU at most", {.field = "end"});
     return;
   }
   // Where the arc passes an axis, a coordinate grows to the radius.
   if (pulse::borders(arc) == 0) return;
   const int quadrant = pulse::quadrant(arc.start, arc.direction);
   const Point border = pulse::border(quadrant, arc.direction, pulse::root(arc.squared_radius(), 0));
-  check_register(problems, {"x", border.x, "x where the arc passes an axis"}, bits);
-  check_register(problems, {"y", border.y, "y where the arc passes an axis"}, bits);
+  check_register(problems, {"x", border.x, "x where the arc passes an axis"}, bits, {.field = "bits"});
+  check_register(problems, {"y", border.y, "y where the arc passes an axis"}, bits, {.field = "bits"});
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ std::string point_text(pulse::Point at);
 
 /// What no interpolator could do: a line of length 0, an arc of radius 0, an end off the circle by more than half a
 /// BLU, a coordinate that the registers do not hold: 2ⁿ − 1 is the greatest of n `bits`, pulse::greatest_coordinate
-/// without. Codes: `no-way`, `zero-radius`, `end-off-circle`, `register-overflow`. Empty where all is well.
+/// without. Codes: `no-way`, `zero-radius`, `end-off-circle`, `register-overflow`. Empty where all is well. Each says of
+/// which field it is, "start", "end", "center" or "bits", and of which coordinate.
 std::vector<base::Diagnostic> problems_of(const PulseCurve& curve, std::optional<int> bits);
 
 struct RegisterContent {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <leadscrew/nc/method_traits.hpp>
 
 namespace leadscrew::nc {
@@ -42,7 +43,7 @@ std::optional<base::Diagnostic> capacity_below_integrands(const PulseCurve& curv
   return base::problem("register-overflow",
                        std::string(what) + " is " + std::to_string(greatest) + ": integrators of capacity " +
                            std::to_string(capacity) + " take no more than that",
-                       "a capacity of " + std::to_string(greatest) + " would do");
+                       "a capacity of " + std::to_string(greatest) + " would do", {.field = "capacity"});
 }
 
 }  // namespace
@@ -88,6 +89,13 @@ PulseConventions of_software(const PulseCurve& curve, const MethodOptions& optio
   return in_force;
 }
 
+std::optional<double> clocks_per_blu(PulseMethod method, const PulseCurve& curve, const PulseConventions& in_force) {
+  if (rate_of(method) != CommandRate::path_length || !in_force.capacity) return std::nullopt;
+  const pulse::Point delta = curve.delta();
+  const double length = std::sqrt(static_cast<double>(delta.x * delta.x + delta.y * delta.y));
+  return static_cast<double>(*in_force.capacity) / (curve.is_arc() ? curve.radius() : length);
+}
+
 std::string_view name(PulseMethod method) {
   return with_row(method, [](auto row) { return row.name; });
 }
@@ -130,8 +138,10 @@ std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const Pulse
   const bool bits_hold_capacity = with_row(method, [](auto row) { return row.bits_hold_capacity; });
   if (!bits_hold_capacity || !options.bits) return std::nullopt;
   const std::int64_t capacity = *conventions_of(method, curve, options).capacity;
-  return overflow_of({"q", capacity, curve.is_arc() ? "the radius, rounded," : "the length, rounded up,"},
-                     options.bits);
+  auto problem =
+      overflow_of({"q", capacity, curve.is_arc() ? "the radius, rounded," : "the length, rounded up,"}, options.bits);
+  if (problem) problem->subject.field = "bits";
+  return problem;
 }
 
 }  // namespace leadscrew::nc

@@ -95,6 +95,10 @@ PulseConventions of_software(const PulseCurve& curve, const MethodOptions& optio
 
 PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options);
 
+/// Of integrators: a BLU of the path takes so many clocks, q/L along a line and q/R along a circle. None of the others,
+/// whose rate depends on the course.
+std::optional<double> clocks_per_blu(PulseMethod method, const PulseCurve& curve, const PulseConventions& in_force);
+
 /// Of a curve that problems_of() finds nothing wrong with: `register-overflow` where the bits asked for do not hold the
 /// capacity of `koren`, which is the radius of an arc, rounded, and the length of a line, rounded up; or where the capacity
 /// asked for is less than an integrand: than the radius, rounded, or the longer of a line's distances along the axes.

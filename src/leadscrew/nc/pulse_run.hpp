@@ -23,6 +23,12 @@ class PulseRun {
   pulse::Point at() const { return at_; }         ///< in the curve's coordinates
   Registers registers() const;                    ///< the same ones in the same order at every clock
 
+  /// What the visitor says of the interpolator as it stands.
+  template <class Visitor>
+  decltype(auto) look_at(const Visitor& visitor) const {
+    return std::visit(visitor, state_);
+  }
+
  private:
   template <class>
   struct OfRows;

@@ -1,0 +1,223 @@
+// What the reader has set, as it was typed; and the link that brings all of it back.
+
+import type { Task } from "../engine/types";
+
+export interface Settings {
+  module: "line" | "arc";
+  startX: string;
+  startY: string;
+  endX: string;
+  endY: string;
+  centerX: string;
+  centerY: string;
+  direction: "ccw" | "cw";
+  bits: string;
+  capacity: string;
+  feed: string;
+  method: string;
+  preload: string;
+  order: string;
+  tie: string;
+  /** Between two checks of the start switch, s. */
+  polling: string;
+  /** Between two cycles, s. */
+  interval: string;
+  run: "automatic" | "single";
+  stopAtPulse: boolean;
+  stopAtBorder: boolean;
+  view: "whole" | "near";
+  predict: boolean;
+  clock: number;
+}
+
+export const initial: Settings = {
+  module: "line",
+  startX: "3",
+  startY: "4",
+  endX: "-9",
+  endY: "-6",
+  centerX: "0",
+  centerY: "0",
+  direction: "ccw",
+  bits: "4",
+  capacity: "",
+  feed: "10",
+  method: "dda",
+  preload: "zero",
+  order: "",
+  tie: "",
+  polling: "0.5",
+  interval: "0.1",
+  run: "automatic",
+  stopAtPulse: false,
+  stopAtBorder: false,
+  view: "whole",
+  predict: false,
+  clock: 0,
+};
+
+/** Short names for the link; none is ever given another meaning. */
+const names: Readonly<Record<keyof Settings, string>> = {
+  module: "m",
+  startX: "sx",
+  startY: "sy",
+  endX: "ex",
+  endY: "ey",
+  centerX: "cx",
+  centerY: "cy",
+  direction: "d",
+  bits: "n",
+  capacity: "q",
+  feed: "v",
+  method: "method",
+  preload: "r0",
+  order: "order",
+  tie: "tie",
+  polling: "poll",
+  interval: "t",
+  run: "run",
+  stopAtPulse: "bp",
+  stopAtBorder: "bq",
+  view: "view",
+  predict: "predict",
+  clock: "k",
+};
+
+/** All of it: the link means the same when defaults change. */
+export function toLink(settings: Settings): string {
+  const link = new URLSearchParams();
+  link.set("lesson", "1");
+  for (const key of Object.keys(names) as (keyof Settings)[]) {
+    const value = settings[key];
+    link.set(names[key], typeof value === "boolean" ? (value ? "1" : "0") : String(value));
+  }
+  return `#${link.toString()}`;
+}
+
+const choices: Partial<Record<keyof Settings, readonly string[]>> = {
+  module: ["line", "arc"],
+  direction: ["ccw", "cw"],
+  run: ["automatic", "single"],
+  view: ["whole", "near"],
+};
+
+/** Of a link; what it does not have, or what is none of the choices, is as at first. */
+export function fromLink(hash: string): Settings {
+  const link = new URLSearchParams(hash.replace(/^#/, ""));
+  const settings: Record<string, unknown> = { ...initial };
+  for (const key of Object.keys(names) as (keyof Settings)[]) {
+    const text = link.get(names[key]);
+    if (text === null || text.length > 40) continue;
+    const allowed = choices[key];
+    if (allowed !== undefined && !allowed.includes(text)) continue;
+    if (typeof initial[key] === "boolean") settings[key] = text === "1";
+    else if (typeof initial[key] === "number") settings[key] = /^\d{1,9}$/.test(text) ? Number(text) : 0;
+    else settings[key] = text;
+  }
+  return settings as unknown as Settings;
+}
+
+/** What is wrong with a field, and what would be right. */
+export type FieldErrors = Map<string, string>;
+
+const whole = /^[+-]?\d{1,10}$/;
+
+function coordinate(settings: Settings, key: keyof Settings, what: string, errors: FieldErrors): number {
+  const text = String(settings[key]).trim().replace("−", "-");
+  if (whole.test(text)) return Number(text);
+  errors.set(
+    key,
+    text === ""
+      ? `${what} is missing: a whole number of BLU, such as 5`
+      : `“${text}” is no whole number: ${what} is in BLU, such as 5 or -12`,
+  );
+  return 0;
+}
+
+function count(text: string, what: string, most: number, errors: FieldErrors, key: string): number {
+  const trimmed = text.trim();
+  if (trimmed === "") return 0;
+  const value = Number(trimmed);
+  if (/^\d{1,10}$/.test(trimmed) && value >= 1 && value <= most) return value;
+  errors.set(key, `“${trimmed}” is no ${what}: a whole number from 1 to ${most}, or empty for the method's own`);
+  return 0;
+}
+
+/** A number of seconds or BLU/s. */
+export function quantity(text: string): number {
+  const trimmed = text.trim().replace(",", ".");
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(trimmed) ? Number(trimmed) : NaN;
+}
+
+function checkTimes(settings: Settings, errors: FieldErrors): void {
+  const feed = quantity(settings.feed);
+  if (!(feed > 0)) errors.set("feed", "the feed is more than 0 BLU/s, such as 10");
+  const interval = quantity(settings.interval);
+  if (!(interval >= 0 && interval <= 60))
+    errors.set("interval", "the interval is 0 (as fast as can be) to 60 s, such as 0.1");
+  const polling = quantity(settings.polling);
+  if (!(polling > 0 && polling <= 60)) errors.set("polling", "the switch is polled every 0.01 to 60 s, such as 0.5");
+}
+
+/** What the engine is asked for; errors of fields that it could not understand. Choices that the method has not are left out. */
+export function taskOf(
+  settings: Settings,
+  has: { preload: boolean; order: boolean; tie: boolean; capacity: boolean },
+  errors: FieldErrors,
+): Task {
+  const point = (x: keyof Settings, y: keyof Settings, of: string): [number, number] => [
+    coordinate(settings, x, `x of the ${of}`, errors),
+    coordinate(settings, y, `y of the ${of}`, errors),
+  ];
+  const isArc = settings.module === "arc";
+  const bits = count(settings.bits, "number of bits", 30, errors, "bits");
+  const capacity = has.capacity ? count(settings.capacity, "capacity", 2 ** 30, errors, "capacity") : 0;
+  if (bits > 0 && capacity > 0)
+    errors.set("capacity", `registers of ${bits} bits have the capacity ${2 ** bits}: leave one of the two empty`);
+  checkTimes(settings, errors);
+  return {
+    shape: settings.module,
+    start: point("startX", "startY", "start"),
+    end: point("endX", "endY", "end"),
+    center: isArc ? point("centerX", "centerY", "centre") : [0, 0],
+    clockwise: isArc && settings.direction === "cw",
+    bits,
+    capacity,
+    method: settings.method,
+    preload: has.preload ? settings.preload : "",
+    order: has.order && isArc ? settings.order : "",
+    tie: has.tie && isArc ? settings.tie : "",
+  };
+}
+
+/** Of the engine's "end.x": the field of the page. */
+export function fieldOf(name: string): keyof Settings {
+  const fields: Readonly<Record<string, keyof Settings>> = {
+    "start.x": "startX",
+    "start.y": "startY",
+    start: "startX",
+    "end.x": "endX",
+    "end.y": "endY",
+    end: "endX",
+    "center.x": "centerX",
+    "center.y": "centerY",
+    center: "centerX",
+    bits: "bits",
+    capacity: "capacity",
+  };
+  return fields[name] ?? "method";
+}
+
+/** The command that prints the same rows. */
+export function commandOf(task: Task): string {
+  const at = ([x, y]: readonly [number, number]): string => `${x},${y}`;
+  const words = ["leadscrew", "pulse", `--${task.shape}`, "--start", at(task.start), "--end", at(task.end)];
+  if (task.shape === "arc") words.push("--center", at(task.center), task.clockwise ? "--cw" : "--ccw");
+  words.push("--method", task.method);
+  if (task.bits > 0) words.push("--bits", String(task.bits));
+  if (task.capacity > 0) words.push("--capacity", String(task.capacity));
+  if (task.preload !== "") words.push("--preload", task.preload);
+  if (task.order !== "") words.push("--order", task.order);
+  if (task.tie !== "") words.push("--tie", task.tie);
+  return [...words, "--table"].join(" ");
+}

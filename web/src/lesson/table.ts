@@ -1,0 +1,91 @@
+// The process data: a row a cycle until now. Only rows in sight are in the page.
+
+import { html, signed } from "../ui/dom";
+import type { Session } from "./session";
+
+const rowHeight = 26;
+const spare = 8;
+
+/** The columns in the order of `leadscrew pulse --table`, then what the cycle added. */
+export class Table {
+  private readonly head = html("thead");
+  private readonly body = html("tbody");
+  private readonly table = html(
+    "table",
+    {},
+    html("caption", { class: "hidden" }, "Process data, a row a cycle"),
+    this.head,
+    this.body,
+  );
+  readonly element = html(
+    "div",
+    { class: "table", tabindex: 0, role: "region", "aria-label": "Process data", scroll: () => this.draw() },
+    this.table,
+  );
+  private session: Session | undefined;
+  private columns: readonly string[] = [];
+  private shown = -1;
+
+  constructor(private readonly onChoose: (clock: number) => void) {}
+
+  update(session: Session): void {
+    this.session = session;
+    const columns = session.recording?.columns ?? [];
+    if (columns !== this.columns) {
+      this.columns = columns;
+      this.head.replaceChildren(html("tr", {}, ...columns.map((name) => html("th", { scope: "col" }, name))));
+    }
+    this.table.setAttribute("aria-rowcount", String(session.clock + 2));
+    if (session.clock !== this.shown) {
+      this.shown = session.clock;
+      this.element.scrollTop = Math.max(0, (session.clock + 2) * rowHeight - this.element.clientHeight);
+    }
+    this.draw();
+  }
+
+  private draw(): void {
+    const { session, body } = this;
+    if (session === undefined) return;
+    const first = Math.max(0, Math.floor(this.element.scrollTop / rowHeight) - spare);
+    const count = Math.ceil((this.element.clientHeight || 400) / rowHeight) + 2 * spare;
+    const last = Math.min(session.clock, first + count);
+    const rows: HTMLElement[] = [];
+    if (first > 0) rows.push(this.space(first));
+    for (let clock = first; clock <= last; ++clock) rows.push(this.row(session, clock));
+    if (last < session.clock) rows.push(this.space(session.clock - last));
+    body.replaceChildren(...rows);
+  }
+
+  private space(rows: number): HTMLElement {
+    return html(
+      "tr",
+      { "aria-hidden": "true", class: "space" },
+      html("td", { colspan: this.columns.length, style: `height:${rows * rowHeight}px` }),
+    );
+  }
+
+  private row(session: Session, clock: number): HTMLElement {
+    const isNow = clock === session.clock;
+    const border = session.isBorder(clock) ? " border" : "";
+    const cells = this.columns.map((name) =>
+      html("td", this.look(name, session.value(clock, name)), signed(session.value(clock, name))),
+    );
+    return html(
+      "tr",
+      {
+        class: `${isNow ? "now" : ""}${border}`,
+        "aria-rowindex": clock + 2,
+        "aria-current": isNow ? "step" : undefined,
+        "data-clock": clock,
+        click: () => this.onChoose(clock),
+      },
+      ...cells,
+    );
+  }
+
+  private look(name: string, value: number): Record<string, string> {
+    if ((name === "dx" || name === "ox") && value !== 0) return { class: "on-x" };
+    if ((name === "dy" || name === "oy") && value !== 0) return { class: "on-y" };
+    return {};
+  }
+}
