@@ -221,25 +221,25 @@ typedef struct leadscrew_pulse_conventions {
   int64_t capacity; /**< q */
   double
       clocks_per_blu; /**< of the path, of integrators: with q times the feed over the length or the radius they keep it */
-  char preload[24];
-  char order[24];
-  char tie[24]; /**< what happens where two steps are as good as one another */
-  char end[32]; /**< how the end is found */
+  char preload[24]; /**< what the remainders begin with */
+  char order[24];   /**< in which the integrators of an arc are clocked */
+  char tie[24];     /**< what happens where two steps are as good as one another */
+  char end[32];     /**< how the end is found */
 } leadscrew_pulse_conventions;
 
 /** Of the clocks until now. */
 typedef struct leadscrew_pulse_figures {
-  size_t size; /**< of this structure, sizeof */
-  int64_t clocks;
+  size_t size;         /**< of this structure, sizeof */
+  int64_t clocks;      /**< how many */
   int64_t pulses;      /**< clocks with a step */
   int64_t position[2]; /**< BLU */
   int64_t worst[2];    /**< where the error was greatest first, BLU */
-  int64_t worst_clock;
-  double error;     /**< here, BLU: of an arc > 0 outside, of a line > 0 to its left */
-  double max_error; /**< greatest distance from the curve, BLU */
-  double rms_error; /**< over the places after each pulse, BLU */
-  int32_t is_done;  /**< not 0: further clocks give nothing */
-  int32_t reserved; /**< 0 */
+  int64_t worst_clock; /**< and when */
+  double error;        /**< here, BLU: of an arc > 0 outside, of a line > 0 to its left */
+  double max_error;    /**< greatest distance from the curve, BLU */
+  double rms_error;    /**< over the places after each pulse, BLU */
+  int32_t is_done;     /**< not 0: further clocks give nothing */
+  int32_t reserved;    /**< 0 */
 } leadscrew_pulse_figures;
 
 /** Such as "0.1.0". */

@@ -186,8 +186,14 @@ std::string reason_of(const PulseRun& before, const PulseRun& run, const PulseCu
   const Registers was = signals_of(before, curve);
   if (run.method() == PulseMethod::point_comparison) return of_point_comparison(was, curve, run.last());
   if (!curve.is_arc()) return of_bresenham(was, run.registers(), curve, run.last());
-  if (run.method() == PulseMethod::improved_min_error) return of_middle(was, curve, run.last());
-  return of_least_error(was, run.last());
+  switch (with_row(run.method(), [](auto row) { return row.candidates; })) {
+    case Candidates::three:
+      return of_least_error(was, run.last());
+    case Candidates::middle:
+      return of_middle(was, curve, run.last());
+    default:
+      return pulse_text(run.last());
+  }
 }
 
 }  // namespace leadscrew::nc

@@ -157,7 +157,7 @@ export class Display {
       ["Greatest", fixed(session.figure(clock, "maxError"), 3)],
       ["RMS", fixed(session.figure(clock, "rmsError"), 3)],
     ];
-    if (row.has("quadrant")) items.push(["Quadrant", `${row.value("quadrant") + 1}`]);
+    if (row.has("quadrant")) items.push(["Quadrant", ["I", "II", "III", "IV"][row.value("quadrant")] ?? ""]);
     if (row.has("nx")) items.push(["Left x, y", `${row.value("nx")}, ${row.value("ny")}`]);
     this.numbers.replaceChildren(
       ...items.map(([name, value]) => html("div", { "data-name": name }, html("dt", {}, name), html("dd", {}, value))),

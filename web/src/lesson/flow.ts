@@ -54,7 +54,7 @@ function lane(axis: "x" | "y", top: number): Diagram {
     blocks: [
       { x: 8, y, width: 92, title: `${J} integrand`, value: of(J), kind: "register", isLit: isClocked },
       { x: 168, y, width: 92, title: `${S} sum`, value: of(S), kind: "sum", isLit: isClocked },
-      { x: 328, y, width: 92, title: `≥ q ${"?"}`, value: of("q"), kind: "choice", isLit: isClocked },
+      { x: 328, y, width: 92, title: `${S} ≥ q?`, value: of("q"), kind: "choice", isLit: isClocked },
       {
         x: 488,
         y,
@@ -129,7 +129,7 @@ function ofIntegrators(isArc: boolean): Diagram {
   const x = lane("x", 0);
   const y = lane("y", 124);
   return {
-    height: 240,
+    height: 252,
     blocks: [...x.blocks, ...y.blocks],
     wires: [...x.wires, ...y.wires, ...(isArc ? crossing() : [])],
   };
@@ -234,7 +234,16 @@ export class Flow {
     this.element.setAttribute("viewBox", `0 0 ${width} ${diagram.height}`);
     const arrow = svg(
       "marker",
-      { id: "arrow", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto" },
+      {
+        id: "arrow",
+        viewBox: "0 0 8 8",
+        refX: 7,
+        refY: 4,
+        markerUnits: "userSpaceOnUse",
+        markerWidth: 9,
+        markerHeight: 9,
+        orient: "auto",
+      },
       svg("path", { d: "M0 0L8 4L0 8Z" }),
     );
     this.element.replaceChildren(

@@ -169,7 +169,7 @@ function drawMarks(picture: Picture, task: Task, session: Session, frame: Frame)
 /** X and Y feed direction, a cycle a slot, the last one at the right: −1, 0 or +1 each. */
 export function drawWaves(picture: Picture, session: Session): void {
   picture.rectangle(0, 0, picture.width, picture.height, colour("paper"));
-  const left = 52;
+  const left = 84;
   const slots = Math.min(Math.max(16, session.last), Math.max(8, Math.floor((picture.width - left - 12) / 10)));
   const slot = (picture.width - left - 12) / slots;
   const first = Math.max(0, session.clock - slots);
@@ -177,7 +177,7 @@ export function drawWaves(picture: Picture, session: Session): void {
   for (const [i, column] of (["dx", "dy"] as const).entries()) {
     const middle = lane * (i + 0.5);
     const rise = lane * 0.3;
-    picture.text(i === 0 ? "X feed" : "Y feed", 4, middle - rise - 4, { colour: colour("ink"), size: 12, weight: 600 });
+    picture.text(i === 0 ? "X feed" : "Y feed", 8, middle + 4, { colour: colour("ink"), size: 12, weight: 600 });
     for (const level of [1, 0, -1]) {
       const y = middle - level * rise;
       picture.line([left, y, picture.width - 8, y], { colour: colour("grid") });

@@ -5,7 +5,7 @@ import { html } from "../ui/dom";
 import { Display } from "./display";
 import { Form } from "./form";
 import { Predict } from "./predict";
-import { presets, withPreset, type Preset } from "./presets";
+import { presetOf, presets, withPreset, type Preset } from "./presets";
 import { Session } from "./session";
 import { Speed } from "./speed";
 import { commandOf, fieldOf, fromLink, quantity, taskOf, toLink, type FieldErrors, type Settings } from "./settings";
@@ -26,7 +26,6 @@ export class Lesson {
   private readonly display: Display;
   private readonly predict: Predict;
   private readonly tabs: HTMLButtonElement[];
-  private preset: Preset | undefined;
   private timer = 0;
   private frame = 0;
   private linkTimer = 0;
@@ -69,8 +68,8 @@ export class Lesson {
       "div",
       { class: "lesson" },
       html("div", { class: "modules", role: "tablist", "aria-label": "Module" }, ...this.tabs),
-      html("div", { class: "side", role: "tabpanel", "aria-label": "Settings" }, this.form.element, this.speed.element),
-      html("div", { class: "main" }, this.predict.element, this.display.element),
+      html("div", { class: "side", role: "tabpanel", "aria-label": "Settings" }, this.form.element),
+      html("div", { class: "main" }, this.speed.element, this.predict.element, this.display.element),
     );
     this.tabs.forEach((tab) => tab.addEventListener("keydown", (event) => this.tabKey(event)));
     addEventListener("hashchange", () => this.restore());
@@ -94,7 +93,6 @@ export class Lesson {
     Object.assign(this.settings, change);
     if (change.predict !== undefined) this.predict.reset();
     if (!isLook) {
-      this.preset = undefined;
       void this.load(0);
       return;
     }
@@ -105,7 +103,6 @@ export class Lesson {
 
   private choose(preset: Preset): void {
     this.settings = withPreset(this.settings, preset);
-    this.preset = preset;
     void this.load(0);
   }
 
@@ -118,7 +115,6 @@ export class Lesson {
   private restore(): void {
     if (location.hash === toLink({ ...this.settings, clock: this.session.clock })) return;
     this.settings = fromLink(location.hash);
-    this.preset = undefined;
     void this.load(this.settings.clock);
   }
 
@@ -145,8 +141,10 @@ export class Lesson {
   private async load(clock: number): Promise<void> {
     this.pause();
     const load = ++this.loads;
+    this.element.dataset["loading"] = String(load);
+    delete this.element.dataset["told"];
     const task = this.check();
-    if (task === undefined) return this.refuse();
+    if (task === undefined) return this.refuse(load);
     const problems = await this.engine.problems(task);
     if (load !== this.loads) return;
     const recording = problems.length > 0 ? undefined : await this.engine.load(task, mostClocks);
@@ -156,14 +154,16 @@ export class Lesson {
       const key = fieldOf(field);
       if (!this.errors.has(key)) this.errors.set(key, hint === "" ? message : `${message}: ${hint}`);
     }
-    if (recording === undefined || "code" in recording) return this.refuse();
+    if (recording === undefined || "code" in recording) return this.refuse(load);
     this.task = task;
     this.whyOf = -1;
+    this.element.dataset["loaded"] = String(load);
     this.session.load(recording, clock);
   }
 
-  private refuse(): void {
+  private refuse(load: number): void {
     this.task = undefined;
+    this.element.dataset["loaded"] = String(load);
     this.session.unload();
   }
 
@@ -237,7 +237,7 @@ export class Lesson {
       tab.tabIndex = isOn ? 0 : -1;
     }
     this.form.update(settings, this.method(), this.errors, session.recording?.conventions);
-    this.form.showPreset(this.preset);
+    this.form.showPreset(presetOf(settings));
     this.form.showStart(session.state === "running" || session.state === "waiting", this.statusText());
     this.speed.update(settings, session, this.errors);
     this.predict.update(settings.predict && this.task !== undefined);

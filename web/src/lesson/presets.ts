@@ -117,3 +117,14 @@ export function withPreset(settings: Settings, preset: Preset): Settings {
   const marks = { stopAtPulse: settings.stopAtPulse, stopAtBorder: settings.stopAtBorder, predict: settings.predict };
   return { ...initial, capacity: "", order: "", tie: "", ...kept, ...marks, ...preset.settings, clock: 0 };
 }
+
+/** The preset whose curve and method these are, if there is one. */
+export function presetOf(settings: Settings): Preset | undefined {
+  return presets.find((preset) => {
+    const whole = { ...withPreset(settings, preset), view: settings.view, clock: settings.clock };
+    const isLine = whole.module === "line";
+    return (Object.keys(whole) as (keyof Settings)[]).every(
+      (key) => whole[key] === settings[key] || (isLine && /^(center[XY]|direction|order|tie)$/.test(key)),
+    );
+  });
+}

@@ -59,51 +59,58 @@ export class Speed {
     );
     this.atPulse = this.check("stop-pulse", (on) => events.change({ stopAtPulse: on }));
     this.atBorder = this.check("stop-border", (on) => events.change({ stopAtBorder: on }));
-    this.borderRow = html("label", { class: "choice", for: "stop-border" }, this.atBorder, "At a quadrant's border");
-    this.element = html("section", { class: "panel", "aria-labelledby": "speed" }, ...this.content());
+    this.borderRow = html(
+      "label",
+      { class: "choice", for: "stop-border" },
+      this.atBorder,
+      "Stop at a quadrant's border",
+    );
+    this.element = html("section", { class: "panel speed", "aria-labelledby": "speed" }, ...this.content());
   }
 
   private content(): HTMLElement[] {
     const [automatic, single] = this.modes;
     return [
-      html("h2", { id: "speed" }, "Speed"),
       html(
         "div",
-        { class: "choices", role: "radiogroup", "aria-label": "How cycles are triggered" },
-        html("label", { class: "choice", for: "mode-automatic" }, automatic, "Automatic"),
-        html("label", { class: "choice", for: "mode-single" }, single, "Single step"),
+        { class: "panel-head" },
+        html("h2", { id: "speed" }, "Speed"),
+        html("p", { class: "clock" }, html("span", {}, "Interpolation time"), this.time),
       ),
       html(
         "div",
-        { class: "field" },
-        html("label", { for: "interval" }, "Interval between cycles, s"),
-        this.interval,
-        this.error,
+        { class: "transport" },
+        html(
+          "div",
+          { class: "buttons" },
+          this.button("first", "First", () => this.events.seek(0)),
+          this.button("back", "Back", () => this.events.step(-1)),
+          this.runs,
+          this.button("step", "Step", () => this.events.step(1)),
+          this.button("last", "Last", () => this.events.seek(Number.MAX_SAFE_INTEGER)),
+        ),
+        html("label", { class: "scrub", for: "scrub" }, html("span", {}, "Cycle"), this.scrub, this.position),
       ),
       html(
         "div",
-        { class: "buttons" },
-        this.button("first", "First", () => this.events.seek(0)),
-        this.button("back", "Back", () => this.events.step(-1)),
-        this.runs,
-        this.button("step", "Step", () => this.events.step(1)),
-        this.button("last", "Last", () => this.events.seek(Number.MAX_SAFE_INTEGER)),
-      ),
-      html("div", { class: "field" }, html("label", { for: "scrub" }, "Cycle"), this.scrub, this.position),
-      html(
-        "fieldset",
-        {},
-        html("legend", {}, "Stop"),
-        html("label", { class: "choice", for: "stop-pulse" }, this.atPulse, "Before the next pulse"),
+        { class: "pace" },
+        html(
+          "div",
+          { class: "choices", role: "radiogroup", "aria-label": "How cycles are triggered" },
+          html("label", { class: "choice", for: "mode-automatic" }, automatic, "Automatic"),
+          html("label", { class: "choice", for: "mode-single" }, single, "Single step"),
+        ),
+        html("label", { class: "inline", for: "interval" }, "Interval, s", this.interval),
+        html("label", { class: "choice", for: "stop-pulse" }, this.atPulse, "Stop before a pulse"),
         this.borderRow,
       ),
+      this.error,
       html(
         "div",
         { class: "buttons" },
         this.button("next-pulse", "To the next pulse", () => this.events.nextPulse()),
         this.borderButton,
       ),
-      html("p", { class: "clock" }, html("span", {}, "Interpolation time"), this.time),
     ];
   }
 

@@ -38,15 +38,17 @@ export class Table {
     this.table.setAttribute("aria-rowcount", String(session.clock + 2));
     if (session.clock !== this.shown) {
       this.shown = session.clock;
-      this.element.scrollTop = Math.max(0, (session.clock + 2) * rowHeight - this.element.clientHeight);
+      const top = Math.max(0, (session.clock + 3) * rowHeight - (this.element.clientHeight || 320));
+      this.draw(top);
+      this.element.scrollTop = top;
     }
     this.draw();
   }
 
-  private draw(): void {
+  private draw(scrollTop = this.element.scrollTop): void {
     const { session, body } = this;
     if (session === undefined) return;
-    const first = Math.max(0, Math.floor(this.element.scrollTop / rowHeight) - spare);
+    const first = Math.max(0, Math.floor(scrollTop / rowHeight) - spare);
     const count = Math.ceil((this.element.clientHeight || 400) / rowHeight) + 2 * spare;
     const last = Math.min(session.clock, first + count);
     const rows: HTMLElement[] = [];
@@ -57,11 +59,9 @@ export class Table {
   }
 
   private space(rows: number): HTMLElement {
-    return html(
-      "tr",
-      { "aria-hidden": "true", class: "space" },
-      html("td", { colspan: this.columns.length, style: `height:${rows * rowHeight}px` }),
-    );
+    const cell = html("td", { colspan: this.columns.length });
+    cell.style.height = `${rows * rowHeight}px`;
+    return html("tr", { "aria-hidden": "true", class: "space" }, cell);
   }
 
   private row(session: Session, clock: number): HTMLElement {

@@ -1,0 +1,129 @@
+// The page shows what the machine does: its rows and figures are those of the native command.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import {
+  choose,
+  click,
+  commandOf,
+  native,
+  nativeTable,
+  numbersOf,
+  openBrowser,
+  openPage,
+  serve,
+  settled,
+  tableOf,
+} from "./browser.mjs";
+
+let server, browser, lesson;
+before(async () => {
+  server = await serve();
+  browser = await openBrowser();
+  lesson = await openPage(browser, server.address);
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** The rows that the lesson's specification refers to: preset, curve, clocks, pulses, error. */
+const references = [
+  ["line-across", "--line --start 3,4 --end -9,-6 --bits 4", 16, 14, ".512"],
+  ["across-quadrants", "--arc --start 6,8 --end -8,6 --center 0,0 --cw --bits 4", 80, 52, "1.180"],
+  ["circle-10", "--arc --start 10,0 --end 10,0 --center 0,0 --ccw --bits 4", 104, 68, "1.180"],
+  ["line-11-7", "--line --end 11,7 --bits 4", 16, 13, ".690"],
+  ["one-quadrant", "--arc --start 5,0 --end 0,5 --center 0,0 --ccw --bits 3", 14, 8, ".831"],
+];
+
+for (const [preset, curve, clocks, pulses, error] of references) {
+  test(`${preset}: each row of the table is the command's`, async () => {
+    const { page } = lesson;
+    await choose(page, preset);
+    await click(page, "last");
+    const args = ["pulse", "--method", "dda", "--preload", "zero", ...curve.split(" "), "--table"];
+    const expected = nativeTable(args);
+    const shown = await tableOf(page);
+    assert.equal(expected.rows.length, clocks + 1);
+    assert.equal(shown.rows.length, expected.rows.length);
+    const places = expected.columns.map((name) => shown.columns.indexOf(name));
+    assert.ok(!places.includes(-1), `${expected.columns} are not all among ${shown.columns}`);
+    shown.rows.forEach((row, clock) =>
+      assert.deepEqual(
+        places.map((place) => row[place]),
+        expected.rows[clock],
+        `clock ${clock}`,
+      ),
+    );
+    const numbers = await numbersOf(page);
+    assert.equal(numbers.Cycle, String(clocks));
+    assert.equal(numbers.Pulses, String(pulses));
+    assert.equal(numbers.Greatest, error.padStart(5, "0"));
+    assert.equal(native(await commandOf(page)), native(args), "the command that the page shows prints something else");
+  });
+}
+
+/** Figures at the end of what is set, beside those of the page's own command. */
+async function expectFigures(page, what) {
+  await click(page, "last");
+  const args = (await commandOf(page)).map((word) => (word === "--table" ? "--json" : word));
+  const [expected] = JSON.parse(native(args)).methods;
+  const numbers = await numbersOf(page);
+  assert.equal(numbers.Cycle, String(expected.clocks), what);
+  assert.equal(numbers.Pulses, String(expected.pulses), what);
+  assert.equal(numbers.Greatest, expected.max_error_blu.toFixed(3), what);
+  assert.equal(numbers.RMS, expected.rms_error_blu.toFixed(3), what);
+  assert.deepEqual([numbers.X, numbers.Y], expected.end.map(String), what);
+  const inForce = await page.textContent("#in-force");
+  for (const key of ["preload", "order", "tie", "end_rule"])
+    if (expected.options[key] !== undefined)
+      assert.ok(inForce.includes(expected.options[key]), `${what}: ${key} of ${inForce}`);
+  return numbers;
+}
+
+test("each preset has the command's figures, and those that a paper has published", async () => {
+  const { page } = lesson;
+  const presets = await page.$$eval("#preset option", (all) =>
+    all.map((each) => each.value).filter((value) => value !== ""),
+  );
+  assert.ok(presets.length >= 10, String(presets));
+  for (const preset of presets) {
+    await choose(page, preset);
+    const numbers = await expectFigures(page, preset);
+    const published = (await page.textContent("#preset-source")).split("Published: ")[1] ?? "";
+    const [, error] = / error (\.\d+)/.exec(published) ?? [];
+    if (error !== undefined) assert.equal(numbers.Greatest, `0${error}`, preset);
+    const [, steps] = /(\d+) (?:steps|cycles)/.exec(published) ?? [];
+    if (steps !== undefined) assert.equal(numbers.Cycle, steps, preset);
+  }
+});
+
+test("every method and option has the command's figures", async () => {
+  const { page } = lesson;
+  const valuesOf = async (id) =>
+    (await page.$$eval(`#${id} option`, (all) => all.map((each) => each.value))).filter((value) => value !== "");
+  for (const preset of ["line-11-7", "across-quadrants"]) {
+    await choose(page, preset);
+    await page.fill("#bits", "");
+    await page.selectOption("#preload", "");
+    for (const method of await valuesOf("method")) {
+      await page.selectOption("#method", method);
+      await settled(page);
+      await expectFigures(page, `${preset} ${method}`);
+      for (const option of ["preload", "order", "tie"]) {
+        if (!(await page.isVisible(`#${option}`))) continue;
+        for (const value of await valuesOf(option)) {
+          await page.selectOption(`#${option}`, value);
+          await settled(page);
+          await expectFigures(page, `${preset} ${method} ${option} ${value}`);
+        }
+        await page.selectOption(`#${option}`, "");
+      }
+    }
+  }
+});
+
+test("nothing failed and nothing left the page", () => {
+  assert.deepEqual([...new Set(lesson.failures)].slice(0, 5), []);
+  assert.deepEqual(lesson.strays, []);
+});
