@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
 export const root = fileURLToPath(new URL("../..", import.meta.url));
-export const built = join(root, "build/web");
+export const built = process.env.LEADSCREW_WEB ?? join(root, "build/web");
 export const lessonFile = join(built, "file/lesson.html");
 
 const types = {

@@ -25,6 +25,8 @@ export class Display {
   private readonly command = html("code", { id: "command", tabindex: 0 });
   private readonly views: HTMLSelectElement;
   private readonly predict: HTMLInputElement;
+  private draws = 0;
+  private readonly sizes = new Map<Element | null, readonly [number, number]>();
   private readonly flow = new Flow((text) => (this.probe.textContent = text));
   private readonly table: Table;
   private shown: { task: Task; session: Session; settings: Settings; command: string } | undefined;
@@ -43,7 +45,12 @@ export class Display {
       change: () => events.change({ predict: this.predict.checked }),
     });
     this.element = html("div", { class: "display" }, ...this.content());
-    new ResizeObserver(() => this.draw()).observe(this.element);
+    const sizes = new ResizeObserver((entries) => {
+      for (const { target, contentRect } of entries) this.sizes.set(target, [contentRect.width, contentRect.height]);
+      this.draw();
+    });
+    for (const canvas of [this.graph, this.waves])
+      if (canvas.parentElement !== null) sizes.observe(canvas.parentElement);
   }
 
   private content(): HTMLElement[] {
@@ -117,7 +124,7 @@ export class Display {
     this.flow.update(session, task.shape === "arc");
     this.table.update(session);
     this.showNumbers(session);
-    this.draw();
+    if (this.draws === 0) this.draws = requestAnimationFrame(() => this.draw());
   }
 
   showWhy(text: string): void {
@@ -128,21 +135,25 @@ export class Display {
     this.why.replaceChildren(...lines.map((line) => html("p", {}, line)));
   }
 
+  /** At most once a frame, unless the page's look has changed. */
   draw(): void {
+    this.draws = 0;
     if (this.shown === undefined) return;
     const { task, session, settings } = this.shown;
-    const size = (canvas: HTMLCanvasElement): [number, number] => {
-      const box = canvas.parentElement?.getBoundingClientRect();
-      return [Math.max(200, Math.round(box?.width ?? 0)), Math.max(100, Math.round(box?.height ?? 0))];
-    };
-    drawGraph(new CanvasPicture(this.graph, ...size(this.graph)), task, session, settings);
-    drawWaves(new CanvasPicture(this.waves, ...size(this.waves)), session);
+    drawGraph(new CanvasPicture(this.graph, ...this.sizeOf(this.graph)), task, session, settings);
+    drawWaves(new CanvasPicture(this.waves, ...this.sizeOf(this.waves)), session);
     this.graph.setAttribute("aria-label", graphText(task, session));
     const [x, y] = [session.value(session.clock, "dx"), session.value(session.clock, "dy")];
     this.waves.setAttribute(
       "aria-label",
       `Feed directions of X and Y until cycle ${session.clock}: now ${stepText(x)} and ${stepText(y)}`,
     );
+  }
+
+  /** Of the frame around a canvas, as it was last told. */
+  private sizeOf(canvas: HTMLCanvasElement): [number, number] {
+    const [width, height] = this.sizes.get(canvas.parentElement) ?? [640, 320];
+    return [Math.max(200, Math.round(width)), Math.max(100, Math.round(height))];
   }
 
   private showNumbers(session: Session): void {

@@ -4,7 +4,7 @@ import { html, signed } from "../ui/dom";
 import type { Session } from "./session";
 
 const rowHeight = 26;
-const spare = 8;
+const spare = 4;
 
 /** The columns in the order of `leadscrew pulse --table`, then what the cycle added. */
 export class Table {
@@ -19,14 +19,26 @@ export class Table {
   );
   readonly element = html(
     "div",
-    { class: "table", tabindex: 0, role: "region", "aria-label": "Process data", scroll: () => this.draw() },
+    { class: "table", tabindex: 0, role: "region", "aria-label": "Process data", scroll: () => this.scroll() },
     this.table,
   );
   private session: Session | undefined;
   private columns: readonly string[] = [];
   private shown = -1;
+  // As they were last told: to ask for them would lay the whole page out anew.
+  private top = 0;
+  private follows = 0;
+  private height = 320;
 
-  constructor(private readonly onChoose: (clock: number) => void) {}
+  constructor(private readonly onChoose: (clock: number) => void) {
+    new ResizeObserver(([entry]) => (this.height = entry?.contentRect.height ?? this.height)).observe(this.element);
+  }
+
+  private scroll(): void {
+    if (Math.abs(this.element.scrollTop - this.top) < 1) return;
+    this.top = this.element.scrollTop;
+    this.draw();
+  }
 
   update(session: Session): void {
     this.session = session;
@@ -38,18 +50,25 @@ export class Table {
     this.table.setAttribute("aria-rowcount", String(session.clock + 2));
     if (session.clock !== this.shown) {
       this.shown = session.clock;
-      const top = Math.max(0, (session.clock + 3) * rowHeight - (this.element.clientHeight || 320));
-      this.draw(top);
-      this.element.scrollTop = top;
+      this.top = Math.max(0, (session.clock + 3) * rowHeight - this.height);
+      this.draw();
+      if (this.follows === 0) this.follows = requestAnimationFrame(() => this.follow());
+      return;
     }
     this.draw();
   }
 
-  private draw(scrollTop = this.element.scrollTop): void {
+  /** Once a frame: scrolling lays the page out. */
+  private follow(): void {
+    this.follows = 0;
+    this.element.scrollTop = this.top;
+  }
+
+  private draw(): void {
     const { session, body } = this;
     if (session === undefined) return;
-    const first = Math.max(0, Math.floor(scrollTop / rowHeight) - spare);
-    const count = Math.ceil((this.element.clientHeight || 400) / rowHeight) + 2 * spare;
+    const first = Math.max(0, Math.floor(this.top / rowHeight) - spare);
+    const count = Math.ceil(this.height / rowHeight) + 2 * spare;
     const last = Math.min(session.clock, first + count);
     const rows: HTMLElement[] = [];
     if (first > 0) rows.push(this.space(first));

@@ -23,6 +23,7 @@ export function themeSwitch(onChange: () => void): HTMLElement {
     select.append(new Option(text, value));
   const apply = (theme: Theme): void => {
     document.documentElement.dataset["theme"] = theme;
+    known.clear();
     onChange();
   };
   select.value = kept();
@@ -35,11 +36,21 @@ export function themeSwitch(onChange: () => void): HTMLElement {
     }
     apply(select.value as Theme);
   });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", onChange);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    known.clear();
+    onChange();
+  });
   return select;
 }
 
+const known = new Map<string, string>();
+
 /** Of the page's style, for pictures. */
 export function colour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  let value = known.get(name);
+  if (value === undefined) {
+    value = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+    known.set(name, value);
+  }
+  return value;
 }
