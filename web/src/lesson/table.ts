@@ -4,6 +4,7 @@ import { html, signed } from "../ui/dom";
 import type { Session } from "./session";
 
 const rowHeight = 26;
+const headHeight = 32;
 const spare = 4;
 
 /** The columns in the order of `leadscrew pulse --table`, then what the cycle added. */
@@ -35,7 +36,8 @@ export class Table {
   }
 
   private scroll(): void {
-    if (Math.abs(this.element.scrollTop - this.top) < 1) return;
+    // What follow() scrolled is drawn already, and is not the reader's wish.
+    if (this.follows !== 0 || Math.abs(this.element.scrollTop - this.top) < 2) return;
     this.top = this.element.scrollTop;
     this.draw();
   }
@@ -45,12 +47,18 @@ export class Table {
     const columns = session.recording?.columns ?? [];
     if (columns !== this.columns) {
       this.columns = columns;
-      this.head.replaceChildren(html("tr", {}, ...columns.map((name) => html("th", { scope: "col" }, name))));
+      this.head.replaceChildren(
+        html(
+          "tr",
+          {},
+          ...columns.map((name) => html("th", { scope: "col", class: name.length > 5 ? "long" : undefined }, name)),
+        ),
+      );
     }
     this.table.setAttribute("aria-rowcount", String(session.clock + 2));
     if (session.clock !== this.shown) {
       this.shown = session.clock;
-      this.top = Math.max(0, (session.clock + 3) * rowHeight - this.height);
+      this.top = Math.max(0, (session.clock + 1) * rowHeight + headHeight - this.height);
       this.draw();
       if (this.follows === 0) this.follows = requestAnimationFrame(() => this.follow());
       return;
