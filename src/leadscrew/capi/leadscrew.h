@@ -335,8 +335,10 @@ LEADSCREW_API int leadscrew_pulses_copy(const leadscrew_pulses* pulses, leadscre
                                         leadscrew_error* error);
 /** It may be NULL. */
 LEADSCREW_API void leadscrew_pulses_free(leadscrew_pulses* pulses);
+/** What is in force. */
 LEADSCREW_API int leadscrew_pulses_conventions(const leadscrew_pulses* pulses, leadscrew_pulse_conventions* conventions,
                                                leadscrew_error* error);
+/** Of the clocks until now; what further ones bring is not known to it. */
 LEADSCREW_API int leadscrew_pulses_figures(const leadscrew_pulses* pulses, leadscrew_pulse_figures* figures,
                                            leadscrew_error* error);
 /** The name of a number of each row, from 0; NULL where there are not so many. First "clock", the pulse "dx" and "dy" (-1,
