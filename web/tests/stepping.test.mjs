@@ -60,6 +60,7 @@ test("a step back and one on are the identity at 1000 random places", async () =
         texts(".block-value"),
       ].join("\n");
     const last = Number(scrub.max);
+    document.documentElement.style.display = "none"; // words and pictures are made all the same; only nobody paints them
     let state = 1980;
     const seen = new Set();
     for (let i = 0; i < 1000; ++i) {
@@ -85,6 +86,7 @@ test("a step back and one on are the identity at 1000 random places", async () =
       if (picture !== "" && document.querySelector("#graph").toDataURL() !== picture)
         return `clock ${clock}: the picture`;
     }
+    document.documentElement.style.display = "";
     return seen.size;
   });
   assert.equal(typeof found, "number", String(found));
