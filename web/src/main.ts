@@ -4,6 +4,7 @@ import { openEngine } from "leadscrew:engine";
 import { Lesson } from "./lesson/lesson";
 import "./style/page.css";
 import "./style/lesson.css";
+import "./style/display.css";
 import { html } from "./ui/dom";
 import { themeSwitch } from "./ui/theme";
 
