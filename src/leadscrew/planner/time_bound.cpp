@@ -213,9 +213,17 @@ double TimeBound::greatest_end(const Interval& interval, double x_begin) {
   return std::clamp(x_begin + interval.length * up, 0.0, interval.x_end_max);
 }
 
-/// x rises from one knot as fast as accelerations allow, stays below the line between the greatest at both knots, and falls to
-/// the other: the lowest of three straight lines. Where feed jumps at a knot that takes next to nothing of the interval.
+/// On a straight interval speed rises to a peak below the limit, stays there, and falls. Else x rises from one knot as fast as
+/// accelerations allow, stays below the line between the greatest at both knots, and falls to the other: the lowest of three
+/// straight lines. Where feed jumps at a knot that takes next to nothing of the interval.
 double TimeBound::duration(const Interval& interval, double x_begin, double x_end) {
+  if (interval.is_straight()) {
+    const double b = interval.straight_b;
+    const double peak = std::min(interval.x_max, (x_begin + x_end) / 2 + b * interval.length);
+    const double cruise = std::max(0.0, interval.length - (2 * peak - x_begin - x_end) / (2 * b));
+    const double v_peak = std::sqrt(peak);
+    return std::max(0.0, 2 * v_peak - std::sqrt(x_begin) - std::sqrt(x_end)) / b + cruise / v_peak;
+  }
   const double length = interval.length, chord = (x_end - x_begin) / length;
   const auto [up, down] = greatest_slopes(interval, x_begin, x_end);
   const double rise = std::max(up, chord), fall = std::max(down, -chord);
