@@ -4,6 +4,7 @@
 #include <leadscrew/planner/barrier.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace leadscrew::planner {
@@ -44,7 +45,7 @@ void SpeedIterate::step_back(const SpeedProblem& problem, std::span<const double
 }
 
 BarrierSolver::BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal,
-                             SpeedIterate& iterate)
+                             SpeedIterate& iterate, bool weighs_caps)
     : problem_(problem),
       bounds_(bounds),
       goal_(goal),
@@ -78,6 +79,24 @@ BarrierSolver::BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bou
   cap_duals_.resize(n + 3);
   models_.resize(n);
   terms_.factors.resize(terms_.sites.size());
+  if (weighs_caps) weigh_caps();
+}
+
+void BarrierSolver::weigh_caps() {
+  const std::size_t n = problem_.intervals();
+  std::vector<double>& weights = terms_.weights;
+  for (std::size_t k = 0; k < n; ++k) weights.push_back(problem_.basis()[k].h / std::sqrt(bounds_.caps().middles[k]));
+  const double mean = std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(n);
+  for (double& weight : weights) weight = std::min(weight / mean, 1.0);
+  for (std::size_t i = 0; i < n + 3; ++i) {
+    const std::size_t from = i > 3 ? i - 3 : 0, to = std::min(i, n - 1);
+    double sum = 0;
+    for (std::size_t k = from; k <= to; ++k) sum += weights[k];
+    weights_.push_back(sum / static_cast<double>(to - from + 1));
+  }
+  // Two caps of each interval; a cap and a floor of each coefficient that is free.
+  for (const double weight : weights) inequalities_ -= 2 * (1 - weight);
+  for (std::size_t i = first_free_; i < n + 3; ++i) inequalities_ -= 2 * (1 - weights_[i]);
 }
 
 /// Rows may have been relaxed less since.
@@ -110,11 +129,13 @@ double BarrierSolver::grown(double t, double most) {
 
 /// Newton steps until they help little; the objective then.
 double BarrierSolver::follow(double t) {
+  using namespace tuning::barrier;
+  const double negligible = weights_.empty() ? tuning::barrier::negligible : negligible_where_weighed;
   find_factors();
   Step at = measure(iterate_.coefficients(), t, values_);
   for (int step = 0; step < 25; ++step) {
     double decrement = 0;
-    if (!newton(t, at, decrement) || decrement < tuning::barrier::negligible * inequalities_) break;
+    if (!newton(t, at, decrement) || decrement < negligible * inequalities_) break;
   }
   return at.objective;
 }
@@ -157,7 +178,11 @@ void BarrierSolver::find_direction(double t) {
 class BarrierSolver::Product {
  public:
   /// False where the factor is not above 0.
-  bool take(double factor) {
+  bool take(double factor, double weight = 1) {
+    if (weight != 1) {
+      sum_ -= weight * std::log(factor);
+      return factor > 0;
+    }
     product_ *= factor;
     if (product_ < 1e-200) {
       sum_ -= std::log(product_);
@@ -187,7 +212,8 @@ bool BarrierSolver::measure_coefficients(std::span<const double> c, Product& bar
   const std::vector<double>& caps = bounds_.caps().coefficients;
   for (std::size_t i = first_free_; i < c.size(); ++i) {
     const double inverse = 1 / caps[i];
-    if (!(barrier.take(1 - c[i] * inverse) && barrier.take((c[i] - floors_[i]) * inverse))) return false;
+    if (!(barrier.take(1 - c[i] * inverse, weight(i)) && barrier.take((c[i] - floors_[i]) * inverse, weight(i))))
+      return false;
   }
   return !problem_.ends_in_creep() || barrier.take(1 - c.back() / problem_.creep().back());
 }
@@ -261,8 +287,8 @@ void BarrierSolver::add_single(std::size_t coefficient, double slope, double cur
   hessian_.add(v, v, w * w * curvature);
 }
 
-void BarrierSolver::keep_below(std::size_t coefficient, double greatest, double dual) {
-  const double inverse = 1 / (greatest - iterate_.coefficients()[coefficient]);
+void BarrierSolver::keep_below(std::size_t coefficient, double greatest, double dual, double weight) {
+  const double inverse = weight / (greatest - iterate_.coefficients()[coefficient]);
   add_single(coefficient, inverse, dual * inverse / greatest);
 }
 
@@ -276,15 +302,15 @@ void BarrierSolver::assemble_coefficients(double t) {
   const std::vector<double>& c = iterate_.coefficients();
   const double of_floors = is_first_ ? tuning::barrier::first_floor_curvature : 1;
   for (std::size_t i = first_free_; i < c.size(); ++i) {
-    keep_below(i, bounds_.caps().coefficients[i], cap_duals_[i]);
-    const double above = 1 / (c[i] - floors_[i]);
-    add_single(i, -above, of_floors * above * above);
+    keep_below(i, bounds_.caps().coefficients[i], cap_duals_[i], weight(i));
+    const double above = 1 / (c[i] - floors_[i]), weighed = weight(i) * above;
+    add_single(i, -weighed, of_floors * weighed * above);
   }
   if (problem_.starts_at_rest()) spend_on_ramp(0, problem_.knots().start_ramp, t);
   if (problem_.ends_at_rest()) {
     spend_on_ramp(c.size() - 1, problem_.knots().end_ramp, t);
   } else if (problem_.ends_in_creep()) {
-    keep_below(c.size() - 1, problem_.creep().back(), creep_dual_);
+    keep_below(c.size() - 1, problem_.creep().back(), creep_dual_, 1);
   }
 }
 

@@ -43,7 +43,10 @@ class SpeedIterate {
 /// between stages.
 class BarrierSolver {
  public:
-  BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal, SpeedIterate& iterate);
+  /// `weighs_caps`: caps of intervals that are passed in less than the mean of their times weigh as much less in the barrier. All
+  /// the same, they would keep x the farther off the cap the closer knots lie.
+  BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal, SpeedIterate& iterate,
+                bool weighs_caps);
 
   /// From `first_gap` of the objective, relative, to within `gap` of the optimum. far_inside() is called after every
   /// stage that is at least a tenth of the objective from it.
@@ -70,6 +73,8 @@ class BarrierSolver {
   class Product;
   static constexpr int most_stages = 40, most_attempts = 60;
 
+  void weigh_caps();
+  double weight(std::size_t coefficient) const { return weights_.empty() ? 1 : weights_[coefficient]; }
   double begin(double gap);
   double grown(double t, double most);
   double follow(double t);
@@ -84,7 +89,7 @@ class BarrierSolver {
   void add_to_variables(std::size_t interval, const LocalModel& model);
   void assemble_coefficients(double t);
   void add_single(std::size_t coefficient, double slope, double curvature);
-  void keep_below(std::size_t coefficient, double greatest, double dual);
+  void keep_below(std::size_t coefficient, double greatest, double dual, double weight);
   void spend_on_ramp(std::size_t coefficient, double ramp, double t);
   void center_duals();
   void step_duals(std::span<const double> before, const BarrierValues& values, double share);
@@ -96,6 +101,7 @@ class BarrierSolver {
   SpeedIterate& iterate_;
   SpeedIterate trial_;
   std::vector<double> floors_;
+  std::vector<double> weights_;  ///< of the coefficients' caps and floors; none: 1
   double inequalities_;
   std::size_t first_free_, first_single_, end_single_;  ///< coefficients: the first free one; those that are a variable
   BarrierTerms terms_;

@@ -63,6 +63,10 @@ struct Logarithms {
   double sum = 0;
 
   LEADSCREW_LANEWISE void take(const Vector& factors) { product *= factors; }
+  /// The places of an interval that have caps.
+  void take(const Vector& factors, double weight) {
+    sum -= weight * (std::log(factors[SpeedProblem::middle_place]) + std::log(factors[SpeedProblem::end_place]));
+  }
   /// Before a product may fall below the smallest double.
   LEADSCREW_LANEWISE void settle() {
     const Vector small = all(1e-60);
@@ -85,7 +89,11 @@ bool measure(const BarrierTerms& terms, std::span<const double> c, BarrierValues
     store(values.places[k], x);
     Mask inside = (x > none) & (free > none);
     time += all(terms.basis[k].h) * weights / root(x);
-    logarithms.take(free);
+    if (terms.weight(k) == 1) {
+      logarithms.take(free);
+    } else {
+      logarithms.take(free, terms.weight(k));
+    }
     for (; next < terms.sites.size() && terms.sites[next].interval == k; ++next) {
       const SpeedProblem::Site& site = terms.sites[next];
       const double square = site.place >= 0 ? x[site.place] : dot(site.x, &c[k]);
@@ -143,7 +151,7 @@ void assemble(const BarrierTerms& terms, double t, const BarrierValues& values, 
   for (std::size_t k = 0; k < terms.places.size(); ++k) {
     Local local;
     const Vector x = load(values.places[k]), inverse = one / x, cap = load(terms.inverse_caps[k]);
-    const Vector part = all(t * terms.basis[k].h) * weights * (inverse / root(x)), kept = cap / (one - x * cap);
+    const Vector part = all(t * terms.basis[k].h) * weights * (inverse / root(x)), kept = all(terms.weight(k)) * cap / (one - x * cap);
     Vector slope = kept - all(0.5) * part;
     Vector bend = all(terms.time_curvature) * part * inverse + load(duals.places[k]) * cap * kept;
     if (!terms.excess.empty()) {

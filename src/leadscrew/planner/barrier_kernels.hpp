@@ -38,8 +38,11 @@ struct BarrierTerms {
   double time_curvature = 0.75;     ///< of x^(−1/2), times x^(5/2)
   Lanes time_weights{};             ///< of an interval's places, per unit of its length
   std::vector<Lanes> inverse_caps;  ///< of x at the places; 0: no cap
+  std::vector<double> weights;      ///< of the caps of each interval; none: 1
   std::vector<double> factors;      ///< of the sites, squared
   std::vector<ExcessTerms> excess;  ///< of the intervals; none where time alone counts
+
+  double weight(std::size_t interval) const { return weights.empty() ? 1 : weights[interval]; }
 };
 
 /// Values of one iterate.

@@ -70,6 +70,7 @@ class SpeedProblem::Builder {
     problem_.caps_.knots[0] = left_.cap;
     add_site(0, 0, left_.rows);
     speed_varies_.assign(n, false);
+    cap_steps_ = problem_.knots_.breaks;
     for (std::size_t k = 0; k < n; ++k) add_interval(k);
     lower_varying_caps();
     cap_coefficients();
@@ -152,6 +153,9 @@ class SpeedProblem::Builder {
     left_ = right;
     if (knots.breaks[k + 1]) {
       left_ = look(end, Side::right);
+      const bool goes_on = left_.speed_varies && right.speed_varies &&
+                           std::abs(left_.cap - right.cap) <= tuning::cruises::same_cap * right.cap;
+      cap_steps_[k + 1] = !goes_on;
       caps.knots[k + 1] = std::min(caps.knots[k + 1], left_.cap);
     }
   }
@@ -244,7 +248,6 @@ class SpeedProblem::Builder {
   /// in the hull of its coefficients. Where the programmed speed falls at a knot, the smaller holds on both sides.
   void cap_coefficients() {
     const std::size_t n = problem_.intervals();
-    const std::vector<bool>& breaks = problem_.knots_.breaks;
     SquareCaps& caps = problem_.caps_;
     caps.coefficients.assign(n + 3, infinity);
     for (std::size_t i = 0; i < n + 3; ++i) {
@@ -253,7 +256,7 @@ class SpeedProblem::Builder {
       bool step = false;
       for (std::size_t k = from; k <= to; ++k) {
         greatest = std::max({greatest, caps.middles[k], caps.knots[k], caps.knots[k + 1]});
-        step = step || breaks[k] || breaks[k + 1];
+        step = step || cap_steps_[k] || cap_steps_[k + 1];
       }
       if (step) {
         for (std::size_t k = from; k <= to; ++k)
@@ -269,6 +272,7 @@ class SpeedProblem::Builder {
   double feed_factor_;
   std::size_t pairs_ = 0;           ///< of rows, of the site that was begun last
   std::vector<bool> speed_varies_;  ///< of each interval: its caps are by a feed that varies
+  std::vector<bool> cap_steps_;     ///< at each knot: may the cap be another behind it?
   Look left_;                       ///< at the knot that has been reached, looking on
 };
 

@@ -159,55 +159,27 @@ void SpeedProfile::unlevel() {
 
 /// The barrier keeps x a few parts in ten thousand below the cap. Where it is that close for many knots, close the rest
 /// of the gap: not at once, which would be a step of acceleration, but by a smooth share over the first and last knots.
-///
-/// A knot's part of the time is what draws x to the cap: among knots that lie close, such as where an earlier window ended
-/// or where what binds the tangent has a peak, x keeps farther off. On paths of the tip, whose feed is told to a
-/// thousandth, such dips are levelled too.
 void SpeedProfile::level_cruises() {
+  using namespace tuning::cruises;
   levelled_.clear();
   std::vector<double> c = iterate_.coefficients();
-  for (const Cruise& cruise : cruises()) level(cruise, c);
-  if (c == iterate_.coefficients()) return;
-  const auto keeps_limits = [&] { return !(bounds_.greatest_ratio(problem_, c) > 1 + 1e-12); };
-  if (keeps_limits()) {
-    levelled_ = std::move(c);
-  } else if (is_of_tip_) {
-    c = iterate_.coefficients();
-    for (const Cruise& cruise : cruises()) {
-      std::vector<double> before = c;
-      level(cruise, c);
-      if (!keeps_limits()) c = std::move(before);
-    }
-    if (c != iterate_.coefficients()) levelled_ = std::move(c);
-  }
-}
-
-std::vector<SpeedProfile::Cruise> SpeedProfile::cruises() const {
-  using namespace tuning::cruises;
-  const std::vector<double>&c = iterate_.coefficients(), &caps = bounds_.caps().coefficients;
-  const double dip = is_of_tip_ ? deepest_dip : near, rounding = is_of_tip_ ? same_cap : 0;
+  const std::vector<double>& caps = bounds_.caps().coefficients;
+  const auto at_cap = [&](std::size_t i) { return c[i] > (1 - near) * caps[i]; };
   const bool joins = !starts_at_rest() && c[0] == c[1] && c[0] == c[2] && c[0] == caps[3];
-  std::vector<Cruise> found;
   for (std::size_t i = 3; i + 3 < c.size();) {
-    Cruise cruise{i, i, caps[i], joins && i == 3};
-    for (std::size_t k = i; k + 3 < c.size() && c[k] > (1 - dip) * caps[k]; ++k) {
-      if (std::abs(caps[k] - caps[i]) > rounding * caps[i] || (k == i && !(c[k] > (1 - near) * caps[k]))) break;
-      if (c[k] > (1 - near) * caps[k]) cruise.end = k + 1;
+    std::size_t end = i;
+    while (end + 3 < c.size() && at_cap(end) && caps[end] == caps[i]) ++end;
+    const bool goes_on = joins && i == 3;  // the cruise has begun before
+    if (end - i >= (goes_on ? blend : shortest)) {
+      for (std::size_t k = i; k < end; ++k) {
+        const std::size_t inside = goes_on ? end - 1 - k : std::min(k - i, end - 1 - k);
+        const double share = smooth_share(static_cast<double>(inside) / blend);
+        c[k] = share >= 1 ? caps[k] : c[k] + share * (caps[k] - c[k]);
+      }
     }
-    for (std::size_t k = i; k < cruise.end; ++k) cruise.square = std::min(cruise.square, caps[k]);
-    if (cruise.end - i >= (cruise.goes_on ? blend : shortest)) found.push_back(cruise);
-    i = std::max(cruise.end, i + 1);
+    i = std::max(end, i + 1);
   }
-  return found;
-}
-
-void SpeedProfile::level(const Cruise& cruise, std::vector<double>& c) {
-  for (std::size_t k = cruise.begin; k < cruise.end; ++k) {
-    const std::size_t behind = cruise.end - 1 - k,
-                      inside = cruise.goes_on ? behind : std::min(k - cruise.begin, behind);
-    const double share = smooth_share(static_cast<double>(inside) / tuning::cruises::blend);
-    c[k] = share >= 1 ? cruise.square : c[k] + share * (cruise.square - c[k]);
-  }
+  if (c != iterate_.coefficients() && !(bounds_.greatest_ratio(problem_, c) > 1 + 1e-12)) levelled_ = std::move(c);
 }
 
 /// Where the profile has been levelled it lies on its greatest speed, where no barrier can start: what follows leaves

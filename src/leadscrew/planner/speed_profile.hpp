@@ -109,20 +109,11 @@ class SpeedProfile {
   int newton_steps() const { return newton_steps_; }
 
  private:
-  /// Coefficients of a stretch at nearly the greatest speed.
-  struct Cruise {
-    std::size_t begin = 0, end = 0;
-    double square = 0;     ///< of that speed
-    bool goes_on = false;  ///< has it begun before the window?
-  };
-  std::vector<Cruise> cruises() const;
-  static void level(const Cruise& cruise, std::vector<double>& c);
-
   const CubicBasis& basis(std::size_t interval) const { return problem_.basis()[interval]; }
   const std::vector<double>& c() const { return levelled_.empty() ? iterate_.coefficients() : levelled_; }
   void set(std::vector<double> coefficients);
   void keep_far_inside();
-  BarrierSolver solver(const SpeedGoal& goal) { return {problem_, bounds_, goal, iterate_}; }
+  BarrierSolver solver(const SpeedGoal& goal) { return {problem_, bounds_, goal, iterate_, is_of_tip_}; }
   void optimize(const SpeedGoal& goal, double first_gap, double gap);
   void clamp_at(Continuation& after, std::size_t interval, double u) const;
 

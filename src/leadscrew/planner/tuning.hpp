@@ -63,11 +63,10 @@ inline constexpr double effort_of_proof = 3;    // units, of a segment
 }  // namespace window
 
 /// Cruises that are levelled. Nearer and longer: fewer levelled, and feed some parts in ten thousand lower there. Shorter
-/// blends and deeper dips: more whose levelling would break a limit, and is taken back.
+/// blends: more whose levelling would break a limit, and is taken back.
 namespace cruises {
-inline constexpr double near = 4e-3;         // below the cap, of x, where one begins and ends
-inline constexpr double deepest_dip = 2e-2;  // between, on paths of the tip
-inline constexpr double same_cap = 1e-9;     // of x, from one coefficient to another, there
+inline constexpr double near = 4e-3;      // below the cap, of x, where one begins and ends
+inline constexpr double same_cap = 1e-9;  // of x, where it varies with the tip's feed: from one coefficient to another
 inline constexpr std::size_t shortest = 40;  // coefficients
 inline constexpr std::size_t blend = 16;     // over which one is reached and left
 }  // namespace cruises
@@ -75,9 +74,10 @@ inline constexpr std::size_t blend = 16;     // over which one is reached and le
 /// The barrier method. Faster growth: fewer stages, of more steps each. More that is negligible: fewer steps a stage, until
 /// the next begins too far from its centre. Shorter steps at the next attempt: fewer attempts; longer: fewer steps.
 namespace barrier {
-inline constexpr double growth = 20;        // of t, from stage to stage
-inline constexpr double negligible = 0.06;  // decrement of a step, of the number of inequalities
-inline constexpr double shorter = 0.7;      // each attempt at a step
+inline constexpr double growth = 20;                      // of t, from stage to stage
+inline constexpr double negligible = 0.06;                // decrement of a step, of the number of inequalities
+inline constexpr double negligible_where_weighed = 0.01;  // where little time is spent counts little of it
+inline constexpr double shorter = 0.7;                    // each attempt at a step
 inline constexpr double first_time_curvature = 0.2,
                         first_floor_curvature = 0.1;  // of the first stage; 0.75 and 1 are exact
 }  // namespace barrier
