@@ -48,7 +48,7 @@ TEST(Layout, OfEvents) {
 }
 
 TEST(Layout, OfOptions) {
-  EXPECT_EQ(sizeof(leadscrew_options), 176U);
+  EXPECT_EQ(sizeof(leadscrew_options), 184U);
   EXPECT_EQ(offsetof(leadscrew_options, start), 8U);
   EXPECT_EQ(offsetof(leadscrew_options, slice), 80U);
   EXPECT_EQ(offsetof(leadscrew_options, on_event), 88U);
@@ -63,6 +63,8 @@ TEST(Layout, OfOptions) {
   EXPECT_EQ(offsetof(leadscrew_options, fuel), 160U);
   EXPECT_EQ(offsetof(leadscrew_options, has_probe), 168U);
   EXPECT_EQ(offsetof(leadscrew_options, has_inputs), 172U);
+  EXPECT_EQ(offsetof(leadscrew_options, allow_gouging), 176U);
+  EXPECT_EQ(offsetof(leadscrew_options, reserved), 180U);
 }
 
 TEST(Layout, OfMoves) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -154,6 +155,26 @@ TEST(Capi, EndsLoopsWhoseFuelIsUsedUp) {
   EXPECT_STREQ(error.code, "fuel-exhausted");
   EXPECT_EQ(code(-1), LEADSCREW_REJECTED);
   EXPECT_STREQ(error.code, "fuel");
+}
+
+TEST(Capi, MachinesASurfaceThatTheToolGougesWhereThatIsAllowed) {
+  // A trough of radius 11.1 mm at its bottom, a ball of 20.
+  const std::string text =
+      "G0 Z50\nG6.4 D1 P3 Q2 I3 J2\nX0 Y0 Z9\nX10 Z0\nX20 Z9\nX0 Y20\nX10 Z0\nX20 Z9\n"
+      "G6.5 D1 T1 Q3 L2 Z30 F3000\nM2\n";
+  const std::string tools = "T1 D40 R20\n";
+  leadscrew_options options = no_options();
+  options.tools = tools.data();
+  options.tools_length = tools.size();
+  leadscrew_error error = sized_error();
+  leadscrew_motion* motion = nullptr;
+  EXPECT_EQ(leadscrew_motion_of_program(mill().get(), text.data(), text.size(), &options, &motion, &error),
+            LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "surface-gouge");
+  EXPECT_EQ(error.line, 9);
+  options.allow_gouging = 1;
+  const auto words = words_of(program(text, options).get());
+  EXPECT_GT(std::count_if(words.begin(), words.end(), [](const auto& word) { return word.position[2] < 10; }), 1000);
 }
 
 TEST(Capi, TellsFunctionsOfTheMachine) {

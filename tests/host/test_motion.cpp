@@ -64,6 +64,32 @@ TEST(HostMotion, RefusesAProgramWithAnError) {
   EXPECT_EQ(codes.size(), 2U);
 }
 
+TEST(HostMotion, MachinesASurfaceThatTheToolGougesWhereTheHostAllowsIt) {
+  // A trough of radius 11.1 mm at its bottom, a ball of 20.
+  const std::string text =
+      "G0 Z50\nG6.4 D1 P3 Q2 I3 J2\nX0 Y0 Z9\nX10 Z0\nX20 Z9\nX0 Y20\nX10 Z0\nX20 Z9\n"
+      "G6.5 D1 T1 Q3 L2 Z30 F3000\nM2\n";
+  machine::Tool ball;
+  ball.number = 1;
+  ball.diameter = 40;
+  ball.corner_radius = 20;
+  host::MotionOptions options;
+  options.tools = machine::ToolTable({ball});
+  const auto refused = host::Motion::of_program(machine::mill3(), text, options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "surface-gouge");
+  options.allows_gouging = true;
+  const std::unique_ptr<host::Motion> allowed = program(text, options);
+  ASSERT_TRUE(allowed);
+  const auto planned = allowed->plan();
+  ASSERT_TRUE(planned);
+  EXPECT_GT(planned->duration(), 1);
+  std::size_t low = 0;
+  for (const base::Word& word : words_of(*allowed)) low += word.position[2] < 10;
+  EXPECT_GT(low, 1000U);
+  EXPECT_FALSE(allowed->failure());
+}
+
 /// Lines enough that reading them asks several times.
 const std::string long_program = [] {
   std::string text = "G21 G90 G64 P0.01 F3000\n";

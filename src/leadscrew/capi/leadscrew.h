@@ -132,7 +132,9 @@ typedef struct leadscrew_options {
   int64_t fuel; /**< lines that a program may read in loops and subprograms, more are an error; 0: 100 million */
   int32_t
       has_probe; /**< not 0: leadscrew_motion_probe_found() ends probing moves; 0: as the machine's simulated probe does */
-  int32_t has_inputs; /**< not 0: leadscrew_motion_input_is() says what inputs are (M66); 0: they are off */
+  int32_t has_inputs;    /**< not 0: leadscrew_motion_input_is() says what inputs are (M66); 0: they are off */
+  int32_t allow_gouging; /**< not 0: surfaces (G6.5) are machined though the tool gouges where it touches; 0: error */
+  int32_t reserved;      /**< 0 */
 } leadscrew_options;
 
 /** Kinds of moves. */

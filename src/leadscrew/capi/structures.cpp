@@ -128,6 +128,7 @@ base::Result<host::MotionOptions> options_of(const leadscrew_options& given, con
   if (given.fuel > 0) options.fuel = given.fuel;
   options.has_inputs = given.has_inputs != 0;
   options.has_probe = given.has_probe != 0;
+  options.allows_gouging = given.allow_gouging != 0;
   if (given.on_subprogram != nullptr) options.subprogram = subprograms_of(given);
   if (given.on_event != nullptr) {
     options.on_event = [function = given.on_event, user = given.user](const base::PassedEvent& passed) {

@@ -36,6 +36,7 @@ gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOpt
   reading.opener = [texts](const std::string& name, std::int64_t offset) { return texts->open(name, offset); };
   reading.fuel = options.fuel;
   reading.asks_inputs = options.has_inputs;
+  reading.allows_gouging = options.allows_gouging;
   if (options.has_probe) reading.probing = gcode::ProbingMoves::real;
   return reading;
 }

@@ -46,6 +46,8 @@ struct MotionOptions {
   bool has_inputs = false;
   /// Probing moves (G38.2 … G38.5, G31) end where probe_found() says so. Otherwise as the machine's simulated probe does.
   bool has_probe = false;
+  /// Surfaces (G6.5) are machined though the tool gouges where it touches. Otherwise that is an error, `surface-gouge`.
+  bool allows_gouging = false;
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
   /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
   /// `interrupted`; motion comes to rest.
