@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/pose_path.hpp>
-#include <leadscrew/kinematics/solutions.hpp>
 #include <leadscrew/surfaces/hermite.hpp>
 #include <leadscrew/surfaces/quintic_spline.hpp>
 #include <leadscrew/surfaces/touch.hpp>
@@ -54,27 +53,31 @@ bool PosePath::is_in_pole(const surfaces::PassNode& place) const {
 }
 
 /// The angles of a node by one of both solutions, the shorter way round from those before.
-std::optional<PoseFailure> PosePath::hold(Node& node, std::size_t side, const Angles& before) const {
+std::optional<PoseFailure> PosePath::hold(Node& node, std::size_t side, const Angles& before, Known& solutions) const {
   const surfaces::PassNode& place = node.place;
-  PoseFailure failure{PoseFailure::Kind::pole, place.u, place.v};
-  const kinematics::Vector direction{place.axis[0][0], place.axis[1][0], place.axis[2][0]};
-  const auto plain = kinematics::solutions(*chain_, direction);
-  if (plain.count == 0) {
-    failure.kind = PoseFailure::Kind::out_of_reach;
-    failure.miss = plain.miss;
-    return failure;
+  if (!solutions) {
+    const kinematics::Vector direction{place.axis[0][0], place.axis[1][0], place.axis[2][0]};
+    const auto plain = kinematics::solutions(*chain_, direction);
+    if (plain.count == 0) return PoseFailure{PoseFailure::Kind::out_of_reach, place.u, place.v, plain.miss};
+    const bool is_pole = kinematics::angle_from_pole(*chain_, direction) < numeric::degrees_of_radian.hi * pole_itself;
+    if (is_pole && rate_of(place.axis) < steady) {
+      node.angles = {Jet(before[0]), Jet(plain.angles[plain.count == 2 ? side : 0][1])};
+      go_on_from(before, node);
+      return std::nullopt;
+    }
+    solutions = kinematics::solutions(*chain_, place.axis);
   }
-  const bool is_pole = kinematics::angle_from_pole(*chain_, direction) < numeric::degrees_of_radian.hi * pole_itself;
-  if (is_pole && rate_of(place.axis) < steady) {
-    node.angles = {Jet(before[0]), Jet(plain.angles[plain.count == 2 ? side : 0][1])};
-  } else {
-    const auto found = kinematics::solutions(*chain_, place.axis);
-    if (found.count < 2 || !is_finite(found.angles[side])) return failure;
-    node.angles = found.angles[side];
-  }
+  if (solutions->count < 2 || !is_finite(solutions->angles[side]))
+    return PoseFailure{PoseFailure::Kind::pole, place.u, place.v};
+  node.angles = solutions->angles[side];
+  go_on_from(before, node);
+  return std::nullopt;
+}
+
+/// The shorter way round.
+void PosePath::go_on_from(const Angles& before, Node& node) {
   for (std::size_t i = 0; i < 2; ++i)
     node.angles[i][0] = before[i] + std::remainder(node.angles[i][0] - before[i], turn_of_angle);
-  return std::nullopt;
 }
 
 /// The angles of a node at a pole, from places before and behind it, either of which may lack. `angles`: those before.
@@ -88,11 +91,12 @@ std::optional<PoseFailure> PosePath::hold_through_pole(Node& node, const surface
   std::optional<Node> a, b;
   if (before) a = Node{between(*before, node.place, 1 - near), {}};
   if (behind) b = Node{between(node.place, *behind, near), {}};
-  if (a && hold(*a, side_, angles)) return failure;
+  Known of_a, of_b;
+  if (a && hold(*a, side_, angles, of_a)) return failure;
   if (b) {
     const Angles from = a ? angles_of(*a) : angles;
     Node other = *b;
-    if (hold(*b, side_, from) || hold(other, 1 - side_, from)) return failure;
+    if (hold(*b, side_, from, of_b) || hold(other, 1 - side_, from, of_b)) return failure;
     if (a && std::abs(other.angles[0][0] - from[0]) < std::abs(b->angles[0][0] - from[0])) b = other;
     if (a && std::abs(b->angles[0][0] - from[0]) > greatest_swing) return failure;
   }
@@ -126,10 +130,11 @@ bool PosePath::is_held(const Node& a, const Node& b) const {
 }
 
 /// On the side so far, or else on the other, where the path goes straight through a pole.
-bool PosePath::is_reached(const Node& at, Node& next, std::optional<PoseFailure>& failure) {
+bool PosePath::is_reached(const Node& at, Waiting& waiting, std::optional<PoseFailure>& failure) {
+  Node& next = waiting.node;
   for (const std::size_t side : {side_, 1 - side_}) {
     if (!next.is_given) {
-      failure = hold(next, side, angles_of(at));
+      failure = hold(next, side, angles_of(at), waiting.solutions);
       if (failure) return false;
     }
     if (!is_held(at, next)) continue;
@@ -142,23 +147,23 @@ bool PosePath::is_reached(const Node& at, Node& next, std::optional<PoseFailure>
 /// Depth first, from the beginning: what waits on the stack lies behind.
 std::optional<PoseFailure> PosePath::add_between(const Node& from, const Node& to) {
   constexpr double beside_middle = 7.0 / 16;
-  std::vector<Node> ahead = {to};
+  std::vector<Waiting> ahead = {{to}};
   Node at = from;
   std::optional<PoseFailure> failure;
   while (!ahead.empty()) {
     if (is_reached(at, ahead.back(), failure)) {
       if (nodes_.size() == most_nodes_in_all) break;
-      at = ahead.back();
+      at = ahead.back().node;
       nodes_.push_back(at);
       ahead.pop_back();
       continue;
     }
     if (failure) return failure;
-    if (ahead.back().place.t - at.place.t < (is_link_ ? least_part_of_link : least_part)) break;
-    const surfaces::PassNode& place = ahead.back().place;
+    const surfaces::PassNode& place = ahead.back().node.place;
+    if (place.t - at.place.t < (is_link_ ? least_part_of_link : least_part)) break;
     Node middle{between(at.place, place, 0.5), {}};
     if (is_in_pole(middle.place)) middle.place = between(at.place, place, beside_middle);
-    ahead.push_back(std::move(middle));
+    ahead.push_back({std::move(middle)});
   }
   if (ahead.empty()) return std::nullopt;
   return PoseFailure{PoseFailure::Kind::pole, at.place.u, at.place.v};
@@ -176,7 +181,7 @@ std::optional<PoseFailure> PosePath::add_first(surfaces::PassNode place, const s
     first.angles = end_->angles;
   } else if (is_in_pole(first.place)) {
     if (auto failure = hold_through_pole(first, nullptr, &behind, before)) return failure;
-  } else if (auto failure = hold(first, side_, before)) {
+  } else if (Known solutions; auto failure = hold(first, side_, before, solutions)) {
     return failure;
   }
   nodes_.push_back(std::move(first));

@@ -10,6 +10,7 @@
 
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/kinematics/pose.hpp>
+#include <leadscrew/kinematics/solutions.hpp>
 #include <leadscrew/kinematics/transformation.hpp>
 #include <leadscrew/surfaces/passes.hpp>
 #include <optional>
@@ -73,12 +74,21 @@ class PosePath {
     bool is_given = false;  ///< the angles, which are not those of a solution
   };
 
-  std::optional<PoseFailure> hold(Node& node, std::size_t side, const Angles& before) const;
+  /// Of a node's direction, once they are asked for.
+  using Known = std::optional<kinematics::Solutions<Jet>>;
+  /// A node that is to be reached.
+  struct Waiting {
+    Node node;
+    Known solutions{};
+  };
+
+  std::optional<PoseFailure> hold(Node& node, std::size_t side, const Angles& before, Known& solutions) const;
+  static void go_on_from(const Angles& before, Node& node);
   std::optional<PoseFailure> hold_through_pole(Node& node, const surfaces::PassNode* before,
                                                const surfaces::PassNode* behind, const Angles& angles) const;
   bool is_in_pole(const surfaces::PassNode& place) const;
   bool joins(const Node& first) const;
-  bool is_reached(const Node& at, Node& next, std::optional<PoseFailure>& failure);
+  bool is_reached(const Node& at, Waiting& next, std::optional<PoseFailure>& failure);
   std::optional<PoseFailure> add_first(surfaces::PassNode place, const surfaces::PassNode& behind);
   std::optional<PoseFailure> add_between(const Node& from, const Node& to);
   bool is_held(const Node& a, const Node& b) const;
