@@ -49,6 +49,56 @@ TEST(Passes, AreThoseOfTheStudy) {
   EXPECT_EQ(told(machining).passes.size(), 104u);
 }
 
+/// As passes of a draft told so many, and then made by its lines.
+Told told_behind_draft(const Machining& machining, std::size_t most) {
+  Machining rough = machining;
+  rough.is_draft = true;
+  Passes draft(rough);
+  for (std::size_t k = 0; k < most && draft.next(); ++k) {
+  }
+  Told all;
+  Passes passes(machining, draft);
+  while (std::optional<Pass> pass = passes.next()) (pass->is_link ? all.links : all.passes).push_back(*pass);
+  all.failure = passes.failure();
+  return all;
+}
+
+void expect_same(const std::vector<Pass>& a, const std::vector<Pass>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].number, b[k].number);
+    ASSERT_EQ(a[k].nodes.size(), b[k].nodes.size());
+    for (std::size_t i = 0; i < a[k].nodes.size(); ++i) {
+      EXPECT_EQ(a[k].nodes[i].tip, b[k].nodes[i].tip);
+      EXPECT_EQ(a[k].nodes[i].axis, b[k].nodes[i].axis);
+    }
+  }
+}
+
+TEST(Passes, ByTheLinesOfADraftAreThoseMadeAlone) {
+  for (const Pattern pattern :
+       {Pattern::zig, Pattern::zigzag, Pattern::spiral_in, Pattern::iso_scallop, Pattern::planar}) {
+    Machining machining = test::ball_on(test::patch_a(), 5, 0.2);
+    machining.cutter = {5, 1};
+    machining.orientation = {Orientation::Rule::leaned, {}, 0.2, 0.1};
+    machining.pattern = pattern;
+    const Told alone = told(machining);
+    EXPECT_FALSE(alone.failure);
+    EXPECT_GT(alone.passes.size(), 5u);
+    for (const std::size_t most : {std::size_t{3}, std::size_t{100'000}}) {  // not to the end, and to the end
+      const Told behind = told_behind_draft(machining, most);
+      EXPECT_FALSE(behind.failure);
+      expect_same(alone.passes, behind.passes);
+      expect_same(alone.links, behind.links);
+    }
+  }
+  // More lines than are kept.
+  Machining many = test::ball_on(test::plane());
+  many.scallop = 0;
+  many.step = 0.025;
+  EXPECT_EQ(told_behind_draft(many, 100'000).passes.size(), 1201u);
+}
+
 TEST(Passes, BeginAtTheirCorner) {
   for (int corner = 1; corner <= 4; ++corner) {
     for (const Direction along : {Direction::u, Direction::v}) {

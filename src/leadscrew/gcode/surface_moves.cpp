@@ -116,7 +116,6 @@ void SurfaceMoves::begin(const Block& block) {
   if (!machined_ || reporter_.failed()) return;
   set_clearance();
   if (!choose_angles()) return;
-  passes_.emplace(machined_->machining);
   std::optional<surfaces::Pass> first = passes_->next();
   if (!first) {
     if (passes_->failure()) report(*passes_->failure());
@@ -126,10 +125,13 @@ void SurfaceMoves::begin(const Block& block) {
   if (load(std::move(*first))) plan_approach(node);
 }
 
-/// Rotary axes stand, or begin where all of the surface is inside their travel.
+/// Rotary axes stand, or begin where all of the surface is inside their travel: then there are passes.
 bool SurfaceMoves::choose_angles() {
   curves_.path().stand();
-  if (machined_->machining.orientation.rule == surfaces::Orientation::Rule::fixed) return true;
+  if (machined_->machining.orientation.rule == surfaces::Orientation::Rule::fixed) {
+    passes_.emplace(machined_->machining);
+    return true;
+  }
   const kinematics::Chain& chain = frame_.tip_control()->chain;
   const auto& turns = chain.turns();
   const kinematics::Angles<double> before{frame_.position[base::index(turns[0].axis)],
@@ -161,6 +163,7 @@ bool SurfaceMoves::choose_angles() {
                  "another lead or tilt, pattern, or clamping of the workpiece");
   }
   curves_.path().follow(chain, choice->side, choice->start);
+  passes_.emplace(machined_->machining, passes);
   return true;
 }
 

@@ -368,9 +368,10 @@ std::vector<Line> IsoScallopLines::next(PassLog& log) {
     is_done_ = true;
     return {{course_.along, rises ? run.from : run.to, rises ? run.to : run.from, course_.last, nullptr}};
   }
+  const auto spline = std::make_shared<const UniformSpline>(spline_);
   std::vector<Line> lines;
   for (const Range& part : parts) {
-    lines.push_back({course_.along, rises ? part.from : part.to, rises ? part.to : part.from, 0, &spline_});
+    lines.push_back({course_.along, rises ? part.from : part.to, rises ? part.to : part.from, 0, spline});
   }
   if (!rises) std::reverse(lines.begin(), lines.end());
   return lines;

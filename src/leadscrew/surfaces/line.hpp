@@ -2,6 +2,7 @@
 // Lines of a surface's parameters that passes follow: the parameter across is a function of the one along.
 
 #include <leadscrew/surfaces/touch.hpp>
+#include <memory>
 #include <vector>
 
 namespace leadscrew::surfaces {
@@ -24,8 +25,8 @@ class AcrossFunction {
 struct Line {
   Direction along = Direction::u;
   double from = 0, to = 0;
-  double across = 0;                         ///< all along it, unless
-  const AcrossFunction* function = nullptr;  ///< this tells
+  double across = 0;                               ///< all along it, unless
+  std::shared_ptr<const AcrossFunction> function;  ///< this tells
 
   bool is_forward() const { return from < to; }
   double length() const { return std::abs(to - from); }

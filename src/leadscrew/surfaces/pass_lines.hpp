@@ -13,12 +13,26 @@ class PassLines {
  public:
   virtual ~PassLines() = default;
   /// Those of the next pass, in the order in which they are gone: more than one where the pass is cut by the range's border. None at
-  /// the end, or where the log has a failure. They stay as they are until it is asked for the pass after.
+  /// the end, or where the log has a failure.
   virtual std::vector<Line> next(PassLog& log) = 0;
 };
 
 /// Of the machining's pattern.
 std::unique_ptr<PassLines> lines_of(PassLog& log);
+
+/// Lines of a pattern, kept, so that the same passes are made again without finding them.
+struct LineRecord {
+  static constexpr std::size_t most_lines = 1024;  ///< more are not kept
+
+  std::vector<std::vector<Line>> passes;
+  std::size_t lines = 0;     ///< of all passes
+  bool is_complete = false;  ///< all are here, to the end
+};
+/// Tells what the lines tell, and keeps that in the record.
+std::unique_ptr<PassLines> recorded_lines(std::unique_ptr<PassLines> lines, std::shared_ptr<LineRecord> record);
+/// Of a record that is complete.
+std::unique_ptr<PassLines> known_lines(std::shared_ptr<const LineRecord> record);
+
 /// The log tells of an edge inside the range, whether a pass would cross it or go by.
 void look_for_edges(PassLog& log);
 

@@ -8,11 +8,8 @@ namespace leadscrew::surfaces {
 
 class Passes::Maker {
  public:
-  explicit Maker(Machining machining) : machining_(std::move(machining)) {
-    log_.machining = &machining_;
-    look_for_edges(log_);
-    if (!log_.failure) lines_ = lines_of(log_);
-  }
+  /// draft: of the same passes, or none.
+  Maker(Machining machining, const Maker* draft);
 
   std::optional<Pass> next() {
     if (ready_.empty() && !log_.failure) make_next();
@@ -32,12 +29,29 @@ class Passes::Maker {
 
   Machining machining_;
   PassLog log_;
+  std::shared_ptr<LineRecord> record_;  // of a draft
   std::unique_ptr<PassLines> lines_;
   LinkMaker links_{machining_};
   std::deque<Pass> ready_;
   std::optional<PassNode> end_;  // of the pass made last
   std::size_t count_ = 0, nodes_ = 0;
 };
+
+/// What a draft has found of lines is found.
+Passes::Maker::Maker(Machining machining, const Maker* draft) : machining_(std::move(machining)) {
+  log_.machining = &machining_;
+  if (draft != nullptr && draft->record_ && draft->record_->is_complete) {
+    log_.least = draft->log_.least;
+    lines_ = known_lines(draft->record_);
+    return;
+  }
+  look_for_edges(log_);
+  if (log_.failure) return;
+  lines_ = lines_of(log_);
+  if (!machining_.is_draft) return;
+  record_ = std::make_shared<LineRecord>();
+  lines_ = recorded_lines(std::move(lines_), record_);
+}
 
 /// Tip and axis where they were.
 bool Passes::Maker::is_joined(const PassNode& from, const PassNode& to) const {
@@ -76,7 +90,9 @@ void Passes::Maker::make_next() {
   ready_ = std::move(made);
 }
 
-Passes::Passes(Machining machining) : maker_(std::make_unique<Maker>(std::move(machining))) {}
+Passes::Passes(Machining machining) : maker_(std::make_unique<Maker>(std::move(machining), nullptr)) {}
+Passes::Passes(Machining machining, const Passes& draft)
+    : maker_(std::make_unique<Maker>(std::move(machining), draft.maker_.get())) {}
 Passes::~Passes() = default;
 Passes::Passes(Passes&&) noexcept = default;
 Passes& Passes::operator=(Passes&&) noexcept = default;

@@ -59,7 +59,7 @@ class Section : public AcrossFunction {
   std::size_t coordinate_;
   Range width_;
   double level_;
-  const std::vector<double>& places_;
+  std::vector<double> places_;
 };
 
 /// Newton's method kept between two places of opposite sides.
@@ -177,7 +177,7 @@ class PlanarLines : public PassLines {
   bool begins_at_border_ = false, ends_at_border_ = false;
   std::vector<Line> borders_;  // still to be gone along, the next at the end
   std::size_t told_ = 0;
-  std::optional<Section> section_;
+  std::shared_ptr<const Section> section_;
 };
 
 PlanarLines::PlanarLines(PassLog& log) : coordinate_(log.machining->along == Direction::u ? 1 : 0) {
@@ -344,7 +344,7 @@ std::vector<Line> PlanarLines::next(PassLog& log) {
       log.fail(PassFailure::Kind::too_many, 0, 0, static_cast<double>(told_));
       return {};
     }
-    section_.emplace(section(*log.machining->surface, at_));
+    section_ = std::make_shared<const Section>(section(*log.machining->surface, at_));
     // What lies in the plane of the border does so but for rounding.
     const bool is_border = (begins_at_border_ && at_ == from_) || (ends_at_border_ && at_ == to_);
     parts = is_border ? std::vector<Range>{course_.run()} : section_->parts();
@@ -353,7 +353,7 @@ std::vector<Line> PlanarLines::next(PassLog& log) {
   const bool rises = (course_.from < course_.to) == (told_ % 2 == 1);
   std::vector<Line> lines;
   for (const Range& part : parts) {
-    lines.push_back({course_.along, rises ? part.from : part.to, rises ? part.to : part.from, 0, &*section_});
+    lines.push_back({course_.along, rises ? part.from : part.to, rises ? part.to : part.from, 0, section_});
   }
   if (!rises) std::reverse(lines.begin(), lines.end());
   return lines;
