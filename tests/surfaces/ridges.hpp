@@ -62,6 +62,19 @@ class Ridges {
     return least;
   }
 
+  /// What all passes leave at a place of the surface: its height above it, mm.
+  double left_at(const std::vector<Pass>& passes, double u, double v) const {
+    const SurfaceJet jet = machining_.surface->jet(u, v);
+    const Vector up = frame_of(jet, machining_.side)->n;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Pass& pass : passes) {
+      const double t = nearest(pass, jet.s);
+      if (numeric::distance(at(pass, &PassNode::contact, t), jet.s) < 0.7 * machining_.cutter.radius)
+        least = std::min(least, left(pass, t, jet.s, up));
+    }
+    return least;
+  }
+
   /// Between the pass a, at t, and b.
   double height(const Pass& a, double t, const Pass& b) const {
     const Vector contact = at(a, &PassNode::contact, t);

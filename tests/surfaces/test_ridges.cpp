@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -300,6 +301,49 @@ TEST(Ridges, OfPassesInPlanesAreNoHigher) {
 }
 TEST(LongRidges, OfPassesInPlanesAreNoHigher) {
   of_passes_in_planes(full);
+}
+
+/// What all legs leave at places near the diagonals of the range, where corners are: the greatest, of the height asked for.
+double tallest_at_corners(const Machining& machining, int places, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<Pass> legs;
+  Passes made(machining);
+  while (std::optional<Pass> leg = made.next()) {
+    if (!leg->is_link) legs.push_back(*leg);
+  }
+  EXPECT_FALSE(made.failure());
+  const test::Ridges ridges(machining);
+  double most = 0;
+  for (int k = 0; k < places; ++k) {
+    const double u = unit(random), v = std::clamp((k % 2 == 0 ? u : 1 - u) + 0.04 * (unit(random) - 0.5), 0.0, 1.0);
+    most = std::max(most, ridges.left_at(legs, u, v) / machining.scallop);
+  }
+  return most;
+}
+
+void of_legs_that_lean(const std::vector<SurfaceForm>& forms, int places, std::mt19937& random) {
+  for (const SurfaceForm& form : forms) {
+    for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
+      for (const Orientation& orientation : {forward, aside}) {
+        Machining machining = test::ball_on(form, 5, 0.04);
+        machining.cutter = cutter;
+        machining.orientation = orientation;
+        machining.pattern = Pattern::spiral_in;
+        const double most = tallest_at_corners(machining, places, random);
+        EXPECT_LE(most, 1 + 1e-3);
+        EXPECT_GT(most, 0.6);
+      }
+    }
+  }
+}
+TEST(Ridges, OfLegsThatLeanAreNoHigherAtTheirCornersToo) {
+  std::mt19937 random(40);
+  of_legs_that_lean({saddle()}, 60, random);
+}
+TEST(LongRidges, OfLegsThatLeanAreNoHigherAtTheirCornersToo) {
+  const unsigned seed = testing_support::long_seed();
+  std::mt19937 random(seed);
+  of_legs_that_lean({test::patch_a(), saddle(), random_form(random, 1), random_form(random, 1)}, 400, random);
 }
 
 /// Between a leg and the one inside it, one turn on.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
-#include <leadscrew/surfaces/reach.hpp>
 #include <leadscrew/surfaces/step_over.hpp>
 #include <utility>
 
@@ -114,21 +113,39 @@ double LineSteps::next(PassLog& log, double across, double left, double directio
   return log.failure ? 0 : by_rule(log, across, left, direction, towards, first);
 }
 
+std::optional<Reaches> LineSteps::reaches_of(PassLog& log, double across, double direction, double towards) const {
+  std::vector<std::optional<LinePlace>> line;
+  for (const double place : places_) line.emplace_back(line_place(along_, place, direction, across));
+  return reaches_along(log, along_, line, towards);
+}
+
+LineReach LineSteps::reach(PassLog& log, double across, double direction, double towards) const {
+  LineReach reach;
+  for (const double side : {towards, -towards}) {
+    const std::optional<Reaches> reaches = reaches_of(log, across, direction, side);
+    if (!reaches) return {0, reach.along};
+    std::vector<double> found;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const ReachEnd& end = *(*reaches)[k];
+      const bool is_u = along_ == Direction::u;
+      found.push_back(side * ((is_u ? end.v : end.u) - across));
+      reach.along = std::max(reach.along, std::abs((is_u ? end.u : end.v) - places_[k]));
+    }
+    if (side == towards) reach.across = std::max(least_of(places_, found), 0.0);
+  }
+  return reach;
+}
+
 /// The reach of the next line is held against that of this one, and the step grows by the least overlap. In zigzag the next line is gone
 /// back.
 std::optional<double> LineSteps::by_reach(PassLog& log, double across, double left, double direction, double towards,
                                           double guess) const {
-  const auto reaches = [&](double at, double way, double side) {
-    std::vector<std::optional<LinePlace>> line;
-    for (const double place : places_) line.emplace_back(line_place(along_, place, way, at));
-    return reaches_along(log, along_, line, side);
-  };
-  const std::optional<Reaches> here = reaches(across, direction, towards);
+  const std::optional<Reaches> here = reaches_of(log, across, direction, towards);
   const double back = log.machining->pattern == Pattern::zigzag ? -direction : direction;
   double step = guess;
   for (int round = 0; round < 6 && here; ++round) {
     const double tried = std::min(step, left);
-    const std::optional<Reaches> there = reaches(across + towards * tried, back, -towards);
+    const std::optional<Reaches> there = reaches_of(log, across + towards * tried, back, -towards);
     if (!there) return std::nullopt;
     const std::vector<std::optional<double>> overlap = overlaps(along_, *here, *there, towards);
     std::vector<double> places, steps;

@@ -3,6 +3,7 @@
 // ridge between them may have.
 
 #include <leadscrew/surfaces/pass_nodes.hpp>
+#include <leadscrew/surfaces/reach.hpp>
 #include <memory>
 #include <utility>
 
@@ -75,6 +76,12 @@ double step_between(const StepPlace& here, const StepPlace& middle, const StepPl
 /// The least g/w of one line, by a parabola.
 double least_on(const std::vector<double>& places, const std::vector<StepPlace>& line);
 
+/// How far from a line at a constant parameter across it alone leaves no more than the height, and how far ahead of its contacts or
+/// behind them, at the most, the edge is there: parameters.
+struct LineReach {
+  double across = 0, along = 0;
+};
+
 /// Steps from one line at a constant parameter across to the next.
 class LineSteps {
  public:
@@ -83,9 +90,12 @@ class LineSteps {
   const std::vector<double>& places() const { return places_; }
   /// Of the parameter across; left: how much of it there is to the end; guess: about the step, or 0. Not 0 but where the log fails.
   double next(PassLog& log, double across, double left, double direction, double towards, double guess);
+  /// Of a tool that has_reach(), from one line alone; nothing across where a place has none, or the log fails.
+  LineReach reach(PassLog& log, double across, double direction, double towards) const;
 
  private:
   double by_rule(PassLog& log, double across, double left, double direction, double towards, double guess);
+  std::optional<Reaches> reaches_of(PassLog& log, double across, double direction, double towards) const;
   std::optional<double> by_reach(PassLog& log, double across, double left, double direction, double towards,
                                  double guess) const;
 

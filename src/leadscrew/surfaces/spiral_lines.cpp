@@ -7,6 +7,9 @@
 //        ▼─────▶───────┘ │
 //     a₀ ──────▶─────────┘
 //        r₀              r₁
+//
+// That is so of a ball, which cuts round the ends of legs as well. A tool that leans by the pass cuts nothing ahead of the edge that it
+// touches with, but has its steps along legs up to their ends: legs go on beyond corners, to where the one outside leaves no more.
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +33,12 @@ class SpiralLines : public PassLines {
   struct Side {
     Direction along = Direction::u;
     double at = 0, along_sign = 1, inwards = 1;
-    double step = 0;  // to the leg inside
+    double step = 0;    // to the leg inside
+    double reach = 0;   // so far inwards no leg that comes this way needs to go
+    double beyond = 0;  // so far outwards it goes
+
+    double end() const { return at - inwards * beyond; }
+    double end_inside() const { return at + inwards * reach; }
   };
   void find_steps(PassLog& log);
   double corner_factor(PassLog& log) const;
@@ -75,13 +83,22 @@ double SpiralLines::corner_factor(PassLog& log) const {
 }
 
 void SpiralLines::find_steps(PassLog& log) {
-  const double factor = corner_factor(log);
+  const double factor = has_reach(*log.machining) ? 1 : corner_factor(log);
+  std::array<LineReach, 4> reaches;
   for (std::size_t k = 0; k < 4 && !log.failure; ++k) {
     Side& side = sides_[k];
     const Side &before = sides_[(k + 3) % 4], &after = sides_[(k + 1) % 4];
     const Range run = {std::min(before.at, after.at), std::max(before.at, after.at)};
     LineSteps steps(side.along, places_along(*log.machining->surface, side.along, run, least_leg_places));
-    side.step = factor * steps.next(log, side.at, gap(k % 2), side.along_sign, side.inwards, side.step / factor);
+    const double step = steps.next(log, side.at, gap(k % 2), side.along_sign, side.inwards, side.step / factor);
+    side.step = factor * step;
+    if (has_reach(*log.machining)) reaches[k] = steps.reach(log, side.at, side.along_sign, side.inwards);
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    Side& side = sides_[k];
+    side.reach = side.step;
+    if (has_reach(*log.machining))
+      side.reach = std::clamp(reaches[k].across - reaches[(k + 3) % 4].along, 0.0, side.step);
   }
 }
 
@@ -101,13 +118,15 @@ void SpiralLines::finish(std::vector<Line>& lines) {
     lines.push_back({fourth.along, third.at, first.at, fourth.at, nullptr});
   } else if (gap(0) <= both(0)) {
     const double middle = (first.at + third.at) / 2;
-    lines.push_back({fourth.along, third.at, middle, fourth.at, nullptr});
-    lines.push_back({first.along, fourth.at, second.at + second.inwards * second.step, middle, nullptr});
+    lines.push_back(
+        {fourth.along, third.at, first.at + first.inwards * std::min(first.reach, gap(0) / 2), fourth.at, nullptr});
+    lines.push_back({first.along, fourth.at, second.end_inside(), middle, nullptr});
   } else {
     const double middle = (second.at + fourth.at) / 2, inner = first.at + first.inwards * first.step;
-    lines.push_back({fourth.along, third.at, inner, fourth.at, nullptr});
-    lines.push_back({first.along, fourth.at, middle, inner, nullptr});
-    lines.push_back({second.along, inner, third.at + third.inwards * third.step, middle, nullptr});
+    lines.push_back({fourth.along, third.at, first.end_inside(), fourth.at, nullptr});
+    lines.push_back(
+        {first.along, fourth.at, second.at + second.inwards * std::min(second.reach, gap(1) / 2), inner, nullptr});
+    lines.push_back({second.along, inner, third.end_inside(), middle, nullptr});
   }
   is_done_ = true;
 }
@@ -122,16 +141,19 @@ std::vector<Line> SpiralLines::next(PassLog& log) {
     return {};
   }
   const auto [first, second, third, fourth] = sides_;
-  std::vector<Line> lines = {{first.along, begin_, second.at, first.at, nullptr},
-                             {second.along, first.at, third.at, second.at, nullptr},
-                             {third.along, second.at, fourth.at, third.at, nullptr}};
+  std::vector<Line> lines = {{first.along, begin_, second.end(), first.at, nullptr},
+                             {second.along, first.at, third.end(), second.at, nullptr},
+                             {third.along, second.at, fourth.end(), third.at, nullptr}};
   if (gap(0) <= both(0) || gap(1) <= both(1)) {
     finish(lines);
     return lines;
   }
-  lines.push_back({fourth.along, third.at, first.at + first.inwards * first.step, fourth.at, nullptr});
+  lines.push_back({fourth.along, third.at, first.end_inside(), fourth.at, nullptr});
   begin_ = fourth.at;
-  for (Side& side : sides_) side.at += side.inwards * side.step;
+  for (Side& side : sides_) {
+    side.at += side.inwards * side.step;
+    side.beyond = side.step - side.reach;
+  }
   return lines;
 }
 
