@@ -178,17 +178,20 @@ void BarrierSolver::find_direction(double t) {
 class BarrierSolver::Product {
  public:
   /// False where the factor is not above 0.
-  bool take(double factor, double weight = 1) {
-    if (weight != 1) {
-      sum_ -= weight * std::log(factor);
-      return factor > 0;
-    }
+  bool take(double factor) {
     product_ *= factor;
     if (product_ < 1e-200) {
       sum_ -= std::log(product_);
       product_ = 1;
     }
     return factor > 0;
+  }
+  /// Of two at once, times a weight.
+  bool take(double factor, double other, double weight) {
+    if (weight == 1) return take(factor) && take(other);
+    if (!(factor > 0 && other > 0)) return false;
+    sum_ -= weight * std::log(factor * other);
+    return true;
   }
   double logarithm() const { return sum_ - std::log(product_); }
 
@@ -212,8 +215,7 @@ bool BarrierSolver::measure_coefficients(std::span<const double> c, Product& bar
   const std::vector<double>& caps = bounds_.caps().coefficients;
   for (std::size_t i = first_free_; i < c.size(); ++i) {
     const double inverse = 1 / caps[i];
-    if (!(barrier.take(1 - c[i] * inverse, weight(i)) && barrier.take((c[i] - floors_[i]) * inverse, weight(i))))
-      return false;
+    if (!barrier.take(1 - c[i] * inverse, (c[i] - floors_[i]) * inverse, weight(i))) return false;
   }
   return !problem_.ends_in_creep() || barrier.take(1 - c.back() / problem_.creep().back());
 }

@@ -65,7 +65,7 @@ struct Logarithms {
   LEADSCREW_LANEWISE void take(const Vector& factors) { product *= factors; }
   /// The places of an interval that have caps.
   void take(const Vector& factors, double weight) {
-    sum -= weight * (std::log(factors[SpeedProblem::middle_place]) + std::log(factors[SpeedProblem::end_place]));
+    sum -= weight * std::log(factors[SpeedProblem::middle_place] * factors[SpeedProblem::end_place]);
   }
   /// Before a product may fall below the smallest double.
   LEADSCREW_LANEWISE void settle() {
