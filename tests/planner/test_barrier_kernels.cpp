@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <leadscrew/numeric/gauss.hpp>
@@ -46,6 +47,10 @@ struct Window {
     for (std::size_t q = 0; q < 3; ++q) terms.time_weights[q] = numeric::gauss_3_weights[q];
     for (std::size_t k = 0; k < problem->intervals(); ++k)
       terms.inverse_caps.push_back({{0, 1 / problem->caps().middles[k], 0, 1 / problem->caps().knots[k + 1]}});
+    if (any(0, 2) == 0) {
+      for (std::size_t k = 0; k < problem->intervals(); ++k)
+        terms.weights.push_back(std::min(any(1, 150) / 100.0, 1.0));
+    }
     for (std::size_t i = 0; i < terms.sites.size(); ++i) terms.factors.push_back(1 + any(0, 100) / 1000.0);
     for (const double creep : problem->creep()) c.push_back(creep * any(20, 60) / 100);
   }

@@ -45,10 +45,15 @@ void leadscrew::testing_support::watch_memory() {
   most = held.load();
 }
 
-// The array and aligned-by-default forms end here as well.
+// The array and aligned-by-default forms end here as well, but for those of sanitizers, which are pairs of their own.
 void* operator new(std::size_t size) {
   if (void* const memory = std::malloc(size > 0 ? size : 1)) return take(memory);
   throw std::bad_alloc();
+}
+/// As std::stable_sort takes its buffer, which it gives back to the ordinary operator.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  void* const memory = std::malloc(size > 0 ? size : 1);
+  return memory != nullptr ? take(memory) : nullptr;
 }
 void operator delete(void* memory) noexcept {
   give_back(memory);

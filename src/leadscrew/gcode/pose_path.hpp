@@ -88,7 +88,7 @@ class PosePath {
                                                const surfaces::PassNode* behind, const Angles& angles) const;
   bool is_in_pole(const surfaces::PassNode& place) const;
   bool joins(const Node& first) const;
-  bool is_reached(const Node& at, Waiting& next, std::optional<PoseFailure>& failure);
+  bool is_reached(const Node& at, Waiting& waiting, std::optional<PoseFailure>& failure);
   std::optional<PoseFailure> add_first(surfaces::PassNode place, const surfaces::PassNode& behind);
   std::optional<PoseFailure> add_between(const Node& from, const Node& to);
   bool is_held(const Node& a, const Node& b) const;

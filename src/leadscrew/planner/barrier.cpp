@@ -129,13 +129,12 @@ double BarrierSolver::grown(double t, double most) {
 
 /// Newton steps until they help little; the objective then.
 double BarrierSolver::follow(double t) {
-  using namespace tuning::barrier;
-  const double negligible = weights_.empty() ? tuning::barrier::negligible : negligible_where_weighed;
+  const double share = weights_.empty() ? tuning::barrier::negligible : tuning::barrier::negligible_where_weighed;
   find_factors();
   Step at = measure(iterate_.coefficients(), t, values_);
   for (int step = 0; step < 25; ++step) {
     double decrement = 0;
-    if (!newton(t, at, decrement) || decrement < negligible * inequalities_) break;
+    if (!newton(t, at, decrement) || decrement < share * inequalities_) break;
   }
   return at.objective;
 }

@@ -43,8 +43,9 @@ class SpeedIterate {
 /// between stages.
 class BarrierSolver {
  public:
-  /// `weighs_caps`: caps of intervals that are passed in less than the mean of their times weigh as much less in the barrier. All
-  /// the same, they would keep x the farther off the cap the closer knots lie.
+  /// `weighs_caps`: caps of intervals that are passed in less than the mean of their times, and caps and floors of the
+  /// coefficients there, weigh as much less in the barrier. All the same, they would keep x the farther off the cap the
+  /// closer knots lie.
   BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal, SpeedIterate& iterate,
                 bool weighs_caps);
 

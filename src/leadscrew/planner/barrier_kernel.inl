@@ -151,7 +151,8 @@ void assemble(const BarrierTerms& terms, double t, const BarrierValues& values, 
   for (std::size_t k = 0; k < terms.places.size(); ++k) {
     Local local;
     const Vector x = load(values.places[k]), inverse = one / x, cap = load(terms.inverse_caps[k]);
-    const Vector part = all(t * terms.basis[k].h) * weights * (inverse / root(x)), kept = all(terms.weight(k)) * cap / (one - x * cap);
+    const Vector part = all(t * terms.basis[k].h) * weights * (inverse / root(x));
+    const Vector kept = all(terms.weight(k)) * cap / (one - x * cap);
     Vector slope = kept - all(0.5) * part;
     Vector bend = all(terms.time_curvature) * part * inverse + load(duals.places[k]) * cap * kept;
     if (!terms.excess.empty()) {

@@ -154,7 +154,7 @@ class SpeedProblem::Builder {
     if (knots.breaks[k + 1]) {
       left_ = look(end, Side::right);
       const bool goes_on = left_.speed_varies && right.speed_varies &&
-                           std::abs(left_.cap - right.cap) <= tuning::cruises::same_cap * right.cap;
+                           std::abs(left_.cap - right.cap) <= tuning::rows::same_cap * right.cap;
       cap_steps_[k + 1] = !goes_on;
       caps.knots[k + 1] = std::min(caps.knots[k + 1], left_.cap);
     }
@@ -232,7 +232,7 @@ class SpeedProblem::Builder {
   void lower_varying_caps() {
     SquareCaps& caps = problem_.caps_;
     const std::size_t n = problem_.intervals(), first = problem_.starts_at_rest() ? 0 : intervals_begun;
-    const auto differ = [](double a, double b) { return std::abs(a - b) > tuning::cruises::same_cap * b; };
+    const auto differ = [](double a, double b) { return std::abs(a - b) > tuning::rows::same_cap * b; };
     bool before = false;
     for (std::size_t k = first; k < n; ++k) {
       const bool here =

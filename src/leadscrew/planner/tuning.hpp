@@ -65,8 +65,7 @@ inline constexpr double effort_of_proof = 3;    // units, of a segment
 /// Cruises that are levelled. Nearer and longer: fewer levelled, and feed some parts in ten thousand lower there. Shorter
 /// blends: more whose levelling would break a limit, and is taken back.
 namespace cruises {
-inline constexpr double near = 4e-3;      // below the cap, of x, where one begins and ends
-inline constexpr double same_cap = 1e-9;  // of x, where it varies with the tip's feed: from one coefficient to another
+inline constexpr double near = 4e-3;         // below the cap, of x, where one begins and ends
 inline constexpr std::size_t shortest = 40;  // coefficients
 inline constexpr std::size_t blend = 16;     // over which one is reached and left
 }  // namespace cruises
@@ -121,6 +120,7 @@ namespace rows {
 inline constexpr double limit_margin = 0.9995;           // of acceleration and jerk
 inline constexpr double feed_margin = 1 - 1e-7;          // of the programmed speed, squared
 inline constexpr double varying_feed_margin = 1 - 1e-4;  // of the same, where it varies from knot to knot
+inline constexpr double same_cap = 1e-9;                 // of the same, below which it does not differ
 inline constexpr std::size_t intervals_begun = 4;   // of a window that begins in motion: they are travelled as they are
 inline constexpr double turning_margin = 1 - 3e-4;  // of the speed, squared, where axes trade it with others
 inline constexpr double least_peak = 0.01;          // of a limit, by the curve alone at the greatest speed

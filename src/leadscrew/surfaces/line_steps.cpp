@@ -5,6 +5,7 @@
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
 #include <leadscrew/surfaces/step_over.hpp>
+#include <limits>
 #include <utility>
 
 namespace leadscrew::surfaces {
@@ -123,7 +124,7 @@ LineReach LineSteps::reach(PassLog& log, double across, double direction, double
   LineReach reach;
   for (const double side : {towards, -towards}) {
     const std::optional<Reaches> reaches = reaches_of(log, across, direction, side);
-    if (!reaches) return {0, reach.along};
+    if (!reaches) return {0, std::numeric_limits<double>::infinity()};
     std::vector<double> found;
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const ReachEnd& end = *(*reaches)[k];

@@ -77,7 +77,7 @@ double step_between(const StepPlace& here, const StepPlace& middle, const StepPl
 double least_on(const std::vector<double>& places, const std::vector<StepPlace>& line);
 
 /// How far from a line at a constant parameter across it alone leaves no more than the height, and how far ahead of its contacts or
-/// behind them, at the most, the edge is there: parameters.
+/// behind them, at the most, the edge is there: parameters. 0 and infinity where a place has no reach, or the log fails.
 struct LineReach {
   double across = 0, along = 0;
 };
@@ -90,7 +90,7 @@ class LineSteps {
   const std::vector<double>& places() const { return places_; }
   /// Of the parameter across; left: how much of it there is to the end; guess: about the step, or 0. Not 0 but where the log fails.
   double next(PassLog& log, double across, double left, double direction, double towards, double guess);
-  /// Of a tool that has_reach(), from one line alone; nothing across where a place has none, or the log fails.
+  /// Of a tool that has_reach(), from one line alone.
   LineReach reach(PassLog& log, double across, double direction, double towards) const;
 
  private:

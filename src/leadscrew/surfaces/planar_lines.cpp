@@ -9,6 +9,9 @@
 #include <cmath>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace leadscrew::surfaces {
 
@@ -33,9 +36,14 @@ Level level_of(const SurfaceJet& jet, Direction along, std::size_t k) {
 /// The function φ of one plane.
 class Section : public AcrossFunction {
  public:
-  Section(const Surface& surface, Direction along, std::size_t coordinate, const Range& width, double level,
-          const std::vector<double>& places)
-      : surface_(surface), along_(along), coordinate_(coordinate), width_(width), level_(level), places_(places) {}
+  Section(std::shared_ptr<const Surface> surface, Direction along, std::size_t coordinate, const Range& width,
+          double level, std::shared_ptr<const std::vector<double>> places)
+      : surface_(std::move(surface)),
+        along_(along),
+        coordinate_(coordinate),
+        width_(width),
+        level_(level),
+        places_(std::move(places)) {}
 
   numeric::Jet<3> at(double place) const override;
   std::vector<double> breaks(double from, double to) const override;
@@ -50,16 +58,16 @@ class Section : public AcrossFunction {
 
  private:
   double off(double place, double across) const {
-    const Vector s = along_ == Direction::u ? surface_.at(place, across) : surface_.at(across, place);
+    const Vector s = along_ == Direction::u ? surface_->at(place, across) : surface_->at(across, place);
     return s[coordinate_] - level_;
   }
 
-  const Surface& surface_;
+  std::shared_ptr<const Surface> surface_;
   Direction along_;
   std::size_t coordinate_;
   Range width_;
   double level_;
-  std::vector<double> places_;
+  std::shared_ptr<const std::vector<double>> places_;  ///< by all sections of a pattern
 };
 
 /// Newton's method kept between two places of opposite sides.
@@ -72,7 +80,7 @@ double Section::across(double place) const {
   if (!(found >= low && found <= high)) found = (low + high) / 2;
   for (int round = 0; round < 60; ++round) {
     const LinePlace at = line_place(along_, place, 1, found);
-    const Level level = level_of(surface_.jet(at.u.value, at.v.value), along_, coordinate_);
+    const Level level = level_of(surface_->jet(at.u.value, at.v.value), along_, coordinate_);
     const double off_level = level.z - level_;
     (off_level * rises < 0 ? low : high) = found;
     const double next = found - off_level / level.f;
@@ -89,7 +97,7 @@ double Section::across(double place) const {
 numeric::Jet<3> Section::at(double place) const {
   const double f = across(place);
   const LinePlace at = line_place(along_, place, 1, f);
-  const Level z = level_of(surface_.jet(at.u.value, at.v.value), along_, coordinate_);
+  const Level z = level_of(surface_->jet(at.u.value, at.v.value), along_, coordinate_);
   const double first = -z.r / z.f;
   const double second = -(z.rr + 2 * z.rf * first + z.ff * first * first) / z.f;
   const double third = -(z.rrr + 3 * z.rrf * first + 3 * z.rff * first * first + z.fff * first * first * first +
@@ -100,11 +108,11 @@ numeric::Jet<3> Section::at(double place) const {
 
 /// Crossings of the surface's own breaks, between the places that are looked at.
 std::vector<double> Section::breaks(double from, double to) const {
-  const std::vector<double>& across_breaks = surface_.breaks(along_ == Direction::u ? Direction::v : Direction::u);
+  const std::vector<double>& across_breaks = surface_->breaks(along_ == Direction::u ? Direction::v : Direction::u);
   std::vector<double> found;
   if (across_breaks.size() < 3) return found;
   std::vector<double> places = {from};
-  for (const double place : places_) {
+  for (const double place : *places_) {
     if (place > from && place < to) places.push_back(place);
   }
   places.push_back(to);
@@ -130,12 +138,12 @@ std::vector<double> Section::breaks(double from, double to) const {
 
 std::vector<Range> Section::parts() const {
   std::vector<Range> parts;
-  bool inside = meets(places_.front());
-  double begin = places_.front();
-  for (std::size_t k = 1; k < places_.size(); ++k) {
-    const bool next = meets(places_[k]);
+  bool inside = meets(places_->front());
+  double begin = places_->front();
+  for (std::size_t k = 1; k < places_->size(); ++k) {
+    const bool next = meets((*places_)[k]);
     if (next == inside) continue;
-    double low = places_[k - 1], high = places_[k];
+    double low = (*places_)[k - 1], high = (*places_)[k];
     for (int round = 0; round < 60; ++round) {
       const double middle = (low + high) / 2;
       (meets(middle) == inside ? low : high) = middle;
@@ -147,8 +155,8 @@ std::vector<Range> Section::parts() const {
     }
     inside = next;
   }
-  if (inside) parts.push_back({begin, places_.back()});
-  const double least = 1e-6 * (places_.back() - places_.front());
+  if (inside) parts.push_back({begin, places_->back()});
+  const double least = 1e-6 * (places_->back() - places_->front());
   std::erase_if(parts, [&](const Range& part) { return part.to - part.from < least; });
   return parts;
 }
@@ -166,13 +174,13 @@ class PlanarLines : public PassLines {
   bool advance(PassLog& log);
   void find_borders(const Surface& surface);
   double sine_at_border(const Surface& surface, double run) const;
-  Section section(const Surface& surface, double level) const {
+  Section section(const std::shared_ptr<const Surface>& surface, double level) const {
     return {surface, course_.along, coordinate_, course_.width(), level, places_};
   }
 
   Course course_;
   std::size_t coordinate_ = 1;
-  std::vector<double> places_;
+  std::shared_ptr<const std::vector<double>> places_;
   double from_ = 0, to_ = 0, at_ = 0, step_ = 0;  // levels
   bool begins_at_border_ = false, ends_at_border_ = false;
   std::vector<Line> borders_;  // still to be gone along, the next at the end
@@ -208,10 +216,10 @@ void PlanarLines::find_parameters(PassLog& log) {
     return;
   }
   course_ = course_of(machining, runs_along_u ? Direction::u : Direction::v);
-  places_ = runs_along_u ? us : vs;
+  places_ = std::make_shared<const std::vector<double>>(runs_along_u ? us : vs);
   const auto border = [&](double across) {
     Range range = {1e300, -1e300};
-    for (const double place : places_) {
+    for (const double place : *places_) {
       widen(range, (runs_along_u ? surface.at(place, across) : surface.at(across, place))[coordinate_]);
     }
     return range;
@@ -273,14 +281,14 @@ StepPlace PlanarLines::step_of(PassLog& log, const Section& section, double plac
 
 /// The least along the section in the middle between two levels; where that meets nothing, at the place nearest to it.
 double PlanarLines::step_to(PassLog& log, double level, double next) const {
-  const Surface& surface = *log.machining->surface;
+  const std::shared_ptr<const Surface>& surface = log.machining->surface;
   const Section here = section(surface, level), at = section(surface, (level + next) / 2),
                 there = section(surface, next);
   std::vector<double> places, steps;
-  std::copy_if(places_.begin(), places_.end(), std::back_inserter(places),
+  std::copy_if(places_->begin(), places_->end(), std::back_inserter(places),
                [&](double place) { return at.meets(place); });
   if (places.empty()) {
-    places.push_back(*std::min_element(places_.begin(), places_.end(),
+    places.push_back(*std::min_element(places_->begin(), places_->end(),
                                        [&](double a, double b) { return at.distance(a) < at.distance(b); }));
   }
   for (const double place : places) {
@@ -344,7 +352,7 @@ std::vector<Line> PlanarLines::next(PassLog& log) {
       log.fail(PassFailure::Kind::too_many, 0, 0, static_cast<double>(told_));
       return {};
     }
-    section_ = std::make_shared<const Section>(section(*log.machining->surface, at_));
+    section_ = std::make_shared<const Section>(section(log.machining->surface, at_));
     // What lies in the plane of the border does so but for rounding.
     const bool is_border = (begins_at_border_ && at_ == from_) || (ends_at_border_ && at_ == to_);
     parts = is_border ? std::vector<Range>{course_.run()} : section_->parts();

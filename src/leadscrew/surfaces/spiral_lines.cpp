@@ -34,8 +34,8 @@ class SpiralLines : public PassLines {
     Direction along = Direction::u;
     double at = 0, along_sign = 1, inwards = 1;
     double step = 0;    // to the leg inside
-    double reach = 0;   // so far inwards no leg that comes this way needs to go
-    double beyond = 0;  // so far outwards it goes
+    double reach = 0;   // legs that arrive here may end so far inside
+    double beyond = 0;  // legs that arrive here go on so far outside
 
     double end() const { return at - inwards * beyond; }
     double end_inside() const { return at + inwards * reach; }
