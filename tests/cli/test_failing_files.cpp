@@ -69,7 +69,7 @@ TEST(Inputs, ThatAreFoldersAreInputOutput) {
 
 TEST(Inputs, ThatAreRemovedWhileTheyAreReadAreReadToTheirEnd) {
   const Folder folder, quiet_folder;
-  const std::string program = long_program(20'000);
+  const std::string program = long_program(8'000);
   quiet_folder.write("part.ngc", program);
   ASSERT_EQ(leadscrew(quiet_folder, {"run", "part.ngc", "--trace", "t.csv"}).status, 0);
   folder.write("part.ngc", program);
