@@ -138,4 +138,56 @@ TEST(Layout, OfPulseFigures) {
   EXPECT_EQ(offsetof(leadscrew_pulse_figures, is_done), 88U);
 }
 
+TEST(Layout, OfLimits) {
+  EXPECT_EQ(sizeof(leadscrew_limits), 392U);
+  EXPECT_EQ(offsetof(leadscrew_limits, least), 8U);
+  EXPECT_EQ(offsetof(leadscrew_limits, greatest), 80U);
+  EXPECT_EQ(offsetof(leadscrew_limits, velocity), 152U);
+  EXPECT_EQ(offsetof(leadscrew_limits, acceleration), 224U);
+  EXPECT_EQ(offsetof(leadscrew_limits, jerk), 296U);
+  EXPECT_EQ(offsetof(leadscrew_limits, tolerance), 368U);
+  EXPECT_EQ(offsetof(leadscrew_limits, chord_error), 376U);
+  EXPECT_EQ(offsetof(leadscrew_limits, axes), 384U);
+}
+
+TEST(Layout, OfChecked) {
+  EXPECT_EQ(sizeof(leadscrew_checked), 176U);
+  EXPECT_EQ(offsetof(leadscrew_checked, blocks), 8U);
+  EXPECT_EQ(offsetof(leadscrew_checked, moves), 16U);
+  EXPECT_EQ(offsetof(leadscrew_checked, bound), 24U);
+  EXPECT_EQ(offsetof(leadscrew_checked, least), 32U);
+  EXPECT_EQ(offsetof(leadscrew_checked, greatest), 104U);
+}
+
+TEST(Layout, OfFigures) {
+  EXPECT_EQ(sizeof(leadscrew_figures), 296U);
+  EXPECT_EQ(offsetof(leadscrew_figures, time), 8U);
+  EXPECT_EQ(offsetof(leadscrew_figures, bound), 16U);
+  EXPECT_EQ(offsetof(leadscrew_figures, dwell), 24U);
+  EXPECT_EQ(offsetof(leadscrew_figures, length), 32U);
+  EXPECT_EQ(offsetof(leadscrew_figures, feed_programmed), 40U);
+  EXPECT_EQ(offsetof(leadscrew_figures, tolerance), 48U);
+  EXPECT_EQ(offsetof(leadscrew_figures, velocity), 56U);
+  EXPECT_EQ(offsetof(leadscrew_figures, acceleration), 128U);
+  EXPECT_EQ(offsetof(leadscrew_figures, jerk), 200U);
+  EXPECT_EQ(offsetof(leadscrew_figures, words), 272U);
+  EXPECT_EQ(offsetof(leadscrew_figures, blocks), 280U);
+  EXPECT_EQ(offsetof(leadscrew_figures, moves), 288U);
+}
+
+TEST(Layout, OfBlocks) {
+  EXPECT_EQ(sizeof(leadscrew_block), 168U);
+  EXPECT_EQ(offsetof(leadscrew_block, line), 8U);
+  EXPECT_EQ(offsetof(leadscrew_block, file), 16U);
+  EXPECT_EQ(offsetof(leadscrew_block, visit), 20U);
+  EXPECT_EQ(offsetof(leadscrew_block, begin), 24U);
+  EXPECT_EQ(offsetof(leadscrew_block, seconds), 32U);
+  EXPECT_EQ(offsetof(leadscrew_block, least_seconds), 40U);
+  EXPECT_EQ(offsetof(leadscrew_block, length), 48U);
+  EXPECT_EQ(offsetof(leadscrew_block, feed_asked), 56U);
+  EXPECT_EQ(offsetof(leadscrew_block, feed_reached), 64U);
+  EXPECT_EQ(offsetof(leadscrew_block, middle), 72U);
+  EXPECT_EQ(offsetof(leadscrew_block, cause), 144U);
+}
+
 }  // namespace test_layout

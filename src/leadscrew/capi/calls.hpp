@@ -29,6 +29,12 @@ inline constexpr std::size_t first_size<leadscrew_move> = 168;
 template <>
 inline constexpr std::size_t first_size<leadscrew_state> = 336;
 template <>
+inline constexpr std::size_t first_size<leadscrew_limits> = sizeof(leadscrew_limits);
+template <>
+inline constexpr std::size_t first_size<leadscrew_checked> = sizeof(leadscrew_checked);
+template <>
+inline constexpr std::size_t first_size<leadscrew_figures> = sizeof(leadscrew_figures);
+template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_task> = sizeof(leadscrew_pulse_task);
 template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_conventions> = sizeof(leadscrew_pulse_conventions);

@@ -5,43 +5,21 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <leadscrew/config/machine_file.hpp>
-#include <leadscrew/config/tool_file.hpp>
-#include <leadscrew/host/motion.hpp>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "structures.hpp"
+#include "handles.hpp"
 
 using namespace leadscrew;
 using namespace leadscrew::capi;
-
-struct leadscrew_machine {
-  machine::Machine machine;
-};
-
-struct leadscrew_motion {
-  std::unique_ptr<host::Motion> motion;
-  bool is_busy = false;  ///< one of its functions is running
-};
-
-struct leadscrew_trajectory {
-  host::Trajectory trajectory;
-};
 
 static_assert(LEADSCREW_AXES == base::axis_count);
 static_assert(LEADSCREW_LOSS == static_cast<int>(gcode::ProbeSearch::loss));
 
 namespace {
-
-/// Can memory hold so long a text?
-bool is_text(const char* text, std::size_t length) {
-  return text != nullptr && length <= std::string().max_size();
-}
 
 int code_of(const base::Result<void>& result, leadscrew_error* error) {
   return result ? LEADSCREW_OK : rejected(error, result.error());
@@ -58,45 +36,19 @@ int within(leadscrew_motion* motion, leadscrew_error* error, const Work& work) {
   return code;
 }
 
-/// The first problem, or what was read.
-template <class Read, class Use>
-int with_read(Read read, leadscrew_error* error, const Use& use) {
-  if (!read) return rejected(error, read.error().front());
-  use(std::move(*read));
-  return LEADSCREW_OK;
-}
-
-int give_machine(config::MachineOrProblems read, leadscrew_machine** machine, leadscrew_error* error) {
-  return with_read(std::move(read), error,
-                   [&](machine::Machine made) { *machine = new leadscrew_machine{std::move(made)}; });
-}
-
-int read_tools(const leadscrew_options& given, machine::ToolTable& tools, leadscrew_error* error) {
-  const auto take = [&](machine::ToolTable read) { tools = std::move(read); };
-  if (given.tools != nullptr) return with_read(config::read_tools({given.tools, given.tools_length}, {}), error, take);
-  if (given.tools_file != nullptr) return with_read(config::load_tools(given.tools_file), error, take);
-  return LEADSCREW_OK;
-}
-
 /// Makes a motion by `make`, which takes the machine, host::MotionOptions and the options as given.
 template <class Make>
 int make_motion(const leadscrew_machine* machine, const leadscrew_options* given, leadscrew_motion** motion,
                 leadscrew_error* error, const Make& make) {
   if (machine == nullptr || motion == nullptr) return misuse(error, "the machine or the place for the motion is NULL");
-  leadscrew_options none{};
-  none.size = sizeof none;
-  const auto asked = known(given == nullptr ? &none : given);
-  if (!asked)
-    return misuse(error, "the size of the options is none that a version had, or they ask for what is not known");
-  if (asked->tools != nullptr && (asked->tools_file != nullptr || !is_text(asked->tools, asked->tools_length)))
-    return misuse(error, "tools are given twice, or the length of their text is none that memory holds");
   return guarded(error, [&] {
-    auto options = options_of(*asked, machine->machine);
-    if (!options) return rejected(error, options.error());
-    if (const int code = read_tools(*asked, options->tools, error); code != LEADSCREW_OK) return code;
-    base::Result<std::unique_ptr<host::Motion>> made = make(machine->machine, std::move(*options), *asked);
+    leadscrew_options asked{};
+    host::MotionOptions options;
+    if (const int code = read_options(given, machine->machine, asked, options, error); code != LEADSCREW_OK)
+      return code;
+    base::Result<std::unique_ptr<host::Motion>> made = make(machine->machine, std::move(options), asked);
     if (!made) return rejected(error, made.error());
-    *motion = new leadscrew_motion{std::move(*made)};
+    *motion = new leadscrew_motion{machine->machine, std::move(*made)};
     return static_cast<int>(LEADSCREW_OK);
   });
 }
@@ -134,15 +86,25 @@ int leadscrew_machine_builtin(const char* name, leadscrew_machine** machine, lea
   });
 }
 
-int leadscrew_machine_of_text(const char* text, size_t length, leadscrew_machine** machine, leadscrew_error* error) {
-  if (!is_text(text, length) || machine == nullptr)
-    return misuse(error, "the text or the place for the machine is NULL, or the length is none that memory holds");
-  return guarded(error, [&] { return give_machine(config::read_machine({text, length}, {}), machine, error); });
+int leadscrew_machine_limits(const leadscrew_machine* machine, leadscrew_limits* limits, leadscrew_error* error) {
+  if (machine == nullptr) return misuse(error, "the machine is NULL");
+  if (!fill(limits, limits_of(machine->machine)))
+    return misuse(error, "the limits are NULL, or their size is none that a version had");
+  return LEADSCREW_OK;
 }
 
-int leadscrew_machine_of_file(const char* path, leadscrew_machine** machine, leadscrew_error* error) {
-  if (path == nullptr || machine == nullptr) return misuse(error, "the path or the place for the machine is NULL");
-  return guarded(error, [&] { return give_machine(config::load_machine(path), machine, error); });
+int leadscrew_machine_limited(const leadscrew_machine* machine, const leadscrew_limits* limits,
+                              leadscrew_machine** limited, leadscrew_error* error) {
+  if (machine == nullptr || limited == nullptr) return misuse(error, "the machine or the place for the other is NULL");
+  const auto asked = known(limits);
+  if (!asked || asked->axes != limits_of(machine->machine).axes)
+    return misuse(error, "the limits are NULL, their size is none that a version had, or their axes are others");
+  return guarded(error, [&] {
+    machine::Machine made = with_limits(machine->machine, *asked);
+    if (const auto problems = machine::validate(made); !problems.empty()) return rejected(error, problems.front());
+    *limited = new leadscrew_machine{std::move(made)};
+    return static_cast<int>(LEADSCREW_OK);
+  });
 }
 
 double leadscrew_machine_period(const leadscrew_machine* machine) {
@@ -262,22 +224,50 @@ int leadscrew_motion_reset(leadscrew_motion* motion, const double* position, lea
 int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** trajectory, leadscrew_error* error) {
   if (trajectory == nullptr) return misuse(error, "the place for the trajectory is NULL");
   return within(motion, error, [&](host::Motion& m) {
-    base::Result<host::Trajectory> planned = m.plan();
+    auto made = std::make_unique<leadscrew_trajectory>(motion->machine);
+    host::PlanNotes notes{.on_move = [&](const gcode::Move& move) { made->times.observe(move); }};
+    base::Result<host::Trajectory> planned = m.plan(&notes);
     if (!planned) return rejected(error, planned.error());
-    *trajectory = new leadscrew_trajectory{std::move(*planned)};
+    made->planned = std::move(*planned);
+    made->summary = notes.summary;
+    *trajectory = made.release();
     return static_cast<int>(LEADSCREW_OK);
   });
 }
 
 double leadscrew_trajectory_duration(const leadscrew_trajectory* trajectory) {
-  return trajectory == nullptr ? 0 : trajectory->trajectory.duration();
+  return trajectory == nullptr ? 0 : trajectory->planned.duration();
+}
+
+int leadscrew_trajectory_figures(const leadscrew_trajectory* trajectory, leadscrew_figures* figures,
+                                 leadscrew_error* error) {
+  if (trajectory == nullptr) return misuse(error, "the trajectory is NULL");
+  if (!fill(figures, figures_of(trajectory->summary)))
+    return misuse(error, "the figures are NULL, or their size is none that a version had");
+  return LEADSCREW_OK;
+}
+
+int leadscrew_trajectory_blocks(const leadscrew_trajectory* trajectory, leadscrew_block_function on_block, void* user,
+                                leadscrew_error* error) {
+  if (trajectory == nullptr || on_block == nullptr) return misuse(error, "the trajectory or the function is NULL");
+  return guarded(error, [&] {
+    pipeline::LostTime times = trajectory->times;
+    times.on_block([&](const pipeline::BlockTime& time) {
+      const leadscrew_block block = block_of(time);
+      on_block(&block, user);
+    });
+    const base::Tick last = trajectory->planned.last_tick();
+    for (base::Tick tick{}; tick <= last; tick = base::next(tick)) times.observe(trajectory->planned.word(tick));
+    times.finish();
+    return static_cast<int>(LEADSCREW_OK);
+  });
 }
 
 int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory, double time, leadscrew_state* state,
                             leadscrew_error* error) {
   if (trajectory == nullptr) return misuse(error, "the trajectory is NULL");
   if (std::isnan(time)) return misuse(error, "the time is no number");
-  if (!fill(state, state_of(trajectory->trajectory.at(time))))
+  if (!fill(state, state_of(trajectory->planned.at(time))))
     return misuse(error, "the state is NULL, or its size is none that a version had");
   return LEADSCREW_OK;
 }

@@ -189,6 +189,66 @@ typedef struct leadscrew_state {
   int32_t reserved;                    /**< 0 */
 } leadscrew_state;
 
+/** Of a machine. Axes that it lacks have 0. */
+typedef struct leadscrew_limits {
+  size_t size;                         /**< of this structure, sizeof */
+  double least[LEADSCREW_AXES];        /**< of travel, machine coordinates, mm or degrees */
+  double greatest[LEADSCREW_AXES];     /**< the same; greater */
+  double velocity[LEADSCREW_AXES];     /**< mm/s or degrees/s; > 0 */
+  double acceleration[LEADSCREW_AXES]; /**< per s2; > 0 */
+  double jerk[LEADSCREW_AXES];         /**< per s3; > 0 */
+  double tolerance;                    /**< of G64 without P, mm; >= 0 */
+  double chord_error;                  /**< between words, mm; > 0 */
+  int32_t axes;                        /**< that it has: 1 << 0 for X and so on, together */
+  int32_t reserved;                    /**< 0 */
+} leadscrew_limits;
+
+/** Of a program that was read and not moved. */
+typedef struct leadscrew_checked {
+  size_t size;                     /**< of this structure, sizeof */
+  int64_t blocks;                  /**< lines that hold at least one word */
+  int64_t moves;                   /**< lines, arcs and curves */
+  double bound;                    /**< s, at least: as leadscrew_figures.bound */
+  double least[LEADSCREW_AXES];    /**< coordinates of the path, its start included, mm or degrees */
+  double greatest[LEADSCREW_AXES]; /**< the same */
+} leadscrew_checked;
+
+/** Of all of a motion. */
+typedef struct leadscrew_figures {
+  size_t size;                         /**< of this structure, sizeof */
+  double time;                         /**< of its last word, s */
+  double bound;                        /**< the least that this path takes within velocity, acceleration and feed, s */
+  double dwell;                        /**< of it at rest as G4 asks, s */
+  double length;                       /**< as path_length of the last word */
+  double feed_programmed;              /**< the greatest, mm/s; 0 where there are only rapids */
+  double tolerance;                    /**< the largest that applied, mm */
+  double velocity[LEADSCREW_AXES];     /**< the plan's greatest over the limit of the axis, from its polynomials */
+  double acceleration[LEADSCREW_AXES]; /**< the same */
+  double jerk[LEADSCREW_AXES];         /**< the same */
+  int64_t words;                       /**< behind the first, which is at rest at time 0 */
+  int64_t blocks;                      /**< read, of a program */
+  int64_t moves;                       /**< travelled: lines, arcs and curves */
+} leadscrew_figures;
+
+/** What one move of a block took, and what it waited for. */
+typedef struct leadscrew_block {
+  size_t size;                   /**< of this structure, sizeof */
+  int64_t line;                  /**< of the program, or of the move */
+  int32_t file;                  /**< as a word's */
+  int32_t visit;                 /**< as a word's */
+  double begin;                  /**< s, of the motion */
+  double seconds;                /**< that it took */
+  double least_seconds;          /**< at the feed asked for; of a rapid, at the velocity of its axes */
+  double length;                 /**< travelled, as feed is counted */
+  double feed_asked;             /**< mm/s or degrees/s; HUGE_VAL of a rapid; 0 of a dwell */
+  double feed_reached;           /**< the greatest */
+  double middle[LEADSCREW_AXES]; /**< halfway along it */
+  char cause[24]; /**< of most of the difference: "acceleration X", "jerk Z", "velocity Y", "chord", "stop", "dwell" */
+} leadscrew_block;
+
+/** Called once for each block, in order. */
+typedef void (*leadscrew_block_function)(const leadscrew_block* block, void* user);
+
 /** One line or arc for an interpolator of reference pulses. Coordinates are whole BLU, basic length units. */
 typedef struct leadscrew_pulse_task {
   size_t size;         /**< of this structure, sizeof */
@@ -256,8 +316,24 @@ LEADSCREW_API int leadscrew_machine_of_text(const char* text, size_t length, lea
 LEADSCREW_API int leadscrew_machine_of_file(const char* path, leadscrew_machine** machine, leadscrew_error* error);
 /** The servo period, s; 0 of NULL. */
 LEADSCREW_API double leadscrew_machine_period(const leadscrew_machine* machine);
+/** What it can do. */
+LEADSCREW_API int leadscrew_machine_limits(const leadscrew_machine* machine, leadscrew_limits* limits,
+                                           leadscrew_error* error);
+/** Another machine, which has these limits and the same axes, and is otherwise the same. LEADSCREW_REJECTED where they are
+ * not sound: error.field says which, such as "jerk.x". */
+LEADSCREW_API int leadscrew_machine_limited(const leadscrew_machine* machine, const leadscrew_limits* limits,
+                                            leadscrew_machine** limited, leadscrew_error* error);
 /** Motions go on without it. It may be NULL. */
 LEADSCREW_API void leadscrew_machine_free(leadscrew_machine* machine);
+
+/** Reads a program and tells what is wrong with it, options->on_diagnostic, as `leadscrew check --json` does. One with an
+ * error is LEADSCREW_REJECTED: of `checked`, which may be NULL, it has blocks and moves, and else 0. `options` may be NULL. */
+LEADSCREW_API int leadscrew_program_check(const leadscrew_machine* machine, const char* text, size_t length,
+                                          const leadscrew_options* options, leadscrew_checked* checked,
+                                          leadscrew_error* error);
+/** What a block means, or a code alone, in the dialect of the machine's programs: writes at most `length` bytes, the last
+ * one 0, and returns how many all of it has, without that. 0 where nothing of it is known. */
+LEADSCREW_API size_t leadscrew_explain(const leadscrew_machine* machine, const char* block, char* text, size_t length);
 
 /** The program is read whole first: one with an error is LEADSCREW_REJECTED and makes no motion. `options` may be NULL. */
 LEADSCREW_API int leadscrew_motion_of_program(const leadscrew_machine* machine, const char* text, size_t length,
@@ -308,12 +384,18 @@ LEADSCREW_API int leadscrew_motion_abort(leadscrew_motion* motion);
 /** At LEADSCREW_ENDED: stands here and waits for moves; ticks count from 0 again. */
 LEADSCREW_API int leadscrew_motion_reset(leadscrew_motion* motion, const double* position, leadscrew_error* error);
 
-/** All of a motion, planned from its beginning to its end as if nobody intervened: of its program, or of the moves that were
+/** All of a motion, planned from its beginning to its end as if nobody intervened, by the feed override as it stands: of its program, or of the moves that were
  * pushed so far, before leadscrew_motion_next() has taken one. Its words stay those that they are. */
 LEADSCREW_API int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** trajectory,
                                         leadscrew_error* error);
 /** From its first instant to rest at its end, s; 0 of NULL. */
 LEADSCREW_API double leadscrew_trajectory_duration(const leadscrew_trajectory* trajectory);
+/** Of all of it. */
+LEADSCREW_API int leadscrew_trajectory_figures(const leadscrew_trajectory* trajectory, leadscrew_figures* figures,
+                                               leadscrew_error* error);
+/** What each block took and what it waited for, from all words of it; `user` is for the function. */
+LEADSCREW_API int leadscrew_trajectory_blocks(const leadscrew_trajectory* trajectory, leadscrew_block_function on_block,
+                                              void* user, leadscrew_error* error);
 /** At `time`: before 0 as at 0, at rest behind the duration. Where it is n times the period, positions are those of word n,
  * bit for bit. */
 LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory, double time, leadscrew_state* state,

@@ -81,6 +81,80 @@ leadscrew_state state_of(const host::TrajectoryState& from) {
   return state;
 }
 
+leadscrew_limits limits_of(const machine::Machine& from) {
+  leadscrew_limits limits{};
+  limits.size = sizeof limits;
+  for (const base::Axis axis : base::all_axes) {
+    if (!from.has(axis)) continue;
+    const std::size_t i = base::index(axis);
+    const machine::AxisLimits& of = from.limits(axis);
+    limits.axes |= 1 << i;
+    limits.least[i] = of.travel_min;
+    limits.greatest[i] = of.travel_max;
+    limits.velocity[i] = of.velocity;
+    limits.acceleration[i] = of.acceleration;
+    limits.jerk[i] = of.jerk;
+  }
+  limits.tolerance = from.tolerance;
+  limits.chord_error = from.chord_error;
+  return limits;
+}
+
+machine::Machine with_limits(machine::Machine machine, const leadscrew_limits& limits) {
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    const std::size_t i = base::index(axis);
+    machine::AxisLimits& of = *machine.axes[i];
+    of.travel_min = limits.least[i];
+    of.travel_max = limits.greatest[i];
+    of.velocity = limits.velocity[i];
+    of.acceleration = limits.acceleration[i];
+    of.jerk = limits.jerk[i];
+  }
+  machine.tolerance = limits.tolerance;
+  machine.chord_error = limits.chord_error;
+  return machine;
+}
+
+leadscrew_figures figures_of(const pipeline::Summary& from) {
+  leadscrew_figures figures{};
+  figures.size = sizeof figures;
+  figures.time = from.time_s;
+  figures.bound = from.bound_s;
+  figures.dwell = from.dwell_s;
+  figures.length = from.length_mm;
+  figures.feed_programmed = from.feed_programmed_max;
+  figures.tolerance = from.tolerance_mm;
+  for (const base::Axis axis : base::all_axes) {
+    const machine::Derivatives ratios = from.plan.of_axis(axis);
+    const std::size_t i = base::index(axis);
+    figures.velocity[i] = ratios.velocity;
+    figures.acceleration[i] = ratios.acceleration;
+    figures.jerk[i] = ratios.jerk;
+  }
+  figures.words = from.words;
+  figures.blocks = from.blocks;
+  figures.moves = from.moves;
+  return figures;
+}
+
+leadscrew_block block_of(const pipeline::BlockTime& from) {
+  leadscrew_block block{};
+  block.size = sizeof block;
+  block.line = base::number(from.line);
+  block.file = base::file(from.line);
+  block.visit = base::visit(from.line);
+  block.begin = from.begin;
+  block.seconds = from.seconds;
+  block.least_seconds = from.least_seconds;
+  block.length = from.length;
+  block.feed_asked = from.feed_asked;
+  block.feed_reached = from.feed_reached;
+  std::copy(from.middle.begin(), from.middle.end(), block.middle);
+  copy_text(block.cause, pipeline::name(from.cause));
+  return block;
+}
+
 base::AxisVector axes_of(const double* from) {
   base::AxisVector position;
   std::copy_n(from, LEADSCREW_AXES, position.begin());

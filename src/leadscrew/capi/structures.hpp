@@ -2,6 +2,7 @@
 // What structures of leadscrew.h say in the words of the rooms.
 
 #include <leadscrew/host/motion.hpp>
+#include <leadscrew/pipeline/lost_time.hpp>
 #include <optional>
 
 #include "calls.hpp"
@@ -11,6 +12,12 @@ namespace leadscrew::capi {
 leadscrew_event event_of(const base::PassedEvent& from);
 leadscrew_word word_of(const base::Word& from);
 leadscrew_state state_of(const host::TrajectoryState& from);
+
+leadscrew_limits limits_of(const machine::Machine& from);
+/// The machine with these limits, sound or not.
+machine::Machine with_limits(machine::Machine machine, const leadscrew_limits& limits);
+leadscrew_figures figures_of(const pipeline::Summary& from);
+leadscrew_block block_of(const pipeline::BlockTime& from);
 
 base::AxisVector axes_of(const double* from);
 /// Empty where a field is out of its range.

@@ -195,7 +195,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   gcode::Move move;
   for (std::int64_t count = 1; reader.next(move); ++count) {
     const auto excess = survey && log.errors() == 0 ? survey->observe(move) : std::nullopt;
-    if (excess) reader.warn_of_feed(move, results::warning_of(*excess));
+    if (excess) reader.warn_of_feed(move, pipeline::warning_of(*excess));
     if (lint) {
       for (base::Diagnostic& found : lint->see(move, reader.frame(), reader.modal()))
         reader.warn(move, std::move(found));

@@ -2,44 +2,15 @@
 #include <cmath>
 #include <leadscrew/base/number_text.hpp>
 #include <leadscrew/host/motion.hpp>
+#include <leadscrew/host/program_reading.hpp>
+#include <leadscrew/planner/limit_ratios.hpp>
 #include <utility>
 
 namespace leadscrew::host {
 
 namespace {
 
-constexpr std::size_t bytes_between_questions = 4096;
 constexpr std::int64_t moves_between_questions = 4096;  // of one block that repeats itself
-
-base::Diagnostic interruption() {
-  return base::problem("interrupted", "interrupted", {});
-}
-
-/// The text in small pieces, `share` of it so far; before each it is asked whether to go on.
-gcode::ByteSource asking_source(std::string_view text, std::function<bool(double)> goes_on,
-                                std::shared_ptr<double> share) {
-  if (!goes_on) return gcode::text_source(text);
-  return [source = gcode::text_source(text), goes_on = std::move(goes_on), share = std::move(share),
-          whole = static_cast<double>(text.size()),
-          given = std::size_t{0}](std::span<char> buffer) mutable -> base::Result<std::size_t> {
-    *share = whole > 0 ? static_cast<double>(given) / whole : 1;
-    if (!goes_on(*share)) return base::failure(interruption());
-    const auto count = source(buffer.first(std::min(buffer.size(), bytes_between_questions)));
-    if (count) given += *count;
-    return count;
-  };
-}
-
-gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOptions& options,
-                                const std::shared_ptr<ProgramTexts>& texts) {
-  gcode::ReaderOptions reading{.file = options.file, .start = options.start, .dialect = machine.dialect};
-  reading.opener = [texts](const std::string& name, std::int64_t offset) { return texts->open(name, offset); };
-  reading.fuel = options.fuel;
-  reading.asks_inputs = options.has_inputs;
-  reading.allows_gouging = options.allows_gouging;
-  if (options.has_probe) reading.probing = gcode::ProbingMoves::real;
-  return reading;
-}
 
 }  // namespace
 
@@ -94,10 +65,11 @@ void Motion::join(std::optional<Joined>& joined, pipeline::MoveInput moves) cons
 void Motion::begin() {
   join(program_, [this](gcode::Move& move) { return moves_.give(move); });
   program_->slice(options_.slice);
+  feed_override_ = 1;
   if (options_.on_event) program_->on_event(options_.on_event);
 }
 
-base::Result<Trajectory> Motion::plan() const {
+base::Result<Trajectory> Motion::plan(PlanNotes* notes) const {
   if (moves_.has_given())
     return base::failure(base::problem("motion-moves", "motion has taken moves already", "plan before the first word"));
   std::optional<pipeline::MotionSource> source;
@@ -107,19 +79,48 @@ base::Result<Trajectory> Motion::plan() const {
     next = *move++;
     return pipeline::Supply::move;
   });
+  if (feed_override_ == 0) return base::failure(base::problem("override", "motion is held", "a feed override above 0"));
+  source->planner().override_feed(feed_override_);
+  return notes == nullptr ? plan_from(*source) : plan_noted(*source, *notes);
+}
+
+base::Result<Trajectory> Motion::plan_from(pipeline::MotionSource& source, const ChunkSink& sink) const {
   Trajectory trajectory(machine_.period, options_.start);
   for (;;) {
-    if (std::optional<planner::Chunk> chunk = source->next()) {
+    if (std::optional<planner::Chunk> chunk = source.next()) {
+      if (sink) sink(*chunk);
       trajectory.append(std::move(*chunk));
-    } else if (source->wants_input()) {
-      source->input_is({});
-    } else if (source->waits_for_probe()) {
-      source->probed({true, false, source->rest(), source->rest()});
+    } else if (source.wants_input()) {
+      source.input_is({});
+    } else if (source.waits_for_probe()) {
+      source.probed({true, false, source.rest(), source.rest()});
     } else {
       break;
     }
   }
-  if (source->failure()) return base::failure(*source->failure());
+  if (source.failure()) return base::failure(*source.failure());
+  return trajectory;
+}
+
+base::Result<Trajectory> Motion::plan_noted(pipeline::MotionSource& source, PlanNotes& notes) const {
+  const constraints::Constraints constraints(machine_);
+  planner::TimeBound bound(constraints);
+  notes.summary = {};
+  source.on_element = [&](const toolpath::Element& element) { bound.push(element); };
+  source.on_move = [&](const gcode::Move& move) {
+    pipeline::account(move, notes.summary);
+    if (notes.on_move) notes.on_move(move);
+  };
+  auto trajectory = plan_from(source, [&](const planner::Chunk& chunk) {
+    planner::raise_limit_ratios(chunk, constraints, notes.summary.plan);
+    notes.summary.length_mm += chunk.length;
+  });
+  if (!trajectory) return trajectory;
+  bound.finish();
+  notes.summary.bound_s = bound.seconds();
+  notes.summary.blocks = source.blocks();
+  notes.summary.words = base::count(trajectory->last_tick());
+  notes.summary.time_s = base::seconds(trajectory->last_tick(), machine_.period);
   return trajectory;
 }
 
@@ -134,6 +135,7 @@ base::Result<void> Motion::override_feed(double factor) {
   if (!(factor >= 0 && factor <= 2))
     return base::failure(base::problem("override", "a feed override of " + base::text(factor, 9), "0 to 2"));
   program_->override_feed(factor);
+  feed_override_ = factor;
   return {};
 }
 

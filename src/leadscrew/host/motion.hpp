@@ -56,6 +56,12 @@ struct MotionOptions {
 
 using pipeline::Trajectory, pipeline::TrajectoryState;
 
+/// What plan() tells beside the motion.
+struct PlanNotes {
+  std::function<void(const gcode::Move&)> on_move{};  ///< gets each move, in order, before it is planned; may be empty
+  pipeline::Summary summary{};                        ///< of all words; complete when plan() has succeeded
+};
+
 /// Along a program, which is checked whole before it moves, or along moves as they come.
 class Motion {
  public:
@@ -79,11 +85,11 @@ class Motion {
   /// No more moves will come.
   void finish() { moves_.finish(); }
 
-  /// All of it, planned from its beginning to its end as nobody intervenes: of a program, or of the moves that have been
-  /// pushed so far, with rest behind the last. A probe of its own touches
-  /// where probing moves lead. Words stay those that they are; this plans beside them. Errors:
-  /// `motion-moves` where next() has taken some of the moves already; failure().
-  base::Result<Trajectory> plan() const;
+  /// All of it, planned from its beginning to its end as nobody intervenes, by the feed override as it stands: of a program,
+  /// or of the moves that have been pushed so far, with rest behind the last. A probe of its own touches
+  /// where probing moves lead. Words stay those that they are; this plans beside them. `notes` may be null. Errors:
+  /// `motion-moves` where next() has taken some of the moves already; `override` while held; failure().
+  base::Result<Trajectory> plan(PlanNotes* notes = nullptr) const;
 
   /// The next words, as many as there are room and motion for: fewer than asked only where progress() says why.
   std::size_t next(std::span<base::Word> words);
@@ -129,12 +135,16 @@ class Motion {
   void begin();
   template <class Joined>
   void join(std::optional<Joined>& joined, pipeline::MoveInput moves) const;
+  using ChunkSink = std::function<void(const planner::Chunk&)>;
+  base::Result<Trajectory> plan_from(pipeline::MotionSource& source, const ChunkSink& sink = {}) const;
+  base::Result<Trajectory> plan_noted(pipeline::MotionSource& source, PlanNotes& notes) const;
 
   const machine::Machine machine_;
   MotionOptions options_;
   std::shared_ptr<ProgramTexts> texts_;  ///< of a program; else none
   MoveQueue moves_;
   std::optional<pipeline::Program> program_;
+  double feed_override_ = 1;
   base::AxisVector last_position_{};  ///< of the last word; of motions with a probe alone
 };
 

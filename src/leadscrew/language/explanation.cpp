@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <charconv>
+#include <fast_float/fast_float.h>
+
 #include <cmath>
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/language/code_words.hpp>
@@ -25,7 +26,7 @@ std::optional<double> number_of(std::string_view value) {
   }
   const char* const begin = digits.data() + (digits.starts_with('+') ? 1 : 0);
   double number = 0;
-  const auto [end, problem] = std::from_chars(begin, digits.data() + digits.size(), number);
+  const auto [end, problem] = fast_float::from_chars(begin, digits.data() + digits.size(), number);
   if (problem != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
   return number;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/base/number_text.hpp>
 #include <leadscrew/pipeline/feed_check.hpp>
 #include <leadscrew/pipeline/programmed_feed.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
@@ -21,6 +22,17 @@ int parts_of_direction(const toolpath::AxisPath& axes) {
 }
 
 }  // namespace
+
+base::Diagnostic warning_of(const FeedExcess& excess) {
+  const std::string unit = excess.is_rotary ? " degrees/min" : " mm/min";
+  return {base::Severity::warning,
+          "feed-beyond-axis",
+          "a feed of " + base::text(excess.asked * 60, 6) + unit + " is more than the velocity of axis " +
+              base::letter(excess.axis) + " allows here",
+          "no more than " + base::text(excess.possible * 60, 6) + unit + " can be kept throughout this block",
+          {},
+          {}};
+}
 
 std::optional<FeedExcess> FeedCheck::observe(const gcode::Move& move) {
   if (lines_.size() == most_lines_told) return std::nullopt;

@@ -2,6 +2,7 @@
 // F words that no motion can keep, because an axis is slower.
 
 #include <leadscrew/base/borrowed.hpp>
+#include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/constraints/constraints.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -17,6 +18,9 @@ struct FeedExcess {
   double asked = 0;
   double possible = 0;  ///< the least of the block by velocities of axes
 };
+
+/// The warning `feed-beyond-axis`; the reader knows its place.
+base::Diagnostic warning_of(const FeedExcess& excess);
 
 class FeedCheck {
  public:

@@ -144,6 +144,7 @@ void LostTime::account() {
   lost_[held.cause] += period - least;
   if (asked == nullptr) return;
   if (travelled_ <= asked->length / 2) asked->block.middle = before.position;
+  if (asked->block.seconds == 0) asked->block.begin = base::seconds(before.tick, machine_.period);
   travelled_ += feed_length;
   asked->block.length += feed_length;
   asked->block.feed_reached = std::max(asked->block.feed_reached, word.feed);

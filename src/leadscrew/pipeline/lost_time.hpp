@@ -44,6 +44,7 @@ struct BlockTime {
   double length = 0;              ///< travelled, as feed is counted
   double feed_asked = 0;          ///< mm/s or degrees/s; infinite for a rapid; 0 of a dwell
   double feed_reached = 0;        ///< the greatest
+  double begin = 0;               ///< s, of the motion
   double seconds = 0;
   double least_seconds = 0;  ///< at the feed asked for
   Cause cause;               ///< the one that cost most; of no meaning where nothing is lost
@@ -59,6 +60,8 @@ class LostTime {
   /// `block` gets each move that words have passed, in order; may be empty. The machine must outlive this.
   LostTime(const machine::Machine& machine, Sink block);
 
+  /// In place of the sink that it was made with.
+  void on_block(Sink sink) { sink_ = std::move(sink); }
   /// Each move, before the first word of it.
   void observe(const gcode::Move& move);
   /// Each word, from that of t = 0.

@@ -5,6 +5,24 @@
 
 namespace leadscrew::pipeline {
 
+void account(const gcode::Move& move, Summary& summary) {
+  if (move.kind == gcode::Move::Kind::dwell) summary.dwell_s += move.dwell_seconds;
+  if (move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event) return;
+  ++summary.moves;
+  summary.tolerance_mm = std::max(summary.tolerance_mm, move.tolerance);
+  const double value = move.feed.value;
+  switch (move.feed.mode) {
+    case gcode::Feed::Mode::units_per_second:
+      summary.feed_programmed_max = std::max(summary.feed_programmed_max, value);
+      break;
+    case gcode::Feed::Mode::per_second:
+      summary.feed_programmed_max = std::max(summary.feed_programmed_max, value * toolpath::feed_length(move));
+      break;
+    case gcode::Feed::Mode::rapid:
+      break;
+  }
+}
+
 Program::Program(gcode::ByteSource source, base::Borrowed<machine::Machine> machine,
                  base::Borrowed<machine::ToolTable> tools, const gcode::ReaderOptions& options,
                  gcode::DiagnosticSink diagnostics)
@@ -138,21 +156,7 @@ bool Program::plan_next() {
 
 void Program::account(const gcode::Move& move) {
   if (moves_) moves_(move);
-  if (move.kind == gcode::Move::Kind::dwell) summary_.dwell_s += move.dwell_seconds;
-  if (move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event) return;
-  ++summary_.moves;
-  summary_.tolerance_mm = std::max(summary_.tolerance_mm, move.tolerance);
-  const double value = move.feed.value;
-  switch (move.feed.mode) {
-    case gcode::Feed::Mode::units_per_second:
-      summary_.feed_programmed_max = std::max(summary_.feed_programmed_max, value);
-      break;
-    case gcode::Feed::Mode::per_second:
-      summary_.feed_programmed_max = std::max(summary_.feed_programmed_max, value * toolpath::feed_length(move));
-      break;
-    case gcode::Feed::Mode::rapid:
-      break;
-  }
+  pipeline::account(move, summary_);
 }
 
 void Program::account(const base::Word& word) {

@@ -37,6 +37,9 @@ struct Summary {
   constraints::LimitRatios plan{};  ///< analytically, from the motion
 };
 
+/// Counts a move that will be travelled: moves, dwell_s, feed_programmed_max, tolerance_mm.
+void account(const gcode::Move& move, Summary& summary);
+
 /// Called for each event once, in order: with the word in whose period motion passes its place, before that is returned.
 using EventSink = std::function<void(const base::PassedEvent&)>;
 

@@ -37,15 +37,4 @@ std::vector<Extent> extents_of(const machine::Machine& machine, const base::Axis
   return extents;
 }
 
-base::Diagnostic warning_of(const pipeline::FeedExcess& excess) {
-  const char* const unit = excess.is_rotary ? "degrees/min" : "mm/min";
-  return {base::Severity::warning,
-          "feed-beyond-axis",
-          fmt::format("a feed of {:.6g} {} is more than the velocity of axis {} allows here", excess.asked * 60, unit,
-                      base::letter(excess.axis)),
-          fmt::format("no more than {:.6g} {} can be kept throughout this block", excess.possible * 60, unit),
-          {},
-          {}};
-}
-
 }  // namespace leadscrew::results

@@ -76,9 +76,6 @@ struct CheckFigures {
 /// "line 12", "line 12 of subprogram file 1, visit 3": the place of a block, for people.
 std::string line_text(base::Line line);
 
-/// Of an F word; the reader knows its place.
-base::Diagnostic warning_of(const pipeline::FeedExcess& excess);
-
 struct RunFigures {
   pipeline::Summary summary;
   referee::Verdict verdict;
