@@ -1,4 +1,4 @@
-// Two pages of one source: served, with its engine in a worker, and one file that opens from disk (--mode file).
+// Two pages, each served, with its engine in a worker, and as one file that opens from disk (--mode lesson, --mode program).
 
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -6,48 +6,59 @@ import { defineConfig, type Plugin } from "vite";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const built = here("../build/web");
-const wasm = `${built}/web/engine/lesson.wasm`;
+const pages = { lesson: "index.html", program: "program.html" } as const;
+type Page = keyof typeof pages;
 
-/** leadscrew:lesson.wasm as an address or as text, leadscrew:engine as the one or the other way to open it. */
+/** leadscrew:NAME.wasm as an address or as text; leadscrew:engine, planner and scene as the one or the other way to open them. */
 function engine(isFile: boolean): Plugin {
   let isServing = false;
+  const openers: Readonly<Record<string, string>> = {
+    "leadscrew:engine": isFile ? "src/engine/inlined.ts" : "src/engine/served.ts",
+    "leadscrew:scene": isFile ? "src/program/scene_inlined.ts" : "src/program/scene_served.ts",
+    "leadscrew:planner": isFile ? "src/engine/planner_inlined.ts" : "src/engine/planner_served.ts",
+  };
   return {
     name: "leadscrew-engine",
     configResolved: (config) => void (isServing = config.command === "serve"),
     resolveId(id) {
-      if (id === "leadscrew:engine") return here(isFile ? "src/engine/inlined.ts" : "src/engine/served.ts");
+      const opener = openers[id];
+      if (opener !== undefined) return here(opener);
       return id.startsWith("leadscrew:") ? `\0${id}` : undefined;
     },
     load(id) {
-      if (!id.startsWith("\0leadscrew:lesson.wasm")) return undefined;
-      if (id.endsWith("?base64")) return `export default ${JSON.stringify(readFileSync(wasm).toString("base64"))}`;
+      const [, name, form] = /^\0leadscrew:(\w+\.wasm)\?(\w+)$/.exec(id) ?? [];
+      if (name === undefined) return undefined;
+      const wasm = `${built}/web/engine/${name}`;
+      if (form === "base64") return `export default ${JSON.stringify(readFileSync(wasm).toString("base64"))}`;
       if (isServing) return `export default ${JSON.stringify(`/@fs${wasm}`)}`;
-      const file = this.emitFile({ type: "asset", name: "lesson.wasm", source: readFileSync(wasm) });
+      const file = this.emitFile({ type: "asset", name, source: readFileSync(wasm) });
       return `export default import.meta.ROLLUP_FILE_URL_${file}`;
     },
   };
 }
 
-/** What the page may load: nothing but itself. */
+/** What a page may load: nothing but itself. The editor of programs writes its style into the page. */
 function policy(isFile: boolean): Plugin {
-  const own = isFile ? "'unsafe-inline'" : "'self'";
-  const rules = [
+  const rules = (isProgram: boolean): string[] => [
     "default-src 'none'",
-    `script-src ${own} 'wasm-unsafe-eval'`,
-    `style-src ${own}`,
+    `script-src ${isFile ? "'unsafe-inline'" : "'self'"} 'wasm-unsafe-eval'`,
+    `style-src ${isFile || isProgram ? "'unsafe-inline'" : ""} ${isFile ? "" : "'self'"}`,
     "img-src 'self' data: blob:",
     isFile ? "connect-src 'none'" : "connect-src 'self'",
-    isFile ? "worker-src 'none'" : "worker-src 'self'",
+    isFile ? (isProgram ? "worker-src blob: data:" : "worker-src 'none'") : "worker-src 'self'",
     "base-uri 'none'",
     "form-action 'none'",
   ];
   return {
     name: "leadscrew-policy",
     apply: "build",
-    transformIndexHtml: () => [
+    transformIndexHtml: (_, { path }) => [
       {
         tag: "meta",
-        attrs: { "http-equiv": "Content-Security-Policy", content: rules.join("; ") },
+        attrs: {
+          "http-equiv": "Content-Security-Policy",
+          content: rules(path.endsWith(pages.program)).join("; "),
+        },
         injectTo: "head-prepend",
       },
     ],
@@ -55,44 +66,51 @@ function policy(isFile: boolean): Plugin {
 }
 
 /** Script and style into the page itself. */
-function oneFile(): Plugin {
+function oneFile(name: Page): Plugin {
   return {
     name: "leadscrew-one-file",
     enforce: "post",
     generateBundle(_, bundle) {
-      const page = bundle["index.html"];
+      const page = bundle[pages[name]];
       if (page?.type !== "asset") throw new Error("there is no page");
       let html = String(page.source);
-      for (const [name, part] of Object.entries(bundle)) {
-        if (name === "index.html") continue;
+      for (const [file, part] of Object.entries(bundle)) {
+        if (file === pages[name]) continue;
         if (part.type === "chunk") {
           const code = part.code.replace(/<\/script/g, "<\\/script");
           html = html
             .replace(new RegExp(`<script[^>]*${part.fileName}[^>]*></script>`), "")
             .replace("</body>", () => `<script type="module">${code}</script></body>`);
-        } else if (name.endsWith(".css")) {
+        } else if (file.endsWith(".css")) {
           html = html.replace(new RegExp(`<link[^>]*${part.fileName}[^>]*>`), () => `<style>${part.source}</style>`);
         }
-        delete bundle[name];
+        delete bundle[file];
       }
-      page.source = html;
-      page.fileName = "lesson.html";
+      page.source = html.replaceAll('href="./index.html"', 'href="./lesson.html"');
+      page.fileName = `${name}.html`;
     },
   };
 }
 
 export default defineConfig(({ mode }) => {
-  const isFile = mode === "file";
+  const file = mode === "lesson" || mode === "program" ? mode : undefined;
+  const isFile = file !== undefined;
+  const inputs: readonly Page[] = file === undefined ? ["lesson", "program"] : [file];
   return {
     base: "./",
-    plugins: [engine(isFile), policy(isFile), ...(isFile ? [oneFile()] : [])],
-    worker: { format: "es" },
+    plugins: [engine(isFile), policy(isFile), ...(isFile ? [oneFile(file)] : [])],
+    worker: { format: isFile ? "iife" : "es" },
+    server: { fs: { allow: [here("..")] } },
     build: {
       outDir: `${built}/${isFile ? "file" : "page"}`,
-      emptyOutDir: true,
+      emptyOutDir: file !== "program",
       target: "es2022",
       modulePreload: false,
-      ...(isFile ? { rollupOptions: { output: { inlineDynamicImports: true } } } : {}),
+      chunkSizeWarningLimit: 4000,
+      rollupOptions: {
+        input: inputs.map((name) => here(pages[name])),
+        output: isFile ? { inlineDynamicImports: true } : {},
+      },
     },
   };
 });

@@ -42,3 +42,73 @@ static_assert(offsetof(leadscrew_pulse_figures, error) == 64);
 static_assert(offsetof(leadscrew_pulse_figures, max_error) == 72);
 static_assert(offsetof(leadscrew_pulse_figures, rms_error) == 80);
 static_assert(offsetof(leadscrew_pulse_figures, is_done) == 88);
+
+static_assert(offsetof(leadscrew_error, severity) == 4);
+static_assert(offsetof(leadscrew_error, line) == 16);
+static_assert(offsetof(leadscrew_error, column) == 24);
+static_assert(offsetof(leadscrew_error, file) == 848);
+
+static_assert(sizeof(leadscrew_options) == 152);
+static_assert(offsetof(leadscrew_options, on_diagnostic) == 92);
+static_assert(offsetof(leadscrew_options, file) == 100);
+static_assert(offsetof(leadscrew_options, tools) == 104);
+static_assert(offsetof(leadscrew_options, tools_length) == 108);
+static_assert(offsetof(leadscrew_options, on_progress) == 116);
+static_assert(offsetof(leadscrew_options, user) == 96);
+
+static_assert(sizeof(leadscrew_limits) == 392);
+static_assert(offsetof(leadscrew_limits, least) == 8);
+static_assert(offsetof(leadscrew_limits, greatest) == 80);
+static_assert(offsetof(leadscrew_limits, velocity) == 152);
+static_assert(offsetof(leadscrew_limits, acceleration) == 224);
+static_assert(offsetof(leadscrew_limits, jerk) == 296);
+static_assert(offsetof(leadscrew_limits, tolerance) == 368);
+static_assert(offsetof(leadscrew_limits, chord_error) == 376);
+static_assert(offsetof(leadscrew_limits, axes) == 384);
+
+static_assert(sizeof(leadscrew_checked) == 176);
+static_assert(offsetof(leadscrew_checked, blocks) == 8);
+static_assert(offsetof(leadscrew_checked, moves) == 16);
+static_assert(offsetof(leadscrew_checked, bound) == 24);
+static_assert(offsetof(leadscrew_checked, least) == 32);
+static_assert(offsetof(leadscrew_checked, greatest) == 104);
+
+static_assert(sizeof(leadscrew_figures) == 296);
+static_assert(offsetof(leadscrew_figures, time) == 8);
+static_assert(offsetof(leadscrew_figures, bound) == 16);
+static_assert(offsetof(leadscrew_figures, dwell) == 24);
+static_assert(offsetof(leadscrew_figures, length) == 32);
+static_assert(offsetof(leadscrew_figures, feed_programmed) == 40);
+static_assert(offsetof(leadscrew_figures, tolerance) == 48);
+static_assert(offsetof(leadscrew_figures, velocity) == 56);
+static_assert(offsetof(leadscrew_figures, acceleration) == 128);
+static_assert(offsetof(leadscrew_figures, jerk) == 200);
+static_assert(offsetof(leadscrew_figures, words) == 272);
+static_assert(offsetof(leadscrew_figures, blocks) == 280);
+static_assert(offsetof(leadscrew_figures, moves) == 288);
+
+static_assert(sizeof(leadscrew_block) == 168);
+static_assert(offsetof(leadscrew_block, line) == 8);
+static_assert(offsetof(leadscrew_block, file) == 16);
+static_assert(offsetof(leadscrew_block, visit) == 20);
+static_assert(offsetof(leadscrew_block, begin) == 24);
+static_assert(offsetof(leadscrew_block, seconds) == 32);
+static_assert(offsetof(leadscrew_block, least_seconds) == 40);
+static_assert(offsetof(leadscrew_block, length) == 48);
+static_assert(offsetof(leadscrew_block, feed_asked) == 56);
+static_assert(offsetof(leadscrew_block, feed_reached) == 64);
+static_assert(offsetof(leadscrew_block, middle) == 72);
+static_assert(offsetof(leadscrew_block, cause) == 144);
+
+static_assert(sizeof(leadscrew_state) == 344);
+static_assert(offsetof(leadscrew_state, position) == 8);
+static_assert(offsetof(leadscrew_state, velocity) == 80);
+static_assert(offsetof(leadscrew_state, acceleration) == 152);
+static_assert(offsetof(leadscrew_state, jerk) == 224);
+static_assert(offsetof(leadscrew_state, path_length) == 296);
+static_assert(offsetof(leadscrew_state, speed) == 304);
+static_assert(offsetof(leadscrew_state, feed) == 312);
+static_assert(offsetof(leadscrew_state, line) == 320);
+static_assert(offsetof(leadscrew_state, state) == 328);
+static_assert(offsetof(leadscrew_state, file) == 332);
+static_assert(offsetof(leadscrew_state, visit) == 336);

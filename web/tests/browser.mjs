@@ -51,7 +51,7 @@ export async function openBrowser() {
  * A page that notes what it asks for beyond its own address, and what goes wrong in it.
  * @param {import("playwright-core").Browser} browser
  */
-export async function openPage(browser, address, options = {}) {
+export async function openPage(browser, address, { ready = settled, ...options } = {}) {
   const context = await browser.newContext({
     viewport: { width: 1280, height: 900 },
     acceptDownloads: true,
@@ -68,7 +68,7 @@ export async function openPage(browser, address, options = {}) {
   page.on("pageerror", (error) => failures.push(error.message));
   page.on("console", (message) => message.type() === "error" && failures.push(message.text()));
   await page.goto(address);
-  await settled(page);
+  await ready(page);
   return { page, strays, failures, close: () => context.close() };
 }
 
@@ -125,7 +125,7 @@ export async function tableOf(page) {
   });
 }
 
-const command = process.env.LEADSCREW ?? join(root, "build/release/leadscrew");
+export const command = process.env.LEADSCREW ?? join(root, "build/release/leadscrew");
 
 /** What the native command prints. */
 export function native(args) {

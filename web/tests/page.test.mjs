@@ -2,11 +2,9 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
+import { missedByTab, seriousFindings, tabbed } from "./axe.mjs";
 import { choose, click, clockOf, openBrowser, openPage, serve, settled, stateOf } from "./browser.mjs";
-
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 let server, browser, lesson;
 before(async () => {
@@ -19,30 +17,6 @@ after(async () => {
   server?.close();
 });
 
-/** What Tab comes to, from the top of the page to where it begins again; each with whether its focus can be seen. */
-async function tabbed(page) {
-  await page.focus(".skip");
-  await page.keyboard.press("Tab");
-  const stops = [];
-  for (let i = 0; i < 200; ++i) {
-    await page.keyboard.press(i === 0 ? "Shift+Tab" : "Tab"); // first back to the top
-    const stop = await page.evaluate(() => {
-      const element = document.activeElement;
-      if (element === null || element === document.body) return null;
-      const style = getComputedStyle(element);
-      const line = element.querySelector?.(".wire-line");
-      const isSeen =
-        (style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2) ||
-        (line !== null && line !== undefined && parseFloat(getComputedStyle(line).strokeWidth) >= 4);
-      element.dataset.tabbed = "1";
-      return { name: element.id || element.getAttribute("aria-label") || element.className, isSeen };
-    });
-    if (stop === null) break;
-    stops.push(stop);
-  }
-  return stops;
-}
-
 for (const preset of ["line-11-7", "across-quadrants", "fpga-min"]) {
   test(`${preset}: Tab comes to every control, and shows where it is`, async () => {
     const { page } = lesson;
@@ -52,12 +26,7 @@ for (const preset of ["line-11-7", "across-quadrants", "fpga-min"]) {
     const stops = await tabbed(page);
     const unseen = stops.filter(({ isSeen }) => !isSeen).map(({ name }) => name);
     assert.deepEqual(unseen, []);
-    const missed = await page.$$eval("button, input, select, summary, a, [tabindex='0']", (all) =>
-      all
-        .filter((each) => each.checkVisibility() && !each.disabled && each.dataset.tabbed !== "1" && each.tabIndex >= 0)
-        .filter((each) => each.type !== "radio" || each.checked)
-        .map((each) => each.id || each.outerHTML.slice(0, 80)),
-    );
+    const missed = await missedByTab(page);
     assert.deepEqual(missed, []);
     await page.uncheck("#predict");
   });
@@ -115,22 +84,12 @@ for (const theme of ["light", "dark"]) {
   test(`axe finds nothing serious, ${theme}`, async () => {
     const { page } = lesson;
     await page.selectOption("header select", theme);
-    await page.evaluate(axe);
     for (const preset of ["line-11-7", "across-quadrants", "fpga-improved"]) {
       await choose(page, preset);
       await page.check("#predict");
       await click(page, "step");
       await page.waitForTimeout(250);
-      const found = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
-      const serious = found.violations
-        .filter(({ impact }) => impact === "serious" || impact === "critical")
-        .map(
-          ({ id, nodes }) =>
-            `${id}: ${nodes
-              .map((node) => node.target)
-              .slice(0, 5)
-              .join(" ")}`,
-        );
+      const serious = await seriousFindings(page);
       assert.deepEqual(serious, [], preset);
       await page.uncheck("#predict");
     }

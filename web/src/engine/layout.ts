@@ -1,6 +1,77 @@
 // Where fields of leadscrew.h are in WebAssembly: web/engine/layout.cpp holds the compiler to the same numbers.
 
-export const error = { size: 1136, code: 32, message: 80, hint: 592, field: 1104 } as const;
+export const error = {
+  size: 1136,
+  severity: 4,
+  line: 16,
+  column: 24,
+  code: 32,
+  message: 80,
+  hint: 592,
+  file: 848,
+  field: 1104,
+} as const;
+
+export const options = { size: 152, onDiagnostic: 92, file: 100, onProgress: 116 } as const;
+
+export const limits = {
+  size: 392,
+  least: 8,
+  greatest: 80,
+  velocity: 152,
+  acceleration: 224,
+  jerk: 296,
+  tolerance: 368,
+  chordError: 376,
+  axes: 384,
+} as const;
+
+export const checked = { size: 176, blocks: 8, moves: 16, bound: 24, least: 32, greatest: 104 } as const;
+
+export const motionFigures = {
+  size: 296,
+  time: 8,
+  bound: 16,
+  dwell: 24,
+  length: 32,
+  feedProgrammed: 40,
+  tolerance: 48,
+  velocity: 56,
+  acceleration: 128,
+  jerk: 200,
+  words: 272,
+  blocks: 280,
+  moves: 288,
+} as const;
+
+export const block = {
+  size: 168,
+  line: 8,
+  file: 16,
+  visit: 20,
+  begin: 24,
+  seconds: 32,
+  leastSeconds: 40,
+  length: 48,
+  feedAsked: 56,
+  feedReached: 64,
+  middle: 72,
+  cause: 144,
+} as const;
+
+export const state = {
+  size: 344,
+  position: 8,
+  velocity: 80,
+  acceleration: 152,
+  jerk: 224,
+  pathLength: 296,
+  speed: 304,
+  feed: 312,
+  line: 320,
+  state: 328,
+} as const;
+export const axes = 9;
 
 export const task = {
   size: 96,

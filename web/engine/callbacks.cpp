@@ -1,0 +1,21 @@
+// The functions that leadscrew.h calls, for a page: each hands what it is given on to the page, which imports nothing else.
+
+#include "leadscrew.h"
+
+// NOLINTBEGIN(readability-identifier-naming)
+extern "C" {
+[[clang::import_module("page"), clang::import_name("diagnostic")]] void page_diagnostic(const leadscrew_error* error);
+[[clang::import_module("page"), clang::import_name("block")]] void page_block(const leadscrew_block* block);
+[[clang::import_module("page"), clang::import_name("progress")]] int page_progress(double share);
+
+leadscrew_error_function leadscrew_page_on_diagnostic() {
+  return [](const leadscrew_error* error, void*) { page_diagnostic(error); };
+}
+leadscrew_block_function leadscrew_page_on_block() {
+  return [](const leadscrew_block* block, void*) { page_block(block); };
+}
+leadscrew_progress_function leadscrew_page_on_progress() {
+  return [](double share, void*) { return page_progress(share); };
+}
+}
+// NOLINTEND(readability-identifier-naming)

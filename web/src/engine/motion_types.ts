@@ -1,0 +1,154 @@
+// What the page asks the planner for, and what it is told.
+
+export const axisLetters = "XYZABCUVW";
+
+/** Of a machine; a number an axis, those that it lacks 0. Lengths mm or degrees, times s. */
+export interface Limits {
+  least: number[];
+  greatest: number[];
+  velocity: number[];
+  acceleration: number[];
+  jerk: number[];
+  tolerance: number;
+  chordError: number;
+  /** Bits, 1 for X and so on. */
+  axes: number;
+}
+
+export interface Diagnostic {
+  /** 0 note, 1 warning, 2 error. */
+  readonly severity: number;
+  /** From 1; 0: none. */
+  readonly line: number;
+  /** In bytes, from 1; 0: none. */
+  readonly column: number;
+  readonly code: string;
+  readonly message: string;
+  readonly hint: string;
+  readonly field: string;
+}
+
+export interface Checked {
+  readonly diagnostics: readonly Diagnostic[];
+  readonly blocks: number;
+  readonly moves: number;
+  readonly isSound: boolean;
+}
+
+export interface Figures {
+  readonly time: number;
+  readonly bound: number;
+  readonly dwell: number;
+  readonly length: number;
+  readonly feedProgrammed: number;
+  readonly tolerance: number;
+  /** Greatest over limit, a number an axis. */
+  readonly velocity: number[];
+  readonly acceleration: number[];
+  readonly jerk: number[];
+  readonly words: number;
+  readonly blocks: number;
+  readonly moves: number;
+}
+
+/** Moves of the program in their order, an entry each. */
+export interface Blocks {
+  readonly count: number;
+  readonly line: Int32Array;
+  readonly begin: Float64Array;
+  readonly seconds: Float64Array;
+  readonly leastSeconds: Float64Array;
+  readonly length: Float64Array;
+  /** mm/s; infinite of a rapid, 0 of a dwell. */
+  readonly feedAsked: Float64Array;
+  readonly feedReached: Float64Array;
+  /** An entry of `causes`. */
+  readonly cause: Uint8Array;
+  readonly causes: readonly string[];
+}
+
+/** What holds motion at a sample; of several the first. */
+export const holds = ["feed", "velocity", "acceleration", "jerk", "rest", "shape"] as const;
+
+/** Motion at equal steps of time: every word, or every so many. */
+export interface Samples {
+  readonly count: number;
+  /** s between two of them: a whole number of periods. */
+  readonly step: number;
+  /** Axes that the machine has; arrays of axes hold a number each, sample after sample. */
+  readonly axes: readonly number[];
+  readonly position: Float64Array;
+  readonly velocity: Float32Array;
+  readonly acceleration: Float32Array;
+  readonly jerk: Float32Array;
+  readonly feed: Float32Array;
+  readonly line: Int32Array;
+  /** An entry of Blocks. */
+  readonly block: Int32Array;
+  /** An entry of `holds`, and which axis, of the samples' axes. */
+  readonly hold: Uint8Array;
+  readonly holdAxis: Uint8Array;
+}
+
+/** The path as lines to draw: feed moves with their samples, rapids apart. */
+export interface PathData {
+  /** Places, three numbers a vertex; X, Y and Z of the machine, mm. */
+  readonly places: Float32Array;
+  /** Which sample a vertex is. */
+  readonly samples: Int32Array;
+  /** Vertex i and the one before are the way of a rapid. */
+  readonly isRapid: Uint8Array;
+  /** A number a vertex. */
+  readonly values: Readonly<Record<Measure, Float32Array>>;
+  /** An entry of `holds` a vertex. */
+  readonly hold: Uint8Array;
+  readonly least: readonly number[];
+  readonly greatest: readonly number[];
+}
+
+/** A number of each sample; speed, acceleration and jerk of X, Y and Z together. */
+export type Measure = "speed" | "acceleration" | "jerk" | "line";
+
+/** Time beyond what feed words ask. */
+export interface Lost {
+  readonly seconds: number;
+  /** How many moves lose some. */
+  readonly moves: number;
+  /** Entries of Blocks. */
+  readonly dearest: readonly number[];
+}
+
+export interface Plan {
+  readonly period: number;
+  readonly figures: Figures;
+  readonly blocks: Blocks;
+  readonly samples: Samples;
+  readonly path: PathData;
+  /** The same, to be handed on to the worker that draws it: large arrays are not copied by the page. */
+  readonly drawn: PathData;
+  /** Least and greatest of feed moves. */
+  readonly ranges: Readonly<Record<Measure, readonly [number, number]>>;
+  readonly lost: Lost;
+}
+
+export interface Task {
+  readonly text: string;
+  readonly limits: Limits;
+  /** Of the feed, above 0, at most 2. */
+  readonly override: number;
+}
+
+export interface PlannerCalls {
+  /** Of the built-in machine. */
+  limits(): Promise<Limits>;
+  check(task: Task): Promise<Checked>;
+  /** Of a sound program; at most so many samples. */
+  plan(task: Task, most: number): Promise<Plan | Diagnostic>;
+  /** All words of what was planned last, as `leadscrew run --trace` writes them. */
+  trace(): Promise<Blob>;
+  /** What a code or a block means; empty where nothing is known. */
+  explain(block: string): Promise<string>;
+}
+
+export type PlannerMethod = keyof PlannerCalls;
+export type Phase = "reading" | "planning" | "looking";

@@ -1,0 +1,140 @@
+// The planner of a page: checks programs and plans their motion, one at a time.
+
+import * as layout from "./layout";
+import { MotionModule } from "./motion_module";
+import type { Checked, Diagnostic, Figures, Limits, Phase, Plan, PlannerCalls, Task } from "./motion_types";
+import { lostOf, pathOf, rangesOf } from "./path";
+import { BlockList, samplesOf, traceOf } from "./sampling";
+
+const mostLosses = 50; // told one by one
+
+export type Told = (phase: Phase, share: number) => void;
+
+interface Planned {
+  readonly trajectory: number;
+  readonly figures: Figures;
+  readonly limits: Limits;
+}
+
+export class Planner implements PlannerCalls {
+  private found: Diagnostic[] = [];
+  private blocks = new BlockList();
+  private phase: Phase = "reading";
+  private module!: MotionModule;
+  private mill = 0;
+  private planned: Planned | undefined;
+
+  private constructor(private readonly told: Told) {}
+
+  static async of(compiled: WebAssembly.Module, told: Told): Promise<Planner> {
+    const planner = new Planner(told);
+    const module = await MotionModule.of(compiled, {
+      diagnostic: (at) => void planner.found.push(module.diagnostic(at)),
+      block: (at) => planner.blocks.take(module, at),
+      progress: (share) => (told(planner.phase, share), 0),
+    });
+    planner.module = module;
+    const mill = module.withText("mill3", (name) =>
+      module.made((to, error) => module.calls.leadscrew_machine_builtin(name, to, error)),
+    );
+    if (typeof mill !== "number") throw new Error(mill.message);
+    planner.mill = mill;
+    return planner;
+  }
+
+  async limits(): Promise<Limits> {
+    return this.module.limitsOf(this.mill);
+  }
+
+  async explain(block: string): Promise<string> {
+    const { module } = this;
+    const room = 16_384;
+    return module.withText(block, (at) =>
+      module.with(room, (text) =>
+        module.calls.leadscrew_explain(this.mill, at, text, room) > 0 ? module.text(text) : "",
+      ),
+    );
+  }
+
+  async check(task: Task): Promise<Checked> {
+    const { module } = this;
+    this.begin("reading");
+    const machine = module.limited(this.mill, task.limits);
+    if (typeof machine !== "number") return { diagnostics: [machine], blocks: 0, moves: 0, isSound: false };
+    const of = layout.checked;
+    const checked = module.withProgram(task, (text, length, options) =>
+      module.withSized(of.size, (at) => {
+        const code = module.calls.leadscrew_program_check(machine, text, length, options, at, 0);
+        const [blocks, moves] = [module.integer(at + of.blocks), module.integer(at + of.moves)];
+        return { diagnostics: this.found, blocks, moves, isSound: code === layout.code.ok };
+      }),
+    );
+    module.calls.leadscrew_machine_free(machine);
+    return checked;
+  }
+
+  async plan(task: Task, most: number): Promise<Plan | Diagnostic> {
+    const { module } = this;
+    if (this.planned !== undefined) module.calls.leadscrew_trajectory_free(this.planned.trajectory);
+    this.planned = undefined;
+    const machine = module.limited(this.mill, task.limits);
+    if (typeof machine !== "number") return machine;
+    try {
+      const trajectory = this.trajectoryOf(machine, task);
+      if (typeof trajectory !== "number") return trajectory;
+      return this.planOf(trajectory, task, module.calls.leadscrew_machine_period(machine), most);
+    } finally {
+      module.calls.leadscrew_machine_free(machine);
+    }
+  }
+
+  async trace(): Promise<Blob> {
+    if (this.planned === undefined) return new Blob([]);
+    const period = this.module.calls.leadscrew_machine_period(this.mill);
+    return traceOf({ module: this.module, period, ...this.planned });
+  }
+
+  private begin(phase: Phase): void {
+    this.found = [];
+    this.blocks = new BlockList();
+    this.phase = phase;
+    this.told(phase, 0);
+  }
+
+  private trajectoryOf(machine: number, task: Task): number | Diagnostic {
+    const { module } = this;
+    this.begin("reading");
+    const motion = module.withProgram(task, (text, length, options) =>
+      module.made((to, error) => module.calls.leadscrew_motion_of_program(machine, text, length, options, to, error)),
+    );
+    if (typeof motion !== "number") return motion;
+    this.phase = "planning";
+    module.calls.leadscrew_motion_override(motion, task.override, 0);
+    const trajectory = module.made((to, error) => module.calls.leadscrew_motion_plan(motion, to, error));
+    module.calls.leadscrew_motion_free(motion);
+    return trajectory;
+  }
+
+  private planOf(trajectory: number, task: Task, period: number, most: number): Plan {
+    const { module } = this;
+    this.begin("looking");
+    const figures = module.figuresOf(trajectory);
+    const limits = task.limits;
+    this.planned = { trajectory, figures, limits };
+    module.calls.leadscrew_trajectory_blocks(trajectory, module.calls.leadscrew_page_on_block(), 0, 0);
+    const blocks = this.blocks.done();
+    const all = { module, trajectory, period, figures, blocks, limits, override: task.override };
+    const samples = samplesOf(all, most, (share) => this.told("looking", share));
+    const path = pathOf(samples, blocks);
+    return {
+      period,
+      figures,
+      blocks,
+      samples,
+      path,
+      drawn: structuredClone(path),
+      ranges: rangesOf(samples, blocks),
+      lost: lostOf(blocks, mostLosses),
+    };
+  }
+}

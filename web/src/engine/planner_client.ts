@@ -1,0 +1,69 @@
+// The page's side of the planner: calls it in its worker, and ends the worker to end a call.
+
+import { startWorker, wasmBytes } from "leadscrew:planner";
+import type { Phase, PlannerCalls, PlannerMethod } from "./motion_types";
+import type { Reply, Request } from "./planner_worker";
+
+/** The call was ended before it was done. */
+export class Cancelled extends Error {}
+
+interface Waiting {
+  readonly resolve: (result: unknown) => void;
+  readonly reject: (reason: Error) => void;
+}
+
+export class PlannerClient implements PlannerCalls {
+  onProgress: (phase: Phase, share: number) => void = () => {};
+  private worker: Worker;
+  private waiting = new Map<number, Waiting>();
+  private last = 0;
+
+  private constructor(private readonly compiled: WebAssembly.Module) {
+    this.worker = this.begin();
+  }
+
+  static async open(): Promise<PlannerClient> {
+    return new PlannerClient(await WebAssembly.compile((await wasmBytes()) as BufferSource));
+  }
+
+  readonly limits: PlannerCalls["limits"] = () => this.call("limits", []);
+  readonly check: PlannerCalls["check"] = (task) => this.call("check", [task]);
+  readonly plan: PlannerCalls["plan"] = (task, most) => this.call("plan", [task, most]);
+  readonly trace: PlannerCalls["trace"] = () => this.call("trace", []);
+  readonly explain: PlannerCalls["explain"] = (block) => this.call("explain", [block]);
+
+  get isBusy(): boolean {
+    return this.waiting.size > 0;
+  }
+
+  /** Ends what is under way; what was planned is forgotten. */
+  cancel(): void {
+    if (!this.isBusy) return;
+    this.worker.terminate();
+    const ended = this.waiting;
+    this.waiting = new Map();
+    this.worker = this.begin();
+    for (const { reject } of ended.values()) reject(new Cancelled("cancelled"));
+  }
+
+  private begin(): Worker {
+    const worker = startWorker();
+    worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+      if ("phase" in data) return this.onProgress(data.phase, data.share);
+      const asked = this.waiting.get(data.id);
+      this.waiting.delete(data.id);
+      if (data.failure === undefined) asked?.resolve(data.result);
+      else asked?.reject(new Error(data.failure));
+    };
+    worker.postMessage({ compiled: this.compiled } satisfies Request);
+    return worker;
+  }
+
+  private call(method: PlannerMethod, args: unknown[]): Promise<never> {
+    return new Promise((resolve, reject) => {
+      const id = ++this.last;
+      this.waiting.set(id, { resolve: resolve as (result: unknown) => void, reject });
+      this.worker.postMessage({ id, method, args } satisfies Request);
+    });
+  }
+}

@@ -1,0 +1,165 @@
+// A trajectory at equal steps of time, and its blocks, as arrays that a page may draw from.
+
+import * as layout from "./layout";
+import { holds, type Blocks, type Figures, type Limits, type Samples } from "./motion_types";
+import type { MotionModule } from "./motion_module";
+
+const atLimit = 0.97; // so near to a limit motion is held by it
+
+/** Takes blocks as they come. */
+export class BlockList {
+  private readonly columns: Record<
+    "begin" | "seconds" | "leastSeconds" | "length" | "feedAsked" | "feedReached",
+    number[]
+  > = { begin: [], seconds: [], leastSeconds: [], length: [], feedAsked: [], feedReached: [] };
+  private readonly line: number[] = [];
+  private readonly cause: number[] = [];
+  private readonly causes: string[] = [];
+
+  take(module: MotionModule, at: number): void {
+    const of = layout.block;
+    this.line.push(module.integer(at + of.line));
+    for (const name of Object.keys(this.columns) as (keyof typeof this.columns)[])
+      this.columns[name].push(module.number(at + of[name]));
+    const cause = module.text(at + of.cause);
+    let entry = this.causes.indexOf(cause);
+    if (entry < 0) entry = this.causes.push(cause) - 1;
+    this.cause.push(entry);
+  }
+
+  done(): Blocks {
+    const { begin, seconds, leastSeconds, length, feedAsked, feedReached } = this.columns;
+    // A move that no word falls on has no time of its own: it begins where the one before ended.
+    for (let i = 1; i < begin.length; ++i) if (seconds[i] === 0) begin[i] = (begin[i - 1] ?? 0) + (seconds[i - 1] ?? 0);
+    return {
+      count: this.line.length,
+      line: Int32Array.from(this.line),
+      begin: Float64Array.from(begin),
+      seconds: Float64Array.from(seconds),
+      leastSeconds: Float64Array.from(leastSeconds),
+      length: Float64Array.from(length),
+      feedAsked: Float64Array.from(feedAsked),
+      feedReached: Float64Array.from(feedReached),
+      cause: Uint8Array.from(this.cause),
+      causes: this.causes,
+    };
+  }
+}
+
+export function axesOf(limits: Limits): number[] {
+  return [...Array(layout.axes).keys()].filter((axis) => (limits.axes >> axis) & 1);
+}
+
+interface Held {
+  readonly hold: number;
+  readonly axis: number;
+}
+
+const [byFeed, byVelocity, byAcceleration, byJerk, atRest, byShape] = holds.map((_, i) => i) as [
+  number,
+  number,
+  number,
+  number,
+  number,
+  number,
+];
+
+/** What motion is held by, in the order in which the engine attributes lost time. */
+function heldBy(module: MotionModule, at: number, axes: readonly number[], limits: Limits, asked: number): Held {
+  const of = layout.state;
+  const view = module.view;
+  const feed = view.getFloat64(at + of.feed, true);
+  if (view.getInt32(at + of.state, true) === 0) return { hold: atRest, axis: 0 };
+  for (const [hold, name] of [
+    [byAcceleration, "acceleration"],
+    [byJerk, "jerk"],
+    [byVelocity, "velocity"],
+  ] as const) {
+    for (const [i, axis] of axes.entries()) {
+      const value = Math.abs(view.getFloat64(at + of[name] + 8 * axis, true));
+      if (value >= atLimit * (limits[name][axis] ?? Infinity)) return { hold, axis: i };
+    }
+  }
+  return { hold: feed >= atLimit * asked ? byFeed : byShape, axis: 0 };
+}
+
+export interface Sampled {
+  readonly module: MotionModule;
+  readonly trajectory: number;
+  readonly period: number;
+  readonly figures: Figures;
+  readonly blocks: Blocks;
+  readonly limits: Limits;
+  readonly override: number;
+}
+
+/** At most `most` of them; `progress` hears the share done. */
+export function samplesOf(of: Sampled, most: number, progress: (share: number) => void): Samples {
+  const { module, trajectory, blocks, limits } = of;
+  const every = Math.max(1, Math.ceil(of.figures.words / most));
+  const count = Math.ceil(of.figures.words / every) + 1;
+  const axes = axesOf(limits);
+  const samples = {
+    count,
+    step: every * of.period,
+    axes,
+    position: new Float64Array(count * axes.length),
+    velocity: new Float32Array(count * axes.length),
+    acceleration: new Float32Array(count * axes.length),
+    jerk: new Float32Array(count * axes.length),
+    feed: new Float32Array(count),
+    line: new Int32Array(count),
+    block: new Int32Array(count),
+    hold: new Uint8Array(count),
+    holdAxis: new Uint8Array(count),
+  };
+  let block = 0;
+  module.withSized(layout.state.size, (at) => {
+    for (let i = 0; i < count; ++i) {
+      if (i % 8192 === 0) progress(i / count);
+      const tick = Math.min(i * every, of.figures.words);
+      const time = tick * of.period;
+      module.calls.leadscrew_trajectory_at(trajectory, time, at, 0);
+      const view = module.view;
+      axes.forEach((axis, k) => {
+        const to = i * axes.length + k;
+        samples.position[to] = view.getFloat64(at + layout.state.position + 8 * axis, true);
+        samples.velocity[to] = view.getFloat64(at + layout.state.velocity + 8 * axis, true);
+        samples.acceleration[to] = view.getFloat64(at + layout.state.acceleration + 8 * axis, true);
+        samples.jerk[to] = view.getFloat64(at + layout.state.jerk + 8 * axis, true);
+      });
+      samples.feed[i] = view.getFloat64(at + layout.state.feed, true);
+      samples.line[i] = module.integer(at + layout.state.line);
+      // The block whose period ends here: a word belongs to the way that leads to it.
+      while (block + 1 < blocks.count && (blocks.begin[block + 1] ?? 0) < time - of.period / 2) ++block;
+      samples.block[i] = block;
+      const held = heldBy(module, at, axes, limits, (blocks.feedAsked[block] ?? Infinity) * of.override);
+      samples.hold[i] = held.hold;
+      samples.holdAxis[i] = held.axis;
+    }
+  });
+  return samples;
+}
+
+/** All words, as `leadscrew run --trace` writes them. */
+export function traceOf(of: Pick<Sampled, "module" | "trajectory" | "period" | "figures" | "limits">): Blob {
+  const { module, trajectory } = of;
+  const axes = axesOf(of.limits);
+  const parts: string[] = [`t,line,s,feed,${axes.map((axis) => "XYZABCUVW"[axis]).join(",")}\n`];
+  const perSecond = Math.round(1 / of.period);
+  module.withSized(layout.state.size, (at) => {
+    for (let tick = 0; tick <= of.figures.words; ++tick) {
+      module.calls.leadscrew_trajectory_at(trajectory, tick * of.period, at, 0);
+      const view = module.view;
+      const numbers = [
+        tick / perSecond,
+        module.integer(at + layout.state.line),
+        view.getFloat64(at + layout.state.pathLength, true),
+        view.getFloat64(at + layout.state.feed, true),
+        ...axes.map((axis) => view.getFloat64(at + layout.state.position + 8 * axis, true)),
+      ];
+      parts.push(`${numbers.join(",")}\n`);
+    }
+  });
+  return new Blob(parts, { type: "text/csv" });
+}

@@ -1,0 +1,29 @@
+// Programs to begin with, as examples/ has them: those for three axes.
+
+import plate from "../../../examples/01-plate.ngc?raw";
+import bore from "../../../examples/02-helical-bore.ngc?raw";
+import arcs from "../../../examples/03-arcs-in-three-planes.ngc?raw";
+import square from "../../../examples/04-square.ngc?raw";
+import finishing from "../../../examples/05-finishing.ngc?raw";
+import drilling from "../../../examples/06-drilling.ngc?raw";
+import butterfly from "../../../examples/09-butterfly.ngc?raw";
+import cubic from "../../../examples/10-cubic.ngc?raw";
+import splines from "../../../examples/11-splines.ngc?raw";
+
+export interface Example {
+  readonly name: string;
+  readonly title: string;
+  readonly text: string;
+}
+
+export const examples: readonly Example[] = [
+  { name: "01-plate", title: "Plate: pockets and lines", text: plate },
+  { name: "02-helical-bore", title: "Bore along a helix", text: bore },
+  { name: "03-arcs-in-three-planes", title: "Arcs in three planes", text: arcs },
+  { name: "04-square", title: "Square", text: square },
+  { name: "05-finishing", title: "Finishing, short lines", text: finishing },
+  { name: "06-drilling", title: "Drilling cycles", text: drilling },
+  { name: "09-butterfly", title: "Butterfly, one NURBS", text: butterfly },
+  { name: "10-cubic", title: "Cubic", text: cubic },
+  { name: "11-splines", title: "Splines and NURBS", text: splines },
+];

@@ -1,0 +1,122 @@
+// The path in space with what it is coloured by, from where it is seen, and what its colours mean.
+
+import { holds, type Plan } from "../engine/motion_types";
+import { fixed, html } from "../ui/dom";
+import { views, type View } from "./camera";
+import { css, holdColour, scaleColour } from "./colours";
+import { colourings, type Colouring } from "./settings";
+import { PathView } from "./view";
+
+const names: Readonly<Record<Colouring, string>> = {
+  speed: "Feed",
+  acceleration: "Acceleration",
+  jerk: "Jerk",
+  limit: "What holds it",
+  line: "Line",
+};
+const units: Readonly<Record<Colouring, string>> = {
+  speed: "mm/min",
+  acceleration: "mm/s²",
+  jerk: "mm/s³",
+  limit: "",
+  line: "",
+};
+const holdNames: Readonly<Record<(typeof holds)[number], string>> = {
+  feed: "feed word",
+  velocity: "velocity",
+  acceleration: "acceleration",
+  jerk: "jerk",
+  rest: "rest",
+  shape: "what comes",
+};
+
+export interface PathCalls {
+  picked(sample: number): void;
+  coloured(colouring: Colouring): void;
+}
+
+export class PathPanel {
+  readonly view: PathView;
+  private plan: Plan | undefined;
+  private readonly choice = html("select", { id: "colouring", change: () => this.colour() });
+  private readonly legend = html("div", { class: "legend", id: "legend" });
+
+  constructor(private readonly calls: PathCalls) {
+    this.view = new PathView((sample) => calls.picked(sample));
+    for (const each of colourings) this.choice.append(new Option(names[each], each));
+  }
+
+  element(playback: HTMLElement, now: HTMLElement): HTMLElement {
+    const seen = (Object.keys(views) as View[]).map((view) =>
+      html("button", { type: "button", id: `view-${view}`, click: () => this.view.look(view) }, views[view].name),
+    );
+    return html(
+      "section",
+      { class: "panel", "aria-label": "Path" },
+      html(
+        "div",
+        { class: "panel-head" },
+        html("h2", {}, "Path"),
+        html(
+          "div",
+          { class: "tools" },
+          html("label", { class: "inline", for: "colouring" }, "Coloured by"),
+          this.choice,
+          html(
+            "div",
+            { class: "buttons", role: "group", "aria-label": "Seen from" },
+            ...seen,
+            html("button", { type: "button", id: "view-fit", click: () => this.view.fit() }, "Fit"),
+          ),
+        ),
+      ),
+      html("div", { class: "stage" }, this.view.element, now),
+      this.legend,
+      playback,
+    );
+  }
+
+  show(colouring: Colouring): void {
+    this.choice.value = colouring;
+  }
+
+  load(plan: Plan, colouring: Colouring, keepCamera: boolean): void {
+    this.plan = plan;
+    this.view.load(plan, colouring, keepCamera);
+    this.showLegend(plan);
+  }
+
+  showLegend(plan: Plan | undefined): void {
+    if (plan === undefined) return;
+    const colouring = this.choice.value as Colouring;
+    const isDark = getComputedStyle(document.documentElement).colorScheme === "dark";
+    const rapid = html("span", { class: "key rapid" }, "rapid");
+    if (colouring === "limit") {
+      const keys = holds.map((hold, i) => {
+        const chip = html("span", { class: "chip" });
+        chip.style.background = css(holdColour(i, isDark));
+        return html("span", { class: "key" }, chip, holdNames[hold]);
+      });
+      this.legend.replaceChildren(...keys, rapid);
+      return;
+    }
+    const ramp = html("span", { class: "ramp" });
+    const stops = [...Array(11).keys()].map((i) => css(scaleColour(i / 10, isDark)));
+    ramp.style.background = `linear-gradient(90deg, ${stops.join(", ")})`;
+    const scale = colouring === "speed" ? 60 : 1;
+    const [least, greatest] = plan.ranges[colouring];
+    this.legend.replaceChildren(
+      html("span", { class: "number" }, fixed(least * scale, 0)),
+      ramp,
+      html("span", { class: "number" }, `${fixed(greatest * scale, 0)} ${units[colouring]}`),
+      rapid,
+    );
+  }
+
+  private colour(): void {
+    const colouring = this.choice.value as Colouring;
+    this.view.paint(colouring);
+    this.showLegend(this.plan);
+    this.calls.coloured(colouring);
+  }
+}

@@ -1,0 +1,114 @@
+// The clock of the motion: forward and back at any speed, to any time.
+
+import { fixed, html } from "../ui/dom";
+
+const speeds = ["0.01", "0.1", "0.25", "0.5", "1", "2", "5", "10", "50"] as const;
+
+export class Playback {
+  readonly element: HTMLElement;
+  time = 0;
+  private duration = 0;
+  private period = 0.001;
+  private direction = 0;
+  private frame = 0;
+  private readonly scrub = html("input", {
+    type: "range",
+    id: "time",
+    min: 0,
+    max: 1,
+    step: 0.001,
+    "aria-label": "Time, s",
+    input: () => this.seek(Number(this.scrub.value)),
+  });
+  private readonly told = html("output", { class: "number", for: "time" });
+  private readonly speed = html("select", { id: "speed", "aria-label": "Speed of playback" });
+  private readonly buttons = (
+    [
+      ["begin", "Begin", "⏮", () => this.seek(0)],
+      ["play-back", "Play backwards", "◀", () => this.toggle(-1)],
+      ["play", "Play", "▶", () => this.toggle(1)],
+      ["end", "End", "⏭", () => this.seek(this.duration)],
+    ] as const
+  ).map(([id, label, text, click]) =>
+    html("button", { type: "button", id, "aria-label": label, title: label, click }, text),
+  );
+
+  constructor(private readonly moved: (time: number) => void) {
+    for (const each of speeds) this.speed.append(new Option(`${each}×`, each, each === "1", each === "1"));
+    this.element = html(
+      "div",
+      { class: "playback" },
+      html("div", { class: "buttons" }, ...this.buttons),
+      this.scrub,
+      this.told,
+      this.speed,
+    );
+    this.show();
+  }
+
+  load(duration: number, period: number, time: number): void {
+    this.stop();
+    this.duration = duration;
+    this.period = period;
+    this.scrub.max = String(duration);
+    this.scrub.step = String(period);
+    this.seek(time);
+  }
+
+  seek(time: number): void {
+    this.time = Math.min(Math.max(time, 0), this.duration);
+    this.show();
+    this.moved(this.time);
+  }
+
+  /** By so many periods. */
+  step(by: number): void {
+    this.stop();
+    this.seek((Math.round(this.time / this.period) + by) * this.period);
+  }
+
+  toggle(direction: 1 | -1): void {
+    const isSame = this.direction === direction;
+    this.stop();
+    if (!isSame) this.play(direction);
+  }
+
+  get isPlaying(): boolean {
+    return this.direction !== 0;
+  }
+
+  stop(): void {
+    cancelAnimationFrame(this.frame);
+    this.direction = 0;
+    this.show();
+  }
+
+  private play(direction: 1 | -1): void {
+    if (this.duration === 0) return;
+    if (direction > 0 && this.time >= this.duration) this.time = 0;
+    if (direction < 0 && this.time <= 0) this.time = this.duration;
+    this.direction = direction;
+    let last = performance.now();
+    const go = (now: number): void => {
+      const passed = Math.max(now - last, 0); // a frame may have begun before the button was pressed
+      this.seek(this.time + (direction * Number(this.speed.value) * passed) / 1000);
+      last = now;
+      if (direction < 0 ? this.time <= 0 : this.time >= this.duration) return this.stop();
+      this.frame = requestAnimationFrame(go);
+    };
+    this.frame = requestAnimationFrame(go);
+    this.show();
+  }
+
+  private show(): void {
+    this.scrub.value = String(this.time);
+    this.told.value = `${fixed(this.time, 3)} / ${fixed(this.duration, 3)} s`;
+    for (const button of this.buttons) {
+      const direction = button.id === "play" ? 1 : button.id === "play-back" ? -1 : 0;
+      if (direction === 0) continue;
+      const isOn = this.direction === direction;
+      button.textContent = isOn ? "⏸" : direction > 0 ? "▶" : "◀";
+      button.setAttribute("aria-pressed", String(isOn));
+    }
+  }
+}

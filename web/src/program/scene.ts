@@ -1,0 +1,118 @@
+// The path by WebGL.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  Group,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+  OrthographicCamera,
+  Scene as ThreeScene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import type { PathData } from "../engine/motion_types";
+import { frameOf, type Camera } from "./camera";
+
+const mostWideSegments = 60_000; // more are drawn a pixel wide
+
+/** Vertices of segments that are rapids, or are not: pairs of the path's. */
+function pairsOf(path: PathData, isRapid: boolean): Int32Array {
+  const pairs = new Int32Array(path.samples.length * 2);
+  let count = 0;
+  for (let v = 1; v < path.samples.length; ++v) {
+    if ((path.isRapid[v] === 1) !== isRapid) continue;
+    pairs[count++] = v - 1;
+    pairs[count++] = v;
+  }
+  return pairs.slice(0, count);
+}
+
+/** Three numbers of each of these vertices. */
+function taken(from: Float32Array, vertices: Int32Array): Float32Array {
+  const numbers = new Float32Array(vertices.length * 3);
+  for (let i = 0; i < vertices.length; ++i)
+    for (let k = 0; k < 3; ++k) numbers[i * 3 + k] = from[(vertices[i] ?? 0) * 3 + k] ?? 0;
+  return numbers;
+}
+
+export class Scene {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new ThreeScene();
+  private readonly eye = new OrthographicCamera();
+  private readonly drawn = new Group();
+  private readonly wide = new LineMaterial({ vertexColors: true, linewidth: 2.5 });
+  private feeds: Int32Array = new Int32Array();
+  private path: PathData | undefined;
+  private reach = 1;
+
+  constructor(canvas: OffscreenCanvas) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.scene.add(this.drawn);
+  }
+
+  /** In pixels of the page, of which each is `ratio` of the screen. */
+  size(width: number, height: number, ratio: number): void {
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.wide.resolution.set(width, height);
+    [this.eye.left, this.eye.right, this.eye.top, this.eye.bottom] = [-width / 2, width / 2, height / 2, -height / 2];
+  }
+
+  load(path: PathData): void {
+    this.path = path;
+    this.feeds = pairsOf(path, false);
+    this.reach = Math.max(1e-3, ...[0, 1, 2].map((i) => (path.greatest[i] ?? 0) - (path.least[i] ?? 0)));
+  }
+
+  /** `colours` has three numbers a vertex of the path, of the sample that it ends with. */
+  paint(colours: Float32Array, rapid: string): void {
+    const { path, feeds } = this;
+    if (path === undefined) return;
+    for (const each of this.drawn.children) (each as LineSegments).geometry.dispose();
+    this.drawn.clear();
+    // Both ends have the colour of the sample that the segment leads to.
+    const ends = feeds.map((v, i) => (i % 2 === 0 ? v + 1 : v));
+    if (feeds.length > 0) this.drawn.add(this.feedLines(taken(path.places, feeds), taken(colours, ends)));
+    const rapids = taken(path.places, pairsOf(path, true));
+    if (rapids.length === 0) return;
+    const dash = this.reach / 90;
+    const material = new LineDashedMaterial({ color: new Color(rapid), dashSize: dash, gapSize: dash });
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(rapids, 3));
+    this.drawn.add(new LineSegments(geometry, material).computeLineDistances());
+  }
+
+  draw(camera: Camera, paper: string): void {
+    const [, up, out] = frameOf(camera);
+    const target = new Vector3(...camera.target);
+    const distance = this.reach * 10 + 1000;
+    this.eye.position
+      .set(out[0] ?? 0, out[1] ?? 0, out[2] ?? 0)
+      .multiplyScalar(distance)
+      .add(target);
+    this.eye.up.set(up[0] ?? 0, up[1] ?? 0, up[2] ?? 0);
+    this.eye.lookAt(target);
+    this.eye.zoom = camera.scale;
+    this.eye.near = 0.1;
+    this.eye.far = distance * 2;
+    this.eye.updateProjectionMatrix();
+    this.renderer.setClearColor(new Color(paper), 1);
+    this.renderer.render(this.scene, this.eye);
+  }
+
+  private feedLines(places: Float32Array, painted: Float32Array): LineSegments | LineSegments2 {
+    if (places.length / 6 <= mostWideSegments) {
+      const geometry = new LineSegmentsGeometry().setPositions(places).setColors(painted);
+      return new LineSegments2(geometry, this.wide);
+    }
+    const geometry = new BufferGeometry()
+      .setAttribute("position", new BufferAttribute(places, 3))
+      .setAttribute("color", new BufferAttribute(painted, 3));
+    return new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true }));
+  }
+}

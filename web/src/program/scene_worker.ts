@@ -1,0 +1,34 @@
+// The path by WebGL in a worker: however long a large path takes to draw, the page stays free.
+
+import type { PathData } from "../engine/motion_types";
+import type { Camera } from "./camera";
+import { coloursOf, type Look } from "./colours";
+import { Scene } from "./scene";
+
+export type SceneRequest =
+  | { readonly canvas: OffscreenCanvas }
+  | { readonly width: number; readonly height: number; readonly ratio: number }
+  | { readonly path: PathData }
+  | { readonly look: Look; readonly rapid: string }
+  | { readonly camera: Camera; readonly paper: string };
+/** A picture has been drawn. */
+export type SceneReply = "drawn";
+
+let scene: Scene | undefined;
+let path: PathData | undefined;
+
+self.onmessage = ({ data }: MessageEvent<SceneRequest>) => {
+  if ("canvas" in data) {
+    scene = new Scene(data.canvas);
+  } else if ("path" in data) {
+    path = data.path;
+    scene?.load(path);
+  } else if ("look" in data) {
+    if (path !== undefined) scene?.paint(coloursOf(path, data.look), data.rapid);
+  } else if ("width" in data) {
+    scene?.size(data.width, data.height, data.ratio);
+  } else {
+    scene?.draw(data.camera, data.paper);
+    self.postMessage("drawn" satisfies SceneReply);
+  }
+};

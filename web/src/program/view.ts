@@ -1,0 +1,231 @@
+// The path in space: turned, moved and brought nearer by pointer and keys; a click tells which place is meant.
+
+import { CanvasPicture, SvgPicture, type Picture } from "../draw/picture";
+import type { PathData, Plan } from "../engine/motion_types";
+import { html } from "../ui/dom";
+import { fit, pan, projector, turn, views, zoom, type Camera, type View } from "./camera";
+import { coloursOf, type Look } from "./colours";
+import { Overlay } from "./overlay";
+import { drawPath } from "./path_picture";
+import { SceneClient } from "./scene_client";
+import type { Colouring } from "./settings";
+
+const nearPick = 14; // px
+
+export class PathView {
+  readonly element = html("div", {
+    class: "space",
+    id: "space",
+    tabindex: 0,
+    role: "img",
+    "aria-label": "Path in space",
+  });
+  private readonly scene: SceneClient | undefined;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly overlay = new Overlay();
+  private readonly camera: Camera = { azimuth: -60, elevation: 35.26, target: [0, 0, 0], scale: 1 };
+  private plan: Plan | undefined;
+  private path: PathData | undefined;
+  private colouring: Colouring = "speed";
+  private tool: readonly number[] | undefined;
+  private frame = 0;
+  private isPathStale = false;
+
+  constructor(private readonly picked: (sample: number) => void) {
+    try {
+      this.scene = new SceneClient(() => this.countPicture());
+    } catch {
+      // a browser without WebGL: in two dimensions, then
+    }
+    this.canvas = this.scene?.canvas ?? document.createElement("canvas");
+    for (const each of [this.canvas, this.overlay.canvas]) each.setAttribute("aria-hidden", "true");
+    this.element.append(this.canvas, this.overlay.canvas);
+    this.element.dataset["by"] = this.scene === undefined ? "canvas" : "webgl";
+    this.listen();
+    new ResizeObserver(() => this.resize()).observe(this.element);
+  }
+
+  load(plan: Plan, colouring: Colouring, keepCamera: boolean): void {
+    this.plan = plan;
+    this.path = plan.path;
+    this.overlay.mark([]);
+    this.scene?.load(plan.drawn);
+    this.paint(colouring);
+    if (!keepCamera) this.fit();
+  }
+
+  paint(colouring: Colouring): void {
+    this.colouring = colouring;
+    if (this.plan === undefined) return;
+    this.scene?.paint(this.lookOf(this.plan));
+    this.draw();
+  }
+
+  repaint(): void {
+    this.paint(this.colouring);
+  }
+
+  /** Where the tool is, and which line it moves along. */
+  stand(sample: number): void {
+    const { plan } = this;
+    if (plan === undefined) return;
+    const { axes, position } = plan.samples;
+    this.tool = [0, 1, 2].map((axis) => position[sample * axes.length + axes.indexOf(axis)] ?? 0);
+    this.drawOver();
+  }
+
+  mark(line: number): void {
+    const { plan, path } = this;
+    if (plan === undefined || path === undefined) return;
+    const vertices: number[] = [];
+    for (let v = 1; v < path.samples.length; ++v)
+      if (plan.blocks.line[plan.samples.block[path.samples[v] ?? 0] ?? 0] === line) vertices.push(v);
+    this.overlay.mark(vertices);
+    this.drawOver();
+  }
+
+  look(view: View): void {
+    Object.assign(this.camera, { azimuth: views[view].azimuth, elevation: views[view].elevation });
+    this.fit();
+  }
+
+  fit(): void {
+    if (this.path === undefined) return;
+    fit(this.camera, this.path.least, this.path.greatest, this.element.clientWidth, this.element.clientHeight);
+    this.draw();
+  }
+
+  svgText(): string {
+    const picture = new SvgPicture(this.element.clientWidth, this.element.clientHeight, "Path of the tool");
+    this.drawOn(picture, this.tool);
+    return picture.toString();
+  }
+
+  async pngBlob(): Promise<Blob> {
+    const canvas = document.createElement("canvas");
+    this.drawOn(new CanvasPicture(canvas, this.element.clientWidth, this.element.clientHeight), this.tool);
+    return await new Promise((resolve, reject) =>
+      canvas.toBlob((blob) => (blob === null ? reject(new Error("no picture")) : resolve(blob)), "image/png"),
+    );
+  }
+
+  private lookOf(plan: Plan): Look {
+    const isDark = getComputedStyle(document.documentElement).colorScheme === "dark";
+    const range = this.colouring === "limit" ? ([0, 1] as const) : plan.ranges[this.colouring];
+    return { colouring: this.colouring, range, isDark };
+  }
+
+  private drawOn(picture: Picture, tool: readonly number[] | undefined): void {
+    if (this.plan === undefined) return;
+    drawPath(picture, this.plan.path, coloursOf(this.plan.path, this.lookOf(this.plan)), this.camera, tool);
+  }
+
+  /** The path, and what moves over it. */
+  private draw(): void {
+    this.isPathStale = true;
+    this.drawOver();
+  }
+
+  private drawOver(): void {
+    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.drawNow());
+  }
+
+  private drawNow(): void {
+    this.frame = 0;
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (width === 0 || this.path === undefined) return;
+    if (this.isPathStale) {
+      if (this.scene !== undefined) this.scene.draw(this.camera);
+      else this.drawOn(new CanvasPicture(this.canvas, width, height), undefined);
+    }
+    this.isPathStale = false;
+    this.overlay.draw(this.camera, width, height, this.path, this.tool);
+  }
+
+  private countPicture(): void {
+    this.element.dataset["pictures"] = String(Number(this.element.dataset["pictures"] ?? 0) + 1);
+  }
+
+  private resize(): void {
+    this.scene?.size(this.element.clientWidth, this.element.clientHeight);
+    this.fit();
+  }
+
+  private listen(): void {
+    const { element, camera } = this;
+    let from: PointerEvent | undefined;
+    let moved = 0;
+    element.addEventListener("pointerdown", (event) => {
+      from = event;
+      moved = 0;
+      element.setPointerCapture(event.pointerId);
+    });
+    element.addEventListener("pointermove", (event) => {
+      if (from === undefined) return;
+      const [x, y] = [event.clientX - from.clientX, event.clientY - from.clientY];
+      moved += Math.abs(x) + Math.abs(y);
+      if (event.shiftKey || event.buttons === 2 || event.buttons === 4) pan(camera, x, y);
+      else turn(camera, -x / 3, y / 3);
+      from = event;
+      this.draw();
+    });
+    element.addEventListener("pointerup", (event) => {
+      from = undefined;
+      if (moved < 4) this.pick(event.offsetX, event.offsetY);
+    });
+    element.addEventListener("contextmenu", (event) => event.preventDefault());
+    element.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.zoom(Math.exp(-event.deltaY / 400), event.offsetX, event.offsetY);
+      },
+      { passive: false },
+    );
+    element.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  private zoom(factor: number, x: number, y: number): void {
+    zoom(this.camera, factor, x, y, this.element.clientWidth, this.element.clientHeight);
+    this.draw();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { clientWidth: width, clientHeight: height } = this.element;
+    const go = (x: number, y: number): void =>
+      event.shiftKey ? pan(this.camera, 30 * x, -30 * y) : turn(this.camera, -5 * x, -5 * y);
+    const actions: Readonly<Record<string, () => void>> = {
+      ArrowLeft: () => go(-1, 0),
+      ArrowRight: () => go(1, 0),
+      ArrowUp: () => go(0, 1),
+      ArrowDown: () => go(0, -1),
+      "+": () => this.zoom(1.25, width / 2, height / 2),
+      "=": () => this.zoom(1.25, width / 2, height / 2),
+      "-": () => this.zoom(0.8, width / 2, height / 2),
+      "0": () => this.fit(),
+    };
+    const action = actions[event.key];
+    if (action === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    action();
+    this.draw();
+  }
+
+  /** The place of the path that is nearest to the pixel. */
+  private pick(x: number, y: number): void {
+    const { path } = this;
+    if (path === undefined) return;
+    const project = projector(this.camera, this.element.clientWidth, this.element.clientHeight);
+    let [nearest, distance] = [-1, nearPick];
+    const at = [0, 0, 0];
+    for (let v = 0; v < path.samples.length; ++v) {
+      for (let i = 0; i < 3; ++i) at[i] = path.places[v * 3 + i] ?? 0;
+      const [px, py] = project(at);
+      const here = Math.hypot(px - x, py - y);
+      if (here < distance) [nearest, distance] = [v, here];
+    }
+    if (nearest >= 0) this.picked(path.samples[nearest] ?? 0);
+  }
+}

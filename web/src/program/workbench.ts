@@ -1,0 +1,355 @@
+// The program's page: a text and a machine become a plan, and the clock walks along it.
+
+import { Cancelled, type PlannerClient } from "../engine/planner_client";
+import type { Diagnostic, Limits, Phase, Plan } from "../engine/motion_types";
+import { sampleAt, timeOf, timeOfLine } from "../engine/path";
+import { download } from "../lesson/files";
+import { html } from "../ui/dom";
+import type { Mode } from "../ui/shell";
+import { Editor } from "./editor";
+import { FiguresPanel, LossTable } from "./figures";
+import { MachineForm } from "./machine_form";
+import { Playback } from "./playback";
+import { Plots } from "./plots";
+import { PathPanel } from "./path_panel";
+import { ProgramPanel } from "./program_panel";
+import { commandOf, fromLink, machineFile, toLink, type Settings } from "./settings";
+import { Progress } from "./progress";
+
+const mostSamples = 1_000_000;
+const typingPause = 250; // ms
+
+export class Workbench implements Mode {
+  readonly element: HTMLElement;
+  private plan: Plan | undefined;
+  private sample = 0;
+  private line = 0;
+  private runs = 0;
+  private typing = 0;
+  private linkTimer = 0;
+  private isNewText = true;
+  private readonly editor: Editor;
+  private readonly program: ProgramPanel;
+  private readonly machineForm: MachineForm;
+  private readonly path: PathPanel;
+  private readonly plots = new Plots((time) => this.playback.seek(time));
+  private readonly playback: Playback = new Playback((time) => this.stand(time));
+  private readonly figures = new FiguresPanel();
+  private readonly losses = new LossTable((line, time) => this.goTo(line, time));
+  private readonly progress = new Progress(() => this.cancel());
+  private readonly command = html("code", { class: "command", id: "command", tabindex: 0, "aria-label": "Command" });
+  private readonly commandNote = html("p", { class: "note" });
+
+  static async open(planner: PlannerClient): Promise<Workbench> {
+    const machine = await planner.limits();
+    return new Workbench(planner, machine, await fromLink(location.hash, machine));
+  }
+
+  private constructor(
+    private readonly planner: PlannerClient,
+    private readonly machine: Limits,
+    private settings: Settings,
+  ) {
+    this.editor = new Editor(settings.text, {
+      changed: (text) => this.typed(text),
+      pointed: (line) => this.pointed(line),
+      explain: (code) => (planner.isBusy ? Promise.resolve("") : planner.explain(code)),
+    });
+    this.program = new ProgramPanel(this.editor, {
+      open: (name, text) => this.openText(name, text),
+      save: () => download(this.settings.name, this.settings.text, "text/plain"),
+    });
+    this.machineForm = new MachineForm(machine, {
+      changed: (limits, override) => this.change({ limits, override }),
+      saved: () => download("machine.toml", machineFile(this.settings.limits), "application/toml"),
+    });
+    this.path = new PathPanel({
+      picked: (sample) => this.pick(sample),
+      coloured: (colouring) => {
+        this.settings.colouring = colouring;
+        this.keepLink();
+      },
+    });
+    this.element = html(
+      "div",
+      { class: "program" },
+      html("div", { class: "side" }, this.program.element, this.machineForm.element),
+      html(
+        "div",
+        { class: "main" },
+        this.progress.element,
+        this.path.element(this.playback.element, this.figures.now),
+        html("section", { class: "panel", "aria-label": "Over time" }, this.plotsHead(), this.plots.element),
+        html("section", { class: "panel", "aria-label": "Figures" }, html("h2", {}, "Figures"), this.figures.figures),
+        this.losses.element,
+        this.exportsPanel(),
+      ),
+    );
+    planner.onProgress = (phase: Phase, share: number) => this.progress.show(phase, share);
+    addEventListener("hashchange", () => void this.restore());
+    document.addEventListener("keydown", (event) => this.key(event));
+    this.showSettings();
+    void this.run();
+  }
+
+  redraw(): void {
+    this.path.view.repaint();
+    this.path.showLegend(this.plan);
+    this.plots.redraw();
+    this.mark();
+  }
+
+  private plotsHead(): HTMLElement {
+    const all = (): void => this.plots.show(0, Infinity);
+    const near = (): void => {
+      const reach = Math.max((this.plan?.figures.time ?? 1) / 40, 0.05);
+      this.plots.show(this.playback.time - reach, this.playback.time + reach);
+    };
+    return html(
+      "div",
+      { class: "panel-head" },
+      html("h2", {}, "Over time"),
+      html(
+        "div",
+        { class: "tools" },
+        this.plots.keys,
+        html("button", { type: "button", id: "time-all", click: all }, "All"),
+        html("button", { type: "button", id: "time-near", click: near }, "Around the tool"),
+      ),
+    );
+  }
+
+  private exportsPanel(): HTMLElement {
+    const button = (id: string, text: string, click: () => void): HTMLElement =>
+      html("button", { type: "button", id, click }, text);
+    const name = (ending: string): string => `${this.settings.name.replace(/\.\w+$/, "")}.${ending}`;
+    return html(
+      "section",
+      { class: "panel exports", "aria-label": "Files" },
+      html("h2", {}, "Files and the command"),
+      html(
+        "div",
+        { class: "buttons" },
+        button("export-csv", "Words, CSV", () => void this.exportTrace(name("csv"))),
+        button("export-svg", "Path, SVG", () => download(name("svg"), this.path.view.svgText(), "image/svg+xml")),
+        button(
+          "export-png",
+          "Path, PNG",
+          () => void this.path.view.pngBlob().then((blob) => download(name("png"), blob, "image/png")),
+        ),
+      ),
+      this.command,
+      this.commandNote,
+    );
+  }
+
+  private async exportTrace(name: string): Promise<void> {
+    if (this.plan !== undefined && !this.planner.isBusy) download(name, await this.planner.trace(), "text/csv");
+  }
+
+  private openText(name: string, text: string): void {
+    this.settings.name = name;
+    this.settings.text = text;
+    this.settings.time = 0;
+    this.isNewText = true;
+    this.editor.set(text);
+    void this.run();
+  }
+
+  private typed(text: string): void {
+    this.settings.text = text;
+    clearTimeout(this.typing);
+    this.typing = window.setTimeout(() => void this.run(), typingPause);
+  }
+
+  private change(change: Partial<Settings>): void {
+    Object.assign(this.settings, change);
+    void this.run();
+  }
+
+  private async restore(): Promise<void> {
+    this.settings = await fromLink(location.hash, this.machine);
+    this.isNewText = true;
+    this.editor.set(this.settings.text);
+    this.showSettings();
+    await this.run();
+  }
+
+  private cancel(): void {
+    ++this.runs;
+    this.planner.cancel();
+    this.forget();
+    this.tell("cancelled");
+    this.progress.rest("Cancelled: change something, or open another program");
+  }
+
+  /** Checks what is set, and plans it. */
+  private async run(): Promise<void> {
+    const run = ++this.runs;
+    this.planner.cancel();
+    this.tell("planning");
+    this.showCommand();
+    this.keepLink();
+    const { text, limits, override } = this.settings;
+    const task = { text, limits, override: override / 100 };
+    try {
+      const checked = await this.planner.check(task);
+      if (run !== this.runs) return;
+      this.showDiagnostics(checked.diagnostics);
+      if (!checked.isSound) return this.refuse();
+      const plan = await this.planner.plan(task, mostSamples);
+      if (run !== this.runs) return;
+      if ("code" in plan) {
+        this.showDiagnostics([...checked.diagnostics, plan]);
+        return this.refuse();
+      }
+      await this.load(plan);
+    } catch (failure) {
+      if (failure instanceof Cancelled || run !== this.runs) return;
+      this.forget();
+      this.tell("failed");
+      this.progress.rest(`The engine failed: ${String(failure)}`);
+    }
+  }
+
+  private refuse(): void {
+    this.forget();
+    this.tell("unsound");
+    this.progress.rest("Nothing moves until what is marked is mended");
+  }
+
+  /** There is no plan; what is shown of the last one stays where it is of the same text, as it was before a change. */
+  private forget(): void {
+    this.plan = undefined;
+    this.playback.stop();
+    if (this.isNewText) this.element.dataset["shows"] = "nothing";
+  }
+
+  /** A panel at a time: between two the page is free. */
+  private async load(plan: Plan): Promise<void> {
+    const run = this.runs;
+    delete this.element.dataset["shows"];
+    const panels = [
+      () => this.path.load(plan, this.settings.colouring, !this.isNewText),
+      () => this.figures.load(plan),
+      () => this.losses.load(plan),
+      ...this.plots.load(plan),
+    ];
+    for (const panel of panels) {
+      panel();
+      await new Promise((resume) => setTimeout(resume));
+      if (run !== this.runs) return;
+    }
+    this.plan = plan;
+    this.progress.rest("");
+    this.line = 0;
+    this.isNewText = false;
+    this.playback.load(plan.figures.time, plan.period, this.settings.time);
+    this.tell("ready");
+  }
+
+  private tell(state: string): void {
+    this.element.dataset["state"] = state;
+    this.element.dataset["run"] = String(this.runs);
+  }
+
+  private showSettings(): void {
+    this.machineForm.show(this.settings.limits, this.settings.override);
+    this.path.show(this.settings.colouring);
+    this.program.show(this.settings);
+    this.showCommand();
+  }
+
+  private showCommand(): void {
+    this.program.show(this.settings);
+    this.command.textContent = commandOf(this.settings, this.machine);
+    const hasMachine = this.command.textContent.includes("--machine");
+    this.commandNote.textContent = [
+      hasMachine ? "machine.toml is what Save gives under Machine." : "",
+      this.settings.override === 100 ? "" : "The command runs at a feed override of 100 %.",
+    ]
+      .join(" ")
+      .trim();
+  }
+
+  private showDiagnostics(diagnostics: readonly Diagnostic[]): void {
+    const ofMachine = diagnostics.find(({ field, line }) => field !== "" && line === 0);
+    this.machineForm.complain(ofMachine?.field ?? "", ofMachine === undefined ? "" : ofMachine.message);
+    const ofText = diagnostics.filter((each) => each !== ofMachine);
+    this.editor.mark(ofText);
+    this.program.list(ofText);
+  }
+
+  /** The clock has moved. */
+  private stand(time: number): void {
+    this.settings.time = time;
+    const { plan } = this;
+    if (plan === undefined) return;
+    this.sample = sampleAt(plan, time);
+    this.path.view.stand(this.sample);
+    this.plots.stand(time);
+    this.figures.stand(plan, this.sample);
+    this.mark();
+    this.keepLink();
+  }
+
+  /** The line that is in motion: in the text, and along the path. */
+  private mark(): void {
+    if (this.plan === undefined) return;
+    const line = this.plan.blocks.line[this.plan.samples.block[this.sample] ?? 0] ?? 0;
+    this.editor.move(line, !this.editor.hasFocus);
+    this.element.dataset["line"] = String(line);
+    if (line === this.line) return;
+    this.line = line;
+    if (!this.playback.isPlaying || this.plan.samples.count < 200_000) this.path.view.mark(line);
+  }
+
+  private pointed(line: number): void {
+    const time = this.plan === undefined ? undefined : timeOfLine(this.plan, line);
+    if (time === undefined || this.plan === undefined) return;
+    this.playback.stop();
+    this.playback.seek(time + 1.5 * this.plan.samples.step);
+  }
+
+  private pick(sample: number): void {
+    if (this.plan === undefined) return;
+    this.playback.stop();
+    this.playback.seek(timeOf(this.plan, sample));
+    this.editor.goTo(this.line);
+  }
+
+  private goTo(line: number, time: number): void {
+    this.playback.stop();
+    this.playback.seek(time + 1.5 * (this.plan?.samples.step ?? 0));
+    this.editor.goTo(line);
+  }
+
+  /** The browser takes a few changes of the address a second. */
+  private keepLink(): void {
+    if (this.linkTimer !== 0) return;
+    this.linkTimer = window.setTimeout(() => {
+      this.linkTimer = 0;
+      void toLink(this.settings, this.machine).then((link) => history.replaceState(null, "", link));
+    }, 400);
+  }
+
+  /** Where no control has these keys. */
+  private key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input, select, textarea, .space, .table"))
+      return;
+    if (target.closest(".cm-editor") !== null) return;
+    const many = event.shiftKey ? 100 : 1;
+    const actions: Readonly<Record<string, () => void>> = {
+      ArrowRight: () => this.playback.step(many),
+      ArrowLeft: () => this.playback.step(-many),
+      Home: () => this.playback.seek(0),
+      End: () => this.playback.seek(Infinity),
+      ...(target.matches("button, a, summary") ? {} : { " ": () => this.playback.toggle(1) }),
+    };
+    const action = actions[event.key];
+    if (action === undefined) return;
+    event.preventDefault();
+    action();
+  }
+}
