@@ -118,6 +118,37 @@ TEST(Passes, BeginAtTheirCorner) {
   }
 }
 
+/// A plane whose far border is least, by this much below the pass in the plane y = 20 steps, between two places where passes are looked at.
+Machining narrowest_at(double depth) {
+  SurfaceForm form{{2, 1}, {uniform_knots(3, 2), uniform_knots(2, 1)}, {3, 2}, {}};
+  for (const std::array<double, 3>& border : {std::array{0.0, 0.0, 0.0}, std::array{32.0, 28.0, 33.0}}) {
+    for (std::size_t i = 0; i < 3; ++i) form.net.push_back({{20.0 * static_cast<double>(i), border[i], 0}, 1});
+  }
+  Machining machining = test::ball_on(form);
+  machining.pattern = Pattern::planar;
+  machining.scallop = 0;
+  machining.step = (32 - 16.0 / 9 + depth) / 20;
+  return machining;
+}
+
+TEST(Passes, InPlanesEndAtTheBorderWhereThatIsNarrowestToo) {
+  for (const double depth : {1e-2, 1e-5, 1e-8, 1e-12, -1e-12}) {
+    const Machining machining = narrowest_at(depth);
+    const Told all = told(machining);
+    EXPECT_FALSE(all.failure);
+    std::size_t parts = 0;
+    for (const Pass& pass : all.passes) {
+      if (pass.number != 20) continue;
+      ++parts;
+      for (int i = 0; i <= 200; ++i) {
+        const double y = test::at(pass, &PassNode::contact, pass.nodes.back().t * i / 200)[1];
+        EXPECT_NEAR(y, 20 * machining.step, 1e-9) << depth;
+      }
+    }
+    EXPECT_EQ(parts, depth > 1e-11 ? 2u : 1u) << depth;
+  }
+}
+
 /// The tip of the ball at u, by the surface itself.
 Vector true_tip(const Surface& surface, double u, double v, double radius) {
   const SurfaceJet jet = surface.jet(u, v);

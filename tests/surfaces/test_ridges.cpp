@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -303,9 +304,19 @@ TEST(LongRidges, OfPassesInPlanesAreNoHigher) {
   of_passes_in_planes(full);
 }
 
-/// What all legs leave at places near the diagonals of the range, where corners are: the greatest, of the height asked for.
-double tallest_at_corners(const Machining& machining, int places, std::mt19937& random) {
+/// Places by both parameters, from 0 to 1, near the diagonals of the range, where corners are.
+std::vector<std::array<double, 2>> near_corners(int count, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<std::array<double, 2>> places;
+  for (int k = 0; k < count; ++k) {
+    const double u = unit(random);
+    places.push_back({u, std::clamp((k % 2 == 0 ? u : 1 - u) + 0.04 * (unit(random) - 0.5), 0.0, 1.0)});
+  }
+  return places;
+}
+
+/// What all legs leave at the places: the greatest, of the height asked for.
+double tallest_at(const Machining& machining, const std::vector<std::array<double, 2>>& places) {
   std::vector<Pass> legs;
   Passes made(machining);
   while (std::optional<Pass> leg = made.next()) {
@@ -314,10 +325,7 @@ double tallest_at_corners(const Machining& machining, int places, std::mt19937& 
   EXPECT_FALSE(made.failure());
   const test::Ridges ridges(machining);
   double most = 0;
-  for (int k = 0; k < places; ++k) {
-    const double u = unit(random), v = std::clamp((k % 2 == 0 ? u : 1 - u) + 0.04 * (unit(random) - 0.5), 0.0, 1.0);
-    most = std::max(most, ridges.left_at(legs, u, v) / machining.scallop);
-  }
+  for (const auto& [u, v] : places) most = std::max(most, ridges.left_at(legs, u, v) / machining.scallop);
   return most;
 }
 
@@ -329,7 +337,7 @@ void of_legs_that_lean(const std::vector<SurfaceForm>& forms, int places, std::m
         machining.cutter = cutter;
         machining.orientation = orientation;
         machining.pattern = Pattern::spiral_in;
-        const double most = tallest_at_corners(machining, places, random);
+        const double most = tallest_at(machining, near_corners(places, random));
         EXPECT_LE(most, 1 + 1e-3);
         EXPECT_GT(most, 0.6);
       }
@@ -344,6 +352,22 @@ TEST(LongRidges, OfLegsThatLeanAreNoHigherAtTheirCornersToo) {
   const unsigned seed = testing_support::long_seed();
   std::mt19937 random(seed);
   of_legs_that_lean({test::patch_a(), saddle(), random_form(random, 1), random_form(random, 1)}, 400, random);
+}
+
+/// The reaches of a leg towards the next and of that one back to it begin at places apart, where the tool is tilted.
+TEST(Ridges, BetweenLegsThatLeanAreNoHigherWhereLegsBegin) {
+  Machining machining = test::ball_on(test::patch_a(), 5, 0.04);
+  machining.cutter = {5, 0};
+  machining.orientation = aside;
+  machining.pattern = Pattern::spiral_in;
+  std::vector<std::array<double, 2>> places;
+  for (int k = 0; k < 80; ++k) {
+    for (const double aside_of : {-0.02, -0.01, 0.0, 0.01})
+      places.push_back({0.06 + 0.005 * k, 0.06 + 0.005 * k + aside_of});
+  }
+  const double most = tallest_at(machining, places);
+  EXPECT_LE(most, 1 + 1e-3);
+  EXPECT_GT(most, 0.6);
 }
 
 /// Between a leg and the one inside it, one turn on.

@@ -148,12 +148,10 @@ std::optional<double> LineSteps::by_reach(PassLog& log, double across, double le
     const double tried = std::min(step, left);
     const std::optional<Reaches> there = reaches_of(log, across + towards * tried, back, -towards);
     if (!there) return std::nullopt;
-    const std::vector<std::optional<double>> overlap = overlaps(along_, *here, *there, towards);
     std::vector<double> places, steps;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      if (!overlap[k]) continue;
-      places.push_back(places_[k]);
-      steps.push_back(std::max(tried + *overlap[k], tried / 4));
+    for (const Overlap& overlap : overlaps_between(along_, *here, *there, towards)) {
+      places.push_back(overlap.along);
+      steps.push_back(std::max(tried + overlap.across, tried / 4));
     }
     if (places.empty()) return std::nullopt;
     step = std::min(least_of(places, steps), 4 * tried);

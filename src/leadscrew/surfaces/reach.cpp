@@ -18,6 +18,7 @@ constexpr double widest_angle_step = 0.3;                     // radians, of one
 constexpr double greatest_angle = 2.8;                        // radians
 constexpr double near_reach_height = 1e-3, near_foot = 5e-3;  // before the last round, which squares them: of h; mm
 constexpr int most_reach_rounds = 20;
+constexpr double least_gap = 1e-3;  // between two overlaps, of all there are
 
 /// The edge of a tool at one place of a line, with what its sweep needs.
 class Edge {
@@ -231,6 +232,24 @@ std::vector<std::optional<double>> overlaps(Direction along, const Reaches& here
       found.back() = towards * (*across - (is_u ? end->v : end->u));
     }
   }
+  return found;
+}
+
+std::vector<Overlap> overlaps_between(Direction along, const Reaches& here, const Reaches& there, double towards) {
+  std::vector<Overlap> found;
+  const auto add = [&](const Reaches& line, const std::vector<std::optional<double>>& overlap, std::size_t k) {
+    if (overlap[k]) found.push_back({along == Direction::u ? line[k]->u : line[k]->v, *overlap[k]});
+  };
+  const std::vector<std::optional<double>> of_there = overlaps(along, here, there, towards),
+                                           of_here = overlaps(along, there, here, -towards);
+  add(here, of_here, 0);
+  for (std::size_t k = 0; k < of_there.size(); ++k) add(there, of_there, k);
+  add(here, of_here, of_here.size() - 1);
+  // Places so near to each other tell the same, and a parabola through them nothing.
+  const double least = found.empty() ? 0 : least_gap * (found.back().along - found.front().along);
+  const auto last = std::unique(found.begin(), found.end(),
+                                [&](const Overlap& a, const Overlap& b) { return b.along - a.along <= least; });
+  found.erase(last, found.end());
   return found;
 }
 

@@ -42,6 +42,14 @@ std::optional<Reaches> reaches_along(PassLog& log, Direction along, const std::v
 /// that of `here`; below 0: the gap. None where the one along lies beyond the reaches of `here`. Both lines' places ascend.
 std::vector<std::optional<double>> overlaps(Direction along, const Reaches& here, const Reaches& there, double towards);
 
+/// An overlap, by parameters, at a place of the reaches.
+struct Overlap {
+  double along = 0, across = 0;
+};
+/// Of all places of `there` that have one, and of the ends of `here`, so that they go from the first to the last place where both lines
+/// reach; ascending.
+std::vector<Overlap> overlaps_between(Direction along, const Reaches& here, const Reaches& there, double towards);
+
 /// The gap that may be left, of the step: the ridge is higher by twice that part of h.
 inline constexpr double widest_gap = 2e-4;
 
