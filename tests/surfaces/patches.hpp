@@ -5,6 +5,7 @@
 #include <leadscrew/surfaces/passes.hpp>
 #include <leadscrew/surfaces/surface.hpp>
 #include <memory>
+#include <random>
 #include <utility>
 
 namespace leadscrew::surfaces::test {
@@ -23,6 +24,24 @@ inline SurfaceForm bicubic(const std::array<std::array<double, 4>, 4>& heights) 
 /// The patch of the study "surface".
 inline SurfaceForm patch_a() {
   return bicubic({{{0, 6, 6, 0}, {6, 14, 2, -4}, {6, 2, 14, 6}, {0, -4, 6, 8}}});
+}
+
+inline SurfaceForm saddle() {
+  return bicubic({{{0, 4, 8, 12}, {4, 4, 4, 4}, {4, 4, 4, 4}, {12, 8, 4, 0}}});
+}
+
+/// A wavy net with inner knots, steep by no more than the tool can follow.
+inline SurfaceForm random_form(std::mt19937& random, double height = 3) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const std::array<int, 2> degrees = {3 + static_cast<int>(2 * unit(random)), 3 + static_cast<int>(2 * unit(random))};
+  SurfaceForm form{degrees, {}, {6, 7}, {}};
+  for (std::size_t d = 0; d < 2; ++d) form.knots[d] = uniform_knots(form.count[d], degrees[d]);
+  for (std::size_t k = 0; k < 42; ++k) {
+    const double x = static_cast<double>(k % 6), y = static_cast<double>(k / 6);
+    form.net.push_back(
+        {{10 * x + unit(random), 9 * y + unit(random), height * unit(random)}, 0.8 + 0.4 * unit(random)});
+  }
+  return form;
 }
 
 /// A part of the sphere of this radius about 0, exactly: longitude and latitude of a quarter turn each, the latter from −45°

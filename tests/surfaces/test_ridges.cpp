@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
 
@@ -67,10 +66,6 @@ Measured measured(Machining machining, const Effort& effort) {
   return result;
 }
 
-SurfaceForm saddle() {
-  return test::bicubic({{{0, 4, 8, 12}, {4, 4, 4, 4}, {4, 4, 4, 4}, {12, 8, 4, 0}}});
-}
-
 const Orientation forward{Orientation::Rule::leaned, {}, 0.2, 0}, aside{Orientation::Rule::leaned, {}, 0.2, 0.1};
 
 void as_asked_for(const Effort& effort) {
@@ -118,7 +113,7 @@ TEST(LongRidges, OfToolsThatLeanAreAsAskedForOnAPlane) {
 }
 
 void on_curved_patches(const Effort& effort) {
-  for (const SurfaceForm& form : {test::patch_a(), saddle()}) {
+  for (const SurfaceForm& form : {test::patch_a(), test::saddle()}) {
     for (const Cutter& cutter : {Cutter{5, 5}, Cutter{5, 1}, Cutter{5, 0}}) {
       for (const Orientation& orientation : {forward, aside}) {
         Machining machining = test::ball_on(form);
@@ -138,24 +133,10 @@ TEST(LongRidges, AreNoHigherOnCurvedPatches) {
   on_curved_patches(full);
 }
 
-/// A wavy net with inner knots, steep by no more than the tool can follow.
-SurfaceForm random_form(std::mt19937& random, double height = 3) {
-  std::uniform_real_distribution<double> unit(0, 1);
-  const std::array<int, 2> degrees = {3 + static_cast<int>(2 * unit(random)), 3 + static_cast<int>(2 * unit(random))};
-  SurfaceForm form{degrees, {}, {6, 7}, {}};
-  for (std::size_t d = 0; d < 2; ++d) form.knots[d] = uniform_knots(form.count[d], degrees[d]);
-  for (std::size_t k = 0; k < 42; ++k) {
-    const double x = static_cast<double>(k % 6), y = static_cast<double>(k / 6);
-    form.net.push_back(
-        {{10 * x + unit(random), 9 * y + unit(random), height * unit(random)}, 0.8 + 0.4 * unit(random)});
-  }
-  return form;
-}
-
 void on_random_patches(const Effort& effort, unsigned seed) {
   std::mt19937 random(seed);
   for (int round = 0; round < 6; ++round) {
-    Machining machining = test::ball_on(random_form(random));
+    Machining machining = test::ball_on(test::random_form(random));
     machining.cutter = round % 3 == 2 ? Cutter{2, 0.7} : Cutter{2, 2};
     if (round % 3 > 0) machining.orientation = forward;
     machining.along = round % 2 == 0 ? Direction::u : Direction::v;
@@ -173,7 +154,7 @@ TEST(LongRidges, AreNoHigherOnRandomPatches) {
 
 void of_iso_scallop_passes(const Effort& effort) {
   std::mt19937 random(12);
-  for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random)}) {
+  for (const SurfaceForm& form : {test::patch_a(), test::saddle(), test::random_form(random)}) {
     Machining machining = test::ball_on(form);
     machining.cutter = {2, 2};
     machining.pattern = Pattern::iso_scallop;
@@ -191,7 +172,7 @@ TEST(LongRidges, OfIsoScallopPassesAreEverywhereAsHigh) {
 
 void of_iso_scallop_passes_that_lean(const Effort& effort) {
   std::mt19937 random(14);
-  for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random, 1)}) {
+  for (const SurfaceForm& form : {test::patch_a(), test::saddle(), test::random_form(random, 1)}) {
     for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
       for (const Orientation& orientation : {forward, aside}) {
         Machining machining = test::ball_on(form);
@@ -237,7 +218,7 @@ double tallest_at_border(const Machining& machining, int places) {
 void of_passes_cut_by_the_border(const Effort& effort, const std::vector<unsigned>& seeds) {
   for (const unsigned seed : seeds) {
     std::mt19937 random(seed);
-    const SurfaceForm form = random_form(random, 1);
+    const SurfaceForm form = test::random_form(random, 1);
     for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
       for (const Orientation& orientation : {forward, aside}) {
         Machining machining = test::ball_on(form, 5, 0.04);
@@ -259,7 +240,7 @@ TEST(LongRidges, OfPassesThatTheBorderCutsAreNoHigher) {
 
 void of_patterns_that_lean_on_random_patches(const Effort& effort, unsigned seed) {
   std::mt19937 random(seed);
-  const SurfaceForm form = random_form(random, 1);
+  const SurfaceForm form = test::random_form(random, 1);
   for (const Pattern pattern : {Pattern::zigzag, Pattern::zig, Pattern::iso_scallop, Pattern::planar}) {
     for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
       for (const Orientation& orientation : {forward, aside}) {
@@ -285,7 +266,7 @@ TEST(LongRidges, OfAllPatternsThatLeanAreNoHigher) {
 
 void of_passes_in_planes(const Effort& effort) {
   std::mt19937 random(13);
-  for (const SurfaceForm& form : {test::patch_a(), saddle(), random_form(random)}) {
+  for (const SurfaceForm& form : {test::patch_a(), test::saddle(), test::random_form(random)}) {
     for (const Direction along : {Direction::u, Direction::v}) {
       Machining machining = test::ball_on(form);
       machining.cutter = {2, 2};
@@ -302,97 +283,6 @@ TEST(Ridges, OfPassesInPlanesAreNoHigher) {
 }
 TEST(LongRidges, OfPassesInPlanesAreNoHigher) {
   of_passes_in_planes(full);
-}
-
-/// Places by both parameters, from 0 to 1, near the diagonals of the range, where corners are.
-std::vector<std::array<double, 2>> near_corners(int count, std::mt19937& random) {
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<std::array<double, 2>> places;
-  for (int k = 0; k < count; ++k) {
-    const double u = unit(random);
-    places.push_back({u, std::clamp((k % 2 == 0 ? u : 1 - u) + 0.04 * (unit(random) - 0.5), 0.0, 1.0)});
-  }
-  return places;
-}
-
-/// What all legs leave at the places: the greatest, of the height asked for.
-double tallest_at(const Machining& machining, const std::vector<std::array<double, 2>>& places) {
-  std::vector<Pass> legs;
-  Passes made(machining);
-  while (std::optional<Pass> leg = made.next()) {
-    if (!leg->is_link) legs.push_back(*leg);
-  }
-  EXPECT_FALSE(made.failure());
-  const test::Ridges ridges(machining);
-  double most = 0;
-  for (const auto& [u, v] : places) most = std::max(most, ridges.left_at(legs, u, v) / machining.scallop);
-  return most;
-}
-
-void of_legs_that_lean(const std::vector<SurfaceForm>& forms, int places, std::mt19937& random) {
-  for (const SurfaceForm& form : forms) {
-    for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
-      for (const Orientation& orientation : {forward, aside}) {
-        Machining machining = test::ball_on(form, 5, 0.04);
-        machining.cutter = cutter;
-        machining.orientation = orientation;
-        machining.pattern = Pattern::spiral_in;
-        const double most = tallest_at(machining, near_corners(places, random));
-        EXPECT_LE(most, 1 + 1e-3);
-        EXPECT_GT(most, 0.6);
-      }
-    }
-  }
-}
-TEST(Ridges, OfLegsThatLeanAreNoHigherAtTheirCornersToo) {
-  std::mt19937 random(40);
-  of_legs_that_lean({saddle()}, 60, random);
-}
-TEST(LongRidges, OfLegsThatLeanAreNoHigherAtTheirCornersToo) {
-  const unsigned seed = testing_support::long_seed();
-  std::mt19937 random(seed);
-  of_legs_that_lean({test::patch_a(), saddle(), random_form(random, 1), random_form(random, 1)}, 400, random);
-}
-
-/// The reaches of a leg towards the next and of that one back to it begin at places apart, where the tool is tilted.
-TEST(Ridges, BetweenLegsThatLeanAreNoHigherWhereLegsBegin) {
-  Machining machining = test::ball_on(test::patch_a(), 5, 0.04);
-  machining.cutter = {5, 0};
-  machining.orientation = aside;
-  machining.pattern = Pattern::spiral_in;
-  std::vector<std::array<double, 2>> places;
-  for (int k = 0; k < 80; ++k) {
-    for (const double aside_of : {-0.02, -0.01, 0.0, 0.01})
-      places.push_back({0.06 + 0.005 * k, 0.06 + 0.005 * k + aside_of});
-  }
-  const double most = tallest_at(machining, places);
-  EXPECT_LE(most, 1 + 1e-3);
-  EXPECT_GT(most, 0.6);
-}
-
-/// Between a leg and the one inside it, one turn on.
-TEST(Ridges, OfPassesRoundTheRangeAreNoHigherAtTheirCornersToo) {
-  Machining machining = test::ball_on(test::plane());
-  machining.pattern = Pattern::spiral_in;
-  std::vector<Pass> legs;
-  Passes made(machining);
-  while (std::optional<Pass> pass = made.next()) legs.push_back(*pass);
-  ASSERT_GT(legs.size(), 40u);
-  // What is left of a plane at a place: the ball's height over the nearest leg.
-  double most = 0;
-  for (double x = 0; x <= 40; x += 0.05) {
-    for (const double y : {0.3, 1.0, 5.0, 14.8, 15.0, 15.2, x * 0.75}) {
-      double nearest = 1e300;
-      for (const Pass& leg : legs) {
-        const Vector a = test::at(leg, &PassNode::contact, 0),
-                     b = test::at(leg, &PassNode::contact, leg.nodes.back().t);
-        nearest = std::min(nearest, numeric::distance_to_segment(Vector{x, y, 0}, a, b));
-      }
-      most = std::max(most, 5 - std::sqrt(25 - nearest * nearest));
-    }
-  }
-  EXPECT_LE(most, 0.01 * (1 + 1e-6));
-  EXPECT_GT(most, 0.008);
 }
 
 }  // namespace test_ridges

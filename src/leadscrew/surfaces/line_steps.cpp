@@ -5,7 +5,6 @@
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
 #include <leadscrew/surfaces/step_over.hpp>
-#include <limits>
 #include <utility>
 
 namespace leadscrew::surfaces {
@@ -120,17 +119,19 @@ std::optional<Reaches> LineSteps::reaches_of(PassLog& log, double across, double
   return reaches_along(log, along_, line, towards);
 }
 
-LineReach LineSteps::reach(PassLog& log, double across, double direction, double towards) const {
+std::optional<LineReach> LineSteps::reach(PassLog& log, double across, double direction, double towards) const {
   LineReach reach;
   for (const double side : {towards, -towards}) {
     const std::optional<Reaches> reaches = reaches_of(log, across, direction, side);
-    if (!reaches) return {0, std::numeric_limits<double>::infinity()};
+    if (!reaches) return std::nullopt;
     std::vector<double> found;
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const ReachEnd& end = *(*reaches)[k];
       const bool is_u = along_ == Direction::u;
       found.push_back(side * ((is_u ? end.v : end.u) - across));
-      reach.along = std::max(reach.along, std::abs((is_u ? end.u : end.v) - places_[k]));
+      const double ahead = direction * ((is_u ? end.u : end.v) - places_[k]);
+      reach.ahead = std::max(reach.ahead, ahead);
+      reach.behind = std::max(reach.behind, -ahead);
     }
     if (side == towards) reach.across = std::max(least_of(places_, found), 0.0);
   }

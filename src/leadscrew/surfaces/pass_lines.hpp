@@ -76,10 +76,10 @@ double step_between(const StepPlace& here, const StepPlace& middle, const StepPl
 /// The least g/w of one line, by a parabola.
 double least_on(const std::vector<double>& places, const std::vector<StepPlace>& line);
 
-/// How far from a line at a constant parameter across it alone leaves no more than the height, and how far ahead of its contacts or
-/// behind them, at the most, the edge is there: parameters. 0 and infinity where a place has no reach, or the log fails.
+/// Of a line at a constant parameter across: how far from it it alone leaves no more than the height, and how far ahead of contacts and
+/// behind them, at the most, the edge is there to either side: parameters, 0 or more.
 struct LineReach {
-  double across = 0, along = 0;
+  double across = 0, ahead = 0, behind = 0;
 };
 
 /// Steps from one line at a constant parameter across to the next.
@@ -90,8 +90,8 @@ class LineSteps {
   const std::vector<double>& places() const { return places_; }
   /// Of the parameter across; left: how much of it there is to the end; guess: about the step, or 0. Not 0 but where the log fails.
   double next(PassLog& log, double across, double left, double direction, double towards, double guess);
-  /// Of a tool that has_reach(), from one line alone.
-  LineReach reach(PassLog& log, double across, double direction, double towards) const;
+  /// Of a tool that has_reach(), from one line alone; none where a place has none, or the log fails.
+  std::optional<LineReach> reach(PassLog& log, double across, double direction, double towards) const;
 
  private:
   double by_rule(PassLog& log, double across, double left, double direction, double towards, double guess);

@@ -8,14 +8,21 @@
 //     a₀ ──────▶─────────┘
 //        r₀              r₁
 //
-// That is so of a ball, which cuts round the ends of legs as well. A tool that leans by the pass cuts nothing ahead of the edge that it
-// touches with, but has its steps along legs up to their ends: legs go on beyond corners, to where the one outside leaves no more.
+// That is so of a ball, which cuts round the ends of legs as well. A tool that leans by the pass cuts with an edge ahead of its contact
+// or behind, and as far as its step only along legs. With i how far inside a leg alone leaves no more, legs are long enough where
+//
+//     an edge behind comes, at a leg's end, to i inside the last turn's leg that it meets,
+//     an edge ahead begins, at a leg's begin, no farther than i inside the leg before:
+//
+// then each place between two turns lies within i of the one outside, or between legs that are a step apart. Where i is not known, as of
+// a tool that keeps its axis, legs go all the way to those that they meet: its edge is behind on one leg by as much as it is i on the other.
 
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
+#include <utility>
 
 namespace leadscrew::surfaces {
 
@@ -32,30 +39,40 @@ class SpiralLines : public PassLines {
   /// A side of the range: legs lie at `at`, gone towards `along_sign`; inside is at `inwards`.
   struct Side {
     Direction along = Direction::u;
-    double at = 0, along_sign = 1, inwards = 1;
-    double step = 0;    // to the leg inside
-    double reach = 0;   // legs that arrive here may end so far inside
-    double beyond = 0;  // legs that arrive here go on so far outside
-
-    double end() const { return at - inwards * beyond; }
-    double end_inside() const { return at + inwards * reach; }
+    double border = 0, along_sign = 1, inwards = 1;
+    double at = border;                        // the leg of this turn
+    double outside = border, outside_far = 0;  // that of the last turn, and its far
+    double step = 0;                           // to the leg inside
+    double far = 0;                            // so far inside the leg alone leaves no more; 0 where it is not known
+    double ahead = 0, behind = 0;              // the edge, of contacts
+    double half = 0;  // so far inside from here, and so far from there, opposite legs leave no more
   };
   void find_steps(PassLog& log);
   double corner_factor(PassLog& log) const;
   bool is_too_many(PassLog& log) const;
-  void finish(std::vector<Line>& lines);
+  void finish(std::vector<Line>& lines) const;
+  double corner(const Side& side, double meets, double far, double off, double line) const;
+  double begin(std::size_t k) const;
+  double end(std::size_t k) const;
+  double end_inside(std::size_t k, double line) const;
+  double inside(std::size_t k) const { return sides_[k].at + sides_[k].inwards * sides_[k].step; }
   /// From one border to the opposite, across the sides k and k + 2.
   double gap(std::size_t k) const { return (sides_[k + 2].at - sides_[k].at) * sides_[k].inwards; }
-  double least(std::size_t k) const { return std::min(sides_[k].step, sides_[k + 2].step); }
   double both(std::size_t k) const { return sides_[k].step + sides_[k + 2].step; }
+  /// The widest gap between opposite legs, which go opposite ways and so have the same side of the tool towards each other.
+  double widest(std::size_t k) const { return 2 * std::min(sides_[k].half, sides_[k + 2].half); }
+  /// Whether one more leg is enough between them.
+  bool is_last(std::size_t k) const { return gap(k) <= sides_[k].step + widest(k); }
+  double middle(std::size_t k) const;
 
   std::array<Side, 4> sides_;  // in the order in which they are gone
-  double begin_ = 0;           // along the first side: where the turn begins
+  bool has_corners_ = false;   // legs end where they meet
   std::size_t told_ = 0;
   bool is_done_ = false;
 };
 
-SpiralLines::SpiralLines(PassLog& log) {
+SpiralLines::SpiralLines(PassLog& log)
+    : has_corners_(log.machining->cutter.is_ball() || !(log.machining->scallop > 0)) {
   const Course course = course_of(*log.machining, log.machining->along);
   const Direction along = course.along, across = along == Direction::u ? Direction::v : Direction::u;
   const double run = course.from < course.to ? 1 : -1, width = course.sign_across();
@@ -63,7 +80,6 @@ SpiralLines::SpiralLines(PassLog& log) {
              {across, course.to, width, -run},
              {along, course.last, -run, -width},
              {across, course.from, -width, run}}};
-  begin_ = course.from;
 }
 
 /// By the sharpest corner of the turn.
@@ -83,8 +99,8 @@ double SpiralLines::corner_factor(PassLog& log) const {
 }
 
 void SpiralLines::find_steps(PassLog& log) {
-  const double factor = has_reach(*log.machining) ? 1 : corner_factor(log);
-  std::array<LineReach, 4> reaches;
+  const double factor = has_corners_ ? corner_factor(log) : 1;
+  std::array<std::optional<LineReach>, 4> reaches;
   for (std::size_t k = 0; k < 4 && !log.failure; ++k) {
     Side& side = sides_[k];
     const Side &before = sides_[(k + 3) % 4], &after = sides_[(k + 1) % 4];
@@ -92,43 +108,83 @@ void SpiralLines::find_steps(PassLog& log) {
     LineSteps steps(side.along, places_along(*log.machining->surface, side.along, run, least_leg_places));
     const double step = steps.next(log, side.at, gap(k % 2), side.along_sign, side.inwards, side.step / factor);
     side.step = factor * step;
-    if (has_reach(*log.machining)) reaches[k] = steps.reach(log, side.at, side.along_sign, side.inwards);
+    side.half = side.step / 2;
+    if (!has_reach(*log.machining) || log.failure) continue;
+    const Range legs = {std::min({run.from, before.outside, after.outside}),
+                        std::max({run.to, before.outside, after.outside})};
+    LineSteps whole(side.along, places_along(*log.machining->surface, side.along, legs, least_leg_places));
+    reaches[k] = whole.reach(log, side.at, side.along_sign, side.inwards);
   }
+  if (!has_reach(*log.machining)) return;
+  const bool is_known =
+      std::all_of(reaches.begin(), reaches.end(), [](const auto& reach) { return reach.has_value(); });
   for (std::size_t k = 0; k < 4; ++k) {
     Side& side = sides_[k];
-    side.reach = side.step;
-    if (has_reach(*log.machining))
-      side.reach = std::clamp(reaches[k].across - reaches[(k + 3) % 4].along, 0.0, side.step);
+    const LineReach reach = is_known ? *reaches[k] : LineReach{};
+    side.half = side.far = std::min(reach.across, side.step);
+    side.ahead = reach.ahead;
+    side.behind = reach.behind;
+    if (!is_known) side.outside_far = 0;
   }
 }
 
 bool SpiralLines::is_too_many(PassLog& log) const {
   const double turns = std::min(gap(0) / both(0), gap(1) / both(1));
   if (!(turns < static_cast<double>(most_passes))) {
-    const LinePlace begin = line_place(sides_[0].along, begin_, 1, sides_[0].at);
+    const LinePlace begin = line_place(sides_[0].along, sides_[3].at, 1, sides_[0].at);
     log.fail(PassFailure::Kind::too_many, begin.u.value, begin.v.value, turns);
   }
   return log.failure.has_value();
 }
 
-/// The last turn's end: one more leg in the middle where two opposite ones are more than a step apart.
-void SpiralLines::finish(std::vector<Line>& lines) {
-  const auto [first, second, third, fourth] = sides_;
-  if (gap(0) <= least(0) || gap(1) <= least(1)) {
-    lines.push_back({fourth.along, third.at, first.at, fourth.at, nullptr});
-  } else if (gap(0) <= both(0)) {
-    const double middle = (first.at + third.at) / 2;
-    lines.push_back(
-        {fourth.along, third.at, first.at + first.inwards * std::min(first.reach, gap(0) / 2), fourth.at, nullptr});
-    lines.push_back({first.along, fourth.at, second.end_inside(), middle, nullptr});
+/// Where a leg begins or ends that comes from a leg of the side or meets it; off: how far its edge is short. Not inside the line where the
+/// corner is, nor outside the border.
+double SpiralLines::corner(const Side& side, double meets, double far, double off, double line) const {
+  const double of_line = (line - side.border) * side.inwards,
+               of_edge = (meets - side.border) * side.inwards + far - off;
+  return side.border + side.inwards * (has_corners_ ? of_line : std::clamp(of_edge, 0.0, of_line));
+}
+
+double SpiralLines::begin(std::size_t k) const {
+  const Side &side = sides_[k], &before = sides_[(k + 3) % 4];
+  // The first leg comes from the last turn's fourth.
+  if (k == 0) return corner(before, before.outside, before.outside_far, side.ahead, before.outside);
+  return corner(before, before.at, before.far, side.ahead, before.at);
+}
+
+double SpiralLines::end(std::size_t k) const {
+  const Side& after = sides_[(k + 1) % 4];
+  return corner(after, after.outside, after.outside_far, sides_[k].behind, after.at);
+}
+
+/// Of a leg that meets one of this turn.
+double SpiralLines::end_inside(std::size_t k, double line) const {
+  const Side& after = sides_[(k + 1) % 4];
+  return corner(after, after.at, after.far, sides_[k].behind, line);
+}
+
+/// Where one more leg lies between opposite ones, gone as that of the side k.
+double SpiralLines::middle(std::size_t k) const {
+  const Side& side = sides_[k];
+  return side.at + side.inwards * gap(k) * side.step / (side.step + widest(k));
+}
+
+/// The last turn's end: one more leg in the middle where two opposite ones are too far apart.
+void SpiralLines::finish(std::vector<Line>& lines) const {
+  const auto& [first, second, third, fourth] = sides_;
+  if (gap(0) <= widest(0) || gap(1) <= widest(1)) {
+    lines.push_back({fourth.along, begin(3), first.at, fourth.at, nullptr});
+  } else if (is_last(0)) {
+    lines.push_back({fourth.along, begin(3), end_inside(3, middle(0)), fourth.at, nullptr});
+    lines.push_back({first.along, corner(fourth, fourth.at, fourth.far, first.ahead, fourth.at),
+                     end_inside(0, inside(1)), middle(0), nullptr});
   } else {
-    const double middle = (second.at + fourth.at) / 2, inner = first.at + first.inwards * first.step;
-    lines.push_back({fourth.along, third.at, first.end_inside(), fourth.at, nullptr});
-    lines.push_back(
-        {first.along, fourth.at, second.at + second.inwards * std::min(second.reach, gap(1) / 2), inner, nullptr});
-    lines.push_back({second.along, inner, third.end_inside(), middle, nullptr});
+    lines.push_back({fourth.along, begin(3), end_inside(3, inside(0)), fourth.at, nullptr});
+    lines.push_back({first.along, corner(fourth, fourth.at, fourth.far, first.ahead, fourth.at),
+                     end_inside(0, middle(1)), inside(0), nullptr});
+    lines.push_back({second.along, corner(first, inside(0), first.far, second.ahead, inside(0)),
+                     end_inside(1, inside(2)), middle(1), nullptr});
   }
-  is_done_ = true;
 }
 
 /// One turn.
@@ -140,19 +196,22 @@ std::vector<Line> SpiralLines::next(PassLog& log) {
     log.fail(PassFailure::Kind::too_many, 0, 0, static_cast<double>(told_));
     return {};
   }
-  const auto [first, second, third, fourth] = sides_;
-  std::vector<Line> lines = {{first.along, begin_, second.end(), first.at, nullptr},
-                             {second.along, first.at, third.end(), second.at, nullptr},
-                             {third.along, second.at, fourth.end(), third.at, nullptr}};
-  if (gap(0) <= both(0) || gap(1) <= both(1)) {
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < 3; ++k) lines.push_back({sides_[k].along, begin(k), end(k), sides_[k].at, nullptr});
+  is_done_ = is_last(0) || is_last(1);
+  if (is_done_) {
     finish(lines);
     return lines;
   }
-  lines.push_back({fourth.along, third.at, first.end_inside(), fourth.at, nullptr});
-  begin_ = fourth.at;
+  for (const std::size_t k : {0u, 1u}) {
+    if (gap(k) > both(k)) continue;
+    // One leg is too few here, and two would cross.
+    for (Side* side : {&sides_[k], &sides_[k + 2]}) side->step *= gap(k) / both(k) / 2;
+  }
+  lines.push_back({sides_[3].along, begin(3), end_inside(3, inside(0)), sides_[3].at, nullptr});
   for (Side& side : sides_) {
-    side.at += side.inwards * side.step;
-    side.beyond = side.step - side.reach;
+    side.outside = std::exchange(side.at, side.at + side.inwards * side.step);
+    side.outside_far = side.far;
   }
   return lines;
 }
