@@ -92,11 +92,6 @@ TEST(Passes, ByTheLinesOfADraftAreThoseMadeAlone) {
       expect_same(alone.links, behind.links);
     }
   }
-  // More lines than are kept.
-  Machining many = test::ball_on(test::plane());
-  many.scallop = 0;
-  many.step = 0.025;
-  EXPECT_EQ(told_behind_draft(many, 100'000).passes.size(), 1201u);
 }
 
 TEST(Passes, BeginAtTheirCorner) {

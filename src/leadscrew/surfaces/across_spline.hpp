@@ -15,6 +15,9 @@ class UniformSpline : public AcrossFunction {
 
   numeric::Jet<3> at(double place) const override;
   std::vector<double> breaks(double from, double to) const override;
+  std::size_t bytes() const override {
+    return sizeof *this + sizeof(double) * (coefficients_.capacity() + across_breaks_.capacity());
+  }
   /// Where the surface has breaks across: crossings of them are breaks too.
   void cross(std::vector<double> across_breaks) { across_breaks_ = std::move(across_breaks); }
 

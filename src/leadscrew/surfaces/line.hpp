@@ -19,6 +19,8 @@ class AcrossFunction {
   virtual numeric::Jet<3> at(double along) const = 0;
   /// Places inside (from, to), ascending, where a derivative has a step.
   virtual std::vector<double> breaks(double from, double to) const = 0;
+  /// Of memory, held by this one alone, itself included.
+  virtual std::size_t bytes() const = 0;
 };
 
 /// A part of a line between two places of the parameter along, gone from `from` to `to`, which may be the lesser.

@@ -7,6 +7,17 @@ namespace leadscrew::surfaces {
 
 namespace {
 
+/// Parts of one pass share a function.
+std::size_t bytes_of(const std::vector<Line>& lines) {
+  std::size_t bytes = sizeof lines + lines.size() * sizeof(Line);
+  const AcrossFunction* last = nullptr;
+  for (const Line& line : lines) {
+    if (line.function != nullptr && line.function.get() != last) bytes += line.function->bytes();
+    last = line.function.get();
+  }
+  return bytes;
+}
+
 class RecordedLines : public PassLines {
  public:
   RecordedLines(std::unique_ptr<PassLines> lines, std::shared_ptr<LineRecord> record)
@@ -14,8 +25,8 @@ class RecordedLines : public PassLines {
 
   std::vector<Line> next(PassLog& log) override {
     std::vector<Line> lines = lines_->next(log);
-    record_->lines += lines.size();
-    if (record_->lines > LineRecord::most_lines) {
+    record_->bytes += bytes_of(lines);
+    if (record_->bytes > LineRecord::most_bytes) {
       record_->passes = {};
     } else if (lines.empty()) {
       record_->is_complete = !log.failure;

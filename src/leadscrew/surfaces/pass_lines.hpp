@@ -23,10 +23,10 @@ std::unique_ptr<PassLines> lines_of(PassLog& log);
 
 /// Lines of a pattern, kept, so that the same passes are made again without finding them.
 struct LineRecord {
-  static constexpr std::size_t most_lines = 1024;  ///< more are not kept
+  static constexpr std::size_t most_bytes = 1 << 20;  ///< if they are more, none are kept
 
   std::vector<std::vector<Line>> passes;
-  std::size_t lines = 0;     ///< of all passes
+  std::size_t bytes = 0;     ///< of all passes
   bool is_complete = false;  ///< all are here, to the end
 };
 /// Tells what the lines tell, and keeps that in the record.

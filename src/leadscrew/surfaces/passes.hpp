@@ -100,8 +100,8 @@ class Passes {
  public:
   /// The surface's form has no fault; ranges lie within the surface's; either scallop or step > 0.
   explicit Passes(Machining machining);
-  /// The same, of which a draft has told all, of a machining that differs in is_draft alone: lines that it has found are not found anew, up to
-  /// a thousand.
+  /// The same, of which a draft has told all, of a machining that differs in is_draft alone: lines that it has found are not found anew,
+  /// while they fit into a mebibyte.
   Passes(Machining machining, const Passes& draft);
   ~Passes();
   Passes(Passes&&) noexcept;

@@ -48,6 +48,7 @@ class Section : public AcrossFunction {
 
   numeric::Jet<3> at(double place) const override;
   std::vector<double> breaks(double from, double to) const override;
+  std::size_t bytes() const override { return sizeof *this; }
   /// Where the plane meets the range, ascending.
   std::vector<Range> parts() const;
   bool meets(double place) const { return off(place, width_.from) * off(place, width_.to) <= 0; }
