@@ -61,6 +61,39 @@ std::vector<double> places_along(const Surface& surface, Direction along, const 
   return places;
 }
 
+std::vector<double> section_places(const Surface& surface, const Course& course, std::size_t coordinate,
+                                   const std::vector<double>& places) {
+  const Range width = course.width();
+  const double least = least_section_gap * (places.back() - places.front());
+  std::vector<double> lines = {width.from}, found = places;
+  for (const double cut : surface.breaks(course.along == Direction::u ? Direction::v : Direction::u)) {
+    if (cut > width.from && cut < width.to) lines.push_back(cut);
+  }
+  lines.push_back(width.to);
+  for (const double across : lines) {
+    const auto rises = [&](double place) {
+      const LinePlace at = line_place(course.along, place, 1, across);
+      const SurfaceJet jet = surface.jet_of_first_order(at.u.value, at.v.value);
+      return (course.along == Direction::u ? jet.u : jet.v)[coordinate] > 0;
+    };
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      double low = places[k - 1], high = places[k];
+      const bool before = rises(low);
+      if (before == rises(high)) continue;
+      for (int round = 0; round < 50; ++round) {
+        const double middle = (low + high) / 2;
+        (rises(middle) == before ? low : high) = middle;
+      }
+      const double extreme = (low + high) / 2;
+      if (extreme - places[k - 1] > least && places[k] - extreme > least) found.push_back(extreme);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  const auto last = std::unique(found.begin(), found.end(), [&](double a, double b) { return b - a <= least; });
+  found.erase(last, found.end());
+  return found;
+}
+
 double least_of(const std::vector<double>& places, const std::vector<double>& values) {
   const auto k = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
   if (k == 0 || k + 1 == values.size()) return values[k];

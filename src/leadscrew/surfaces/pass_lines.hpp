@@ -60,6 +60,12 @@ Course course_of(const Machining& machining, Direction along);
 /// Places along a range of one parameter where steps are found: both ends, and some inside each span of the surface.
 std::vector<double> places_along(const Surface& surface, Direction along, const Range& range, std::size_t least);
 
+/// With those where the coordinate, 0 to 2, is least or greatest on the border or on a break across: between two of them a plane meets
+/// neither more than once.
+std::vector<double> section_places(const Surface& surface, const Course& course, std::size_t coordinate,
+                                   const std::vector<double>& places);
+inline constexpr double least_section_gap = 1e-6;  ///< between places, and of a section from part to part, of the range
+
 /// At a place of a line: g, mm, and w, mm of the surface across the line for one unit of what tells lines apart.
 struct StepPlace {
   double step = 0, width = 1;

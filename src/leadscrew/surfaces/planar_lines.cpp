@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::size_t least_section_places = 33;
 constexpr double least_border_sine = 0.98;
-constexpr double least_section_gap = 1e-6;  // between places, and of a section from part to part, of the range
 
 /// One coordinate of a surface with its derivatives by r and φ.
 struct Level {
@@ -173,7 +172,6 @@ class PlanarLines : public PassLines {
 
  private:
   void find_parameters(PassLog& log);
-  std::vector<double> section_places(const Surface& surface, const std::vector<double>& places) const;
   StepPlace step_of(PassLog& log, const Section& section, double place) const;
   double step_to(PassLog& log, double level, double next) const;
   bool is_too_many(PassLog& log);
@@ -222,7 +220,8 @@ void PlanarLines::find_parameters(PassLog& log) {
     return;
   }
   course_ = course_of(machining, runs_along_u ? Direction::u : Direction::v);
-  places_ = std::make_shared<const std::vector<double>>(section_places(surface, runs_along_u ? us : vs));
+  places_ = std::make_shared<const std::vector<double>>(
+      section_places(surface, course_, coordinate_, runs_along_u ? us : vs));
   const auto border = [&](double across) {
     Range range = {1e300, -1e300};
     for (const double place : *places_) {
@@ -240,40 +239,6 @@ void PlanarLines::find_parameters(PassLog& log) {
   if (begins_at_border_) from_ = (first.from + first.to) / 2;
   if (ends_at_border_) to_ = (last.from + last.to) / 2;
   find_borders(surface);
-}
-
-/// With those where the coordinate is least or greatest on the border or on a break across: between two of them a plane meets neither
-/// more than once.
-std::vector<double> PlanarLines::section_places(const Surface& surface, const std::vector<double>& places) const {
-  const Range width = course_.width();
-  const double least = least_section_gap * (places.back() - places.front());
-  std::vector<double> lines = {width.from}, found = places;
-  for (const double cut : surface.breaks(course_.along == Direction::u ? Direction::v : Direction::u)) {
-    if (cut > width.from && cut < width.to) lines.push_back(cut);
-  }
-  lines.push_back(width.to);
-  for (const double across : lines) {
-    const auto rises = [&](double place) {
-      const LinePlace at = line_place(course_.along, place, 1, across);
-      const SurfaceJet jet = surface.jet_of_first_order(at.u.value, at.v.value);
-      return (course_.along == Direction::u ? jet.u : jet.v)[coordinate_] > 0;
-    };
-    for (std::size_t k = 1; k < places.size(); ++k) {
-      double low = places[k - 1], high = places[k];
-      const bool before = rises(low);
-      if (before == rises(high)) continue;
-      for (int round = 0; round < 50; ++round) {
-        const double middle = (low + high) / 2;
-        (rises(middle) == before ? low : high) = middle;
-      }
-      const double extreme = (low + high) / 2;
-      if (extreme - places[k - 1] > least && places[k] - extreme > least) found.push_back(extreme);
-    }
-  }
-  std::sort(found.begin(), found.end());
-  const auto last = std::unique(found.begin(), found.end(), [&](double a, double b) { return b - a <= least; });
-  found.erase(last, found.end());
-  return found;
 }
 
 /// The least sine of the angle at which planes meet the border at one end of the parameter along.
