@@ -138,6 +138,22 @@ TEST(Spirals, OfTiltedToolsAreNoHigherInTheirMiddle) {
   }
 }
 
+/// The last leg of all meets the first of its turn, where an edge behind has to go on beyond that.
+TEST(Spirals, OfTiltedToolsAreNoHigherWhereTheyEnd) {
+  std::mt19937 random(20787);
+  Machining machining = test::ball_on(test::random_form(random, 1), 5, 0.04);
+  machining.cutter = {5, 0};
+  machining.orientation = {Orientation::Rule::leaned, {}, 0.1, 0.2};
+  machining.pattern = Pattern::spiral_in;
+  std::vector<std::array<double, 2>> places;
+  for (const double u : {0.485, 0.4883, 0.492}) {
+    for (const double v : {0.456, 0.466, 0.4764, 0.486}) places.push_back({u, v});
+  }
+  const double most = tallest_at(machining, places);
+  EXPECT_LE(most, 1 + 1e-3);
+  EXPECT_GT(most, 0.4);
+}
+
 /// The reaches of a leg towards the next and of that one back to it begin at places apart, where the tool is tilted.
 TEST(Spirals, OfTiltedToolsAreNoHigherWhereLegsBegin) {
   Machining machining = test::ball_on(test::patch_a(), 5, 0.04);

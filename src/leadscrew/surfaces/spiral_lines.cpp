@@ -173,7 +173,7 @@ double SpiralLines::middle(std::size_t k) const {
 void SpiralLines::finish(std::vector<Line>& lines) const {
   const auto& [first, second, third, fourth] = sides_;
   if (gap(0) <= widest(0) || gap(1) <= widest(1)) {
-    lines.push_back({fourth.along, begin(3), first.at, fourth.at, nullptr});
+    lines.push_back({fourth.along, begin(3), end_inside(3, first.at), fourth.at, nullptr});
   } else if (is_last(0)) {
     lines.push_back({fourth.along, begin(3), end_inside(3, middle(0)), fourth.at, nullptr});
     lines.push_back({first.along, corner(fourth, fourth.at, fourth.far, first.ahead, fourth.at),
