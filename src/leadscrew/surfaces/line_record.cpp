@@ -9,7 +9,7 @@ namespace {
 
 /// Parts of one pass share a function.
 std::size_t bytes_of(const std::vector<Line>& lines) {
-  std::size_t bytes = sizeof lines + lines.size() * sizeof(Line);
+  std::size_t bytes = sizeof(std::vector<Line>) + lines.size() * sizeof(Line);
   const AcrossFunction* last = nullptr;
   for (const Line& line : lines) {
     if (line.function != nullptr && line.function.get() != last) bytes += line.function->bytes();

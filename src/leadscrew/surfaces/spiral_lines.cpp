@@ -112,7 +112,7 @@ void SpiralLines::find_steps(PassLog& log) {
     if (!has_reach(*log.machining) || log.failure) continue;
     const Range legs = {std::min({run.from, before.outside, after.outside}),
                         std::max({run.to, before.outside, after.outside})};
-    LineSteps whole(side.along, places_along(*log.machining->surface, side.along, legs, least_leg_places));
+    const LineSteps whole(side.along, places_along(*log.machining->surface, side.along, legs, least_leg_places));
     reaches[k] = whole.reach(log, side.at, side.along_sign, side.inwards);
   }
   if (!has_reach(*log.machining)) return;
