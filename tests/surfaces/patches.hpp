@@ -1,12 +1,16 @@
 #pragma once
 // Surfaces for tests.
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <leadscrew/surfaces/passes.hpp>
 #include <leadscrew/surfaces/surface.hpp>
 #include <memory>
+#include <optional>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace leadscrew::surfaces::test {
 
@@ -93,6 +97,17 @@ inline Machining ball_on(const SurfaceForm& form, double radius = 5, double scal
   machining.cutter = {radius, radius};
   machining.scallop = scallop;
   return machining;
+}
+
+/// All passes, without links; a failure fails the test.
+inline std::vector<Pass> passes_of(const Machining& machining) {
+  std::vector<Pass> passes;
+  Passes made(machining);
+  while (std::optional<Pass> pass = made.next()) {
+    if (!pass->is_link) passes.push_back(*pass);
+  }
+  EXPECT_FALSE(made.failure());
+  return passes;
 }
 
 }  // namespace leadscrew::surfaces::test

@@ -40,12 +40,7 @@ bool is_next_whole(const Machining& machining, const std::vector<Pass>& passes, 
 /// At some places of some passes, the ridge to the next.
 Measured measured(Machining machining, const Effort& effort) {
   machining.scallop = effort.scallop;
-  std::vector<Pass> passes;
-  Passes made(machining);
-  while (std::optional<Pass> pass = made.next()) {
-    if (!pass->is_link) passes.push_back(*pass);
-  }
-  EXPECT_FALSE(made.failure()) << static_cast<int>(made.failure()->kind);
+  const std::vector<Pass> passes = test::passes_of(machining);
   const test::Ridges ridges(machining);
   Measured result{0, 0, passes.size()};
   double count = 0;
@@ -196,12 +191,7 @@ TEST(LongRidges, OfIsoScallopPassesThatLeanAreEverywhereAsHigh) {
 /// The greatest ridge, of the height asked for, between passes whose next one is cut by the border, or goes along it, and those
 /// after them.
 double tallest_at_border(const Machining& machining, int places) {
-  std::vector<Pass> passes;
-  Passes made(machining);
-  while (std::optional<Pass> pass = made.next()) {
-    if (!pass->is_link) passes.push_back(*pass);
-  }
-  EXPECT_FALSE(made.failure());
+  const std::vector<Pass> passes = test::passes_of(machining);
   const test::Ridges ridges(machining);
   double most = 0;
   for (std::size_t k = 0; k + 1 < passes.size(); ++k) {

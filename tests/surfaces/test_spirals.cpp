@@ -27,12 +27,7 @@ std::vector<std::array<double, 2>> near_corners(int count, std::mt19937& random)
 
 /// What all legs leave at the places: the greatest, of the height asked for.
 double tallest_at(const Machining& machining, const std::vector<std::array<double, 2>>& places) {
-  std::vector<Pass> legs;
-  Passes made(machining);
-  while (std::optional<Pass> leg = made.next()) {
-    if (!leg->is_link) legs.push_back(*leg);
-  }
-  EXPECT_FALSE(made.failure());
+  const std::vector<Pass> legs = test::passes_of(machining);
   const test::Ridges ridges(machining);
   double most = 0;
   for (const auto& [u, v] : places) most = std::max(most, ridges.left_at(legs, u, v) / machining.scallop);
