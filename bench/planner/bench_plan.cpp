@@ -95,6 +95,23 @@ std::string wandering(int count, double shortest, double longest, double turn) {
   return text + "M2\n";
 }
 
+/// Rows of short lines to and fro over a wavy surface.
+std::string finishing() {
+  constexpr int rows = 17, lines = 52;
+  std::string text = start;
+  for (int row = 0; row < rows; ++row) {
+    for (int k = 0; k <= lines; ++k) {
+      const double x = 0.9 * (row % 2 == 0 ? k : lines - k), y = 2 * row;
+      char z[32];
+      std::snprintf(z, sizeof z, " Z%.4f\n", 3 * std::sin(x / 9) * std::cos(y / 7));
+      text += block(x, y);
+      text.back() = ' ';
+      text += z;
+    }
+  }
+  return text + "M2\n";
+}
+
 Path lines_with_stops() {
   Path path;
   for (int k = 0; k < 100; ++k) {
@@ -166,6 +183,7 @@ const bool added = [] {
     add("zigzag" + on, machine, path_of(zigzag()));
     add("engraving" + on, machine, path_of(wandering(200, 0.05, 0.5, 0.6)));
     add("random lines" + on, machine, path_of(wandering(40, 0.2, 4, 3)));
+    add("finishing" + on, machine, path_of(finishing()));
   }
   const machine::Machine trunnion = testing_support::trunnion();
   add("blade of 4500 short lines in five axes", trunnion,

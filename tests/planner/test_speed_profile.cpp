@@ -140,7 +140,7 @@ RC_GTEST_PROP(SpeedProfile, ComesBackFromOptimumToFarInside, ()) {
   const double optimum = travel_time(profile);
   const auto tight = any<std::size_t>(0, profile.intervals());
   profile.tighten(tight, {1, 1.001});
-  profile.retreat();
+  profile.retreat(0.1);
   RC_ASSERT(profile.greatest_ratio() < 1);
   RC_ASSERT(travel_time(profile) > optimum);
   profile.optimize(0.1, 1e-3);

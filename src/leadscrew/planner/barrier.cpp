@@ -127,9 +127,11 @@ double BarrierSolver::grown(double t, double most) {
   return t * factor;
 }
 
-/// Newton steps until they help little; the objective then.
+/// Newton steps until they help little; the objective then. The first stage's centre need not be found: the next, with
+/// multipliers, begins as well from near it.
 double BarrierSolver::follow(double t) {
-  const double share = weights_.empty() ? tuning::barrier::negligible : tuning::barrier::negligible_where_weighed;
+  using namespace tuning::barrier;
+  const double share = is_first_ ? negligible_first : weights_.empty() ? negligible : negligible_where_weighed;
   find_factors();
   Step at = measure(iterate_.coefficients(), t, values_);
   for (int step = 0; step < 25; ++step) {

@@ -49,15 +49,15 @@ class BarrierSolver {
   BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal, SpeedIterate& iterate,
                 bool weighs_caps);
 
-  /// From `first_gap` of the objective, relative, to within `gap` of the optimum. far_inside() is called after every
-  /// stage that is at least a tenth of the objective from it.
-  template <typename FarInside>
-  void optimize(double first_gap, double gap, const FarInside& far_inside) {
+  /// From `first_gap` of the objective, relative, to within `gap` of the optimum. stage_ended(left) is called after every
+  /// stage but the last, `left` of the objective from it.
+  template <typename StageEnded>
+  void optimize(double first_gap, double gap, const StageEnded& stage_ended) {
     double t = begin(first_gap);
     for (int stage = 0; stage < most_stages; ++stage) {
       const double left = inequalities_ / t / follow(t);
-      if (left > 0.1) far_inside();
       if (left < gap) break;
+      stage_ended(left);
       t = grown(t, 1.01 * left / gap);
     }
   }

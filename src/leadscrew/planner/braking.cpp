@@ -77,7 +77,7 @@ class Braking {
       emission.segments.resize(landing->after);
       const std::vector<Excess> excesses = excesses_of(emission);
       if (excesses.empty()) return {joined(std::move(emission.segments), landing->stop), true};
-      profile.retreat();
+      profile.retreat(tuning::window::far_inside);
       profile.center(deep_gap);
       for (const Excess& excess : excesses) tighten(profile, excess);
     }

@@ -96,6 +96,12 @@ class Peaks {
   LimitRatios jumping_;  ///< of what does not run smoothly
 };
 
+/// Where polynomials are many, most are those of a curve's table of arc length, which run smoothly from one to the next.
+int looks_at_polynomials(std::size_t count) {
+  const std::size_t close = std::min(count, few_polynomials), seen = std::min(count, most_borders);
+  return looks_per_polynomial * static_cast<int>(close) + looks_per_more * static_cast<int>(seen - close);
+}
+
 /// The same polynomial from a later time on.
 Segment later(const Segment& segment, double t) {
   Segment rest = segment;
@@ -208,7 +214,7 @@ Ratios greatest_ratios(const Segment& segment, const Section& section, const Con
   // Every polynomial of the curve is looked at.
   const double end = evaluate(segment, segment.duration.value()).s;
   const std::size_t borders = section.borders(segment.s0.value(), end);
-  looks = std::max(looks, looks_per_polynomial * (static_cast<int>(std::min(borders, most_borders)) + 1));
+  looks = std::max(looks, looks_at_polynomials(borders + 1));
   const auto has_table = [&](std::size_t piece) { return section.piece(piece).axes().has_table(); };
   const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
   const std::size_t last = section.piece_at(end, Side::left);

@@ -175,22 +175,26 @@ class Placement {
   /// the greatest speed is the same. From where they suffice for all knots that there may be, none.
   void sample() {
     const std::vector<double> breaks = breaks_;
-    const double joint = range_.kept.empty() ? first_knot() : range_.kept.back();
-    const double beyond = sample_from(first_knot(), joint);
-    if (reaches_end_ || joint == first_knot() || beyond > static_cast<double>(more_knots)) return;
-    // What is kept has wider knots than would be placed there now: it is not what they are to suffice for.
+    const std::vector<double>& kept = range_.kept;
+    const double joint = kept.empty() ? first_knot() : kept.back();
+    if (sample_from(kept.size() > kept_seen ? kept[kept.size() - 1 - kept_seen] : first_knot(), joint)) return;
     samples_.clear();
     breaks_ = breaks;
-    reaches_end_ = true;
-    ends_between_breaks_ = false;
     sample_from(joint, joint);
   }
 
-  /// For how many knots beyond `joint` they are.
-  double sample_from(double from, double joint) {
+  /// Between two neighbours: no more than are placed there, whatever comes.
+  double fewest_knots(const Sample& a, const Sample& b) const {
+    const bool may_cruise = is_same(a, b);
+    const auto width = [&](const Sample& sample) { return may_cruise ? widest(sample) : width_by_cap(sample); };
+    return (b.s - a.s) / std::max(width(a), width(b));
+  }
+
+  /// False where there are too many before `joint`: what is kept may have far wider knots than would be placed there now.
+  bool sample_from(double from, double joint) {
     constexpr double least_cuts = 8, most_widths = 32;  // of a cut
-    const double most_sampled = 2.0 * static_cast<double>(most() + rest_knots);
-    double knots = 0, beyond = 0;
+    const double most_sampled = sampled_beyond * static_cast<double>(most() + rest_knots - kept_);
+    double before = 0, beyond = 0;
     for (std::size_t b = 0; b < breaks_.size(); ++b) {
       const double to = breaks_[b];
       if (!(to > from)) continue;
@@ -198,12 +202,13 @@ class Placement {
       Sample previous = samples_.back();
       const double longest_cut = (to - from) / least_cuts;
       while (previous.s < to && effort_.spend(1)) {
-        if (knots > most_sampled) {
+        if (before > most_sampled) return false;
+        if (beyond > most_sampled) {
           breaks_.resize(b);
           if (previous.s > from) breaks_.push_back(previous.s);
           ends_between_breaks_ = previous.s > from;
           reaches_end_ = false;
-          return beyond;
+          return true;
         }
         const double cut = std::min(
             {longest_cut, most_widths * cruise_width(previous, previous.greatest), most_widths * previous.h_curve});
@@ -213,16 +218,13 @@ class Placement {
         bisect(previous, next, 0);
         samples_.push_back(next);
         for (; i + 1 < samples_.size(); ++i) {
-          const double there =
-              (samples_[i + 1].s - samples_[i].s) / std::max(widest(samples_[i]), widest(samples_[i + 1]));
-          knots += there;
-          if (samples_[i + 1].s > joint) beyond += there;
+          (samples_[i + 1].s > joint ? beyond : before) += fewest_knots(samples_[i], samples_[i + 1]);
         }
         previous = next;
       }
       from = to;
     }
-    return beyond;
+    return true;
   }
   void bisect(const Sample& left, const Sample& right, int depth) {
     if (!effort_.spend(1)) return;
@@ -249,6 +251,8 @@ class Placement {
   /// h at the samples. Far inside a cruise, where the greatest speed is the same for long, knots may lie wider.
   void widths() {
     std::vector<double> alone(samples_.size(), 0.0);  // distance to where the greatest speed changes
+    // Where a cruise begins before the first sample, the knots that are kept there are as wide as it lets them be.
+    if (samples_.front().s > first_knot()) alone[0] = infinity;
     const auto same = [](const Sample& a, const Sample& b) {
       return a.reach == a.cap && b.reach == b.cap && is_same(a, b);
     };

@@ -8,6 +8,8 @@ namespace leadscrew::planner {
 
 namespace {
 
+using namespace tuning::rows;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double square_at(const SpeedProblem& problem, std::span<const double> c, std::size_t interval, double u) {
@@ -25,8 +27,10 @@ SpeedBounds::SpeedBounds(const SpeedProblem& problem, const Continuation& before
   if (!problem.ends_in_creep()) return;
   // Knots that lie well for a motion that goes on lie far apart for one that stops so soon.
   const std::size_t from = n > stopping_tail ? n - stopping_tail : 0;
-  for (std::size_t k = std::max(from, before.loose); k < n; ++k)
-    tightened_[k] = std::max(tuning::rows::stopping_factor, k < before.tightened.size() ? before.tightened[k] : 1);
+  for (std::size_t k = std::max(from, before.loose); k < n; ++k) {
+    const double factor = k + last_intervals < n ? stopping_factor : last_factor;
+    tightened_[k] = std::max(factor, k < before.tightened.size() ? before.tightened[k] : 1);
+  }
 }
 
 double SpeedBounds::greatest_ratio(const SpeedProblem& problem, std::span<const double> c, std::size_t from) const {
@@ -90,12 +94,11 @@ void SpeedBounds::restore_caps(const SpeedProblem& problem, std::span<const doub
   relax_caps(problem, c, margin);
 }
 
-/// Between the places looked at the profile may have been above the rows, which are those of 0.9995 of the limits: a
+/// Between the places looked at the profile may have been above the rows, which are those of limit_margin of the limits: a
 /// little where motion was proven, more beyond where the last window would have come to rest. Where it is now looked at
 /// for the first time, rows are relaxed until the profile is far inside; the proof decides what becomes of it.
 void SpeedBounds::relax_rows(const SpeedProblem& problem, std::span<const double> c) {
-  using tuning::rows::greatest_relaxed;
-  constexpr double margin = tuning::rows::relaxed_margin;
+  constexpr double margin = relaxed_margin;
   const std::span<const SpeedProblem::Site> sites = problem.sites();
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const double ratio = tightened_[sites[i].interval] * problem.greatest_ratio(sites[i], c);

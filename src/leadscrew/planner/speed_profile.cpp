@@ -3,6 +3,7 @@
 #include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/speed_profile.hpp>
 #include <leadscrew/planner/tuning.hpp>
+#include <limits>
 #include <utility>
 
 namespace leadscrew::planner {
@@ -53,7 +54,7 @@ SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraint
   set(c);
   too_fast_ = bounds_.relax_caps(problem_, this->c(), tuning::descent::too_fast_margin);
   bounds_.relax_rows(problem_, this->c());
-  far_inside_ = this->c();
+  inside_ = {{std::numeric_limits<double>::infinity(), this->c()}};
 }
 
 void SpeedProfile::set(std::vector<double> coefficients) {
@@ -70,7 +71,7 @@ void SpeedProfile::creep() {
     for (double& value : c) value *= 0.7;
   }
   set(c);
-  far_inside_ = std::move(c);
+  inside_ = {{std::numeric_limits<double>::infinity(), std::move(c)}};
 }
 
 void SpeedProfile::optimize(double first_gap, double gap) {
@@ -79,7 +80,7 @@ void SpeedProfile::optimize(double first_gap, double gap) {
 
 void SpeedProfile::optimize(const SpeedGoal& goal, double first_gap, double gap) {
   BarrierSolver solver = this->solver(goal);
-  solver.optimize(first_gap, gap, [this] { keep_far_inside(); });
+  solver.optimize(first_gap, gap, [this](double left) { keep(left); });
   newton_steps_ += solver.newton_steps();
 }
 
@@ -87,13 +88,14 @@ void SpeedProfile::center(double gap) {
   BarrierSolver solver = this->solver(goal_);
   solver.center(gap);
   newton_steps_ += solver.newton_steps();
-  keep_far_inside();
+  keep(gap);
 }
 
-/// Remembers the present profile to go back to, and takes back what was relaxed and it does not need.
-void SpeedProfile::keep_far_inside() {
-  far_inside_ = iterate_.coefficients();
-  bounds_.restore_rows(problem_, far_inside_);
+/// Remembers the present profile to go back to. What was relaxed is taken back where it is not needed far inside the limits.
+void SpeedProfile::keep(double gap) {
+  while (!inside_.empty() && inside_.back().gap <= gap) inside_.pop_back();
+  inside_.push_back({gap, iterate_.coefficients()});
+  if (gap > tuning::window::far_inside) bounds_.restore_rows(problem_, iterate_.coefficients());
 }
 
 void SpeedProfile::descend() {
@@ -125,7 +127,7 @@ void SpeedProfile::settle() {
   problem_.settle();
   bounds_.settle();
   goal_ = {};
-  far_inside_ = {};
+  inside_ = {};
 }
 
 std::size_t SpeedProfile::bytes() const {
@@ -141,11 +143,12 @@ void SpeedProfile::slow_down(double factor) {
   };
   iterate_.set(problem_, slower(iterate_.coefficients()));
   levelled_ = slower(std::move(levelled_));
-  far_inside_ = slower(std::move(far_inside_));
+  for (Inside& inside : inside_) inside.c = slower(std::move(inside.c));
 }
 
-void SpeedProfile::retreat() {
-  set(far_inside_);
+void SpeedProfile::retreat(double gap) {
+  while (inside_.size() > 1 && inside_.back().gap < gap) inside_.pop_back();
+  set(inside_.back().c);
 }
 
 bool SpeedProfile::is_level(std::size_t k) const {

@@ -70,8 +70,8 @@ class SpeedProfile {
   void tighten(std::size_t interval, const Ratios& factors) { bounds_.tighten(interval, factors); }
   /// How far they can be lowered for the present profile to lie on what is left.
   Ratios margin(std::size_t interval) const { return bounds_.margin(problem_, c(), interval); }
-  /// Back to the last profile that was at least a tenth of its time from the optimum, far inside the limits.
-  void retreat();
+  /// Back to the last profile that was at least so much of its time from the optimum, inside the limits.
+  void retreat(double gap);
   /// As deep inside the limits as the optimum within `gap` of its time is.
   void center(double gap);
   /// Back to creep; only if the window begins at rest.
@@ -112,7 +112,7 @@ class SpeedProfile {
   const CubicBasis& basis(std::size_t interval) const { return problem_.basis()[interval]; }
   const std::vector<double>& c() const { return levelled_.empty() ? iterate_.coefficients() : levelled_; }
   void set(std::vector<double> coefficients);
-  void keep_far_inside();
+  void keep(double gap);
   BarrierSolver solver(const SpeedGoal& goal) { return {problem_, bounds_, goal, iterate_, is_of_tip_}; }
   void optimize(const SpeedGoal& goal, double first_gap, double gap);
   void clamp_at(Continuation& after, std::size_t interval, double u) const;
@@ -120,9 +120,14 @@ class SpeedProfile {
   SpeedProblem problem_;
   SpeedBounds bounds_;
   SpeedIterate iterate_;
-  std::vector<double> levelled_;    ///< coefficients where cruises have been levelled, else none
-  std::vector<double> far_inside_;  ///< coefficients to retreat to
-  SpeedGoal goal_;                  ///< creep, once descended to
+  std::vector<double> levelled_;  ///< coefficients where cruises have been levelled, else none
+  /// Profiles to retreat to, each nearer to the optimum than the last.
+  struct Inside {
+    double gap = 0;  ///< of the time, to the optimum
+    std::vector<double> c;
+  };
+  std::vector<Inside> inside_;
+  SpeedGoal goal_;  ///< creep, once descended to
   bool too_fast_ = false;
   bool is_of_tip_ = false;  ///< is any of its pieces under tool centre point control?
   int newton_steps_ = 0;

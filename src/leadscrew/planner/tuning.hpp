@@ -24,6 +24,9 @@ inline constexpr double merged_breaks = 1e-5;  // of the width around them
 inline constexpr int deepest = 40;             // bisections
 /// Polynomials of a curve between samples; where there are more, a bend may lie between them.
 inline constexpr std::size_t most_between_samples = 8;
+/// Samples are for so many times the knots of a window: speed where it ends feels what lies beyond.
+inline constexpr double sampled_beyond = 1.3;
+inline constexpr std::size_t kept_seen = 30;    // of the knots that are there already, as many are seen by new ones
 inline constexpr double unknown_margin = 0.03;  // of a ramp's length, free before the end of what is known
 inline constexpr double shortest_ramp = 1e-13;  // of the place on the section: what rounding leaves of its knots
 /// It takes about as many to come to rest: a window that would end so few knots before rest goes on to it.
@@ -39,11 +42,13 @@ inline constexpr std::size_t knots_beyond = 3;  // after the last interval of a 
 /// One window. Smaller gaps and more repairs: nearer to the least time and fewer windows refused
 /// (`Planner::refused_windows`, held at almost none by tests of random programs). Larger and fewer: less work.
 namespace window {
-inline constexpr double gap = 5e-4;                       // of the time, to the optimum
-inline constexpr double cold_gap = 20;                    // of creep
-inline constexpr double warm_gap = 0.3;                   // of a window whose beginning is nearly optimal already
-inline constexpr double repair_gap = 0.1;                 // of a profile that is planned again
-inline constexpr double deep_gap = 10;                    // of a profile from which limits can be tightened
+inline constexpr double gap = 5e-4;        // of the time, to the optimum
+inline constexpr double cold_gap = 20;     // of creep
+inline constexpr double warm_gap = 0.3;    // of a window whose beginning is nearly optimal already
+inline constexpr double repair_gap = 0.1;  // of a profile that is planned again
+inline constexpr double deep_gap = 10;     // of a profile from which limits can be tightened
+/// Of the time, to the optimum, where a profile that is to be repaired goes back to; the nearer where it has room for that.
+inline constexpr double far_inside = 0.1, near_inside = 0.015;
 inline constexpr int repairs = 7, repairs_of_change = 5;  // knots come between soon where feed has changed
 inline constexpr double repair_margin = 2e-4;
 inline constexpr int refinements = 3;
@@ -75,6 +80,7 @@ inline constexpr std::size_t blend = 16;     // over which one is reached and le
 namespace barrier {
 inline constexpr double growth = 20;                      // of t, from stage to stage
 inline constexpr double negligible = 0.06;                // decrement of a step, of the number of inequalities
+inline constexpr double negligible_first = 0.1;           // in the first stage
 inline constexpr double negligible_where_weighed = 0.01;  // where little time is spent counts little of it
 inline constexpr double shorter = 0.7;                    // each attempt at a step
 inline constexpr double first_time_curvature = 0.2,
@@ -91,9 +97,9 @@ inline constexpr int few_looks = 4;              // of a part of a segment that 
 inline constexpr double stops_committed = 3, stops_ahead = 4.5;
 inline constexpr double least_reach = 0.25;  // s
 /// Intervals times axes that move: so long does a window take to plan.
-inline constexpr std::size_t rows_of_a_window = 960;
+inline constexpr std::size_t rows_of_a_window = 900;
 /// More: a greater part of each window is committed, a quarter of it where it reaches no farther than stops do.
-inline constexpr std::size_t least_intervals = 320, greatest_intervals = 360;
+inline constexpr std::size_t least_intervals = 200, greatest_intervals = 300;
 inline constexpr double few_share = 0.6;           // of the intervals that a window may have
 inline constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 inline constexpr std::size_t most_pieces = 900;
@@ -117,7 +123,7 @@ inline constexpr double between_lowerings = 1e6;  // units of effort
 /// Rows of a window. Nearer to 1: nearer to the least time. Farther: fewer windows planned again, since what lies between
 /// the places looked at, and the step from spline to quintics, take that much of the limits.
 namespace rows {
-inline constexpr double limit_margin = 0.9995;           // of acceleration and jerk
+inline constexpr double limit_margin = 0.9992;           // of acceleration and jerk
 inline constexpr double feed_margin = 1 - 1e-7;          // of the programmed speed, squared
 inline constexpr double varying_feed_margin = 1 - 1e-4;  // of the same, where it varies from knot to knot
 inline constexpr double same_cap = 1e-9;                 // of the same, below which it does not differ
@@ -127,6 +133,8 @@ inline constexpr double least_peak = 0.01;          // of a limit, by the curve 
 inline constexpr std::size_t most_borders = 7;      // between polynomials, that an interval has sites for
 inline constexpr std::size_t creep_tail = 3;        // intervals at an end in motion whose coefficients all creep
 inline constexpr double stopping_factor = 1.08;     // of the rows of the intervals before an end in motion
+inline constexpr std::size_t last_intervals = 6;    // of these, over which speed falls to less than half in each
+inline constexpr double last_factor = 1.1;          // of theirs
 inline constexpr double greatest_relaxed = 1.1, relaxed_margin = 1e-4;
 }  // namespace rows
 
@@ -167,6 +175,8 @@ inline constexpr int first_looks = 8;       // most attempts are seen to fail by
 /// by the referee, set these. Each look is an evaluation of a curve.
 namespace proof {
 inline constexpr int looks_per_polynomial = 3;
+inline constexpr std::size_t few_polynomials = 8;  // of a segment, that are looked at so often
+inline constexpr int looks_per_more = 2;           // of those beyond
 inline constexpr std::size_t most_borders = 600;   // that are looked at so closely
 inline constexpr int stop_looks = 32;              // of the proof that a stop keeps its limits
 inline constexpr double between_looks = 1 + 1e-5;  // of what is no parabola

@@ -81,6 +81,7 @@ class WindowPlanner {
   bool repair_from_rest(Window& window) const;
   bool repair_in_motion(Window& window, Knots* finer) const;
   bool refine(Knots& knots, const Window& window) const;
+  static bool may_tighten(const Window& window);
   bool emit(Window& window) const;
   bool add_stop(Window& window) const;
   bool prove(Window& window) const;
@@ -233,12 +234,23 @@ bool WindowPlanner::repair_from_rest(Window& window) const {
       return true;
     }
     for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
-    profile.retreat();
+    profile.retreat(far_inside);
     first_gap = repair_gap;
     if (profile.greatest_ratio() < 1) continue;
     profile.creep();
     first_gap = cold_gap;
   }
+}
+
+/// Is the profile so far inside that its rows can be tightened as the window's factors say, with as much room left?
+bool WindowPlanner::may_tighten(const Window& window) {
+  for (std::size_t i = 0; i < window.factors.size(); ++i) {
+    const Ratios& factors = window.factors[i];
+    if (factors.worst() == 1) continue;
+    const Ratios margin = window.profile.margin(i);
+    if (factors.speed > (1 + margin.speed) / 2 || factors.rows > (1 + margin.rows) / 2) return false;
+  }
+  return true;
 }
 
 /// Plans until the proof is kept. False if it is not kept for all repairs, or if `finer` knots are needed first.
@@ -260,9 +272,13 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     const bool coarse = window.worst > coarse_knots || round + 1 >= rounds;  // or repairs have not helped
     if (finer != nullptr && coarse && refine(*finer, window)) return false;
     if (last_round) return false;
-    profile.retreat();
-    if (!spend_on(profile, [&] { profile.center(deep_gap); })) return false;
-    first_gap = deep_gap;
+    first_gap = 2 * near_inside;
+    profile.retreat(near_inside);
+    if (round > 0 || !may_tighten(window)) {
+      profile.retreat(far_inside);
+      if (!spend_on(profile, [&] { profile.center(deep_gap); })) return false;
+      first_gap = deep_gap;
+    }
     for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the margin at most
       const Ratios& factors = window.factors[i];
       if (factors.worst() == 1) continue;
