@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/canon.hpp>
@@ -38,77 +40,48 @@ Status answer(const Answer& answer) {
   return answer.status;
 }
 
-std::string_view schema_of(Arguments::Verb command) {
-  switch (command) {
-    case Arguments::Verb::run:
-      return results::run_schema;
-    case Arguments::Verb::check:
-      return results::check_schema;
-    case Arguments::Verb::verify:
-      return results::verify_schema;
-    case Arguments::Verb::measure:
-      return results::measure_schema;
-    case Arguments::Verb::simulate:
-      return results::simulate_schema;
-    case Arguments::Verb::drive:
-      return results::drive_schema;
-    case Arguments::Verb::pulse:
-    case Arguments::Verb::study:
-    case Arguments::Verb::design:
-    case Arguments::Verb::explain:
-    case Arguments::Verb::format:
-    case Arguments::Verb::surfaces:
-    case Arguments::Verb::canon:
-      break;  // no result of a program in JSON
-  }
-  return results::run_schema;
-}
+/// What a verb does: with programs on a machine, or alone.
+struct Work {
+  Arguments::Verb verb;
+  Status (*alone)(const Arguments&, Console&);
+  Status (*with_programs)(const Job&, Console&) = nullptr;
+  std::string_view schema = results::run_schema;  ///< of a program's result
+};
+
+using Verb = Arguments::Verb;
+
+constexpr std::array<Work, 13> works = {{{Verb::run, nullptr, run, results::run_schema},
+                                         {Verb::check, nullptr, check, results::check_schema},
+                                         {Verb::verify, nullptr, verify, results::verify_schema},
+                                         {Verb::measure, nullptr, measure, results::measure_schema},
+                                         {Verb::canon, nullptr, canon},
+                                         {Verb::simulate, nullptr, simulate, results::simulate_schema},
+                                         {Verb::drive, nullptr, drive, results::drive_schema},
+                                         {Verb::pulse, pulse},
+                                         {Verb::study, study},
+                                         {Verb::design, design},
+                                         {Verb::explain, explain},
+                                         {Verb::format, format},
+                                         {Verb::surfaces, surfaces}}};
 
 /// No machine, no tools: nothing is known of any program. A usage error leaves standard output empty.
-Status end_without_job(const Arguments& arguments, const DiagnosticLog& log, Console& console) {
+Status end_without_job(const Arguments& arguments, std::string_view schema, const DiagnosticLog& log,
+                       Console& console) {
   if (!arguments.json || log.status() == Status::usage || log.status() == Status::interrupted) return log.status();
   std::vector<json::Json> objects;
   for (const std::string& program : arguments.programs) {
-    objects.push_back(results::json_of_rejected(schema_of(arguments.verb), program, {}, log.all()));
+    objects.push_back(results::json_of_rejected(schema, program, {}, log.all()));
   }
   return worse(log.status(), write_output(console, results::json_text(results::runs_schema, std::move(objects))));
 }
 
 Status perform(const Arguments& arguments) {
   Console console(arguments.color, arguments.quiet);
-  if (arguments.verb == Arguments::Verb::pulse) return pulse(arguments, console);
-  if (arguments.verb == Arguments::Verb::study) return study(arguments, console);
-  if (arguments.verb == Arguments::Verb::design) return design(arguments, console);
-  if (arguments.verb == Arguments::Verb::explain) return explain(arguments, console);
-  if (arguments.verb == Arguments::Verb::format) return format(arguments, console);
-  if (arguments.verb == Arguments::Verb::surfaces) return surfaces(arguments, console);
+  const Work& work = *std::ranges::find(works, arguments.verb, &Work::verb);
+  if (work.alone != nullptr) return work.alone(arguments, console);
   DiagnosticLog log(console);
   const auto job = prepare_job(arguments, log);
-  if (!job) return end_without_job(arguments, log, console);
-  switch (arguments.verb) {
-    case Arguments::Verb::run:
-      return run(*job, console);
-    case Arguments::Verb::check:
-      return check(*job, console);
-    case Arguments::Verb::canon:
-      return canon(*job, console);
-    case Arguments::Verb::verify:
-      return verify(*job, console);
-    case Arguments::Verb::measure:
-      return measure(*job, console);
-    case Arguments::Verb::simulate:
-      return simulate(*job, console);
-    case Arguments::Verb::drive:
-      return drive(job_of(*job, arguments.programs.front()), console);
-    case Arguments::Verb::pulse:
-    case Arguments::Verb::study:
-    case Arguments::Verb::design:
-    case Arguments::Verb::explain:
-    case Arguments::Verb::format:
-    case Arguments::Verb::surfaces:
-      break;
-  }
-  return Status::usage;
+  return job ? work.with_programs(*job, console) : end_without_job(arguments, work.schema, log, console);
 }
 
 }  // namespace

@@ -167,7 +167,8 @@ ProgramResult drive_program(const std::string& program, const Job& job, Console&
 
 }  // namespace
 
-Status drive(const Job& job, Console& console) {
+Status drive(const Job& given, Console& console) {
+  const Job job = job_of(given, given.arguments.programs.front());
   const ProgramResult result = drive_program(job.arguments.programs.front(), job, console);
   Status written = Status::done;
   if (job.arguments.json) {

@@ -109,14 +109,6 @@ void take_step_times(const RunArguments& run, machine::Machine& machine) {
   }
 }
 
-bool is_motion(const gcode::Move& move) {
-  return move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event;
-}
-
-bool is_pause(const gcode::Move& move) {
-  return move.kind == gcode::Move::Kind::event && base::is_pause(move.event.kind);
-}
-
 }  // namespace
 
 gcode::ReaderOptions Job::reader_options() const {
@@ -172,7 +164,6 @@ base::Result<files::InputFile> open_program(const std::string& program) {
 
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
                      pipeline::Survey* survey, gcode::RemarkSink remarks) {
-  const std::int64_t moves_between_checks = survey ? 64 : 4096;  // a survey may make the tool path as well
   if (results::is_trace(file, job.machine.axis_set())) {
     log.add({base::Severity::error,
              "not-a-program",
@@ -191,25 +182,22 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
                        [&](const base::Diagnostic& problem) { log.add(problem); });
   std::optional<language::Lint> lint;
   if (job.arguments.lint) lint.emplace(job.machine, job.arguments.stock_top);
-  Reading reading;
-  gcode::Move move;
-  for (std::int64_t count = 1; reader.next(move); ++count) {
-    const auto excess = survey && log.errors() == 0 ? survey->observe(move) : std::nullopt;
-    if (excess) reader.warn_of_feed(move, pipeline::warning_of(*excess));
-    if (lint) {
-      for (base::Diagnostic& found : lint->see(move, reader.frame(), reader.modal()))
-        reader.warn(move, std::move(found));
-    }
-    if (is_motion(move)) ++reading.moves;
-    if (is_pause(move)) ++reading.pauses;
-    if (count % moves_between_checks != 0) continue;
-    if (files::interrupted()) break;  // a block may repeat itself for ever
-    console.progress(progress);
-  }
+  const auto check = [&](const gcode::Move& move) {
+    for (base::Diagnostic& found : lint->see(move, reader.frame(), reader.modal())) reader.warn(move, std::move(found));
+  };
+  const auto goes_on = [&] {
+    if (!files::interrupted()) console.progress(progress);
+    return !files::interrupted();  // a block may repeat itself for ever
+  };
+  Reading reading{pipeline::read_whole(reader, {.survey = survey,
+                                                .is_sound = [&] { return log.errors() == 0; },
+                                                .see = lint ? decltype(pipeline::ReadingWatch::see)(check) : nullptr,
+                                                // a survey may make the tool path as well
+                                                .moves_between_questions = survey != nullptr ? 64 : 4096,
+                                                .goes_on = goes_on})};
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());
   if (files::interrupted() && !reader.source_failure()) log.add(files::interruption());
-  reading.blocks = reader.blocks();
   reading.seconds = realtime::SystemClocks::processor_seconds() - begin;
   return reading;
 }

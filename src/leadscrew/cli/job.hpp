@@ -7,7 +7,7 @@
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
-#include <leadscrew/pipeline/path_survey.hpp>
+#include <leadscrew/pipeline/whole_reading.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,11 +42,8 @@ Job job_of(const Job& job, const std::string& program);
 base::Result<files::InputFile> open_program(const std::string& program);
 
 /// What reading a whole program tells before anything moves.
-struct Reading {
-  std::int64_t blocks = 0;
-  std::int64_t moves = 0;   ///< lines and arcs
-  std::int64_t pauses = 0;  ///< M0, M1 and M60
-  double seconds = 0;       ///< that reading took
+struct Reading : pipeline::ReadProgram {
+  double seconds = 0;  ///< that reading took
 };
 
 /// Reads the program whole; its problems, and those of its file, go to the log, and feeds beyond the machine with a

@@ -1,6 +1,7 @@
 #include <leadscrew/host/program_check.hpp>
 #include <leadscrew/host/program_reading.hpp>
 #include <leadscrew/pipeline/path_survey.hpp>
+#include <leadscrew/pipeline/whole_reading.hpp>
 #include <memory>
 #include <utility>
 
@@ -8,7 +9,6 @@ namespace leadscrew::host {
 
 base::Result<CheckedProgram> check_program(const machine::Machine& machine, std::string text,
                                            const MotionOptions& options, const gcode::DiagnosticSink& diagnostics) {
-  constexpr std::int64_t moves_per_question = 64;  // the survey makes the tool path as well
   CheckedProgram checked;
   const auto share = std::make_shared<double>(0);
   const auto texts = std::make_shared<ProgramTexts>(std::move(text), options.subprogram);
@@ -18,16 +18,15 @@ base::Result<CheckedProgram> check_program(const machine::Machine& machine, std:
                          if (diagnostics) diagnostics(diagnostic);
                        });
   pipeline::PathSurvey survey(machine, options.start);
-  gcode::Move move;
-  for (std::int64_t count = 1; reader.next(move); ++count) {
-    const auto excess = checked.error ? std::nullopt : survey.observe(move);
-    if (excess) reader.warn_of_feed(move, pipeline::warning_of(*excess));
-    if (move.kind != gcode::Move::Kind::dwell && move.kind != gcode::Move::Kind::event) ++checked.moves;
-    if (count % moves_per_question == 0 && options.goes_on && !options.goes_on(*share))
-      return base::failure(interruption());
-  }
+  const auto read =
+      pipeline::read_whole(reader, {.survey = &survey,
+                                    .is_sound = [&] { return !checked.error; },
+                                    .moves_between_questions = 64,  // the survey makes the tool path
+                                    .goes_on = [&] { return !options.goes_on || options.goes_on(*share); }});
+  if (read.was_interrupted) return base::failure(interruption());
   if (reader.source_failure()) return base::failure(*reader.source_failure());
-  checked.blocks = reader.blocks();
+  checked.blocks = read.blocks;
+  checked.moves = read.moves;
   if (checked.error) return checked;
   survey.finish();
   checked.bound_s = survey.bound_seconds();
