@@ -1,4 +1,4 @@
-#include <leadscrew/cli/check.hpp>
+#include <leadscrew/cli/program_verbs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/results/gouging.hpp>

@@ -21,16 +21,22 @@ constexpr std::string_view built_in = "mill3";
 constexpr std::int64_t largest_tool_table = 16 << 20;
 constexpr std::int64_t largest_parameter_file = 1 << 20;
 
-/// Adds its text to what was read.
-machine::Machine read_machine_file(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = files::read_whole(path, config::largest_machine_file);
-  if (!text) {
-    base::Diagnostic problem = text.error();
-    if (problem.code == "io-open" && problem.hint.empty()) problem.hint = "give a machine file; built in is mill3";
-    log.add(problem);
-    return {};
+/// Adds its text to what was read. Empty where the log says why.
+std::optional<std::string> read_text(const std::string& path, std::int64_t largest, std::string_view hint,
+                                     std::string& read, DiagnosticLog& log) {
+  auto text = files::read_whole(path, largest);
+  if (text) {
+    read += *text;
+    return std::move(*text);
   }
-  read += *text;
+  if (text.error().code == "io-open" && text.error().hint.empty()) text.error().hint = hint;
+  log.add(text.error());
+  return std::nullopt;
+}
+
+machine::Machine read_machine_file(const std::string& path, std::string& read, DiagnosticLog& log) {
+  const auto text = read_text(path, config::largest_machine_file, "give a machine file; built in is mill3", read, log);
+  if (!text) return {};
   auto machine = config::read_machine(*text, path);
   if (machine) return std::move(*machine);
   for (const base::Diagnostic& problem : machine.error()) log.add(problem);
@@ -38,12 +44,8 @@ machine::Machine read_machine_file(const std::string& path, std::string& read, D
 }
 
 machine::ToolTable read_tools(const std::string& path, std::string& read, DiagnosticLog& log) {
-  const auto text = files::read_whole(path, largest_tool_table);
-  if (!text) {
-    log.add(text.error());
-    return {};
-  }
-  read += *text;
+  const auto text = read_text(path, largest_tool_table, {}, read, log);
+  if (!text) return {};
   const gcode::ToolTableText tools = gcode::read_tool_table(*text, path);
   for (const base::Diagnostic& problem : tools.diagnostics) log.add(problem);
   return tools.table;
@@ -61,12 +63,8 @@ std::vector<gcode::NumberedValue> read_parameters(const std::string& path, std::
              {}});
     return {};
   }
-  const auto text = files::read_whole(path, largest_parameter_file);
-  if (!text) {
-    log.add(text.error());
-    return {};
-  }
-  read += *text;
+  const auto text = read_text(path, largest_parameter_file, {}, read, log);
+  if (!text) return {};
   gcode::ParameterFileText parameters = gcode::read_parameter_file(*text, path);
   for (const base::Diagnostic& problem : parameters.diagnostics) log.add(problem);
   return std::move(parameters.values);

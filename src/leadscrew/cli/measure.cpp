@@ -1,5 +1,5 @@
-#include <leadscrew/cli/measure.hpp>
 #include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/cli/program_verbs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/results/measured.hpp>
 #include <leadscrew/results/measured_trace.hpp>

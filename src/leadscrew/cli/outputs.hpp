@@ -5,14 +5,17 @@
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/cli/step_output.hpp>
+#include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/files/event_file.hpp>
 #include <leadscrew/files/input_file.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/word_file.hpp>
 #include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
 #include <leadscrew/results/block_writer.hpp>
+#include <leadscrew/results/report_form.hpp>
 #include <leadscrew/servo/servo.hpp>
 #include <memory>
 #include <optional>
@@ -69,18 +72,34 @@ class Outputs {
   const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   /// What a report of slides shows beside; null where there is none.
   report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
-  /// Writes the report, the picture and the charts, whichever was asked for.
-  base::Result<void> write_pages(const report::Report& report);
   /// Writes the steps that are left.
   base::Result<void> finish_steps(const files::InputFile& program) {
     return steps_ ? steps_->finish(program) : base::Result<void>();
   }
   /// What steps were written, if they were asked for.
   std::optional<results::StepFigures> step_figures() const;
+  /// When all words are made: writes the pages that tell the figures, and puts the names of all files into these.
+  template <class Figures>
+  base::Result<void> conclude(const files::InputFile& program, const DiagnosticLog& log, Figures& figures) {
+    if (auto same = program.unchanged(); !same) return same;
+    if (recording_) {
+      const auto report = results::report_of({program, job_->arguments.command_line, log.all(), *recording_}, figures);
+      if (!report) return base::failure(report.error());
+      if (auto written = write_pages(*report); !written) return written;
+    }
+    if (files::interrupted()) return base::failure(files::interruption());
+    auto files = publish();
+    if (!files) return base::failure(files.error());
+    figures.files = std::move(*files);
+    return {};
+  }
+
+ private:
+  /// Writes the report, the picture and the charts, whichever was asked for.
+  base::Result<void> write_pages(const report::Report& report);
   /// Ends the trace and gives all files their names; returns these.
   base::Result<std::vector<std::string>> publish();
 
- private:
   Outputs(const OutputPaths& paths, const Job& job) : job_(&job), poses_(job.machine), blocks_path_(paths.blocks) {}
 
   const Job* job_;

@@ -10,7 +10,6 @@
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
 #include <leadscrew/results/remark_output.hpp>
-#include <leadscrew/results/report_form.hpp>
 #include <span>
 
 namespace leadscrew::cli {
@@ -54,17 +53,7 @@ class ProgramRun {
     if (!figures) return figures;
     if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
     figures->steps = outputs->step_figures();
-    if (auto same = file.unchanged(); !same) return base::failure(same.error());
-    if (outputs->recording() != nullptr) {
-      const auto report =
-          results::report_of({file, job_.arguments.command_line, log_.all(), *outputs->recording()}, *figures);
-      if (!report) return base::failure(report.error());
-      if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
-    }
-    if (files::interrupted()) return base::failure(files::interruption());
-    auto files = outputs->publish();
-    if (!files) return base::failure(files.error());
-    figures->files = std::move(*files);
+    if (auto done = outputs->conclude(file, log_, *figures); !done) return base::failure(done.error());
     auto logs = remarks.publish();
     if (!logs) return base::failure(logs.error());
     figures->files.insert(figures->files.end(), logs->begin(), logs->end());

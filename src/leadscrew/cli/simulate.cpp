@@ -9,7 +9,6 @@
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/pipeline/programmed_feed.hpp>
-#include <leadscrew/results/report_form.hpp>
 #include <leadscrew/results/simulation.hpp>
 
 namespace leadscrew::cli {
@@ -45,19 +44,9 @@ class Simulation {
     if (!outputs) return base::failure(outputs.error());
     auto figures = follow_words(file, *outputs);
     if (!figures) return figures;
-    if (auto same = file.unchanged(); !same) return base::failure(same.error());
-    if (outputs->recording() != nullptr) {
-      if (outputs->followed() != nullptr)
-        results::observe_ideal_path(silent_reader(file, job_), job_.machine, job_.start, *outputs->followed());
-      const auto report =
-          results::report_of({file, job_.arguments.command_line, log_.all(), *outputs->recording()}, *figures);
-      if (!report) return base::failure(report.error());
-      if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
-    }
-    if (files::interrupted()) return base::failure(files::interruption());
-    auto files = outputs->publish();
-    if (!files) return base::failure(files.error());
-    figures->files = std::move(*files);
+    if (outputs->followed() != nullptr)
+      results::observe_ideal_path(silent_reader(file, job_), job_.machine, job_.start, *outputs->followed());
+    if (auto done = outputs->conclude(file, log_, *figures); !done) return base::failure(done.error());
     return figures;
   }
 

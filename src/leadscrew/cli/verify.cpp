@@ -2,14 +2,13 @@
 
 #include <cmath>
 #include <leadscrew/cli/outputs.hpp>
+#include <leadscrew/cli/program_verbs.hpp>
 #include <leadscrew/cli/programs.hpp>
-#include <leadscrew/cli/verify.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/report/traced_words.hpp>
 #include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
-#include <leadscrew/results/report_form.hpp>
 #include <leadscrew/results/trace_period.hpp>
 #include <leadscrew/trace/trace_reader.hpp>
 
@@ -62,18 +61,8 @@ class Verification {
     if (!outputs) return base::failure(outputs.error());
     results::VerifyFigures figures{trace.name(), *period, {}};
     if (auto judged = judge_rows(trace, program, figures, *outputs); !judged) return base::failure(judged.error());
-    for (const files::InputFile* file : {&trace, &program}) {
-      if (auto same = file->unchanged(); !same) return base::failure(same.error());
-    }
-    if (outputs->recording() != nullptr) {
-      const auto report =
-          results::report_of({program, job_.arguments.command_line, log_.all(), *outputs->recording()}, figures);
-      if (!report) return base::failure(report.error());
-      if (auto written = outputs->write_pages(*report); !written) return base::failure(written.error());
-    }
-    auto files = outputs->publish();
-    if (!files) return base::failure(files.error());
-    figures.files = std::move(*files);
+    if (auto same = trace.unchanged(); !same) return base::failure(same.error());
+    if (auto done = outputs->conclude(program, log_, figures); !done) return base::failure(done.error());
     return figures;
   }
 
