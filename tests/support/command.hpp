@@ -106,11 +106,12 @@ inline Names places_of(const Json& diagnostics) {
 }
 
 struct Surroundings {
-  std::string input = {};                     ///< on a pipe to standard input
-  bool input_stays_open = false;              ///< the pipe does not end
-  std::string output = {};                    ///< file for standard output; empty: it is caught
-  bool output_is_closed = false;              ///< standard output is a pipe whose reader has gone
-  std::optional<rlim_t> largest_file = {};    ///< bytes
+  std::string input = {};                   ///< on a pipe to standard input
+  bool input_stays_open = false;            ///< the pipe does not end
+  std::string output = {};                  ///< file for standard output; empty: it is caught
+  bool output_is_closed = false;            ///< standard output is a pipe whose reader has gone
+  std::optional<rlim_t> largest_file = {};  ///< bytes
+  std::string command = LEADSCREW_COMMAND;
   std::vector<std::string> environment = {};  ///< NAME=value, besides ours without NO_COLOR
 };
 
@@ -165,7 +166,7 @@ class Running {
     posix_spawn_file_actions_adddup2(&actions, errors_, STDERR_FILENO);
     posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
 
-    arguments.insert(arguments.begin(), LEADSCREW_COMMAND);
+    arguments.insert(arguments.begin(), surroundings.command);
     std::vector<std::string> environment = surroundings.environment;
     for (char** value = environ; *value != nullptr; ++value) {
       if (!std::string_view(*value).starts_with("NO_COLOR=")) environment.emplace_back(*value);
@@ -175,13 +176,13 @@ class Running {
     ::getrlimit(RLIMIT_FSIZE, &before);
     const rlimit limit = {surroundings.largest_file.value_or(before.rlim_cur), before.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &limit);
-    const int failed = ::posix_spawn(&process_, LEADSCREW_COMMAND, &actions, nullptr, pointers(arguments).data(),
-                                     pointers(environment).data());
+    const int failed = ::posix_spawn(&process_, surroundings.command.c_str(), &actions, nullptr,
+                                     pointers(arguments).data(), pointers(environment).data());
     ::setrlimit(RLIMIT_FSIZE, &before);
     posix_spawn_file_actions_destroy(&actions);
     ::close(pipe[0]);
     if (closed[1] >= 0) ::close(closed[1]);
-    if (failed != 0) throw std::runtime_error("cannot start " LEADSCREW_COMMAND);
+    if (failed != 0) throw std::runtime_error("cannot start " + surroundings.command);
   }
 
   ~Running() {
@@ -245,6 +246,10 @@ class Running {
   }
 
   void resume() const { send(SIGCONT); }
+
+  /// What it has written until now.
+  std::string output_by_now() const { return text_of(output_); }
+  std::string errors_by_now() const { return text_of(errors_); }
 
   Outcome wait() {
     EXPECT_TRUE(eventually([&] { return has_ended(); })) << "does not end";

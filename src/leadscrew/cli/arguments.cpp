@@ -187,7 +187,7 @@ struct Described {
 };
 
 /// Those of Arguments::Verb, in its order; then those that are answered at once.
-constexpr std::array<Described, 15> verbs = {
+constexpr std::array<Described, 16> verbs = {
     {{"run", "Plan and interpolate; summary, report, picture, traces, steps", describe_run},
      {"check", "Read only: diagnostics", describe_check},
      {"verify", "The referee: any trace against its program and machine", describe_verify},
@@ -201,6 +201,7 @@ constexpr std::array<Described, 15> verbs = {
      {"explain", "What a block means, in words", describe_explain},
      {"format", "A program in one way of writing, its meaning kept", describe_format},
      {"surfaces", "Faces of a STEP or IGES file as surfaces of a program", describe_surfaces},
+     {"serve", "The workbench in a browser of this machine", describe_serve},
      {"help", "What a command does, its options and examples; manual pages", describe_help},
      {"completion", "A script by which a shell completes this command's words", describe_completion}}};
 
@@ -218,7 +219,8 @@ void describe_program(options::Program& program, Arguments& arguments) {
       "; there are run, check, verify, measure, canon and simulate for programs, drive to run them on time, pulse, "
       "study and "
       "design; "
-      "explain and format for blocks in words and in order, surfaces for STEP and IGES; help says more";
+      "explain and format for blocks in words and in order, surfaces for STEP and IGES, serve for the workbench; help "
+      "says more";
   describe_itself(program.itself, arguments);
   program.itself.help(std::string(main_examples));
   for (const Described& verb : verbs) {

@@ -8,6 +8,7 @@
 #include <leadscrew/cli/options.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/run_arguments.hpp>
+#include <leadscrew/cli/serve.hpp>
 #include <leadscrew/cli/simulate_arguments.hpp>
 #include <leadscrew/cli/study_arguments.hpp>
 #include <leadscrew/cli/surfaces.hpp>
@@ -37,7 +38,8 @@ struct Arguments {
     drive,
     explain,
     format,
-    surfaces
+    surfaces,
+    serve
   };
 
   Verb verb = Verb::run;
@@ -54,6 +56,7 @@ struct Arguments {
   AboutArguments about;                   ///< of help, completion and --version
   StudyArguments study;                   ///< of study
   SurfacesArguments surfaces;             ///< of surfaces
+  ServeArguments serve;                   ///< of serve and drive
   std::optional<std::string> machine;     ///< file, or the name of a built-in machine
   std::optional<std::string> tools;       ///< file
   std::optional<std::string> parameters;  ///< file, of run, check, verify, simulate and drive

@@ -47,7 +47,7 @@ struct Work {
 
 using Verb = Arguments::Verb;
 
-constexpr std::array<Work, 13> works = {{{Verb::run, nullptr, run, results::run_schema},
+constexpr std::array<Work, 14> works = {{{Verb::run, nullptr, run, results::run_schema},
                                          {Verb::check, nullptr, check, results::check_schema},
                                          {Verb::verify, nullptr, verify, results::verify_schema},
                                          {Verb::measure, nullptr, measure, results::measure_schema},
@@ -59,7 +59,8 @@ constexpr std::array<Work, 13> works = {{{Verb::run, nullptr, run, results::run_
                                          {Verb::design, design},
                                          {Verb::explain, explain},
                                          {Verb::format, format},
-                                         {Verb::surfaces, surfaces}}};
+                                         {Verb::surfaces, surfaces},
+                                         {Verb::serve, serve}}};
 
 /// No machine, no tools: nothing is known of any program. A usage error leaves standard output empty.
 Status end_without_job(const Arguments& arguments, std::string_view schema, const DiagnosticLog& log,

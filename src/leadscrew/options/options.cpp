@@ -28,6 +28,7 @@ void add_options(CLI::App& app, Command& command) {
     }
     CLI::Option* made = app.add_option(option.name, take_texts, option.what)->type_name(option.value_name);
     if (option.is_word() && option.kind != Option::Kind::optional_word) made->required();
+    if (option.kind == Option::Kind::optional_value) made->expected(0, 1)->default_str("");
     if (option.kind == Option::Kind::words) made->expected(CLI::detail::expected_max_vector_size);
   }
   app.set_help_flag(fmt::format("{},{}", HelpOption::short_name, HelpOption::name), std::string(HelpOption::what));

@@ -47,7 +47,7 @@ inline Values file(std::vector<std::string> endings = {}, std::vector<std::strin
 
 /// An option, a flag or a word by its place.
 struct Option {
-  enum class Kind { flag, value, word, optional_word, words };
+  enum class Kind { flag, value, optional_value, word, optional_word, words };
 
   Kind kind = Kind::value;
   std::string name;        ///< "--period"; of words "PROGRAM"
@@ -102,6 +102,18 @@ class Command {
            target = std::move(*parsed);
            return {};
          }});
+  }
+
+  /// The same, or `without` where the option is the last word, or another option follows.
+  template <class Target, class Parse>
+  void optional_value(std::string name, std::string value_name, std::string what, Target& target, Target without,
+                      Parse parse) {
+    value(std::move(name), "[" + value_name + "]", std::move(what), target,
+          [without = std::move(without), parse](std::string_view given) -> Parsed<Target> {
+            if (given.empty()) return without;
+            return parse(given);
+          });
+    options_.back().kind = Option::Kind::optional_value;
   }
 
   /// One of some words.

@@ -45,6 +45,8 @@ std::string zsh_spec(std::string_view program, const Option& option, int place) 
       return option.name + what;
     case Option::Kind::value:
       return fmt::format("{}={}:{}:{}", option.name, what, shown, zsh_action(program, option.values));
+    case Option::Kind::optional_value:
+      return fmt::format("{}{}::{}:{}", option.name, what, shown, zsh_action(program, option.values));
     case Option::Kind::word:
       return fmt::format("{}:{}:{}", place, shown, zsh_action(program, option.values));
     case Option::Kind::optional_word:
