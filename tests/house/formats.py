@@ -13,6 +13,7 @@ import re
 import shutil
 import subprocess
 import sys
+import urllib.request
 
 import jsonschema
 import numpy
@@ -365,6 +366,28 @@ def check_drives(schemas):
     check_header("sink.csv", columns("trace", "XYZ"))
 
 
+def check_live(schemas):
+    """With the page beside the command, as it is installed."""
+    bin, web = scratch / "served/bin", scratch / "served/share/leadscrew/web"
+    bin.mkdir(parents=True)
+    web.mkdir(parents=True)
+    shutil.copy(command, bin / "leadscrew")
+    (web / "index.html").write_text("<html></html>")
+    drive = subprocess.Popen([bin / "leadscrew", "drive", "tip.ngc", "--machine", machines / "table-table-ac.toml", "--serve", "0"],
+                             cwd=scratch, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    address = re.search(r"http://127.0.0.1:\d+/", drive.stderr.readline())[0]
+    name, count = "", 0
+    for line in urllib.request.urlopen(address + "live"):
+        key, _, value = line.decode().strip().partition(": ")
+        name = value if key == "event" else name
+        if key == "data" and name in ("machine", "sample"):
+            schemas.fit(f"live-{name}", json.loads(value), f"the event {name}")
+            count += 1
+    check(count > 2, f"drive --serve has told {count} events")
+    drive.communicate()
+    statuses.add(drive.returncode)
+
+
 def check_pulses(schemas):
     arc = ["pulse", "--arc", "--start", "5,0", "--end", "0,5", "--center", "0,0", "--ccw"]
     json_of(schemas, "pulse", *arc, "--path")
@@ -493,6 +516,7 @@ def main():
     check_measures(schemas)
     check_simulations(schemas)
     check_drives(schemas)
+    check_live(schemas)
     check_pulses(schemas)
     check_designs(schemas)
     check_surfaces(schemas)

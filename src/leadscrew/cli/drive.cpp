@@ -7,6 +7,7 @@
 #include <leadscrew/drive/drive.hpp>
 #include <leadscrew/results/drive.hpp>
 #include <leadscrew/results/remark_output.hpp>
+#include <leadscrew/serve/drive_stream.hpp>
 #include <mutex>
 
 namespace leadscrew::cli {
@@ -43,7 +44,8 @@ class ProgramDrive {
       log_.add(
           {base::Severity::note, "pause-passed", "M0 and M1 do not pause: no key can be pressed here", {}, {}, {}});
     }
-    const auto figures = drive::drive(*file, setup_, onlooker(*file));
+    if (auto sound = serve_to_browsers(*file); !sound) return failed(sound.error());
+    const auto figures = drive::drive(*file, setup_, stream_ ? stream_->join(onlooker(*file)) : onlooker(*file));
     if (!figures) return failed(figures.error());
     if (figures->problem) log_.add(*figures->problem);
     show_remarks();
@@ -57,6 +59,16 @@ class ProgramDrive {
   std::nullopt_t failed(const base::Diagnostic& problem) {
     log_.add(problem);
     return std::nullopt;
+  }
+
+  base::Result<void> serve_to_browsers(const files::InputFile& file) {
+    const ServeArguments& asked = job_.arguments.serve;
+    if (!asked.port) return {};
+    auto stream = serve::DriveStream::open(file, setup_, {*asked.port, asked.control}, wishes_);
+    if (!stream) return base::failure(stream.error());
+    stream_ = std::move(*stream);
+    console_.error_text(stream_->text() + "\n");
+    return {};
   }
 
   /// Log files and parameters, once motion has ended well.
@@ -93,23 +105,18 @@ class ProgramDrive {
     if (can_wait()) {
       onlooker.terminal = drive::Terminal::settings();
       onlooker.at_begin = [this, &file, settings = *onlooker.terminal] {
-        view_.emplace(settings, file, job_, console_.error_style());
+        view_.emplace(settings, file, job_, console_.error_style(), wishes_, stream_ ? stream_->text() : "");
       };
       onlooker.observe = [this](const drive::Feedback& feedback) { view_->observe(feedback); };
       onlooker.while_returning = [this](double seconds) { return view_->go_back(seconds); };
       onlooker.while_moving = [this](const drive::WordMaker& maker, realtime::Runner& runner) {
         return view_->go_on(maker, runner);
       };
-      onlooker.may_start = [this](const planner::Chunk& chunk) { return view_->pause().may_start(chunk); };
-    } else if (!setup_.options.live) {
+      onlooker.may_start = [this](const planner::Chunk& chunk) { return wishes_.pause.may_start(chunk); };
+    } else {
       onlooker.while_moving = [this, size = file.size()](const drive::WordMaker& maker, realtime::Runner& runner) {
         show_remarks();
-        show_progress(maker.bytes_read(), size, runner.counters().words);
-        return false;
-      };
-    } else {
-      onlooker.while_moving = [this](const drive::WordMaker&, const realtime::Runner&) {
-        show_remarks();
+        if (!setup_.options.live) show_progress(maker.bytes_read(), size, runner.counters().words);
         return false;
       };
     }
@@ -137,7 +144,9 @@ class ProgramDrive {
       program_, [this](const std::string& path) { return is_in_use(path, program_, {}, job_.arguments); },
       [this](const std::string& text) { hear(text); }};
   std::optional<std::vector<gcode::NumberedValue>> parameters_;  ///< where the program ended
-  std::optional<DriveView> view_;                                ///< on a terminal
+  drive::Wishes wishes_;
+  std::unique_ptr<serve::DriveStream> stream_;  ///< to browsers, if that was asked for
+  std::optional<DriveView> view_;               ///< on a terminal
   bool has_progress_ = false;
 };
 

@@ -15,6 +15,7 @@ constexpr std::string_view drive_examples =
     "  leadscrew drive part.ngc --trace words.csv --axes axes.csv --json\n"
     "  leadscrew drive part.ngc --sink words.csv        words on time to a file or a pipe, and no drives\n"
     "  make-program | leadscrew drive - --live          block by block, as they come\n"
+    "  leadscrew drive part.ngc --serve --control       seen in a browser, and held or stopped from there\n"
     "\n"
     "Keys, on a terminal: space holds and resumes, + and - change the feed by 10 %, q stops. ^C brings motion to rest\n"
     "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"
@@ -75,6 +76,7 @@ void describe_drive(Command& command, Arguments& arguments) {
                 drive.look_ahead, [](std::string_view text) { return parse_seconds(text, 0.01, 60); });
   command.value("--lead", "TIME", "Words made ahead of their time, so that late ones harm nothing (default 100ms)",
                 drive.lead, [](std::string_view text) { return parse_seconds(text, 0, 2); });
+  add_serve(command, arguments);
   command.check([&command, &drive] { return settle(command, drive); });
   command.help(std::string(drive_examples) + curves_text());
 }

@@ -10,7 +10,7 @@ namespace leadscrew::cli {
 
 namespace {
 
-constexpr int status_lines = 9, widest_map = 100, highest_map = 40;
+constexpr int status_lines = 10, widest_map = 100, highest_map = 40;
 constexpr std::int64_t between_pictures = 100'000'000;  // ns
 constexpr std::string_view end = "\033[K\n";
 
@@ -36,14 +36,17 @@ gcode::Reader programmed(const files::InputFile& file, const Job& job) {
 
 }  // namespace
 
-DriveView::DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style)
+DriveView::DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style,
+                     drive::Wishes& wishes, std::string served)
     : terminal_(settings),
       job_(job),
       program_(results::printable(file.name())),
       style_(style),
       poses_(job.machine),
       map_([&] { return programmed(file, job); }, std::min(drive::Terminal::columns() - 1, widest_map),
-           std::min(drive::Terminal::rows() - status_lines, highest_map)) {}
+           std::min(drive::Terminal::rows() - status_lines, highest_map)),
+      wishes_(wishes),
+      served_(std::move(served)) {}
 
 void DriveView::observe(const drive::Feedback& feedback) {
   last_ = feedback;
@@ -67,29 +70,24 @@ bool DriveView::go_back(double seconds) {
 bool DriveView::obey_keys(realtime::Runner& runner) {
   while (const auto key = drive::Terminal::key()) {
     if (*key == 'q') return true;
-    if (*key == ' ' && !held_ && stands_at_pause(runner.counters())) {
-      pause_.go_on();
+    if (*key == ' ' && !wishes_.held && wishes_.stand_at_pause(runner.counters(), last_.word)) {
+      wishes_.pause.go_on();
       continue;
     }
-    if (*key == ' ') held_ = !held_;
-    if (*key == '+') factor_ = std::min(2.0, std::round(factor_ * 10 + 1) / 10);
-    if (*key == '-') factor_ = std::max(0.1, std::round(factor_ * 10 - 1) / 10);
-    runner.override_feed(held_ ? 0 : factor_);
+    if (*key == ' ') wishes_.held = !wishes_.held;
+    if (*key == '+') wishes_.change_factor(1);
+    if (*key == '-') wishes_.change_factor(-1);
+    wishes_.tell(runner);
   }
   return false;
 }
 
-/// Not where motion rests for a moment on its way there.
-bool DriveView::stands_at_pause(const realtime::Counters& counters) const {
-  return pause_.line() && counters.seconds_ahead <= 0 && last_.word.state == base::MotionState::rest;
-}
-
 std::string DriveView::wait_text(const realtime::Counters& counters) const {
   const planner::AllowedOverrides& allowed = counters.allowed_overrides;
-  if (held_) return style_(Tone::warning, allowed.hold ? "  HELD" : "  hold not obeyed (M53 P0)");
+  if (wishes_.held) return style_(Tone::warning, allowed.hold ? "  HELD" : "  hold not obeyed (M53 P0)");
   if (waits_for_input_) return style_(Tone::warning, "  WAITS for an input (M66)");
-  if (!stands_at_pause(counters)) return {};
-  return style_(Tone::warning, fmt::format("  PAUSED in line {}: space goes on", base::number(*pause_.line())));
+  if (!wishes_.stand_at_pause(counters, last_.word)) return {};
+  return style_(Tone::warning, fmt::format("  PAUSED in line {}: space goes on", base::number(*wishes_.pause.line())));
 }
 
 bool DriveView::is_asked_to_stop() {
@@ -116,7 +114,7 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
   const realtime::Counters counters = runner.counters();
   const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
   std::string text = place_text();
-  text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}{}", last_.word.feed * 60, factor_ * 100,
+  text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}{}", last_.word.feed * 60, wishes_.factor * 100,
                       counters.allowed_overrides.feed ? "" : " not obeyed (M49)", wait_text(counters), end);
   if (!job_.arguments.drive.sink) {
     text += fmt::format("slides {:6.1f} /min by tachometers, behind by {:.4f}{}", last_.measured_feed * 60,
@@ -127,6 +125,7 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
                       last_.word.path_length, end);
   text += fmt::format("latency 50 % {:.0f} us, 99 % {:.0f} us, at most {:.0f} us; overruns {}{}", micro(0.5),
                       micro(0.99), micro(1), counters.overruns, end);
+  if (!served_.empty()) text += served_ + std::string(end);
   return text + style_(Tone::faint, "space hold/resume   + - feed   q stop").append(end);
 }
 

@@ -3,8 +3,8 @@
 
 #include <leadscrew/cli/job.hpp>
 #include <leadscrew/drive/link.hpp>
-#include <leadscrew/drive/pause.hpp>
 #include <leadscrew/drive/terminal.hpp>
+#include <leadscrew/drive/wishes.hpp>
 #include <leadscrew/drive/word_maker.hpp>
 #include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/realtime/runner.hpp>
@@ -14,11 +14,11 @@ namespace leadscrew::cli {
 
 class DriveView {
  public:
-  DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style);
+  /// `served` is shown below: where else it is looked at, or nothing. The wishes outlive this.
+  DriveView(const termios& settings, const files::InputFile& file, const Job& job, const Style& style,
+            drive::Wishes& wishes, std::string served);
 
   void observe(const drive::Feedback& feedback);
-  /// Motion waits at M0 and M1, if this is asked.
-  drive::Pause& pause() { return pause_; }
   /// Draws ten times a second, and does what keys ask for: space holds and resumes, also at M0; + and − change the feed
   /// by 10 %. True if q was pressed.
   bool go_on(const drive::WordMaker& maker, realtime::Runner& runner);
@@ -33,7 +33,6 @@ class DriveView {
   std::string place_text() const;
   std::string status_text(const realtime::Runner& runner) const;
   std::string wait_text(const realtime::Counters& counters) const;
-  bool stands_at_pause(const realtime::Counters& counters) const;
   bool is_due();
   std::string map_text() const;
 
@@ -44,9 +43,9 @@ class DriveView {
   kinematics::WordPoses poses_;
   results::PartMap map_;
   drive::Feedback last_{};
-  drive::Pause pause_;
-  double factor_ = 1;  ///< of the feed, when it is not held
-  bool held_ = false, waits_for_input_ = false;
+  drive::Wishes& wishes_;
+  std::string served_;
+  bool waits_for_input_ = false;
   std::int64_t drawn_ = 0;  ///< ns
 };
 
