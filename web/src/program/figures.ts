@@ -17,7 +17,8 @@ function list(name: string, label: string): HTMLElement {
   return html("dl", { class: "numbers", id: name, "aria-label": label });
 }
 
-function put(into: HTMLElement, rows: readonly (readonly [string, string])[]): void {
+/** Names and values; elements that are there already are kept. */
+export function put(into: HTMLElement, rows: readonly (readonly [string, string])[]): void {
   const known = [...into.children] as HTMLElement[];
   if (known.length === rows.length && rows.every(([name], i) => known[i]?.dataset["name"] === name)) {
     rows.forEach(([, value], i) => (known[i]!.lastElementChild!.textContent = value));

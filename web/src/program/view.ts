@@ -74,6 +74,12 @@ export class PathView {
     this.drawOver();
   }
 
+  /** Where the running machine has its tool. */
+  standAt(place: readonly number[]): void {
+    this.tool = place;
+    this.drawOver();
+  }
+
   mark(line: number): void {
     const { plan, path } = this;
     if (plan === undefined || path === undefined) return;

@@ -1,6 +1,7 @@
 // The program's page: a text and a machine become a plan, and the clock walks along it.
 
 import { Cancelled, type PlannerClient } from "../engine/planner_client";
+import type { LiveMachine, LiveSample } from "../engine/live_types";
 import type { Diagnostic, Limits, Phase, Plan } from "../engine/motion_types";
 import { sampleAt, timeOf, timeOfLine } from "../engine/path";
 import { download } from "../lesson/files";
@@ -8,6 +9,8 @@ import { html } from "../ui/dom";
 import type { Mode } from "../ui/shell";
 import { Editor } from "./editor";
 import { FiguresPanel, LossTable } from "./figures";
+import { limitsOf } from "./live";
+import { LivePanel } from "./live_panel";
 import { MachineForm } from "./machine_form";
 import { Playback } from "./playback";
 import { Plots } from "./plots";
@@ -37,6 +40,11 @@ export class Workbench implements Mode {
   private readonly figures = new FiguresPanel();
   private readonly losses = new LossTable((line, time) => this.goTo(line, time));
   private readonly progress = new Progress(() => this.cancel());
+  /** Where a machine is driven. */
+  private readonly live = LivePanel.ofPage({
+    began: (machine, text) => this.showDriven(machine, text),
+    moved: (machine, sample) => this.follow(machine, sample),
+  });
   private readonly command = html("code", { class: "command", id: "command", tabindex: 0, "aria-label": "Command" });
   private readonly commandNote = html("p", { class: "note" });
 
@@ -77,6 +85,7 @@ export class Workbench implements Mode {
       html(
         "div",
         { class: "main" },
+        this.live?.element,
         this.progress.element,
         this.path.element(this.playback.element, this.figures.now),
         html("section", { class: "panel", "aria-label": "Over time" }, this.plotsHead(), this.plots.element),
@@ -154,6 +163,22 @@ export class Workbench implements Mode {
     this.isNewText = true;
     this.editor.set(text);
     void this.run();
+  }
+
+  /** The program that is driven is planned here too, by the limits of its machine, where the page knows its kind. */
+  private showDriven(machine: LiveMachine, text: string): void {
+    const limits = limitsOf(machine, this.machine);
+    if (text === "" || limits === undefined) return;
+    this.settings.limits = limits;
+    this.showSettings();
+    this.openText(machine.program.split("/").at(-1) ?? machine.program, text);
+  }
+
+  private follow(machine: LiveMachine, sample: LiveSample): void {
+    this.playback.stop();
+    const at = (letter: string): number => sample.actual[machine.axes.findIndex(({ name }) => name === letter)] ?? 0;
+    this.path.view.standAt(sample.tip ?? [at("X"), at("Y"), at("Z")]);
+    this.markLine(sample.line);
   }
 
   private typed(text: string): void {
@@ -296,12 +321,16 @@ export class Workbench implements Mode {
   /** The line that is in motion: in the text, and along the path. */
   private mark(): void {
     if (this.plan === undefined) return;
-    const line = this.plan.blocks.line[this.plan.samples.block[this.sample] ?? 0] ?? 0;
+    this.markLine(this.plan.blocks.line[this.plan.samples.block[this.sample] ?? 0] ?? 0);
+  }
+
+  private markLine(line: number): void {
     this.editor.move(line, !this.editor.hasFocus);
     this.element.dataset["line"] = String(line);
     if (line === this.line) return;
     this.line = line;
-    if (!this.playback.isPlaying || this.plan.samples.count < 200_000) this.path.view.mark(line);
+    const { plan } = this;
+    if (plan !== undefined && (!this.playback.isPlaying || plan.samples.count < 200_000)) this.path.view.mark(line);
   }
 
   private pointed(line: number): void {

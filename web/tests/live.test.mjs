@@ -1,0 +1,96 @@
+// The running machine in the page: `leadscrew drive --serve`, watched, held, slowed and stopped from there.
+
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { seriousFindings } from "./axe.mjs";
+import { built, command, openBrowser } from "./browser.mjs";
+import { downloaded, figure, openProgram } from "./program.mjs";
+
+// Along X at Y 5, for minutes: it is always stopped.
+const text = `G21 G90 F600\nG0 Y5\n${"G1 X200\nX0\n".repeat(10)}M2\n`;
+
+let browser, folder, drive, address, token, ended;
+before(async () => {
+  browser = await openBrowser();
+  folder = mkdtempSync(join(tmpdir(), "leadscrew-live-"));
+  writeFileSync(join(folder, "driven.ngc"), text);
+  drive = spawn(command, ["drive", "driven.ngc", "--serve", "0", "--control", "--quiet"], { cwd: folder });
+  ended = new Promise((resolve) => drive.on("exit", resolve));
+  const told = await new Promise((resolve, reject) => {
+    let all = "";
+    drive.stderr.on("data", (data) => {
+      all += data;
+      if (all.includes("\n")) resolve(all);
+    });
+    drive.on("exit", () => reject(new Error(all)));
+  });
+  [, address, token] = /live at (\S+), token (\S+)/.exec(told);
+});
+after(async () => {
+  await browser?.close();
+  drive?.kill("SIGKILL");
+  rmSync(folder, { recursive: true });
+});
+
+const live = (page, name) => figure(page, name, "live");
+
+async function comesTo(page, state) {
+  await page.waitForFunction((wanted) => document.querySelector(".live").dataset.machine === wanted, state);
+}
+
+test("the machine is seen, its program planned, and whoever has the token controls it", async () => {
+  const { page, strays, failures, close } = await openProgram(browser, address);
+  await page.waitForFunction(() => document.querySelector("#live-said").textContent.includes("driven.ngc on mill3"));
+  await comesTo(page, "moving");
+  await page.waitForFunction(() => document.querySelector(".program").dataset.state === "ready");
+  assert.equal(await downloaded(page, "save"), text);
+  assert.equal(await live(page, "Y"), "5.000");
+  const before = Number(await live(page, "X"));
+  await page.waitForFunction(
+    (from) => Number(document.querySelector('#live [data-name="X"] dd').textContent) !== from,
+    before,
+  );
+  assert.equal(await page.getAttribute(".program", "data-line"), await live(page, "Line"));
+  assert.deepEqual(await seriousFindings(page), []);
+
+  await page.click("#live-hold");
+  await page.waitForFunction(() => document.querySelector("#live-error").textContent.includes("token"));
+  await page.fill("#live-token", token);
+  await page.click("#live-hold");
+  await comesTo(page, "held");
+  await page.waitForFunction(() => document.querySelector('#live [data-name="Feed, /min"] dd').textContent === "0");
+  const there = await live(page, "X");
+  await page.waitForTimeout(200);
+  assert.ok(Math.abs(Number(await live(page, "X")) - Number(there)) < 0.01); // the slides settle
+  assert.equal(await page.textContent("#live-hold"), "Resume");
+  await page.click("#live-hold");
+  await comesTo(page, "moving");
+  await page.fill("#live-feed", "50");
+  await page.press("#live-feed", "Tab");
+  await page.waitForFunction(() => document.querySelector('#live [data-name="Feed, /min"] dd').textContent === "300");
+  assert.equal(await live(page, "Override"), "50 %");
+  const pictures = join(built, "screenshots");
+  mkdirSync(pictures, { recursive: true });
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(300);
+    await page.screenshot({ path: join(pictures, `live-${width}.png`), fullPage: true });
+    const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(over <= 0, `at ${width} px it is ${over} px too wide`);
+  }
+  // The refusal is the one failure, and is meant.
+  assert.deepEqual(
+    failures.filter((each) => !each.includes("403")),
+    [],
+  );
+  assert.deepEqual(strays, []);
+
+  await page.click("#live-stop");
+  await page.waitForFunction(() => document.querySelector("#live-said").textContent === "It has ended");
+  assert.equal(await ended, 130);
+  await close();
+});
