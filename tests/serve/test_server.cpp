@@ -210,21 +210,23 @@ TEST(Stream, TellsAViewerThatLagsHowMuchItHasMissed) {
   HttpClient reading(server->port());
   reading.send(http_request("GET", "/live", "127.0.0.1:" + std::to_string(server->port())));
   reading.read_until("event: machine");
+  constexpr int count = 120;
   const std::string padding(100'000, 'x');
-  for (int number = 0; number < 400; ++number) {  // 40 MB, more than lies in any socket
+  for (int number = 0; number < count; ++number) {  // 12 MB, more than lies in any socket
     channel.publish("data: " + padding + " " + std::to_string(number) + "\n\n");
     if (number % 4 == 0) reading.read_until(" " + std::to_string(number) + "\n");
   }
   channel.close();
   EXPECT_EQ(reading.read_until().find("event: missed"), std::string::npos);
   const std::string seen = lagging.read_until();
-  const std::size_t at = seen.find("event: missed\ndata: {\"missed\": ");
-  ASSERT_NE(at, std::string::npos);
-  const int missed = std::stoi(seen.substr(at + 31));
-  int events = 0;
-  for (std::size_t each = 0; (each = seen.find("data: xxx", each)) != std::string::npos; ++each) ++events;
-  EXPECT_EQ(missed + events, 400);
-  EXPECT_NE(seen.find(" 399\n"), std::string::npos);
+  const std::string told = "event: missed\ndata: {\"missed\": ";
+  int missed = 0, events = 0;
+  for (std::size_t at = 0; (at = seen.find(told, at)) != std::string::npos;)
+    missed += std::stoi(seen.substr(at += told.size()));
+  for (std::size_t at = 0; (at = seen.find("data: xxx", at)) != std::string::npos; ++at) ++events;
+  EXPECT_GT(missed, 0);
+  EXPECT_EQ(missed + events, count);
+  EXPECT_NE(seen.find(" 119\n"), std::string::npos);
 }
 
 TEST(Stream, HasRoomForSomeViewersOnly) {

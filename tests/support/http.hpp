@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -39,7 +40,12 @@ class HttpClient {
 
   /// What has come until the server closed, or until this text has come; for two minutes at most.
   std::string read_until(std::string_view text = {}) {
-    const auto has_come = [&] { return !text.empty() && all_.find(text) != std::string::npos; };
+    std::size_t looked = 0;  // until there it has not come
+    const auto has_come = [&] {
+      if (text.empty() || all_.find(text, looked) != std::string::npos) return !text.empty();
+      looked = all_.size() - std::min(all_.size(), text.size());
+      return false;
+    };
     pollfd ready = {socket_, POLLIN, 0};
     char buffer[65536];
     while (!has_come() && ::poll(&ready, 1, 120'000) > 0) {
