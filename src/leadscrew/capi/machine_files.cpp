@@ -1,4 +1,4 @@
-// The calls of leadscrew.h that read machine files. They stand on toml++, which a browser does without.
+// The calls of leadscrew.h that read machine files.
 
 #include <leadscrew/config/machine_file.hpp>
 

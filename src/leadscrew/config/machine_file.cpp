@@ -88,14 +88,12 @@ class MachineReader {
   std::optional<toml::table> parse() {
     const std::optional<std::size_t> deep = find_deep_nesting(text_);
     const TextPosition at = deep ? position_of(text_, *deep) : TextPosition{};
-    try {
-      toml::table root = toml::parse(deep ? text_.substr(0, *deep + 1) : text_, file_);
-      if (!deep) return root;
-    } catch (const toml::parse_error& error) {
-      if (!deep || error.source().begin.line < at.line) {
-        report("machine-syntax", error.source().begin, std::string(error.description()), "machine files are TOML 1.0");
-        return std::nullopt;
-      }
+    auto root = parse_toml(deep ? text_.substr(0, *deep + 1) : text_, file_);
+    if (root && !deep) return std::move(*root);
+    if (!root && (!deep || root.error().source().begin.line < at.line)) {
+      report("machine-syntax", root.error().source().begin, std::string(root.error().description()),
+             "machine files are TOML 1.0");
+      return std::nullopt;
     }
     report("machine-nesting", {at.line, at.column}, fmt::format("keys or lists nest deeper than {}", deepest_nesting),
            "no machine file needs more than [axis.X.drive] and its keys");

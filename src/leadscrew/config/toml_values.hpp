@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,21 @@ namespace leadscrew::config {
 
 inline constexpr const char* exact_hint =
     "integers are exact up to 9007199254740992; write others with a decimal point";
+
+/// What the text holds, or the first error of its syntax. toml++ throws that, but where exceptions are off, as for WebAssembly.
+inline tl::expected<toml::table, toml::parse_error> parse_toml(std::string_view text, std::string_view file) {
+#if TOML_EXCEPTIONS
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    return tl::unexpected(error);
+  }
+#else
+  toml::parse_result root = toml::parse(text, file);
+  if (!root) return tl::unexpected(std::move(root).error());
+  return std::move(root).table();
+#endif
+}
 
 inline std::string_view type_text(const toml::node& node) {
   switch (node.type()) {

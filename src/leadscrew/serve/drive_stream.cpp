@@ -68,7 +68,7 @@ std::string DriveStream::text() const {
                 : fmt::format("live at {}program.html", address);
 }
 
-drive::Onlooker DriveStream::join(drive::Onlooker onlooker) {
+drive::Onlooker DriveStream::join(const drive::Onlooker& onlooker) {
   drive::Onlooker joined = onlooker;
   // The process of the drives has been made by now, without threads of ours.
   joined.at_begin = [this, begin = onlooker.at_begin] {

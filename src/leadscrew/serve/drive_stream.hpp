@@ -36,7 +36,7 @@ class DriveStream {
   std::string text() const;
 
   /// The same onlooker, with the viewers beside. This outlives it.
-  drive::Onlooker join(drive::Onlooker onlooker);
+  drive::Onlooker join(const drive::Onlooker& onlooker);
 
  private:
   DriveStream(const drive::Setup& setup, drive::Wishes& wishes);

@@ -12,7 +12,14 @@ export const error = {
   field: 1104,
 } as const;
 
-export const options = { size: 152, onDiagnostic: 92, file: 100, onProgress: 116 } as const;
+export const options = {
+  size: 152,
+  onDiagnostic: 92,
+  file: 100,
+  tools: 104,
+  toolsLength: 108,
+  onProgress: 116,
+} as const;
 
 export const limits = {
   size: 392,

@@ -6,6 +6,7 @@ import { WasmModule, type CommonExports, type PageCalls } from "./wasm";
 
 interface Exports extends CommonExports {
   leadscrew_machine_builtin(name: number, machine: number, error: number): number;
+  leadscrew_machine_of_text(text: number, length: number, machine: number, error: number): number;
   leadscrew_machine_limits(machine: number, limits: number, error: number): number;
   leadscrew_machine_limited(machine: number, limits: number, limited: number, error: number): number;
   leadscrew_machine_period(machine: number): number;
@@ -81,6 +82,15 @@ export class MotionModule extends WasmModule<Exports> {
     );
   }
 
+  /** The text in UTF-8, and its length in bytes. */
+  private withBytes<T>(text: string, use: (at: number, length: number) => T): T {
+    const bytes = new TextEncoder().encode(text);
+    return this.with(bytes.length + 1, (at) => {
+      new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
+      return use(at, bytes.length);
+    });
+  }
+
   /** With what is found and how far it is told to the page. */
   withOptions<T>(use: (at: number) => T): T {
     return this.withSized(layout.options.size, (at) => {
@@ -88,6 +98,17 @@ export class MotionModule extends WasmModule<Exports> {
       this.view.setUint32(at + layout.options.onProgress, this.calls.leadscrew_page_on_progress(), true);
       return use(at);
     });
+  }
+
+  /** Of a machine file; the built-in mill of none. */
+  machineOf(text: string): number | Diagnostic {
+    if (text === "")
+      return this.withText("mill3", (name) =>
+        this.made((to, error) => this.calls.leadscrew_machine_builtin(name, to, error)),
+      );
+    return this.withBytes(text, (at, length) =>
+      this.made((to, error) => this.calls.leadscrew_machine_of_text(at, length, to, error)),
+    );
   }
 
   limitsOf(machine: number): Limits {
@@ -123,11 +144,17 @@ export class MotionModule extends WasmModule<Exports> {
 
   /** The text of a task, its length in bytes, and options. */
   withProgram<T>(task: Task, use: (text: number, length: number, options: number) => T): T {
-    const bytes = new TextEncoder().encode(task.text);
-    return this.with(bytes.length + 1, (at) => {
-      new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
-      return this.withOptions((options) => use(at, bytes.length, options));
-    });
+    return this.withBytes(task.text, (text, length) =>
+      this.withBytes(task.tools, (tools, toolsLength) =>
+        this.withOptions((options) => {
+          if (toolsLength > 0) {
+            this.view.setUint32(options + layout.options.tools, tools, true);
+            this.view.setUint32(options + layout.options.toolsLength, toolsLength, true);
+          }
+          return use(text, length, options);
+        }),
+      ),
+    );
   }
 
   figuresOf(trajectory: number): Figures {

@@ -133,14 +133,19 @@ export interface Plan {
 
 export interface Task {
   readonly text: string;
+  /** A machine file; empty for the built-in mill. */
+  readonly machine: string;
+  /** In place of those of the machine; of the same axes. */
   readonly limits: Limits;
+  /** A tool table, as LinuxCNC writes it. */
+  readonly tools: string;
   /** Of the feed, above 0, at most 2. */
   readonly override: number;
 }
 
 export interface PlannerCalls {
-  /** Of the built-in machine. */
-  limits(): Promise<Limits>;
+  /** Of a machine file; of the built-in mill where it is empty. */
+  limits(machine: string): Promise<Limits | Diagnostic>;
   check(task: Task): Promise<Checked>;
   /** Of a sound program; at most so many samples. */
   plan(task: Task, most: number): Promise<Plan | Diagnostic>;

@@ -14,6 +14,7 @@ interface Planned {
   readonly trajectory: number;
   readonly figures: Figures;
   readonly limits: Limits;
+  readonly period: number;
 }
 
 export class Planner implements PlannerCalls {
@@ -34,16 +35,19 @@ export class Planner implements PlannerCalls {
       progress: (share) => (told(planner.phase, share), 0),
     });
     planner.module = module;
-    const mill = module.withText("mill3", (name) =>
-      module.made((to, error) => module.calls.leadscrew_machine_builtin(name, to, error)),
-    );
+    const mill = module.machineOf("");
     if (typeof mill !== "number") throw new Error(mill.message);
     planner.mill = mill;
     return planner;
   }
 
-  async limits(): Promise<Limits> {
-    return this.module.limitsOf(this.mill);
+  async limits(text: string): Promise<Limits | Diagnostic> {
+    const { module } = this;
+    const machine = module.machineOf(text);
+    if (typeof machine !== "number") return machine;
+    const limits = module.limitsOf(machine);
+    module.calls.leadscrew_machine_free(machine);
+    return limits;
   }
 
   async explain(block: string): Promise<string> {
@@ -59,7 +63,7 @@ export class Planner implements PlannerCalls {
   async check(task: Task): Promise<Checked> {
     const { module } = this;
     this.begin("reading");
-    const machine = module.limited(this.mill, task.limits);
+    const machine = this.machineOf(task);
     if (typeof machine !== "number") return { diagnostics: [machine], blocks: 0, moves: 0, isSound: false };
     const of = layout.checked;
     const checked = module.withProgram(task, (text, length, options) =>
@@ -77,7 +81,7 @@ export class Planner implements PlannerCalls {
     const { module } = this;
     if (this.planned !== undefined) module.calls.leadscrew_trajectory_free(this.planned.trajectory);
     this.planned = undefined;
-    const machine = module.limited(this.mill, task.limits);
+    const machine = this.machineOf(task);
     if (typeof machine !== "number") return machine;
     try {
       const trajectory = this.trajectoryOf(machine, task);
@@ -90,8 +94,17 @@ export class Planner implements PlannerCalls {
 
   async trace(): Promise<Blob> {
     if (this.planned === undefined) return new Blob([]);
-    const period = this.module.calls.leadscrew_machine_period(this.mill);
-    return traceOf({ module: this.module, period, ...this.planned });
+    return traceOf({ module: this.module, ...this.planned });
+  }
+
+  /** The machine of its file, with the limits of the task. */
+  private machineOf(task: Task): number | Diagnostic {
+    const { module } = this;
+    const machine = module.machineOf(task.machine);
+    if (typeof machine !== "number") return machine;
+    const limited = module.limited(machine, task.limits);
+    module.calls.leadscrew_machine_free(machine);
+    return limited;
   }
 
   private begin(phase: Phase): void {
@@ -120,7 +133,7 @@ export class Planner implements PlannerCalls {
     this.begin("looking");
     const figures = module.figuresOf(trajectory);
     const limits = task.limits;
-    this.planned = { trajectory, figures, limits };
+    this.planned = { trajectory, figures, limits, period };
     module.calls.leadscrew_trajectory_blocks(trajectory, module.calls.leadscrew_page_on_block(), 0, 0);
     const blocks = this.blocks.done();
     const all = { module, trajectory, period, figures, blocks, limits, override: task.override };

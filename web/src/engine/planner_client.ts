@@ -26,7 +26,7 @@ export class PlannerClient implements PlannerCalls {
     return new PlannerClient(await WebAssembly.compile((await wasmBytes()) as BufferSource));
   }
 
-  readonly limits: PlannerCalls["limits"] = () => this.call("limits", []);
+  readonly limits: PlannerCalls["limits"] = (machine) => this.call("limits", [machine]);
   readonly check: PlannerCalls["check"] = (task) => this.call("check", [task]);
   readonly plan: PlannerCalls["plan"] = (task, most) => this.call("plan", [task, most]);
   readonly trace: PlannerCalls["trace"] = () => this.call("trace", []);

@@ -1,7 +1,8 @@
-// What the machine can do, to be changed: each axis' limits, the tolerance, the feed override.
+// The machine: the built-in mill, or that of a file; what it can do, to be changed; its tools.
 
 import { axisLetters, type Limits } from "../engine/motion_types";
 import { html } from "../ui/dom";
+import type { Settings } from "./settings";
 
 const columns = [
   ["velocity", "Velocity", "mm/s"],
@@ -9,8 +10,14 @@ const columns = [
   ["jerk", "Jerk", "mm/s³"],
 ] as const;
 
+const largestFile = 512 * 2 ** 10; // bytes, as the engine has it
+
 export interface MachineCalls {
   changed(limits: Limits, override: number): void;
+  /** A machine file; empty for the built-in mill. */
+  opened(machine: string): void;
+  /** A tool table. */
+  equipped(tools: string): void;
   saved(): void;
 }
 
@@ -33,13 +40,25 @@ export class MachineForm {
     change: () => this.read(),
   });
   private readonly overrideText = html("output", { class: "number", for: "override" });
-  private readonly axes: number[];
+  private readonly rows = html("tbody", {});
+  private readonly refused = html("p", { class: "error", id: "machine-file-error", role: "alert" });
+  private readonly name = html("p", { class: "note", id: "machine-name" });
+  private readonly file = this.fileInput("machine-file", "Machine file", ".toml", (text) => this.calls.opened(text));
+  private readonly toolFile = this.fileInput("tool-file", "Tool table", ".tbl,.txt", (text) =>
+    this.calls.equipped(text),
+  );
+  private readonly tools = html("textarea", {
+    id: "tools",
+    rows: 3,
+    spellcheck: "false",
+    "aria-label": "Tool table, a line a tool: T4 P4 D10 R5 Z0",
+    placeholder: "T4 P4 D10 R5 Z0",
+    change: () => this.calls.equipped(this.tools.value),
+  });
+  private machine: Limits | undefined;
+  private axes: number[] = [];
 
-  constructor(
-    private readonly machine: Limits,
-    private readonly calls: MachineCalls,
-  ) {
-    this.axes = [...axisLetters].map((_, i) => i).filter((i) => (machine.axes >> i) & 1);
+  constructor(private readonly calls: MachineCalls) {
     this.element = html(
       "section",
       { class: "panel machine", "aria-label": "Machine" },
@@ -50,10 +69,15 @@ export class MachineForm {
         html(
           "div",
           { class: "buttons" },
+          html("button", { type: "button", id: "machine-open", click: () => this.file.click() }, "Open"),
           html("button", { type: "button", id: "machine-reset", click: () => this.reset() }, "As built in"),
           html("button", { type: "button", id: "machine-save", click: () => calls.saved() }, "Save"),
         ),
       ),
+      this.name,
+      this.refused,
+      this.file,
+      this.toolFile,
       this.table(),
       html(
         "div",
@@ -62,18 +86,36 @@ export class MachineForm {
         this.field("tolerance", "Tolerance, mm", "limit-tolerance"),
         html("label", { for: "override" }, "Feed override"),
         html("div", { class: "scrub" }, this.override, this.overrideText),
+        html("label", { for: "tools" }, "Tools"),
+        html(
+          "div",
+          { class: "tool-table" },
+          this.tools,
+          html("button", { type: "button", id: "tools-open", click: () => this.toolFile.click() }, "Open"),
+        ),
       ),
       this.error,
     );
   }
 
-  show(limits: Limits, override: number): void {
+  /** Of this machine, with what was changed of it. */
+  show(machine: Limits, { machine: file, limits, tools, override }: Settings): void {
+    if (this.machine?.axes !== machine.axes) this.fill(machine.axes);
+    this.machine = machine;
+    this.refuse("");
+    this.name.textContent = file === "" ? "" : (/^\s*name\s*=\s*"([^"]*)"/m.exec(file)?.[1] ?? "A machine of a file");
     for (const axis of this.axes)
       for (const [name] of columns) this.put(`${name}-${axisLetters[axis]}`, limits[name][axis] ?? 0);
     this.put("tolerance", limits.tolerance);
+    this.tools.value = tools;
     this.override.value = String(override);
     this.told();
     this.complain("", "");
+  }
+
+  /** What is wrong with a file that was opened: the machine stays. */
+  refuse(message: string): void {
+    this.refused.textContent = message;
   }
 
   /** What the engine has against it. */
@@ -101,22 +143,48 @@ export class MachineForm {
           ...columns.map(([, title, unit]) => html("th", { scope: "col" }, title, html("br"), unit)),
         ),
       ),
-      html(
-        "tbody",
-        {},
-        ...this.axes.map((axis) =>
-          html(
-            "tr",
-            {},
-            html("th", { scope: "row" }, axisLetters[axis]),
-            ...columns.map(([name, title, unit]) => {
-              const key = `${name}-${axisLetters[axis]}`;
-              return html("td", {}, this.field(key, `${title} of ${axisLetters[axis]}, ${unit}`, `limit-${key}`));
-            }),
-          ),
-        ),
-      ),
+      this.rows,
     );
+  }
+
+  /** A row an axis. */
+  private fill(axes: number): void {
+    for (const axis of this.axes) for (const [name] of columns) this.fields.delete(`${name}-${axisLetters[axis]}`);
+    this.axes = [...axisLetters].map((_, i) => i).filter((i) => (axes >> i) & 1);
+    this.rows.replaceChildren(
+      ...this.axes.map((axis) => {
+        const letter = axisLetters[axis] ?? "";
+        const isRotary = "ABC".includes(letter);
+        return html(
+          "tr",
+          {},
+          html("th", { scope: "row" }, isRotary ? `${letter}, °` : letter),
+          ...columns.map(([name, title, unit]) => {
+            const key = `${name}-${letter}`;
+            const label = `${title} of ${letter}, ${isRotary ? unit.replace("mm", "°") : unit}`;
+            return html("td", {}, this.field(key, label, `limit-${key}`));
+          }),
+        );
+      }),
+    );
+  }
+
+  private fileInput(id: string, label: string, accept: string, taken: (text: string) => void): HTMLInputElement {
+    const input: HTMLInputElement = html("input", {
+      type: "file",
+      id,
+      class: "hidden",
+      tabindex: -1,
+      "aria-label": label,
+      accept,
+      change: () => {
+        const file = input.files?.[0];
+        if (file !== undefined && file.size <= largestFile) void file.text().then(taken);
+        else if (file !== undefined) this.refuse(`${file.name} is larger than 512 KiB`);
+        input.value = "";
+      },
+    });
+    return input;
   }
 
   private field(key: string, label: string, id: string): HTMLInputElement {
@@ -142,12 +210,14 @@ export class MachineForm {
   }
 
   private reset(): void {
-    this.show(this.machine, 100);
-    this.read();
+    this.override.value = "100";
+    this.told();
+    this.calls.opened("");
   }
 
   /** All of it, unless something is no number. */
   private read(): void {
+    if (this.machine === undefined) return;
     const limits: Limits = {
       ...this.machine,
       velocity: [...this.machine.velocity],

@@ -12,8 +12,8 @@ const rows = [
   { name: "jerk", unit: "mm/s³" },
 ] as const;
 const height = 132;
-/** Of X, Y, Z. */
-const axisColours = ["x", "y", "good"] as const;
+/** Of X, Y, Z, and of those that turn. */
+const axisColours = ["x", "y", "good", "warm", "quiet", "accent-strong"] as const;
 
 function short(value: number): string {
   return Math.abs(value) >= 10_000 ? `${value / 1000}k` : String(value);

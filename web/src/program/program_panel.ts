@@ -3,7 +3,7 @@
 import type { Diagnostic } from "../engine/motion_types";
 import { html } from "../ui/dom";
 import type { Editor } from "./editor";
-import { examples } from "./examples";
+import { exampleOf, examples, type Example } from "./examples";
 import type { Settings } from "./settings";
 
 const largestFile = 64 * 2 ** 20; // bytes
@@ -11,6 +11,7 @@ const mostListed = 100;
 
 export interface ProgramCalls {
   open(name: string, text: string): void;
+  example(example: Example): void;
   save(): void;
 }
 
@@ -59,7 +60,7 @@ export class ProgramPanel {
   }
 
   show(settings: Settings): void {
-    this.choice.value = examples.find(({ text }) => text === settings.text)?.name ?? "";
+    this.choice.value = exampleOf(settings.text)?.name ?? "";
     const own = this.choice.options[0];
     if (own !== undefined) own.textContent = this.choice.value === "" ? settings.name : "Own program";
   }
@@ -91,7 +92,7 @@ export class ProgramPanel {
 
   private choose(): void {
     const example = examples.find(({ name }) => name === this.choice.value);
-    if (example !== undefined) this.calls.open(`${example.name}.ngc`, example.text);
+    if (example !== undefined) this.calls.example(example);
   }
 
   private async take(file: File | undefined): Promise<void> {

@@ -1,7 +1,7 @@
 // What the reader has set, and the link that brings it back.
 
-import type { Limits } from "../engine/motion_types";
-import { examples } from "./examples";
+import { axisLetters, type Diagnostic, type Limits } from "../engine/motion_types";
+import { exampleOf, examples } from "./examples";
 
 export const colourings = ["speed", "acceleration", "jerk", "limit", "line"] as const;
 export type Colouring = (typeof colourings)[number];
@@ -10,7 +10,12 @@ export interface Settings {
   text: string;
   /** Of the file, or the example's. */
   name: string;
+  /** A machine file; empty for the built-in mill. */
+  machine: string;
+  /** Of the machine, where they were changed. */
   limits: Limits;
+  /** A tool table. */
+  tools: string;
   /** Of the feed, %. */
   override: number;
   colouring: Colouring;
@@ -20,10 +25,20 @@ export interface Settings {
 
 const longestLink = 8000; // characters; longer ones mail and chat programs cut off
 
-export function initial(limits: Limits): Settings {
-  const [first] = examples;
-  if (first === undefined) throw new Error("there are no examples");
-  return { text: first.text, name: `${first.name}.ngc`, limits, override: 100, colouring: "speed", time: 0 };
+/** Limits of a machine file, or what is wrong with it. */
+export type LimitsOf = (machine: string) => Promise<Limits | Diagnostic>;
+
+export function copied(limits: Limits): Limits {
+  return structuredClone(limits);
+}
+
+async function limitsOrMill(settings: Settings, limitsOf: LimitsOf): Promise<Limits> {
+  const limits = await limitsOf(settings.machine);
+  if (!("code" in limits)) return limits;
+  settings.machine = "";
+  const built = await limitsOf("");
+  if ("code" in built) throw new Error(built.message);
+  return built;
 }
 
 async function through(stream: CompressionStream | DecompressionStream, bytes: Uint8Array): Promise<Uint8Array> {
@@ -46,20 +61,31 @@ async function unpacked(text: string): Promise<string> {
 
 const limitNames = { velocity: "v", acceleration: "a", jerk: "j" } as const;
 
+async function putText(link: URLSearchParams, key: string, text: string): Promise<void> {
+  if (text.length === 0 || text.length >= 100_000) return;
+  const short = await packed(text);
+  if (short.length <= longestLink) link.set(key, short);
+}
+
+async function textOf(link: URLSearchParams, key: string, otherwise: string): Promise<string> {
+  try {
+    const text = link.get(key);
+    return text === null ? otherwise : await unpacked(text);
+  } catch {
+    return otherwise; // half a link
+  }
+}
+
 /** A text that no link can hold is left out. */
 export async function toLink(settings: Settings, machine: Limits): Promise<string> {
   const link = new URLSearchParams();
   link.set("program", "1");
-  const example = examples.find(({ text }) => text === settings.text);
-  if (example !== undefined) {
-    link.set("ex", example.name);
-  } else if (settings.text.length < 100_000) {
-    const text = await packed(settings.text);
-    if (text.length <= longestLink) {
-      link.set("z", text);
-      link.set("name", settings.name);
-    }
-  }
+  const example = exampleOf(settings.text);
+  if (example !== undefined) link.set("ex", example.name);
+  else await putText(link, "z", settings.text);
+  if (link.has("z")) link.set("name", settings.name);
+  if (settings.machine !== (example?.machine ?? "")) await putText(link, "m", settings.machine || " ");
+  if (settings.tools !== (example?.tools ?? "")) await putText(link, "tools", settings.tools || " ");
   for (const [name, short] of Object.entries(limitNames) as ["velocity" | "acceleration" | "jerk", string][])
     if (settings.limits[name].join() !== machine[name].join()) link.set(short, settings.limits[name].join("_"));
   if (settings.limits.tolerance !== machine.tolerance) link.set("tol", String(settings.limits.tolerance));
@@ -69,24 +95,25 @@ export async function toLink(settings: Settings, machine: Limits): Promise<strin
   return `#${link.toString()}`;
 }
 
-/** What a link lacks, or has wrong, is as it is without one. */
-export async function fromLink(hash: string, machine: Limits): Promise<Settings> {
+/** What a link lacks, or has wrong, is as it is without one; with the machine's own limits. */
+export async function fromLink(hash: string, limitsOf: LimitsOf): Promise<readonly [Settings, Limits]> {
   const link = new URLSearchParams(hash.replace(/^#/, ""));
-  const settings = initial({ ...machine });
-  const example = examples.find(({ name }) => name === link.get("ex"));
-  if (example !== undefined) {
-    settings.text = example.text;
-    settings.name = `${example.name}.ngc`;
-  }
-  const text = link.get("z");
-  if (text !== null) {
-    try {
-      settings.text = await unpacked(text);
-      settings.name = link.get("name") ?? "program.ngc";
-    } catch {
-      // half a link: the example, then
-    }
-  }
+  const [first] = examples;
+  const example = examples.find(({ name }) => name === link.get("ex")) ?? first;
+  if (example === undefined) throw new Error("there are no examples");
+  const settings: Settings = {
+    text: await textOf(link, "z", example.text),
+    name: `${example.name}.ngc`,
+    machine: (await textOf(link, "m", example.machine ?? "")).trim(),
+    limits: {} as Limits,
+    tools: (await textOf(link, "tools", example.tools ?? "")).trim(),
+    override: 100,
+    colouring: "speed",
+    time: 0,
+  };
+  if (settings.text !== example.text) settings.name = link.get("name") ?? "program.ngc";
+  const machine = await limitsOrMill(settings, limitsOf);
+  settings.limits = copied(machine);
   for (const [name, short] of Object.entries(limitNames) as ["velocity" | "acceleration" | "jerk", string][]) {
     const numbers = (link.get(short) ?? "").split("_").map(Number);
     if (numbers.length === machine[name].length && numbers.every((each, i) => each > 0 || machine[name][i] === 0))
@@ -100,7 +127,7 @@ export async function fromLink(hash: string, machine: Limits): Promise<Settings>
   if (colouring !== undefined) settings.colouring = colouring;
   const time = Number(link.get("t") ?? NaN);
   if (time >= 0) settings.time = time;
-  return settings;
+  return [settings, machine];
 }
 
 function isMachine(limits: Limits, machine: Limits): boolean {
@@ -110,12 +137,31 @@ function isMachine(limits: Limits, machine: Limits): boolean {
 /** That gives the same words. */
 export function commandOf(settings: Settings, machine: Limits): string {
   const name = /^[\w.-]+$/.test(settings.name) ? settings.name : `'${settings.name.replaceAll("'", "'\\''")}'`;
-  const file = isMachine(settings.limits, machine) ? "" : " --machine machine.toml";
-  return `leadscrew run ${name}${file} --trace words.csv`;
+  const isBuiltIn = settings.machine === "" && isMachine(settings.limits, machine);
+  const file = isBuiltIn ? "" : " --machine machine.toml";
+  const tools = settings.tools === "" ? "" : " --tools tools.tbl";
+  return `leadscrew run ${name}${file}${tools} --trace words.csv`;
 }
 
-/** The machine as a file of the command. */
-export function machineFile(limits: Limits): string {
+/** The machine as a file of the command: as it was opened, with the limits that were changed. */
+export function machineFile({ machine, limits }: Settings): string {
+  if (machine === "") return millFile(limits);
+  let axis = -1;
+  const lines = machine.split("\n").map((line) => {
+    const section = /^\s*\[\s*(?:axis\s*\.\s*([A-Z])\s*)?[^\]]*\]/.exec(line);
+    if (section !== null)
+      axis = section[1] === undefined || /\.[A-Z]\s*\./.test(line) ? -2 : axisLetters.indexOf(section[1]);
+    const [, key] = /^\s*(\w+)\s*=/.exec(line) ?? [];
+    const name = /^max_(velocity|acceleration|jerk)_/.exec(key ?? "")?.[1] as "velocity" | undefined;
+    const value =
+      axis === -1 && key === "tolerance_mm" ? limits.tolerance : name && axis >= 0 ? limits[name][axis] : undefined;
+    return value === undefined ? line : line.replace(/=\s*[-+.\w]+/, `= ${real(value)}`);
+  });
+  const hasTolerance = /^\s*tolerance_mm\s*=/m.test(machine);
+  return `${hasTolerance ? "" : `tolerance_mm = ${real(limits.tolerance)}\n`}${lines.join("\n")}\n`;
+}
+
+function millFile(limits: Limits): string {
   const lines = [
     'name = "mill3"',
     `tolerance_mm = ${real(limits.tolerance)}`,

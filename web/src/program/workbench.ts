@@ -8,6 +8,7 @@ import { download } from "../lesson/files";
 import { html } from "../ui/dom";
 import type { Mode } from "../ui/shell";
 import { Editor } from "./editor";
+import type { Example } from "./examples";
 import { FiguresPanel, LossTable } from "./figures";
 import { limitsOf } from "./live";
 import { LivePanel } from "./live_panel";
@@ -16,7 +17,7 @@ import { Playback } from "./playback";
 import { Plots } from "./plots";
 import { PathPanel } from "./path_panel";
 import { ProgramPanel } from "./program_panel";
-import { commandOf, fromLink, machineFile, toLink, type Settings } from "./settings";
+import { commandOf, copied, fromLink, machineFile, toLink, type Settings } from "./settings";
 import { Progress } from "./progress";
 
 const mostSamples = 1_000_000;
@@ -42,20 +43,21 @@ export class Workbench implements Mode {
   private readonly progress = new Progress(() => this.cancel());
   /** Where a machine is driven. */
   private readonly live = LivePanel.ofPage({
-    began: (machine, text) => this.showDriven(machine, text),
+    began: (machine, text) => void this.showDriven(machine, text),
     moved: (machine, sample) => this.follow(machine, sample),
   });
   private readonly command = html("code", { class: "command", id: "command", tabindex: 0, "aria-label": "Command" });
   private readonly commandNote = html("p", { class: "note" });
 
   static async open(planner: PlannerClient): Promise<Workbench> {
-    const machine = await planner.limits();
-    return new Workbench(planner, machine, await fromLink(location.hash, machine));
+    const [settings, machine] = await fromLink(location.hash, planner.limits);
+    return new Workbench(planner, machine, settings);
   }
 
   private constructor(
     private readonly planner: PlannerClient,
-    private readonly machine: Limits,
+    /** The machine of the settings, as it is without changes. */
+    private machine: Limits,
     private settings: Settings,
   ) {
     this.editor = new Editor(settings.text, {
@@ -65,11 +67,14 @@ export class Workbench implements Mode {
     });
     this.program = new ProgramPanel(this.editor, {
       open: (name, text) => this.openText(name, text),
+      example: (example) => void this.openExample(example),
       save: () => download(this.settings.name, this.settings.text, "text/plain"),
     });
-    this.machineForm = new MachineForm(machine, {
+    this.machineForm = new MachineForm({
       changed: (limits, override) => this.change({ limits, override }),
-      saved: () => download("machine.toml", machineFile(this.settings.limits), "application/toml"),
+      opened: (file) => void this.openMachine(file),
+      equipped: (tools) => this.change({ tools: tools.trim() }),
+      saved: () => download("machine.toml", machineFile(this.settings), "application/toml"),
     });
     this.path = new PathPanel({
       picked: (sample) => this.pick(sample),
@@ -156,6 +161,38 @@ export class Workbench implements Mode {
     if (this.plan !== undefined && !this.planner.isBusy) download(name, await this.planner.trace(), "text/csv");
   }
 
+  private async openExample({ name, text, machine, tools }: Example): Promise<void> {
+    const file = machine ?? "";
+    if (file !== this.settings.machine && !(await this.takeMachine(file))) return;
+    this.settings.tools = tools ?? "";
+    this.showSettings();
+    this.openText(`${name}.ngc`, text);
+  }
+
+  /** A machine file, or the built-in mill, as it is. */
+  private async openMachine(file: string): Promise<void> {
+    if (await this.takeMachine(file)) this.settings.override = 100;
+    await this.run();
+  }
+
+  /** False where the file is wrong, which is told. */
+  private async takeMachine(file: string): Promise<boolean> {
+    ++this.runs;
+    this.planner.cancel();
+    this.tell("planning");
+    const limits = await this.planner.limits(file);
+    if ("code" in limits) {
+      const place = limits.line > 0 ? `line ${limits.line}: ` : "";
+      this.machineForm.refuse(`${place}${limits.message}${limits.hint === "" ? "" : `: ${limits.hint}`}`);
+      return false;
+    }
+    this.machine = limits;
+    this.settings.machine = file;
+    this.settings.limits = copied(limits);
+    this.showSettings();
+    return true;
+  }
+
   private openText(name: string, text: string): void {
     this.settings.name = name;
     this.settings.text = text;
@@ -166,7 +203,8 @@ export class Workbench implements Mode {
   }
 
   /** The program that is driven is planned here too, by the limits of its machine, where the page knows its kind. */
-  private showDriven(machine: LiveMachine, text: string): void {
+  private async showDriven(machine: LiveMachine, text: string): Promise<void> {
+    if (!(await this.takeMachine(""))) return;
     const limits = limitsOf(machine, this.machine);
     if (text === "" || limits === undefined) return;
     this.settings.limits = limits;
@@ -193,7 +231,8 @@ export class Workbench implements Mode {
   }
 
   private async restore(): Promise<void> {
-    this.settings = await fromLink(location.hash, this.machine);
+    this.planner.cancel();
+    [this.settings, this.machine] = await fromLink(location.hash, this.planner.limits);
     this.isNewText = true;
     this.editor.set(this.settings.text);
     this.showSettings();
@@ -215,8 +254,8 @@ export class Workbench implements Mode {
     this.tell("planning");
     this.showCommand();
     this.keepLink();
-    const { text, limits, override } = this.settings;
-    const task = { text, limits, override: override / 100 };
+    const { text, machine, limits, tools, override } = this.settings;
+    const task = { text, machine, limits, tools, override: override / 100 };
     try {
       const checked = await this.planner.check(task);
       if (run !== this.runs) return;
@@ -279,7 +318,7 @@ export class Workbench implements Mode {
   }
 
   private showSettings(): void {
-    this.machineForm.show(this.settings.limits, this.settings.override);
+    this.machineForm.show(this.machine, this.settings);
     this.path.show(this.settings.colouring);
     this.program.show(this.settings);
     this.showCommand();
@@ -288,9 +327,10 @@ export class Workbench implements Mode {
   private showCommand(): void {
     this.program.show(this.settings);
     this.command.textContent = commandOf(this.settings, this.machine);
-    const hasMachine = this.command.textContent.includes("--machine");
+    const has = (option: string): boolean => this.command.textContent?.includes(option) === true;
     this.commandNote.textContent = [
-      hasMachine ? "machine.toml is what Save gives under Machine." : "",
+      has("--machine") ? "machine.toml is what Save gives under Machine." : "",
+      has("--tools") ? "tools.tbl is the table of tools there." : "",
       this.settings.override === 100 ? "" : "The command runs at a feed override of 100 %.",
     ]
       .join(" ")

@@ -1,0 +1,147 @@
+// Other machines and tools in the program's page: surfaces and five axes, beside the native command.
+
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { seriousFindings } from "./axe.mjs";
+import { native, openBrowser, root, serve } from "./browser.mjs";
+import { choose, downloaded, exampleText, figure, openProgram, planned, rowsOf, write } from "./program.mjs";
+
+const trunnion = readFileSync(join(root, "machines/table-table-ac.toml"), "utf8");
+const tools = readFileSync(join(root, "examples/tools.tbl"), "utf8");
+
+let server, browser, opened, folder;
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "leadscrew-web-"));
+  server = await serve();
+  browser = await openBrowser();
+  opened = await openProgram(browser, `${server.address}program.html`);
+  opened.page.setDefaultTimeout(200_000); // a surface takes its time
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** Words of the command, of the columns that the page has: it tells no poses. */
+function wordsOf(text, files, columns) {
+  const [program, trace] = [join(folder, "program.ngc"), join(folder, "words.csv")];
+  writeFileSync(program, text);
+  const more = Object.entries(files).flatMap(([option, content]) => {
+    const name = join(folder, option.slice(2));
+    writeFileSync(name, content);
+    return [option, name];
+  });
+  native(["run", program, "--quiet", "--trace", trace, ...more]);
+  const { columns: all, rows } = rowsOf(readFileSync(trace, "utf8"));
+  const wanted = columns.map((name) => all.indexOf(name));
+  return rows.map((row) => wanted.map((at) => row[at]));
+}
+
+// Lengths within a nanometre; angles as near at 50 mm from the axis; feeds, which are differences over a millisecond.
+const limits = { feed: 1e-7, A: 1e-7, C: 1e-7 };
+
+function assertSame(shown, expected) {
+  assert.equal(shown.rows.length, expected.length);
+  shown.rows.forEach((row, i) =>
+    row.forEach((value, k) => {
+      const name = shown.columns[k];
+      assert.ok(
+        Math.abs(value - expected[i][k]) <= (limits[name] ?? 1e-9),
+        `row ${i}, ${name}: ${value}, ${expected[i][k]}`,
+      );
+    }),
+  );
+}
+
+for (const [name, axes, files] of [
+  ["16-patch", "XYZ", { "--tools": tools }],
+  ["13-blade", "XYZAC", { "--machine": trunnion }],
+]) {
+  test(`${name} is planned: its words are the command's`, { timeout: 240_000 }, async () => {
+    const { page } = opened;
+    assert.equal(await choose(page, name), "ready");
+    const shown = rowsOf(await downloaded(page, "export-csv"));
+    assert.deepEqual(shown.columns.slice(4), [...axes]);
+    assertSame(shown, wordsOf(exampleText(name), files, shown.columns));
+    const command = await page.textContent("#command");
+    for (const option of ["--machine", "--tools"]) assert.equal(command.includes(option), option in files, command);
+    assert.deepEqual(await page.$$eval(".limits th[scope=row]", (all) => all.map((each) => each.textContent[0])), [
+      ...axes,
+    ]);
+  });
+}
+
+test("a machine file is opened, changed and saved", async () => {
+  const { page } = opened;
+  await choose(page, "04-square");
+  const file = join(folder, "trunnion.toml");
+  writeFileSync(file, trunnion);
+  const run = await page.getAttribute(".program", "data-run");
+  await page.setInputFiles("#machine-file", file);
+  await page.waitForFunction((before) => document.querySelector(".program").dataset.run !== before, run);
+  assert.equal(await planned(page), "ready");
+  assert.equal(await page.textContent("#machine-name"), "table-table-ac");
+  assert.equal(await page.inputValue("#limit-velocity-C"), "360");
+  await page.fill("#limit-velocity-X", "5");
+  await page.press("#limit-velocity-X", "Enter");
+  await page.fill("#limit-tolerance", "0.02");
+  await page.press("#limit-tolerance", "Enter");
+  assert.equal(await planned(page), "ready");
+  const saved = await downloaded(page, "machine-save");
+  assert.equal(
+    saved.trim(),
+    trunnion
+      .trim()
+      .replace("max_velocity_mm_s = 400", "max_velocity_mm_s = 5.0")
+      .replace("tolerance_mm = 0.01 ", "tolerance_mm = 0.02 ")
+      .replace("tolerance_mm = 0.01\n", "tolerance_mm = 0.02\n")
+      .replace(/^(max_\w+|tolerance_mm) = (\d+)$/gm, "$1 = $2.0"),
+  );
+  const shown = rowsOf(await downloaded(page, "export-csv"));
+  assertSame(shown, wordsOf(exampleText("04-square"), { "--machine": saved }, shown.columns));
+  assert.deepEqual(await seriousFindings(page), []);
+  const other = await openProgram(browser, page.url());
+  assert.equal(await figure(other.page, "Time"), await figure(page, "Time"));
+  assert.equal(await other.page.inputValue("#limit-velocity-X"), "5");
+  await other.close();
+});
+
+test("a machine file that is wrong is told, and the one before stays", async () => {
+  const { page } = opened;
+  const before = await page.textContent("#machine-name");
+  writeFileSync(join(folder, "wrong.toml"), trunnion.replace("max_velocity_mm_s = 400", "max_velocity_mm_s = -1"));
+  await page.setInputFiles("#machine-file", join(folder, "wrong.toml"));
+  await page.waitForFunction(() => /^line 16: /.test(document.querySelector("#machine-file-error").textContent));
+  assert.equal(await page.textContent("#machine-name"), before);
+  writeFileSync(join(folder, "none.toml"), "name = ");
+  await page.setInputFiles("#machine-file", join(folder, "none.toml"));
+  await page.waitForFunction(() => /^line 1: /.test(document.querySelector("#machine-file-error").textContent));
+  await page.click("#machine-reset");
+  await planned(page);
+  assert.equal(await page.textContent("#machine-name"), "");
+  assert.deepEqual(await page.$$eval(".limits th[scope=row]", (all) => all.map((each) => each.textContent)), [
+    "X",
+    "Y",
+    "Z",
+  ]);
+});
+
+test("a tool table is typed", async () => {
+  const { page } = opened;
+  const surface = "G21 G90 T1 M6\nG6.4 D1 P2 Q2 I2 J2\nX0 Y0 Z0\nX8\nX0 Y6\nX8\nG6.5 D1 H0.2 L1 Z2 F6000\nM2\n";
+  assert.equal(await write(page, surface), "unsound");
+  await page.fill("#tools", "T1 D10 R5");
+  await page.press("#tools", "Tab");
+  await page.waitForFunction(() => document.querySelector(".program").dataset.state === "ready");
+  const shown = rowsOf(await downloaded(page, "export-csv"));
+  assertSame(shown, wordsOf(surface, { "--tools": "T1 D10 R5\n" }, shown.columns));
+});
+
+test("nothing leaves the page, and nothing fails in it", () => {
+  assert.deepEqual(opened.strays, []);
+  assert.deepEqual(opened.failures, []);
+});
