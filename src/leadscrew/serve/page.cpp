@@ -41,7 +41,7 @@ tl::unexpected<base::Diagnostic> no_page(const std::string& where) {
 
 base::Result<Page> Page::read(const std::filesystem::path& folder) {
   Page page;
-  std::size_t bytes = 0;
+  std::int64_t bytes = 0;
   std::error_code error;
   auto entry = std::filesystem::recursive_directory_iterator(folder, error);
   if (error) return unreadable(folder, error);
@@ -51,7 +51,7 @@ base::Result<Page> Page::read(const std::filesystem::path& folder) {
     if (entry->symlink_status(error).type() != std::filesystem::file_type::regular) continue;
     auto text = files::read_whole(entry->path(), most_bytes - bytes);
     if (!text) return base::failure(text.error());
-    bytes += text->size();
+    bytes += static_cast<std::int64_t>(text->size());
     const std::string name = "/" + entry->path().lexically_relative(folder).generic_string();
     page.files_.insert_or_assign(name, PageFile{std::move(*text), type_of(entry->path())});
     if (page.files_.size() > most_files)
@@ -78,7 +78,7 @@ void Page::mark_live() {
 base::Result<std::filesystem::path> page_folder(const std::filesystem::path& command_folder) {
   std::error_code error;
   for (const char* beside : {LEADSCREW_INSTALLED_PAGE, LEADSCREW_BUILT_PAGE}) {
-    const auto folder = (command_folder / beside).lexically_normal();
+    auto folder = (command_folder / beside).lexically_normal();
     if (std::filesystem::is_regular_file(folder / "index.html", error)) return folder;
   }
   return no_page(fmt::format("there: neither {} nor {} has it",

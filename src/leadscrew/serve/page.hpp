@@ -2,6 +2,7 @@
 // The files of the workbench, read whole into memory before anything is served: no request reads a file. So no name,
 // however it is written, leads out of the folder, and no file that changes meanwhile is served by halves.
 
+#include <cstdint>
 #include <filesystem>
 #include <leadscrew/base/result.hpp>
 #include <map>
@@ -18,7 +19,8 @@ struct PageFile {
 
 class Page {
  public:
-  static constexpr std::size_t most_files = 1024, most_bytes = std::size_t{64} << 20;
+  static constexpr std::size_t most_files = 1024;
+  static constexpr std::int64_t most_bytes = 64 << 20;
 
   /// Every regular file below the folder, and no symbolic link. Errors: `io-open`, `io-read`, `input-too-large`,
   /// `io-no-page` where there is no index.html.
