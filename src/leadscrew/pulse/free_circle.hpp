@@ -85,4 +85,67 @@ class FreeCircle {
   Accumulation accumulation_;
 };
 
+/// The generator with magnitudes, for so many clocks and no counters: where it stands then shows what it drifts by.
+class FreeArc {
+ public:
+  static constexpr std::size_t axes = 2;
+
+  /// Of one coordinate: the remainder of its integrator.
+  struct Axis {
+    Integrator integrator;
+    std::int64_t at = 0;
+
+    /// The integrand has the pulse's sign.
+    constexpr std::int8_t step(std::int64_t integrand) {
+      if (!integrator.add(absolute(integrand))) return 0;
+      at += sign(integrand);
+      return sign(integrand);
+    }
+  };
+
+  /// From the arc's start on in its direction, clocks ≥ 0; of the options order, preload and the capacity, by default R.
+  /// Which coordinate shrinks is told anew in each quadrant; the remainders are loaded once.
+  constexpr FreeArc(const Arc& arc, std::int64_t clocks, CircularDdaOptions options)
+      : sense_(static_cast<std::int64_t>(arc.direction)), left_(clocks), options_(options) {
+    const std::int64_t radius = root(arc.squared_radius(), 0);
+    const std::int64_t capacity = options.capacity > 0 ? options.capacity : radius > 0 ? radius : 1;
+    const bool x_lags = absolute(arc.start.y) < absolute(arc.start.x);
+    x_ = {{capacity, preloaded(options.preload, capacity, x_lags)}, arc.start.x};
+    y_ = {{capacity, preloaded(options.preload, capacity, !x_lags)}, arc.start.y};
+  }
+
+  constexpr bool done() const { return left_ == 0; }
+
+  constexpr Pulse<2> step() {
+    if (done()) return {};
+    --left_;
+    const Point old = at();
+    if (x_comes_first()) {
+      const std::int8_t x = x_.step(of_x(old));
+      return {{x, y_.step(of_y(sees_new() ? at() : old))}};
+    }
+    const std::int8_t y = y_.step(of_y(old));
+    return {{x_.step(of_x(at())), y}};
+  }
+
+  constexpr Point at() const { return {x_.at, y_.at}; }
+  constexpr const Axis& x() const { return x_; }
+  constexpr const Axis& y() const { return y_; }
+  constexpr std::int64_t left() const { return left_; }  ///< clocks
+  /// Integrands at a place, with the signs of the pulses.
+  constexpr std::int64_t of_x(Point at) const { return -sense_ * at.y; }
+  constexpr std::int64_t of_y(Point at) const { return sense_ * at.x; }
+  constexpr bool sees_new() const { return options_.order != Order::parallel; }
+  constexpr bool x_comes_first() const {
+    if (!sees_new() || options_.order == Order::x_first) return true;
+    const bool x_shrinks = ((quadrant(at(), static_cast<Direction>(sense_)) & 1) == 0) == (sense_ > 0);
+    return (options_.order == Order::shrinking_first) == x_shrinks;
+  }
+
+ private:
+  Axis x_, y_;
+  std::int64_t sense_, left_;
+  CircularDdaOptions options_;
+};
+
 }  // namespace leadscrew::pulse

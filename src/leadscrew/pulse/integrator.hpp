@@ -38,6 +38,7 @@ enum class Preload : std::uint8_t {
   half,          ///< ⌊q/2⌋
   half_lagging,  ///< ⌊q/2⌋ in the axis whose integrand is the smaller one at the start, 0 in the other
   full,          ///< q − 1
+  minus_one,     ///< −1: those that begin empty and only overflow at r > q, as the papers' text has it
 };
 
 template <typename Register>
@@ -49,6 +50,8 @@ constexpr Register preloaded(Preload preload, Register capacity, bool is_lagging
       return static_cast<Register>(is_lagging ? capacity / 2 : 0);
     case Preload::full:
       return static_cast<Register>(capacity - 1);
+    case Preload::minus_one:
+      return static_cast<Register>(-1);
     case Preload::none:
       break;
   }
