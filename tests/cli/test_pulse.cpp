@@ -142,6 +142,45 @@ TEST(Pulse, DrawsALineOf4BitsIn16Clocks) {
   EXPECT_EQ(object["methods"][1]["end"], Json({-11, 7}));
 }
 
+/// By dda and koren where nothing is said: a quarter of 12 by 7, whose integrands are taken 12·7 times.
+TEST(Pulse, DrawsEllipses) {
+  const Folder folder;
+  const Words words = {"pulse", "--ellipse", "12,7", "--start", "-12,0", "--end", "0,7", "--cw", "--path", "--json"};
+  const Json object = leadscrew(folder, words).json();
+  EXPECT_EQ(object["shape"], "ellipse");
+  EXPECT_EQ(object["semi_axes"], Json({12, 7}));
+  ASSERT_EQ(object["methods"].size(), 2u);
+  for (const Json& method : object["methods"]) {
+    EXPECT_EQ(method["end"], Json({0, 7}));
+    EXPECT_EQ(method["options"]["capacity"], 12);
+    EXPECT_EQ(method["options"]["scale"], 84);
+    double worst = 0;  // of the places, by the distance from 10 000 points of the ellipse
+    for (const Json& place : method["path"]) {
+      double least = 1e9;
+      for (int i = 0; i <= 10'000; ++i) {
+        const double angle = std::acos(-1.0) * i / 20'000;
+        least = std::min(least, std::hypot(12 * std::cos(angle) + place[0].get<double>(),
+                                           7 * std::sin(angle) - place[1].get<double>()));
+      }
+      worst = std::max(worst, least);
+    }
+    EXPECT_NEAR(method["max_error_blu"].get<double>(), worst, 1e-5);
+  }
+}
+
+/// Koren's 10 001 BLU after half a period, by registers that are empty and by those that only overflow beyond q.
+TEST(Pulse, RunsFreelyForTheClocksOfTheAngle) {
+  const Folder folder;
+  for (const char* preload : {"zero", "minus-one"}) {
+    const Json method = leadscrew(folder, {"pulse", "--arc", "--start", "10000,0", "--end", "-10000,0", "--method",
+                                           "koren", "--free", "--preload", preload, "--json"})
+                            .json()["methods"][0];
+    EXPECT_EQ(method["clocks"], 31'415);
+    EXPECT_EQ(method["end"], Json({-10'001, 1}));
+    EXPECT_EQ(method["options"]["end_rule"], "clocks-of-the-angle");
+  }
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 TEST(PulseText, ShowsEveryRegisterOfAShortCurve) {
@@ -227,6 +266,17 @@ TEST(PulsePicture, ShowsACircleBeforeItsStartToo) {
   }
 }
 
+/// Of a whole ellipse the curve is as high as its axis, and steps lie on it.
+TEST(PulsePicture, HasTheEllipse) {
+  const Folder folder;
+  EXPECT_EQ(leadscrew(folder, {"pulse", "--ellipse", "16,8", "--start", "16,0", "--end", "16,0", "--quiet", "--method",
+                               "koren", "--svg", "made.svg"})
+                .status,
+            0);
+  const auto [top, bottom] = extent_of_curve(folder.read("made.svg"));
+  EXPECT_NEAR(bottom - top, 16 * 340 / 34.0, 1);  // a panel of 340 shows 34 BLU
+}
+
 /// However long the path, what is shown is around its worst place.
 TEST(PulsePicture, OfALargeCircleIsNoLarger) {
   const Folder folder;
@@ -249,8 +299,17 @@ struct Misuse {
 TEST(PulseUsage, ErrorsSayWhatWasMeantAndDoNothing) {
   const Folder folder;
   for (const auto& [arguments, said] : {
-           Misuse{{"pulse"}, "either --arc or --line"},
-           Misuse{{"pulse", "--arc", "--line", "--end", "1,1"}, "either --arc or --line"},
+           Misuse{{"pulse"}, "one of --arc, --line and --ellipse"},
+           Misuse{{"pulse", "--arc", "--line", "--end", "1,1"}, "one of --arc, --line and --ellipse"},
+           Misuse{{"pulse", "--arc", "--ellipse", "5,3", "--end", "1,1"}, "one of --arc, --line and --ellipse"},
+           Misuse{{"pulse", "--ellipse", "5", "--end", "1,1"}, "--ellipse 5: needs two numbers"},
+           Misuse{{"pulse", "--ellipse", "5,3", "--end", "1,1"}, "--start is missing"},
+           Misuse{{"pulse", "--ellipse", "5,3", "--start", "5,0", "--end", "0,3", "--free"},
+                  "--free is for arcs of circles by dda and koren"},
+           Misuse{{"pulse", "--ellipse", "5,3", "--start", "5,0", "--end", "0,3", "--tie", "inward"},
+                  "--tie is for arcs of circles by point-comparison"},
+           Misuse{{"pulse", "--line", "--end", "5,3", "--free"}, "--free is for arcs by dda and koren"},
+           Misuse{quarter({"--method", "min-error", "--free"}), "--free is for arcs by dda and koren"},
            Misuse{{"pulse", "--arc", "--start", "5,0"}, "--end is missing"},
            Misuse{{"pulse", "--arc", "--end", "5,0"}, "--start is missing"},
            Misuse{{"pulse", "--line"}, "--end is missing"},
@@ -309,6 +368,16 @@ TEST(PulseRejection, NamesTheRegisterOrTheValue) {
   for (const auto& [arguments, said] : {
            Misuse{{"pulse", "--arc", "--start", "5,0", "--end", "0,4"}, "[end-off-circle]"},
            Misuse{{"pulse", "--arc", "--start", "2,2", "--end", "2,5", "--center", "2,2"}, "[zero-radius]"},
+           Misuse{{"pulse", "--ellipse", "0,3", "--start", "5,0", "--end", "0,3"}, "[zero-radius]"},
+           Misuse{{"pulse", "--ellipse", "5,3", "--start", "5,0", "--end", "4,3"}, "[off-ellipse]"},
+           Misuse{{"pulse", "--ellipse", "9,3", "--start", "9,0", "--end", "0,3", "--bits", "3"},
+                  "4 bits would hold it"},
+           Misuse{{"pulse", "--ellipse", "9,3", "--start", "9,0", "--end", "0,3", "--capacity", "8"},
+                  "a capacity of 9 would do"},
+           Misuse{{"pulse", "--ellipse", "1000000000,999999999", "--start", "1000000000,0", "--end", "1000000000,0"},
+                  "more than registers hold"},
+           Misuse{{"pulse", "--ellipse", "9,3", "--start", "9,0", "--end", "0,3", "--method", "koren,bresenham"},
+                  "[no-ellipse]"},
            Misuse{{"pulse", "--line", "--start", "3,4", "--end", "3,4"}, "[no-way]"},
            Misuse{{"pulse", "--line", "--end", "256,1", "--bits", "8"}, "register Jx of 8 bits holds no more than 255"},
            Misuse{quarter({"--bits", "2"}), "register x of 2 bits holds no more than 3"},

@@ -113,6 +113,32 @@ TEST(PulseReason, AddsUpToTheStepsThatFollow) {
   EXPECT_GT(seen.drained, 0);
 }
 
+/// Of ellipses and of arcs that run freely as well.
+TEST(PulseReason, AddsUpOnEllipsesAndFreeArcs) {
+  Seen seen;
+  for (const Direction direction : {Direction::clockwise, Direction::counterclockwise}) {
+    for (const pulse::Order order : all_orders) {
+      for (const pulse::Preload preload : all_preloads) {
+        for (const pulse::SemiAxes axes : {pulse::SemiAxes{12, 7}, {5, 20}, {9, 1}}) {
+          const PulseCurve ellipse{arc, {axes.x, 0}, {axes.x, 0}, {}, direction, axes};
+          expect_sums(ellipse, {.preload = preload, .tie = {}, .order = order}, seen);
+        }
+        const PulseCurve circle{arc, {3, 25}, {3, 25}, {}, direction};
+        expect_sums(circle, {.preload = preload, .tie = {}, .order = order, .free = true}, seen);
+      }
+    }
+  }
+  EXPECT_GT(seen.clocks, 10000);
+  EXPECT_GT(seen.drained, 0);
+}
+
+TEST(PulseReason, SaysWhatAnEllipseAdds) {
+  const PulseCurve ellipse{arc, {12, 0}, {0, 7}, {}, Direction::counterclockwise, pulse::SemiAxes{12, 7}};
+  EXPECT_EQ(told(PulseMethod::koren, ellipse, 1),
+            "Jx 0 + rx 504 = 504 < 1008: no overflow, rx 504\n"
+            "Jy 588 + ry 504 = 1092 ≥ 1008: overflow, Y +1, ry 84");
+}
+
 /// No sentence claims a least error that was not taken, or leaves a clock without one.
 TEST(PulseReason, HasASentenceForEveryClock) {
   for (const PulseMethod method : all_pulse_methods) {

@@ -1,5 +1,5 @@
 #pragma once
-// `leadscrew pulse`: one line or arc by interpolators of reference pulses, clock by clock.
+// `leadscrew pulse`: one line or arc, of a circle or an ellipse, by interpolators of reference pulses, clock by clock.
 
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/options.hpp>

@@ -22,7 +22,7 @@ constexpr const char* pulse_examples =
     "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
     "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
     "  leadscrew pulse --line --end 11,-7 --method dda,bresenham --bits 4 --table\n"
-    "  leadscrew pulse --line --end 300,40 --method koren --preload zero --path --json\n"
+    "  leadscrew pulse --ellipse 12,7 --start 12,0 --end 0,-7 --cw --table\n"
     "\n"
     "Integers are BLU. A full circle ends where it starts. Each method's conventions are by default those with which "
     "it\n"
@@ -38,6 +38,7 @@ constexpr const char* pulse_examples =
 /// As they are given; the curve is made of them at the end.
 struct GivenCurve {
   bool arc = false, line = false, clockwise = false, counterclockwise = false;
+  pulse::Point semi_axes;
 };
 
 /// Of more than 64 bits: the nearest in them.
@@ -97,27 +98,21 @@ Parsed<std::vector<PulseMethod>> parse_methods(std::string_view text) {
   }
 }
 
-Parsed<int> parse_bits(std::string_view text) {
-  int bits = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bits);
-  if (error != std::errc() || end != text.data() + text.size() || bits < 1 || bits > nc::most_pulse_bits)
-    return wrong("is not a whole number from 1 to {}", nc::most_pulse_bits);
-  return bits;
-}
-
-Parsed<std::int64_t> parse_capacity(std::string_view text) {
-  const auto capacity = parse_coordinate(text);
-  if (!capacity || *capacity < 1 || *capacity > pulse::greatest_coordinate)
-    return wrong("is not a whole number from 1 to {}", pulse::greatest_coordinate);
-  return *capacity;
+template <class Number, Number most>
+Parsed<Number> parse_count(std::string_view text) {
+  const auto count = parse_coordinate(text);
+  if (!count || *count < 1 || *count > most) return wrong("is not a whole number from 1 to {}", most);
+  return static_cast<Number>(*count);
 }
 
 Parsed<void> check_curve(const Command& command, const GivenCurve& given) {
-  if (given.arc == given.line) return wrong("needs either --arc or --line");
+  const bool is_arc = given.arc || command.given("--ellipse");
+  if (given.arc + given.line + command.given("--ellipse") != 1)
+    return wrong("needs one of --arc, --line and --ellipse");
   if (given.clockwise && given.counterclockwise) return wrong("--cw and --ccw: an arc goes one way");
   if (!command.given("--end"))
-    return wrong("--end is missing: where the {} ends, such as 0,5", given.arc ? "arc" : "line");
-  if (given.arc && !command.given("--start")) return wrong("--start is missing: where the arc starts, such as 5,0");
+    return wrong("--end is missing: where the {} ends, such as 0,5", is_arc ? "arc" : "line");
+  if (is_arc && !command.given("--start")) return wrong("--start is missing: where the arc starts, such as 5,0");
   const std::string_view of_arcs = command.first_given({"--center", "--cw", "--ccw"});
   if (given.line && !of_arcs.empty()) return wrong("{} is for arcs", of_arcs);
   return {};
@@ -136,14 +131,19 @@ std::string names_of(const Has& has) {
 
 /// An option that none of the methods has would be ignored.
 Parsed<void> check_use(const PulseArguments& arguments) {
-  const bool is_arc = arguments.curve.is_arc();
+  const bool is_arc = arguments.curve.is_arc(), is_ellipse = arguments.curve.is_ellipse();
   const auto check = [&](std::string_view option, bool is_given, bool nc::MethodUses::* use) -> Parsed<void> {
     const auto has = [&](PulseMethod method) { return nc::uses_of(method).*use; };
-    const bool is_of_arcs = use == &nc::MethodUses::order || use == &nc::MethodUses::tie;
-    const bool is_used =
-        std::any_of(arguments.methods.begin(), arguments.methods.end(), has) && (is_arc || !is_of_arcs);
+    const bool is_of_circles = use == &nc::MethodUses::tie || use == &nc::MethodUses::free;
+    const bool is_of_arcs = is_of_circles || use == &nc::MethodUses::order;
+    const bool is_used = std::any_of(arguments.methods.begin(), arguments.methods.end(), has) &&
+                         (is_arc || !is_of_arcs) && !(is_ellipse && is_of_circles);
     if (!is_given || is_used) return {};
-    return wrong("{} is for {}{}", option, is_of_arcs ? "arcs by " : "", names_of(has));
+    return wrong("{} is for {}{}", option,
+                 is_ellipse   ? "arcs of circles by "
+                 : is_of_arcs ? "arcs by "
+                              : "",
+                 names_of(has));
   };
   const nc::MethodOptions& options = arguments.options;
   if (options.bits && options.capacity)
@@ -151,6 +151,7 @@ Parsed<void> check_use(const PulseArguments& arguments) {
   return check("--preload", options.preload.has_value(), &nc::MethodUses::preload)
       .and_then([&] { return check("--capacity", options.capacity.has_value(), &nc::MethodUses::capacity); })
       .and_then([&] { return check("--order", options.order.has_value(), &nc::MethodUses::order); })
+      .and_then([&] { return check("--free", options.free, &nc::MethodUses::free); })
       .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); });
 }
 
@@ -164,6 +165,8 @@ Parsed<void> check_outputs(const PulseArguments& pulse, bool json) {
 void add_curve(Command& command, PulseArguments& pulse, GivenCurve& given) {
   command.flag("--arc", "An arc", given.arc);
   command.flag("--line", "A straight line", given.line);
+  command.value("--ellipse", "A,B", "An arc of the ellipse with these semi-axes along X and Y", given.semi_axes,
+                [&pulse](std::string_view text) { return parse_point("semi-axes", text, pulse.overflows); });
   const auto add_point = [&](const char* option, const char* what, const char* of, pulse::Point& point) {
     command.value(option, "X,Y", what, point,
                   [of, &pulse](std::string_view text) { return parse_point(of, text, pulse.overflows); });
@@ -179,15 +182,17 @@ void add_methods(Command& command, PulseArguments& pulse) {
   nc::MethodOptions& options = pulse.options;
   command.value("--method", "LIST", "Some of " + names_of_pulse_methods() + " (default: all)", pulse.methods,
                 parse_methods, {.words = pulse_method_names(), .is_list = true});
-  command.value("--bits", "N", "Width of the registers; the capacity of dda is then 2^N", options.bits, parse_bits);
+  command.value("--bits", "N", "Width of the registers; the capacity of dda is then 2^N", options.bits,
+                parse_count<int, nc::most_pulse_bits>);
   command.value("--capacity", "N", "At which dda and koren overflow, fixed (default: by the curve, as --json says)",
-                options.capacity, parse_capacity);
-  command.choice("--preload", "LOAD", "Of the remainders: zero, half, half-lagging or full", options.preload,
+                options.capacity, parse_count<std::int64_t, pulse::greatest_coordinate>);
+  command.choice("--preload", "LOAD", "Of the remainders: zero, half, half-lagging, full or minus-one", options.preload,
                  named(nc::all_preloads));
   command.choice("--tie", "WAY", "Where point comparison goes on the circle: outward or inward", options.tie,
                  named(nc::all_ties));
   command.choice("--order", "ORDER", "Of the integrators of arcs: parallel, x-first, shrinking-first or growing-first",
                  options.order, named(nc::all_orders));
+  command.flag("--free", "Arcs by dda and koren without counters: as many clocks as the angle takes", options.free);
 }
 
 }  // namespace
@@ -226,7 +231,10 @@ void describe_pulse(Command& command, Arguments& arguments) {
   command.check([&command, &arguments, given]() -> Parsed<void> {
     using Shape = nc::PulseCurve::Shape;
     nc::PulseCurve& curve = arguments.pulse.curve;
-    curve.shape = given->arc ? Shape::arc : Shape::line;
+    curve.shape = given->line ? Shape::line : Shape::arc;
+    if (command.given("--ellipse")) curve.semi_axes = {given->semi_axes.x, given->semi_axes.y};
+    if (curve.is_ellipse() && !command.given("--method"))
+      std::erase_if(arguments.pulse.methods, [](PulseMethod method) { return !nc::uses_of(method).ellipse; });
     curve.direction = given->clockwise ? pulse::Direction::clockwise : pulse::Direction::counterclockwise;
     return check_curve(command, *given)
         .and_then([&] { return check_outputs(arguments.pulse, arguments.json); })

@@ -13,6 +13,7 @@
 //   Curves, load()                the interpolators of one curve alone, and the one of a curve
 //   conventions()                 what is in force for a curve (PulseConventions)
 //   takes_preload, _capacity, _order, _tie   which options it has; order and tie are of arcs
+//   takes_ellipse, takes_free     draws it ellipses, arcs without counters?
 //   bits_hold_capacity            must the registers asked for hold the capacity of the curve?
 //   candidates                    which values it compares at a clock, to be shown
 //   paper_names()                 its registers' names in the paper
@@ -24,6 +25,7 @@
 #include <leadscrew/nc/pulse_method.hpp>
 #include <leadscrew/nc/registers.hpp>
 #include <leadscrew/nc/type_list.hpp>
+#include <leadscrew/pulse/free_circle.hpp>
 #include <leadscrew/pulse/linear.hpp>
 
 namespace leadscrew::nc {
@@ -41,6 +43,21 @@ inline void add_registers(Registers& registers, const pulse::CircularDda& state)
   registers.add("nx", state.left_x());
   registers.add("ny", state.left_y());
   registers.add("q", state.x().capacity());
+}
+
+inline void add_registers(Registers& registers, const pulse::EllipticDda& state) {
+  registers.add("rx", state.x().integrator.remainder());
+  registers.add("ry", state.y().integrator.remainder());
+  registers.add("nx", state.x().left);
+  registers.add("ny", state.y().left);
+  registers.add("q", state.x().integrator.capacity());
+}
+
+inline void add_registers(Registers& registers, const pulse::FreeArc& state) {
+  registers.add("rx", state.x().integrator.remainder());
+  registers.add("ry", state.y().integrator.remainder());
+  registers.add("n", state.left());
+  registers.add("q", state.x().integrator.capacity());
 }
 
 inline void add_registers(Registers& registers, const pulse::LinearDda<2>& state) {
@@ -91,7 +108,7 @@ inline constexpr std::array<PaperName, 6> names_of_koren_arcs = {
 /// What all rows say that do not say otherwise.
 struct MethodDefaults {
   static constexpr bool takes_preload = false, takes_capacity = false, takes_order = false, takes_tie = false,
-                        bits_hold_capacity = false;
+                        takes_ellipse = false, takes_free = false, bits_hold_capacity = false;
   static constexpr Candidates candidates = Candidates::none;
   static constexpr std::string_view in_programs = {};
   static std::span<const PaperName> paper_names(PulseCurve::Shape) { return names_of_fpga; }
@@ -127,16 +144,20 @@ struct BySearch : MethodDefaults {
 /// Arcs and lines by integrators.
 struct ByIntegrators : MethodDefaults {
   static constexpr CommandRate rate = CommandRate::path_length;
-  static constexpr bool takes_preload = true, takes_capacity = true, takes_order = true;
+  static constexpr bool takes_preload = true, takes_capacity = true, takes_order = true, takes_ellipse = true,
+                        takes_free = true;
   using Circle = ProgramCircle;
-  using Curves = TypeList<pulse::CircularDda, pulse::LinearDda<2>>;
+  using Curves = TypeList<pulse::CircularDda, pulse::EllipticDda, pulse::FreeArc, pulse::LinearDda<2>>;
   template <typename State>
-  static State load(const PulseCurve& curve, const PulseConventions& in_force, const MethodOptions&) {
+  static State load(const PulseCurve& curve, const PulseConventions& in_force, const MethodOptions& asked) {
     const pulse::Preload preload = in_force.preload.value_or(pulse::Preload::none);
-    if (curve.is_arc())
-      return pulse::CircularDda(curve.arc(), {.order = in_force.order.value_or(pulse::Order::parallel),
-                                              .preload = preload,
-                                              .capacity = static_cast<std::int32_t>(*in_force.capacity)});
+    const pulse::CircularDdaOptions options{.order = in_force.order.value_or(pulse::Order::parallel),
+                                            .preload = preload,
+                                            .capacity = static_cast<std::int32_t>(*in_force.capacity)};
+    if (curve.is_ellipse()) return pulse::EllipticDda(curve.arc(), *curve.semi_axes, options);
+    if (curve.is_arc() && asked.free)
+      return pulse::FreeArc(curve.arc(), free_clocks(curve, *in_force.capacity), options);
+    if (curve.is_arc()) return pulse::CircularDda(curve.arc(), options);
     const pulse::Point delta = curve.delta();
     return pulse::LinearDda<2>({delta.x, delta.y}, *in_force.capacity, preload);
   }

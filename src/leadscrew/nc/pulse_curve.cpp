@@ -2,8 +2,10 @@
 #include <bit>
 #include <cmath>
 #include <leadscrew/base/number_text.hpp>
+#include <leadscrew/nc/ellipse_distance.hpp>
 #include <leadscrew/nc/pulse_curve.hpp>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace leadscrew::nc {
@@ -65,6 +67,37 @@ void check_line(Problems& problems, const PulseCurve& curve, std::optional<int> 
   }
   check_register(problems, {"Jx", delta.x, "the distance along x"}, bits, {.axis = base::Axis::X, .field = "end"});
   check_register(problems, {"Jy", delta.y, "the distance along y"}, bits, {.axis = base::Axis::Y, .field = "end"});
+}
+
+EllipseFoot foot_on(pulse::SemiAxes axes, Point at) {
+  return foot_on_ellipse(static_cast<double>(axes.x), static_cast<double>(axes.y), static_cast<double>(at.x),
+                         static_cast<double>(at.y));
+}
+
+void check_beside(Problems& problems, pulse::SemiAxes axes, std::string_view field, Point given, Point from_center) {
+  const double off = std::abs(foot_on(axes, from_center).distance);
+  if (off <= 0.5 && from_center != Point{}) return;
+  add(problems, "off-ellipse",
+      "the " + std::string(field) + " " + point_text(given) + " is " + base::fixed_text(off, 3) +
+          " BLU off the ellipse with the semi-axes " + point_text({axes.x, axes.y}),
+      "start and end may be off it by half a BLU at most; its own ends are always on it", {.field = field});
+}
+
+void check_ellipse(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
+  const pulse::SemiAxes axes = *curve.semi_axes;
+  for (const auto& [name, length, axis] :
+       {std::tuple("x", axes.x, base::Axis::X), std::tuple("y", axes.y, base::Axis::Y)}) {
+    const base::Subject subject{.axis = axis, .field = "semi_axes"};
+    const std::string meaning = std::string("the semi-axis along ") + name;
+    if (length > 0) {
+      check_register(problems, {name, length, meaning}, bits, subject);
+    } else {
+      add(problems, "zero-radius", meaning + " is " + std::to_string(length), "a semi-axis is more than 0", subject);
+    }
+  }
+  if (!problems.empty()) return;
+  check_beside(problems, axes, "start", curve.start, from(curve.center, curve.start));
+  check_beside(problems, axes, "end", curve.end, from(curve.center, curve.end));
 }
 
 void check_arc(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
@@ -130,7 +163,9 @@ Problems problems_of(const PulseCurve& curve, std::optional<int> bits) {
   Problems problems;
   check_given(problems, curve);
   if (!problems.empty()) return problems;
-  if (curve.is_arc()) {
+  if (curve.is_ellipse()) {
+    check_ellipse(problems, curve, bits);
+  } else if (curve.is_arc()) {
     check_arc(problems, curve, bits);
   } else {
     check_line(problems, curve, bits);
@@ -147,6 +182,7 @@ PulseError::PulseError(const PulseCurve& curve)
 double PulseError::operator()(Point place) const {
   const Point at = from(curve_.origin(), place);
   if (!curve_.is_arc()) return static_cast<double>(delta_.x * at.y - delta_.y * at.x) / root_;
+  if (curve_.is_ellipse()) return foot_on(*curve_.semi_axes, at).distance;
   // F = ρ² − R² is exact: F/(ρ + R) has no difference of nearly equal roots.
   const std::int64_t square = at.x * at.x + at.y * at.y;
   return static_cast<double>(square - square_) / (std::sqrt(static_cast<double>(square)) + root_);

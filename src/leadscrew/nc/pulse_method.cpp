@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <leadscrew/nc/lattice_arc.hpp>
 #include <leadscrew/nc/method_traits.hpp>
 
 namespace leadscrew::nc {
@@ -20,8 +21,16 @@ int bits_for(pulse::Point delta) {
   return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(longer_of(delta))));
 }
 
-std::int64_t radius_of(const pulse::Arc& arc) {
-  return std::max<std::int64_t>(1, pulse::root(arc.squared_radius(), 0));
+/// The least capacity of an arc: its radius, rounded, or the longer semi-axis.
+std::int64_t radius_of(const PulseCurve& curve) {
+  if (curve.is_ellipse()) return curve.semi_axes->longer();
+  return std::max<std::int64_t>(1, pulse::root(curve.arc().squared_radius(), 0));
+}
+
+/// What of an arc or a line decides on the capacity.
+std::string_view longest_of(const PulseCurve& curve, std::string_view of_a_line) {
+  if (!curve.is_arc()) return of_a_line;
+  return curve.is_ellipse() ? "the longer semi-axis" : "the radius, rounded,";
 }
 
 PulseConventions of_options(const MethodOptions& options) {
@@ -31,19 +40,34 @@ PulseConventions of_options(const MethodOptions& options) {
 PulseConventions by_integrators(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force = of_options(options);
   in_force.end = curve.is_arc() ? "counters-by-quadrant-drained" : "counters";
+  if (curve.is_ellipse()) {
+    in_force.scale = curve.semi_axes->scale();
+  } else if (curve.is_arc() && options.free) {
+    in_force.end = "clocks-of-the-angle";
+  }
   in_force.capacity = options.capacity;
   return in_force;
 }
 
 /// An integrator that adds more than its capacity at a clock would have to overflow twice.
 std::optional<base::Diagnostic> capacity_below_integrands(const PulseCurve& curve, std::int64_t capacity) {
-  const std::int64_t greatest = curve.is_arc() ? radius_of(curve.arc()) : longer_of(curve.delta());
+  const std::int64_t greatest = curve.is_arc() ? radius_of(curve) : longer_of(curve.delta());
   if (greatest <= capacity) return std::nullopt;
-  const std::string_view what = curve.is_arc() ? "the radius, rounded," : "the longer distance along an axis";
+  const std::string_view what = longest_of(curve, "the longer distance along an axis");
   return base::problem("register-overflow",
                        std::string(what) + " is " + std::to_string(greatest) + ": integrators of capacity " +
                            std::to_string(capacity) + " take no more than that",
                        "a capacity of " + std::to_string(greatest) + " would do", {.field = "capacity"});
+}
+
+/// Integrands of an ellipse and their capacity are taken so many times that they are whole.
+std::optional<base::Diagnostic> scaled_capacity_problem(const PulseCurve& curve, std::int64_t capacity) {
+  const std::int64_t scale = curve.semi_axes->scale();
+  if (scale <= pulse::greatest_scaled_capacity / capacity) return std::nullopt;
+  return base::problem("register-overflow",
+                       "the capacity " + std::to_string(capacity) + ", taken " + std::to_string(scale) +
+                           " times so that integrands are whole, is more than registers hold, 2^61",
+                       "semi-axes in the ratio of small whole numbers, or shorter ones", {.field = "semi_axes"});
 }
 
 }  // namespace
@@ -60,9 +84,8 @@ PulseConventions by_search(const PulseCurve& curve, const MethodOptions& options
 PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force = by_integrators(curve, options);
   if (curve.is_arc()) {
-    if (!in_force.capacity)
-      in_force.capacity = options.bits ? std::int64_t{1} << *options.bits : radius_of(curve.arc());
-    in_force.preload = options.preload.value_or(Preload::half_lagging);
+    if (!in_force.capacity) in_force.capacity = options.bits ? std::int64_t{1} << *options.bits : radius_of(curve);
+    in_force.preload = options.preload.value_or(options.free ? Preload::none : Preload::half_lagging);
     in_force.order = options.order.value_or(Order::parallel);
     return in_force;
   }
@@ -78,9 +101,9 @@ PulseConventions of_hardware(const PulseCurve& curve, const MethodOptions& optio
 /// remainders bring the error of circles from 1.47 to .97 BLU and that of lines from 1 to .71.
 PulseConventions of_software(const PulseCurve& curve, const MethodOptions& options) {
   PulseConventions in_force = by_integrators(curve, options);
-  in_force.preload = options.preload.value_or(Preload::half);
+  in_force.preload = options.preload.value_or(options.free ? Preload::none : Preload::half);
   if (curve.is_arc()) {
-    if (!in_force.capacity) in_force.capacity = radius_of(curve.arc());
+    if (!in_force.capacity) in_force.capacity = radius_of(curve);
     in_force.order = options.order.value_or(Order::x_first);
     return in_force;
   }
@@ -90,7 +113,7 @@ PulseConventions of_software(const PulseCurve& curve, const MethodOptions& optio
 }
 
 std::optional<double> clocks_per_blu(PulseMethod method, const PulseCurve& curve, const PulseConventions& in_force) {
-  if (rate_of(method) != CommandRate::path_length || !in_force.capacity) return std::nullopt;
+  if (rate_of(method) != CommandRate::path_length || !in_force.capacity || curve.is_ellipse()) return std::nullopt;
   const pulse::Point delta = curve.delta();
   const double length = std::sqrt(static_cast<double>(delta.x * delta.x + delta.y * delta.y));
   return static_cast<double>(*in_force.capacity) / (curve.is_arc() ? curve.radius() : length);
@@ -106,7 +129,8 @@ CommandRate rate_of(PulseMethod method) {
 
 MethodUses uses_of(PulseMethod method) {
   return with_row(method, [](auto row) {
-    return MethodUses{row.takes_preload, row.takes_capacity, row.takes_order, row.takes_tie};
+    return MethodUses{row.takes_preload, row.takes_capacity, row.takes_order,
+                      row.takes_tie,     row.takes_ellipse,  row.takes_free};
   });
 }
 
@@ -115,7 +139,7 @@ std::string_view conventions_in_programs(PulseMethod method) {
 }
 
 std::string_view name(Preload preload) {
-  constexpr std::array<std::string_view, 4> names = {"zero", "half", "half-lagging", "full"};
+  constexpr std::array<std::string_view, 5> names = {"zero", "half", "half-lagging", "full", "minus-one"};
   return names[static_cast<std::size_t>(preload)];
 }
 
@@ -132,14 +156,24 @@ PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, con
   return with_row(method, [&](auto row) { return row.conventions(curve, options); });
 }
 
+std::int64_t free_clocks(const PulseCurve& curve, std::int64_t capacity) {
+  return static_cast<std::int64_t>(sweep(curve.arc()) * static_cast<double>(capacity));
+}
+
 std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
                                                  const MethodOptions& options) {
+  if (curve.is_ellipse()) {
+    if (!uses_of(method).ellipse)
+      return base::problem("no-ellipse", std::string(name(method)) + " draws lines and arcs of circles",
+                           "ellipses are for dda and koren", {.field = "method"});
+    const auto problem = scaled_capacity_problem(curve, *conventions_of(method, curve, options).capacity);
+    if (problem) return problem;
+  }
   if (options.capacity && uses_of(method).capacity) return capacity_below_integrands(curve, *options.capacity);
   const bool bits_hold_capacity = with_row(method, [](auto row) { return row.bits_hold_capacity; });
   if (!bits_hold_capacity || !options.bits) return std::nullopt;
   const std::int64_t capacity = *conventions_of(method, curve, options).capacity;
-  auto problem =
-      overflow_of({"q", capacity, curve.is_arc() ? "the radius, rounded," : "the length, rounded up,"}, options.bits);
+  auto problem = overflow_of({"q", capacity, std::string(longest_of(curve, "the length, rounded up,"))}, options.bits);
   if (problem) problem->subject.field = "bits";
   return problem;
 }

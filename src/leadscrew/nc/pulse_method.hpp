@@ -10,6 +10,9 @@
 //   bresenham           as min-error                            the longer axis at each clock
 //   koren               software: capacity R, x before y        software: capacity ⌈L⌉
 //
+// Ellipses are for dda and koren, as arcs: capacity the longer semi-axis. So is an arc of a circle that runs freely:
+// the circle generator without counters, for the clocks that its angle takes.
+//
 // On a line the nearest of three steps is one of the two that Bresenham's middle decides between; on a circle
 // Bresenham's (1977) compares the same three |F| that the method of least error does, and no two are ever equal.
 
@@ -29,7 +32,7 @@ inline constexpr std::array all_pulse_methods = {PulseMethod::point_comparison, 
                                                  PulseMethod::min_error,        PulseMethod::improved_min_error,
                                                  PulseMethod::bresenham,        PulseMethod::koren};
 inline constexpr std::array all_preloads = {pulse::Preload::none, pulse::Preload::half, pulse::Preload::half_lagging,
-                                            pulse::Preload::full};
+                                            pulse::Preload::full, pulse::Preload::minus_one};
 inline constexpr std::array all_ties = {pulse::OnCircle::outward, pulse::OnCircle::inward};
 inline constexpr std::array all_orders = {pulse::Order::parallel, pulse::Order::x_first, pulse::Order::shrinking_first,
                                           pulse::Order::growing_first};
@@ -54,6 +57,8 @@ struct MethodUses {
   bool capacity = false;
   bool order = false;  ///< on arcs
   bool tie = false;    ///< on arcs
+  bool ellipse = false;
+  bool free = false;  ///< on arcs of circles
 };
 MethodUses uses_of(PulseMethod method);
 
@@ -74,6 +79,8 @@ struct MethodOptions {
   std::optional<pulse::Preload> preload;
   std::optional<pulse::OnCircle> tie;
   std::optional<pulse::Order> order;
+  bool free =
+      false;  ///< of integrators of arcs of circles: no quadrants and counters, as many clocks as the angle takes
 };
 
 inline constexpr int most_pulse_bits = 30;
@@ -86,6 +93,8 @@ struct PulseConventions {
   std::optional<pulse::Order> order;
   std::string_view tie;  ///< what happens where two steps are as good as one another
   std::string_view end;  ///< how the end is found
+  /// Of an ellipse: what its integrands and its capacity are taken times, so that they are whole.
+  std::optional<std::int64_t> scale{};
 };
 
 // Of a search, whose tie is this; of the DDA in hardware; of Koren's program.
@@ -99,9 +108,14 @@ PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, con
 /// whose rate depends on the course.
 std::optional<double> clocks_per_blu(PulseMethod method, const PulseCurve& curve, const PulseConventions& in_force);
 
+/// The clocks of an arc of a circle that runs freely, by integrators of this capacity: as many as they take for its angle.
+std::int64_t free_clocks(const PulseCurve& curve, std::int64_t capacity);
+
 /// Of a curve that problems_of() finds nothing wrong with: `register-overflow` where the bits asked for do not hold the
-/// capacity of `koren`, which is the radius of an arc, rounded, and the length of a line, rounded up; or where the capacity
-/// asked for is less than an integrand: than the radius, rounded, or the longer of a line's distances along the axes.
+/// capacity of `koren`, which is the radius of an arc, rounded, the longer semi-axis of an ellipse, and the length of a
+/// line, rounded up; where the capacity asked for is less than an integrand: than the radius, rounded, that semi-axis, or
+/// the longer of a line's distances along the axes; or where registers do not hold an ellipse's capacity, scaled.
+/// `no-ellipse` where the method draws none.
 std::optional<base::Diagnostic> capacity_problem(PulseMethod method, const PulseCurve& curve,
                                                  const MethodOptions& options);
 

@@ -25,6 +25,41 @@ std::vector<Addition> additions_of(const pulse::CircularDda& state) {
   return {second, first};
 }
 
+/// Of what has an integrator and a place for each axis: `first` is clocked first, and the place seen by the second one
+/// is that behind its step, where it sees that.
+std::vector<Addition> additions_of(const pulse::EllipticDda& state) {
+  const bool x_is_first = state.x_comes_first();
+  const auto& one = x_is_first ? state.x() : state.y();
+  const auto& other = x_is_first ? state.y() : state.x();
+  const bool is_alone = one.left == 0 || other.left == 0;
+  const auto of = [&](const pulse::EllipticDda::Axis& axis, std::int64_t seen) {
+    const std::int64_t integrand = axis.integrand(seen);
+    return Addition{integrand, axis.integrator.remainder(), axis.integrator.capacity(), axis.left,
+                    is_alone && axis.left > 0 && integrand == 0};
+  };
+  const Addition first = of(one, other.at);
+  const bool is_seen = state.sees_new() && first.overflows();
+  const Addition second = of(other, one.at + (is_seen ? one.sign : 0));
+  if (x_is_first) return {first, second};
+  return {second, first};
+}
+
+std::vector<Addition> additions_of(const pulse::FreeArc& state) {
+  const bool x_is_first = state.x_comes_first();
+  const auto of = [&](const pulse::FreeArc::Axis& axis, std::int64_t integrand) {
+    return Addition{absolute(integrand), axis.integrator.remainder(), axis.integrator.capacity(), state.left()};
+  };
+  pulse::Point at = state.at();
+  if (x_is_first) {
+    const Addition first = of(state.x(), state.of_x(at));
+    if (state.sees_new() && first.overflows()) at.x += pulse::sign(state.of_x(at));
+    return {first, of(state.y(), state.of_y(at))};
+  }
+  const Addition first = of(state.y(), state.of_y(at));
+  if (first.overflows()) at.y += pulse::sign(state.of_y(at));
+  return {of(state.x(), state.of_x(at)), first};
+}
+
 std::vector<Addition> additions_of(const pulse::LinearDda<2>& state) {
   std::vector<Addition> additions;
   for (const std::size_t axis : {0U, 1U}) {

@@ -9,7 +9,7 @@
 namespace leadscrew::nc {
 
 /// Names as the papers have them: x y are coordinates from the centre, or from a line's start; Jx Jy the integrands of
-/// a line, rx ry the remainders, nx ny the steps that are left, q the capacity, F the deviation.
+/// a line, rx ry the remainders, nx ny the steps that are left, n the clocks that are, q the capacity, F the deviation.
 struct Register {
   std::string_view name;
   std::int64_t value = 0;

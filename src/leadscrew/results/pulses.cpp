@@ -27,6 +27,7 @@ Json json_of(const PulseConventions& conventions) {
   Json options = Json::object();
   if (conventions.bits) options["bits"] = *conventions.bits;
   if (conventions.capacity) options["capacity"] = *conventions.capacity;
+  if (conventions.scale) options["scale"] = *conventions.scale;
   if (conventions.preload) options["preload"] = nc::name(*conventions.preload);
   if (conventions.order) options["order"] = nc::name(*conventions.order);
   if (!conventions.tie.empty()) options["tie"] = conventions.tie;
@@ -69,10 +70,13 @@ Json json_of(const waves::MeasuredPulses& pulses, bool with_path) {
 
 Json json_of(const PulseCurve& curve) {
   Json object = Json::object({{"schema", pulse_schema},
-                              {"shape", curve.is_arc() ? "arc" : "line"},
+                              {"shape", curve.is_ellipse() ? "ellipse"
+                                        : curve.is_arc()   ? "arc"
+                                                           : "line"},
                               {"start", point_list(curve.start)},
                               {"end", point_list(curve.end)}});
   if (!curve.is_arc()) return object;
+  if (curve.is_ellipse()) object["semi_axes"] = Json::list({curve.semi_axes->x, curve.semi_axes->y});
   object["center"] = point_list(curve.center);
   object["direction"] = curve.direction == pulse::Direction::clockwise ? "cw" : "ccw";
   return object;
@@ -101,7 +105,11 @@ std::vector<std::pair<std::string, std::size_t>> columns_of(const PulseCurve& cu
 /// A line of figures for each method, and the conventions that were in force.
 std::string pulse_summary(const PulseCurve& curve, const AllPulses& pulses, const Style& style) {
   std::string title = waves::title_of(curve);
-  if (curve.is_arc()) title += fmt::format(", R = {:.6g} BLU", curve.radius());
+  if (curve.is_ellipse()) {
+    title += fmt::format(", a = {}, b = {} BLU", curve.semi_axes->x, curve.semi_axes->y);
+  } else if (curve.is_arc()) {
+    title += fmt::format(", R = {:.6g} BLU", curve.radius());
+  }
   std::string text = style(Tone::strong, title) + "\n";
   text += style(Tone::faint, fmt::format("  {:<18} {:>9} {:>9} {:>10} {:>10}  {:<14} {}", "method", "pulses", "clocks",
                                          "max error", "rms error", "at", "end")) +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/markup/markup.hpp>
+#include <leadscrew/nc/ellipse_distance.hpp>
 #include <leadscrew/nc/pulse_curve.hpp>
 #include <leadscrew/waves/pulses.hpp>
 #include <numbers>
@@ -51,7 +52,8 @@ struct Panel {
   std::string at(Place place) const { return fixed(across(place), 1) + " " + fixed(down(place), 1); }
 };
 
-/// The true curve by its length along it: 0 … 1 from start to end; where it is closed, on and on.
+/// The true curve by its length along it, of an ellipse by its parameter: 0 … 1 from start to end; where it is closed, on
+/// and on.
 class TrueCurve {
  public:
   explicit TrueCurve(const PulseCurve& curve)
@@ -60,19 +62,31 @@ class TrueCurve {
       length_ = std::hypot(end_.x - start_.x, end_.y - start_.y);
       return;
     }
-    from_ = std::atan2(start_.y - center_.y, start_.x - center_.x);
+    if (curve.is_ellipse()) {
+      semi_ = place_of({curve.semi_axes->x, curve.semi_axes->y});
+    } else {
+      semi_ = {curve.radius(), curve.radius()};
+    }
+    from_ = angle_of(start_);
     sweep_ = turned_to(end_);
-    if (sweep_ == 0) sweep_ = 2 * std::numbers::pi;
-    length_ = sweep_ * curve.radius();
+    if (sweep_ == 0 || curve.start == curve.end) sweep_ = 2 * std::numbers::pi;
+    length_ = sweep_ * std::max(semi_.x, semi_.y);
   }
 
-  double length() const { return length_; }  ///< BLU
+  double length() const { return length_; }  ///< BLU; of an ellipse at least that
   bool is_closed() const { return sweep_ == 2 * std::numbers::pi; }
 
   Place at(double part) const {
     if (!curve_.is_arc()) return {std::lerp(start_.x, end_.x, part), std::lerp(start_.y, end_.y, part)};
     const double angle = from_ + sense() * sweep_ * part;
-    return {center_.x + curve_.radius() * std::cos(angle), center_.y + curve_.radius() * std::sin(angle)};
+    return {center_.x + semi_.x * std::cos(angle), center_.y + semi_.y * std::sin(angle)};
+  }
+
+  /// How much of it is so long, about there.
+  double part_of(double length, double part) const {
+    if (!curve_.is_arc()) return length / length_;
+    const double angle = from_ + sense() * sweep_ * part;
+    return length / (sweep_ * std::hypot(semi_.x * std::sin(angle), semi_.y * std::cos(angle)));
   }
 
   /// The part that is nearest to a place beside the curve.
@@ -89,14 +103,23 @@ class TrueCurve {
  private:
   double sense() const { return static_cast<double>(curve_.direction); }
 
+  /// Of the point of the curve that is nearest to a place: of an ellipse its parameter.
+  double angle_of(Place place) const {
+    const double x = place.x - center_.x, y = place.y - center_.y;
+    if (!curve_.is_ellipse()) return std::atan2(y, x);
+    const nc::EllipseFoot foot = nc::foot_on_ellipse(semi_.x, semi_.y, x, y);
+    return std::atan2(foot.y / semi_.y, foot.x / semi_.x);
+  }
+
   /// Angle from the start on, 0 … 2π.
   double turned_to(Place place) const {
-    const double angle = sense() * (std::atan2(place.y - center_.y, place.x - center_.x) - from_);
+    const double angle = sense() * (angle_of(place) - from_);
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
   }
 
   PulseCurve curve_;
   Place start_, end_, center_;
+  Place semi_;  ///< semi-axes, or the radius twice
   double from_ = 0, sweep_ = 0, length_ = 0;
 };
 
@@ -130,7 +153,7 @@ void put_lattice(std::string& out, const Panel& panel) {
 void put_curve(std::string& out, const Panel& panel, const TrueCurve& curve, Place worst) {
   constexpr int parts = 240;
   // As much of it to both sides of the worst place as the panel can show.
-  const double middle = curve.nearest(worst), reach = 2 * panel.window.side / curve.length();
+  const double middle = curve.nearest(worst), reach = curve.part_of(2 * panel.window.side, middle);
   const bool is_whole =
       panel.window.holds(curve.at(0), 1) && panel.window.holds(curve.at(1), 1) && curve.length() < 4 * most_seen;
   const double least = curve.is_closed() ? middle - 0.5 : 0, greatest = curve.is_closed() ? middle + 0.5 : 1;
@@ -227,7 +250,8 @@ std::string title_of(const PulseCurve& curve) {
   const std::string ends = "from " + nc::point_text(curve.start) + " to " + nc::point_text(curve.end);
   if (!curve.is_arc()) return "line " + ends;
   const bool is_ccw = curve.direction == pulse::Direction::counterclockwise;
-  return "arc " + ends + " about " + nc::point_text(curve.center) + (is_ccw ? ", counterclockwise" : ", clockwise");
+  const std::string what = curve.is_ellipse() ? "arc of an ellipse " : "arc ";
+  return what + ends + " about " + nc::point_text(curve.center) + (is_ccw ? ", counterclockwise" : ", clockwise");
 }
 
 base::Result<void> write_pulse_picture(const PulseCurve& curve, const std::vector<MeasuredPulses>& pulses,
