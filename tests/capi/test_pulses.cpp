@@ -124,9 +124,67 @@ TEST(CapiPulses, ListMethodsAndWhatTheyHave) {
   EXPECT_STREQ(leadscrew_pulse_name(LEADSCREW_TIES, 1), "inward");
   EXPECT_EQ(leadscrew_pulse_name(LEADSCREW_ORDERS, 4), nullptr);
   EXPECT_EQ(leadscrew_pulse_name(9, 0), nullptr);
-  EXPECT_EQ(leadscrew_pulse_uses("koren"), 1 << LEADSCREW_PRELOADS | 1 << LEADSCREW_ORDERS | 1 << LEADSCREW_CAPACITY);
+  EXPECT_EQ(leadscrew_pulse_uses("koren"), 1 << LEADSCREW_PRELOADS | 1 << LEADSCREW_ORDERS | 1 << LEADSCREW_CAPACITY |
+                                               1 << LEADSCREW_ELLIPSES | 1 << LEADSCREW_FREE);
   EXPECT_EQ(leadscrew_pulse_uses("point-comparison"), 1 << LEADSCREW_TIES);
   EXPECT_EQ(leadscrew_pulse_uses("none"), 0);
+}
+
+/// From (12, 0) to (0, −7) clockwise along the ellipse with these semi-axes.
+leadscrew_pulse_task elliptic_arc() {
+  leadscrew_pulse_task task = task_of(LEADSCREW_ARC, "koren");
+  task.turns = -1;
+  task.start[0] = 12;
+  task.end[1] = -7;
+  task.semi_axes[0] = 12;
+  task.semi_axes[1] = 7;
+  return task;
+}
+
+TEST(CapiPulses, DrawEllipses) {
+  const Pulses pulses = loaded(elliptic_arc());
+  const nc::PulseCurve curve{nc::PulseCurve::Shape::arc, {12, 0}, {0, -7}, {}, pulse::Direction::clockwise,
+                             pulse::SemiAxes{12, 7}};
+  nc::PulseRun run(nc::PulseMethod::koren, curve);
+  EXPECT_EQ(columns_of(pulses), columns_of(loaded(teaching_arc())));
+  Row row(columns_of(pulses).size());
+  for (std::size_t count = 1; !run.done();) {
+    const pulse::Pulse<2> pulse = run.step();
+    ASSERT_EQ(leadscrew_pulses_next(pulses.get(), row.data(), 1, &count, nullptr), LEADSCREW_OK);
+    EXPECT_EQ(row[1], pulse.step[0]);
+    EXPECT_EQ(row[2], pulse.step[1]);
+    EXPECT_EQ(row[11], 12 * 12 * 7);
+  }
+  EXPECT_EQ(figures_of(pulses).position[1], -7);
+  leadscrew_pulse_conventions found{};
+  found.size = sizeof found;
+  ASSERT_EQ(leadscrew_pulses_conventions(pulses.get(), &found, nullptr), LEADSCREW_OK);
+  EXPECT_EQ(found.capacity, 12);
+  EXPECT_EQ(found.scale, 84);
+}
+
+TEST(CapiPulses, RunFreelyWhereTheyAreAskedTo) {
+  leadscrew_pulse_task task = task_of(LEADSCREW_ARC, "koren");
+  task.start[0] = 10'000;
+  task.end[0] = -10'000;
+  task.is_free = 1;
+  task.preload = "minus-one";
+  const Pulses pulses = loaded(task);
+  std::size_t count = 0;
+  ASSERT_EQ(leadscrew_pulses_next(pulses.get(), nullptr, 100'000, &count, nullptr), LEADSCREW_OK);
+  EXPECT_EQ(count, 31'415U);
+  EXPECT_EQ(figures_of(pulses).position[0], -10'001);
+}
+
+/// One that was compiled before there were ellipses says nothing of them.
+TEST(CapiPulses, TakeTheTaskOfTheFirstVersion) {
+  leadscrew_pulse_task task = teaching_arc();
+  task.size = offsetof(leadscrew_pulse_task, semi_axes);
+  task.semi_axes[0] = 3;
+  const Pulses pulses = loaded(task);
+  std::size_t count = 0;
+  ASSERT_EQ(leadscrew_pulses_next(pulses.get(), nullptr, 1000, &count, nullptr), LEADSCREW_OK);
+  EXPECT_EQ(count, 80U);
 }
 
 TEST(CapiPulses, TellTheConventionsInForce) {
@@ -159,6 +217,21 @@ TEST(CapiPulses, SayWhatIsWrongWithEachField) {
   EXPECT_EQ(pulses, nullptr);
 }
 
+TEST(CapiPulses, SayWhatIsWrongWithAnEllipse) {
+  const auto error_of = [](const auto& change) {
+    leadscrew_pulse_task task = elliptic_arc();
+    change(task);
+    leadscrew_error error = sized_error();
+    EXPECT_EQ(leadscrew_pulses_problem(&task, 0, &error), LEADSCREW_REJECTED);
+    return std::pair{std::string(error.code), std::string(error.field)};
+  };
+  using Told = std::pair<std::string, std::string>;
+  EXPECT_EQ(error_of([](auto& task) { task.semi_axes[1] = -7; }), Told("zero-radius", "semi_axes.y"));
+  EXPECT_EQ(error_of([](auto& task) { task.start[1] = 5; }), Told("off-ellipse", "start"));
+  EXPECT_EQ(error_of([](auto& task) { task.bits = 3; }), Told("register-overflow", "semi_axes.x"));
+  EXPECT_EQ(error_of([](auto& task) { task.method = "bresenham"; }), Told("no-ellipse", "method"));
+}
+
 TEST(CapiPulses, TellMisuse) {
   const auto code_of = [](const auto& change) {
     leadscrew_pulse_task task = teaching_arc();
@@ -178,6 +251,17 @@ TEST(CapiPulses, TellMisuse) {
   EXPECT_EQ(code_of([](auto& task) { task.method = nullptr; }), LEADSCREW_MISUSE);
   EXPECT_EQ(code_of([](auto& task) { task.preload = "some"; }), LEADSCREW_MISUSE);
   EXPECT_EQ(code_of([](auto& task) { task.tie = "inward"; }), LEADSCREW_MISUSE);
+  EXPECT_EQ(code_of([](auto& task) {
+              task.method = "min-error";
+              task.preload = nullptr;
+              task.is_free = 1;
+            }),
+            LEADSCREW_MISUSE);
+  EXPECT_EQ(code_of([](auto& task) {
+              task.semi_axes[0] = task.semi_axes[1] = 10;
+              task.is_free = 1;
+            }),
+            LEADSCREW_MISUSE);
   const leadscrew_pulse_task task = teaching_arc();
   std::size_t count = 0;
   EXPECT_EQ(leadscrew_pulses_load(&task, nullptr, nullptr), LEADSCREW_MISUSE);

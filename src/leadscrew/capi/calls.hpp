@@ -35,9 +35,9 @@ inline constexpr std::size_t first_size<leadscrew_checked> = sizeof(leadscrew_ch
 template <>
 inline constexpr std::size_t first_size<leadscrew_figures> = sizeof(leadscrew_figures);
 template <>
-inline constexpr std::size_t first_size<leadscrew_pulse_task> = sizeof(leadscrew_pulse_task);
+inline constexpr std::size_t first_size<leadscrew_pulse_task> = offsetof(leadscrew_pulse_task, semi_axes);
 template <>
-inline constexpr std::size_t first_size<leadscrew_pulse_conventions> = sizeof(leadscrew_pulse_conventions);
+inline constexpr std::size_t first_size<leadscrew_pulse_conventions> = offsetof(leadscrew_pulse_conventions, scale);
 template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_figures> = sizeof(leadscrew_pulse_figures);
 

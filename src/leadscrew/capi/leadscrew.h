@@ -249,7 +249,7 @@ typedef struct leadscrew_block {
 /** Called once for each block, in order. */
 typedef void (*leadscrew_block_function)(const leadscrew_block* block, void* user);
 
-/** One line or arc for an interpolator of reference pulses. Coordinates are whole BLU, basic length units. */
+/** One line or arc, of a circle or an ellipse, for an interpolator of reference pulses. Coordinates are whole BLU, basic length units. */
 typedef struct leadscrew_pulse_task {
   size_t size;         /**< of this structure, sizeof */
   int32_t kind;        /**< LEADSCREW_LINE or LEADSCREW_ARC; an arc whose end is its start is a full circle */
@@ -257,13 +257,17 @@ typedef struct leadscrew_pulse_task {
   int32_t bits;        /**< of the registers, 1 ... 30; 0: as the method has them by default */
   int32_t reserved;    /**< 0 */
   int64_t start[2];    /**< |coordinate| <= 2^30 */
-  int64_t end[2];      /**< the same; of an arc, off the circle by half a BLU at most */
+  int64_t end[2];      /**< the same; of an arc, off the circle by half a BLU at most, of an ellipse start and end */
   int64_t center[2];   /**< of an arc */
   int64_t capacity;    /**< q of integrators, 1 ... 2^30; 0: by the curve, or 2^bits */
   const char* method;  /**< a name of LEADSCREW_METHODS */
   const char* preload; /**< and so on; NULL or empty: the method's own */
   const char* order;   /**< of integrators of arcs */
   const char* tie;     /**< of arcs by point comparison */
+  /* Here the task of the first version ended. */
+  int64_t semi_axes[2]; /**< of an arc of an ellipse, along X and Y; both 0: the arc is one of a circle */
+  int32_t is_free;      /**< not 0, of integrators of arcs of circles: no counters, as many clocks as the angle takes */
+  int32_t also_reserved; /**< 0 */
 } leadscrew_pulse_task;
 
 /** Names that leadscrew_pulse_name() lists, and options that methods have, as bits of leadscrew_pulse_uses(). */
@@ -272,7 +276,9 @@ enum {
   LEADSCREW_PRELOADS = 1,
   LEADSCREW_ORDERS = 2,
   LEADSCREW_TIES = 3,
-  LEADSCREW_CAPACITY = 4
+  LEADSCREW_CAPACITY = 4,
+  LEADSCREW_ELLIPSES = 5,
+  LEADSCREW_FREE = 6
 };
 
 /** What is in force, with what a method has by default; empty or 0 where it has no such choice. */
@@ -287,6 +293,9 @@ typedef struct leadscrew_pulse_conventions {
   char order[24];   /**< in which the integrators of an arc are clocked */
   char tie[24];     /**< what happens where two steps are as good as one another */
   char end[32];     /**< how the end is found */
+  /* Here the conventions of the first version ended. */
+  int64_t
+      scale; /**< of an ellipse: what integrands and capacity are taken times in the registers, so that they are whole */
 } leadscrew_pulse_conventions;
 
 /** Of the clocks until now. */
@@ -405,10 +414,10 @@ LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
 
 /** Of LEADSCREW_METHODS ... LEADSCREW_TIES the name with this number, from 0; NULL where there are not so many. */
 LEADSCREW_API const char* leadscrew_pulse_name(int what, size_t number);
-/** Which options a method has: 1 << LEADSCREW_PRELOADS and so on, together; 0 of a name that is none. */
+/** Which options a method has, and whether it draws ellipses: 1 << LEADSCREW_PRELOADS and so on, together; 0 of a name that is none. */
 LEADSCREW_API int leadscrew_pulse_uses(const char* method);
 /** LEADSCREW_REJECTED and the problem with this number, from 0, that a curve has: a line of no length, an arc of radius 0,
- * an end off the circle, a register that does not hold a coordinate. LEADSCREW_OK where there are not so many. */
+ * an end off the circle or the ellipse, a register that does not hold a coordinate, a method that draws no ellipse. LEADSCREW_OK where there are not so many. */
 LEADSCREW_API int leadscrew_pulses_problem(const leadscrew_pulse_task* task, size_t number, leadscrew_error* problem);
 /** Loads the registers; LEADSCREW_REJECTED with the first problem. An option that the method does not have, and bits
  * beside a capacity, are LEADSCREW_MISUSE. */

@@ -42,7 +42,8 @@ bool is_given(const char* text) {
 int bits_of_uses(nc::PulseMethod method) {
   const nc::MethodUses uses = nc::uses_of(method);
   return (uses.preload ? 1 << LEADSCREW_PRELOADS : 0) | (uses.order ? 1 << LEADSCREW_ORDERS : 0) |
-         (uses.tie ? 1 << LEADSCREW_TIES : 0) | (uses.capacity ? 1 << LEADSCREW_CAPACITY : 0);
+         (uses.tie ? 1 << LEADSCREW_TIES : 0) | (uses.capacity ? 1 << LEADSCREW_CAPACITY : 0) |
+         (uses.ellipse ? 1 << LEADSCREW_ELLIPSES : 0) | (uses.free ? 1 << LEADSCREW_FREE : 0);
 }
 
 /// A task in the words of the rooms.
@@ -73,10 +74,12 @@ const char* read_options(const leadscrew_pulse_task& task, Asked& asked) {
   if (task.capacity > 0 && !uses.capacity) return "the method does not have a capacity";
   if (task.bits > 0) asked.options.bits = task.bits;
   if (task.capacity > 0) asked.options.capacity = task.capacity;
-  const bool is_arc = asked.curve.is_arc();
+  const bool is_arc = asked.curve.is_arc(), is_circle = is_arc && !asked.curve.is_ellipse();
+  if (task.is_free != 0 && !(uses.free && is_circle)) return "arcs of circles by integrators alone run freely";
+  asked.options.free = task.is_free != 0;
   const char* wrong = read_choice(task.preload, uses.preload, nc::all_preloads, asked.options.preload);
   if (wrong == nullptr) wrong = read_choice(task.order, uses.order && is_arc, nc::all_orders, asked.options.order);
-  if (wrong == nullptr) wrong = read_choice(task.tie, uses.tie && is_arc, nc::all_ties, asked.options.tie);
+  if (wrong == nullptr) wrong = read_choice(task.tie, uses.tie && is_circle, nc::all_ties, asked.options.tie);
   return wrong;
 }
 
@@ -96,6 +99,8 @@ const char* read_task(const leadscrew_pulse_task* given, Asked& asked) {
   if (is_arc) {
     asked.curve.center = point_of(task->center);
     asked.curve.direction = static_cast<pulse::Direction>(task->turns);
+    const auto& [along_x, along_y] = task->semi_axes;
+    if (along_x != 0 || along_y != 0) asked.curve.semi_axes = {along_x, along_y};
   }
   return read_options(*task, asked);
 }
@@ -189,6 +194,7 @@ int leadscrew_pulses_conventions(const leadscrew_pulses* pulses, leadscrew_pulse
   leadscrew_pulse_conventions found{};
   found.bits = in_force.bits.value_or(0);
   found.capacity = in_force.capacity.value_or(0);
+  found.scale = in_force.scale.value_or(0);
   found.clocks_per_blu = nc::clocks_per_blu(run.method(), pulses->curve, in_force).value_or(0);
   if (in_force.preload) copy_text(found.preload, nc::name(*in_force.preload));
   if (in_force.order) copy_text(found.order, nc::name(*in_force.order));

@@ -81,7 +81,7 @@ export const state = {
 export const axes = 9;
 
 export const task = {
-  size: 96,
+  size: 120,
   kind: 4,
   turns: 8,
   bits: 12,
@@ -93,10 +93,12 @@ export const task = {
   preload: 84,
   order: 88,
   tie: 92,
+  semiAxes: 96,
+  isFree: 112,
 } as const;
 
 export const conventions = {
-  size: 136,
+  size: 144,
   bits: 4,
   capacity: 16,
   clocksPerBlu: 24,
@@ -104,6 +106,7 @@ export const conventions = {
   order: 56,
   tie: 80,
   end: 104,
+  scale: 136,
 } as const;
 
 export const figures = {
@@ -122,4 +125,4 @@ export const figures = {
 /** What functions return, and lists of leadscrew_pulse_name(). */
 export const code = { ok: 0, rejected: 1 } as const;
 export const kind = { line: 0, arc: 1 } as const;
-export const list = { methods: 0, preloads: 1, orders: 2, ties: 3, capacity: 4 } as const;
+export const list = { methods: 0, preloads: 1, orders: 2, ties: 3, capacity: 4, ellipses: 5, free: 6 } as const;

@@ -61,5 +61,7 @@ export class EngineModule extends WasmModule<Exports> {
     for (const name of ["start", "end", "center"] as const) {
       task[name].forEach((each, i) => view.setBigInt64(at + layout.task[name] + 8 * i, BigInt(each), true));
     }
+    (task.semiAxes ?? []).forEach((each, i) => view.setBigInt64(at + layout.task.semiAxes + 8 * i, BigInt(each), true));
+    view.setInt32(at + layout.task.isFree, task.isFree === true ? 1 : 0, true);
   }
 }

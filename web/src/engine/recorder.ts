@@ -31,6 +31,8 @@ export class Recorder implements Engine {
         hasOrder: has(uses, layout.list.orders),
         hasTie: has(uses, layout.list.ties),
         hasCapacity: has(uses, layout.list.capacity),
+        hasEllipses: has(uses, layout.list.ellipses),
+        hasFree: has(uses, layout.list.free),
       };
     });
     const [preloads, orders, ties] = [layout.list.preloads, layout.list.orders, layout.list.ties].map((list) =>
@@ -171,6 +173,7 @@ export class Recorder implements Engine {
         order: module.text(at + of.order),
         tie: module.text(at + of.tie),
         end: module.text(at + of.end),
+        scale: module.integer(at + of.scale),
       };
     });
   }

@@ -2,13 +2,17 @@
 
 export type Point = readonly [number, number];
 
-/** One line or arc for one method; BLU. */
+/** One line or arc, of a circle or an ellipse, for one method; BLU. */
 export interface Task {
   readonly shape: "line" | "arc";
   readonly start: Point;
   readonly end: Point;
   readonly center: Point;
   readonly clockwise: boolean;
+  /** Of an arc of an ellipse, along X and Y. */
+  readonly semiAxes?: Point;
+  /** Of an arc of a circle by integrators: no counters, as many clocks as the angle takes. */
+  readonly isFree?: boolean;
   /** Of the registers; 0: as the method has them by default. */
   readonly bits: number;
   /** Of integrators; 0: by the curve, or 2 to the bits. */
@@ -34,6 +38,8 @@ export interface Method {
   readonly hasOrder: boolean;
   readonly hasTie: boolean;
   readonly hasCapacity: boolean;
+  readonly hasEllipses: boolean;
+  readonly hasFree: boolean;
 }
 
 export interface Catalogue {
@@ -52,6 +58,8 @@ export interface Conventions {
   readonly order: string;
   readonly tie: string;
   readonly end: string;
+  /** Of an ellipse: what integrands and capacity are taken times in the registers. */
+  readonly scale: number;
 }
 
 /** Columns of Recording.figures. */
