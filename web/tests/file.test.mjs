@@ -43,6 +43,7 @@ for (const theme of ["light", "dark"]) {
     for (const [module, preset, clock] of [
       ["linear", "line-across", 9],
       ["circular", "across-quadrants", 43],
+      ["elliptic", "ellipse-hardware", 71],
     ]) {
       await choose(page, preset);
       for (let i = 0; i < clock; ++i) await page.click("#step");

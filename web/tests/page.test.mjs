@@ -17,7 +17,7 @@ after(async () => {
   server?.close();
 });
 
-for (const preset of ["line-11-7", "across-quadrants", "fpga-min"]) {
+for (const preset of ["line-11-7", "across-quadrants", "fpga-min", "ellipse", "koren-half-turn"]) {
   test(`${preset}: Tab comes to every control, and shows where it is`, async () => {
     const { page } = lesson;
     await choose(page, preset);

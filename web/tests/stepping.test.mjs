@@ -194,6 +194,20 @@ test("a link brings everything back", async () => {
   await page.uncheck("#stop-border");
 });
 
+test("a link brings back an ellipse, and an arc without counters", async () => {
+  const { page } = lesson;
+  for (const preset of ["ellipse-hardware", "koren-half-turn-strict"]) {
+    await choose(page, preset);
+    await click(page, "step");
+    await page.waitForTimeout(500);
+    const other = await openPage(browser, page.url());
+    assert.equal(await signatureOf(other.page), await signatureOf(page));
+    assert.equal(await other.page.textContent("#command"), await page.textContent("#command"));
+    assert.equal(await other.page.inputValue("#preset"), preset);
+    await other.close();
+  }
+});
+
 test("a prediction is judged by the cycle that follows", async () => {
   const { page } = lesson;
   await choose(page, "line-11-7");

@@ -169,6 +169,7 @@ export class Display {
       ["RMS", fixed(session.figure(clock, "rmsError"), 3)],
     ];
     if (row.has("quadrant")) items.push(["Quadrant", ["I", "II", "III", "IV"][row.value("quadrant")] ?? ""]);
+    if (row.has("n") && row.has("Sx")) items.push(["Clocks left", `${row.value("n")}`]);
     if (row.has("nx")) items.push(["Left x, y", `${row.value("nx")}, ${row.value("ny")}`]);
     this.numbers.replaceChildren(
       ...items.map(([name, value]) => html("div", { "data-name": name }, html("dt", {}, name), html("dd", {}, value))),

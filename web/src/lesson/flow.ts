@@ -41,9 +41,10 @@ interface Diagram {
 const width = 660;
 
 /** One integrator: J and r are added; what overflows is a pulse, what is left goes back. */
-function lane(axis: "x" | "y", top: number): Diagram {
+function lane(axis: "x" | "y", top: number, isFree: boolean): Diagram {
   const capital = axis.toUpperCase();
-  const [J, r, S, o, n, d] = [`J${axis}`, `r${axis}`, `S${axis}`, `o${axis}`, `n${axis}`, `d${axis}`] as const;
+  const n = isFree ? "n" : `n${axis}`; // of one that runs freely the clocks that are left
+  const [J, r, S, o, d] = [`J${axis}`, `r${axis}`, `S${axis}`, `o${axis}`, `d${axis}`] as const;
   const isClocked = (now: Moment): boolean => !now.isFirst && now.before.value(n) > 0;
   const steps = (now: Moment): boolean => now.after.value(d) !== 0;
   const of = (column: string) => (now: Moment) => signed(now.after.value(column));
@@ -125,9 +126,9 @@ function crossing(): Wire[] {
   return [wire("x", "M524 58V124H64V140", [300, 118]), wire("y", "M540 142V132H54V60", [420, 142])];
 }
 
-function ofIntegrators(isArc: boolean): Diagram {
-  const x = lane("x", 0);
-  const y = lane("y", 124);
+function ofIntegrators(isArc: boolean, isFree: boolean): Diagram {
+  const x = lane("x", 0, isFree);
+  const y = lane("y", 124, isFree);
   return {
     height: 252,
     blocks: [...x.blocks, ...y.blocks],
@@ -222,8 +223,9 @@ export class Flow {
   update(session: Session, isArc: boolean): void {
     const after = session.row(session.clock);
     const before = session.row(Math.max(0, session.clock - 1));
-    const kind = after.has("Sx") ? `integrators ${isArc}` : `search ${session.recording?.columns.join()}`;
-    if (kind !== this.drawn) this.build(after.has("Sx") ? ofIntegrators(isArc) : ofSearch(after));
+    const isFree = !after.has("nx");
+    const kind = after.has("Sx") ? `integrators ${isArc} ${isFree}` : `search ${session.recording?.columns.join()}`;
+    if (kind !== this.drawn) this.build(after.has("Sx") ? ofIntegrators(isArc, isFree) : ofSearch(after));
     this.drawn = kind;
     const now = { before, after, isFirst: session.clock === 0 };
     for (const each of this.refresh) each(now);

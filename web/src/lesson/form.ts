@@ -19,7 +19,7 @@ interface Field {
   readonly row: HTMLElement;
 }
 
-const methodTitles: Readonly<Record<string, string>> = {
+export const methodTitles: Readonly<Record<string, string>> = {
   "point-comparison": "Point by point",
   dda: "DDA in hardware",
   "min-error": "Minimum error",
@@ -63,6 +63,16 @@ export class Form {
     return [
       html("h2", { id: "initialisation" }, "Initialisation"),
       html("div", { class: "field" }, html("label", { for: "preset" }, "Figure"), this.preset, this.source),
+      this.select(
+        "curve",
+        "Arc of",
+        [
+          ["circle", "A circle"],
+          ["ellipse", "An ellipse, by the same DDA"],
+        ],
+        "arc-only",
+      ),
+      this.pair("Semi-axes", ["semiX", "a"], ["semiY", "b"], "ellipse-only"),
       this.pair("Start", ["startX", "x"], ["startY", "y"]),
       this.pair("End", ["endX", "x"], ["endY", "y"]),
       this.pair("Centre", ["centerX", "x"], ["centerY", "y"], "arc-only"),
@@ -98,6 +108,10 @@ export class Form {
         ["", "The method's own"],
         ...this.catalogue.ties.map((name) => [name, name] as const),
       ]),
+      this.select("ending", "Ends", [
+        ["counters", "By counters, quadrant by quadrant"],
+        ["free", "After the clocks of its angle"],
+      ]),
       this.inForce,
       html(
         "div",
@@ -130,8 +144,11 @@ export class Form {
     for (const each of this.element.querySelectorAll<HTMLElement>(".arc-only")) each.hidden = !isArc;
     this.show("preload", method?.hasPreload === true);
     this.show("capacity", method?.hasCapacity === true);
+    const isEllipse = isArc && settings.curve === "ellipse";
+    for (const each of this.element.querySelectorAll<HTMLElement>(".ellipse-only")) each.hidden = !isEllipse;
     this.show("order", method?.hasOrder === true && isArc);
-    this.show("tie", method?.hasTie === true && isArc);
+    this.show("tie", method?.hasTie === true && isArc && !isEllipse);
+    this.show("ending", method?.hasFree === true && isArc && !isEllipse);
     this.tellConventions(settings, conventions);
   }
 
@@ -152,7 +169,8 @@ export class Form {
   private tellConventions(settings: Settings, conventions: Conventions | undefined): void {
     const parts: string[] = [];
     if (conventions !== undefined) {
-      if (conventions.capacity > 0) parts.push(`q = ${conventions.capacity}`);
+      if (conventions.capacity > 0)
+        parts.push(`q = ${conventions.capacity}${conventions.scale > 1 ? ` · ${conventions.scale}` : ""}`);
       if (conventions.preload !== "") parts.push(`remainders begin ${conventions.preload}`);
       if (conventions.order !== "") parts.push(conventions.order);
       if (conventions.tie !== "") parts.push(`ties: ${conventions.tie}`);

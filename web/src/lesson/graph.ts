@@ -6,7 +6,7 @@ import { fixed, signed } from "../ui/dom";
 import { colour } from "../ui/theme";
 import type { Session } from "./session";
 
-interface Frame {
+export interface Frame {
   /** Pixels of a BLU. */
   readonly scale: number;
   x(blu: number): number;
@@ -16,7 +16,7 @@ interface Frame {
 const margin = 36;
 const nearReach = 8; // BLU around the place, in the near view
 
-interface Box {
+export interface Box {
   left: number;
   right: number;
   bottom: number;
@@ -24,7 +24,7 @@ interface Box {
 }
 
 /** What the whole curve needs: its steps keep within 2 BLU of it. */
-function boxOf(task: Task, session: Session): Box {
+export function boxOf(task: Task, session: Session): Box {
   const box: Box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
   const take = (x: number, y: number): void => {
     box.left = Math.min(box.left, x);
@@ -42,7 +42,7 @@ function boxOf(task: Task, session: Session): Box {
   return box;
 }
 
-function frameOf(box: Box, picture: Picture): Frame {
+export function frameOf(box: Box, picture: Picture): Frame {
   const wide = Math.max(4, box.right - box.left + 2);
   const high = Math.max(4, box.top - box.bottom + 2);
   const scale = Math.min((picture.width - 2 * margin) / wide, (picture.height - 2 * margin) / high);
@@ -60,7 +60,7 @@ function gridStep(scale: number, least: number): number {
   for (let ten = 1; ; ten *= 10) for (const digit of [1, 2, 5]) if (digit * ten * scale >= least) return digit * ten;
 }
 
-function drawGrid(picture: Picture, frame: Frame): void {
+export function drawGrid(picture: Picture, frame: Frame): void {
   const fine = gridStep(frame.scale, 12);
   const coarse = gridStep(frame.scale, 48);
   const bluX = (pixel: number): number => (pixel - frame.x(0)) / frame.scale;
@@ -77,30 +77,31 @@ function drawGrid(picture: Picture, frame: Frame): void {
     picture.text(signed(y), 8, frame.y(y) + 4, { colour: quiet, size: 11 });
 }
 
-/** The true line or arc, as points. */
-function truth(task: Task, frame: Frame): number[] {
+/** The true line or arc, as points; of an ellipse by its parameter. */
+export function truth(task: Task, frame: Frame): number[] {
   if (task.shape === "line") return [...ends(task.start, frame), ...ends(task.end, frame)];
   const [cx, cy] = task.center;
   const radius = Math.hypot(task.start[0] - cx, task.start[1] - cy);
-  const from = Math.atan2(task.start[1] - cy, task.start[0] - cx);
-  let sweep = Math.atan2(task.end[1] - cy, task.end[0] - cx) - from;
+  const [a, b] = task.semiAxes ?? [radius, radius];
+  const from = Math.atan2((task.start[1] - cy) / b, (task.start[0] - cx) / a);
+  let sweep = Math.atan2((task.end[1] - cy) / b, (task.end[0] - cx) / a) - from;
   const turn = task.clockwise ? -1 : 1;
   while (sweep * turn <= 1e-9) sweep += turn * 2 * Math.PI;
-  const count = Math.max(32, Math.min(2000, Math.round(radius * frame.scale)));
+  const count = Math.max(32, Math.min(2000, Math.round(Math.max(a, b) * frame.scale)));
   const points: number[] = [];
   for (let i = 0; i <= count; ++i) {
     const angle = from + (sweep * i) / count;
-    points.push(frame.x(cx + radius * Math.cos(angle)), frame.y(cy + radius * Math.sin(angle)));
+    points.push(frame.x(cx + a * Math.cos(angle)), frame.y(cy + b * Math.sin(angle)));
   }
   return points;
 }
 
-function ends([x, y]: readonly [number, number], frame: Frame): [number, number] {
+export function ends([x, y]: readonly [number, number], frame: Frame): [number, number] {
   return [frame.x(x), frame.y(y)];
 }
 
 /** The places until now; where several fall on one pixel, one of them. */
-function staircase(session: Session, frame: Frame, from: number, to: number): number[] {
+export function staircase(session: Session, frame: Frame, from: number, to: number): number[] {
   const points: number[] = [];
   let lastX = NaN;
   let lastY = NaN;
@@ -197,7 +198,8 @@ export function drawWaves(picture: Picture, session: Session): void {
 /** What the graph shows, in words. */
 export function graphText(task: Task, session: Session): string {
   const row = session.row(session.clock);
-  const what = task.shape === "line" ? "line" : `${task.clockwise ? "clockwise" : "counterclockwise"} arc`;
+  const of = task.semiAxes === undefined ? "" : ` of the ellipse with the semi-axes ${task.semiAxes.join(" and ")}`;
+  const what = task.shape === "line" ? "line" : `${task.clockwise ? "clockwise" : "counterclockwise"} arc${of}`;
   return (
     `The true ${what} from (${task.start.join(", ")}) to (${task.end.join(", ")}) and the steps of ${session.clock} of ` +
     `${session.last} cycles; it stands at (${row.value("X")}, ${row.value("Y")}), ` +

@@ -128,6 +128,7 @@ export class Lesson {
       order: method?.hasOrder === true,
       tie: method?.hasTie === true,
       capacity: method?.hasCapacity === true,
+      free: method?.hasFree === true,
     };
     const task = taskOf(this.settings, has, this.errors);
     return this.isSound() ? task : undefined;
@@ -262,7 +263,7 @@ export class Lesson {
       running: "Running",
       stopped: this.settings.run === "single" ? "Each step is a cycle" : "Off",
       breakpoint: "Stopped at a breakpoint",
-      done: "Done: both counters are 0",
+      done: this.task?.isFree === true ? "Done: the clocks of the angle are over" : "Done: both counters are 0",
     };
     return texts[this.session.state];
   }

@@ -11,6 +11,12 @@ export interface Settings {
   centerX: string;
   centerY: string;
   direction: "ccw" | "cw";
+  /** Of the circular module. */
+  curve: "circle" | "ellipse";
+  semiX: string;
+  semiY: string;
+  /** How an arc of a circle ends. */
+  ending: "counters" | "free";
   bits: string;
   capacity: string;
   feed: string;
@@ -39,6 +45,10 @@ export const initial: Settings = {
   centerX: "0",
   centerY: "0",
   direction: "ccw",
+  curve: "circle",
+  semiX: "12",
+  semiY: "7",
+  ending: "counters",
   bits: "4",
   capacity: "",
   feed: "10",
@@ -66,6 +76,10 @@ const names: Readonly<Record<keyof Settings, string>> = {
   centerX: "cx",
   centerY: "cy",
   direction: "d",
+  curve: "curve",
+  semiX: "a",
+  semiY: "b",
+  ending: "end",
   bits: "n",
   capacity: "q",
   feed: "v",
@@ -97,6 +111,8 @@ export function toLink(settings: Settings): string {
 const choices: Partial<Record<keyof Settings, readonly string[]>> = {
   module: ["line", "arc"],
   direction: ["ccw", "cw"],
+  curve: ["circle", "ellipse"],
+  ending: ["counters", "free"],
   run: ["automatic", "single"],
   view: ["whole", "near"],
 };
@@ -162,7 +178,7 @@ function checkTimes(settings: Settings, errors: FieldErrors): void {
 /** What the engine is asked for; errors of fields that it could not understand. Choices that the method has not are left out. */
 export function taskOf(
   settings: Settings,
-  has: { preload: boolean; order: boolean; tie: boolean; capacity: boolean },
+  has: { preload: boolean; order: boolean; tie: boolean; capacity: boolean; free: boolean },
   errors: FieldErrors,
 ): Task {
   const point = (x: keyof Settings, y: keyof Settings, of: string): [number, number] => [
@@ -170,6 +186,7 @@ export function taskOf(
     coordinate(settings, y, `y of the ${of}`, errors),
   ];
   const isArc = settings.module === "arc";
+  const isEllipse = isArc && settings.curve === "ellipse";
   const bits = count(settings.bits, "number of bits", 30, errors, "bits");
   const capacity = has.capacity ? count(settings.capacity, "capacity", 2 ** 30, errors, "capacity") : 0;
   if (bits > 0 && capacity > 0)
@@ -181,13 +198,26 @@ export function taskOf(
     end: point("endX", "endY", "end"),
     center: isArc ? point("centerX", "centerY", "centre") : [0, 0],
     clockwise: isArc && settings.direction === "cw",
+    ...(isEllipse ? { semiAxes: semiAxesOf(settings, errors) } : {}),
+    isFree: isArc && !isEllipse && has.free && settings.ending === "free",
     bits,
     capacity,
     method: settings.method,
     preload: has.preload ? settings.preload : "",
     order: has.order && isArc ? settings.order : "",
-    tie: has.tie && isArc ? settings.tie : "",
+    tie: has.tie && isArc && !isEllipse ? settings.tie : "",
   };
+}
+
+/** 0 would be a circle's. */
+function semiAxesOf(settings: Settings, errors: FieldErrors): [number, number] {
+  const axes: [number, number] = [
+    coordinate(settings, "semiX", "the semi-axis along x", errors),
+    coordinate(settings, "semiY", "the semi-axis along y", errors),
+  ];
+  for (const [i, key] of (["semiX", "semiY"] as const).entries())
+    if (!errors.has(key) && !((axes[i] ?? 0) > 0)) errors.set(key, "a semi-axis is 1 BLU or more");
+  return axes;
 }
 
 /** Of the engine's "end.x": the field of the page. */
@@ -202,6 +232,9 @@ export function fieldOf(name: string): keyof Settings {
     "center.x": "centerX",
     "center.y": "centerY",
     center: "centerX",
+    "semi_axes.x": "semiX",
+    "semi_axes.y": "semiY",
+    semi_axes: "semiX",
     bits: "bits",
     capacity: "capacity",
   };
@@ -211,7 +244,8 @@ export function fieldOf(name: string): keyof Settings {
 /** The command that prints the same rows. */
 export function commandOf(task: Task): string {
   const at = ([x, y]: readonly [number, number]): string => `${x},${y}`;
-  const words = ["leadscrew", "pulse", `--${task.shape}`, "--start", at(task.start), "--end", at(task.end)];
+  const shape = task.semiAxes === undefined ? [`--${task.shape}`] : ["--ellipse", at(task.semiAxes)];
+  const words = ["leadscrew", "pulse", ...shape, "--start", at(task.start), "--end", at(task.end)];
   if (task.shape === "arc") words.push("--center", at(task.center), task.clockwise ? "--cw" : "--ccw");
   words.push("--method", task.method);
   if (task.bits > 0) words.push("--bits", String(task.bits));
@@ -219,5 +253,6 @@ export function commandOf(task: Task): string {
   if (task.preload !== "") words.push("--preload", task.preload);
   if (task.order !== "") words.push("--order", task.order);
   if (task.tie !== "") words.push("--tie", task.tie);
+  if (task.isFree === true) words.push("--free");
   return [...words, "--table"].join(" ");
 }
