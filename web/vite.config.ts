@@ -1,4 +1,5 @@
-// Two pages, each served, with its engine in a worker, and as one file that opens from disk (--mode lesson, --mode program).
+// Three pages, each served, with its engine in a worker, and as one file that opens from disk (--mode lesson, compare,
+// program).
 
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -6,7 +7,7 @@ import { defineConfig, type Plugin } from "vite";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const built = here("../build/web");
-const pages = { lesson: "index.html", program: "program.html" } as const;
+const pages = { lesson: "index.html", compare: "compare.html", program: "program.html" } as const;
 type Page = keyof typeof pages;
 
 /** leadscrew:NAME.wasm as an address or as text; leadscrew:engine, planner and scene as the one or the other way to open them. */
@@ -93,9 +94,9 @@ function oneFile(name: Page): Plugin {
 }
 
 export default defineConfig(({ mode }) => {
-  const file = mode === "lesson" || mode === "program" ? mode : undefined;
+  const file = mode in pages ? (mode as Page) : undefined;
   const isFile = file !== undefined;
-  const inputs: readonly Page[] = file === undefined ? ["lesson", "program"] : [file];
+  const inputs: readonly Page[] = file === undefined ? ["lesson", "compare", "program"] : [file];
   return {
     base: "./",
     plugins: [engine(isFile), policy(isFile), ...(isFile ? [oneFile(file)] : [])],
@@ -103,7 +104,7 @@ export default defineConfig(({ mode }) => {
     server: { fs: { allow: [here("..")] } },
     build: {
       outDir: `${built}/${isFile ? "file" : "page"}`,
-      emptyOutDir: file !== "program",
+      emptyOutDir: file === undefined || file === "lesson",
       target: "es2022",
       modulePreload: false,
       chunkSizeWarningLimit: 4000,

@@ -1,0 +1,311 @@
+// Methods beside one another: one curve, up to four lanes, one clock, one camera. Each lane is a recording of the engine.
+
+import type { Catalogue, Engine, Method, Task } from "../engine/types";
+import { download } from "../lesson/files";
+import { methodTitles } from "../lesson/form";
+import { graphText } from "../lesson/graph";
+import { Session } from "../lesson/session";
+import { commandOf, fieldOf, quantity, taskOf, type FieldErrors } from "../lesson/settings";
+import { html } from "../ui/dom";
+import { CurveForm } from "./curve_form";
+import { FigureTable, type Compared } from "./figure_table";
+import { conventionsText } from "./figures";
+import { LaneForms } from "./lane_forms";
+import type { Drawn } from "./pictures";
+import { Stage } from "./stage";
+import { comparisonOf, figureOf, fromLink, laneKeys, settingsOfLane, stateOf, toLink, type State } from "./state";
+import { Transport } from "./transport";
+
+const mostClocks = 131_072;
+const mostClocksAFrame = 256;
+
+export class Compare {
+  readonly element: HTMLElement;
+  private state: State = fromLink(location.hash);
+  private readonly curveForm: CurveForm;
+  private readonly laneForms: LaneForms;
+  private readonly transport: Transport;
+  private readonly stage: Stage;
+  private readonly table = new FigureTable();
+  private readonly commands = html("pre", { id: "commands", tabindex: 0 });
+  private compared: readonly Compared[] = [];
+  private curveErrors: FieldErrors = new Map();
+  private laneErrors: FieldErrors[] = [];
+  private clock = 0;
+  private isRunning = false;
+  private loads = 0;
+  private linkTimer = 0;
+
+  constructor(
+    private readonly engine: Engine,
+    private readonly catalogue: Catalogue,
+  ) {
+    this.curveForm = new CurveForm({
+      choose: (comparison) => this.reset(stateOf(comparison)),
+      change: (change) => {
+        Object.assign(this.state.curve, change);
+        this.state.camera = undefined;
+        void this.load(0);
+      },
+    });
+    this.laneForms = new LaneForms(catalogue, {
+      change: (lanes) => {
+        this.state.lanes = lanes;
+        void this.load(this.clock);
+      },
+    });
+    const seek = (clock: number): void => this.seek(clock);
+    this.transport = new Transport({
+      seek,
+      step: (by) => this.step(by),
+      toggle: () => this.toggle(),
+      interval: (text) => {
+        this.state.curve.interval = text;
+        this.show();
+      },
+    });
+    this.stage = new Stage({
+      seek,
+      look: (camera) => {
+        this.state.camera = camera;
+        this.show();
+      },
+      layout: (layout) => {
+        this.state.layout = layout;
+        this.show();
+      },
+    });
+    this.element = html("div", { class: "lesson compare" }, ...this.content());
+    addEventListener("hashchange", () => this.restore());
+    document.addEventListener("keydown", (event) => this.key(event));
+    void this.load(this.state.curve.clock);
+  }
+
+  private content(): HTMLElement[] {
+    const button = (id: string, text: string, press: () => void): HTMLElement =>
+      html("button", { type: "button", id, click: press }, text);
+    const figures = html(
+      "section",
+      { class: "panel", "aria-labelledby": "figures-title" },
+      html("h2", { id: "figures-title" }, "Figures until this clock"),
+      this.table.element,
+      html(
+        "div",
+        { class: "buttons" },
+        button("save-svg", "SVG", () => download("leadscrew-compare.svg", this.stage.svg(), "image/svg+xml")),
+        button("save-png", "PNG", () => void this.savePicture()),
+        button("save-csv", "CSV", () => download("leadscrew-compare.csv", this.table.csv(), "text/csv")),
+        button("copy-link", "Copy link", () => void navigator.clipboard?.writeText(location.href)),
+        button(
+          "copy-commands",
+          "Copy commands",
+          () => void navigator.clipboard?.writeText(this.commands.textContent ?? ""),
+        ),
+      ),
+      this.commands,
+    );
+    return [
+      html("div", { class: "side" }, this.curveForm.element, this.laneForms.element),
+      html(
+        "div",
+        { class: "main" },
+        this.transport.element,
+        html("div", { class: "display" }, this.stage.element, figures),
+      ),
+    ];
+  }
+
+  /** After the colours have changed. */
+  redraw(): void {
+    this.stage.draw();
+  }
+
+  private async savePicture(): Promise<void> {
+    download("leadscrew-compare.png", await this.stage.png(), "image/png");
+  }
+
+  private reset(state: State): void {
+    const { interval, feed } = this.state.curve;
+    this.state = { ...state, curve: { ...state.curve, interval, feed }, layout: this.state.layout };
+    void this.load(0);
+  }
+
+  private restore(): void {
+    if (location.hash === this.link()) return;
+    this.state = fromLink(location.hash);
+    void this.load(this.state.curve.clock);
+  }
+
+  private link(): string {
+    return toLink({ ...this.state, curve: { ...this.state.curve, clock: this.clock } });
+  }
+
+  private methodOf(name: string): Method | undefined {
+    return this.catalogue.methods.find((each) => each.name === name);
+  }
+
+  /** Of a lane; errors of the curve are the same in each. */
+  private taskOfLane(number: number, errors: FieldErrors): Task | undefined {
+    const lane = this.state.lanes[number];
+    const method = this.methodOf(lane?.method ?? "");
+    if (lane === undefined) return undefined;
+    if (method === undefined) errors.set("method", `there is no method ${lane.method}`);
+    const has = {
+      preload: method?.hasPreload === true,
+      order: method?.hasOrder === true,
+      tie: method?.hasTie === true,
+      capacity: method?.hasCapacity === true,
+      free: method?.hasFree === true,
+    };
+    const task = taskOf(settingsOfLane(this.state, lane), has, errors);
+    errors.delete("interval");
+    errors.delete("polling");
+    errors.delete("feed");
+    return errors.size > 0 ? undefined : task;
+  }
+
+  private async load(clock: number): Promise<void> {
+    const load = ++this.loads;
+    this.pause();
+    this.element.dataset["loading"] = String(load);
+    const [curveErrors, laneErrors, compared]: [FieldErrors, FieldErrors[], Compared[]] = [new Map(), [], []];
+    for (const number of this.state.lanes.keys()) {
+      const errors: FieldErrors = new Map();
+      const task = this.taskOfLane(number, errors);
+      const drawn = task === undefined ? undefined : await this.record(number, task, errors);
+      if (load !== this.loads) return;
+      if (drawn !== undefined) compared.push(drawn);
+      for (const [key, message] of errors)
+        if (!(laneKeys as readonly string[]).includes(key)) curveErrors.set(key, message);
+      laneErrors.push(errors);
+    }
+    this.compared = compared;
+    this.curveErrors = curveErrors;
+    this.laneErrors = laneErrors;
+    this.clock = Math.min(clock, this.last);
+    this.element.dataset["loaded"] = String(load);
+    this.show();
+  }
+
+  private async record(number: number, task: Task, errors: FieldErrors): Promise<Compared | undefined> {
+    const problems = await this.engine.problems(task);
+    const recording = problems.length > 0 ? undefined : await this.engine.load(task, mostClocks);
+    if (recording !== undefined && "code" in recording) problems.push(recording);
+    for (const { field, message, hint } of problems)
+      errors.set(fieldOf(field), hint === "" ? message : `${message}: ${hint}`);
+    if (recording === undefined || "code" in recording) return undefined;
+    const session = new Session(() => {});
+    session.load(recording, 0);
+    const lane = this.state.lanes[number];
+    const figure = lane === undefined ? undefined : figureOf(this.state, lane);
+    const detail = conventionsText(recording.conventions);
+    return {
+      drawn: { title: methodTitles[task.method] ?? task.method, detail, number, task, session },
+      conventions: detail,
+      source: figure?.source ?? "",
+      published: figure?.published ?? "",
+      command: commandOf(task).replace("--table", "--json"),
+    };
+  }
+
+  private get last(): number {
+    return Math.max(0, ...this.compared.map(({ drawn }) => drawn.session.last));
+  }
+
+  private seek(clock: number): void {
+    this.clock = Math.max(0, Math.min(clock, this.last));
+    this.show();
+  }
+
+  private step(by: 1 | -1): void {
+    this.pause();
+    this.seek(this.clock + by);
+  }
+
+  private toggle(): void {
+    if (this.isRunning) {
+      this.pause();
+      this.show();
+      return;
+    }
+    if (this.last === 0 || !(quantity(this.state.curve.interval) >= 0)) return;
+    if (this.clock === this.last) this.clock = 0;
+    this.isRunning = true;
+    let before = performance.now();
+    let owed = 0;
+    const go = (now: number): void => {
+      if (!this.isRunning) return;
+      const pace = quantity(this.state.curve.interval);
+      owed = pace > 0 ? Math.min(owed + (now - before) / 1000 / pace, mostClocksAFrame) : mostClocksAFrame;
+      before = now;
+      const clocks = Math.floor(owed);
+      owed -= clocks;
+      if (this.clock + clocks >= this.last) this.isRunning = false;
+      if (clocks > 0) this.seek(this.clock + clocks);
+      if (this.isRunning) requestAnimationFrame(go);
+    };
+    requestAnimationFrame(go);
+    this.show();
+  }
+
+  private pause(): void {
+    this.isRunning = false;
+  }
+
+  private show(): void {
+    const { state, clock, compared } = this;
+    const drawn: Drawn[] = compared.map((each) => each.drawn);
+    this.element.dataset["clock"] = String(clock);
+    this.element.dataset["state"] = this.isRunning ? "running" : "stopped";
+    this.element.dataset["lanes"] = String(compared.length);
+    this.curveForm.update(state, comparisonOf(state), this.curveErrors);
+    const methods = state.lanes.map(({ method }) => this.methodOf(method));
+    this.laneForms.update(state, methods, this.laneErrors);
+    const pace = quantity(state.curve.interval);
+    const wrong = pace >= 0 && pace <= 60 ? "" : "the interval is 0 (as fast as can be) to 60 s, such as 0.1";
+    this.transport.update(clock, this.last, this.isRunning, state.curve.interval, wrong);
+    this.stage.update(drawn, state, clock, this.text());
+    this.table.update(compared, clock);
+    this.commands.textContent = compared.map(({ command }) => command).join("\n");
+    this.keepLink();
+  }
+
+  /** What the picture shows, in words. */
+  private text(): string {
+    const one = this.compared[0]?.drawn;
+    if (one === undefined) return "Nothing can be drawn yet";
+    const [curve] = graphText(one.task, one.session).split(" and the steps");
+    return `${curve} and the steps of ${this.compared.map(({ drawn }) => drawn.title).join(", ")} until clock ${this.clock}`;
+  }
+
+  private keepLink(): void {
+    if (this.linkTimer !== 0) return;
+    this.linkTimer = window.setTimeout(() => {
+      this.linkTimer = 0;
+      history.replaceState(null, "", this.link());
+    }, 300);
+  }
+
+  /** Where no control has these keys. */
+  private key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      target.matches("input, select, textarea, .path-frame, .figures")
+    )
+      return;
+    const actions: Readonly<Record<string, () => void>> = {
+      ArrowRight: () => this.step(1),
+      ArrowLeft: () => this.step(-1),
+      Home: () => this.seek(0),
+      End: () => this.seek(this.last),
+      ...(target.matches("button") ? {} : { " ": () => this.toggle() }),
+    };
+    const action = actions[event.key];
+    if (action === undefined) return;
+    event.preventDefault();
+    action();
+  }
+}
