@@ -129,6 +129,23 @@ test("length and ripple follow from the command's rows", async () => {
   }
 });
 
+test("time at the feed is that of the clock: q/L or q/R clocks a BLU, of integrators alone", async () => {
+  const { page } = compare;
+  await chooseComparison(page, "line");
+  await press(page, "last");
+  await page.fill("#feed", "8.5");
+  const timesOf = async () => (await rowsOf(page)).map(({ Time }) => Time);
+  const time = (16 / ((16 / Math.hypot(11, 7)) * 8.5)).toFixed(2);
+  assert.deepEqual(await timesOf(), [time, time, "", ""]);
+  await page.fill("#feed", "-1");
+  assert.match(await page.textContent("#feed-error"), /more than 0 BLU\/s/);
+  assert.deepEqual(await timesOf(), ["", "", "", ""]);
+  await page.focus("#feed-slider");
+  await page.keyboard.press("End");
+  assert.equal(await page.inputValue("#feed"), "500");
+  await page.fill("#feed", "10");
+});
+
 test("all of them stand at the same clock", async () => {
   const { page } = compare;
   await chooseComparison(page, "line");
@@ -269,12 +286,20 @@ test("files hold what is shown", async () => {
   };
   const csv = String(await save("csv")).split("\n");
   assert.match(csv[0], /^method,conventions,clocks,pulses,/);
-  assert.match(csv[2], /^DDA in hardware,"q = 5, half-lagging, parallel",8,7,/);
+  assert.match(csv[2], /^DDA in hardware,"q = 5, half-lagging, parallel",8,7,1\.143,0\.80,/);
   const picture = String(await save("svg"));
   assert.match(picture, /^<svg xmlns=.*<title>The true counterclockwise arc from \(5, 0\) to \(0, 5\)/);
   const paths = [...picture.matchAll(/<polyline [^>]*stroke="(#\w+)" stroke-width="(2|3.8|5.6|7.4)"/g)];
   assert.equal(new Set(paths.map(([, colour, width]) => `${colour} ${width}`)).size, 5); // and the true curve
   assert.equal((await save("png")).subarray(1, 4).toString(), "PNG");
+  const dump = String(await save("vcd"));
+  assert.deepEqual(
+    [...dump.matchAll(/\$scope module (\w+)/g)].map(([, name]) => name),
+    ["point_comparison_1", "dda_2", "min_error_3", "improved_min_error_4"],
+  );
+  const marks = [...dump.matchAll(/\$var integer 64 (\S) /g)].map(([, mark]) => mark);
+  assert.equal(new Set(marks).size, marks.length);
+  assert.match(dump, /\n#10\n/);
 });
 
 for (const theme of ["light", "dark"]) {

@@ -1,7 +1,7 @@
 // Methods beside one another: one curve, up to four lanes, one clock, one camera. Each lane is a recording of the engine.
 
 import type { Catalogue, Engine, Method, Task } from "../engine/types";
-import { download } from "../lesson/files";
+import { download, vcdText } from "../lesson/files";
 import { methodTitles } from "../lesson/form";
 import { graphText } from "../lesson/graph";
 import { Session } from "../lesson/session";
@@ -46,6 +46,10 @@ export class Compare {
         Object.assign(this.state.curve, change);
         this.state.camera = undefined;
         void this.load(0);
+      },
+      feed: (feed) => {
+        this.state.curve.feed = feed;
+        this.show();
       },
     });
     this.laneForms = new LaneForms(catalogue, {
@@ -95,6 +99,7 @@ export class Compare {
         button("save-svg", "SVG", () => download("leadscrew-compare.svg", this.stage.svg(), "image/svg+xml")),
         button("save-png", "PNG", () => void this.savePicture()),
         button("save-csv", "CSV", () => download("leadscrew-compare.csv", this.table.csv(), "text/csv")),
+        button("save-vcd", "VCD", () => this.saveDump()),
         button("copy-link", "Copy link", () => void navigator.clipboard?.writeText(location.href)),
         button(
           "copy-commands",
@@ -122,6 +127,15 @@ export class Compare {
 
   private async savePicture(): Promise<void> {
     download("leadscrew-compare.png", await this.stage.png(), "image/png");
+  }
+
+  /** A scope for each lane, by its number, since two of them may have one method. */
+  private saveDump(): void {
+    const scopes = this.compared.map(({ drawn }) => ({
+      name: `${drawn.task.method}-${drawn.number + 1}`,
+      session: drawn.session,
+    }));
+    download("leadscrew-compare.vcd", vcdText(scopes, this.clock), "text/plain");
   }
 
   private reset(state: State): void {
@@ -204,6 +218,7 @@ export class Compare {
       conventions: detail,
       source: figure?.source ?? "",
       published: figure?.published ?? "",
+      clocksPerBlu: recording.conventions.clocksPerBlu,
       command: commandOf(task).replace("--table", "--json"),
     };
   }
@@ -258,14 +273,15 @@ export class Compare {
     this.element.dataset["clock"] = String(clock);
     this.element.dataset["state"] = this.isRunning ? "running" : "stopped";
     this.element.dataset["lanes"] = String(compared.length);
-    this.curveForm.update(state, comparisonOf(state), this.curveErrors);
+    const feed = quantity(state.curve.feed);
+    this.curveForm.update(state, comparisonOf(state), this.curveErrors, feed > 0);
     const methods = state.lanes.map(({ method }) => this.methodOf(method));
     this.laneForms.update(state, methods, this.laneErrors);
     const pace = quantity(state.curve.interval);
     const wrong = pace >= 0 && pace <= 60 ? "" : "the interval is 0 (as fast as can be) to 60 s, such as 0.1";
     this.transport.update(clock, this.last, this.isRunning, state.curve.interval, wrong);
     this.stage.update(drawn, state, clock, this.text());
-    this.table.update(compared, clock);
+    this.table.update(compared, clock, feed);
     this.commands.textContent = compared.map(({ command }) => command).join("\n");
     this.keepLink();
   }

@@ -8,6 +8,7 @@ import { comparisons, type Comparison, type State } from "./state";
 export interface CurveEvents {
   choose(comparison: Comparison): void;
   change(change: Partial<Settings>): void;
+  feed(text: string): void;
 }
 
 const pairs = [
@@ -22,7 +23,18 @@ export class CurveForm {
   private readonly fields = new Fields();
   private readonly groups: (readonly [HTMLElement, string])[] = [];
 
+  private readonly slider: HTMLInputElement;
+
   constructor(private readonly events: CurveEvents) {
+    this.slider = html("input", {
+      id: "feed-slider",
+      type: "range",
+      min: 1,
+      max: 500,
+      step: 1,
+      "aria-label": "Feed, BLU/s",
+      input: () => events.feed(this.slider.value),
+    });
     this.element = html("section", { class: "panel", "aria-labelledby": "curve-title" }, ...this.content());
   }
 
@@ -58,6 +70,12 @@ export class CurveForm {
         ],
         (direction) => events.change({ direction: direction as "cw" }),
       ),
+      html(
+        "div",
+        { class: "feed" },
+        fields.text("feed", "Feed v, BLU/s", (feed) => events.feed(feed)),
+        this.slider,
+      ),
     ];
   }
 
@@ -75,13 +93,15 @@ export class CurveForm {
     return group;
   }
 
-  update(state: State, chosen: Comparison | undefined, errors: FieldErrors): void {
+  update(state: State, chosen: Comparison | undefined, errors: FieldErrors, isFeed: boolean): void {
     const { curve } = state;
     const isArc = curve.module === "arc";
     const isEllipse = isArc && curve.curve === "ellipse";
     this.fields.show("comparison", chosen?.id ?? "", true);
     this.fields.show("curve", isArc ? curve.curve : "line", true);
     this.fields.show("direction", curve.direction, isArc);
+    this.fields.show("feed", curve.feed, true, isFeed ? "" : "the feed is more than 0 BLU/s, such as 10");
+    if (isFeed) this.slider.value = curve.feed;
     for (const [group, of] of this.groups) group.hidden = (of === "arc" && !isArc) || (of === "ellipse" && !isEllipse);
     for (const [, ...keys] of pairs)
       for (const key of keys.slice(0, 2) as (keyof Settings)[])

@@ -12,12 +12,18 @@ export interface Compared {
   readonly source: string;
   readonly published: string;
   readonly command: string;
+  /** Of integrators; 0 of methods whose rate depends on the course. */
+  readonly clocksPerBlu: number;
 }
 
-const columns: readonly (readonly [string, string, (figures: LaneFigures) => string])[] = [
+/** Figures of a lane, and its time at the feed: NaN where the clock does not set that. */
+type Told = LaneFigures & { readonly time: number };
+
+const columns: readonly (readonly [string, string, (figures: Told) => string])[] = [
   ["Clocks", "until here", ({ clocks }) => String(clocks)],
   ["Pulses", "clocks with a step", ({ pulses }) => String(pulses)],
   ["Clocks a pulse", "what a step costs", ({ clocks, pulses }) => (pulses > 0 ? fixed(clocks / pulses, 3) : "")],
+  ["Time", "at the feed, s; of integrators, whose clock sets it", ({ time }) => (time >= 0 ? fixed(time, 2) : "")],
   ["Greatest error", "distance from the curve, BLU", ({ maxError }) => fixed(maxError, 3)],
   ["RMS error", "over the places after each pulse, BLU", ({ rmsError }) => fixed(rmsError, 3)],
   ["Length", "of the steps, BLU", ({ length }) => fixed(length, 2)],
@@ -53,9 +59,10 @@ export class FigureTable {
   );
   private rows: readonly string[][] = [];
 
-  update(all: readonly Compared[], clock: number): void {
-    this.rows = all.map(({ drawn, conventions, source, published }) => {
-      const figures = figuresOf(drawn.session, clock);
+  update(all: readonly Compared[], clock: number, feed: number): void {
+    this.rows = all.map(({ drawn, conventions, source, published, clocksPerBlu }) => {
+      const until = figuresOf(drawn.session, clock);
+      const figures = { ...until, time: clocksPerBlu > 0 && feed > 0 ? until.clocks / (clocksPerBlu * feed) : NaN };
       const paper = published === "" ? "" : `${published} (${source})`;
       return [drawn.title, conventions, ...columns.map(([, , of]) => of(figures)), paper];
     });

@@ -97,7 +97,7 @@ function drawPlaces(
   for (let clock = 0; clock <= until; ++clock) {
     const [x, y] = [frame.x(session.value(clock, "X")), frame.y(session.value(clock, "Y"))];
     if (x < -9 || y < -9 || x > picture.width + 9 || y > picture.height + 9) continue;
-    picture.circle(x, y, radius, { fill: tone, opacity: 0.85 });
+    picture.circle(x, y, radius, { fill: tone });
   }
 }
 

@@ -182,7 +182,7 @@ export class Display {
     const name = `leadscrew-${task.method}-${session.clock}.${kind}`;
     if (kind === "svg") download(name, svgText(task, session, settings), "image/svg+xml");
     if (kind === "csv") download(name, csvText(session), "text/csv");
-    if (kind === "vcd") download(name, vcdText(session, task.method), "text/plain");
+    if (kind === "vcd") download(name, vcdText([{ name: task.method, session }], session.clock), "text/plain");
     if (kind === "png") void pngBlob(task, session, settings).then((blob) => download(name, blob, "image/png"));
   }
 }

@@ -45,19 +45,32 @@ export function csvText(session: Session): string {
   return `${lines.join("\n")}\n`;
 }
 
-/** A value-change dump: every column until now, a microsecond a clock. */
-export function vcdText(session: Session, method: string): string {
-  const columns = (session.recording?.columns ?? []).filter((name) => name !== "clock");
+/** What a dump has as a scope of its own. */
+export interface Scope {
+  readonly name: string;
+  readonly session: Session;
+}
+
+/** A value-change dump: every column of each scope until a clock, a microsecond a clock. */
+export function vcdText(scopes: readonly Scope[], until: number): string {
   const bits = (value: number): string => (value < 0 ? BigInt.asUintN(64, BigInt(value)) : BigInt(value)).toString(2);
-  const mark = (i: number): string => String.fromCharCode(33 + i);
-  const scope = method.replaceAll("-", "_");
-  const lines = ["$timescale 1 us $end", `$scope module ${scope} $end`];
-  columns.forEach((name, i) => lines.push(`$var integer 64 ${mark(i)} ${name} $end`));
-  lines.push("$upscope $end", "$enddefinitions $end");
-  for (let clock = 0; clock <= session.clock; ++clock) {
-    const changed = columns.flatMap((name, i) => {
-      const value = session.value(clock, name);
-      return clock > 0 && session.value(clock - 1, name) === value ? [] : [`b${bits(value)} ${mark(i)}`];
+  let marks = 0;
+  const mark = (): string => String.fromCharCode(33 + marks++); // 94 of them; four scopes have no more than 80 signals
+  const lines = ["$timescale 1 us $end"];
+  const signals = scopes.flatMap(({ name, session }) => {
+    lines.push(`$scope module ${name.replaceAll("-", "_")} $end`);
+    const columns = (session.recording?.columns ?? []).filter((column) => column !== "clock");
+    const own = columns.map((column) => ({ column, session, mark: mark() }));
+    for (const signal of own) lines.push(`$var integer 64 ${signal.mark} ${signal.column} $end`);
+    lines.push("$upscope $end");
+    return own;
+  });
+  lines.push("$enddefinitions $end");
+  for (let clock = 0; clock <= until; ++clock) {
+    const changed = signals.flatMap(({ column, session, mark }) => {
+      if (clock > session.last) return [];
+      const value = session.value(clock, column);
+      return clock > 0 && session.value(clock - 1, column) === value ? [] : [`b${bits(value)} ${mark}`];
     });
     if (changed.length > 0) lines.push(`#${clock}`, ...changed);
   }
