@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { missedByTab, seriousFindings, tabbed } from "./axe.mjs";
-import { built, native, nativeTable, openBrowser, openPage, serve } from "./browser.mjs";
+import { built, choose, click, commandOf, native, nativeTable, openBrowser, openPage, serve } from "./browser.mjs";
 
 let server, browser, compare;
 before(async () => {
@@ -230,6 +230,27 @@ test("a link brings everything back", async () => {
   await other.close();
 });
 
+test("the lesson's curve is laid beside other methods", async () => {
+  const lesson = await openPage(browser, server.address);
+  await choose(lesson.page, "ellipse");
+  await click(lesson.page, "last");
+  const command = await commandOf(lesson.page);
+  await lesson.page.click("#to-compare");
+  await loaded(lesson.page);
+  const commands = await commandsOf(lesson.page);
+  assert.deepEqual(
+    commands.map((words) => words[words.indexOf("--method") + 1]),
+    ["koren", "dda"],
+  );
+  assert.deepEqual(
+    commands[0],
+    command.map((word) => (word === "--table" ? "--json" : word)),
+  );
+  assert.equal(await lesson.page.textContent("#position"), "74 of 78");
+  assert.deepEqual(lesson.failures, []);
+  await lesson.close();
+});
+
 test("keys do what the mouse does", async () => {
   const { page } = compare;
   await chooseComparison(page, "fpga");
@@ -289,7 +310,7 @@ test("files hold what is shown", async () => {
   assert.match(csv[2], /^DDA in hardware,"q = 5, half-lagging, parallel",8,7,1\.143,0\.80,/);
   const picture = String(await save("svg"));
   assert.match(picture, /^<svg xmlns=.*<title>The true counterclockwise arc from \(5, 0\) to \(0, 5\)/);
-  const paths = [...picture.matchAll(/<polyline [^>]*stroke="(#\w+)" stroke-width="(2|3.8|5.6|7.4)"/g)];
+  const paths = [...picture.matchAll(/<polyline [^>]*stroke="(#\w+)" stroke-width="(2|4.4|6.8|9.2)"/g)];
   assert.equal(new Set(paths.map(([, colour, width]) => `${colour} ${width}`)).size, 5); // and the true curve
   assert.equal((await save("png")).subarray(1, 4).toString(), "PNG");
   const dump = String(await save("vcd"));

@@ -69,7 +69,7 @@ export function drawLanes(
   for (const [i, { number, session }] of lanes.entries()) {
     const until = Math.min(clock, session.last);
     // Where they coincide the ones below are seen beside those above.
-    const dashed = strokeOf(number, 2 + 1.8 * (lanes.length - 1 - i));
+    const dashed = strokeOf(number, 2 + 2.4 * (lanes.length - 1 - i));
     const stroke = lanes.length > 1 ? { ...dashed, dash: [] } : dashed;
     picture.line(staircase(session, frame, 0, until), stroke);
     if (frame.scale > 12) drawPlaces(picture, session, frame, until, stroke.colour, 2.2 + (lanes.length - 1 - i) * 1.2);

@@ -1,5 +1,6 @@
 // What is compared: one curve, up to four methods or settings, and where one looks; and the link that brings it back.
 
+import type { Method } from "../engine/types";
 import { presets, withPreset, type Preset } from "../lesson/presets";
 import { fromLink as settingsOf, initial, toLink as linkOf, type Settings } from "../lesson/settings";
 
@@ -125,6 +126,18 @@ export function toLink(state: State): string {
   if (camera !== undefined)
     link.set("at", [camera.x, camera.y, camera.across].map((each) => each.toPrecision(8)).join(","));
   return `#${link.toString()}`;
+}
+
+/** What the lesson shows, beside the other methods that draw its curve, as they are by default. */
+export function linkFromLesson(settings: Settings, methods: readonly Method[]): string {
+  const own = laneOf(settings.method);
+  for (const key of laneKeys) own[key] = settings[key];
+  const isEllipse = settings.module === "arc" && settings.curve === "ellipse";
+  const others = methods
+    .filter(({ name, hasEllipses }) => name !== settings.method && (hasEllipses || !isEllipse))
+    .map(({ name }) => laneOf(name));
+  const lanes = [own, ...others].slice(0, mostLanes);
+  return toLink({ curve: settings, lanes, layout: "overlay", camera: undefined });
 }
 
 function cameraOf(text: string | null): Camera | undefined {

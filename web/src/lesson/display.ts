@@ -23,6 +23,7 @@ export class Display {
   private readonly why = html("div", { class: "why", id: "why", "aria-live": "polite" });
   private readonly probe = html("output", { class: "probe", id: "probe" });
   private readonly command = html("code", { id: "command", tabindex: 0 });
+  private readonly compare = html("a", { id: "to-compare", href: "./compare.html" }, "Compare with other methods");
   private readonly views: HTMLSelectElement;
   private readonly predict: HTMLInputElement;
   private draws = 0;
@@ -109,18 +110,21 @@ export class Display {
         button("save-vcd", "VCD", () => this.save("vcd")),
         button("copy-link", "Copy link", () => void navigator.clipboard?.writeText(location.href)),
         button("copy-command", "Copy command", () => void navigator.clipboard?.writeText(this.shown?.command ?? "")),
+        this.compare,
       ),
       html("p", { class: "command" }, this.command),
     );
   }
 
-  update(task: Task | undefined, session: Session, settings: Settings, command: string): void {
+  /** `comparison`: the link of the page that lays it beside others. */
+  update(task: Task | undefined, session: Session, settings: Settings, command: string, comparison: string): void {
     this.element.classList.toggle("stale", task === undefined);
     if (task === undefined || session.recording === undefined) return;
     this.shown = { task, session, settings, command };
     this.views.value = settings.view;
     this.predict.checked = settings.predict;
     this.command.textContent = command;
+    this.compare.href = `./compare.html${comparison}`;
     this.flow.update(session, task.shape === "arc");
     this.table.update(session);
     this.showNumbers(session);

@@ -1,6 +1,7 @@
 // The lesson: what the reader sets becomes a task, the task a recording, and the clock walks along it.
 
 import type { Catalogue, Engine, Method, Task } from "../engine/types";
+import { linkFromLesson } from "../compare/state";
 import { html } from "../ui/dom";
 import { Display } from "./display";
 import { Form } from "./form";
@@ -242,7 +243,8 @@ export class Lesson {
     this.form.showStart(session.state === "running" || session.state === "waiting", this.statusText());
     this.speed.update(settings, session, this.errors);
     this.predict.update(settings.predict && this.task !== undefined);
-    this.display.update(this.task, session, settings, this.task === undefined ? "" : commandOf(this.task));
+    const command = this.task === undefined ? "" : commandOf(this.task);
+    this.display.update(this.task, session, settings, command, linkFromLesson(settings, this.catalogue.methods));
     if (this.task !== undefined && this.whyOf !== session.clock) void this.tellWhy(session.clock);
     this.keepLink();
   }
