@@ -185,6 +185,21 @@ TEST(PulseProblems, SayOfWhichFieldTheyAre) {
   EXPECT_EQ(capacity_problem(PulseMethod::dda, level, {.capacity = 20})->subject.field, "capacity");
 }
 
+/// What would be right is beside the ellipse: its diagnostics name such a place.
+TEST(PulseProblems, NameAPlaceBesideTheEllipse) {
+  for (const Point wrong : {Point{10, -3}, Point{10, 8}, Point{4, 4}, Point{18, 4}, Point{10, 13}, Point{-2, -9}}) {
+    const PulseCurve curve{arc, wrong, {22, -3}, {10, -3}, Direction::counterclockwise, pulse::SemiAxes{12, 7}};
+    const auto problems = problems_of(curve, std::nullopt);
+    ASSERT_EQ(problems.size(), 1u) << point_text(wrong);
+    const std::string& hint = problems.front().hint;
+    const std::size_t comma = hint.find(", ", hint.find('('));
+    const Point right{std::stoll(hint.substr(hint.find('(') + 1)), std::stoll(hint.substr(comma + 2))};
+    PulseCurve mended = curve;
+    mended.start = right;
+    EXPECT_TRUE(problems_of(mended, std::nullopt).empty()) << hint;
+  }
+}
+
 TEST(ClocksPerBlu, IsTheCapacityOverTheLengthOrTheRadius) {
   const PulseCurve level{line, {}, {3, 4}, {}, {}}, circle{arc, {10, 0}, {10, 0}, {}, {}};
   const auto clocks = [](PulseMethod method, const PulseCurve& curve, const MethodOptions& options) {

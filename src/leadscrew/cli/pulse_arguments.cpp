@@ -31,8 +31,9 @@ constexpr const char* pulse_examples =
     "Columns of --table: x y from the centre or a line's start, F the deviation; n1 n2 n3 what F would be after a "
     "step\n"
     "of both axes, of y, of x; d = 4(d1 - d2) of improved-min-error; Jx Jy integrands, rx ry remainders, nx ny steps\n"
-    "left, q the capacity. --vcd has them under the papers' names too, and says which is which: rst Val_z Val_f "
-    "Val_n1\n"
+    "left, n clocks left with --free, q the capacity. Of an ellipse r and q are taken so many times that all are "
+    "whole.\n"
+    "--vcd has them under the papers' names too, and says which is which: rst Val_z Val_f Val_n1\n"
     "Sum_Z and, for koren, y1 r1 dz1.\n";
 
 /// As they are given; the curve is made of them at the end.

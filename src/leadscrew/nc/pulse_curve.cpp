@@ -74,13 +74,31 @@ EllipseFoot foot_on(pulse::SemiAxes axes, Point at) {
                          static_cast<double>(at.y));
 }
 
+/// The place of the lattice that is nearest to the ellipse, of those around a point of it: no more than half a BLU off,
+/// for where the ellipse passes a line of the lattice at less than 45° one of its two neighbours on that is.
+Point beside(pulse::SemiAxes axes, EllipseFoot foot) {
+  const Point middle{std::llround(foot.x), std::llround(foot.y)};
+  Point nearest = middle;
+  const auto off = [&](Point at) { return std::abs(foot_on(axes, at).distance); };
+  for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x) {
+    for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
+      if (Point{x, y} != Point{} && off({x, y}) < off(nearest)) nearest = {x, y};
+    }
+  }
+  return nearest;
+}
+
 void check_beside(Problems& problems, pulse::SemiAxes axes, std::string_view field, Point given, Point from_center) {
-  const double off = std::abs(foot_on(axes, from_center).distance);
+  const EllipseFoot foot = foot_on(axes, from_center);
+  const double off = std::abs(foot.distance);
   if (off <= 0.5 && from_center != Point{}) return;
+  const Point right = beside(axes, foot);
   add(problems, "off-ellipse",
       "the " + std::string(field) + " " + point_text(given) + " is " + base::fixed_text(off, 3) +
           " BLU off the ellipse with the semi-axes " + point_text({axes.x, axes.y}),
-      "start and end may be off it by half a BLU at most; its own ends are always on it", {.field = field});
+      "half a BLU at most, as " + point_text({right.x + given.x - from_center.x, right.y + given.y - from_center.y}) +
+          " is",
+      {.field = field});
 }
 
 void check_ellipse(Problems& problems, const PulseCurve& curve, std::optional<int> bits) {
