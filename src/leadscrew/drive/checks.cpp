@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <leadscrew/drive/checks.hpp>
 #include <leadscrew/drive/link.hpp>
@@ -13,19 +12,9 @@ namespace {
 
 constexpr std::int64_t least_period = 50'000;  // ns: below, two processes cannot wake each other up in time
 
-/// A stop along a line takes max v/a + max a/J at most. Where no early stop is known, stop paths go on to the end
-/// of a window of the planner's, some such stops long: what is longer still ends motion when it comes
-/// (`stop-too-long`).
+/// What is longer still ends motion when it comes (`stop-too-long`).
 base::Result<void> check_stops(const Setup& setup) {
-  constexpr double on_curves = 4;
-  double brake = 0, release = 0;
-  for (const auto& limits : setup.machine.axes) {
-    if (!limits) continue;
-    brake = std::max(brake, limits->velocity / limits->acceleration);
-    release = std::max(release, limits->acceleration / limits->jerk);
-  }
-  const double periods =
-      (on_curves * (brake + release) + slice_duration + longest_chunk) / setup.machine.period.seconds();
+  const double periods = setup.periods_to_stop();
   if (periods <= Link::longest_stop_path) return {};
   return base::failure(base::problem(
       "stop-too-long",

@@ -11,6 +11,7 @@ namespace leadscrew::drive {
 namespace {
 
 constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
+constexpr std::int64_t between_looks = 1'000'000;     // ns between two looks whether drives that begin where they stand are ready
 
 using End = Figures::End;
 using Order = Link::Order;
@@ -52,13 +53,14 @@ class Drive {
   /// Until the drives stand where motion begins. After a signal, or a word of who looks on, they do nothing more.
   base::Result<void> await_readiness() {
     const double seconds = static_cast<double>(begin_.return_path.size()) * setup_.machine.period.seconds();
+    const std::int64_t pause = begin_.return_path.empty() ? between_looks : frame / 4;
     bool stops = false;
     while (process_.is_running() && (stops || link_.phase.load(std::memory_order_acquire) == Phase::starting)) {
       take_feedback();
       const bool is_unwanted = onlooker_.while_returning && onlooker_.while_returning(seconds);
       stops = stops || is_unwanted || files::interruptions() > 0;
       if (stops) link_.order.store(Order::abandon, std::memory_order_release);
-      realtime::sleep_until(realtime::now() + frame / 4);
+      realtime::sleep_until(realtime::now() + pause);
     }
     if (auto sound = check_process(); !sound) return sound;
     if (stops) return base::failure(files::interruption());

@@ -81,8 +81,8 @@ struct Link {
 
   static constexpr std::size_t most_words = 1 << 16, longest_stop_path = 1 << 18;
 
-  /// `room` for words, 1 … most_words.
-  explicit Link(std::size_t room = most_words) : words(room) {}
+  /// `room` for words, 1 … most_words; of stop paths of `usual_stop` periods memory is there from the beginning.
+  explicit Link(std::size_t room = most_words, std::size_t usual_stop = 0) : words(room, usual_stop) {}
 
   const pid_t maker = ::getpid();  ///< of the words: this is made by the command
   realtime::WordStream<most_words, longest_stop_path> words;

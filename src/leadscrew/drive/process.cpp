@@ -23,7 +23,8 @@ base::Result<std::unique_ptr<Process>> Process::start(const Setup& setup, Beginn
   if (memory == MAP_FAILED)
     return base::failure(files::system_failure("io-open", "no memory to share", "drives", errno));
   // What is not used is not touched, and takes no memory and no time.
-  std::unique_ptr<Process> process(new Process(new (memory) Link(std::min(setup.most_waiting(), Link::most_words))));
+  std::unique_ptr<Process> process(new Process(new (memory) Link(std::min(setup.most_waiting(), Link::most_words),
+                                                                 static_cast<std::size_t>(setup.periods_to_stop()))));
   process->id_ = ::fork();
   if (process->id_ < 0) return base::failure(files::system_failure("io-open", "cannot start", "drives", errno));
   if (process->id_ == 0) {

@@ -51,6 +51,19 @@ struct Setup {
     return static_cast<std::size_t>(2 * (words_in(options.lead) + words_of_slice()) + 4);
   }
 
+  /// That a stop takes, at the most as a rule. Along a line it takes max v/a + max a/J. Where no early stop is known, stop paths go on
+  /// to the end of a window of the planner's, some such stops long.
+  double periods_to_stop() const {
+    constexpr double on_curves = 4;
+    double brake = 0, release = 0;
+    for (const auto& limits : machine.axes) {
+      if (!limits) continue;
+      brake = std::max(brake, limits->velocity / limits->acceleration);
+      release = std::max(release, limits->acceleration / limits->jerk);
+    }
+    return (on_curves * (brake + release) + slice_duration + longest_chunk) / machine.period.seconds();
+  }
+
   /// Of a program that comes while it moves.
   gcode::ReaderOptions reader_options(const std::string& file) const {
     gcode::ReaderOptions options_of_file = reading;

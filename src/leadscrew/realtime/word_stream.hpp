@@ -13,6 +13,7 @@
 // sees it: no word is published after drives have left, and no stop path is overwritten that they may be following.
 // Without a lock and without pointers: this may lie in memory that two processes share.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -29,9 +30,12 @@ class WordStream {
   static_assert(std::is_trivially_copyable_v<base::Word> && std::atomic<std::uint64_t>::is_always_lock_free);
 
  public:
-  /// `room`: of words, 1 … most_words; memory of so many is touched, and no other.
-  explicit WordStream(std::size_t room = most_words) noexcept : room_(room) {
+  /// `room`: of words, 1 … most_words; memory of so many is touched, and of stop paths of `usual_stop` periods, and no other.
+  explicit WordStream(std::size_t room = most_words, std::size_t usual_stop = 0) noexcept : room_(room) {
     for (std::size_t k = 0; k < room_; ++k) words_.write(k, {});
+    for (StopPath& stop_path : stop_paths_) {
+      for (std::size_t k = 0; k < std::min(usual_stop, longest_stop_path); ++k) stop_path.places.write(k, {});
+    }
   }
 
   // The maker's.
