@@ -57,7 +57,7 @@ Told told_behind_draft(const Machining& machining, std::size_t most) {
   for (std::size_t k = 0; k < most && draft.next(); ++k) {
   }
   Told all;
-  Passes passes(machining, draft);
+  Passes passes(machining, draft.found_lines());
   while (std::optional<Pass> pass = passes.next()) (pass->is_link ? all.links : all.passes).push_back(*pass);
   all.failure = passes.failure();
   return all;

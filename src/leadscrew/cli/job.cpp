@@ -118,6 +118,7 @@ gcode::ReaderOptions Job::reader_options() const {
   options.fuel = arguments.fuel.value_or(options.fuel);
   options.parameters = parameters;
   options.warns_of_unset = arguments.lint;
+  options.surface_drafts = surface_drafts;
   options.allows_gouging = arguments.gouge || arguments.allow_gouge;
   return options;
 }
@@ -148,6 +149,7 @@ std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
 
 Job job_of(const Job& job, const std::string& program) {
   Job of_program = job;
+  of_program.surface_drafts = gcode::new_surface_drafts();
   if (!is_curve(program)) return of_program;
   if (const auto curve = curve_program(program)) of_program.start = curve->start;
   return of_program;

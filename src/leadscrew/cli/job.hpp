@@ -8,6 +8,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <leadscrew/pipeline/whole_reading.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct Job {
   base::AxisVector start{};                        ///< machine coordinates, mm or degrees
   std::string text;                                ///< of the machine file, the tool table and the parameter file
   std::vector<gcode::NumberedValue> parameters{};  ///< where a program begins
+  /// Of its surfaces, by all readings of a program.
+  std::shared_ptr<gcode::SurfaceDrafts> surface_drafts = gcode::new_surface_drafts();
 
   /// Of any program.
   gcode::ReaderOptions reader_options() const;

@@ -11,7 +11,8 @@ namespace leadscrew::drive {
 namespace {
 
 constexpr std::int64_t frame = 20'000'000;  // ns between two looks at what happens
-constexpr std::int64_t between_looks = 1'000'000;     // ns between two looks whether drives that begin where they stand are ready
+constexpr std::int64_t between_looks =
+    1'000'000;  // ns between two looks whether drives that begin where they stand are ready
 
 using End = Figures::End;
 using Order = Link::Order;

@@ -66,8 +66,13 @@ namespace leadscrew::gcode {
 using base::ByteSource;
 using base::TextOpener;
 
-class Frame;        // frame.hpp
-struct ModalState;  // modal_state.hpp
+class Frame;          // frame.hpp
+struct ModalState;    // modal_state.hpp
+class SurfaceDrafts;  // surface_drafts.hpp
+
+/// A place for what readings of a program find of its surfaces (ReaderOptions::surface_drafts), in bounded memory; any thread may use
+/// it.
+std::shared_ptr<SurfaceDrafts> new_surface_drafts();
 
 /// A source over text that outlives it.
 ByteSource text_source(std::string_view text);
@@ -99,6 +104,9 @@ struct ReaderOptions {
   bool asks_inputs = false;         ///< whoever reads gives Reader::input_is() of each M66, or at least may
   ProbingMoves probing = ProbingMoves::simulated;  ///< of G38.2 … G38.5 and G31
   bool warns_of_unset = false;  ///< lint-unset-parameter: a numbered parameter is read that never had a value
+  /// Surfaces whose passes turn rotary axes: what this reading finds of them is kept there for others of the program, which then do
+  /// not find it again; moves are the same with and without. None: nothing is kept.
+  std::shared_ptr<SurfaceDrafts> surface_drafts{};
   bool allows_gouging = false;  ///< surfaces are machined though the tool gouges where it touches; else `surface-gouge`
   bool repeats = false;         ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };

@@ -134,37 +134,52 @@ bool SurfaceMoves::choose_angles() {
   }
   const kinematics::Chain& chain = frame_.tip_control()->chain;
   const auto& turns = chain.turns();
-  const kinematics::Angles<double> before{frame_.position[base::index(turns[0].axis)],
-                                          frame_.position[base::index(turns[1].axis)]};
-  RotaryLift lift(chain, kinematics::limits_of(machine_, chain), before);
-  surfaces::Machining draft = machined_->machining;
-  draft.is_draft = true;
-  surfaces::Passes passes(std::move(draft));
+  const SurfaceDraftKey key{machined_->machining,
+                            chain,
+                            kinematics::limits_of(machine_, chain),
+                            {frame_.position[base::index(turns[0].axis)], frame_.position[base::index(turns[1].axis)]}};
+  std::optional<SurfaceDraft> draft = options_.surface_drafts ? options_.surface_drafts->find(key) : std::nullopt;
+  if (!draft) {
+    draft = draft_of(key);
+    if (!draft) return false;
+    if (options_.surface_drafts) options_.surface_drafts->keep(key, *draft);
+  }
+  curves_.path().follow(chain, draft->choice.side, draft->choice.start);
+  passes_.emplace(machined_->machining, draft->lines);
+  return true;
+}
+
+/// None where it cannot be, which is reported.
+std::optional<SurfaceDraft> SurfaceMoves::draft_of(const SurfaceDraftKey& key) {
+  RotaryLift lift(key.chain, key.limits, key.before);
+  surfaces::Machining machining = key.machining;
+  machining.is_draft = true;
+  surfaces::Passes passes(std::move(machining));
   while (const auto pass = passes.next()) {
     if (!lift.add(*pass)) {
-      return error("pose-out-of-reach", column(),
-                   "pass " + std::to_string(pass->number + 1) + where(lift.place()[0], lift.place()[1]) +
-                       ": no angles of the rotary axes hold the tool so, it would have to turn " + text(lift.miss()) +
-                       " degrees farther",
-                   "another lead or tilt, or another clamping of the workpiece");
+      error("pose-out-of-reach", column(),
+            "pass " + std::to_string(pass->number + 1) + where(lift.place()[0], lift.place()[1]) +
+                ": no angles of the rotary axes hold the tool so, it would have to turn " + text(lift.miss()) +
+                " degrees farther",
+            "another lead or tilt, or another clamping of the workpiece");
+      return std::nullopt;
     }
   }
   if (passes.failure()) {
     passes_.emplace(std::move(passes));
     report(*passes_->failure());
     passes_.reset();
-    return false;
+    return std::nullopt;
   }
   const auto choice = lift.best();
   if (!choice) {
-    return error("rotary-travel", column(),
-                 std::string("axis ") + base::letter(lift.lost_axis()) +
-                     " would leave its travel on the surface, wherever it begins",
-                 "another lead or tilt, pattern, or clamping of the workpiece");
+    error("rotary-travel", column(),
+          std::string("axis ") + base::letter(lift.lost_axis()) +
+              " would leave its travel on the surface, wherever it begins",
+          "another lead or tilt, pattern, or clamping of the workpiece");
+    return std::nullopt;
   }
-  curves_.path().follow(chain, choice->side, choice->start);
-  passes_.emplace(machined_->machining, passes);
-  return true;
+  return SurfaceDraft{*choice, passes.found_lines()};
 }
 
 bool SurfaceMoves::load(surfaces::Pass pass) {

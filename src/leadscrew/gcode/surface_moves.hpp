@@ -12,6 +12,7 @@
 #include <leadscrew/gcode/machined_move.hpp>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/pose_moves.hpp>
+#include <leadscrew/gcode/surface_drafts.hpp>
 #include <leadscrew/gcode/surface_words.hpp>
 #include <leadscrew/surfaces/passes.hpp>
 #include <optional>
@@ -49,6 +50,7 @@ class SurfaceMoves : Part {
 
   void set_clearance();
   bool choose_angles();
+  std::optional<SurfaceDraft> draft_of(const SurfaceDraftKey& key);
   bool load(surfaces::Pass pass);
   bool go_on();
   bool plan_approach(const surfaces::PassNode& first);

@@ -35,6 +35,7 @@ gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOpt
   reading.fuel = options.fuel;
   reading.asks_inputs = options.has_inputs;
   reading.allows_gouging = options.allows_gouging;
+  reading.surface_drafts = texts->surface_drafts();
   if (options.has_probe) reading.probing = gcode::ProbingMoves::real;
   return reading;
 }

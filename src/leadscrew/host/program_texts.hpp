@@ -1,11 +1,13 @@
 #pragma once
 // The text of a part program and those of its subprograms, held in memory: each subprogram is asked for once, and every
-// pass over the program reads the same.
+// pass over the program reads the same. What one pass finds of surfaces is kept beside it for those that follow.
 
 #include <cstdint>
 #include <functional>
 #include <leadscrew/base/sink.hpp>
+#include <leadscrew/gcode/reader.hpp>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace leadscrew::host {
@@ -21,6 +23,7 @@ class ProgramTexts {
       : program_(std::move(program)), subprogram_(std::move(subprogram)) {}
 
   const std::string& program() const { return program_; }
+  const std::shared_ptr<gcode::SurfaceDrafts>& surface_drafts() const { return surface_drafts_; }
 
   /// A text from a byte of it on, 0 … its length; an empty name is the program's own. This must outlive the source.
   /// Errors: `missing-sub`, others that `subprogram` returns.
@@ -32,6 +35,7 @@ class ProgramTexts {
   std::string program_;
   SubprogramText subprogram_;
   std::map<std::string, std::string> subprograms_;  // by their names
+  std::shared_ptr<gcode::SurfaceDrafts> surface_drafts_ = gcode::new_surface_drafts();
 };
 
 }  // namespace leadscrew::host

@@ -32,6 +32,8 @@ struct Turn {
   double sign = 1;     ///< 1 or −1: of the angle by the right hand's rule about `direction`
   /// 0, 1 or 2 where the direction is that of x, y or z, to the last bit; 3 where it is another.
   std::size_t principal = 3;
+
+  friend bool operator==(const Turn&, const Turn&) = default;
 };
 
 /// What solving for the two angles needs of the directions. η is the angle between the tool's direction and that of the first
@@ -43,6 +45,8 @@ struct Cones {
   double difference_sine = 0, difference_cosine = 1;  ///< of (γ − κ)/2; the sine exactly 0 where there is a pole
   double sum_sine = 1, sum_cosine = 0;                ///< of (γ + κ)/2; the cosine exactly 0 where there is a pole
   double tool_azimuth = 0;  ///< of ez about the second turn, from the direction of the first, degrees
+
+  friend bool operator==(const Cones&, const Cones&) = default;
 };
 
 /// A chain that is sound, ready to be evaluated.
@@ -59,6 +63,8 @@ class Chain {
   const Vector& tool_zero() const { return tool_zero_; }
   /// For solutions().
   const Cones& cones() const { return cones_; }
+
+  friend bool operator==(const Chain&, const Chain&) = default;
 
  private:
   Chain() = default;

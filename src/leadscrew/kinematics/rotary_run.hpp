@@ -34,6 +34,8 @@ namespace leadscrew::kinematics {
 struct RotaryLimits {
   Angles<double> travel_min{}, travel_max{};  ///< degrees
   Angles<double> velocity{};                  ///< degrees/s; > 0
+
+  friend bool operator==(const RotaryLimits&, const RotaryLimits&) = default;
 };
 
 /// Those of a machine that has the chain's axes.

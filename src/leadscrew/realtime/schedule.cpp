@@ -56,8 +56,7 @@ std::optional<base::Diagnostic> become_real_time() {
   const sched_param parameter = {priority};
   if (::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameter) != 0) missing = "SCHED_FIFO";
   touch_stack();
-  if (!lock_memory())
-    missing += missing.empty() ? "locked memory" : " and locked memory";
+  if (!lock_memory()) missing += missing.empty() ? "locked memory" : " and locked memory";
   if (missing.empty()) return std::nullopt;
   return base::Diagnostic{base::Severity::warning,
                           "not-real-time",

@@ -63,6 +63,8 @@ struct Orientation {
   Rule rule = Rule::fixed;
   Vector axis = {0, 0, 1};    ///< of fixed: a unit vector
   double lead = 0, tilt = 0;  ///< α and β, radians, −π/2 < each < π/2
+
+  friend bool operator==(const Orientation&, const Orientation&) = default;
 };
 
 /// O where n is the normal and f the unit tangent along the pass. Any scalar with arithmetic.

@@ -6,10 +6,33 @@
 
 namespace leadscrew::surfaces {
 
+class FoundLines {
+ public:
+  Machining machining;
+  std::shared_ptr<const LineRecord> record;  // complete
+  std::optional<Passes::Least> least;
+};
+
+const Machining& machining_of(const FoundLines& found) {
+  return found.machining;
+}
+
+std::size_t bytes_of(const FoundLines& found) {
+  return sizeof(FoundLines) + found.record->bytes;
+}
+
+bool has_same_lines(const Machining& a, const Machining& b) {
+  if (a.surface != b.surface && !(a.surface->form() == b.surface->form())) return false;
+  Machining of_same = b;
+  of_same.surface = a.surface;
+  of_same.is_draft = a.is_draft;
+  return a == of_same;
+}
+
 class Passes::Maker {
  public:
-  /// draft: of the same passes, or none.
-  Maker(Machining machining, const Maker* draft);
+  /// found: or none.
+  Maker(Machining machining, const FoundLines* found);
 
   std::optional<Pass> next() {
     if (ready_.empty() && !log_.failure) make_next();
@@ -22,6 +45,10 @@ class Passes::Maker {
   const Machining& machining() const { return machining_; }
   const PassLog& log() const { return log_; }
   std::size_t count() const { return count_; }
+  std::shared_ptr<const FoundLines> found_lines() const {
+    if (!record_ || !record_->is_complete || log_.failure) return nullptr;
+    return std::make_shared<FoundLines>(FoundLines{machining_, record_, log_.least});
+  }
 
  private:
   void make_next();
@@ -37,12 +64,11 @@ class Passes::Maker {
   std::size_t count_ = 0, nodes_ = 0;
 };
 
-/// What a draft has found of lines is found.
-Passes::Maker::Maker(Machining machining, const Maker* draft) : machining_(std::move(machining)) {
+Passes::Maker::Maker(Machining machining, const FoundLines* found) : machining_(std::move(machining)) {
   log_.machining = &machining_;
-  if (draft != nullptr && draft->record_ && draft->record_->is_complete) {
-    log_.least = draft->log_.least;
-    lines_ = known_lines(draft->record_);
+  if (found != nullptr && has_same_lines(found->machining, machining_)) {
+    log_.least = found->least;
+    lines_ = known_lines(found->record);
     return;
   }
   look_for_edges(log_);
@@ -91,8 +117,8 @@ void Passes::Maker::make_next() {
 }
 
 Passes::Passes(Machining machining) : maker_(std::make_unique<Maker>(std::move(machining), nullptr)) {}
-Passes::Passes(Machining machining, const Passes& draft)
-    : maker_(std::make_unique<Maker>(std::move(machining), draft.maker_.get())) {}
+Passes::Passes(Machining machining, std::shared_ptr<const FoundLines> found)
+    : maker_(std::make_unique<Maker>(std::move(machining), found.get())) {}
 Passes::~Passes() = default;
 Passes::Passes(Passes&&) noexcept = default;
 Passes& Passes::operator=(Passes&&) noexcept = default;
@@ -105,6 +131,9 @@ const std::optional<PassFailure>& Passes::failure() const {
 }
 const Machining& Passes::machining() const {
   return maker_->machining();
+}
+std::shared_ptr<const FoundLines> Passes::found_lines() const {
+  return maker_->found_lines();
 }
 std::size_t Passes::count() const {
   return maker_->count();

@@ -44,6 +44,9 @@ struct Machining {
   /// Only to see where passes and links lead the tool, to about 0.01 mm and a thousandth of a radian, in a fraction of the time:
   /// links are not held against the surface.
   bool is_draft = false;
+
+  /// Of the same surface, if only of the same object.
+  friend bool operator==(const Machining&, const Machining&) = default;
 };
 
 /// Where the surface's third derivatives have a step, at its knots, the tip's curvature has one: a pass keeps its curvature
@@ -95,14 +98,22 @@ struct PassFailure {
   double amount = 0;  ///< of gouge: local clearance, 1/mm, below 0; of too_many: how many there would be
 };
 
+/// The lines that all passes of a machining follow, as a draft has found them, so that nobody need find them again. Does not change:
+/// any thread may use it.
+class FoundLines;
+/// Of the machining that they are of, what they take of memory, the surface not counted.
+const Machining& machining_of(const FoundLines& found);
+std::size_t bytes_of(const FoundLines& found);
+/// The same in all but is_draft, of surfaces of the same form: then passes follow the same lines.
+bool has_same_lines(const Machining& a, const Machining& b);
+
 /// All passes and links of a machining, in order: pass, link, pass, … ; the last is a pass.
 class Passes {
  public:
   /// The surface's form has no fault; ranges lie within the surface's; either scallop or step > 0.
   explicit Passes(Machining machining);
-  /// The same, of which a draft has told all, of a machining that differs in is_draft alone: lines that it has found are not found anew,
-  /// while they fit into a mebibyte.
-  Passes(Machining machining, const Passes& draft);
+  /// The same. Lines of a machining that has_same_lines() are not found anew; others, or none, change nothing.
+  Passes(Machining machining, std::shared_ptr<const FoundLines> found);
   ~Passes();
   Passes(Passes&&) noexcept;
   Passes& operator=(Passes&&) noexcept;
@@ -113,6 +124,8 @@ class Passes {
   const std::optional<PassFailure>& failure() const;
 
   const Machining& machining() const;
+  /// Of a draft that has told all without a failure, while they fit into a mebibyte; else none.
+  std::shared_ptr<const FoundLines> found_lines() const;
   /// Passes told so far.
   std::size_t count() const;
   /// Where the tool bends least more than the surface, of all places of passes and between them that were looked at so far.
