@@ -16,13 +16,22 @@ constexpr std::array<std::array<double, 6>, 6> uniform_quintics = {{{1, -5, 10, 
 }  // namespace
 
 numeric::Jet<3> UniformSpline::at(double place) const {
+  Memo none;
+  return at_near(place, none);
+}
+
+numeric::Jet<3> UniformSpline::at_near(double place, Memo& memo) const {
   const double scale = static_cast<double>(spans_) / (range_.to - range_.from);
   const double position = std::clamp((place - range_.from) * scale, 0.0, static_cast<double>(spans_));
   const std::size_t span = std::min(static_cast<std::size_t>(position), spans_ - 1);
   const double x = position - static_cast<double>(span);
-  std::array<double, 6> c{};
-  for (std::size_t k = 0; k < 6; ++k) {
-    for (std::size_t i = 0; i < 6; ++i) c[i] += coefficients_[span + k] * uniform_quintics[k][i] / 120;
+  std::array<double, 6>& c = memo.polynomial;
+  if (memo.span != span) {
+    c = {};
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (std::size_t i = 0; i < 6; ++i) c[i] += coefficients_[span + k] * uniform_quintics[k][i] / 120;
+    }
+    memo.span = span;
   }
   return {c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5])))),
           scale * (c[1] + x * (2 * c[2] + x * (3 * c[3] + x * (4 * c[4] + x * 5 * c[5])))),
@@ -32,6 +41,7 @@ numeric::Jet<3> UniformSpline::at(double place) const {
 
 std::vector<double> UniformSpline::breaks(double from, double to) const {
   std::vector<double> found;
+  if (across_breaks_.empty()) return found;
   const std::size_t parts = 4 * spans_;
   double before = at(range_.from).value;
   for (std::size_t k = 1; k <= parts; ++k) {

@@ -14,6 +14,7 @@ class UniformSpline : public AcrossFunction {
       : range_(range), spans_(spans), coefficients_(spans + 5, value) {}
 
   numeric::Jet<3> at(double place) const override;
+  numeric::Jet<3> at_near(double place, Memo& memo) const override;
   std::vector<double> breaks(double from, double to) const override;
   std::size_t bytes() const override {
     return sizeof *this + sizeof(double) * (coefficients_.capacity() + across_breaks_.capacity());

@@ -125,8 +125,9 @@ std::vector<StepPlace> IsoScallopLines::steps_on(PassLog& log, const UniformSpli
   const Range width = course_.width();
   const double direction = (course_.from < course_.to) == (told_ % 2 == 1) ? 1 : -1;
   std::vector<StepPlace> steps;
+  AcrossFunction::Memo memo;
   for (std::size_t k = 0; k <= per_span_ * spline_.spans(); ++k) {
-    numeric::Jet<3> across = spline.at(place(k));
+    numeric::Jet<3> across = spline.at_near(place(k), memo);
     across.value = std::clamp(across.value, width.from, width.to);
     const LinePlace line = line_place(course_.along, place(k), direction, across);
     const std::optional<Contact> contact = contact_at(log, line);
@@ -182,8 +183,9 @@ std::optional<Reaches> IsoScallopLines::reaches_of(PassLog& log, const UniformSp
   const Range width = course_.width();
   const bool rises = (course_.from < course_.to) == (told_ % 2 == 1), is_next = towards != course_.sign_across();
   std::vector<std::optional<LinePlace>> places;
+  AcrossFunction::Memo memo;
   for (std::size_t k = 0; k <= per_span_ * spline_.spans(); ++k) {
-    const numeric::Jet<3> across = spline.at(place(k));
+    const numeric::Jet<3> across = spline.at_near(place(k), memo);
     places.emplace_back();
     if (across.value < width.from || across.value > width.to) continue;
     places.back() = line_place(course_.along, place(k), rises != is_next ? 1 : -1, across);
@@ -193,7 +195,8 @@ std::optional<Reaches> IsoScallopLines::reaches_of(PassLog& log, const UniformSp
 
 std::vector<double> IsoScallopLines::at_samples(const UniformSpline& line) const {
   std::vector<double> values;
-  for (std::size_t k = 0; k <= per_span_ * line.spans(); ++k) values.push_back(line.at(place(k)).value);
+  AcrossFunction::Memo memo;
+  for (std::size_t k = 0; k <= per_span_ * line.spans(); ++k) values.push_back(line.at_near(place(k), memo).value);
   return values;
 }
 

@@ -28,9 +28,14 @@ LinePlace line_place(Direction along, double place, double direction, const nume
 }
 
 LinePlace Line::at(double distance) const {
+  AcrossFunction::Memo none;
+  return at_near(distance, none);
+}
+
+LinePlace Line::at_near(double distance, AcrossFunction::Memo& memo) const {
   const double sign = is_forward() ? 1 : -1;
   const double place = std::clamp(from + sign * distance, std::min(from, to), std::max(from, to));
-  return line_place(along, place, sign, function == nullptr ? numeric::Jet<3>(across) : function->at(place));
+  return line_place(along, place, sign, function == nullptr ? numeric::Jet<3>(across) : function->at_near(place, memo));
 }
 
 std::vector<double> Line::breaks(const Surface& surface) const {

@@ -1,7 +1,9 @@
 #pragma once
 // Lines of a surface's parameters that passes follow: the parameter across is a function of the one along.
 
+#include <array>
 #include <leadscrew/surfaces/touch.hpp>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -17,6 +19,12 @@ class AcrossFunction {
   virtual ~AcrossFunction() = default;
   /// Within the range it was made for.
   virtual numeric::Jet<3> at(double along) const = 0;
+  /// The polynomial that was needed last, kept by whoever asks for one place after another of one function.
+  struct Memo {
+    std::size_t span = std::numeric_limits<std::size_t>::max();
+    std::array<double, 6> polynomial{};
+  };
+  virtual numeric::Jet<3> at_near(double along, Memo& /*memo*/) const { return at(along); }
   /// Places inside (from, to), ascending, where a derivative has a step.
   virtual std::vector<double> breaks(double from, double to) const = 0;
   /// Of memory, held by this one alone, itself included.
@@ -34,6 +42,7 @@ struct Line {
   double length() const { return std::abs(to - from); }
   /// At a distance of the parameter along from the beginning; derivatives are by that distance.
   LinePlace at(double distance) const;
+  LinePlace at_near(double distance, AcrossFunction::Memo& memo) const;
   /// Distances, ascending, both ends among them, between which a surface is smooth along the line.
   std::vector<double> breaks(const Surface& surface) const;
 };

@@ -105,7 +105,7 @@ class LineOfNodes {
   void add_nodes(const Sample& begin, const Sample& end, const Span& span);
   bool join(Sample& before, Sample& after);
   std::optional<Sample> sample_at(const Span& span, double distance);
-  bool is_close(const Sample& a, const Sample& m, const Sample& b, const Span& span, double length) const;
+  bool is_close(const Sample& a, const Sample& m, const Sample& b, const Span& span, double length);
   bool is_close_at(const Sample& a, const Sample& b, double length, double share, const Vector& tip,
                    const Vector& axis) const;
   void begin_part(const Sample& sample, double t);
@@ -117,10 +117,11 @@ class LineOfNodes {
   std::vector<Pass> parts_;
   Pass part_;
   std::vector<double> breaks_;
+  AcrossFunction::Memo memo_;
 };
 
 std::optional<Sample> LineOfNodes::sample_at(const Span& span, double distance) {
-  Sample sample{distance, span.inside(line_.at(distance)), {}, {}, {}};
+  Sample sample{distance, span.inside(line_.at_near(distance, memo_)), {}, {}, {}};
   const LinePlace& place = sample.place;
   const std::optional<Contact> contact =
       contact_at(log_, place, log_.machining->surface->jet(place.u.value, place.v.value));
@@ -163,7 +164,7 @@ bool LineOfNodes::is_close_at(const Sample& a, const Sample& b, double length, d
   return off <= allowed * allowed && turned <= allowed_turn * allowed_turn;
 }
 
-bool LineOfNodes::is_close(const Sample& a, const Sample& m, const Sample& b, const Span& span, double length) const {
+bool LineOfNodes::is_close(const Sample& a, const Sample& m, const Sample& b, const Span& span, double length) {
   Vector tip, axis;
   for (std::size_t k = 0; k < 3; ++k) {
     tip[k] = m.tip[k][0];
@@ -171,8 +172,8 @@ bool LineOfNodes::is_close(const Sample& a, const Sample& m, const Sample& b, co
   }
   if (!is_close_at(a, b, length, 0.5, tip, axis)) return false;
   for (const double share : {0.25, 0.75}) {
-    const LinePlace place = span.inside(line_.at(a.distance + share * (b.distance - a.distance)));
-    const SurfaceJet jet = log_.machining->surface->jet(place.u.value, place.v.value);
+    const LinePlace place = span.inside(line_.at_near(a.distance + share * (b.distance - a.distance), memo_));
+    const SurfaceJet jet = log_.machining->surface->jet_of_first_order(place.u.value, place.v.value);
     const Touch<double> touch = touch_at(*log_.machining, jet, place);
     if (!is_close_at(a, b, length, share, touch.tip, touch.axis)) return false;
   }

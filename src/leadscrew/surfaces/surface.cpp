@@ -53,7 +53,11 @@ Surface::Axis Surface::axis_of(int degree, const std::vector<double>& knots) {
       }
       functions = next;
     }
-    axis.basis.push_back(functions);
+    std::array<Powers, most_terms> by_power{};
+    for (std::size_t k = 0; k < most_terms; ++k) {
+      for (std::size_t i = 0; i < most_terms; ++i) by_power[i][k] = functions[k][i];
+    }
+    axis.basis.push_back(by_power);
   }
   axis.breaks.push_back(knots[knots.size() - 1 - p]);
   return axis;
@@ -74,33 +78,37 @@ Range Surface::range(Direction direction) const {
   return {all.front(), all.back()};
 }
 
-Surface::Weights Surface::weights_of(const Axis& axis, double parameter, std::size_t orders) {
+/// Horner's rule, of all functions side by side, as vectors of the processor take them.
+template <std::size_t highest>
+Surface::Weights Surface::weights_of(const Axis& axis, double parameter) {
   const double inside = std::clamp(parameter, axis.breaks.front(), axis.breaks.back());
   const auto above = std::upper_bound(axis.breaks.begin() + 1, axis.breaks.end() - 1, inside);
   const auto span = static_cast<std::size_t>(above - axis.breaks.begin()) - 1;
   const double x = inside - axis.breaks[span];
   Weights weights;
   weights.first = axis.first[span];
-  for (std::size_t k = 0; k < axis.terms; ++k) {
-    const Powers& c = axis.basis[span][k];
-    double value = 0, first = 0, half = 0, sixth = 0;
+  constexpr std::size_t lanes = 2;
+  for (std::size_t k = 0; k < axis.terms; k += lanes) {
+    std::array<std::array<double, lanes>, 4> taylor{};  // derivatives of order n, over n!
     for (std::size_t i = axis.terms; i-- > 0;) {
-      sixth = sixth * x + half;
-      half = half * x + first;
-      first = first * x + value;
-      value = value * x + c[i];
+      for (std::size_t order = highest; order > 0; --order) {
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+          taylor[order][lane] = taylor[order][lane] * x + taylor[order - 1][lane];
+      }
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        taylor[0][lane] = taylor[0][lane] * x + axis.basis[span][i][k + lane];
     }
-    weights.derivative[0][k] = value;
-    if (orders < 1) continue;
-    weights.derivative[1][k] = first;
-    weights.derivative[2][k] = 2 * half;
-    weights.derivative[3][k] = 6 * sixth;
+    constexpr std::array<double, 4> factorial = {1, 1, 2, 6};
+    for (std::size_t order = 0; order <= highest; ++order) {
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        weights.derivative[order][k + lane] = factorial[order] * taylor[order][lane];
+    }
   }
   return weights;
 }
 
 Vector Surface::at(double u, double v) const {
-  const Weights along = weights_of(axes_[0], u, 0), across = weights_of(axes_[1], v, 0);
+  const Weights along = weights_of<0>(axes_[0], u), across = weights_of<0>(axes_[1], v);
   Homogeneous sum{};
   for (std::size_t l = 0; l < axes_[1].terms; ++l) {
     const Homogeneous* const row = &homogeneous_[along.first + (across.first + l) * form_.count[0]];
@@ -144,25 +152,31 @@ Vector position_in(const Homogeneous& h) {
 
 template <std::size_t highest>
 SurfaceJet Surface::jet_of(double u, double v) const {
-  const Weights along = weights_of(axes_[0], u, 3), across = weights_of(axes_[1], v, 3);
-  Partials partials{};
+  const Weights along = weights_of<highest>(axes_[0], u), across = weights_of<highest>(axes_[1], v);
+  std::array<std::array<Homogeneous, highest + 1>, most_terms> rows;
   for (std::size_t l = 0; l < axes_[1].terms; ++l) {
     const Homogeneous* const row = &homogeneous_[along.first + (across.first + l) * form_.count[0]];
-    std::array<Homogeneous, 4> of_row{};
+    std::array<Homogeneous, highest + 1> of_row{};
     for (std::size_t k = 0; k < axes_[0].terms; ++k) {
       for (std::size_t a = 0; a <= highest; ++a) add_scaled(of_row[a], along.derivative[a][k], row[k]);
     }
-    for (std::size_t a = 0; a <= highest; ++a) {
-      for (std::size_t b = 0; a + b <= highest; ++b) add_scaled(partials[a][b], across.derivative[b][l], of_row[a]);
+    rows[l] = of_row;
+  }
+  Partials partials{};
+  for (std::size_t a = 0; a <= highest; ++a) {
+    for (std::size_t b = 0; a + b <= highest; ++b) {
+      Homogeneous sum{};
+      for (std::size_t l = 0; l < axes_[1].terms; ++l) add_scaled(sum, across.derivative[b][l], rows[l][a]);
+      partials[a][b] = sum;
     }
   }
   if (is_rational_) {
     divide_by_weight(partials, highest);
   } else {
     const double w = partials[0][0][3];
-    for (auto& row : partials) {
-      for (Homogeneous& h : row) {
-        for (std::size_t k = 0; k < 3; ++k) h[k] /= w;
+    for (std::size_t a = 0; a <= highest; ++a) {
+      for (std::size_t b = 0; a + b <= highest; ++b) {
+        for (double& h : partials[a][b]) h /= w;  // in pairs; the last of them is not asked for
       }
     }
   }

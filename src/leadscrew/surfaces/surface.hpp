@@ -100,21 +100,24 @@ class Surface {
 
  private:
   static constexpr std::size_t most_terms = highest_degree + 1;
-  using Powers = std::array<double, most_terms>;  // of x, the parameter counted from the beginning of a span
+  /// By the power of x, the parameter counted from the beginning of a span; of one function, or of all for one power.
+  using Powers = std::array<double, most_terms>;
   /// One direction: its spans, and the polynomials of all basis functions that are not 0 there.
   struct Axis {
     std::vector<double> breaks;
     std::vector<std::size_t> first;                     // of each span: index of the first control point
-    std::vector<std::array<Powers, most_terms>> basis;  // of each span and function
+    std::vector<std::array<Powers, most_terms>> basis;  // of each span and power: its factor in each function
     std::size_t terms = 0;                              // degree + 1
   };
   /// Values and three derivatives of the functions at one place.
   struct Weights {
     std::size_t first = 0;
-    std::array<std::array<double, most_terms>, 4> derivative{};  // by order, then function
+    std::array<std::array<double, most_terms>, 4> derivative;  // by order, then function
   };
   static Axis axis_of(int degree, const std::vector<double>& knots);
-  static Weights weights_of(const Axis& axis, double parameter, std::size_t orders);
+  /// Derivatives to the highest order; others are not set.
+  template <std::size_t highest>
+  static Weights weights_of(const Axis& axis, double parameter);
   template <std::size_t highest>
   SurfaceJet jet_of(double u, double v) const;
 
