@@ -55,6 +55,27 @@ TEST(CheckGouge, EndsWith1WhereTheToolIsTooLarge) {
   EXPECT_EQ(json["errors"], 2);
 }
 
+/// A run that may gouge tells it in its report; others look for nothing.
+TEST(CheckGouge, IsShownInTheReportOfARun) {
+  const Folder folder;
+  folder.write("tools.tbl", tools);
+  const auto page_of = [&](const std::string& text, bool may_gouge) {
+    folder.write("part.ngc", text);
+    std::vector<std::string> words = {"run", "part.ngc", "--tools", "tools.tbl", "--report", "part.html"};
+    if (may_gouge) words.emplace_back("--allow-gouge");
+    const auto outcome = leadscrew(folder, words);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return folder.read("part.html");
+  };
+  const std::string gouging = page_of(program(2), true);
+  EXPECT_NE(gouging.find("The tool gouges, as it was allowed to"), std::string::npos);
+  EXPECT_NE(gouging.find("G6.5 D1 Q3 L2 Z30 F3000</td><td class=\"over-limit\">"), std::string::npos);
+  EXPECT_NE(gouging.find("beside contact</td><td class=\"text\">pass "), std::string::npos);
+  EXPECT_NE(gouging.find("<a class=\"place gouge\""), std::string::npos);
+  EXPECT_NE(page_of(program(1), true).find("Nowhere: no tool is more than 10 µm"), std::string::npos);
+  EXPECT_EQ(page_of(program(1), false).find("Where the tool gouges"), std::string::npos);
+}
+
 TEST(CheckGouge, NamesTheHolder) {
   const Folder folder;
   const auto outcome = check(folder, program(4, "G1 X30 Y10 Z1\nG0 Z50\n"));

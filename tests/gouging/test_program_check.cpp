@@ -43,7 +43,8 @@ machine::ToolTable tools() {
     return made;
   };
   return machine::ToolTable({tool(1, 10, 5, 40, 40), tool(2, 90.8, 45.4, 0, 0), tool(3, 91, 45.5, 0, 0),
-                             tool(4, 10, std::nullopt, 0, 0), tool(5, 10, 5, 80, 40), tool(6, 10, 0, 50, 0)});
+                             tool(4, 10, std::nullopt, 0, 0), tool(5, 10, 5, 80, 40), tool(6, 10, 0, 50, 0),
+                             tool(7, 60, 30, 60, 0)});
 }
 
 GougeVerdict verdict_of(const std::string& text, std::string_view kinematics = {}) {
@@ -95,6 +96,57 @@ TEST(GougeCheck, FindsBallsThatAreTooLargeForPatchA) {
   EXPECT_LT(local.clearance, 0);
   EXPECT_NEAR(std::min(local.u, local.v), 0, 0.05);
   EXPECT_NEAR(std::max(local.u, local.v), 0.9, 0.05);
+}
+
+/// z = 20 − 80 s + 80 s² at x = 60 s: by how much a ball of this radius and centre is inside, by trying.
+double depth_in_valley(double radius, double x, double z) {
+  double nearest = 1e300;
+  for (int k = 0; k <= 600'000; ++k) {
+    const double s = k / 600'000.0;
+    nearest = std::min(nearest, std::hypot(60 * s - x, 20 - 80 * s + 80 * s * s - z));
+  }
+  return radius - nearest;
+}
+
+/// A ball of 60 mm along a valley that is rounder at its bottom: every pass that is too deep, and no other, as deep as it is.
+TEST(GougeCheck, TellsEachPassThatIsTooDeep) {
+  constexpr double radius = 30;
+  surfaces::SurfaceForm valley{{2, 1}, {surfaces::uniform_knots(3, 2), surfaces::uniform_knots(2, 1)}, {3, 2}, {}};
+  for (const double y : {0.0, 20.0})
+    valley.net.insert(valley.net.end(), {{{0, y, 20}, 1}, {{30, y, -20}, 1}, {{60, y, 20}, 1}});
+  const std::string text = "T7 M6\nG43 H7\nG0 Z60\n" + definition(1, valley) + "G6.5 D1 Q2 L2 Z50 F3000\nM2\n";
+  const GougeVerdict verdict = verdict_of(text);
+  gcode::ReaderOptions options;
+  options.allows_gouging = true;
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable table = tools();
+  gcode::Reader reader(gcode::text_source(text), machine, table, options, nullptr);
+  std::map<std::size_t, double> expected;
+  std::size_t passes = 0;
+  for (gcode::Move move; reader.next(move);) {
+    if (!reader.machined().surface || reader.machined().part != gcode::MachinedMove::Part::pass) continue;
+    ++passes;
+    const double depth = depth_in_valley(radius, move.start[0], move.start[2] - table.find(7)->offset[2] + radius);
+    if (depth > verdict.tolerance) expected[reader.machined().pass] = depth;
+  }
+  EXPECT_GT(expected.size(), 10u);
+  EXPECT_LT(expected.size(), passes);
+  std::size_t told = 0;
+  double worst = 0;
+  for (const auto& [key, gouge] : verdict.gouges_of_passes) {
+    const auto& [line, part, pass] = key;
+    if (base::number(line) != 11) continue;  // from the machine's zero, which is below the valley
+    EXPECT_EQ(gouge.of, part);
+    EXPECT_EQ(gouge.pass, pass);
+    EXPECT_EQ(gouge.offset[2], table.find(7)->offset[2]);
+    worst = std::max(worst, gouge.depth);
+    if (part != gcode::MachinedMove::Part::pass) continue;
+    ++told;
+    ASSERT_TRUE(expected.contains(pass)) << pass;
+    EXPECT_NEAR(gouge.depth, expected[pass], 1e-6) << pass;
+  }
+  EXPECT_EQ(told, expected.size());
+  EXPECT_EQ(verdict.gouges.rbegin()->second.depth, worst);
 }
 
 TEST(GougeCheck, FindsTheHolderAgainstAWallThatIsMachinedToo) {

@@ -294,6 +294,69 @@ TEST(Report, ShowsWhereTimeIsLost) {
   EXPECT_EQ(marks, 40u);
 }
 
+std::size_t count_of(const std::string& page, std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = page.find(text, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+/// In each of the four pictures all small marks, and large ones for the blocks of the table; in the heading the deepest.
+TEST(Report, ShowsWhereTheToolGouges) {
+  Recorded run(random_train(500, 2));
+  EXPECT_FALSE(has(run.page(), "Where the tool gouges"));
+  Gouging& found = run.report.gouging.emplace();
+  found.tolerance_mm = 0.01;
+  EXPECT_TRUE(has(run.page(), "Nowhere: no tool is more than 10 µm inside"));
+  EXPECT_FALSE(has(run.page(), "as it was allowed to"));
+  found.is_known = false;
+  EXPECT_TRUE(has(run.page(), "Not looked at"));
+  found.is_known = true;
+  found.blocks = {{base::Line{12}, 2.66381, 0, "cutter", "pass <17>", 14, 3, 0.155153, 0.25, {1, 2, 3}},
+                  {base::Line{12}, 0.5, 0, "holder", "the link behind pass 16", 1, 3, 0.5, 0.75, {2, 2, 3}},
+                  {base::Line{14}, std::nullopt, 0.0111, {}, "pass 1", 0, 1, 0.5, 0, {3, 2, 3}}};
+  found.places = {{1, 2, 3}, {2, 2, 3}, {1, 2.5, 3}, {1, 2.75, 3}};
+  run.report.source = {{base::Line{12}, "G6.5 D3 <H0.1>"}};
+  const std::string page = run.page();
+  EXPECT_EQ(wrong_markup(page), "");
+  EXPECT_TRUE(has(page, "as it was allowed to</strong>2.664 mm deep in surface 3 on pass &lt;17&gt; of line 12. "));
+  EXPECT_TRUE(
+      has(page, "<tr id=\"gouge1\" data-place=\"gouge1\"><td><a class=\"rank\" href=\"#path\">1</a></td><td>12</td>"));
+  EXPECT_TRUE(
+      has(page,
+          "G6.5 D3 &lt;H0.1&gt;</td><td class=\"over-limit\">2.6638</td><td class=\"text\">pass "
+          "&lt;17&gt;</td><td>3</td><td>0.155153</td><td>0.25</td><td class=\"text\">cutter, the deepest of 14"));
+  EXPECT_TRUE(
+      has(page, "0.5</td><td class=\"text\">the link behind pass 16</td><td>3</td><td>0.5</td><td>0.75</td>"));
+  EXPECT_TRUE(has(page, "beside contact</td><td class=\"text\">pass 1</td><td>1</td><td>0.5</td><td>0</td>"));
+  EXPECT_TRUE(has(page, "the surface bends by 0.0111 / mm more"));
+  EXPECT_TRUE(has(page, "Diamonds: where <a href=\"#gouging\">the tool gouges</a>"));
+  EXPECT_EQ(count_of(page, "<a class=\"place gouge\""), 4 * found.blocks.size());
+  EXPECT_EQ(count_of(page, "<path d=\"M"), 4 * (found.places.size() + found.blocks.size()));
+  found.blocks.resize(most_gouges + 3, found.blocks.front());
+  EXPECT_TRUE(has(run.page(), "<p class=\"note\">And 3 more.</p>"));
+  EXPECT_EQ(count_of(run.page(), "<a class=\"place gouge\""), 4 * most_gouges);
+}
+
+/// As far beyond the path as they may be, marks are inside the pictures.
+TEST(Report, FramesWhereTheToolGouges) {
+  Recorded run(random_train(500, 2));
+  Gouging& found = run.report.gouging.emplace();
+  found.places = {{5000, 0, 0}, {0, -4000, 0}, {0, 0, 3000}, {-100, 100, -2000}};
+  const std::string page = run.page();
+  std::size_t seen = 0;
+  for (std::size_t at = page.find("<g class=\"gouges\">"); at != std::string::npos;
+       at = page.find("<g class=\"gouges\">", at + 1)) {
+    const std::size_t end = page.find("</g>", at);
+    for (std::size_t mark = page.find("<path d=\"M", at); mark < end; mark = page.find("<path d=\"M", mark + 1)) {
+      double x = 0, y = 0;
+      ASSERT_EQ(std::sscanf(page.c_str() + mark, "<path d=\"M%lf %lf", &x, &y), 2);
+      EXPECT_TRUE(10 < x && x < 590 && 3 < y && y < 410) << x << " " << y;
+      ++seen;
+    }
+  }
+  EXPECT_EQ(seen, 16u);
+}
+
 TEST(Report, ListsWhatTheRefereeObjectsTo) {
   Recorded run(random_train(500, 2));
   run.report.violation_count = 300;

@@ -37,9 +37,7 @@ ProgramResult check_program(const std::string& program, const Job& job, Console&
     figures.bound_s = survey->bound_seconds();
   }
   if (job.arguments.gouge && log.errors() == 0) {
-    const double tolerance = job.arguments.gouge_tolerance.value_or(job.machine.tolerance);
-    figures.gouging = gouging::check_gouging([&] { return silent_reader(*file, job); }, job.machine, job.tools,
-                                             {tolerance, files::interrupted});
+    figures.gouging = gouging_of(*file, job);
     for (const auto& problem : results::gouging_diagnostics(*figures.gouging, file->name())) log.add(problem);
     if (files::interrupted()) log.add(files::interruption());
   }

@@ -202,6 +202,12 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   return reading;
 }
 
+gouging::GougeVerdict gouging_of(const files::InputFile& file, const Job& job) {
+  const double tolerance = job.arguments.gouge_tolerance.value_or(job.machine.tolerance);
+  return gouging::check_gouging([&] { return silent_reader(file, job); }, job.machine, job.tools,
+                                {tolerance, files::interrupted});
+}
+
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job) {
   return gcode::Reader(file.source(), job.machine, job.tools, job.reader_options(file), nullptr);
 }

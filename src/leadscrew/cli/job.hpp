@@ -5,6 +5,7 @@
 #include <leadscrew/console/diagnostic_log.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/gouging/program_check.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <leadscrew/pipeline/whole_reading.hpp>
@@ -53,6 +54,9 @@ struct Reading : pipeline::ReadProgram {
 /// survey, which gets all moves up to the first error.
 Reading read_program(const files::InputFile& file, const Job& job, Console& console, DiagnosticLog& log,
                      pipeline::Survey* survey = nullptr, gcode::RemarkSink remarks = {});
+
+/// Where a program gouges that has been read whole: off-line, and slow.
+gouging::GougeVerdict gouging_of(const files::InputFile& file, const Job& job);
 
 /// A reader over the file that says nothing: for programs that have been read whole.
 gcode::Reader silent_reader(const files::InputFile& file, const Job& job);

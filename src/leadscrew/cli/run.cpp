@@ -53,6 +53,7 @@ class ProgramRun {
     if (!figures) return figures;
     if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
     figures->steps = outputs->step_figures();
+    if (job_.arguments.allow_gouge && outputs->recording() != nullptr) figures->gouging = gouging_of(file, job_);
     if (auto done = outputs->conclude(file, log_, *figures); !done) return base::failure(done.error());
     auto logs = remarks.publish();
     if (!logs) return base::failure(logs.error());

@@ -14,15 +14,18 @@ constexpr std::int64_t moves_between_checks = 64;
 constexpr double straight = 1 - 1e-12;           // cosine
 constexpr double rounding_of_curvature = 1e-10;  // 1/mm
 
-template <typename Found, typename IsWorse>
-void take_worse(std::map<base::Line, Found>& all, const Found& found, const IsWorse& is_worse) {
-  const base::Line place = base::place_of(found.line);
-  const auto at = all.find(place);
+template <typename Key, typename Found, typename IsWorse>
+void take_worse(std::map<Key, Found>& all, const Key& key, const Found& found, const IsWorse& is_worse) {
+  const auto at = all.find(key);
   if (at != all.end()) {
     if (is_worse(found, at->second)) at->second = found;
   } else if (all.size() < GougeVerdict::most_blocks) {
-    all.emplace(place, found);
+    all.emplace(key, found);
   }
+}
+
+Vector offset_of(const gcode::Frame& frame) {
+  return {frame.tool()[0], frame.tool()[1], frame.tool()[2]};
 }
 
 bool is_motion_of(const Move& move) {
@@ -74,6 +77,7 @@ class ProgramCheck {
   GougeVerdict verdict_;
   std::optional<machine::Tool> held_;
   std::optional<Tool> tool_;  // where the shape of that is told
+  Vector offset_{};           // of the length of the one in the block
   bool is_clear_ = false;
 };
 
@@ -89,6 +93,7 @@ void ProgramCheck::gather(gcode::Reader reader) {
       verdict_.fits = false;
       return;
     }
+    offset_ = offset_of(reader.frame());
     judge_contacts(*machined, *placed);
   }
   verdict_.files = reader.files();
@@ -102,11 +107,12 @@ void ProgramCheck::judge_contacts(const gcode::Machined& machined, const surface
   }
   if (!passes.least_clearance()) return;
   const auto& least = *passes.least_clearance();
-  const LocalClearance found{
-      machined.line, machined.number, least.number, least.u, least.v, least.clearance, placed.at(least.u, least.v)};
+  const Vector place = placed.at(least.u, least.v);
+  const LocalClearance found{machined.line, machined.number, least.number, least.u,
+                             least.v,       least.clearance, place,        offset_};
   if (!verdict_.least || found.clearance < verdict_.least->clearance) verdict_.least = found;
   if (found.clearance >= -rounding_of_curvature) return;
-  take_worse(verdict_.local, found,
+  take_worse(verdict_.local, base::place_of(found.line), found,
              [](const LocalClearance& a, const LocalClearance& b) { return a.clearance < b.clearance; });
 }
 
@@ -136,8 +142,8 @@ void ProgramCheck::follow(gcode::Reader reader, const Workpiece& workpiece) {
       continue;
     }
     ++verdict_.moves;
-    const base::AxisVector& offset = reader.frame().tool();
-    const Way way = way_of(move, poses_, {offset[0], offset[1], offset[2]});
+    offset_ = offset_of(reader.frame());
+    const Way way = way_of(move, poses_, offset_);
     if (move.feed.mode != gcode::Feed::Mode::rapid || machined.surface) is_clear_ = true;
     if (!is_clear_ && !begins_clear(way, workpiece)) continue;
     const double before = sweep.distance_at_end();
@@ -163,11 +169,14 @@ void ProgramCheck::judge(const Deepest& deepest, const Move& move, const Machine
   if (at_most <= verdict_.tolerance && verdict_.worst && at_most <= verdict_.worst->depth) return;
   const SurfacePlace place = workpiece.refined(deepest.part, deepest.pose, deepest.hit);
   Gouge found{move.line, {},      machined.part, deepest.part.kind, -place.distance, surfaces_.number(place.surface),
-              place.u,   place.v, place.place,   deepest.pose};
+              place.u,   place.v, place.place,   deepest.pose,      offset_};
   if (machined.surface) found.pass = machined.pass;
   const auto is_deeper = [](const Gouge& a, const Gouge& b) { return a.depth > b.depth; };
   if (!verdict_.worst || is_deeper(found, *verdict_.worst)) verdict_.worst = found;
-  if (found.depth > verdict_.tolerance) take_worse(verdict_.gouges, found, is_deeper);
+  if (!(found.depth > verdict_.tolerance)) return;
+  const base::Line block = base::place_of(move.line);
+  take_worse(verdict_.gouges, block, found, is_deeper);
+  take_worse(verdict_.gouges_of_passes, {block, found.of, found.pass.value_or(0)}, found, is_deeper);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace leadscrew::gouging {
@@ -33,6 +34,7 @@ struct Gouge {
   double u = 0, v = 0;                                             ///< its place there
   Vector place{};                                                  ///< mm, in the workpiece
   Pose pose;                                                       ///< of the tool
+  Vector offset{};                                                 ///< of the tool's length, mm
 };
 
 /// Where the tool bends least more than the surface that it touches.
@@ -43,6 +45,7 @@ struct LocalClearance {
   double u = 0, v = 0;   ///< of the contact
   double clearance = 0;  ///< 1/mm; < 0: it gouges beside the contact (surfaces::local_clearance)
   Vector place{};        ///< mm, in the workpiece
+  Vector offset{};       ///< of the tool's length, mm
 };
 
 /// What has been found.
@@ -60,6 +63,8 @@ struct GougeVerdict {
   std::map<base::Line, Gouge> gouges{};
   std::map<base::Line, LocalClearance> local{};
   static constexpr std::size_t most_blocks = 1000;
+  /// More than the tolerance, by block, part of it and number of the pass: the first most_blocks.
+  std::map<std::tuple<base::Line, gcode::MachinedMove::Part, std::size_t>, Gouge> gouges_of_passes{};
 
   std::vector<std::string> files{};  ///< names of the texts, by the numbers that base::file() gives
 

@@ -84,6 +84,17 @@ void put_verdict(std::string& page, const PageContent& content) {
   put(page, "</div>\n");
 }
 
+/// Of a program that was allowed to.
+void put_gouging_verdict(std::string& page, const Report& report) {
+  if (!report.gouging || report.gouging->blocks.empty()) return;
+  const Gouge& worst = report.gouging->blocks.front();
+  put(page, "<div class=\"verdict bad\"><strong>▲ The tool gouges, as it was allowed to</strong>");
+  if (worst.depth_mm)
+    put(page, readable_distance(*worst.depth_mm), " deep in surface ", std::to_string(worst.surface), " on ",
+        escaped(worst.motion), " of line ", place_text(report, worst.line), ". ");
+  put(page, "<a href=\"#gouging\">See where.</a></div>\n");
+}
+
 void put_figure(std::string& page, std::string_view name, const std::string& value, const std::string& more) {
   put(page, "<div><dt>", name, "</dt><dd>", value, more.empty() ? "" : "<small>" + more + "</small>", "</dd></div>\n");
 }
@@ -126,6 +137,7 @@ void put_heading(std::string& page, const PageContent& content) {
       escaped(content.machine.name), "</p>\n<h1>", escaped(report.title), "</h1>\n");
   if (!report.program.empty()) put(page, "<p>Judged by ", escaped(report.program), ".</p>\n");
   put_verdict(page, content);
+  put_gouging_verdict(page, content.report);
   put(page, "<dl class=\"figures\">\n");
   put_figure(page, "Time", readable_time(report.time_s),
              report.plan ? "dwell " + readable_time(report.dwell_s) + "; without jerk limit " +

@@ -33,6 +33,8 @@ std::vector<std::string> broken_promises(const PageContent& content);
 
 void put_heading(std::string& page, const PageContent& content);       ///< title, verdict, key figures
 void put_path_section(std::string& page, const PageContent& content);  ///< the path from all sides
+/// Where tools are inside surfaces; nothing where that was not looked for.
+void put_gouging_section(std::string& page, const PageContent& content);
 /// Ideal, commanded and actual path, errors magnified; nothing without slides.
 void put_followed_section(std::string& page, const PageContent& content);
 /// What holds motion below its feed words, and the blocks that lose most; nothing where that was not asked.
@@ -46,7 +48,7 @@ void put_diagnostics(std::string& page, const PageContent& content);
 void put_origin(std::string& page, const PageContent& content);  ///< how to make the page again
 
 /// The files page.css and page.js, embedded. The page is complete without the script, which lights up the places of
-/// blocks that lose time, and adds the shared cursor and zoom to the charts over time: with every zoom the bands and the time ticks are drawn anew from the bins, which are
+/// blocks that lose time or gouge, and adds the shared cursor and zoom to the charts over time: with every zoom the bands and the time ticks are drawn anew from the bins, which are
 /// finer than what the page shows at first.
 extern const std::string_view page_css, page_js;
 

@@ -146,10 +146,59 @@ void put_places(std::string& page, const View& view, std::span<const LostBlock> 
   }
 }
 
-void put_card(std::string& page, const View& view, std::span<const PathPoint> path, const Scales& scales,
-              const SpeedScale& speeds, std::span<const LostBlock> lost) {
-  const SeenExtent extent = shown_extent(path, view.side);
-  const Placement placement = centred(extent, scales.of(extent), left, above, plot_width, plot_height);
+std::string diamond(double x, double y, double size) {
+  const std::string side = fixed(size, 1);
+  return "<path d=\"M" + fixed(x, 1) + " " + fixed(y - size, 1) + "l" + side + " " + side + "l-" + side + " " + side +
+         "l-" + side + "-" + side + "z\"/>";
+}
+
+/// Where tools are inside surfaces: small diamonds, and large ones with the numbers of the table.
+void put_gouges(std::string& page, const View& view, const Gouging& gouging, const Placement& placement) {
+  constexpr double small = 3, large = 11;
+  put(page, "<g class=\"gouges\">");
+  for (const base::AxisVector& place : gouging.places) {
+    const Seen seen = seen_from(view.side, place);
+    page += diamond(placement.x(seen.right), placement.y(seen.up), small);
+  }
+  put(page, "</g>\n");
+  for (std::size_t i = std::min(gouging.blocks.size(), most_gouges); i-- > 0;) {
+    const Seen seen = seen_from(view.side, gouging.blocks[i].place);
+    const double x = placement.x(seen.right), y = placement.y(seen.up);
+    const std::string rank = std::to_string(i + 1);
+    put(page, "<a class=\"place gouge\" data-place=\"gouge", rank, "\" href=\"#gouge", rank, "\">",
+        diamond(x, y, large), "<text x=\"", fixed(x, 1), "\" y=\"", fixed(y + 4, 1), "\">", rank, "</text></a>");
+  }
+}
+
+/// What the views show, each from its side.
+struct Shown {
+  std::vector<PathPoint> path;
+  std::vector<PathPoint> framed;  ///< what has to be inside the views: the path, and where tools are inside surfaces
+  Scales scales;
+  SpeedScale speeds;
+  std::vector<LostBlock> lost;
+  std::optional<Gouging> gouging;
+};
+
+Shown shown_of(const PageContent& content, const base::AxisSet& axes) {
+  const Recording& recording = content.recording;
+  Shown shown;
+  shown.path = thinned_to(recording.path(), axes, most_points, {0.001, 0.01 * recording.greatest_feed()});
+  shown.framed = shown.path;
+  shown.gouging = content.report.gouging;
+  if (shown.gouging) {
+    for (const base::AxisVector& place : shown.gouging->places) shown.framed.push_back({place, 0});
+    for (const Gouge& gouge : shown.gouging->blocks) shown.framed.push_back({gouge.place, 0});
+  }
+  shown.scales = scales_of(shown.framed);
+  shown.speeds = speed_scale(shown.path, recording.greatest_feed());
+  shown.lost = recording.dearest_blocks();
+  return shown;
+}
+
+void put_card(std::string& page, const View& view, const Shown& shown) {
+  const SeenExtent extent = shown_extent(shown.framed, view.side);
+  const Placement placement = centred(extent, shown.scales.of(extent), left, above, plot_width, plot_height);
   put(page, "<figure class=\"card\"><figcaption><b>", view.name, "</b> ");
   if (view.side == ViewSide::isometric) {
     put(page, "from the front, right and above");
@@ -159,12 +208,13 @@ void put_card(std::string& page, const View& view, std::span<const PathPoint> pa
   put(page, "</figcaption>\n<svg viewBox=\"0 0 ", fixed(card_width, 0), " ", fixed(card_height, 0),
       "\" role=\"img\" aria-label=\"Path, ", view.name, "\">\n");
   if (view.side == ViewSide::isometric) {
-    put_box(page, path, placement);
+    put_box(page, shown.framed, placement);
   } else {
     put_ruler(page, view, placement);
   }
-  put_strokes(page, path, view.side, placement, speeds, 1.5);
-  put_places(page, view, lost, placement);
+  put_strokes(page, shown.path, view.side, placement, shown.speeds, 1.5);
+  put_places(page, view, shown.lost, placement);
+  if (shown.gouging) put_gouges(page, view, *shown.gouging, placement);
   put(page, "</svg></figure>\n");
 }
 
@@ -207,18 +257,17 @@ void put_path_section(std::string& page, const PageContent& content) {
         "</p></section>\n");
     return;
   }
-  const std::vector<PathPoint> path =
-      thinned_to(content.recording.path(), axes, most_points, {0.001, 0.01 * content.recording.greatest_feed()});
-  const SpeedScale speeds = speed_scale(path, content.recording.greatest_feed());
-  const Scales scales = scales_of(path);
-  const std::vector<LostBlock> lost = content.recording.dearest_blocks();
-  put_color_bar(page, speeds, has_rapids(path));
+  const Shown shown = shown_of(content, axes);
+  put_color_bar(page, shown.speeds, has_rapids(shown.path));
   put(page, "<div class=\"views\">\n");
-  for (const View& view : views) put_card(page, view, path, scales, speeds, lost);
+  for (const View& view : views) put_card(page, view, shown);
+  const bool gouges = shown.gouging && !shown.gouging->blocks.empty();
   put(page, "</div>\n<p class=\"note\">",
       content.recording.shows_tip() ? "Positions of the tool’s tip in the workpiece. " : "Positions of the axes. ",
-      scales.differ ? "Each view has its own scale, equal in both directions." : "All views are at the same scale.",
-      lost.empty() ? "" : " Numbers: the blocks that <a href=\"#losses\">lose most time</a>.", "</p></section>\n");
+      shown.scales.differ ? "Each view has its own scale, equal in both directions."
+                          : "All views are at the same scale.",
+      shown.lost.empty() ? "" : " Numbers: the blocks that <a href=\"#losses\">lose most time</a>.",
+      gouges ? " Diamonds: where <a href=\"#gouging\">the tool gouges</a>." : "", "</p></section>\n");
 }
 
 }  // namespace leadscrew::report

@@ -43,6 +43,7 @@ base::Result<void> write_report(const Report& report, const Recording& recording
       escaped(report.title), " – motion report</title>\n<style>", page_style(), "</style>\n</head>\n<body>\n<main>\n");
   put_heading(page, content);
   put_path_section(page, content);
+  put_gouging_section(page, content);
   put_loss_section(page, content);
   put_followed_section(page, content);
   put_violation_section(page, content);

@@ -53,6 +53,29 @@ struct TipDeviation {
   double orientation_tolerance_deg = 0;  ///< the largest that applied
 };
 
+/// Where the tool is deepest inside a surface that the program machines, on the passes of one block, or on its links, or where it
+/// bends less than the surface beside its contact.
+struct Gouge {
+  base::Line line{};
+  std::optional<double> depth_mm;  ///< none: beside its contact, where
+  double bends_by = 0;             ///< the surface bends by so much more than the tool, 1/mm
+  std::string part;                ///< of the tool: "cutter", "shank", "holder"
+  std::string motion;              ///< of the block: "pass 3"
+  std::int64_t count = 0;          ///< of the block's passes, or links, that are too deep
+  int surface = 0;                 ///< its number
+  double u = 0, v = 0;             ///< the place on it
+  base::AxisVector place{};        ///< in the pictures of the path, mm
+};
+
+/// What was found where a program may gouge.
+struct Gouging {
+  bool is_known = true;                  ///< false: the surfaces are more than are looked at
+  double tolerance_mm = 0;               ///< what tools may be inside surfaces
+  std::vector<Gouge> blocks;             ///< by block, the deepest first; behind them those beside contacts
+  std::vector<base::AxisVector> places;  ///< where each pass, link or way is deepest, in the pictures of the path, mm
+};
+inline constexpr std::size_t most_gouges = 20;  ///< that a page lists
+
 struct Report {
   std::string title;    ///< the program's name; the trace's, where it was judged
   std::string program;  ///< that a trace was judged by; empty otherwise
@@ -70,6 +93,7 @@ struct Report {
   std::vector<Violation> violations;  ///< the first of them, in the order of time
   std::int64_t violation_count = 0;   ///< of words, all
   std::vector<Loss> losses;           ///< the dearest first; empty where they were not looked for
+  std::optional<Gouging> gouging;     ///< none where it was not looked for
   std::vector<base::Diagnostic> diagnostics;
   std::vector<std::pair<base::Line, std::string>> source;  ///< text of the lines that the tables of blocks name
   std::vector<std::string> texts;                          ///< names of the program's texts, by base::file() of lines

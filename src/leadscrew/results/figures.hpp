@@ -82,8 +82,9 @@ struct RunFigures {
   ComputingTime effort;
   pipeline::LostByCause lost{};  ///< where time is lost against feed words
   std::vector<Extent> extents{};
-  std::vector<std::string> files{};    ///< written
-  std::optional<StepFigures> steps{};  ///< where they were asked for
+  std::vector<std::string> files{};                ///< written
+  std::optional<StepFigures> steps{};              ///< where they were asked for
+  std::optional<gouging::GougeVerdict> gouging{};  ///< for the report of a program that may gouge
 
   /// Did the motion keep what it must, by plan and by referee?
   bool kept() const;

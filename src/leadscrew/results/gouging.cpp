@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <leadscrew/results/gouging.hpp>
 #include <utility>
 
@@ -154,6 +155,47 @@ Json json_of_gouging(const GougeVerdict& verdict) {
                        {"least_clearance", verdict.least ? json_of(*verdict.least) : Json()},
                        {"blocks", list_of(verdict.gouges)},
                        {"contacts", list_of(verdict.local)}});
+}
+
+report::Gouging reported_gouging(const GougeVerdict& verdict, bool shows_tip) {
+  const auto seen = [&](const gouging::Vector& place, const gouging::Vector& offset) {
+    base::AxisVector result{};
+    for (std::size_t k = 0; k < 3; ++k) result[k] = place[k] + (shows_tip ? 0 : offset[k]);
+    return result;
+  };
+  report::Gouging reported{.is_known = verdict.fits, .tolerance_mm = verdict.tolerance};
+  // Of each block, passes and links and ways apart, the deepest.
+  using Part = gcode::MachinedMove::Part;
+  std::map<std::pair<base::Line, Part>, report::Gouge> deepest;
+  for (const auto& [key, gouge] : verdict.gouges_of_passes) {
+    report::Gouge& kept = deepest[{std::get<base::Line>(key), gouge.pass ? gouge.of : Part::pass}];
+    const std::int64_t count = kept.count + 1;
+    reported.places.push_back(seen(gouge.place, gouge.offset));
+    if (!kept.depth_mm || gouge.depth > *kept.depth_mm) {
+      kept = {.line = gouge.line,
+              .depth_mm = gouge.depth,
+              .part = std::string(name_of(gouge.part)),
+              .motion = motion_text(gouge),
+              .surface = gouge.surface,
+              .u = gouge.u,
+              .v = gouge.v,
+              .place = seen(gouge.place, gouge.offset)};
+    }
+    kept.count = count;
+  }
+  for (auto& [key, gouge] : deepest) reported.blocks.push_back(std::move(gouge));
+  std::stable_sort(reported.blocks.begin(), reported.blocks.end(),
+                   [](const report::Gouge& a, const report::Gouge& b) { return *a.depth_mm > *b.depth_mm; });
+  for (const auto& [line, local] : verdict.local) {
+    reported.blocks.push_back({.line = line,
+                               .bends_by = -local.clearance,
+                               .motion = fmt::format("pass {}", local.pass + 1),
+                               .surface = local.surface,
+                               .u = local.u,
+                               .v = local.v,
+                               .place = seen(local.place, local.offset)});
+  }
+  return reported;
 }
 
 std::string gouging_text(const GougeVerdict& verdict, const Style& style) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/kinematics/word_poses.hpp>
+#include <leadscrew/results/gouging.hpp>
 #include <leadscrew/results/report_form.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <set>
@@ -18,6 +19,10 @@ std::set<base::Line> lines_named(const report::Recording& recording, const repor
   const auto insert = [&lines](base::Line line) { lines.insert(base::place_of(line)); };
   for (const report::LostBlock& block : recording.dearest_blocks()) insert(block.line);
   for (const report::Violation& violation : report.violations) insert(violation.line);
+  if (report.gouging) {
+    for (std::size_t k = 0; k < std::min(report.gouging->blocks.size(), report::most_gouges); ++k)
+      insert(report.gouging->blocks[k].line);
+  }
   for (const report::BlockFigures& block : recording.slowest_blocks()) insert(block.line);
   for (const report::BlockFigures& block : recording.nearest_to_limit()) insert(block.line);
   return lines;
@@ -120,7 +125,9 @@ std::vector<report::Violation> by_block(const std::vector<referee::Violation>& v
   return blocks;
 }
 
-base::Result<report::Report> report_of(const ReportParts& parts, const referee::Verdict& verdict) {
+/// gouging: null where it was not looked for.
+base::Result<report::Report> report_of(const ReportParts& parts, const referee::Verdict& verdict,
+                                       const gouging::GougeVerdict* gouging = nullptr) {
   report::Report report;
   report.title = parts.program.name();
   report.version = LEADSCREW_VERSION;
@@ -138,6 +145,7 @@ base::Result<report::Report> report_of(const ReportParts& parts, const referee::
   report.diagnostics = parts.diagnostics;
   report.violation_count = verdict.violation_count;
   report.violations = by_block(verdict.violations);
+  if (gouging != nullptr) report.gouging = reported_gouging(*gouging, parts.recording.shows_tip());
   const auto taken = take_texts(parts.program, lines_named(parts.recording, report), report);
   if (!taken) return base::failure(taken.error());
   return report;
@@ -147,7 +155,7 @@ base::Result<report::Report> report_of(const ReportParts& parts, const referee::
 
 base::Result<report::Report> report_of(const ReportParts& parts, const RunFigures& figures) {
   const pipeline::Summary& summary = figures.summary;
-  auto report = report_of(parts, figures.verdict);
+  auto report = report_of(parts, figures.verdict, figures.gouging ? &*figures.gouging : nullptr);
   if (!report) return report;
   report->time_s = summary.time_s;
   report->dwell_s = summary.dwell_s;
