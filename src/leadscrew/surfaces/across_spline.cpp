@@ -76,9 +76,10 @@ UniformSpline spline_below(const Range& range, std::size_t spans, std::size_t pe
     c[i] = wanted[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(sample_of(i), 0, last))];
   }
   std::vector<double> share;
+  AcrossFunction::Memo memo;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const double place = steps.knot(static_cast<double>(k) / static_cast<double>(per_span));
-    share.push_back(wanted[k] / steps.at(place).value);
+    share.push_back(wanted[k] / steps.at_near(place, memo).value);
   }
   for (std::size_t i = 0; i < c.size(); ++i) {
     const std::ptrdiff_t reach = 3 * static_cast<std::ptrdiff_t>(per_span);

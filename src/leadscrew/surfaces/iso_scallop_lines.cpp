@@ -61,7 +61,9 @@ class IsoScallopLines : public PassLines {
   bool limit_steps(PassLog& log, const Reaches& here, const std::vector<double>& left, const std::vector<double>& step,
                    std::vector<double>& limit);
   std::vector<Range> parts_inside() const;
-  bool is_inside(double at) const { return (course_.last - spline_.at(at).value) * course_.sign_across() > 0; }
+  bool is_inside(double at, AcrossFunction::Memo& memo) const {
+    return (course_.last - spline_.at_near(at, memo).value) * course_.sign_across() > 0;
+  }
 
   Course course_;
   UniformSpline spline_;
@@ -328,15 +330,16 @@ std::vector<Range> IsoScallopLines::parts_inside() const {
   const auto at = [&](std::size_t k) {
     return spline_.knot(static_cast<double>(k) / (2 * static_cast<double>(per_span_)));
   };
-  bool inside = is_inside(at(0));
+  AcrossFunction::Memo memo;
+  bool inside = is_inside(at(0), memo);
   double begin = at(0);
   for (std::size_t k = 1; k <= count; ++k) {
-    const bool next = is_inside(at(k));
+    const bool next = is_inside(at(k), memo);
     if (next == inside) continue;
     double low = at(k - 1), high = at(k);
     for (int round = 0; round < 60; ++round) {
       const double middle = (low + high) / 2;
-      (is_inside(middle) == inside ? low : high) = middle;
+      (is_inside(middle, memo) == inside ? low : high) = middle;
     }
     if (inside) {
       parts.push_back({begin, low});

@@ -113,7 +113,7 @@ ToolClearance::Place ToolClearance::refined(const ToolPose& pose, Place place) c
   const Range u = surface_.range(Direction::u), v = surface_.range(Direction::v);
   place.distance = distance_from_tool(cutter_, pose, surface_.at(place.u, place.v));
   for (int round = 0; round < most_rounds; ++round) {
-    const SurfaceJet jet = surface_.jet(place.u, place.v);
+    const SurfaceJet jet = surface_.jet_of_second_order(place.u, place.v);
     const Slope slope = slope_at(cutter_, pose, jet.s);
     const Vector& g = slope.gradient;
     const auto second = [&](const Vector& a, const Vector& b, const Vector& ab) {
