@@ -325,8 +325,7 @@ TEST(Report, ShowsWhereTheToolGouges) {
       has(page,
           "G6.5 D3 &lt;H0.1&gt;</td><td class=\"over-limit\">2.6638</td><td class=\"text\">pass "
           "&lt;17&gt;</td><td>3</td><td>0.155153</td><td>0.25</td><td class=\"text\">cutter, the deepest of 14"));
-  EXPECT_TRUE(
-      has(page, "0.5</td><td class=\"text\">the link behind pass 16</td><td>3</td><td>0.5</td><td>0.75</td>"));
+  EXPECT_TRUE(has(page, "0.5</td><td class=\"text\">the link behind pass 16</td><td>3</td><td>0.5</td><td>0.75</td>"));
   EXPECT_TRUE(has(page, "beside contact</td><td class=\"text\">pass 1</td><td>1</td><td>0.5</td><td>0</td>"));
   EXPECT_TRUE(has(page, "the surface bends by 0.0111 / mm more"));
   EXPECT_TRUE(has(page, "Diamonds: where <a href=\"#gouging\">the tool gouges</a>"));
