@@ -32,7 +32,7 @@ bool lock_memory() {
 
 /// More of its stack the calling thread does not use: pages that are there need not be fetched in a period.
 [[gnu::noinline]] void touch_stack() {
-  constexpr std::size_t used = 256 * 1024, page = 4096;
+  constexpr std::size_t used = std::size_t{256} * 1024, page = 4096;
   std::array<volatile char, used> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): touched below
   for (std::size_t k = 0; k < used; k += page) stack[k] = 0;
 }

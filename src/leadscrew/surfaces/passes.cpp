@@ -117,7 +117,7 @@ void Passes::Maker::make_next() {
 }
 
 Passes::Passes(Machining machining) : maker_(std::make_unique<Maker>(std::move(machining), nullptr)) {}
-Passes::Passes(Machining machining, std::shared_ptr<const FoundLines> found)
+Passes::Passes(Machining machining, const std::shared_ptr<const FoundLines>& found)
     : maker_(std::make_unique<Maker>(std::move(machining), found.get())) {}
 Passes::~Passes() = default;
 Passes::Passes(Passes&&) noexcept = default;

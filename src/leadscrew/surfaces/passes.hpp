@@ -113,7 +113,7 @@ class Passes {
   /// The surface's form has no fault; ranges lie within the surface's; either scallop or step > 0.
   explicit Passes(Machining machining);
   /// The same. Lines of a machining that has_same_lines() are not found anew; others, or none, change nothing.
-  Passes(Machining machining, std::shared_ptr<const FoundLines> found);
+  Passes(Machining machining, const std::shared_ptr<const FoundLines>& found);
   ~Passes();
   Passes(Passes&&) noexcept;
   Passes& operator=(Passes&&) noexcept;

@@ -14,7 +14,9 @@
 //     an edge behind comes, at a leg's end, to i inside the last turn's leg that it meets,
 //     an edge ahead begins, at a leg's begin, no farther than i inside the leg before:
 //
-// then each place between two turns lies within i of the one outside, or between legs that are a step apart. Where i is not known, as of
+// then each place between two turns lies within i of the one outside, or between legs that are a step apart. A leg may not begin or end
+// outside the border: where it would have to, its edge leaves a strip at its begin or end to others. What meets it there goes on past it,
+// to the last turn's leg if that is long enough, else to the border. Where i is not known, as of
 // a tool that keeps its axis, legs go all the way to those that they meet: its edge is behind on one leg by as much as it is i on the other.
 
 #include <algorithm>
@@ -29,6 +31,7 @@ namespace leadscrew::surfaces {
 namespace {
 
 constexpr std::size_t least_leg_places = 9;
+constexpr double rounding_of_range = 1e-9;
 
 class SpiralLines : public PassLines {
  public:
@@ -45,16 +48,25 @@ class SpiralLines : public PassLines {
     double step = 0;                           // to the leg inside
     double far = 0;                            // so far inside the leg alone leaves no more; 0 where it is not known
     double ahead = 0, behind = 0;              // the edge, of contacts
+    // How far from the borders of the sides before and behind the edge has been, of this turn's leg, once it is told, and of the last's.
+    double from = 0, to = 0, outside_from = 0, outside_to = 0;
     double half = 0;  // so far inside from here, and so far from there, opposite legs leave no more
   };
   void find_steps(PassLog& log);
   double corner_factor(PassLog& log) const;
   bool is_too_many(PassLog& log) const;
-  void finish(std::vector<Line>& lines) const;
+  void finish(std::vector<Line>& lines);
   double corner(const Side& side, double meets, double far, double off, double line) const;
   double begin(std::size_t k) const;
   double end(std::size_t k) const;
   double end_inside(std::size_t k, double line) const;
+  Line leg(std::size_t k, double end);
+  /// How far inside the border of a side the last turn has left no more.
+  double done(std::size_t k) const {
+    return (sides_[k].outside - sides_[k].border) * sides_[k].inwards + sides_[k].outside_far;
+  }
+  /// Has an edge been as near to the border of the side as it has to be for the leg there, which comes from the last turn's?
+  bool is_near(double edge, std::size_t k) const { return edge <= done(k) + rounding_of_range * std::abs(gap(k % 2)); }
   double inside(std::size_t k) const { return sides_[k].at + sides_[k].inwards * sides_[k].step; }
   /// From one border to the opposite, across the sides k and k + 2.
   double gap(std::size_t k) const { return (sides_[k + 2].at - sides_[k].at) * sides_[k].inwards; }
@@ -148,19 +160,32 @@ double SpiralLines::corner(const Side& side, double meets, double far, double of
 double SpiralLines::begin(std::size_t k) const {
   const Side &side = sides_[k], &before = sides_[(k + 3) % 4];
   // The first leg comes from the last turn's fourth.
-  if (k == 0) return corner(before, before.outside, before.outside_far, side.ahead, before.outside);
-  return corner(before, before.at, before.far, side.ahead, before.at);
+  const double meets = k == 0 ? before.outside : before.at, far = k == 0 ? before.outside_far : before.far;
+  if (!has_corners_ && !is_near(k == 0 ? before.outside_to : before.to, k)) return before.border;
+  return corner(before, meets, far, side.ahead, meets);
 }
 
 double SpiralLines::end(std::size_t k) const {
   const Side& after = sides_[(k + 1) % 4];
+  if (!has_corners_ && !is_near(after.outside_from, k)) return after.border;
   return corner(after, after.outside, after.outside_far, sides_[k].behind, after.at);
 }
 
 /// Of a leg that meets one of this turn.
 double SpiralLines::end_inside(std::size_t k, double line) const {
   const Side& after = sides_[(k + 1) % 4];
+  if (!has_corners_ && !is_near(after.from, k)) return end(k);
   return corner(after, after.at, after.far, sides_[k].behind, line);
+}
+
+/// That of a side in this turn, and where its edge has been.
+Line SpiralLines::leg(std::size_t k, double end) {
+  Side& side = sides_[k];
+  const Side &before = sides_[(k + 3) % 4], &after = sides_[(k + 1) % 4];
+  const double begin = this->begin(k);
+  side.from = (begin - before.border) * before.inwards + side.ahead;
+  side.to = (end - after.border) * after.inwards + side.behind;
+  return {side.along, begin, end, side.at, nullptr};
 }
 
 /// Where one more leg lies between opposite ones, gone as that of the side k.
@@ -170,16 +195,16 @@ double SpiralLines::middle(std::size_t k) const {
 }
 
 /// The last turn's end: one more leg in the middle where two opposite ones are too far apart.
-void SpiralLines::finish(std::vector<Line>& lines) const {
+void SpiralLines::finish(std::vector<Line>& lines) {
   const auto& [first, second, third, fourth] = sides_;
   if (gap(0) <= widest(0) || gap(1) <= widest(1)) {
-    lines.push_back({fourth.along, begin(3), end_inside(3, first.at), fourth.at, nullptr});
+    lines.push_back(leg(3, end_inside(3, first.at)));
   } else if (is_last(0)) {
-    lines.push_back({fourth.along, begin(3), end_inside(3, middle(0)), fourth.at, nullptr});
+    lines.push_back(leg(3, end_inside(3, middle(0))));
     lines.push_back({first.along, corner(fourth, fourth.at, fourth.far, first.ahead, fourth.at),
                      end_inside(0, inside(1)), middle(0), nullptr});
   } else {
-    lines.push_back({fourth.along, begin(3), end_inside(3, inside(0)), fourth.at, nullptr});
+    lines.push_back(leg(3, end_inside(3, inside(0))));
     lines.push_back({first.along, corner(fourth, fourth.at, fourth.far, first.ahead, fourth.at),
                      end_inside(0, middle(1)), inside(0), nullptr});
     lines.push_back({second.along, corner(first, inside(0), first.far, second.ahead, inside(0)),
@@ -197,7 +222,7 @@ std::vector<Line> SpiralLines::next(PassLog& log) {
     return {};
   }
   std::vector<Line> lines;
-  for (std::size_t k = 0; k < 3; ++k) lines.push_back({sides_[k].along, begin(k), end(k), sides_[k].at, nullptr});
+  for (std::size_t k = 0; k < 3; ++k) lines.push_back(leg(k, end(k)));
   is_done_ = is_last(0) || is_last(1);
   if (is_done_) {
     finish(lines);
@@ -208,10 +233,12 @@ std::vector<Line> SpiralLines::next(PassLog& log) {
     // One leg is too few here, and two would cross.
     for (Side* side : {&sides_[k], &sides_[k + 2]}) side->step *= gap(k) / both(k) / 2;
   }
-  lines.push_back({sides_[3].along, begin(3), end_inside(3, inside(0)), sides_[3].at, nullptr});
+  lines.push_back(leg(3, end_inside(3, inside(0))));
   for (Side& side : sides_) {
     side.outside = std::exchange(side.at, side.at + side.inwards * side.step);
     side.outside_far = side.far;
+    side.outside_from = side.from;
+    side.outside_to = side.to;
   }
   return lines;
 }
