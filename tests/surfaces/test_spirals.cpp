@@ -36,9 +36,10 @@ double tallest_at(const Machining& machining, const std::vector<std::array<doubl
 
 const Orientation forward{Orientation::Rule::leaned, {}, 0.2, 0}, aside{Orientation::Rule::leaned, {}, 0.2, 0.1};
 
-/// Tools lean as told; margin: of the range, where its border cuts off what legs would have to go beyond.
+/// Tools lean as told; at the range's own corners as well, within a few steps.
 void of_legs_that_lean(const std::vector<SurfaceForm>& forms, const std::vector<Orientation>& orientations, int count,
-                       std::mt19937& random, double margin = 0) {
+                       std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
   for (const SurfaceForm& form : forms) {
     for (const Cutter& cutter : {Cutter{5, 0}, Cutter{5, 1}}) {
       for (const Orientation& orientation : orientations) {
@@ -47,9 +48,9 @@ void of_legs_that_lean(const std::vector<SurfaceForm>& forms, const std::vector<
         machining.orientation = orientation;
         machining.pattern = Pattern::spiral_in;
         std::vector<std::array<double, 2>> places = near_corners(count, random);
-        for (auto& [u, v] : places) {
-          u = std::clamp(u, margin, 1 - margin);
-          v = std::clamp(v, margin, 1 - margin);
+        for (int k = 0; k < count; ++k) {
+          const double u = 0.03 * unit(random), v = 0.03 * unit(random);
+          places.push_back({k % 2 == 0 ? u : 1 - u, k % 4 < 2 ? v : 1 - v});
         }
         const double most = tallest_at(machining, places);
         EXPECT_LE(most, 1 + 1e-3) << "lead " << orientation.lead << ", tilt " << orientation.tilt;
@@ -75,13 +76,31 @@ std::vector<Orientation> leaned(const std::vector<std::array<double, 2>>& angles
 }
 TEST(Spirals, OfLegsThatLeanBackOrAsideAreNoHigherAtTheirCornersToo) {
   std::mt19937 random(41);
-  of_legs_that_lean({test::patch_a()}, leaned({{-0.2, 0.1}, {0.05, -0.2}}), 60, random, 0.04);
+  of_legs_that_lean({test::patch_a()}, leaned({{-0.2, 0.1}, {0.05, -0.2}}), 60, random);
 }
 TEST(LongSpirals, OfLegsThatLeanBackOrAsideAreNoHigherAtTheirCornersToo) {
   std::mt19937 random(testing_support::long_seed());
   const std::vector<Orientation> all =
       leaned({{-0.2, 0}, {-0.2, 0.1}, {0.2, -0.1}, {0.1, 0.2}, {0.05, -0.2}, {-0.05, 0.2}, {0, 0.2}});
-  of_legs_that_lean({test::patch_a(), test::random_form(random, 1)}, all, 200, random, 0.04);
+  of_legs_that_lean({test::patch_a(), test::random_form(random, 1)}, all, 200, random);
+}
+
+/// At the range's own corners, where legs would have to begin and end outside the border.
+TEST(Spirals, OfTiltedToolsAreNoHigherAtTheRangesCorners) {
+  Machining machining = test::ball_on(test::patch_a(), 5, 0.04);
+  machining.cutter = {5, 0};
+  machining.pattern = Pattern::spiral_in;
+  for (const Orientation& orientation : leaned({{-0.2, 0}, {0.1, 0.2}, {0.05, -0.2}, {-0.05, 0.2}})) {
+    machining.orientation = orientation;
+    std::vector<std::array<double, 2>> places = {{0, 0.015}, {0.99, 0.99}, {0.998, 0.996}, {0.006, 0.008}};
+    for (const double corner_u : {0.0, 1.0}) {
+      for (const double corner_v : {0.0, 1.0}) {
+        for (int k = 0; k < 16; ++k)
+          places.push_back({std::abs(corner_u - 0.006 * (k % 4)), std::abs(corner_v - 0.006 * (k / 4))});
+      }
+    }
+    EXPECT_LE(tallest_at(machining, places), 1 + 1e-3) << orientation.lead << ' ' << orientation.tilt;
+  }
 }
 
 /// Steps differ from leg to leg, and what one leg leaves reaches far along it: looked at where the range's own corners are as well.

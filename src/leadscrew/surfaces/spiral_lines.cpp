@@ -16,7 +16,7 @@
 //
 // then each place between two turns lies within i of the one outside, or between legs that are a step apart. A leg may not begin or end
 // outside the border: where it would have to, its edge leaves a strip at its begin or end to others. What meets it there goes on past it,
-// to the last turn's leg if that is long enough, else to the border. Where i is not known, as of
+// to the last turn's leg if that is long enough, else to the border; and where both are cut off, at a corner, steps are shorter. Where i is not known, as of
 // a tool that keeps its axis, legs go all the way to those that they meet: its edge is behind on one leg by as much as it is i on the other.
 
 #include <algorithm>
@@ -32,6 +32,9 @@ namespace {
 
 constexpr std::size_t least_leg_places = 9;
 constexpr double rounding_of_range = 1e-9;
+/// Of the steps of turns whose corners are left by both of their legs: what these leave there becomes less, as edges are ahead and behind
+/// by the less the nearer to the leg a place is.
+constexpr double steps_about_corners = 0.6;
 
 class SpiralLines : public PassLines {
  public:
@@ -53,6 +56,7 @@ class SpiralLines : public PassLines {
     double half = 0;  // so far inside from here, and so far from there, opposite legs leave no more
   };
   void find_steps(PassLog& log);
+  bool leaves_corners() const;
   double corner_factor(PassLog& log) const;
   bool is_too_many(PassLog& log) const;
   void finish(std::vector<Line>& lines);
@@ -138,6 +142,22 @@ void SpiralLines::find_steps(PassLog& log) {
     side.behind = reach.behind;
     if (!is_known) side.outside_far = 0;
   }
+  if (has_corners_ || !leaves_corners()) return;
+  for (Side& side : sides_) {
+    side.step *= steps_about_corners;
+    side.half = side.far = std::min(side.far, side.step);
+  }
+}
+
+/// Is there a corner of the turn that neither of its legs can cut up to, as the border cuts off the end of one and the begin of the
+/// other?
+bool SpiralLines::leaves_corners() const {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Side &side = sides_[k], &before = sides_[(k + 3) % 4];
+    const double begin = (before.at - before.border) * before.inwards + before.far;
+    if (side.ahead > begin && before.behind > done(k)) return true;
+  }
+  return false;
 }
 
 bool SpiralLines::is_too_many(PassLog& log) const {
