@@ -114,4 +114,11 @@ TEST(StepTiming, RoundsTimesUpToTicks) {
 }
 
 }  // namespace test_step_timing
+TEST(StepTiming, TellsWhichTimesLimit) {
+  using Places = std::vector<std::size_t>;
+  EXPECT_EQ((StepTicks{2, 9, 1, 1}).limiting(), (Places{0, 1}));
+  EXPECT_EQ((StepTicks{2, 3, 4, 5}).limiting(), (Places{0, 3, 2}));
+  EXPECT_EQ((StepTicks{2, 3, 1, 2}).limiting(), (Places{0, 1, 3, 2}));
+}
+
 }  // namespace leadscrew::steps::testing

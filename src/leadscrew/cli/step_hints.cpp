@@ -22,16 +22,6 @@ std::string time_text(std::size_t k, base::Axis axis, const Job& job) {
   return fmt::format("{} ({} us)", name, base::text(static_cast<double>(nanoseconds) / 1e3));
 }
 
-/// By their place in machine::all_step_times.
-std::vector<std::size_t> limiting_times(const steps::StepTicks& ticks) {
-  constexpr std::size_t length = 0, space = 1, setup = 2, hold = 3;
-  const std::int64_t turn = ticks.length + ticks.hold + ticks.setup;
-  std::vector<std::size_t> times = {length};
-  if (ticks.pitch() >= turn) times.push_back(space);
-  if (turn >= ticks.pitch()) times.insert(times.end(), {hold, setup});
-  return times;
-}
-
 /// Those of the slowest axis that are longer than a tick; and a faster clock, where rounding to ticks is a good part.
 std::string hint_of_step_times(const Job& job) {
   constexpr std::int64_t fastest_clock = 10'000'000;
@@ -40,7 +30,7 @@ std::string hint_of_step_times(const Job& job) {
   const machine::StepTimes& times = job.machine.limits(slowest.axis).step_times;
   std::string hint = "program a lower feed";
   std::vector<std::string> named;
-  for (const std::size_t k : limiting_times(steps::in_ticks(times, clock_hz))) {
+  for (const std::size_t k : steps::in_ticks(times, clock_hz).limiting()) {
     const std::int64_t nanoseconds = times.*machine::all_step_times[k].value;
     if (nanoseconds * clock_hz > 1'000'000'000) named.push_back(time_text(k, slowest.axis, job));
   }

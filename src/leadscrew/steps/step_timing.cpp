@@ -83,6 +83,15 @@ StepTicks in_ticks(const machine::StepTimes& times, std::int64_t clock_hz) {
           ticks(times.direction_hold, clock_hz)};
 }
 
+std::vector<std::size_t> StepTicks::limiting() const {
+  constexpr std::size_t length_place = 0, space_place = 1, setup_place = 2, hold_place = 3;
+  const std::int64_t turn = length + hold + setup;
+  std::vector<std::size_t> times = {length_place};
+  if (pitch() >= turn) times.push_back(space_place);
+  if (turn >= pitch()) times.insert(times.end(), {hold_place, setup_place});
+  return times;
+}
+
 LongestReversal longest_reversal(const machine::Machine& machine, std::int64_t clock_hz) {
   LongestReversal longest;
   for (const base::Axis axis : base::all_axes) {

@@ -1,6 +1,7 @@
 #pragma once
 // Whether a step clock can give what the drives of a machine ask of step and direction signals.
 
+#include <cstddef>
 #include <cstdint>
 #include <leadscrew/base/diagnostic.hpp>
 #include <leadscrew/machine/machine.hpp>
@@ -19,6 +20,8 @@ struct StepTicks {
   std::int64_t pitch() const { return length + space; }
   /// From a step to one in the other direction, at least.
   std::int64_t reversal() const { return pitch() > length + hold + setup ? pitch() : length + hold + setup; }
+  /// Which times reversal() is made of, by their place in machine::all_step_times; all of them where both ways are as long.
+  std::vector<std::size_t> limiting() const;
 };
 
 /// Times and clock must be valid.
