@@ -23,7 +23,8 @@ class DriveStream {
     bool may_control = false;  ///< by whoever knows the token
   };
 
-  /// Takes the port; nobody is answered before the drive begins. Program, setup and wishes outlive it. Errors: those of
+  /// Takes the port, before anything moves; nobody is answered before the drive begins. The process of the drives, a fork, has the
+  /// port as well, and gives it back when the drives stand. Program, setup and wishes outlive it. Errors: those of
   /// page_folder(), Page::read() and Server::open(), and of the program's file; `io-open` where the system gives no token.
   static base::Result<std::unique_ptr<DriveStream>> open(const files::InputFile& program, const drive::Setup& setup,
                                                          Options options, drive::Wishes& wishes);

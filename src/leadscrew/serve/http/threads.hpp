@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,10 +19,16 @@ class Threads : public httplib::TaskQueue {
   ~Threads() override { shutdown(); }
 
   void enqueue(std::function<void()> task) override {
-    const std::lock_guard lock(mutex_);
-    tasks_.push_back(std::move(task));
-    if (waiting_ < tasks_.size() && threads_.size() < most_) threads_.emplace_back([this] { work(); });
-    changed_.notify_one();
+    {
+      const std::lock_guard lock(mutex_);
+      if (waiting_ <= tasks_.size() && threads_.size() < most_) add_thread();
+      if (!threads_.empty()) {
+        tasks_.push_back(std::move(task));
+        changed_.notify_one();
+        return;
+      }
+    }
+    task();  // by the thread that accepts, for there is no other
   }
 
   /// Waits for tasks to end; those that have not begun are done.
@@ -36,6 +43,15 @@ class Threads : public httplib::TaskQueue {
   }
 
  private:
+  /// Where the system gives one.
+  void add_thread() {
+    try {
+      threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      // those that there are do it
+    }
+  }
+
   void work() {
     std::unique_lock lock(mutex_);
     while (true) {
