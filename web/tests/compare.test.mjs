@@ -99,10 +99,16 @@ test("the paper's row stands beside those that reproduce it, and nowhere else", 
     assert.equal(rows[i].Clocks, String(steps));
     assert.equal(rows[i]["Greatest error"], `0${error}`);
   }
-  await page.fill("#startX", "6");
-  await page.fill("#endY", "6");
-  await loaded(page);
-  for (const row of await rowsOf(page)) assert.equal(row.Published, "");
+  for (const change of [
+    { endX: "5", endY: "0" },
+    { startX: "0", startY: "5" },
+  ]) {
+    for (const [id, value] of Object.entries(change)) await page.fill(`#${id}`, value);
+    await loaded(page);
+    const all = await rowsOf(page);
+    assert.equal(all.length, 4);
+    for (const row of all) assert.equal(row.Published, "");
+  }
 });
 
 /** Of the steps of `pulse --table`: their length, and how far 16 clocks of them are from the mean. */
@@ -117,15 +123,17 @@ function wayOf(rows, columns) {
 
 test("length and ripple follow from the command's rows", async () => {
   const { page } = compare;
-  await chooseComparison(page, "bits");
-  await press(page, "last");
-  const rows = await rowsOf(page);
-  const commands = await commandsOf(page);
-  for (const [i, row] of rows.entries()) {
-    const table = nativeTable(commands[i].map((word) => (word === "--json" ? "--table" : word)));
-    const { length, ripple } = wayOf(table.rows, table.columns);
-    assert.ok(Math.abs(Number(row.Length) - length) <= 0.005 + 1e-9, `${row.Length} ${length}`);
-    assert.ok(Math.abs(parseFloat(row.Ripple) - 100 * ripple) <= 0.05 + 1e-9, `${row.Ripple} ${ripple}`);
+  for (const id of ["bits", "loads"]) {
+    await chooseComparison(page, id);
+    await press(page, "last");
+    const rows = await rowsOf(page);
+    const commands = await commandsOf(page);
+    for (const [i, row] of rows.entries()) {
+      const table = nativeTable(commands[i].map((word) => (word === "--json" ? "--table" : word)));
+      const { length, ripple } = wayOf(table.rows, table.columns);
+      assert.ok(Math.abs(Number(row.Length) - length) <= 0.005 + 1e-9, `${row.Length} ${length}`);
+      assert.ok(Math.abs(parseFloat(row.Ripple) - 100 * ripple) <= 0.05 + 1e-9, `${row.Ripple} ${ripple}`);
+    }
   }
 });
 
