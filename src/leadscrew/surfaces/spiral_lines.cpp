@@ -34,7 +34,7 @@ constexpr std::size_t least_leg_places = 9;
 constexpr double rounding_of_range = 1e-9;
 /// Of the steps of turns whose corners are left by both of their legs: what these leave there becomes less, as edges are ahead and behind
 /// by the less the nearer to the leg a place is.
-constexpr double steps_about_corners = 0.6;
+constexpr double steps_about_corners = 0.5;
 
 class SpiralLines : public PassLines {
  public:
