@@ -18,6 +18,15 @@
 
 namespace leadscrew::gcode {
 
+#ifdef __wasi__  // one thread, and a library without std::mutex
+struct DraftsMutex {
+  void lock() {}
+  void unlock() {}
+};
+#else
+using DraftsMutex = std::mutex;
+#endif
+
 /// What a draft follows from.
 struct SurfaceDraftKey {
   surfaces::Machining machining;
@@ -56,7 +65,7 @@ class SurfaceDrafts {
   };
   const Kept* of(const SurfaceDraftKey& key) const;
 
-  mutable std::mutex mutex_;
+  mutable DraftsMutex mutex_;
   std::vector<Kept> kept_;
   std::size_t bytes_ = 0;
   mutable std::size_t found_ = 0;
