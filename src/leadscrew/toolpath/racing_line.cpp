@@ -244,18 +244,30 @@ std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
   corridor.begin = is_moving_ ? CorridorEnd::moving : CorridorEnd::rest;
   corridor.end = window.end;
   const bool goes_on = is_moving_ || window.end == CorridorEnd::moving;
-  // Where motion goes on, its interval should come out as the one that its control points there were made for.
-  const double wanted = is_moving_ ? given_interval_ : suitable_interval(corridor);
+  // Where motion goes on, its interval should come out as the one that its control points there were made for: those on legs
+  // are made for the one that came out; those of an earlier plan are what they are.
+  const bool is_on_legs = !is_moving_ || begins_on_leg_;
+  double wanted = is_moving_ ? given_interval_ : suitable_interval(corridor), begun_with = wanted / interval_ratio_;
   std::optional<Plan> found;
-  for (int k = 0; k < most_intervals; ++k) {
+  for (int k = 0; k < (goes_on && is_on_legs ? most_intervals_on_legs : most_intervals); ++k) {
     CorridorEnds<3> ends{is_moving_ ? begin_ : 0, window.finish, given_, {}};
+    if (is_moving_ && begins_on_leg_) ends.points_at_begin = points_at(corridor.legs.front(), begin_, wanted);
     if (window.end == CorridorEnd::moving) ends.points_at_end = points_at(corridor.legs.back(), window.finish, wanted);
-    std::optional<TimeSpline<3>> motion = plan_in(corridor, ends, wanted / interval_ratio_);
+    std::optional<TimeSpline<3>> motion = plan_in(corridor, ends, begun_with);
     if (!motion) break;
     const double off = motion->interval / wanted;
     found = Plan{std::move(*motion), window.count};
-    if (goes_on ? std::abs(off - 1) < allowed_interval : off < coarse_interval) break;
-    interval_ratio_ = std::clamp(interval_ratio_ * off, 0.25, 4.0);
+    if (!goes_on) {
+      if (off < coarse_interval) break;
+    } else if (std::abs(off - 1) < (is_on_legs ? allowed_interval_on_legs : allowed_interval)) {
+      break;
+    }
+    if (goes_on && is_on_legs) {
+      wanted *= off;
+    } else {
+      interval_ratio_ = std::clamp(interval_ratio_ * off, 0.25, 4.0);
+      begun_with = wanted / interval_ratio_;
+    }
   }
   // Where motion goes on, its speed there and with it the time is only about right.
   const double allowed = goes_on ? 1 + allowed_interval : 1;
@@ -297,6 +309,7 @@ bool RacingLine::emit_long_start() {
   const Corridor<3> one{{legs_[0]}, limits_};
   given_interval_ = suitable_interval(one);
   given_ = points_at(legs_[0], until, given_interval_);
+  begins_on_leg_ = true;
   return true;
 }
 
@@ -309,6 +322,7 @@ void RacingLine::accept(Plan plan, const Window& window) {
     drop_before(window.end == CorridorEnd::rest ? window.count : window.count - 1);
     is_moving_ = window.end == CorridorEnd::moving;
     begin_ = window.finish;
+    begins_on_leg_ = true;
     std::copy_n(plan.motion.points.end() - 3, 3, given_.begin());
     return;
   }
@@ -335,6 +349,7 @@ void RacingLine::accept(Plan plan, const Window& window) {
   drop_before(passed);
   is_moving_ = true;
   begin_ = legs_[0].advance(given_[1]);
+  begins_on_leg_ = false;
   rest_ = std::move(plan);
 }
 

@@ -105,6 +105,7 @@ class RacingLine {
   double begin_ = 0;                  ///< on the first leg, mm
   std::array<Place, 3> given_{};      ///< then: its last control points
   double given_interval_ = 0;         ///< s, that they were made for
+  bool begins_on_leg_ = false;        ///< exactly, where any interval would do
   double interval_ratio_ = 1;         ///< of what a window's interval came out to be, and what it was begun with
   std::optional<Plan> rest_;          ///< then: what was planned on from there, to rest
   std::vector<EventMark> carried_;    ///< events at the end of the last piece that is done

@@ -111,6 +111,9 @@ inline constexpr int most_plans = 3;              // with smaller margins
 inline constexpr int most_intervals = 2;          // tried for one window
 inline constexpr double coarse_interval = 1.3;    // of the one that suits
 inline constexpr double allowed_interval = 0.03;  // off the one that its ends were made for
+/// The same where its ends lie on legs. The farther off, the more do limits pass what the first and last intervals need.
+inline constexpr int most_intervals_on_legs = 4;
+inline constexpr double allowed_interval_on_legs = 0.002;
 inline constexpr int most_steps = 80, patience = 12;  // of Newton's method, at each t
 inline constexpr double least_fall = 0.7;             // of the barrier, in so many
 }  // namespace corridor
