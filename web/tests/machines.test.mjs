@@ -41,7 +41,10 @@ function wordsOf(text, files, columns) {
   return rows.map((row) => wanted.map((at) => row[at]));
 }
 
-/** Lengths within `limit`, mm; angles as near at 50 mm from the axis; feeds, which are differences over a millisecond, less so. */
+/**
+ * Lengths within `limit`, mm; angles as near at 50 mm from the axis; feeds, which are differences over a millisecond, less so; path
+ * lengths besides to 1e-12, since they add up.
+ */
 function assertSame(shown, expected, limit = 1e-9) {
   const limits = { feed: 1e4 * limit, A: 100 * limit, C: 100 * limit };
   assert.equal(shown.rows.length, expected.length);
@@ -49,16 +52,17 @@ function assertSame(shown, expected, limit = 1e-9) {
     row.forEach((value, k) => {
       const name = shown.columns[k];
       const off = Math.abs(value - expected[i][k]);
-      assert.ok(off <= (limits[name] ?? limit), `row ${i}, ${name}: ${value}, ${expected[i][k]}`);
+      const adding = name === "s" ? 1e-12 * value : 0;
+      assert.ok(off <= (limits[name] ?? limit) + adding, `row ${i}, ${name}: ${value}, ${expected[i][k]}`);
     }),
   );
 }
 
-// Along the blade, which passes near a pole, the time law ends elsewhere than natively: words lie on the same path, up to 0.12 µm
-// ahead or behind.
+// Where a window is planned by a step of Newton's method more or less than natively, words lie on the same path, ahead or behind:
+// by 1.2 nm along one window of the patch, by up to 0.6 µm along the blade, which passes near a pole.
 for (const [name, axes, files, limit] of [
-  ["16-patch", "XYZ", { "--tools": tools }],
-  ["13-blade", "XYZAC", { "--machine": trunnion }, 5e-4],
+  ["16-patch", "XYZ", { "--tools": tools }, 2e-6],
+  ["13-blade", "XYZAC", { "--machine": trunnion }, 1e-3],
 ]) {
   test(`${name} is planned: its words are the command's`, { timeout: 240_000 }, async () => {
     const { page } = opened;
