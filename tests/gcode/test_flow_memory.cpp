@@ -6,25 +6,14 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
+#include <sanitizers.hpp>
 
 #include "reading.hpp"
 
 namespace leadscrew::gcode {
 namespace test_flow_memory {
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)  // as clang tells it; GCC defines the macro itself
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
-
-/// Memory that the sanitizers keep does not come back.
-constexpr bool is_sanitized =
-#if defined(__SANITIZE_ADDRESS__)
-    true;
-#else
-    false;
-#endif
+using testing_support::is_sanitized;
 
 /// Peak resident memory of the process so far, bytes.
 std::int64_t peak_memory() {

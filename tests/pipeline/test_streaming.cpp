@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/pipeline/program.hpp>
+#include <sanitizers.hpp>
 
 // Long programs in constant memory. Resident memory is the process': its peak must not grow with the blocks read.
 
@@ -66,19 +67,7 @@ std::int64_t peak_memory() {
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
 }
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)  // as clang tells it; GCC defines the macro itself
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
-
-/// Memory that the sanitizers keep does not come back.
-constexpr bool is_sanitized =
-#if defined(__SANITIZE_ADDRESS__)
-    true;
-#else
-    false;
-#endif
+using testing_support::is_sanitized;
 
 void streams_in_constant_memory(std::int64_t blocks) {
   const machine::Machine machine = machine::mill3();
