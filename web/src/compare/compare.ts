@@ -7,6 +7,7 @@ import { graphText } from "../lesson/graph";
 import { Session } from "../lesson/session";
 import { commandOf, fieldOf, quantity, taskOf, type FieldErrors } from "../lesson/settings";
 import { html } from "../ui/dom";
+import { Transport } from "../ui/transport";
 import { CurveForm } from "./curve_form";
 import { FigureTable, type Compared } from "./figure_table";
 import { conventionsText } from "./figures";
@@ -14,7 +15,6 @@ import { LaneForms } from "./lane_forms";
 import type { Drawn } from "./pictures";
 import { Stage } from "./stage";
 import { comparisonOf, figureOf, fromLink, laneKeys, settingsOfLane, stateOf, toLink, type State } from "./state";
-import { Transport } from "./transport";
 
 const mostClocks = 131_072;
 const mostClocksAFrame = 256;
@@ -59,7 +59,7 @@ export class Compare {
       },
     });
     const seek = (clock: number): void => this.seek(clock);
-    this.transport = new Transport({
+    this.transport = new Transport("Clock", {
       seek,
       step: (by) => this.step(by),
       toggle: () => this.toggle(),
@@ -109,12 +109,13 @@ export class Compare {
       ),
       this.commands,
     );
+    this.transport.bar.append(this.transport.interval);
     return [
       html("div", { class: "side" }, this.curveForm.element, this.laneForms.element),
       html(
         "div",
         { class: "main" },
-        this.transport.element,
+        html("section", { class: "panel", "aria-label": "Clock" }, this.transport.bar, this.transport.error),
         html("div", { class: "display" }, this.stage.element, figures),
       ),
     ];
@@ -164,14 +165,7 @@ export class Compare {
     const method = this.methodOf(lane?.method ?? "");
     if (lane === undefined) return undefined;
     if (method === undefined) errors.set("method", `there is no method ${lane.method}`);
-    const has = {
-      preload: method?.hasPreload === true,
-      order: method?.hasOrder === true,
-      tie: method?.hasTie === true,
-      capacity: method?.hasCapacity === true,
-      free: method?.hasFree === true,
-    };
-    const task = taskOf(settingsOfLane(this.state, lane), has, errors);
+    const task = taskOf(settingsOfLane(this.state, lane), method, errors);
     errors.delete("interval");
     errors.delete("polling");
     errors.delete("feed");
@@ -279,7 +273,14 @@ export class Compare {
     this.laneForms.update(state, methods, this.laneErrors);
     const pace = quantity(state.curve.interval);
     const wrong = pace >= 0 && pace <= 60 ? "" : "the interval is 0 (as fast as can be) to 60 s, such as 0.1";
-    this.transport.update(clock, this.last, this.isRunning, state.curve.interval, wrong);
+    this.transport.update({
+      clock,
+      last: this.last,
+      isRunning: this.isRunning,
+      mayRun: this.last > 0,
+      interval: state.curve.interval,
+      error: wrong,
+    });
     this.stage.update(drawn, state, clock, this.text());
     this.table.update(compared, clock, feed);
     this.commands.textContent = compared.map(({ command }) => command).join("\n");

@@ -124,14 +124,7 @@ export class Lesson {
     this.errors = new Map();
     const method = this.method();
     if (method === undefined) this.errors.set("method", `there is no method ${this.settings.method}`);
-    const has = {
-      preload: method?.hasPreload === true,
-      order: method?.hasOrder === true,
-      tie: method?.hasTie === true,
-      capacity: method?.hasCapacity === true,
-      free: method?.hasFree === true,
-    };
-    const task = taskOf(this.settings, has, this.errors);
+    const task = taskOf(this.settings, method, this.errors);
     return this.isSound() ? task : undefined;
   }
 

@@ -1,6 +1,6 @@
 // What the reader has set, as it was typed; and the link that brings all of it back.
 
-import type { Task } from "../engine/types";
+import type { Method, Task } from "../engine/types";
 
 export interface Settings {
   module: "line" | "arc";
@@ -176,11 +176,7 @@ function checkTimes(settings: Settings, errors: FieldErrors): void {
 }
 
 /** What the engine is asked for; errors of fields that it could not understand. Choices that the method has not are left out. */
-export function taskOf(
-  settings: Settings,
-  has: { preload: boolean; order: boolean; tie: boolean; capacity: boolean; free: boolean },
-  errors: FieldErrors,
-): Task {
+export function taskOf(settings: Settings, method: Method | undefined, errors: FieldErrors): Task {
   const point = (x: keyof Settings, y: keyof Settings, of: string): [number, number] => [
     coordinate(settings, x, `x of the ${of}`, errors),
     coordinate(settings, y, `y of the ${of}`, errors),
@@ -188,7 +184,7 @@ export function taskOf(
   const isArc = settings.module === "arc";
   const isEllipse = isArc && settings.curve === "ellipse";
   const bits = count(settings.bits, "number of bits", 30, errors, "bits");
-  const capacity = has.capacity ? count(settings.capacity, "capacity", 2 ** 30, errors, "capacity") : 0;
+  const capacity = method?.hasCapacity === true ? count(settings.capacity, "capacity", 2 ** 30, errors, "capacity") : 0;
   if (bits > 0 && capacity > 0)
     errors.set("capacity", `registers of ${bits} bits have the capacity ${2 ** bits}: leave one of the two empty`);
   checkTimes(settings, errors);
@@ -199,13 +195,13 @@ export function taskOf(
     center: isArc ? point("centerX", "centerY", "centre") : [0, 0],
     clockwise: isArc && settings.direction === "cw",
     ...(isEllipse ? { semiAxes: semiAxesOf(settings, errors) } : {}),
-    isFree: isArc && !isEllipse && has.free && settings.ending === "free",
+    isFree: isArc && !isEllipse && method?.hasFree === true && settings.ending === "free",
     bits,
     capacity,
     method: settings.method,
-    preload: has.preload ? settings.preload : "",
-    order: has.order && isArc ? settings.order : "",
-    tie: has.tie && isArc && !isEllipse ? settings.tie : "",
+    preload: method?.hasPreload === true ? settings.preload : "",
+    order: method?.hasOrder === true && isArc ? settings.order : "",
+    tie: method?.hasTie === true && isArc && !isEllipse ? settings.tie : "",
   };
 }
 
