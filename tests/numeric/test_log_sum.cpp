@@ -34,7 +34,7 @@ TEST(LogSum, TakesNoFactorThatIsNotAboveTheLeast) {
   for (const double factor : {1e-12, 1e-300, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_FALSE(sum.add(factor)) << factor;
   }
-  EXPECT_EQ(sum.value(), std::log(3));
+  EXPECT_DOUBLE_EQ(sum.value(), std::log(3));
   EXPECT_TRUE(sum.add(std::nextafter(1e-12, 1)));
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <leadscrew/constraints/constraints.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <limits>
 
 namespace leadscrew::constraints {
@@ -113,7 +114,8 @@ double Constraints::greatest_square_by_curve(const Place& at) const {
       if (row.by_x != 0) square = std::min(square, row.limit / std::abs(row.by_x));
     }
     if constexpr (std::is_same_v<Row, JerkRow>) {
-      if (row.by_x != 0) square = std::min(square, std::pow(row.limit / std::abs(row.by_x), 2.0 / 3));
+      const double root = row.by_x != 0 ? numeric::cbrt(row.limit / std::abs(row.by_x)) : infinity;
+      square = std::min(square, root * root);
     }
   });
   return square;

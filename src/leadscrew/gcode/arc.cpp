@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <leadscrew/gcode/arc.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <limits>
 #include <numbers>
 
@@ -16,7 +17,7 @@ constexpr double harmless_shift_ratio = 2;  // and this many times the differenc
 constexpr double same = 8 * std::numeric_limits<double>::epsilon();
 
 double distance(PlanePoint a, PlanePoint b) {
-  return std::hypot(a.first - b.first, a.second - b.second);
+  return numeric::hypot(a.first - b.first, a.second - b.second);
 }
 
 PlanePoint middle(PlanePoint a, PlanePoint b) {
@@ -39,7 +40,7 @@ double sweep(PlanePoint start, PlanePoint end, PlanePoint center, int direction)
   if (coincide(start, end)) return 2 * pi;
   const double a = start.first - center.first, b = start.second - center.second;
   const double c = end.first - center.first, d = end.second - center.second;
-  const double angle = std::atan2(direction * (a * d - b * c), a * c + b * d);
+  const double angle = numeric::atan2(direction * (a * d - b * c), a * c + b * d);
   return angle > 0 ? angle : angle + 2 * pi;
 }
 

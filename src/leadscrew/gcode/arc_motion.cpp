@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/nurbs.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -25,7 +26,7 @@ double Motion::arc_length(PlanePoint start, const ArcPlan& plan, const Move& arc
   const double angle = sweep(start, plan.circle.end, center, direction) +
                        (std::abs(plan.turns) - 1) * sweep(start, start, center, direction);
   const std::size_t normal = base::index(normal_axis(arc.plane));
-  return std::hypot(plan.circle.radius * angle, arc.end[normal] - arc.start[normal]);
+  return numeric::hypot(plan.circle.radius * angle, arc.end[normal] - arc.start[normal]);
 }
 
 bool Motion::arc_center(const Block& block, PlanePoint start, PlanePoint& center) {
@@ -189,7 +190,7 @@ void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& pla
   PlanePoint end = in_plane(frame_.to_program(target), modal_.plane);
   // What is no more than rounding makes no end of a whole turn another place than its start.
   constexpr double rounding = 1e-9;  // mm
-  plan.closes = std::hypot(end.first - from.first, end.second - from.second) < rounding;
+  plan.closes = numeric::hypot(end.first - from.first, end.second - from.second) < rounding;
   if (plan.closes) end = from;
   const bool known = plan_arc(block, from, end, plan);
   plan.reaches = plan.circle.end.first == end.first && plan.circle.end.second == end.second;

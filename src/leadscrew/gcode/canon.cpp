@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <leadscrew/gcode/arc.hpp>
 #include <leadscrew/gcode/canon.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -12,7 +13,7 @@ constexpr double seconds_in_minute = 60;
 constexpr std::size_t first_rotary = base::index(base::Axis::A), first_uvw = base::index(base::Axis::U);
 
 double length_of(const base::AxisVector& from, const base::AxisVector& to, std::size_t first) {
-  return std::hypot(to[first] - from[first], to[first + 1] - from[first + 1], to[first + 2] - from[first + 2]);
+  return numeric::hypot(to[first] - from[first], to[first + 1] - from[first + 1], to[first + 2] - from[first + 2]);
 }
 
 // As feed counts it: along X Y Z; along U V W where those stand still; along A B C where all linear axes do.
@@ -23,9 +24,9 @@ double path_length(const Move& move) {
     const int direction = move.turns > 0 ? 1 : -1;
     const double angle =
         sweep(start, end, center, direction) + (std::abs(move.turns) - 1) * sweep(start, start, center, direction);
-    const double radius = std::hypot(start.first - center.first, start.second - center.second);
+    const double radius = numeric::hypot(start.first - center.first, start.second - center.second);
     const std::size_t normal = base::index(normal_axis(move.plane));
-    return std::hypot(radius * angle, move.end[normal] - move.start[normal]);
+    return numeric::hypot(radius * angle, move.end[normal] - move.start[normal]);
   }
   for (const std::size_t first : {std::size_t{0}, first_uvw}) {
     if (const double length = length_of(move.start, move.end, first); length > 0) return length;

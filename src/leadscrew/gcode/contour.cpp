@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/contour.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -30,7 +31,7 @@ PlanePoint midway(PlanePoint a, PlanePoint b) {
   return 0.5 * (a + b);
 }
 PlanePoint unit_of(PlanePoint a) {
-  return (1 / std::hypot(a.first, a.second)) * a;
+  return (1 / numeric::hypot(a.first, a.second)) * a;
 }
 
 double radius_of(const ContourPiece& piece) {
@@ -174,7 +175,7 @@ bool step_aside(Contour& contour, double aside) {
 }  // namespace
 
 double span_of(PlanePoint a, PlanePoint b) {
-  return std::hypot(a.first - b.first, a.second - b.second);
+  return numeric::hypot(a.first - b.first, a.second - b.second);
 }
 
 void Attitude::face(PlanePoint first, PlanePoint last) {

@@ -5,6 +5,7 @@
 #include <leadscrew/gcode/directed_curve.hpp>
 #include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/kinematics/solutions.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/surfaces/touch.hpp>
 #include <utility>
 
@@ -41,7 +42,7 @@ std::array<PathJet, 6> jets_at(const NurbsCurve& curve, double u) {
 }
 
 double distance_of(const base::AxisVector& a, const base::AxisVector& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return numeric::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 }  // namespace

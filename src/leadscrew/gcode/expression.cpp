@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 #include <leadscrew/gcode/expression.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <numbers>
 #include <string_view>
 
@@ -143,7 +144,7 @@ bool ExpressionReader::function(const char*& p, double& value, int depth) {
     }
     double x = 0;
     if (!bracketed(p, x, depth)) return false;
-    value = std::atan2(std::isnan(value) ? 0 : value, std::isnan(x) ? 0 : x) * degrees_per_radian;
+    value = numeric::atan2(std::isnan(value) ? 0 : value, std::isnan(x) ? 0 : x) * degrees_per_radian;
     return true;
   }
   const double result = apply(found->function, value, dialect_);

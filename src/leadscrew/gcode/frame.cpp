@@ -2,6 +2,7 @@
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/tilted_plane.hpp>
 #include <leadscrew/kinematics/transformation.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <numbers>
 
 namespace leadscrew::gcode {
@@ -12,7 +13,7 @@ double sine_of_degrees(double degrees) {
     const int quarter = static_cast<int>(within / 90.0);
     return quarter % 2 == 0 ? 0.0 : (quarter == 1 || quarter == -3) ? 1.0 : -1.0;
   }
-  return std::sin(within * (std::numbers::pi / 180));
+  return numeric::sin(within * (std::numbers::pi / 180));
 }
 
 double cosine_of_degrees(double degrees) {
@@ -21,7 +22,7 @@ double cosine_of_degrees(double degrees) {
     const int quarter = static_cast<int>(within / 90.0);
     return quarter % 2 != 0 ? 0.0 : quarter == 0 ? 1.0 : -1.0;
   }
-  return std::cos(within * (std::numbers::pi / 180));
+  return numeric::cos(within * (std::numbers::pi / 180));
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <leadscrew/gcode/nurbs.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <limits>
 #include <numbers>
 
@@ -226,7 +227,7 @@ bool make_arc_curve(NurbsCurve& curve, Plane plane, const base::AxisVector& star
   // A piece of 30 degrees is off by 0.00222 of what it goes beside the plane, and by the cube of a smaller angle.
   double pieces = std::max(1.0, std::ceil(angle / longest - 1e-9));
   const double off = 0.00222 * beside / pieces;
-  if (off > arc_curve_tolerance) pieces = std::ceil(pieces * std::cbrt(off / arc_curve_tolerance));
+  if (off > arc_curve_tolerance) pieces = std::ceil(pieces * numeric::cbrt(off / arc_curve_tolerance));
   curve.clear();
   if (2 * pieces + 1 > static_cast<double>(most_control_points)) return false;
   const auto count = static_cast<std::size_t>(pieces);
@@ -237,9 +238,9 @@ bool make_arc_curve(NurbsCurve& curve, Plane plane, const base::AxisVector& star
     // Between the ends of a piece, where the tangents meet.
     const bool between = i % 2 == 1;
     const double turned = direction * static_cast<double>(i) * half;
-    const double reach = between ? 1 / std::cos(half) : 1;
-    const double sine = std::sin(turned) * reach, cosine = std::cos(turned) * reach;
-    ControlPoint point{start, between ? std::cos(half) : 1};
+    const double reach = between ? 1 / numeric::cos(half) : 1;
+    const double sine = numeric::sin(turned) * reach, cosine = numeric::cos(turned) * reach;
+    ControlPoint point{start, between ? numeric::cos(half) : 1};
     const double share = static_cast<double>(i) / static_cast<double>(2 * count);
     for (std::size_t k = 0; k < base::axis_count; ++k) point.position[k] += (end[k] - start[k]) * share;
     point.position[base::index(first_axis(plane))] = center.first + cosine * x - sine * y;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/operations.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <limits>
 #include <numbers>
 
@@ -148,9 +149,9 @@ double apply(Function function, double x, Dialect dialect) {
     case Function::abs:
       return std::fabs(x);
     case Function::acos:
-      return std::acos(x) * degrees_of_radian;
+      return numeric::acos(x) * degrees_of_radian;
     case Function::asin:
-      return std::asin(x) * degrees_of_radian;
+      return numeric::asin(x) * degrees_of_radian;
     case Function::cos:
       return cosine_of_degrees(x);
     case Function::exp:
@@ -160,7 +161,7 @@ double apply(Function function, double x, Dialect dialect) {
     case Function::fup:
       return has_macros(dialect) && x < 0 ? std::floor(x) : std::ceil(x);
     case Function::ln:
-      return std::log(x);
+      return numeric::log(x);
     case Function::round:
       return std::round(x);
     case Function::sin:

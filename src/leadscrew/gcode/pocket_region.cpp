@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/pocket_region.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <limits>
 #include <numbers>
 
@@ -24,7 +25,7 @@ double cross_of(PlanePoint a, PlanePoint b) {
   return a.first * b.second - a.second * b.first;
 }
 double length_of(PlanePoint a) {
-  return std::hypot(a.first, a.second);
+  return numeric::hypot(a.first, a.second);
 }
 PlanePoint left_of(PlanePoint a) {
   return {-a.second, a.first};
@@ -111,7 +112,7 @@ double distance_by_middles(const ContourPiece& a, const ContourPiece& b) {
 // By which the contour turns about a point along a piece.
 double turn_about(PlanePoint point, const ContourPiece& piece) {
   const PlanePoint from = minus(piece.start, point), to = minus(piece.end, point);
-  const double chord = std::atan2(cross_of(from, to), dot_of(from, to));
+  const double chord = numeric::atan2(cross_of(from, to), dot_of(from, to));
   if (!piece.is_arc()) return chord;
   // Between the chord and the arc, which bulges to the chord's right where it turns counterclockwise.
   const PlanePoint along = minus(piece.end, piece.start);
@@ -182,7 +183,7 @@ bool is_counterclockwise(const Contour& contour) {
     twice += cross_of(minus(piece.start, contour.front().start), minus(piece.end, contour.front().start));
     if (!piece.is_arc()) continue;
     const double angle = sweep_of(piece), radius = radius_of_arc(piece);
-    twice += piece.turn * radius * radius * (angle - std::sin(angle));
+    twice += piece.turn * radius * radius * (angle - numeric::sin(angle));
   }
   return twice > 0;
 }

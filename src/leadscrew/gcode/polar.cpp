@@ -1,6 +1,7 @@
 #include <bit>
 #include <cmath>
 #include <leadscrew/gcode/polar.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <numbers>
 
 namespace leadscrew::gcode {
@@ -83,8 +84,8 @@ void Polar::resolve(Block& block) {
     error("bad-polar", column_of(block), "@ stands alone at the origin, which has no angle", "give ^ as well");
     return;
   }
-  double distance = std::hypot(x, y);
-  double angle = std::atan2(y, x) * radians_to_degrees;
+  double distance = numeric::hypot(x, y);
+  double angle = numeric::atan2(y, x) * radians_to_degrees;
   if (block.words & distance_bit) distance = block.value[polar_distance] + (incremental ? distance : 0);
   if (block.words & angle_bit) angle = block.value[polar_angle] + (incremental ? angle : 0);
   block.value['X' - 'A'] = distance * cosine_of_degrees(angle) - (incremental ? x : 0);

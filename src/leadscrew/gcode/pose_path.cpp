@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/pose_path.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/surfaces/hermite.hpp>
 #include <leadscrew/surfaces/quintic_spline.hpp>
 #include <leadscrew/surfaces/touch.hpp>
@@ -25,7 +26,7 @@ bool is_finite(const kinematics::Angles<numeric::Jet<2>>& angles) {
 }
 
 double rate_of(const surfaces::VectorOf<numeric::Jet<2>>& axis) {
-  return std::hypot(axis[0][1], axis[1][1], axis[2][1]);
+  return numeric::hypot(axis[0][1], axis[1][1], axis[2][1]);
 }
 
 surfaces::PassNode between(const surfaces::PassNode& from, const surfaces::PassNode& to, double share) {
@@ -124,7 +125,7 @@ bool PosePath::is_held(const Node& a, const Node& b) const {
       axis[k] = surfaces::hermite_value(a.place.axis[k], b.place.axis[k], width, share);
     for (std::size_t i = 0; i < 2; ++i) angles[i] = surfaces::hermite_value(a.angles[i], b.angles[i], width, share);
     const surfaces::Vector wanted = surfaces::unit_of(axis), held = kinematics::direction_of(*chain_, angles);
-    if (!(std::hypot(held[0] - wanted[0], held[1] - wanted[1], held[2] - wanted[2]) <= tolerance)) return false;
+    if (!(numeric::hypot(held[0] - wanted[0], held[1] - wanted[1], held[2] - wanted[2]) <= tolerance)) return false;
   }
   return true;
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/thread_cycle.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -10,7 +11,7 @@ ThreadCycle::ThreadCycle(const Plan& plan) : plan_(plan), phase_(Phase::back) {
   direction_ = plan.end_z > plan.start_z ? 1 : -1;
   slide_ = -direction_ * sine_of_degrees(plan.slide_angle) / cosine_of_degrees(plan.slide_angle);
   if (plan.tapers_entry || plan.tapers_exit) {
-    taper_lead_ = plan.pitch * std::hypot(plan.taper, plan.full_depth) / plan.taper;
+    taper_lead_ = plan.pitch * numeric::hypot(plan.taper, plan.full_depth) / plan.taper;
   }
   begin_pass();
 }

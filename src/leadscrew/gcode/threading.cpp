@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/threading.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <limits>
 
 namespace leadscrew::gcode {
@@ -13,7 +14,7 @@ constexpr double most_passes = 10'000;
 double feed_length_of_line(const base::AxisVector& from, const base::AxisVector& to) {
   for (const base::Axis first : {base::Axis::X, base::Axis::U, base::Axis::A}) {
     const std::size_t i = base::index(first);
-    const double length = std::hypot(to[i] - from[i], to[i + 1] - from[i + 1], to[i + 2] - from[i + 2]);
+    const double length = numeric::hypot(to[i] - from[i], to[i + 1] - from[i + 1], to[i + 2] - from[i + 2]);
     if (length > 0) return length;
   }
   return 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/threading.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -98,7 +99,7 @@ void Threading::add_pass(const Thread& thread, double depth) {
   // The lead is that along Z.
   const double slope = std::fabs(thread.taper) / length;
   steps_.push_back(
-      {Kind::lead, 0, 0, thread.lead * (slope <= 1 ? std::hypot(1, slope) : std::hypot(1, slope) / slope)});
+      {Kind::lead, 0, 0, thread.lead * (slope <= 1 ? numeric::hypot(1, slope) : numeric::hypot(1, slope) / slope)});
   steps_.push_back({Kind::thread, cone(off_z), off_z, 0});
   if (off > 0) {
     steps_.push_back({Kind::lead, 0, 0, thread.lead * std::sqrt(2.0)});

@@ -4,6 +4,7 @@
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/tilted_plane.hpp>
 #include <leadscrew/kinematics/transformation.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -90,7 +91,7 @@ bool Frame::is_tool_along(base::Axis axis) const {
   const PlacePoint column = column_of(transform_matrix_, base::index(axis));
   const PlacePoint wanted = turned_by_system(system_, plane_ ? product_of(plane_->plane.turn, column) : column);
   const kinematics::Chain& chain = plane_ ? plane_->chain : tip_control_->chain;
-  const double length = std::hypot(wanted[0], wanted[1], wanted[2]);
+  const double length = numeric::hypot(wanted[0], wanted[1], wanted[2]);
   const auto held = kinematics::direction_of(chain, kinematics::angles_of(chain, position));
   double square = 0;
   for (std::size_t i = 0; i < 3; ++i) square += std::pow(wanted[i] / length - held[i], 2);

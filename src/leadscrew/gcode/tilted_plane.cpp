@@ -1,6 +1,7 @@
 #include <cmath>
 #include <leadscrew/gcode/frame.hpp>
 #include <leadscrew/gcode/tilted_plane.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -16,7 +17,7 @@ double dot_product(const PlaneVector& a, const PlaneVector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 double length_of(const PlaneVector& a) {
-  return std::hypot(a[0], a[1], a[2]);
+  return numeric::hypot(a[0], a[1], a[2]);
 }
 PlaneVector over(const PlaneVector& a, double length) {
   return {a[0] / length, a[1] / length, a[2] / length};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/tip_travel.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <numbers>
 
 namespace leadscrew::gcode {
@@ -12,7 +13,7 @@ constexpr int places_of_a_span = 64;                // of a curve
 constexpr std::size_t most_waiting_stretches = 48;  // halvings
 
 double norm_of_arm(const std::array<double, 3>& v) {
-  return std::hypot(v[0], v[1], v[2]);
+  return numeric::hypot(v[0], v[1], v[2]);
 }
 
 /// Of a path at t, 0 … 1.
@@ -22,7 +23,7 @@ base::AxisVector tip_at(const TipPath& path, double t) {
   if (!path.is_arc) return place;
   const std::size_t first = base::index(first_axis(path.plane)), second = base::index(second_axis(path.plane));
   const double a = path.from[first] - path.center.first, b = path.from[second] - path.center.second;
-  const double cosine = std::cos(t * path.turned), sine = std::sin(t * path.turned);
+  const double cosine = numeric::cos(t * path.turned), sine = numeric::sin(t * path.turned);
   place[first] = path.center.first + cosine * a - sine * b;
   place[second] = path.center.second + sine * a + cosine * b;
   return place;
@@ -43,7 +44,7 @@ double bend_of(const kinematics::Transformation& transformation, const TipPath& 
   double speed = norm_of_arm(way), bend = 0;
   if (path.is_arc) {
     const PlanePoint start = in_plane(path.from, path.plane);
-    const double radius = std::hypot(start.first - path.center.first, start.second - path.center.second);
+    const double radius = numeric::hypot(start.first - path.center.first, start.second - path.center.second);
     arms += 2 * radius;
     speed += radius * std::fabs(path.turned);
     bend = radius * path.turned * path.turned;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/sine.hpp>
 
 namespace leadscrew::geometry {
@@ -80,7 +81,7 @@ base::AxisSet moving(const Curve& curve) {
 }
 
 double Arc::helix_length(double radius, DoubleDouble sweep, double rise) {
-  return std::hypot(radius * std::abs(sweep.value()), rise);
+  return numeric::hypot(radius * std::abs(sweep.value()), rise);
 }
 
 Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t second, double center_first,
@@ -93,7 +94,7 @@ Arc::Arc(const Point& start, const Point& end, std::size_t first, std::size_t se
       center_second_(center_second),
       x_(numeric::two_sum(start[first], -center_first)),
       y_(numeric::two_sum(start[second], -center_second)),
-      radius_(std::hypot(x_.hi.value, y_.hi.value)),
+      radius_(numeric::hypot(x_.hi.value, y_.hi.value)),
       length_(length),
       rate_(sweep / DoubleDouble(length)) {
   Point straight_end = end;
@@ -183,7 +184,7 @@ DoubleDouble sweep_angle(double from_first, double from_second, double to_first,
   if (from_first == to_first && from_second == to_second) return numeric::two_pi * (direction * (whole + 1));
   const double cross = from_first * to_second - from_second * to_first;
   const double dot = from_first * to_first + from_second * to_second;
-  const double angle = direction * std::atan2(cross, dot);
+  const double angle = direction * numeric::atan2(cross, dot);
   const DoubleDouble part = angle > 0 ? DoubleDouble(angle) : numeric::two_pi + angle;
   return (numeric::two_pi * whole + part) * direction;
 }

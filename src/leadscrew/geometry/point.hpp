@@ -46,7 +46,8 @@ constexpr void set(numeric::Compensated& coordinate, double sum, double error) {
 
 /// |q″| of X, Y and Z: where the jet is by the tool tip's path length, the curvature 1/ρ of its path, 1/mm.
 inline double tip_curvature(const PointJet& jet) {
-  return std::hypot(jet[0].second, jet[1].second, jet[2].second);
+  const double x = jet[0].second, y = jet[1].second, z = jet[2].second;
+  return std::sqrt(x * x + y * y + z * z);
 }
 
 /// A path length in double-double, its greater part split into halves for exact products (Dekker).

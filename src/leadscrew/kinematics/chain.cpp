@@ -3,6 +3,7 @@
 #include <leadscrew/kinematics/chain.hpp>
 #include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/numeric/elementary.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <utility>
 #include <vector>
@@ -41,16 +42,16 @@ Cones cones_of(const Vector& first, const Vector& second) {
   const double difference = between - opening, sum = between + opening;
   const double half_turn = 0.5 * numeric::two_pi.hi;
   if (std::abs(difference) > pole_rounding) {
-    cones.difference_sine = std::sin(difference / 2);
-    cones.difference_cosine = std::cos(difference / 2);
+    cones.difference_sine = numeric::sin(difference / 2);
+    cones.difference_cosine = numeric::cos(difference / 2);
   }
   if (std::abs(sum - half_turn) > pole_rounding) {
-    cones.sum_sine = std::sin(sum / 2);
-    cones.sum_cosine = std::cos(sum / 2);
+    cones.sum_sine = numeric::sin(sum / 2);
+    cones.sum_cosine = numeric::cos(sum / 2);
   }
   const Vector reference = part_across(first, second);
-  cones.tool_azimuth = std::atan2(numeric::dot(tool_direction, cross_product(second, reference)),
-                                  numeric::dot(tool_direction, reference)) *
+  cones.tool_azimuth = numeric::atan2(numeric::dot(tool_direction, cross_product(second, reference)),
+                                      numeric::dot(tool_direction, reference)) *
                        numeric::degrees_of_radian.hi;
   return cones;
 }

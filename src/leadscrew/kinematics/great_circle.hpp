@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <leadscrew/kinematics/chain.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 
 namespace leadscrew::kinematics {
@@ -13,14 +14,14 @@ inline Vector cross_product(const Vector& a, const Vector& b) {
 }
 
 inline Vector unit_vector(const Vector& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
+  const double length = numeric::hypot(v[0], v[1], v[2]);
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
 /// Radians, 0 … π, exact however small or large; neither need be a unit vector.
 inline double angle_between(const Vector& a, const Vector& b) {
   const Vector cross = cross_product(a, b);
-  return std::atan2(std::hypot(cross[0], cross[1], cross[2]), numeric::dot(a, b));
+  return numeric::atan2(numeric::hypot(cross[0], cross[1], cross[2]), numeric::dot(a, b));
 }
 
 /// Are two unit vectors no farther apart than an angle below a right one, of this sine?
@@ -31,7 +32,7 @@ inline bool is_within(const Vector& a, const Vector& b, double sine) {
 
 /// v turned about a unit vector by an angle in radians, right-handed.
 inline Vector turned(const Vector& v, const Vector& axis, double angle) {
-  const double along = numeric::dot(axis, v), half = std::sin(angle / 2), sine = std::sin(angle);
+  const double along = numeric::dot(axis, v), half = numeric::sin(angle / 2), sine = numeric::sin(angle);
   const Vector cross = cross_product(axis, v);
   Vector result = v;
   for (std::size_t i = 0; i < 3; ++i) result[i] += sine * cross[i] - 2 * half * half * (v[i] - along * axis[i]);
@@ -46,7 +47,7 @@ class GreatCircle {
 
   GreatCircle(const Vector& from, const Vector& to) : from_(from), to_(to), angle_(angle_between(from, to)) {
     const Vector cross = cross_product(from, to);
-    const double length = std::hypot(cross[0], cross[1], cross[2]);
+    const double length = numeric::hypot(cross[0], cross[1], cross[2]);
     if (length > 0) axis_ = {cross[0] / length, cross[1] / length, cross[2] / length};
   }
 
@@ -80,7 +81,7 @@ inline double GreatCircle::nearest_to_axis(const Vector& line) const {
   // cos of the distance is that to the plane times cos(φ − φ₀): its greatest size lies at φ₀ or half a turn from there.
   const Vector ahead = cross_product(axis_, from_);
   const double half_turn = 3.14159265358979323846;
-  double place = std::atan2(numeric::dot(line, ahead), numeric::dot(line, from_));
+  double place = numeric::atan2(numeric::dot(line, ahead), numeric::dot(line, from_));
   if (place < 0) place += half_turn;  // that of the opposite
   if (place <= angle_) return place / angle_;
   // Outside: the nearer end, of places half a turn apart.

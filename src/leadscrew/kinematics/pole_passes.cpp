@@ -2,6 +2,7 @@
 #include <cmath>
 #include <leadscrew/kinematics/pole_passes.hpp>
 #include <leadscrew/kinematics/solutions.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::kinematics {
 
@@ -22,7 +23,7 @@ double share_of_miss(double x) {
 /// The axis about which a direction turns towards another; 0 where they are the same.
 Vector turning_axis(const Vector& from, const Vector& to) {
   const Vector cross = cross_product(from, to);
-  const double length = std::hypot(cross[0], cross[1], cross[2]);
+  const double length = numeric::hypot(cross[0], cross[1], cross[2]);
   return length > 0 ? unit_vector(cross) : Vector{};
 }
 
@@ -41,7 +42,7 @@ Vector PolePass::applied(double s, const Vector& direction) const {
                           : direction;
 }
 
-PolePasses::PolePasses(const Chain& chain, double cone) : cone_(cone), cone_sine_(std::sin(cone)) {
+PolePasses::PolePasses(const Chain& chain, double cone) : cone_(cone), cone_sine_(numeric::sin(cone)) {
   if (!(cone > 0)) return;
   const Vector& pole = chain.turns()[0].direction;
   if (chain.cones().difference_sine == 0) poles_.push_back(pole);

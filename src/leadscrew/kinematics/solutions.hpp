@@ -24,6 +24,7 @@
 #include <leadscrew/kinematics/chain.hpp>
 #include <leadscrew/kinematics/pose.hpp>
 #include <leadscrew/numeric/elementary.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::kinematics {
 
@@ -79,7 +80,7 @@ T wrapped(const T& degrees) {
 /// The half-angle of a right triangle of these squares of legs, twice: degrees.
 template <typename T>
 T doubled_angle(const T& opposite, const T& adjacent) {
-  using std::atan2, std::sqrt;
+  using numeric::atan2, std::sqrt;
   return in_degrees(T(2.0) * atan2(sqrt(opposite), sqrt(adjacent)));
 }
 
@@ -93,13 +94,13 @@ struct SeenFromFirst {
 
 template <typename T>
 SeenFromFirst<T> seen_from_first(const Chain& chain, const Vector3<T>& direction) {
-  using std::hypot;
+  using numeric::hypot;
   const Cones& cones = chain.cones();
   SeenFromFirst<T> seen{
       dot(chain.turns()[0].direction, direction), dot(cones.across, direction), dot(cones.normal, direction), {}, {}};
-  const double h = std::hypot(value_of(seen.across), value_of(seen.aside)), k = value_of(seen.along);
-  seen.angle = std::atan2(h, k);
-  seen.from_pole = std::atan2(h, std::abs(k));
+  const double h = numeric::hypot(value_of(seen.across), value_of(seen.aside)), k = value_of(seen.along);
+  seen.angle = numeric::atan2(h, k);
+  seen.from_pole = numeric::atan2(h, std::abs(k));
   const bool is_pole = seen.from_pole < least_pole_angle;
   const T off = is_pole ? T(0.0) : hypot(seen.across, seen.aside);
   const T length = is_pole ? (k < 0 ? -seen.along : seen.along) : hypot(off, seen.along);
@@ -110,8 +111,8 @@ SeenFromFirst<T> seen_from_first(const Chain& chain, const Vector3<T>& direction
 
 /// How far η is outside what the cones reach, radians; ≤ 0 inside.
 inline double miss_of(const Cones& cones, double angle) {
-  const double least = 2 * std::abs(std::atan2(cones.difference_sine, cones.difference_cosine));
-  const double sum = 2 * std::atan2(cones.sum_sine, cones.sum_cosine);
+  const double least = 2 * std::abs(numeric::atan2(cones.difference_sine, cones.difference_cosine));
+  const double sum = 2 * numeric::atan2(cones.sum_sine, cones.sum_cosine);
   return std::max(least - angle, angle - std::min(sum, numeric::two_pi.hi - sum));
 }
 
@@ -126,7 +127,7 @@ T not_below_zero(const T& x) {
 /// at poles, nor at the ends of reach.
 template <typename T>
 Solutions<T> solutions(const Chain& chain, const Vector3<T>& direction) {
-  using std::atan2;
+  using numeric::atan2;
   const Cones& cones = chain.cones();
   const auto seen = detail::seen_from_first(chain, direction);
   Solutions<T> result;

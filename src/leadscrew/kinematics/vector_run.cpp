@@ -4,6 +4,7 @@
 #include <leadscrew/kinematics/great_circle.hpp>
 #include <leadscrew/kinematics/solutions.hpp>
 #include <leadscrew/kinematics/vector_run.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <utility>
 
 namespace leadscrew::kinematics {
@@ -206,7 +207,7 @@ bool VectorRun::add(const Vector& tip, const Vector& direction) {
   if (turned > numeric::two_pi.hi / 2 - GreatCircle::least_opening) {
     return follow(true) && fail(VectorRunFailure::Kind::opposite, segments_);
   }
-  const double length = std::hypot(numeric::distance(from.tip, tip), PolePasses::radius * turned);
+  const double length = numeric::hypot(numeric::distance(from.tip, tip), PolePasses::radius * turned);
   passes_.observe({circle, from.s, from.s + length});
   ahead_.push_back({tip, unit, segments_++, from.s + length});
   return follow(false);
@@ -239,7 +240,7 @@ bool VectorRun::subdivide(const Programmed& from, const Programmed& to) {
   }
   const double of_spline = settings_.blends ? 0 : std::min(left, chord_of_spline);
   const double off = std::max(chord_share * left, of_spline);
-  const TravelledLine line{chain_, segment, passes, std::sin(radians_of_degree * off)};
+  const TravelledLine line{chain_, segment, passes, numeric::sin(radians_of_degree * off)};
   const std::optional<std::vector<Held>> parts = line.parts({0, line.at(0), last_found_}, !settings_.blends);
   if (!parts) return fail(VectorRunFailure::Kind::pole_too_sharp, to.segment);
   for (const Held& end : *parts) {
@@ -288,7 +289,7 @@ std::size_t VectorRun::end_of_poles(std::size_t first, std::size_t count) const 
 
 /// By how much the tool leaves a great circle from the pole while the first axis turns, degrees.
 double VectorRun::turning_error(const Vector& direction, double turn) const {
-  return std::sin(radians_of_degree * angle_from_pole(chain_, direction) / 2) * std::abs(turn) / 2;
+  return numeric::sin(radians_of_degree * angle_from_pole(chain_, direction) / 2) * std::abs(turn) / 2;
 }
 
 /// At a pole the first axis is free. It turns evenly from the vertex before to the one behind, where that leaves the great

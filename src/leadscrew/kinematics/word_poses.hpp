@@ -8,6 +8,7 @@
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/kinematics/pose.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <optional>
 
 namespace leadscrew::kinematics {
@@ -74,7 +75,7 @@ class WordPoses {
       moving[i][1] = velocity[i];
     }
     const auto tip = pose_of(*chain_, moving, tool_);
-    return std::hypot(tip[0][1], tip[1][1], tip[2][1]);
+    return numeric::hypot(tip[0][1], tip[1][1], tip[2][1]);
   }
 
  private:

@@ -18,7 +18,7 @@ constexpr double greatest_pole_cone = 10;  ///< degrees
 constexpr double greatest_tolerance = 90;  ///< degrees
 
 double length_of(const Vector& v) {
-  return std::hypot(v[0], v[1], v[2]);
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
 /// |a × b| of unit vectors.

@@ -135,7 +135,7 @@ DoubleDouble cos(DoubleDouble angle) {
 /// From the nearest double a, by one step: the angle of (x, y) is a + atan((y cos a − x sin a)/(x cos a + y sin a)), and
 /// that arc tangent is so small that its argument is it.
 DoubleDouble atan2(DoubleDouble y, DoubleDouble x) {
-  const double near = std::atan2(y.hi, x.hi);
+  const double near = atan2(y.hi, x.hi);
   if (x.hi == 0 && y.hi == 0) return near;
   const auto [s, c] = sine_cosine(near);
   return (y * c - x * s) / (x * c + y * s) + near;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::numeric {
 
@@ -153,13 +154,11 @@ constexpr Jet<N, T> integrated(T value, const Jet<N, T>& derivative) {
 
 template <typename T>
 Jet<3, T> sin(const Jet<3, T>& f) {
-  using std::sin, std::cos;
   const T s = sin(f.value), c = cos(f.value);
   return compose<T>({s, c, -s, -c}, f);
 }
 template <typename T>
 Jet<3, T> cos(const Jet<3, T>& f) {
-  using std::sin, std::cos;
   const T s = sin(f.value), c = cos(f.value);
   return compose<T>({c, -s, -c, s}, f);
 }
@@ -192,7 +191,6 @@ SineCosine<N, T> sine_cosine_from(T sine_of_value, T cosine_of_value, const Jet<
 }
 template <std::size_t N, typename T>
 SineCosine<N, T> sine_cosine(const Jet<N, T>& f) {
-  using std::sin, std::cos;
   return sine_cosine_from<N, T>(sin(f[0]), cos(f[0]), f);
 }
 template <std::size_t N, typename T>
@@ -224,19 +222,16 @@ Jet<N, T> sqrt(const Jet<N, T>& f) {
 /// √(x² + y²) and √(x² + y² + z²); not both or all 0.
 template <std::size_t N, typename T>
 Jet<N, T> hypot(const Jet<N, T>& x, const Jet<N, T>& y) {
-  using std::hypot;
   return root_of<N, T>(x * x + y * y, hypot(x[0], y[0]));
 }
 template <std::size_t N, typename T>
 Jet<N, T> hypot(const Jet<N, T>& x, const Jet<N, T>& y, const Jet<N, T>& z) {
-  using std::hypot;
   return root_of<N, T>(x * x + y * y + z * z, hypot(x[0], y[0], z[0]));
 }
 
 /// The angle of (x, y), radians, −π … π: θ′ = (x y′ − y x′)/(x² + y²). Not both 0.
 template <std::size_t N, typename T>
 Jet<N, T> atan2(const Jet<N, T>& y, const Jet<N, T>& x) {
-  using std::atan2;
   const Jet<N, T> turning = x * differentiated(y) - y * differentiated(x);
   return integrated<N, T>(atan2(y[0], x[0]), quotient(turning, x * x + y * y));
 }
@@ -244,7 +239,7 @@ Jet<N, T> atan2(const Jet<N, T>& y, const Jet<N, T>& x) {
 /// Radians, 0 … π: −f′/√((1 − f)(1 + f)). |f's value| < 1.
 template <std::size_t N, typename T>
 Jet<N, T> acos(const Jet<N, T>& f) {
-  using std::acos, std::sqrt;
+  using std::sqrt;
   const Jet<N, T> one = T(1), square = (one - f) * (one + f);
   return integrated<N, T>(acos(f[0]), quotient(-differentiated(f), root_of<N, T>(square, sqrt(square[0]))));
 }

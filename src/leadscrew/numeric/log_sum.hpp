@@ -1,7 +1,7 @@
 #pragma once
 // Sums of logarithms, as barriers are made of.
 
-#include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::numeric {
 
@@ -16,13 +16,13 @@ class LogSum {
     if (!(factor > least_)) return false;
     product_ *= factor;
     if (product_ < 1e-200 || product_ > 1e200) {
-      sum_ += std::log(product_);
+      sum_ += log(product_);
       product_ = 1;
     }
     return true;
   }
   /// Of what was added; 0 of nothing.
-  double value() const { return sum_ + std::log(product_); }
+  double value() const { return sum_ + log(product_); }
 
  private:
   double least_, sum_ = 0, product_ = 1;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/pipeline/path_survey.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
@@ -48,14 +49,14 @@ double angle_time(const gcode::Move& move, const base::AxisVector& slowness) {
 
 // In X, Y and Z.
 double distance_of(const geometry::Point& start, const geometry::Point& end) {
-  return std::hypot(end[0] - start[0], end[1] - start[1], end[2] - start[2]);
+  return numeric::hypot(end[0] - start[0], end[1] - start[1], end[2] - start[2]);
 }
 
 // What a path beside the move is long at least: an arc on its inner side, the chord of a curve.
 double least_length(const gcode::Move& move, double length) {
   if (move.kind != gcode::Move::Kind::arc) return distance_of(move.start, move.end);
-  const double radius = std::hypot(move.start[base::index(gcode::first_axis(move.plane))] - move.center_first,
-                                   move.start[base::index(gcode::second_axis(move.plane))] - move.center_second);
+  const double radius = numeric::hypot(move.start[base::index(gcode::first_axis(move.plane))] - move.center_first,
+                                       move.start[base::index(gcode::second_axis(move.plane))] - move.center_second);
   return length * remaining(radius, cut_off(move));
 }
 

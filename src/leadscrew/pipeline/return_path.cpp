@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/pipeline/return_path.hpp>
 
 namespace leadscrew::pipeline {
@@ -51,7 +52,7 @@ double stretch_by_limits(const Places& places, const base::AxisVector& begin, co
     }
     factor =
         std::max({factor, velocity / (limits.velocity * T), std::sqrt(acceleration / (limits.acceleration * T * T)),
-                  std::cbrt(jerk / (limits.jerk * T * T * T))});
+                  numeric::cbrt(jerk / (limits.jerk * T * T * T))});
   }
   return factor;
 }

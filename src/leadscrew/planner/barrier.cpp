@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/barrier.hpp>
 #include <leadscrew/planner/tuning.hpp>
@@ -182,7 +183,7 @@ class BarrierSolver::Product {
   bool take(double factor) {
     product_ *= factor;
     if (product_ < 1e-200) {
-      sum_ -= std::log(product_);
+      sum_ -= numeric::log(product_);
       product_ = 1;
     }
     return factor > 0;
@@ -191,10 +192,10 @@ class BarrierSolver::Product {
   bool take(double factor, double other, double weight) {
     if (weight == 1) return take(factor) && take(other);
     if (!(factor > 0 && other > 0)) return false;
-    sum_ -= weight * std::log(factor * other);
+    sum_ -= weight * numeric::log(factor * other);
     return true;
   }
-  double logarithm() const { return sum_ - std::log(product_); }
+  double logarithm() const { return sum_ - numeric::log(product_); }
 
  private:
   double sum_ = 0, product_ = 1;

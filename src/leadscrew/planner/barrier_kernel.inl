@@ -65,7 +65,7 @@ struct Logarithms {
   LEADSCREW_LANEWISE void take(const Vector& factors) { product *= factors; }
   /// The places of an interval that have caps.
   void take(const Vector& factors, double weight) {
-    sum -= weight * std::log(factors[SpeedProblem::middle_place] * factors[SpeedProblem::end_place]);
+    sum -= weight * numeric::log(factors[SpeedProblem::middle_place] * factors[SpeedProblem::end_place]);
   }
   /// Before a product may fall below the smallest double.
   LEADSCREW_LANEWISE void settle() {
@@ -73,7 +73,7 @@ struct Logarithms {
     if (any(product < small)) flush();
   }
   void flush() {
-    for (std::size_t lane = 0; lane < 4; ++lane) sum -= std::log(product[lane]);
+    for (std::size_t lane = 0; lane < 4; ++lane) sum -= numeric::log(product[lane]);
     product = all(1);
   }
 };

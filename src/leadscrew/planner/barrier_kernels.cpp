@@ -1,4 +1,5 @@
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/planner/barrier_kernels.hpp>
 
 #if defined(__x86_64__)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/planner/knot_samples.hpp>
 
 namespace leadscrew::planner {
@@ -10,12 +11,12 @@ namespace {
 double quantity(const KnotSample& a, const KnotSample& b) {
   const double width = b.s - a.s, rise = b.h - a.h;
   if (std::abs(rise) < 1e-3 * a.h) return width / (a.h + rise / 2);
-  return width / rise * std::log(b.h / a.h);
+  return width / rise * numeric::log(b.h / a.h);
 }
 double inverse(const KnotSample& a, const KnotSample& b, double amount) {
   const double width = b.s - a.s, slope = (b.h - a.h) / width;
   if (std::abs(b.h - a.h) < 1e-3 * a.h) return std::min(b.s, a.s + amount * (a.h + b.h) / 2);
-  return std::min(b.s, a.s + a.h / slope * std::expm1(amount * slope));
+  return std::min(b.s, a.s + a.h / slope * numeric::expm1(amount * slope));
 }
 
 /// From the sample to a place behind it, before the next.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/planner/knot_samples.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/tuning.hpp>
@@ -58,7 +59,7 @@ class Placement {
       // Where jerk is next to no limit, what counts is how long speed rises: far less than that is short enough.
       const double rise = std::min(speed / t.acceleration, std::sqrt(length() / t.acceleration));
       const double time = 0.01 * std::min({std::max(t.acceleration / t.jerk, 0.02 * rise), std::sqrt(speed / t.jerk),
-                                           std::cbrt(length() / (2 * t.jerk))});
+                                           numeric::cbrt(length() / (2 * t.jerk))});
       double bend = 0;
       for (const numeric::Jet<>& q : jet) bend = std::max(bend, std::abs(q.second) / std::max(std::abs(q.first), 1e-3));
       double ramp_length = std::min(t.jerk * time, t.acceleration) * time * time / 6;
@@ -122,10 +123,10 @@ class Placement {
     sample.greatest = cap;
     sample.is_by_feed = cap == feed * feed;
     const double d = from_rest(s);
-    cap = std::min(cap, std::pow(4.5 * t.jerk * d * d, 2.0 / 3));
+    cap = std::min(cap, squared(numeric::cbrt(4.5 * t.jerk * d * d)));
     sample.cap = sample.reach = cap;
-    sample.h_curve =
-        std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity, third > 0 ? 0.2 / std::pow(third, 0.25) : infinity);
+    sample.h_curve = std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity,
+                              third > 0 ? 0.2 / std::sqrt(std::sqrt(third)) : infinity);
     return sample;
   }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/planner/piece_limits.hpp>
 #include <limits>
 
@@ -20,7 +21,7 @@ struct ArcBounds {
 
 /// Slowing time by this factor brings every ratio to 1 or below: v, a, j fall with its first, second and third power.
 double time_factor(const machine::Derivatives& ratios) {
-  return std::max({ratios.velocity, std::sqrt(ratios.acceleration), std::cbrt(ratios.jerk)});
+  return std::max({ratios.velocity, std::sqrt(ratios.acceleration), numeric::cbrt(ratios.jerk)});
 }
 
 /// The greatest of g-less in-plane jerk squared, (j − ω²v³)² + (3ωva)², is bounded over a stretch in which v and |a|
@@ -28,7 +29,7 @@ double time_factor(const machine::Derivatives& ratios) {
 double jerk_bound(double curvature, double v0, double v1, double a0, double a1, double jerk) {
   const double w = curvature, a = std::max(std::abs(a0), std::abs(a1)), v = std::max(v0, v1);
   const double radial = std::max(std::abs(jerk - w * w * v0 * v0 * v0), std::abs(jerk - w * w * v1 * v1 * v1));
-  return std::hypot(radial, 3 * w * v * a);
+  return numeric::hypot(radial, 3 * w * v * a);
 }
 
 /// Proven worst case of a motion on an arc, values over bounds. The braking half mirrors the first in time (a changes
@@ -47,7 +48,7 @@ machine::Derivatives worst_case(const ArcBounds& bounds, const RestToRest& motio
     for (int k = 1; k <= stretches; ++k) {
       const double tau = duration * k / stretches;
       const double a_next = a_begin + j * tau, v_next = v_begin + tau * (a_begin + j * tau / 2);
-      acceleration = std::max(acceleration, std::hypot(w * v_next * v_next, std::max(a, a_next)));
+      acceleration = std::max(acceleration, numeric::hypot(w * v_next * v_next, std::max(a, a_next)));
       jerk = std::max(jerk, jerk_bound(w, v, v_next, a, a_next, j));
       v = v_next;
       a = a_next;
@@ -75,7 +76,7 @@ RestToRest fastest(double length, const ArcBounds& bounds) {
   const machine::Derivatives &straight = bounds.straight, &plane = bounds.plane;
   const double w = bounds.curvature;
   machine::Derivatives best{std::min({straight.velocity, plane.velocity, 0.9 * std::sqrt(plane.acceleration / w),
-                                      0.9 * std::cbrt(plane.jerk / (w * w))}),
+                                      0.9 * numeric::cbrt(plane.jerk / (w * w))}),
                             0.9 * std::min(straight.acceleration, plane.acceleration),
                             0.9 * std::min(straight.jerk, plane.jerk)};
   RestToRest motion = admissible(length, bounds, best);

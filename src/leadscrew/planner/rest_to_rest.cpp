@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/planner/rest_to_rest.hpp>
 
 namespace leadscrew::planner {
@@ -21,7 +22,7 @@ RestToRest rest_to_rest(double distance, const machine::Derivatives& limits) {
   // Full speed is not reached. Peak speed from L = V_p (V_p/A + A/J), without cancellation; good where it is ≥ A²/J.
   const double half = A * A / (2 * J);
   const double peak = A * L / (half + std::sqrt(half * half + A * L));
-  motion.jerk_time = peak >= A * A / J ? A / J : std::cbrt(L / (2 * J));
+  motion.jerk_time = peak >= A * A / J ? A / J : numeric::cbrt(L / (2 * J));
   motion.acceleration_time = peak >= A * A / J ? std::max(0.0, peak / A - A / J) : 0;
   motion.cruise_time = 0;
   return motion;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/speed_problem.hpp>
 #include <leadscrew/planner/tuning.hpp>
@@ -299,7 +300,7 @@ double SpeedProblem::bound_of_rows(const Site& site) const {
       greatest_by_j = std::max(greatest_by_j, by[a + 1]);
     }
   }
-  return greatest_by_j > 0 ? std::min(bound, std::pow(0.3 / greatest_by_j, 2.0 / 3)) : bound;
+  return greatest_by_j > 0 ? std::min(bound, squared(numeric::cbrt(0.3 / greatest_by_j))) : bound;
 }
 
 /// At most half of the caps, inside every row, and from coefficient to coefficient no steeper than 1.5.

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/surfaces/frame.hpp>
 
 namespace leadscrew::surfaces {
@@ -73,8 +74,8 @@ VectorOf<T> axis_of(const Orientation& orientation, const VectorOf<T>& n, const 
   if (orientation.rule == Orientation::Rule::normal) return n;
   if (orientation.rule == Orientation::Rule::fixed)
     return {T(orientation.axis[0]), T(orientation.axis[1]), T(orientation.axis[2])};
-  const T along = std::sin(orientation.lead), up = std::cos(orientation.lead) * std::cos(orientation.tilt),
-          aside = -std::cos(orientation.lead) * std::sin(orientation.tilt);
+  const T along = numeric::sin(orientation.lead), up = numeric::cos(orientation.lead) * numeric::cos(orientation.tilt),
+          aside = -numeric::cos(orientation.lead) * numeric::sin(orientation.tilt);
   const VectorOf<T> b = {n[1] * f[2] - n[2] * f[1], n[2] * f[0] - n[0] * f[2], n[0] * f[1] - n[1] * f[0]};
   VectorOf<T> axis;
   for (std::size_t k = 0; k < 3; ++k) axis[k] = up * n[k] + aside * b[k] + along * f[k];

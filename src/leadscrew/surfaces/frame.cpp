@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/kinematics/great_circle.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/frame.hpp>
 
@@ -24,7 +25,7 @@ std::optional<Frame> frame_of(const SurfaceJet& jet, int side) {
 }
 
 std::array<double, 2> Tensor::principal() const {
-  const double mean = (ff + bb) / 2, radius = std::hypot((ff - bb) / 2, fb);
+  const double mean = (ff + bb) / 2, radius = numeric::hypot((ff - bb) / 2, fb);
   return {mean + radius, mean - radius};
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/kinematics/great_circle.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/hermite.hpp>
 #include <leadscrew/surfaces/links.hpp>
@@ -47,7 +48,7 @@ struct Rise {
 /// ahead and half across in the plane of the axis, to where it is straight. None where the way on, `length`, is no longer, and where
 /// the pass goes along the axis.
 Rise rise_from(const VectorOf<Jet2>& centre, const Vector& axis, double length) {
-  const double bend = std::hypot(centre[0][2], centre[1][2], centre[2][2]);
+  const double bend = numeric::hypot(centre[0][2], centre[1][2], centre[2][2]);
   if (!(bend * length > most_bend)) return {0, centre};
   const Vector rate = rates_of(centre);
   const double square = numeric::dot(rate, rate);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/surfaces/hermite.hpp>
 #include <leadscrew/surfaces/pass_nodes.hpp>
 #include <limits>
@@ -48,7 +49,7 @@ double dot_first(const VectorOf<Jet2>& a, std::size_t i, std::size_t j) {
 
 /// How far apart two derivatives are.
 double step_of(const VectorOf<Jet2>& a, const VectorOf<Jet2>& b, std::size_t order) {
-  return std::hypot(a[0][order] - b[0][order], a[1][order] - b[1][order], a[2][order] - b[2][order]);
+  return numeric::hypot(a[0][order] - b[0][order], a[1][order] - b[1][order], a[2][order] - b[2][order]);
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ std::optional<Contact> contact_at(PassLog& log, const LinePlace& place, const Su
   } else if (bending.clearance < -rounding && !machining.allows_gouging) {
     log.fail(Why::gouge, u, v, bending.clearance);
   } else if (!machining.cutter.is_ball() && machining.orientation.rule == Orientation::Rule::fixed &&
-             std::hypot(bending.axis[0], bending.axis[1]) < 1e-6 && bending.greatest > 1e-9) {
+             numeric::hypot(bending.axis[0], bending.axis[1]) < 1e-6 && bending.greatest > 1e-9) {
     log.fail(Why::flat_contact, u, v);
   }
   return log.failure ? std::nullopt : std::optional(contact);

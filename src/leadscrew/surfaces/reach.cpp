@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/kinematics/great_circle.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/reach.hpp>
 
@@ -47,7 +48,7 @@ class Edge {
   };
   /// X and X_φ; none where N turns too fast to be found.
   std::optional<Point> at(double angle) const {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = numeric::cos(angle), s = numeric::sin(angle);
     Vector out, tangent, rate, tangent_rate;
     for (std::size_t k = 0; k < 3; ++k) {
       out[k] = c * first_[k] + s * second_[k];

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/kinematics/great_circle.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/pass_lines.hpp>
 #include <utility>
@@ -109,7 +110,7 @@ double SpiralLines::corner_factor(PassLog& log) const {
     const Vector &by_a = a_is_u ? contact->jet.u : contact->jet.v, &by_b = a_is_u ? contact->jet.v : contact->jet.u;
     const double inside = kinematics::angle_between(numeric::sum(Vector{}, -a.along_sign, by_a),
                                                     numeric::sum(Vector{}, b.along_sign, by_b));
-    factor = std::min(factor, (1 + std::sin(inside / 2)) / 2);
+    factor = std::min(factor, (1 + numeric::sin(inside / 2)) / 2);
   }
   return factor;
 }

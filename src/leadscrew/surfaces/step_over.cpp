@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/surfaces/step_over.hpp>
 #include <limits>
 #include <numbers>
@@ -22,7 +23,7 @@ double step_over(double radius, double curvature, double height) {
   if (std::isinf(radius)) {
     if (!(k > 0)) return infinite;
     // A flat across a convex surface: D − t and D are infinite, cos φ = 1/(1 + k h).
-    return 2 / k * std::asin(std::sqrt(k * height * (2 + k * height)) / (1 + k * height));
+    return 2 / k * numeric::asin(std::sqrt(k * height * (2 + k * height)) / (1 + k * height));
   }
   const double h = std::min(height, radius);
   const double square = h * (2 * radius - h);
@@ -31,15 +32,15 @@ double step_over(double radius, double curvature, double height) {
   if (k == 0) return 2 * std::sqrt(square);
   const double half_sine = std::sqrt(square / both) * std::abs(k) / 2;
   if (half_sine >= 1) return std::numbers::pi * 2 / std::abs(k);
-  return 4 / std::abs(k) * std::asin(half_sine);
+  return 4 / std::abs(k) * numeric::asin(half_sine);
 }
 
 /// From the same: h² − 2 b h + q c = 0 with q = 4 sin² φ/2/k², c = 1 + k R, b = R − k q c/2; the smaller root, without
 /// cancellation.
 double scallop_height(double radius, double curvature, double step) {
   const double k = -curvature;
-  if (std::isinf(radius)) return k > 0 ? (1 / std::cos(k * step / 2) - 1) / k : 0;
-  const double sine = k == 0 ? step / 4 : std::sin(std::abs(k) * step / 4) / std::abs(k);
+  if (std::isinf(radius)) return k > 0 ? (1 / numeric::cos(k * step / 2) - 1) / k : 0;
+  const double sine = k == 0 ? step / 4 : numeric::sin(std::abs(k) * step / 4) / std::abs(k);
   const double c = 1 + k * radius, qc = 4 * sine * sine * c, b = radius - k * qc / 2;
   const double square = b * b - qc;
   if (!(square > 0)) return radius;
@@ -75,7 +76,7 @@ class OutlineSide {
   };
   double arc_on_line(const Offset& from, const Offset& to, double wanted) const;
   Offset at(double angle) const {
-    const double sine = std::sin(angle), cosine = std::cos(angle), along = sine * across_ - cosine * up_;
+    const double sine = numeric::sin(angle), cosine = numeric::cos(angle), along = sine * across_ - cosine * up_;
     const double length = std::sqrt(std::max(1 - along * along, 0.0));
     const double part = length > 0 ? disc_ / length : 0;
     return {-part * along * ahead_, part * (sine - along * across_) + edge_ * sine,
@@ -88,7 +89,7 @@ class OutlineSide {
     const double bent = k * (2 * z - k * (y * y + z * z));
     const double height = (2 * z - k * (y * y + z * z)) / (1 + std::sqrt(std::max(1 - bent, 0.0)));
     return {std::sqrt(std::max(height, 0.0)),
-            std::abs(k * y) < 1e-9 ? y / (1 - k * z) : std::atan2(k * y, 1 - k * z) / k};
+            std::abs(k * y) < 1e-9 ? y / (1 - k * z) : numeric::atan2(k * y, 1 - k * z) / k};
   }
 
   double disc_, edge_, ahead_, across_, up_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <leadscrew/surfaces/tool_clearance.hpp>
 #include <limits>
@@ -69,7 +70,7 @@ Slope slope_at(const Cutter& cutter, const ToolPose& pose, const Vector& point) 
   }
   for (double& x : radial) x /= from_axis;
   const bool is_corner = aside > 0 && below > 0;
-  const double size = std::hypot(aside, below);
+  const double size = numeric::hypot(aside, below);
   const double out = is_corner ? aside / size : aside > below ? 1 : 0, down = is_corner ? below / size : 1 - out;
   slope.gradient = sum(sum(Vector{}, out, radial), -down, pose.axis);
   slope.meridian = sum(sum(Vector{}, down, radial), out, pose.axis);

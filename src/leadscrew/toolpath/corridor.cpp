@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/corridor.hpp>
 
 namespace leadscrew::toolpath {
@@ -8,7 +9,7 @@ Vector<D> CorridorLeg<D>::at(double s) const {
   if (s <= 0) return from;
   if (s >= length) return to;
   if (!is_arc) return along(from, s, direction);
-  const double angle = turn * s / length, c = std::cos(angle), n = std::sin(angle);
+  const double angle = turn * s / length, c = numeric::cos(angle), n = numeric::sin(angle);
   const double x = from[first] - center[first], y = from[second] - center[second];
   Vector<D> place = from;
   place[first] = center[first] + c * x - n * y;
@@ -64,7 +65,8 @@ double CorridorLeg<D>::advance(const Vector<D>& x) const {
   // By the angle from halfway, where it is not ambiguous.
   const Vector<D> middle = between(center, at(length / 2));
   const double rx = x[first] - center[first], ry = x[second] - center[second];
-  const double angle = std::atan2(middle[first] * ry - middle[second] * rx, middle[first] * rx + middle[second] * ry);
+  const double angle =
+      numeric::atan2(middle[first] * ry - middle[second] * rx, middle[first] * rx + middle[second] * ry);
   return std::clamp(0.5 + angle / turn, 0.0, 1.0) * length;
 }
 
@@ -84,7 +86,7 @@ CorridorLeg<D> arc_leg(const Vector<D>& from, const Vector<D>& to, std::size_t f
   leg.from = from, leg.to = to, leg.margin = margin, leg.feed = feed;
   leg.is_arc = true;
   leg.first = first, leg.second = second, leg.center = center, leg.turn = turn;
-  leg.radius = std::hypot(from[first] - center[first], from[second] - center[second]);
+  leg.radius = numeric::hypot(from[first] - center[first], from[second] - center[second]);
   leg.length = leg.radius * std::abs(turn);
   return leg;
 }

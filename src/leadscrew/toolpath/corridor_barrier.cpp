@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/log_sum.hpp>
 #include <leadscrew/toolpath/corridor_barrier.hpp>
 
@@ -223,7 +224,7 @@ void CorridorBarrier<D>::follow(const std::vector<Vector<D>>& points, std::vecto
 template <std::size_t D>
 double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Passing& passing) const {
   if (!(at.w > 0)) return unlimited;
-  const Bounds<D> most(corridor_.limits, start_interval_ * std::cbrt(at.w));
+  const Bounds<D> most(corridor_.limits, start_interval_ * numeric::cbrt(at.w));
   const std::vector<Vector<D>>& c = at.points;
   numeric::LogSum sum(least_slack);
   for (std::size_t k = 0; k < intervals_; ++k) {
@@ -279,14 +280,14 @@ double CorridorBarrier<D>::value(double t, const CorridorPoint<D>& at, const Pas
   const double n = static_cast<double>(intervals_), d = static_cast<double>(D);
   double powers = n * d * (2.0 + 4.0 / 3 + (has_velocity_limit_ ? 2.0 / 3 : 0));
   for (std::size_t k = 0; k < intervals_; ++k) powers += feed_of(k, passing) < unlimited ? 2.0 / 3 : 0;
-  return t * at.w - sum.value() - powers * std::log(at.w);
+  return t * at.w - sum.value() - powers * numeric::log(at.w);
 }
 
 template <std::size_t D>
 void CorridorBarrier<D>::assemble(double t, const CorridorPoint<D>& at, const Passing& passing,
                                   NewtonModel<D>& model) const {
   const double w = at.w;
-  const Bounds<D> most(corridor_.limits, start_interval_ * std::cbrt(w));
+  const Bounds<D> most(corridor_.limits, start_interval_ * numeric::cbrt(w));
   const std::vector<Vector<D>>& c = at.points;
   model.reset(c.size());
   model.w_slope = t;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/corridor_check.hpp>
 
 namespace leadscrew::toolpath {
@@ -101,7 +102,7 @@ class Check {
       if (i != leg.first && i != leg.second)
         for (const Vector<D>& b : part) across = std::max(across, std::abs(b[i] - leg.from[i]));
     }
-    return std::hypot(off, across);
+    return numeric::hypot(off, across);
   }
 
   const Corridor<D>& corridor_;

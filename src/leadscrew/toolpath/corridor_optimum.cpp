@@ -1,3 +1,4 @@
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/corridor_barrier.hpp>
 #include <leadscrew/toolpath/corridor_optimum.hpp>
 #include <leadscrew/toolpath/tuning.hpp>
@@ -29,7 +30,9 @@ class Descent {
     }
   }
 
-  TimeSpline<D> result() const { return {at_.points, passing_.passes, barrier_.start_interval() * std::cbrt(at_.w)}; }
+  TimeSpline<D> result() const {
+    return {at_.points, passing_.passes, barrier_.start_interval() * numeric::cbrt(at_.w)};
+  }
 
  private:
   static constexpr double inside = 1.1;  // of the start's interval: inside every limit

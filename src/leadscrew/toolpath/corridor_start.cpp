@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/corridor_start.hpp>
 #include <leadscrew/toolpath/tuning.hpp>
 
@@ -139,7 +140,7 @@ class Start {
         h = std::max(h, std::sqrt(std::abs(c[k + 2][i] - 2 * c[k + 1][i] + c[k][i]) / limits.acceleration[i]));
         if (k + 3 == c.size()) continue;
         const double third = c[k + 3][i] - 3 * c[k + 2][i] + 3 * c[k + 1][i] - c[k][i];
-        h = std::max(h, std::cbrt(std::abs(third) / limits.jerk[i]));
+        h = std::max(h, numeric::cbrt(std::abs(third) / limits.jerk[i]));
       }
     }
     return h;
@@ -163,7 +164,7 @@ double suitable_interval(const Corridor<D>& corridor) {
   for (const CorridorLeg<D>& leg : corridor.legs) margin = std::min(margin, leg.margin);
   const auto greatest = [](const Vector<D>& a) { return *std::max_element(a.begin(), a.end()); };
   const CorridorLimits<D>& limits = corridor.limits;
-  return std::min(interval_of_corner * std::cbrt(margin / greatest(limits.jerk)),
+  return std::min(interval_of_corner * numeric::cbrt(margin / greatest(limits.jerk)),
                   std::sqrt(interval_bulge * 32 * margin / greatest(limits.acceleration)));
 }
 

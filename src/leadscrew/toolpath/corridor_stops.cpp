@@ -1,4 +1,5 @@
 #include <leadscrew/machine/derivatives.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/corridor_stops.hpp>
 
 namespace leadscrew::toolpath {
@@ -16,8 +17,8 @@ machine::Derivatives limits_along(const CorridorLeg<3>& leg, const CorridorLimit
     along.jerk = std::min(along.jerk, limits.jerk[i] / share);
   }
   if (leg.is_arc) {
-    along.velocity = std::min(
-        {along.velocity, std::sqrt(along.acceleration * leg.radius), std::cbrt(along.jerk * leg.radius * leg.radius)});
+    along.velocity = std::min({along.velocity, std::sqrt(along.acceleration * leg.radius),
+                               numeric::cbrt(along.jerk * leg.radius * leg.radius)});
   }
   return along;
 }
@@ -32,7 +33,7 @@ double ramp_time(double speed, const machine::Derivatives& most) {
 double from_rest_to_rest(double length, const machine::Derivatives& most) {
   if (length > most.velocity * ramp_time(most.velocity, most))
     return length / most.velocity + ramp_time(most.velocity, most);
-  const double speed_by_jerk = std::cbrt(length * length * most.jerk / 4), a = most.acceleration;
+  const double speed_by_jerk = numeric::cbrt(length * length * most.jerk / 4), a = most.acceleration;
   const double rise = a / most.jerk;
   if (speed_by_jerk <= a * rise) return 2 * ramp_time(speed_by_jerk, most);
   // L = v²/a + v a/j.

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
@@ -19,8 +20,8 @@ struct Turn {
 Turn turn(const gcode::Move& move) {
   const std::size_t first = index(gcode::first_axis(move.plane)), second = index(gcode::second_axis(move.plane));
   const double x = move.start[first] - move.center_first, y = move.start[second] - move.center_second;
-  return {std::hypot(x, y), geometry::sweep_angle(x, y, move.end[first] - move.center_first,
-                                                  move.end[second] - move.center_second, move.turns)};
+  return {numeric::hypot(x, y), geometry::sweep_angle(x, y, move.end[first] - move.center_first,
+                                                      move.end[second] - move.center_second, move.turns)};
 }
 
 double arc_length(const gcode::Move& move, const Turn& turn) {
@@ -32,7 +33,7 @@ double arc_length(const gcode::Move& move, const Turn& turn) {
 double with_others(double length, const gcode::Move& move, const ToleranceSpace& space) {
   Point others = difference(space.to_millimetres(move.end), space.to_millimetres(move.start));
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) others[index(axis)] = 0;
-  return std::hypot(length, norm(others));
+  return numeric::hypot(length, norm(others));
 }
 
 std::size_t first_of(FeedAxes axes) {
@@ -66,7 +67,7 @@ double line_length(const Point& start, const Point& end) {
   const FeedAxes axes = feed_axes(geometry::moving(start, end));
   if (axes == FeedAxes::none) return 0;
   const std::size_t i = first_of(axes);
-  return std::hypot(end[i] - start[i], end[i + 1] - start[i + 1], end[i + 2] - start[i + 2]);
+  return numeric::hypot(end[i] - start[i], end[i + 1] - start[i + 1], end[i + 2] - start[i + 2]);
 }
 
 double feed_length(const gcode::Move& move) {
@@ -136,13 +137,13 @@ std::vector<geometry::Nurbs> fitted_pieces(const geometry::NurbsForm& form, cons
 double rate(const geometry::PointJet& jet, FeedAxes axes) {
   if (axes == FeedAxes::none) return 1;
   const std::size_t first = first_of(axes);
-  return std::hypot(jet[first].first, jet[first + 1].first, jet[first + 2].first);
+  return numeric::hypot(jet[first].first, jet[first + 1].first, jet[first + 2].first);
 }
 
 double rate(const geometry::Curve& curve, double s, FeedAxes axes) {
   if (axes == FeedAxes::none) return 1;
   const auto [x, y, z] = geometry::rates(curve, s, first_of(axes));
-  return std::hypot(x, y, z);
+  return numeric::hypot(x, y, z);
 }
 
 double time_by_feed(const Piece& piece, double from, double to) {

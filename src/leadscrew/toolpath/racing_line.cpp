@@ -1,3 +1,4 @@
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/corridor_plan.hpp>
 #include <leadscrew/toolpath/corridor_stops.hpp>
 #include <leadscrew/toolpath/event_marks.hpp>
@@ -138,7 +139,7 @@ bool RacingLine::merge(const CorridorLeg<3>& line, double length, double speed) 
   const CorridorLeg<3>& last = legs_.back();
   if (last.is_arc) return false;
   const double margin = std::min(merged_margin_, line.margin), allowed = merged_share * margin;
-  const double interval = interval_of_corner * std::cbrt(margin / least_.jerk);
+  const double interval = interval_of_corner * numeric::cbrt(margin / least_.jerk);
   if (std::max(last.length, line.length) > speed * interval) return false;
   CorridorLeg<3> one = line_leg<3>(last.from, line.to, margin, std::min(last.feed, line.feed));
   double farthest = 0, off = size(one.nearest(line.from).offset);
@@ -162,7 +163,7 @@ double RacingLine::speed_along(const CorridorLeg<3>& leg) const {
   double speed = std::min(leg.feed, least_.velocity);
   if (leg.is_arc) {
     speed = std::min({speed, nearly_all * std::sqrt(least_.acceleration * leg.radius),
-                      nearly_all * std::cbrt(least_.jerk * leg.radius * leg.radius)});
+                      nearly_all * numeric::cbrt(least_.jerk * leg.radius * leg.radius)});
   }
   return speed;
 }
@@ -185,7 +186,7 @@ double RacingLine::speed_at(std::size_t joint) const {
   const CorridorLeg<3>&before = legs_[joint], &behind = legs_[joint + 1];
   const double turn = size(between(before.tangent(before.length), behind.tangent(0)));
   const double margin = std::min(before.margin, behind.margin);
-  const double interval = interval_of_corner * std::cbrt(margin / least_.jerk);
+  const double interval = interval_of_corner * numeric::cbrt(margin / least_.jerk);
   return std::min({speed_along(before), speed_along(behind), start_step * margin / (std::max(turn, 1e-9) * interval)});
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/numeric/bisection.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/sampling.hpp>
 #include <leadscrew/toolpath/swing.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
@@ -19,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array tip_axes = {base::Axis::X, base::Axis::Y, base::Axis::Z};  // chord error is theirs
 
 double cube_root_of_square(double x) {
-  return std::cbrt(x * x);
+  return numeric::cbrt(x * x);
 }
 
 }  // namespace
@@ -67,14 +68,14 @@ machine::Derivatives Sampling::limits_along(const Point& direction) const {
 double Sampling::largest_deviation(double tolerance, const Bend& bend) const {
   const auto chords = [&](double deviation) {
     const double by_feed = deviation > 0 ? bend.by_feed / deviation : infinity;
-    return per_acceleration_ * std::min({bend.acceleration, bend.by_jerk * std::cbrt(deviation), by_feed});
+    return per_acceleration_ * std::min({bend.acceleration, bend.by_jerk * numeric::cbrt(deviation), by_feed});
   };
   if (chords(tolerance) <= chord_error_) return tolerance;
   // ε_s is the least of three: the largest ε of all is the largest of those for each.
   const double square = tolerance * tolerance / 4 - per_acceleration_ * bend.by_feed;
   const double by_feed = square > 0 ? tolerance / 2 + std::sqrt(square) : 0;
   const auto by_jerk = numeric::bisect(0, tolerance, 50, [&](double deviation) {
-    return deviation + per_acceleration_ * bend.by_jerk * std::cbrt(deviation) <= tolerance;
+    return deviation + per_acceleration_ * bend.by_jerk * numeric::cbrt(deviation) <= tolerance;
   });
   return std::max({tolerance - per_acceleration_ * bend.acceleration, by_feed, by_jerk.from});
 }
@@ -86,7 +87,7 @@ double Sampling::kept_beside_spline(const Leg& leg) const {
   const double tolerance = leg.allowance.tolerance, speed = greatest_speed(leg), turn = tuning::corner_turn;
   const double deviation = largest_deviation(
       tolerance,
-      {limits.acceleration, std::cbrt(6) * cube_root_of_square(limits.jerk), turn * turn / 6 * speed * speed});
+      {limits.acceleration, numeric::cbrt(6) * cube_root_of_square(limits.jerk), turn * turn / 6 * speed * speed});
   return tolerance - std::max(deviation, least_share_of_spline * tolerance);
 }
 
@@ -136,14 +137,14 @@ Division Sampling::beside_blend(double tolerance, const Point& leaving, const Po
     const double p = 2 * rest * rest * rest - 0.125, first = 6 * rest * rest - 0.75, second = 12 * rest - 3;
     const double deviation =
         largest_deviation(tolerance, {turn * limits.acceleration,
-                                      second / std::cbrt(p) * cube_root_of_square(turn * turn * limits.jerk / 6),
+                                      second / numeric::cbrt(p) * cube_root_of_square(turn * turn * limits.jerk / 6),
                                       second * p / (first * first) * slowed});
     if (deviation >= least_share_of_swing * tolerance) return {tolerance - deviation, Rounding::wide};
   }
   Bend bend{turn * limits.acceleration, 24 * cube_root_of_square(turn * limits_of_sum.jerk / 48), 2.0 / 3 * slowed};
   if (!are_lines) {
     // They bend themselves, as a spline does, also where they have one tangent: then the sum is twice that.
-    const double by_jerk = std::cbrt(6) * cube_root_of_square(2 * limits_of_sum.jerk);
+    const double by_jerk = numeric::cbrt(6) * cube_root_of_square(2 * limits_of_sum.jerk);
     bend = {2 * limits_of_sum.acceleration, std::max(bend.by_jerk, by_jerk), infinity};
   }
   const double deviation = largest_deviation(tolerance, bend);

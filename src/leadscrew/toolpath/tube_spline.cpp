@@ -225,7 +225,7 @@ void TubeSpline::solve() {
   for (std::size_t span = 0; span < stretch_.spans(); ++span) {
     const double from = stretch_.span_begin(span), to = stretch_.span_end(span), width = to - from;
     const double length = std::min(smoothing_length(from), smoothing_length(to));
-    const double factor = width * std::pow(length, 6);
+    const double cube = length * length * length, factor = width * cube * cube;
     for (const auto& [place, weight] : {std::pair{-place_of_gauss, outer}, {0.0, inner}, {place_of_gauss, mirrored}}) {
       const Six row = quintic_third_derivatives(t.data() + span, from + width * (1 + place) / 2);
       equations.add(span, row, factor * weight, nullptr);
