@@ -8,9 +8,13 @@
 #include <vector>
 
 #include "blended.hpp"
+#include "five_axes.hpp"
+#include "five_axis_program.hpp"
+#include "worst_ratios.hpp"
 
 // Programs under G64 at servo periods up to the longest: chords between words are inside the tolerance as the path is,
-// and rounding is no slower than a stop at every joint.
+// and rounding is no slower than a stop at every joint. Of five axes, where control of the tip begins and ends between
+// words so far apart that any two might be at rest.
 
 namespace test_periods {
 
@@ -57,6 +61,31 @@ RC_GTEST_PROP(RandomPeriods, KeepEveryPromiseAndAreNoSlowerThanWithStops, ()) {
 RC_GTEST_PROP(LongRandomPeriods, KeepEveryPromiseAndAreNoSlowerThanWithStops, ()) {
   constexpr int programs = 2;  // a case
   for (int k = 0; k < programs; ++k) keep_promises_and_lose_no_time_at_any_period();
+}
+
+void keep_five_axes_within_limits_at_any_period() {
+  machine::Machine machine = five_axes();
+  machine.period = {1000 * static_cast<std::int64_t>(logarithmic(1000, 50'000))};
+  const std::string text = FiveAxisProgram(machine).make(any(1, 6));
+  RC_LOG() << machine.kinematics << "\n"
+           << text << limits_of(machine) << "period " << machine.period.nanoseconds << " ns";
+  const Judged outcome = judge(text, machine);
+  RC_ASSERT(outcome.errors == 0);
+  for (const referee::Violation& each : outcome.verdict.violations)
+    RC_LOG() << "\n"
+             << each.what << " " << each.value << " of " << each.limit << " at " << each.t << " line "
+             << base::number(each.line);
+  RC_ASSERT(outcome.verdict.violation_count == 0);
+  RC_ASSERT(worst_judged(outcome.verdict) <= 1.001);
+  RC_ASSERT(outcome.verdict.deviation_mm <= outcome.verdict.tolerance_mm + 1e-6);
+}
+
+RC_GTEST_PROP(RandomPeriods, KeepFiveAxesWithinTheirLimits, ()) {
+  keep_five_axes_within_limits_at_any_period();
+}
+RC_GTEST_PROP(LongRandomPeriods, KeepFiveAxesWithinTheirLimits, ()) {
+  constexpr int programs = 4;  // a case
+  for (int k = 0; k < programs; ++k) keep_five_axes_within_limits_at_any_period();
 }
 
 using Corners = std::vector<base::AxisVector>;

@@ -70,8 +70,10 @@ std::vector<base::AxisVector> tip_linear(const TestedPose& from, const TestedPos
   return trace;
 }
 
-referee::Verdict verdict_on(const std::string& program, const std::vector<base::AxisVector>& trace) {
-  const machine::Machine machine = trunnion();
+referee::Verdict verdict_on(const std::string& program, const std::vector<base::AxisVector>& trace,
+                            base::Period period = {1'000'000}) {
+  machine::Machine machine = trunnion();
+  machine.period = period;
   const machine::ToolTable tools;
   gcode::ReaderOptions options;
   options.start = trace.front();
@@ -177,6 +179,25 @@ TEST(TipVerdicts, TellPlacesApartByTheToolsDirection) {
   EXPECT_LE(*verdict.tip_deviation_mm, 17.5);
   EXPECT_NEAR(verdict.deviation_mm, 17.45, 0.05);
   EXPECT_TRUE(verdict.objects());
+}
+
+/// At long periods all words of slow lines are as near to each other as at rest. One lies beyond the tolerance of the last
+/// line and within that at which it is still a candidate; the end is not there, nor where the way to it leads away from it.
+TEST(TipVerdicts, FollowSlowLinesToWhereControlEnds) {
+  for (const double to : {0.3, -0.15}) {
+    SCOPED_TRACE(to);
+    const TestedPose from{0, 0, 0, 0, 0}, corner{0.1, 0, 0, 0, 0}, end{0.1 + to, 0.1, 0, 0, 0};
+    const std::string lines = "G1 X0.1 Y0\nG1 X" + std::to_string(end.x) + " Y0.1\n";
+    std::vector<base::AxisVector> trace;
+    for (double x = 0; x < corner.x - 1e-9; x += 0.001) trace.push_back(joints({x + 0.0005, 0, 0, 0, 0}));
+    trace.front() = joints(from);
+    const auto second = tip_linear(corner, end, 200);
+    trace.insert(trace.end(), second.begin(), second.end());
+    trace.push_back(trace.back());
+    const auto verdict = verdict_on("G21 G90 G64 P0.004\nG43.4 H0\nF60\n" + lines + "G49\nM2\n", trace, {14'552'000});
+    EXPECT_EQ(verdict.violation_count, 0);
+    EXPECT_LE(verdict.deviation_mm, 0.0005);
+  }
 }
 
 /// A trace that lies beside the program all along comes to the part under tool centre point control beside it.

@@ -211,6 +211,20 @@ std::size_t CandidateSet::step(const Reach& reach) {
   return best;
 }
 
+bool CandidateSet::leads_on(const Point& word, double allowance, const Reach& reach) {
+  const Point before = word_;
+  observe(word, allowance);
+  step(reach);
+  bool leads = false;
+  for (std::size_t i = 0; i < stepped_ && !leads; ++i) {
+    const Slot& here = slot(i);
+    leads = here.next.alive && here.next.distance - here.piece.tolerance <= reach.carry &&
+            (!here.now.alive || here.next.place > here.now.place);
+  }
+  word_ = before;
+  return leads;
+}
+
 void CandidateSet::adopt() {
   for (std::size_t i = 0; i < stepped_; ++i) slot(i).now = slot(i).next;
   std::size_t dead = 0;

@@ -78,6 +78,9 @@ class CandidateSet {
 
   /// Computes every `next` after the chord; returns the slot of the best. Of no use once cancelled, as conclude() is.
   std::size_t step(const Reach& reach);
+  /// Would this word, the next one, be within the tolerance of the path and farther along it than the word before? Computes
+  /// every `next`, as step() does.
+  bool leads_on(const Point& word, double allowance, const Reach& reach);
   /// Makes every `next` the present candidate and drops the pieces before the first candidate.
   void adopt();
   /// Drops the first piece if as many as `pieces` are held.

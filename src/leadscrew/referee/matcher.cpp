@@ -201,9 +201,9 @@ bool Matcher::is_at_end(double reach) {
          metric_.distance(candidates_.word(), here.piece.to) <= reach;
 }
 
-bool Matcher::is_on_last_piece(const Point& word) {
-  const Piece& last = slot(candidates_.last_alive()).piece;
-  return nearest_on(metric_, last, word).distance <= last.tolerance + nanometre;
+bool Matcher::leads_on(const Point& word, double allowance) {
+  const double margin = departure() + nanometre;
+  return candidates_.leads_on(word, allowance, {margin, margin, most_pieces_departed});
 }
 
 std::optional<Finding> Matcher::conclude() {

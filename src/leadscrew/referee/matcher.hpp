@@ -80,8 +80,8 @@ class Matcher {
   double departure() const { return departed_ ? least_margin_ : 0; }
   /// Is the word before matched to the path's last piece, within `reach`, mm, of its end?
   bool is_at_end(double reach);
-  /// At the end: is this word within the tolerance of the path's last piece?
-  bool is_on_last_piece(const Point& word);
+  /// Would this word, the next one, be farther along the path than the word before, and no farther beyond the tolerance?
+  bool leads_on(const Point& word, double allowance);
 
   const Point& path_start() const { return start_; }
   const Point& path_end() const { return end_; }   ///< after conclude()

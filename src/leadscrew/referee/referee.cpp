@@ -138,7 +138,8 @@ class Referee::Implementation {
   }
 
   /// Coordinates begin to mean something else where the motion rests. Does it rest where the section ends, between the
-  /// word before and this one or a little earlier, and come no nearer to that place?
+  /// word before and this one or a little earlier, and go no farther towards that place? Where all words are so slow and so
+  /// near to it that any two might be at rest, only that tells.
   bool ends_before(const base::AxisVector& position) {
     constexpr double near = 2, leaving = 16;   // steps
     constexpr double farthest_departure = 10;  // mm
@@ -156,10 +157,10 @@ class Referee::Implementation {
     const double before = metric.distance(point(position_), end);
     if (before <= near * step + beside && section_->stops.is_rest(metric.point(position_), metric.point(position)))
       section_->has_rested = true;
-    const double distance = metric.distance(here, end);
+    if (!section_->has_rested) return false;
     // Held a little before the end it may yet go on.
-    const bool stays = distance == before && distance > section_->source.end_tolerance() + nanometre + beside;
-    return section_->has_rested && ((distance >= before && !stays) || !section_->matcher.is_on_last_piece(here));
+    const bool stays = here == point(position_) && before > section_->source.end_tolerance() + nanometre + beside;
+    return !stays && !section_->matcher.leads_on(here, SamplingAllowance(section_->allowance).observe(here));
   }
 
   void observe_finite(const base::AxisVector& position, std::optional<double> planned_feed) {
