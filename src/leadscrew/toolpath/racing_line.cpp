@@ -270,11 +270,18 @@ std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
       begun_with = wanted / interval_ratio_;
     }
   }
-  // Where motion goes on, its speed there and with it the time is only about right.
-  const double allowed = goes_on ? 1 + allowed_interval : 1;
+  // Where motion goes on, its speed there and with it the time is only about right: as right as its interval.
+  const double allowed = 1 + (!goes_on ? 0 : is_on_legs ? allowed_interval_on_legs : allowed_interval);
   const double stopping = time_with_stops(corridor, is_moving_ ? begin_ : 0, window.finish);
   if (found && found->motion.seconds() > allowed * stopping) return std::nullopt;
   return found;
+}
+
+/// One move alone stays what it is, up to where it turns back or ends.
+bool RacingLine::stays(const Window& window) const {
+  if (window.is_provisional || rest_ || window.end != CorridorEnd::rest || (is_moving_ && !begins_on_leg_))
+    return false;
+  return sources_.size() == 1 || sources_[1].u >= borders_[window.count];
 }
 
 /// Plans as far as enough is known, or to the end.
@@ -283,8 +290,7 @@ void RacingLine::advance(bool all) {
     if (emit_long_start()) continue;
     const std::optional<Window> window = choose(all);
     if (!window) return;
-    // One move alone stays what it is.
-    if (sources_.size() == 1 && !window->is_provisional && !rest_ && window->end == CorridorEnd::rest) {
+    if (stays(*window)) {
       const double per_length = (borders_[1] - borders_[0]) / legs_[0].length;
       emit_exact(borders_[0] + (is_moving_ ? begin_ : 0) * per_length, borders_[window->count]);
       is_moving_ = false;

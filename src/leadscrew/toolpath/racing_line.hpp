@@ -70,6 +70,7 @@ class RacingLine {
   bool merge(const CorridorLeg<3>& line, double length, double speed);
   void advance(bool all);
   bool emit_long_start();
+  bool stays(const Window& window) const;
   std::optional<Window> choose(bool all) const;
   double seconds_along(std::size_t leg) const;
   double stop_time() const;
