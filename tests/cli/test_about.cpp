@@ -179,7 +179,7 @@ TEST_F(Completion, OfBashOffersCommandsAndTheirOptions) {
     EXPECT_EQ(bash_offers(folder, {command.name(), "-"}), names) << command.name();
   }
   EXPECT_EQ(bash_offers(folder, {""}), commands);
-  EXPECT_EQ(bash_offers(folder, {"s"}), (Names{"serve", "study", "simulate", "surfaces"}));
+  EXPECT_EQ(bash_offers(folder, {"s"}), (Names{"serve", "study", "simulate", "surfaces", "sweep"}));
   EXPECT_EQ(bash_offers(folder, {"nonsense", "-"}), Names());
 }
 

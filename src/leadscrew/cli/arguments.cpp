@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <leadscrew/cli/about.hpp>
 #include <leadscrew/cli/arguments.hpp>
@@ -58,23 +57,6 @@ constexpr std::string_view measure_examples =
     "  leadscrew measure words.csv part.ngc --tools tools.tbl --allow 0.002 --picture left.svg --map left.csv\n"
     "\n"
     "TRACE is CSV with columns t, line and axis letters, or NPY; without line the program may have one tool only.\n";
-
-std::string shell_quoted(std::string_view text) {
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) ||
-           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
-  };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-std::string command_line(int count, const char* const* values) {
-  std::string line = "leadscrew";
-  for (int i = 1; i < count; ++i) line += " " + shell_quoted(values[i]);
-  return line;
-}
 
 /// Of commands that read programs.
 Parsed<void> check_standard_input(const Arguments& arguments) {
@@ -180,6 +162,11 @@ void describe_measure(Command& command, Arguments& arguments) {
   command.help(std::string(measure_examples));
 }
 
+void describe_sweep(Command& command, Arguments& arguments) {
+  sweep::describe(command, arguments.sweep);
+  add_output(command, arguments);
+}
+
 struct Described {
   const char* name;
   const char* what;
@@ -187,7 +174,7 @@ struct Described {
 };
 
 /// Those of Arguments::Verb, in its order; then those that are answered at once.
-constexpr std::array<Described, 16> verbs = {
+constexpr std::array<Described, 17> verbs = {
     {{"run", "Plan and interpolate; summary, report, picture, traces, steps", describe_run},
      {"check", "Read only: diagnostics", describe_check},
      {"verify", "The referee: any trace against its program and machine", describe_verify},
@@ -202,6 +189,7 @@ constexpr std::array<Described, 16> verbs = {
      {"format", "A program in one way of writing, its meaning kept", describe_format},
      {"surfaces", "Faces of a STEP or IGES file as surfaces of a program", describe_surfaces},
      {"serve", "The workbench in a browser of this machine", describe_serve},
+     {"sweep", "Programs x machines x parameters, on all processors or under mpirun", describe_sweep},
      {"help", "What a command does, its options and examples; manual pages", describe_help},
      {"completion", "A script by which a shell completes this command's words", describe_completion}}};
 
@@ -219,7 +207,8 @@ void describe_program(options::Program& program, Arguments& arguments) {
       "; there are run, check, verify, measure, canon and simulate for programs, drive to run them on time, pulse, "
       "study and "
       "design; "
-      "explain and format for blocks in words and in order, surfaces for STEP and IGES, serve for the workbench; help "
+      "sweep for many of them on many machines; explain and format for blocks in words and in order, surfaces for STEP "
+      "and IGES, serve for the workbench; help "
       "says more";
   describe_itself(program.itself, arguments);
   program.itself.help(std::string(main_examples));
@@ -244,7 +233,7 @@ std::variant<Arguments, Answer> parse_arguments(int count, const char* const* va
   if (auto answer = answer_about(program, command, arguments)) return std::move(*answer);
   const auto verb = std::ranges::find(verbs, command->name(), &Described::name);
   arguments.verb = static_cast<Arguments::Verb>(verb - verbs.begin());
-  arguments.command_line = command_line(count, values);
+  arguments.command_line = options::command_line(program.name(), count, values);
   return arguments;
 }
 

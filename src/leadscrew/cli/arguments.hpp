@@ -17,6 +17,7 @@
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/results/measured.hpp>
 #include <leadscrew/results/sizing.hpp>
+#include <leadscrew/sweep/options.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -39,7 +40,8 @@ struct Arguments {
     explain,
     format,
     surfaces,
-    serve
+    serve,
+    sweep
   };
 
   Verb verb = Verb::run;
@@ -56,6 +58,7 @@ struct Arguments {
   AboutArguments about;                   ///< of help, completion and --version
   StudyArguments study;                   ///< of study
   SurfacesArguments surfaces;             ///< of surfaces
+  sweep::Options sweep;                   ///< of sweep
   ServeArguments serve;                   ///< of serve and drive
   std::optional<std::string> machine;     ///< file, or the name of a built-in machine
   std::optional<std::string> tools;       ///< file

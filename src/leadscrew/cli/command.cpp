@@ -47,7 +47,11 @@ struct Work {
 
 using Verb = Arguments::Verb;
 
-constexpr std::array<Work, 14> works = {{{Verb::run, nullptr, run, results::run_schema},
+Status sweep_tasks(const Arguments& arguments, Console& console) {
+  return sweep::sweep(arguments.sweep, {arguments.json, arguments.quiet}, console);
+}
+
+constexpr std::array<Work, 15> works = {{{Verb::run, nullptr, run, results::run_schema},
                                          {Verb::check, nullptr, check, results::check_schema},
                                          {Verb::verify, nullptr, verify, results::verify_schema},
                                          {Verb::measure, nullptr, measure, results::measure_schema},
@@ -60,7 +64,8 @@ constexpr std::array<Work, 14> works = {{{Verb::run, nullptr, run, results::run_
                                          {Verb::explain, explain},
                                          {Verb::format, format},
                                          {Verb::surfaces, surfaces},
-                                         {Verb::serve, serve}}};
+                                         {Verb::serve, serve},
+                                         {Verb::sweep, sweep_tasks}}};
 
 /// No machine, no tools: nothing is known of any program. A usage error leaves standard output empty.
 Status end_without_job(const Arguments& arguments, std::string_view schema, const DiagnosticLog& log,

@@ -17,7 +17,7 @@ std::string bash_calls(std::string_view program, const Values& values) {
 }
 
 bool bash_takes_value(const Option& option) {
-  return option.kind == Option::Kind::value;
+  return option.has_value();
 }
 
 std::string bash_names(const Command& command, bool (*is_wanted)(const Option&)) {

@@ -30,7 +30,7 @@ std::string fish_candidates(std::string_view program, const Values& values) {
 std::string fish_values(const Command& command) {
   std::string names;
   for (const Option& option : command.options()) {
-    if (option.kind == Option::Kind::value) names += " " + option.name;
+    if (option.has_value()) names += " " + option.name;
   }
   return names;
 }
@@ -40,7 +40,7 @@ std::string fish_line(std::string_view program, const std::string& condition, co
   std::string text = fmt::format("complete -c {} -n {}", program, fish_quoted(condition));
   const std::string candidates = fish_candidates(program, option.values);
   if (!option.is_word()) text += fmt::format(" -l {} -d {}", option.name.substr(2), fish_quoted(option.what));
-  if (option.kind == Option::Kind::value) text += " -x";
+  if (option.has_value()) text += " -x";
   if (!candidates.empty()) text += " -a " + fish_quoted(candidates);
   return text + "\n";
 }

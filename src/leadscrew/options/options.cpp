@@ -30,6 +30,8 @@ void add_options(CLI::App& app, Command& command) {
     if (option.is_word() && option.kind != Option::Kind::optional_word) made->required();
     if (option.kind == Option::Kind::optional_value) made->expected(0, 1)->default_str("");
     if (option.kind == Option::Kind::words) made->expected(CLI::detail::expected_max_vector_size);
+    if (option.kind == Option::Kind::values)
+      made->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
   }
   app.set_help_flag(fmt::format("{},{}", HelpOption::short_name, HelpOption::name), std::string(HelpOption::what));
   app.footer(command.help());
@@ -124,7 +126,24 @@ std::optional<Answer> check_command(const Program& program, std::span<const char
   return usage_answer(program.name(), fmt::format("\"{}\" is one word too many behind {}", *other, word));
 }
 
+std::string shell_quoted(std::string_view text) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 }  // namespace
+
+std::string command_line(std::string_view program, int count, const char* const* values) {
+  std::string line(program);
+  for (int i = 1; i < count; ++i) line += " " + shell_quoted(values[i]);
+  return line;
+}
 
 Answer usage_answer(const std::string& where, const std::string& message) {
   return {Status::usage, fmt::format("{}: error: {}\n    hint: {} --help\n", where, message, where)};
@@ -153,6 +172,12 @@ void Command::add_words(Option::Kind kind, std::string name, std::string what, s
          targets.push_back(text);
          return {};
        }});
+}
+
+void Command::values(std::string name, std::string value_name, std::string what, std::vector<std::string>& targets,
+                     Values values) {
+  add_words(Option::Kind::values, std::move(name), std::move(what), targets, std::move(values));
+  options_.back().value_name = std::move(value_name);
 }
 
 void Command::optional_word(std::string name, std::string what, std::optional<std::string>& target, Values values) {

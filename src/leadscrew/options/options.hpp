@@ -47,7 +47,7 @@ inline Values file(std::vector<std::string> endings = {}, std::vector<std::strin
 
 /// An option, a flag or a word by its place.
 struct Option {
-  enum class Kind { flag, value, optional_value, word, optional_word, words };
+  enum class Kind { flag, value, values, optional_value, word, optional_word, words };
 
   Kind kind = Kind::value;
   std::string name;        ///< "--period"; of words "PROGRAM"
@@ -59,6 +59,8 @@ struct Option {
   std::function<Parsed<void>(const std::string&)> take;
   std::vector<std::string> given = {};
 
+  /// Is the word behind it its value, whatever it is?
+  bool has_value() const { return kind == Kind::value || kind == Kind::values; }
   bool is_word() const { return kind == Kind::word || kind == Kind::optional_word || kind == Kind::words; }
 };
 
@@ -78,6 +80,10 @@ class Command {
   void word(std::string name, std::string what, std::vector<std::string>& targets, Values values = {});
   void words(std::string name, std::string what, std::vector<std::string>& targets, Values values = {});
   void optional_word(std::string name, std::string what, std::optional<std::string>& target, Values values = {});
+
+  /// An option with one word or more behind it, up to the next option; they are added to a list.
+  void values(std::string name, std::string value_name, std::string what, std::vector<std::string>& targets,
+              Values values = {});
 
   void flag(std::string name, std::string what, bool& target);
   void text(std::string name, std::string value_name, std::string what, std::optional<std::string>& target,
@@ -196,6 +202,9 @@ struct Program {
 
 /// The command that the line asks for, whose values are where they go; null: what stands before commands alone.
 std::variant<const Command*, Answer> parse_command_line(Program& program, int count, const char* const* values);
+
+/// The words of a command line, as a shell would take them; the first of the values is left out for the program's name.
+std::string command_line(std::string_view program, int count, const char* const* values);
 
 /// What --help prints behind the command; null: without one.
 std::string help_text(Program& program, const Command* command);

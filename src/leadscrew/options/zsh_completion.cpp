@@ -44,6 +44,7 @@ std::string zsh_spec(std::string_view program, const Option& option, int place) 
     case Option::Kind::flag:
       return option.name + what;
     case Option::Kind::value:
+    case Option::Kind::values:
       return fmt::format("{}={}:{}:{}", option.name, what, shown, zsh_action(program, option.values));
     case Option::Kind::optional_value:
       return fmt::format("{}{}::{}:{}", option.name, what, shown, zsh_action(program, option.values));

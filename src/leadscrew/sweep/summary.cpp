@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <leadscrew/sweep/summary.hpp>
+
+namespace leadscrew::sweep {
+
+Summary summary_of(const Merged& merged) {
+  Summary summary{.tasks = merged.tasks,
+                  .rows = static_cast<std::int64_t>(merged.rows.size()),
+                  .tasks_processor_s = merged.processor_s,
+                  .files = merged.files};
+  for (const json::Json& row : merged.rows) {
+    const json::Json* const status = row.find("status");
+    const std::string text = status == nullptr || status->text() == nullptr ? "" : *status->text();
+    summary.kept += text == "kept" ? 1 : 0;
+    summary.not_kept += text == "not-kept" ? 1 : 0;
+    summary.rejected += text == "rejected" ? 1 : 0;
+    summary.unreadable += text == "unreadable" ? 1 : 0;
+    const json::Json* const time = row.find("time_s");
+    if (time != nullptr) summary.time_s += time->number().value_or(0);
+  }
+  return summary;
+}
+
+json::Json json_of(const Summary& summary) {
+  return json::Json::object({{"schema", sweep_schema},
+                             {"tasks", summary.tasks},
+                             {"rows", summary.rows},
+                             {"done_before", summary.done_before},
+                             {"done", summary.done},
+                             {"failed", summary.failed},
+                             {"kept", summary.kept},
+                             {"not_kept", summary.not_kept},
+                             {"rejected", summary.rejected},
+                             {"unreadable", summary.unreadable},
+                             {"time_s", summary.time_s},
+                             {"tasks_processor_s", summary.tasks_processor_s},
+                             {"processor_s", summary.processor_s},
+                             {"wall_s", summary.wall_s},
+                             {"files", summary.files}});
+}
+
+std::string text_of(const Summary& summary, const results::Style&) {
+  std::string text = fmt::format("tasks       {}, {} of them with a result\n", summary.tasks, summary.rows);
+  text += fmt::format("this start  {} done, {} were done before", summary.done, summary.done_before);
+  text += summary.failed > 0 ? fmt::format(", {} failed and are left to do\n", summary.failed) : "\n";
+  text += fmt::format("results     {} kept, {} not kept, {} rejected, {} unreadable\n", summary.kept, summary.not_kept,
+                      summary.rejected, summary.unreadable);
+  text += fmt::format("motion      {:.1f} s in all\n", summary.time_s);
+  text += fmt::format("processor   {:.1f} s this start, in {:.1f} s; all tasks together {:.1f} s\n",
+                      summary.processor_s, summary.wall_s, summary.tasks_processor_s);
+  for (const std::string& file : summary.files) text += fmt::format("written     {}\n", file);
+  return text;
+}
+
+}  // namespace leadscrew::sweep

@@ -1,0 +1,32 @@
+#pragma once
+// What a sweep is told by: figures of all its rows.
+
+#include <leadscrew/json/json.hpp>
+#include <leadscrew/results/style.hpp>
+#include <leadscrew/sweep/merge.hpp>
+#include <string>
+#include <vector>
+
+namespace leadscrew::sweep {
+
+inline constexpr const char* sweep_schema = "leadscrew.sweep/1";
+
+struct Summary {
+  std::int64_t tasks = 0;
+  std::int64_t rows = 0;                                              ///< tasks that have a result
+  std::int64_t done_before = 0, done = 0, failed = 0;                 ///< by this start and before it
+  std::int64_t kept = 0, not_kept = 0, rejected = 0, unreadable = 0;  ///< of the rows
+  double time_s = 0;                                                  ///< of all motions together
+  double tasks_processor_s = 0;  ///< s of the processor that the tasks of all rows took
+  double processor_s = 0;        ///< of this start, everything
+  double wall_s = 0;             ///< of this start
+  std::vector<std::string> files;
+};
+
+/// Of the rows; what a start did is left to the caller.
+Summary summary_of(const Merged& merged);
+
+json::Json json_of(const Summary& summary);
+std::string text_of(const Summary& summary, const results::Style& style);
+
+}  // namespace leadscrew::sweep
