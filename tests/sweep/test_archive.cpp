@@ -113,7 +113,9 @@ TEST(Table, HasAColumnForEachNumberAndText) {
   const auto row = [](const char* text) { return *json::Json::parse(text); };
   const std::vector<json::Json> rows = {row(R"({"task":0,"name":"a,\"b\"","time_s":1.5,"lost":{"x":1}})"),
                                         row(R"({"task":1,"name":"c","errors":3})")};
-  const auto columns = sweep::columns_of(rows);
+  sweep::TableColumns found;
+  for (const json::Json& each : rows) found.observe(each);
+  const auto columns = found.columns();
   ASSERT_EQ(columns.size(), 4U);
   std::string csv, npy;
   const auto into = [](std::string& text) {
@@ -122,9 +124,11 @@ TEST(Table, HasAColumnForEachNumberAndText) {
       return {};
     };
   };
-  ASSERT_TRUE(sweep::write_csv(columns, rows, into(csv)));
+  sweep::CsvTable as_csv(columns, into(csv));
+  sweep::NpyTable as_npy(columns, 2, into(npy));
+  for (const json::Json& each : rows) ASSERT_TRUE(as_csv.write(each) && as_npy.write(each));
+  ASSERT_TRUE(as_csv.finish() && as_npy.finish());
   EXPECT_EQ(csv, "task,name,time_s,errors\n0,\"a,\"\"b\"\"\",1.5,\n1,c,,3\n");
-  ASSERT_TRUE(sweep::write_npy(columns, rows, into(npy)));
   EXPECT_NE(npy.find("('task', '<i8'), ('name', '|S5'), ('time_s', '<f8'), ('errors', '<f8')"), std::string::npos);
   const std::size_t header = 10 + static_cast<unsigned char>(npy[8]) + 256 * static_cast<unsigned char>(npy[9]);
   EXPECT_EQ(header % 64, 0U);

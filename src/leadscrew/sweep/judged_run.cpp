@@ -14,13 +14,44 @@ constexpr double largest_end_error = 1e-6;  // mm
 
 /// The referee's own reading. What an override above 1 makes of the feed is no fault; below 1 the feed word still holds.
 referee::MoveSource moves_of(gcode::Reader& reader, const RunSetup& setup) {
-  const double factor = std::max(1.0, setup.override_factor);
+  double factor = std::max(1.0, setup.override_factor);
+  for (const campaign::FeedChange& change : setup.changes) factor = std::max(factor, change.factor);
   return [&reader, factor](gcode::Move& move) {
     if (!reader.next(move)) return false;
     move.feed.value *= factor;
     return true;
   };
 }
+
+/// What is asked of the feed meanwhile.
+class Changes {
+ public:
+  Changes(const std::vector<campaign::FeedChange>& changes, pipeline::Program& program)
+      : changes_(changes), program_(program) {
+    if (!changes.empty()) program.slice(slice);
+  }
+
+  /// Before the word of this number. So many may be made before the next change.
+  std::size_t ask(std::int64_t word) {
+    while (next_ < changes_.size() && changes_[next_].tick <= word) program_.override_feed(changes_[next_++].factor);
+    return next_ == changes_.size() ? most_words : static_cast<std::size_t>(changes_[next_].tick - word);
+  }
+  /// Held, at rest: the next change comes without a word between. False if there is none.
+  bool go_on() {
+    if (program_.progress() != pipeline::Progress::held || next_ == changes_.size()) return false;
+    program_.override_feed(changes_[next_++].factor);
+    return true;
+  }
+
+  static constexpr std::size_t most_words = 64;
+
+ private:
+  static constexpr double slice = 0.02;  // s
+
+  const std::vector<campaign::FeedChange>& changes_;
+  pipeline::Program& program_;
+  std::size_t next_ = 0;
+};
 
 void add_positions(base::Hash& hash, std::span<const base::Word> words) {
   for (const base::Word& word : words)
@@ -55,9 +86,17 @@ base::Result<JudgedRun> run_judged(const RunSetup& setup) {
   gcode::Reader reader(setup.source(), setup.machine, setup.tools, setup.options, nullptr);
   referee::Referee referee(moves_of(reader, setup), setup.machine, setup.machine.period, cancelled);
   base::Hash positions;
-  std::array<base::Word, 64> words;
-  while (program.prepare()) {
-    const auto made = program.cycle(std::span(words));
+  std::array<base::Word, Changes::most_words> words;
+  Changes changes(setup.changes, program);
+  std::int64_t count = 0;
+  while (true) {
+    const std::size_t most = std::min(words.size(), changes.ask(count));
+    if (!program.prepare()) {
+      if (changes.go_on()) continue;
+      break;
+    }
+    const auto made = program.cycle(std::span(words).first(most));
+    count += static_cast<std::int64_t>(made.size());
     add_positions(positions, made);
     for (const base::Word& word : made) {
       referee.observe(word.position, word.feed);

@@ -2,6 +2,7 @@
 // A program made into words, and judged by the referee: what a task of a sweep is.
 
 #include <functional>
+#include <leadscrew/campaign/cases.hpp>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
@@ -19,6 +20,7 @@ struct RunSetup {
   gcode::ReaderOptions options{};
   std::function<gcode::ByteSource()> source;           ///< opens the text anew, from its beginning
   double override_factor = 1;                          ///< of the programmed feed, 0.01 … 2
+  std::vector<campaign::FeedChange> changes = {};      ///< of it, while motion goes on; the last above 0
   std::function<base::Result<void>()> unchanged = {};  ///< is it still the program that was read?
   std::function<bool()> is_cancelled = {};
 };

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <functional>
 #include <leadscrew/files/input_file.hpp>
+#include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/sweep/merge.hpp>
 #include <leadscrew/sweep/shards.hpp>
@@ -25,46 +27,23 @@ base::Result<void> write_file(const std::string& path, Write write) {
   return file->publish();
 }
 
-base::Result<void> write_lines(const std::vector<json::Json>& rows, const base::ByteSink& sink) {
-  for (const json::Json& row : rows) {
-    if (auto written = sink(row.written_in_line() + "\n"); !written) return written;
-  }
-  return {};
-}
-
-base::Result<void> write_results(const std::string& folder, Merged& merged) {
-  const std::vector<TableColumn> columns = columns_of(merged.rows);
-  const auto write = [&](const std::string& name, const auto& write_rows) {
-    const std::string path = folder + "/" + name;
-    auto written = write_file(path, write_rows);
-    if (written) merged.files.push_back(path);
-    return written;
-  };
-  return write("results.jsonl", [&](const base::ByteSink& sink) { return write_lines(merged.rows, sink); })
-      .and_then([&] {
-        return write("results.csv", [&](const base::ByteSink& sink) { return write_csv(columns, merged.rows, sink); });
-      })
-      .and_then([&] {
-        return write("results.npy", [&](const base::ByteSink& sink) { return write_npy(columns, merged.rows, sink); });
-      });
-}
-
-/// A task of the list, or a result of the shards.
-struct Found {
-  json::Json result;
+/// Results by their keys, as text: ten million of them have to fit.
+struct Results {
+  std::map<Key, std::string> lines;
   double processor_s = 0;
 };
 
-base::Result<std::map<Key, Found>> results_of(const std::string& folder) {
-  std::map<Key, Found> found;
+base::Result<Results> results_of(const std::string& folder) {
+  Results found;
   const auto take = [&](const ShardLine& line) {
-    if (found.contains(line.key)) return;  // done twice: the same
+    if (found.lines.contains(line.key)) return;  // done twice: the same
     const auto read = json::Json::parse(line.text);
     const json::Json* const result = read ? read->find("result") : nullptr;
     if (result == nullptr || result->members() == nullptr) return;
     const json::Json* const spent = read->find("spent");
     const json::Json* const processor = spent == nullptr ? nullptr : spent->find("processor_s");
-    found.emplace(line.key, Found{*result, processor == nullptr ? 0 : processor->number().value_or(0)});
+    found.lines.emplace(line.key, result->written_in_line());
+    found.processor_s += processor == nullptr ? 0 : processor->number().value_or(0);
   };
   if (auto read = for_each_line(shards_of_sweep(folder), take); !read) return base::failure(read.error());
   return found;
@@ -77,6 +56,57 @@ base::Diagnostic no_tasks(const std::string& folder) {
           "give the folder that --out of a sweep named",
           {.file = folder},
           {}};
+}
+
+/// The rows of the tasks, one after the other.
+class Rows {
+ public:
+  Rows(const std::string& folder, const std::string& tasks, const Results& results)
+      : folder_(folder), tasks_(tasks), results_(results) {}
+
+  /// Calls with each row. Errors: `sweep-tasks`, those of `take`.
+  base::Result<void> for_each(const std::function<base::Result<void>(const json::Json&)>& take) {
+    tasks = 0;
+    for (std::size_t begin = 0, end = 0; begin < tasks_.size(); begin = end + 1) {
+      end = std::min(tasks_.find('\n', begin), tasks_.size());
+      const auto line = json::Json::parse(std::string_view(tasks_).substr(begin, end - begin));
+      const json::Json* const key = line ? line->find("key") : nullptr;
+      const json::Json* const place = line ? line->find("place") : nullptr;
+      const auto known = key == nullptr || key->text() == nullptr ? std::nullopt : key_of_text(*key->text());
+      if (!known || place == nullptr || place->members() == nullptr) return base::failure(no_tasks(folder_));
+      ++tasks;
+      const auto result = results_.lines.find(*known);
+      if (result == results_.lines.end()) continue;
+      json::Json row = *place;
+      const auto found = json::Json::parse(result->second);
+      for (const auto& [name, value] : *found->members()) row[name] = value;
+      if (auto taken = take(row); !taken) return taken;
+      if (files::interrupted()) return base::failure(files::interruption());
+    }
+    return {};
+  }
+
+  std::int64_t tasks = 0;  ///< of the last walk
+
+ private:
+  const std::string& folder_;
+  const std::string& tasks_;
+  const Results& results_;
+};
+
+/// Columns are known after the first walk, which writes the lines.
+base::Result<void> write_tables(const std::string& folder, Rows& rows, const TableColumns& found) {
+  const auto columns = found.columns();
+  return write_file(folder + "/results.csv", [&](const base::ByteSink& csv_sink) {
+    return write_file(folder + "/results.npy", [&](const base::ByteSink& npy_sink) {
+      CsvTable csv(columns, csv_sink);
+      NpyTable npy(columns, found.rows(), npy_sink);
+      return rows
+          .for_each([&](const json::Json& row) { return csv.write(row).and_then([&] { return npy.write(row); }); })
+          .and_then([&] { return csv.finish(); })
+          .and_then([&] { return npy.finish(); });
+    });
+  });
 }
 
 }  // namespace
@@ -97,29 +127,30 @@ base::Result<void> write_tasks(const Work& work, const std::string& folder) {
   });
 }
 
-base::Result<Merged> merge(const std::string& folder) {
+base::Result<Merged> merge(const std::string& folder, const RowSink& see) {
   const auto tasks = files::read_whole(tasks_file(folder), largest_task_list);
   if (!tasks) return base::failure(tasks.error().code == "io-open" ? no_tasks(folder) : tasks.error());
-  const auto found = results_of(folder);
-  if (!found) return base::failure(found.error());
-  Merged merged;
-  for (std::size_t begin = 0, end = 0; begin < tasks->size(); begin = end + 1) {
-    end = std::min(tasks->find('\n', begin), tasks->size());
-    const auto line = json::Json::parse(std::string_view(*tasks).substr(begin, end - begin));
-    const json::Json* const key = line ? line->find("key") : nullptr;
-    const json::Json* const place = line ? line->find("place") : nullptr;
-    const auto known = key == nullptr || key->text() == nullptr ? std::nullopt : key_of_text(*key->text());
-    if (!known || place == nullptr || place->members() == nullptr) return base::failure(no_tasks(folder));
-    ++merged.tasks;
-    const auto result = found->find(*known);
-    if (result == found->end()) continue;
-    json::Json row = *place;
-    for (const auto& [name, value] : *result->second.result.members()) row[name] = value;
-    merged.rows.push_back(std::move(row));
-  }
-  for (const auto& [key, each] : *found) merged.processor_s += each.processor_s;
-  if (auto written = write_results(folder, merged); !written) return base::failure(written.error());
-  return merged;
+  const auto results = results_of(folder);
+  if (!results) return base::failure(results.error());
+  Rows rows(folder, *tasks, *results);
+  TableColumns columns;
+  const auto lines = write_file(folder + "/results.jsonl", [&](const base::ByteSink& sink) {
+    base::BlockSink block(sink);
+    return rows
+        .for_each([&](const json::Json& row) {
+          columns.observe(row);
+          if (see) see(row);
+          block.text() += row.written_in_line() + "\n";
+          return block.flush_if_full();
+        })
+        .and_then([&] { return block.flush(); });
+  });
+  if (!lines) return base::failure(lines.error());
+  if (auto written = write_tables(folder, rows, columns); !written) return base::failure(written.error());
+  return Merged{rows.tasks,
+                columns.rows(),
+                results->processor_s,
+                {folder + "/results.jsonl", folder + "/results.csv", folder + "/results.npy"}};
 }
 
 }  // namespace leadscrew::sweep

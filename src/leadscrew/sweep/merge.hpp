@@ -2,6 +2,7 @@
 // What shards hold, as one table: results.jsonl, results.csv, results.npy in the folder of the sweep, a row a task, in the order
 // of tasks, whoever did them and when.
 
+#include <functional>
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/json/json.hpp>
 #include <leadscrew/sweep/work.hpp>
@@ -16,15 +17,18 @@ std::string shards_of_sweep(const std::string& folder);
 /// Writes DIR/tasks.jsonl, which says which tasks the sweep has: what a later merge needs. Errors: `io-open`, `io-write`.
 base::Result<void> write_tasks(const Work& work, const std::string& folder);
 
-/// The rows that are there, and what they took.
+/// Gets each row, in the order of tasks; those that are not done are left out.
+using RowSink = std::function<void(const json::Json&)>;
+
+/// What there is, and what it took.
 struct Merged {
-  std::vector<json::Json> rows;    ///< in the order of tasks; those that are not done are left out
   std::int64_t tasks = 0;          ///< that the sweep has
+  std::int64_t rows = 0;           ///< of tasks that are done
   double processor_s = 0;          ///< that the tasks took, each once
   std::vector<std::string> files;  ///< written
 };
 
-/// Errors: `sweep-tasks` where the folder holds no sweep, those of reading and writing.
-base::Result<Merged> merge(const std::string& folder);
+/// `see` may be empty. Errors: `sweep-tasks` where the folder holds no sweep, those of reading and writing.
+base::Result<Merged> merge(const std::string& folder, const RowSink& see = {});
 
 }  // namespace leadscrew::sweep

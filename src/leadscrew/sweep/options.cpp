@@ -13,6 +13,7 @@ constexpr const char* sweep_examples =
     "Examples:\n"
     "  leadscrew sweep --programs archive --machines machines/*.toml --tolerance 0.001,0.01,0.1 --out quoted\n"
     "  mpirun -n 64 leadscrew sweep --programs archive --out quoted     the same on many processors\n"
+    "  leadscrew sweep --random 10000 --seed 7 --out campaign           random programs, every promise judged\n"
     "  leadscrew sweep --merge --out quoted                             the table of what is done\n"
     "\n"
     "A task is a program on a machine with one of the values of each parameter: read, planned, made into words and "
@@ -45,6 +46,15 @@ Parsed<std::vector<base::Period>> parse_periods(std::string_view text) {
   }
 }
 
+auto whole_number(double least, double most) {
+  return [least, most](std::string_view text) -> Parsed<std::int64_t> {
+    const auto number = options::parse_number(text);
+    if (!number || !(*number >= least) || *number > most || *number != std::floor(*number))
+      return wrong("is no whole number from {} to {}", least, most);
+    return static_cast<std::int64_t>(*number);
+  };
+}
+
 Parsed<int> parse_processes(std::string_view text) {
   constexpr double most = 1024;
   const auto number = options::parse_number(text);
@@ -69,9 +79,9 @@ void add_grid(Command& command, Grid& grid) {
 
 Parsed<void> check(const Command& command, const Options& options) {
   if (!options.out) return wrong("--out DIR is missing: where results are kept");
-  if (options.merges == command.given("--programs"))
-    return options.merges ? wrong("--merge takes what is in --out DIR, no --programs")
-                          : wrong("--programs is missing: folders and files of part programs");
+  const int asked = (options.merges ? 1 : 0) + (command.given("--programs") ? 1 : 0) + (options.random > 0 ? 1 : 0);
+  if (asked == 0) return wrong("--programs is missing: folders and files of part programs");
+  if (asked > 1) return wrong("--programs, --random and --merge are three ways to begin: give one");
   return {};
 }
 
@@ -84,6 +94,13 @@ void describe(Command& command, Options& options) {
                  options::file({".toml"}, {"mill3"}));
   command.text("--tools", "FILE", "Tool table, in LinuxCNC's format", options.tools, options::file({".tbl"}));
   add_grid(command, options.grid);
+  constexpr double most_cases = 1e12;
+  command.value("--random", "N", "In place of programs: N random ones on random machines, each judged", options.random,
+                whole_number(1, most_cases));
+  command.value("--seed", "S", "Of --random (default: 1)", options.seed, whole_number(0, most_cases));
+  command.value("--first", "K", "Of --random: the number of the first (default: 0)", options.first,
+                whole_number(0, most_cases));
+  command.only_with("--random", {"--seed", "--first"});
   command.folder("--out", "DIR", "Where results are kept, and taken up again", options.out);
   command.flag("--merge", "Only make the table of the results that are there", options.merges);
   command.value("--processes", "N", "Work on so many tasks at a time, 1 to 1024 (default: one a processor)",

@@ -18,6 +18,9 @@ struct Options {
   std::vector<std::string> subprograms;
   std::optional<machine::Dialect> dialect;
   Grid grid;
+  std::int64_t random = 0;         ///< cases of a campaign, 0: none
+  std::int64_t first = 0;          ///< number of the first of them
+  std::uint64_t seed = 1;          ///< of the campaign
   std::optional<std::string> out;  ///< folder
   bool merges = false;             ///< only what is there
   std::optional<int> processes;    ///< of this computer, ≥ 1; none: one a processor

@@ -4,22 +4,16 @@
 
 namespace leadscrew::sweep {
 
-Summary summary_of(const Merged& merged) {
-  Summary summary{.tasks = merged.tasks,
-                  .rows = static_cast<std::int64_t>(merged.rows.size()),
-                  .tasks_processor_s = merged.processor_s,
-                  .files = merged.files};
-  for (const json::Json& row : merged.rows) {
-    const json::Json* const status = row.find("status");
-    const std::string text = status == nullptr || status->text() == nullptr ? "" : *status->text();
-    summary.kept += text == "kept" ? 1 : 0;
-    summary.not_kept += text == "not-kept" ? 1 : 0;
-    summary.rejected += text == "rejected" ? 1 : 0;
-    summary.unreadable += text == "unreadable" ? 1 : 0;
-    const json::Json* const time = row.find("time_s");
-    if (time != nullptr) summary.time_s += time->number().value_or(0);
-  }
-  return summary;
+void observe(const json::Json& row, Summary& summary) {
+  const json::Json* const status = row.find("status");
+  const std::string text = status == nullptr || status->text() == nullptr ? "" : *status->text();
+  ++summary.rows;
+  summary.kept += text == "kept" ? 1 : 0;
+  summary.not_kept += text == "not-kept" ? 1 : 0;
+  summary.rejected += text == "rejected" ? 1 : 0;
+  summary.unreadable += text == "unreadable" ? 1 : 0;
+  const json::Json* const time = row.find("time_s");
+  if (time != nullptr) summary.time_s += time->number().value_or(0);
 }
 
 json::Json json_of(const Summary& summary) {

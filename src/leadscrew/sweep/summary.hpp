@@ -23,8 +23,8 @@ struct Summary {
   std::vector<std::string> files;
 };
 
-/// Of the rows; what a start did is left to the caller.
-Summary summary_of(const Merged& merged);
+/// Counts a row.
+void observe(const json::Json& row, Summary& summary);
 
 json::Json json_of(const Summary& summary);
 std::string text_of(const Summary& summary, const results::Style& style);

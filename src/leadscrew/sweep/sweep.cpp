@@ -12,6 +12,7 @@
 #include <leadscrew/files/output_file.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/sweep/archive.hpp>
+#include <leadscrew/sweep/campaign.hpp>
 #include <leadscrew/sweep/merge.hpp>
 #include <leadscrew/sweep/options.hpp>
 #include <leadscrew/sweep/runner.hpp>
@@ -178,9 +179,12 @@ struct Asked {
 /// The table, and what is printed.
 Status conclude(const Asked& asked, const Plan& plan, const Ended& ended, double wall_s, console::Console& console) {
   const auto& [options, output] = asked;
-  const auto merged = merge(*options.out);
+  Summary summary;
+  const auto merged = merge(*options.out, [&](const json::Json& row) { observe(row, summary); });
   if (!merged) return told(merged.error(), console);
-  Summary summary = summary_of(*merged);
+  summary.tasks = merged->tasks;
+  summary.tasks_processor_s = merged->processor_s;
+  summary.files = merged->files;
   summary.done_before = plan.done_before;
   summary.done = ended.done;
   summary.failed = ended.failed;
@@ -231,6 +235,12 @@ Status sweep_archive(const Asked& asked, World* world, console::Console& console
   return perform(work, asked, world, console);
 }
 
+Status sweep_cases(const Asked& asked, World* world, console::Console& console) {
+  const Options& options = asked.options;
+  Campaign work({options.seed, options.first, options.random, *options.out + "/counterexamples"});
+  return perform(work, asked, world, console);
+}
+
 }  // namespace
 
 Status sweep(const Options& options, const Output& output, console::Console& console) {
@@ -238,7 +248,8 @@ Status sweep(const Options& options, const Output& output, console::Console& con
   if (options.merges) return conclude(asked, {}, {}, 0, console);
   const auto world = load_world();
   if (!world) return told(world.error(), console);
-  const Status status = sweep_archive(asked, *world, console);
+  const Status status =
+      options.random > 0 ? sweep_cases(asked, *world, console) : sweep_archive(asked, *world, console);
   // Ranks wait for each other: one that ends early ends all.
   if (*world != nullptr && status != Status::done && status != Status::not_kept)
     (*world)->abort(static_cast<int>(status));

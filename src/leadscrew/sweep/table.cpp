@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <leadscrew/base/block_sink.hpp>
 #include <leadscrew/sweep/table.hpp>
 #include <limits>
-#include <map>
 
 namespace leadscrew::sweep {
 
@@ -45,7 +43,7 @@ void add_value(std::string& bytes, const TableColumn& column, const json::Json* 
 }
 
 /// With the padding that the format asks for.
-std::string npy_header(const std::vector<TableColumn>& columns, std::size_t rows) {
+std::string npy_header(const std::vector<TableColumn>& columns, std::int64_t rows) {
   std::string fields;
   for (const TableColumn& column : columns) fields += fmt::format("('{}', '{}'), ", column.name, type_text(column));
   std::string text = fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}", fields, rows);
@@ -61,58 +59,56 @@ std::string npy_header(const std::vector<TableColumn>& columns, std::size_t rows
 
 }  // namespace
 
-std::vector<TableColumn> columns_of(const std::vector<json::Json>& rows) {
-  std::vector<TableColumn> columns;
-  std::map<std::string, std::pair<std::size_t, std::size_t>, std::less<>> known;  // place, and in how many rows it is
-  for (const json::Json& row : rows) {
-    for (const auto& [name, value] : *row.members()) {
-      const bool is_text = value.text() != nullptr;
-      if (!is_text && !value.number()) continue;
-      auto found = known.find(name);
-      if (found == known.end()) {
-        found = known.emplace(name, std::pair(columns.size(), 0U)).first;
-        columns.push_back({name, is_text ? Type::text : Type::integer});
-      }
-      ++found->second.second;
-      TableColumn& column = columns[found->second.first];
-      if (is_text) column.width = std::max(column.width, value.text()->size());
-      if (column.type == Type::integer && !value.integer()) column.type = Type::number;
+void TableColumns::observe(const json::Json& row) {
+  ++rows_;
+  for (const auto& [name, value] : *row.members()) {
+    const bool is_text = value.text() != nullptr;
+    if (!is_text && !value.number()) continue;
+    auto found = places_.find(name);
+    if (found == places_.end()) {
+      found = places_.emplace(name, columns_.size()).first;
+      columns_.push_back({name, is_text ? Type::text : Type::integer});
     }
+    TableColumn& column = columns_[found->second];
+    ++column.rows;
+    if (is_text) column.width = std::max(column.width, value.text()->size());
+    if (column.type == Type::integer && !value.integer()) column.type = Type::number;
   }
+}
+
+std::vector<TableColumn> TableColumns::columns() const {
+  std::vector<TableColumn> columns = columns_;
   for (TableColumn& column : columns) {
-    if (column.type == Type::integer && known.find(column.name)->second.second < rows.size())
-      column.type = Type::number;
+    if (column.type == Type::integer && column.rows < rows_) column.type = Type::number;
   }
   return columns;
 }
 
-base::Result<void> write_csv(const std::vector<TableColumn>& columns, const std::vector<json::Json>& rows,
-                             const base::ByteSink& sink) {
-  base::BlockSink block(sink);
-  for (std::size_t i = 0; i < columns.size(); ++i) block.text() += (i == 0 ? "" : ",") + columns[i].name;
-  block.text() += '\n';
-  for (const json::Json& row : rows) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (i > 0) block.text() += ',';
-      const json::Json* const value = row.find(columns[i].name);
-      if (value == nullptr || (value->text() == nullptr && !value->number())) continue;
-      block.text() += value->text() != nullptr ? csv_text(*value->text()) : value->written_in_line();
-    }
-    block.text() += '\n';
-    if (auto flushed = block.flush_if_full(); !flushed) return flushed;
-  }
-  return block.flush();
+CsvTable::CsvTable(std::vector<TableColumn> columns, base::ByteSink sink)
+    : columns_(std::move(columns)), block_(std::move(sink)) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) block_.text() += (i == 0 ? "" : ",") + columns_[i].name;
+  block_.text() += '\n';
 }
 
-base::Result<void> write_npy(const std::vector<TableColumn>& columns, const std::vector<json::Json>& rows,
-                             const base::ByteSink& sink) {
-  base::BlockSink block(sink);
-  block.text() += npy_header(columns, rows.size());
-  for (const json::Json& row : rows) {
-    for (const TableColumn& column : columns) add_value(block.text(), column, row.find(column.name));
-    if (auto flushed = block.flush_if_full(); !flushed) return flushed;
+base::Result<void> CsvTable::write(const json::Json& row) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (i > 0) block_.text() += ',';
+    const json::Json* const value = row.find(columns_[i].name);
+    if (value == nullptr || (value->text() == nullptr && !value->number())) continue;
+    block_.text() += value->text() != nullptr ? csv_text(*value->text()) : value->written_in_line();
   }
-  return block.flush();
+  block_.text() += '\n';
+  return block_.flush_if_full();
+}
+
+NpyTable::NpyTable(std::vector<TableColumn> columns, std::int64_t rows, base::ByteSink sink)
+    : columns_(std::move(columns)), block_(std::move(sink)) {
+  block_.text() += npy_header(columns_, rows);
+}
+
+base::Result<void> NpyTable::write(const json::Json& row) {
+  for (const TableColumn& column : columns_) add_value(block_.text(), column, row.find(column.name));
+  return block_.flush_if_full();
 }
 
 }  // namespace leadscrew::sweep

@@ -1,0 +1,83 @@
+// Random cases: the same every time, without errors, and what breaks a promise is kept with fewer lines.
+
+#include <gtest/gtest.h>
+
+#include <leadscrew/campaign/cases.hpp>
+#include <leadscrew/config/machine_file.hpp>
+#include <leadscrew/sweep/campaign.hpp>
+#include <set>
+
+#include "command.hpp"
+
+namespace leadscrew::sweep {
+namespace test_campaign {
+
+using campaign::Case;
+using campaign::case_of;
+using campaign::Size;
+using cli::testing::Folder;
+
+TEST(Cases, AreTheSameForTheSameNumberAndOthersForOthers) {
+  std::set<std::string> texts;
+  for (std::int64_t number = 0; number < 40; ++number) {
+    const Case first = case_of(7, number, Size::small), again = case_of(7, number, Size::small);
+    EXPECT_EQ(first.text, again.text);
+    EXPECT_EQ(campaign::machine_text(first.machine), campaign::machine_text(again.machine));
+    texts.insert(first.text);
+    texts.insert(case_of(8, number, Size::small).text);
+    texts.insert(case_of(7, number, Size::small, 1).text);
+  }
+  EXPECT_GT(texts.size(), 110U);
+}
+
+TEST(Cases, AreOfAllKinds) {
+  std::set<campaign::Kind> kinds;
+  for (std::int64_t number = 0; number < campaign::kinds_in_turn; ++number) kinds.insert(campaign::kind_of(number));
+  EXPECT_EQ(kinds.size(), campaign::kind_names.size());
+}
+
+TEST(Cases, HaveMachinesThatAFileGivesBack) {
+  for (const std::int64_t number : {0, 3, 9, 15, 23}) {
+    const machine::Machine made = case_of(1, number, Size::large).machine;
+    const auto read = config::read_machine(campaign::machine_text(made), "random.toml");
+    ASSERT_TRUE(read) << read.error().front().message;
+    EXPECT_EQ(read->period, made.period);
+    EXPECT_EQ(read->axes, made.axes);
+    EXPECT_EQ(read->rotary_chain, made.rotary_chain);
+  }
+}
+
+TEST(Campaign, KeepsEveryPromiseOverATurnOfKinds) {
+  for (std::int64_t number = 20; number < 20 + campaign::kinds_in_turn; ++number)
+    EXPECT_EQ(judge(chosen_case(1, number)).broken, "") << number;
+}
+
+TEST(Campaign, LeavesOfABrokenProgramWhatBreaksIt) {
+  Case given = case_of(1, 0, Size::small);
+  given.text = "G21 G90 F600\n";
+  for (int k = 0; k < 30; ++k) given.text += "G1 X" + std::to_string(k) + "\n";
+  given.text += "G2 X50 R2\n";
+  for (int k = 0; k < 30; ++k) given.text += "G1 Y" + std::to_string(k) + "\n";
+  const Judgement judgement = judge(given);
+  ASSERT_FALSE(judgement.broken.empty());
+  const std::string small = reduced(given, judgement.broken, 200);
+  EXPECT_NE(small.find("G2 X50 R2\n"), std::string::npos) << small;
+  EXPECT_LE(std::ranges::count(small, '\n'), 3) << small;
+}
+
+TEST(Campaign, IsTakenUpAgainAndIsTheSameOnTwoProcessors) {
+  const Folder folder;
+  const auto run = [&](const std::string& out, const std::string& count, const std::string& processes) {
+    const auto outcome = cli::testing::leadscrew(folder, {"sweep", "--random", count, "--first", "20", "--seed", "5",
+                                                          "--out", out, "--processes", processes, "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return outcome.json();
+  };
+  run("one", "12", "1");
+  EXPECT_EQ(run("two", "5", "2")["done"], 5);
+  EXPECT_EQ(run("two", "12", "2")["done"], 7);
+  EXPECT_EQ(folder.read("two/results.jsonl"), folder.read("one/results.jsonl"));
+}
+
+}  // namespace test_campaign
+}  // namespace leadscrew::sweep
