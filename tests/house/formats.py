@@ -338,9 +338,12 @@ def check_sweeps(schemas):
     words = ["sweep", "--programs", square, "bad.ngc", "none.ngc", "--tolerance", "0.001,0.01", "--out", "swept"]
     swept = json_of(schemas, "sweep", *words)
     check(swept.get("rows") == 6 and swept.get("kept") == 2, f"a sweep of three programs has told {swept}")
+    bought = json_of(schemas, "sweep", "sweep", "--programs", square, "--optimise", "--out", "bought")
+    best = bought["sensitivities"][0]
+    check(best["limit"] == "jerk X" or best["limit"] == "jerk Y", f"the limit to buy for a square is {best}")
     told = {cell.strip("`") for cell, _, _ in table("sweep", "results")}
     found = {key for line in (scratch / "swept/results.jsonl").read_text(encoding="utf-8").splitlines() for key in json.loads(line)}
-    check(told == found | {"first_violation"}, f"rows of a sweep and docs/formats.md differ in {told ^ found}")
+    check(told == found | {"first_violation", "changed", "factor"}, f"rows of a sweep and docs/formats.md differ in {told ^ found}")
     array = numpy.load(scratch / "swept/results.npy")
     check(list(array.dtype.names) == rows_of("swept/results.csv")[0], "results.npy and results.csv have other columns")
     check(len(array) == 6 and array["status"][0] == b"kept", f"results.npy holds {array}")

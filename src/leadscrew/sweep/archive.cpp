@@ -185,16 +185,16 @@ Archive::Place Archive::place_of(std::int64_t task) const {
 
 Key Archive::key(std::int64_t task) const {
   const Place at = place_of(task);
-  const Parameters& parameters = setup_.parameters[at.parameters];
+  Parameters parameters = setup_.parameters[at.parameters];
+  // What a machine lacks changes nothing of it.
+  const auto& changed = parameters.changed_limit;
+  if (changed && !setup_.machines[at.machine].machine.has(changed->axis)) parameters.changed_limit.reset();
   KeyMaker key;
   key.add(text_of(programs_[at.program].content));
   key.add(of_machines_[at.machine]);
   json::Json all = json::Json::object();
   for (auto& [name, value] : members_of(parameters)) all[name] = value;
   key.add(all.written_in_line());
-  key.add(fmt::format("{}", parameters.tolerance_factor));
-  if (parameters.changed_limit)
-    key.add(fmt::format("{} {}", name(*parameters.changed_limit), parameters.changed_limit->factor));
   return key.key();
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/files/interrupt.hpp>
-#include <leadscrew/files/output_file.hpp>
 #include <leadscrew/pipeline/path_survey.hpp>
 #include <leadscrew/pipeline/whole_reading.hpp>
 #include <leadscrew/sweep/campaign.hpp>
 #include <leadscrew/sweep/judged_run.hpp>
+#include <leadscrew/sweep/merge.hpp>
 #include <leadscrew/sweep/result.hpp>
 #include <limits>
 #include <utility>
@@ -137,12 +137,6 @@ std::string joined(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line;
   return text;
-}
-
-base::Result<void> write_text(const std::string& path, const std::string& text) {
-  auto file = files::OutputFile::create(path, files::OutputFile::Access::sequential);
-  if (!file) return base::failure(file.error());
-  return file->write(text).and_then([&] { return file->publish(); });
 }
 
 }  // namespace

@@ -111,6 +111,10 @@ base::Result<void> write_tables(const std::string& folder, Rows& rows, const Tab
 
 }  // namespace
 
+base::Result<void> write_text(const std::string& path, const std::string& text) {
+  return write_file(path, [&](const base::ByteSink& sink) { return sink(text); });
+}
+
 std::string shards_of_sweep(const std::string& folder) {
   return folder + "/shards";
 }

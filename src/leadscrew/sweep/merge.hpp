@@ -11,6 +11,9 @@
 
 namespace leadscrew::sweep {
 
+/// A file that appears whole. Errors: `io-open`, `io-write`.
+base::Result<void> write_text(const std::string& path, const std::string& text);
+
 /// DIR/shards.
 std::string shards_of_sweep(const std::string& folder);
 

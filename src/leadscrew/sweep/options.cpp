@@ -1,4 +1,5 @@
 #include <cmath>
+#include <leadscrew/sweep/model_table.hpp>
 #include <leadscrew/sweep/options.hpp>
 
 namespace leadscrew::sweep {
@@ -14,6 +15,7 @@ constexpr const char* sweep_examples =
     "  leadscrew sweep --programs archive --machines machines/*.toml --tolerance 0.001,0.01,0.1 --out quoted\n"
     "  mpirun -n 64 leadscrew sweep --programs archive --out quoted     the same on many processors\n"
     "  leadscrew sweep --random 10000 --seed 7 --out campaign           random programs, every promise judged\n"
+    "  leadscrew sweep --programs archive --optimise --out bought       which limit is worth buying\n"
     "  leadscrew sweep --merge --out quoted                             the table of what is done\n"
     "\n"
     "A task is a program on a machine with one of the values of each parameter: read, planned, made into words and "
@@ -79,9 +81,10 @@ void add_grid(Command& command, Grid& grid) {
 
 Parsed<void> check(const Command& command, const Options& options) {
   if (!options.out) return wrong("--out DIR is missing: where results are kept");
-  const int asked = (options.merges ? 1 : 0) + (command.given("--programs") ? 1 : 0) + (options.random > 0 ? 1 : 0);
+  const int asked = (options.merges ? 1 : 0) + (options.model.empty() ? 0 : 1) + (command.given("--programs") ? 1 : 0) +
+                    (options.random > 0 ? 1 : 0);
   if (asked == 0) return wrong("--programs is missing: folders and files of part programs");
-  if (asked > 1) return wrong("--programs, --random and --merge are three ways to begin: give one");
+  if (asked > 1) return wrong("--programs, --random, --merge and --model exclude each other: give one");
   return {};
 }
 
@@ -102,6 +105,15 @@ void describe(Command& command, Options& options) {
                 whole_number(0, most_cases));
   command.only_with("--random", {"--seed", "--first"});
   command.folder("--out", "DIR", "Where results are kept, and taken up again", options.out);
+  command.flag("--optimise", "Of --programs: what 5 % less and more of each limit makes of the time of all of them",
+               options.optimises);
+  command.only_with("--programs", {"--machines", "--optimise"});
+  command.value("--model", "RANKS,...",
+                "Simulate the sweep in DIR by its tasks' times: 1,2,4@2 (4 ranks on 2 processors)", options.model,
+                parse_model_setups);
+  command.value("--model-tasks", "N", "Of --model: repeat its tasks until there are N", options.model_tasks,
+                whole_number(1, most_cases));
+  command.only_with("--model", {"--model-tasks"});
   command.flag("--merge", "Only make the table of the results that are there", options.merges);
   command.value("--processes", "N", "Work on so many tasks at a time, 1 to 1024 (default: one a processor)",
                 options.processes, parse_processes);

@@ -4,6 +4,7 @@
 #include <leadscrew/console/console.hpp>
 #include <leadscrew/machine/dialect.hpp>
 #include <leadscrew/options/options.hpp>
+#include <leadscrew/sweep/model.hpp>
 #include <leadscrew/sweep/parameters.hpp>
 #include <optional>
 #include <string>
@@ -22,6 +23,9 @@ struct Options {
   std::int64_t first = 0;          ///< number of the first of them
   std::uint64_t seed = 1;          ///< of the campaign
   std::optional<std::string> out;  ///< folder
+  bool optimises = false;          ///< each limit, less and more
+  std::vector<ModelSetup> model;   ///< simulated in place of a start; empty: none
+  std::int64_t model_tasks = 0;    ///< that are simulated, repeated in turn; 0: those that were done
   bool merges = false;             ///< only what is there
   std::optional<int> processes;    ///< of this computer, ≥ 1; none: one a processor
 };

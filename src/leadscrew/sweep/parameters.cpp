@@ -56,12 +56,21 @@ machine::Machine Parameters::applied_to(machine::Machine machine) const {
 
 std::vector<json::Json::Member> members_of(const Parameters& parameters) {
   const auto period_us = [](base::Period period) { return static_cast<double>(period.nanoseconds) / 1e3; };
-  return {{"tolerance_mm", parameters.tolerance},
-          {"override", parameters.override_factor},
-          {"period_us", parameters.period ? json::Json(period_us(*parameters.period)) : json::Json()},
-          {"velocity", parameters.velocity},
-          {"acceleration", parameters.acceleration},
-          {"jerk", parameters.jerk}};
+  std::vector<json::Json::Member> members = {
+      {"tolerance_mm", parameters.tolerance},
+      {"override", parameters.override_factor},
+      {"period_us", parameters.period ? json::Json(period_us(*parameters.period)) : json::Json()},
+      {"velocity", parameters.velocity},
+      {"acceleration", parameters.acceleration},
+      {"jerk", parameters.jerk}};
+  if (parameters.changed_limit) {
+    members.emplace_back("changed", name(*parameters.changed_limit));
+    members.emplace_back("factor", parameters.changed_limit->factor);
+  } else if (parameters.tolerance_factor != 1) {
+    members.emplace_back("changed", "tolerance");
+    members.emplace_back("factor", parameters.tolerance_factor);
+  }
+  return members;
 }
 
 std::vector<Parameters> Grid::combinations() const {

@@ -17,21 +17,24 @@ void observe(const json::Json& row, Summary& summary) {
 }
 
 json::Json json_of(const Summary& summary) {
-  return json::Json::object({{"schema", sweep_schema},
-                             {"tasks", summary.tasks},
-                             {"rows", summary.rows},
-                             {"done_before", summary.done_before},
-                             {"done", summary.done},
-                             {"failed", summary.failed},
-                             {"kept", summary.kept},
-                             {"not_kept", summary.not_kept},
-                             {"rejected", summary.rejected},
-                             {"unreadable", summary.unreadable},
-                             {"time_s", summary.time_s},
-                             {"tasks_processor_s", summary.tasks_processor_s},
-                             {"processor_s", summary.processor_s},
-                             {"wall_s", summary.wall_s},
-                             {"files", summary.files}});
+  json::Json all = json::Json::object({{"schema", sweep_schema},
+                                       {"tasks", summary.tasks},
+                                       {"rows", summary.rows},
+                                       {"done_before", summary.done_before},
+                                       {"done", summary.done},
+                                       {"failed", summary.failed},
+                                       {"kept", summary.kept},
+                                       {"not_kept", summary.not_kept},
+                                       {"rejected", summary.rejected},
+                                       {"unreadable", summary.unreadable},
+                                       {"time_s", summary.time_s},
+                                       {"tasks_processor_s", summary.tasks_processor_s},
+                                       {"processor_s", summary.processor_s},
+                                       {"wall_s", summary.wall_s},
+                                       {"files", summary.files}});
+  if (summary.sensitivities.empty()) return all;
+  for (const Sensitivity& each : summary.sensitivities) all["sensitivities"].push_back(json_of(each));
+  return all;
 }
 
 std::string text_of(const Summary& summary, const results::Style&) {
@@ -43,6 +46,11 @@ std::string text_of(const Summary& summary, const results::Style&) {
   text += fmt::format("motion      {:.1f} s in all\n", summary.time_s);
   text += fmt::format("processor   {:.1f} s this start, in {:.1f} s; all tasks together {:.1f} s\n",
                       summary.processor_s, summary.wall_s, summary.tasks_processor_s);
+  if (!summary.sensitivities.empty())
+    text += "limit                 time of all  with 5 % less  with 5 % more  per cent of time for 1 % more\n";
+  for (const Sensitivity& each : summary.sensitivities)
+    text += fmt::format("{:<20}  {:9.3f} s  {:11.3f} s  {:11.3f} s  {:+.3f}  {}\n", each.limit, each.time_s,
+                        each.time_less_s, each.time_more_s, each.elasticity(), each.machine);
   for (const std::string& file : summary.files) text += fmt::format("written     {}\n", file);
   return text;
 }

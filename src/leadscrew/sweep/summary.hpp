@@ -4,6 +4,7 @@
 #include <leadscrew/json/json.hpp>
 #include <leadscrew/results/style.hpp>
 #include <leadscrew/sweep/merge.hpp>
+#include <leadscrew/sweep/sensitivity.hpp>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Summary {
   double processor_s = 0;        ///< of this start, everything
   double wall_s = 0;             ///< of this start
   std::vector<std::string> files;
+  std::vector<Sensitivity> sensitivities;  ///< where limits were changed
 };
 
 /// Counts a row.

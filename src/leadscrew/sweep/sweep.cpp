@@ -14,6 +14,7 @@
 #include <leadscrew/sweep/archive.hpp>
 #include <leadscrew/sweep/campaign.hpp>
 #include <leadscrew/sweep/merge.hpp>
+#include <leadscrew/sweep/model_table.hpp>
 #include <leadscrew/sweep/options.hpp>
 #include <leadscrew/sweep/runner.hpp>
 #include <leadscrew/sweep/summary.hpp>
@@ -66,6 +67,7 @@ base::Result<ArchiveSetup> archive_of(const Options& options, console::Console& 
     setup.tools_text = std::move(*text);
   }
   setup.parameters = options.grid.combinations();
+  if (options.optimises) setup.parameters = with_changes(setup.parameters, setup.machines);
   return setup;
 }
 
@@ -180,11 +182,22 @@ struct Asked {
 Status conclude(const Asked& asked, const Plan& plan, const Ended& ended, double wall_s, console::Console& console) {
   const auto& [options, output] = asked;
   Summary summary;
-  const auto merged = merge(*options.out, [&](const json::Json& row) { observe(row, summary); });
+  Sensitivities sensitivities;
+  const auto merged = merge(*options.out, [&](const json::Json& row) {
+    observe(row, summary);
+    if (row.find("changed") != nullptr || options.optimises) sensitivities.observe(row);
+  });
   if (!merged) return told(merged.error(), console);
   summary.tasks = merged->tasks;
   summary.tasks_processor_s = merged->processor_s;
   summary.files = merged->files;
+  summary.sensitivities = sensitivities.found();
+  if (!summary.sensitivities.empty()) {
+    const std::string path = *options.out + "/sensitivities.svg";
+    if (auto drawn = write_text(path, sensitivity_picture(summary.sensitivities)); !drawn)
+      return told(drawn.error(), console);
+    summary.files.push_back(path);
+  }
   summary.done_before = plan.done_before;
   summary.done = ended.done;
   summary.failed = ended.failed;
@@ -235,6 +248,11 @@ Status sweep_archive(const Asked& asked, World* world, console::Console& console
   return perform(work, asked, world, console);
 }
 
+Status print_model(const Options& options, console::Console& console) {
+  const auto table = model_table(*options.out, options.model, options.model_tasks);
+  return table ? write_output(console, *table) : told(table.error(), console);
+}
+
 Status sweep_cases(const Asked& asked, World* world, console::Console& console) {
   const Options& options = asked.options;
   Campaign work({options.seed, options.first, options.random, *options.out + "/counterexamples"});
@@ -245,6 +263,7 @@ Status sweep_cases(const Asked& asked, World* world, console::Console& console) 
 
 Status sweep(const Options& options, const Output& output, console::Console& console) {
   const Asked asked{options, output};
+  if (!options.model.empty()) return print_model(options, console);
   if (options.merges) return conclude(asked, {}, {}, 0, console);
   const auto world = load_world();
   if (!world) return told(world.error(), console);
