@@ -179,7 +179,7 @@ TEST(Layout, OfFigures) {
 }
 
 TEST(Layout, OfBlocks) {
-  EXPECT_EQ(sizeof(leadscrew_block), 168U);
+  EXPECT_EQ(sizeof(leadscrew_block), 176U);
   EXPECT_EQ(offsetof(leadscrew_block, line), 8U);
   EXPECT_EQ(offsetof(leadscrew_block, file), 16U);
   EXPECT_EQ(offsetof(leadscrew_block, visit), 20U);
@@ -191,6 +191,8 @@ TEST(Layout, OfBlocks) {
   EXPECT_EQ(offsetof(leadscrew_block, feed_reached), 64U);
   EXPECT_EQ(offsetof(leadscrew_block, middle), 72U);
   EXPECT_EQ(offsetof(leadscrew_block, cause), 144U);
+  EXPECT_EQ(offsetof(leadscrew_block, part), 168U);
+  EXPECT_EQ(offsetof(leadscrew_block, pass), 172U);
 }
 
 }  // namespace test_layout

@@ -1,9 +1,11 @@
 #pragma once
 // What the handles of leadscrew.h hold.
 
+#include <array>
 #include <leadscrew/host/motion.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
 #include <memory>
+#include <vector>
 
 #include "structures.hpp"
 
@@ -28,6 +30,17 @@ struct leadscrew_trajectory {
   leadscrew::host::Trajectory planned;
   leadscrew::pipeline::Summary summary;
   leadscrew::pipeline::LostTime times;  ///< knows all moves, and no word yet
+  struct PartOfSurface {
+    std::int32_t part = LEADSCREW_NO_SURFACE, pass = 0;
+  };
+  std::vector<PartOfSurface> parts;  ///< of the blocks, in their order
+  /// The tool from a word on.
+  struct Held {
+    leadscrew::base::Tick tick{};
+    std::array<double, 3> offset{};  ///< mm
+    std::int32_t number = 0;
+  };
+  std::vector<Held> tools;  ///< in the order of time
 };
 
 namespace leadscrew::capi {

@@ -5,7 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <leadscrew/kinematics/chain.hpp>
+#include <leadscrew/kinematics/pose.hpp>
+#include <leadscrew/numeric/vectors.hpp>
+#include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -68,6 +73,65 @@ int next_words(host::Motion& motion, leadscrew_word* words, std::size_t word_siz
   }
   if (count > 0 || capacity == 0 || !motion.failure()) return LEADSCREW_OK;
   return motion.failure()->code == "interrupted" ? LEADSCREW_INTERRUPTED : LEADSCREW_FAILED;
+}
+
+leadscrew_trajectory::PartOfSurface part_of(const gcode::MachinedMove& machined) {
+  if (!machined.surface) return {};
+  return {1 + static_cast<std::int32_t>(machined.part), static_cast<std::int32_t>(machined.pass)};
+}
+
+/// What events say of the tool.
+void take_tools(leadscrew_trajectory& trajectory) {
+  using Kind = base::Event::Kind;
+  leadscrew_trajectory::Held held;
+  trajectory.planned.tell_events([&](const base::PassedEvent& event) {
+    if (event.kind == Kind::tool_offset) {
+      held.offset[static_cast<std::size_t>(event.output)] = event.value;
+    } else if (event.kind == Kind::tool_change) {
+      held.number = static_cast<std::int32_t>(event.value);
+    } else {
+      return;
+    }
+    held.tick = event.tick;
+    trajectory.tools.push_back(held);
+  });
+}
+
+/// Degrees to the nearest pole.
+double pole_angle(const kinematics::Chain& chain, const kinematics::Vector& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const kinematics::Vector& pole : kinematics::poles_of(chain)) {
+    const double half = std::atan2(numeric::distance(direction, pole), numeric::norm(numeric::sum(direction, 1, pole)));
+    least = std::min(least, half * 360 / std::numbers::pi);
+  }
+  return least;
+}
+
+leadscrew_pose pose_of(const leadscrew_trajectory& trajectory, double time) {
+  leadscrew_pose pose{};
+  pose.size = sizeof pose;
+  // A word belongs to the way that leads to it: what happens in its period is in force for it.
+  const double period = trajectory.machine.period.seconds();
+  const auto next = std::upper_bound(
+      trajectory.tools.begin(), trajectory.tools.end(), time,
+      [&](double t, const auto& held) { return t < (static_cast<double>(base::count(held.tick)) - 0.5) * period; });
+  const leadscrew_trajectory::Held held = next == trajectory.tools.begin() ? leadscrew_trajectory::Held{} : *(next - 1);
+  const base::AxisVector axes = trajectory.planned.at(time).position;
+  if (trajectory.machine.rotary_chain) {
+    const kinematics::Chain chain = kinematics::chain_of(trajectory.machine);
+    const auto tip = kinematics::pose_of(chain, axes, held.offset);
+    std::copy_n(tip.begin(), 3, pose.tip);
+    const kinematics::Vector direction = kinematics::direction_of(chain, kinematics::angles_of(chain, axes));
+    std::copy(direction.begin(), direction.end(), pose.direction);
+    pose.pole_angle = pole_angle(chain, direction);
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) pose.tip[i] = axes[i] - held.offset[i];
+    pose.direction[2] = 1;
+    pose.pole_angle = std::numeric_limits<double>::infinity();
+  }
+  std::copy(held.offset.begin(), held.offset.end(), pose.offset);
+  pose.tool = held.number;
+  return pose;
 }
 
 }  // namespace
@@ -225,11 +289,14 @@ int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** traje
   if (trajectory == nullptr) return misuse(error, "the place for the trajectory is NULL");
   return within(motion, error, [&](host::Motion& m) {
     auto made = std::make_unique<leadscrew_trajectory>(motion->machine);
-    host::PlanNotes notes{.on_move = [&](const gcode::Move& move) { made->times.observe(move); }};
+    host::PlanNotes notes{.on_move = [&](const gcode::Move& move, const gcode::MachinedMove& machined) {
+      if (made->times.observe(move)) made->parts.push_back(part_of(machined));
+    }};
     base::Result<host::Trajectory> planned = m.plan(&notes);
     if (!planned) return rejected(error, planned.error());
     made->planned = std::move(*planned);
     made->summary = notes.summary;
+    take_tools(*made);
     *trajectory = made.release();
     return static_cast<int>(LEADSCREW_OK);
   });
@@ -252,8 +319,11 @@ int leadscrew_trajectory_blocks(const leadscrew_trajectory* trajectory, leadscre
   if (trajectory == nullptr || on_block == nullptr) return misuse(error, "the trajectory or the function is NULL");
   return guarded(error, [&] {
     pipeline::LostTime times = trajectory->times;
+    auto part = trajectory->parts.begin();
     times.on_block([&](const pipeline::BlockTime& time) {
-      const leadscrew_block block = block_of(time);
+      leadscrew_block block = block_of(time);
+      block.part = part->part;
+      block.pass = (part++)->pass;
       on_block(&block, user);
     });
     const base::Tick last = trajectory->planned.last_tick();
@@ -269,6 +339,15 @@ int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory, double time,
   if (std::isnan(time)) return misuse(error, "the time is no number");
   if (!fill(state, state_of(trajectory->planned.at(time))))
     return misuse(error, "the state is NULL, or its size is none that a version had");
+  return LEADSCREW_OK;
+}
+
+int leadscrew_trajectory_pose(const leadscrew_trajectory* trajectory, double time, leadscrew_pose* pose,
+                              leadscrew_error* error) {
+  if (trajectory == nullptr) return misuse(error, "the trajectory is NULL");
+  if (std::isnan(time)) return misuse(error, "the time is no number");
+  if (!fill(pose, pose_of(*trajectory, time)))
+    return misuse(error, "the pose is NULL, or its size is none that a version had");
   return LEADSCREW_OK;
 }
 

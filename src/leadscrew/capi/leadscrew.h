@@ -230,6 +230,15 @@ typedef struct leadscrew_figures {
   int64_t moves;                       /**< travelled: lines, arcs and curves */
 } leadscrew_figures;
 
+/** What a move has to do with a surface: nothing; to over the first pass and down to it; one pass; from it to the next; away. */
+enum {
+  LEADSCREW_NO_SURFACE = 0,
+  LEADSCREW_APPROACH = 1,
+  LEADSCREW_PASS = 2,
+  LEADSCREW_LINK = 3,
+  LEADSCREW_RETRACT = 4
+};
+
 /** What one move of a block took, and what it waited for. */
 typedef struct leadscrew_block {
   size_t size;                   /**< of this structure, sizeof */
@@ -244,10 +253,80 @@ typedef struct leadscrew_block {
   double feed_reached;           /**< the greatest */
   double middle[LEADSCREW_AXES]; /**< halfway along it */
   char cause[24]; /**< of most of the difference: "acceleration X", "jerk Z", "velocity Y", "chord", "stop", "dwell" */
+  /* Here the block of the first version ended. */
+  int32_t part; /**< of a surface that is machined: LEADSCREW_NO_SURFACE … LEADSCREW_RETRACT */
+  int32_t pass; /**< number of the pass, from 0; of a link, that of the pass before it */
 } leadscrew_block;
 
 /** Called once for each block, in order. */
 typedef void (*leadscrew_block_function)(const leadscrew_block* block, void* user);
+
+/** Where a tool is, in the workpiece as it lies with all rotary axes at 0. */
+typedef struct leadscrew_pose {
+  size_t size;   /**< of this structure, sizeof */
+  double tip[3]; /**< mm */
+  double direction
+      [3]; /**< a unit vector, from the tip to the spindle; 0 0 1 of a machine without a chain of rotary axes */
+  double
+      pole_angle; /**< degrees between the direction and the nearest at which the first rotary axis may stand anywhere;
+                          HUGE_VAL: there is none */
+  double offset[3]; /**< of the tool, as the program has it in force, mm */
+  int32_t tool;     /**< number of the tool in the spindle; 0: the program has changed none in */
+  int32_t reserved; /**< 0 */
+} leadscrew_pose;
+
+/** A tool of a table, as a body. */
+typedef struct leadscrew_tool {
+  size_t size;      /**< of this structure, sizeof */
+  int32_t number;   /**< T, > 0 */
+  int32_t reserved; /**< 0 */
+  double diameter;  /**< mm; 0: not told */
+  double
+      corner_radius; /**< of its round edge, mm: 0 flat, half the diameter a ball; -1: nothing is told of its shape */
+  double length;     /**< from the tip to the holder, mm; 0: not told */
+  double holder_diameter; /**< mm; 0: there is none */
+  double holder_length;   /**< mm */
+} leadscrew_tool;
+/** Called once for each tool, in the order of the table. */
+typedef void (*leadscrew_tool_function)(const leadscrew_tool* tool, void* user);
+
+/** A surface that a program machines, as quadrilaterals in the workpiece as it lies with all rotary axes at 0. */
+typedef struct leadscrew_surface {
+  size_t size;      /**< of this structure, sizeof */
+  int32_t number;   /**< D */
+  int32_t reserved; /**< 0 */
+  size_t
+      cells; /**< quadrilaterals; two triangles each, of corners 0 1 2 and 0 2 3, lie within the sag of the surface */
+  const double* corners; /**< cells * 12: X, Y and Z of four corners, mm; valid until the function returns */
+  const double* normals; /**< cells * 12: of the surface there, unit vectors; 0 0 0 where it has none; likewise */
+} leadscrew_surface;
+/** Called once for each surface that differs from those before. */
+typedef void (*leadscrew_surface_function)(const leadscrew_surface* surface, void* user);
+
+/** Parts of a tool. */
+enum { LEADSCREW_CUTTER = 0, LEADSCREW_SHANK = 1, LEADSCREW_HOLDER = 2 };
+
+/** Where a tool cuts more than it should of a surface that a program machines. */
+typedef struct leadscrew_gouge {
+  size_t size;       /**< of this structure, sizeof */
+  int64_t line;      /**< of the program */
+  int32_t file;      /**< as a word's */
+  int32_t part;      /**< of the move: as a block's */
+  int32_t pass;      /**< as a block's */
+  int32_t tool_part; /**< LEADSCREW_CUTTER … LEADSCREW_HOLDER */
+  int32_t surface;   /**< D of the one that is cut */
+  int32_t reserved;  /**< 0 */
+  double
+      depth; /**< mm, of the deepest place of this block, part and pass; 0: the tool bends less than the surface that it
+                          touches, and how deep it is beside is not told */
+  double clearance;    /**< 1/mm, where the depth is 0: < 0, curvature of the tool less that of the surface */
+  double u, v;         /**< its place, parameters of the surface */
+  double place[3];     /**< the same in the workpiece, mm */
+  double tip[3];       /**< of the tool there, mm; of depth 0 the place */
+  double direction[3]; /**< the same, a unit vector; of depth 0 all 0 */
+} leadscrew_gouge;
+/** Called once for each block, part and pass that gouges, in their order, and then for each block that does so where it touches. */
+typedef void (*leadscrew_gouge_function)(const leadscrew_gouge* gouge, void* user);
 
 /** One line or arc, of a circle or an ellipse, for an interpolator of reference pulses. Coordinates are whole BLU, basic length units. */
 typedef struct leadscrew_pulse_task {
@@ -340,6 +419,20 @@ LEADSCREW_API void leadscrew_machine_free(leadscrew_machine* machine);
 LEADSCREW_API int leadscrew_program_check(const leadscrew_machine* machine, const char* text, size_t length,
                                           const leadscrew_options* options, leadscrew_checked* checked,
                                           leadscrew_error* error);
+/** The tools of options->tools or options->tools_file. `user` is for the function. */
+LEADSCREW_API int leadscrew_tools(const leadscrew_options* options, leadscrew_tool_function on_tool, void* user,
+                                  leadscrew_error* error);
+/** The surfaces that a sound program machines (G6.5); triangles lie within `sag` of them, mm, > 0, or as near as a million of
+ * them allow. LEADSCREW_REJECTED with the program's first error, and of more than 1000 surfaces. `options` may be NULL; `user` is
+ * for the function. */
+LEADSCREW_API int leadscrew_program_surfaces(const leadscrew_machine* machine, const char* text, size_t length,
+                                             const leadscrew_options* options, double sag,
+                                             leadscrew_surface_function on_surface, void* user, leadscrew_error* error);
+/** Where a program gouges surfaces that it machines by more than `tolerance`, mm, > 0, at most 1000 of each kind: as
+ * `leadscrew check --gouge` does. That gouging is allowed for the reading: it is told here. Errors as above. */
+LEADSCREW_API int leadscrew_program_gouges(const leadscrew_machine* machine, const char* text, size_t length,
+                                           const leadscrew_options* options, double tolerance,
+                                           leadscrew_gouge_function on_gouge, void* user, leadscrew_error* error);
 /** What a block means, or a code alone, in the dialect of the machine's programs: writes at most `length` bytes, the last
  * one 0, and returns how many all of it has, without that. 0 where nothing of it is known. */
 LEADSCREW_API size_t leadscrew_explain(const leadscrew_machine* machine, const char* block, char* text, size_t length);
@@ -409,6 +502,9 @@ LEADSCREW_API int leadscrew_trajectory_blocks(const leadscrew_trajectory* trajec
  * bit for bit. */
 LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory, double time, leadscrew_state* state,
                                           leadscrew_error* error);
+/** Where the tool is at `time`, by position of the axes and the tool that is in force. */
+LEADSCREW_API int leadscrew_trajectory_pose(const leadscrew_trajectory* trajectory, double time, leadscrew_pose* pose,
+                                            leadscrew_error* error);
 /** It may be NULL. */
 LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
 

@@ -75,7 +75,7 @@ class ProgramRun {
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
-    program.tell_tool();
+    if (job_.machine.rotary_chain) program.tell_tool();
     if (outputs.recording() != nullptr) program.tell_feed();
     if (auto opened = outputs.open_blocks(file); !opened) return base::failure(opened.error());
     pipeline::LostTime lost(job_.machine, outputs.blocks());

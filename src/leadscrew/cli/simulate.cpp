@@ -56,7 +56,7 @@ class Simulation {
                               nullptr);
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
-    program.tell_tool();
+    if (job_.machine.rotary_chain) program.tell_tool();
     if (outputs.recording() != nullptr) program.tell_feed();
     gcode::Reader reader = silent_reader(file, job_);
     const drive::LoopKind kind = job_.arguments.simulate.pulses ? drive::LoopKind::pulses : drive::LoopKind::words;

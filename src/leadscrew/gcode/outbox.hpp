@@ -40,14 +40,14 @@ class Outbox : Part {
     move.turns = 0;
     move.curve.clear();
     move.is_of_tip = false;
-    if (machine_.rotary_chain) set_tool(move);
+    set_tool(move);
     move.dwell_seconds = 0;
     move.event = {};
   }
 
  private:
   bool waits_for(base::Event::Kind kind) const;
-  [[gnu::cold]] void set_tool(Move& move) const;
+  void set_tool(Move& move) const;
 
   std::array<Move, 16> moves_;
   std::size_t size_ = 0;

@@ -106,10 +106,11 @@ base::Result<Trajectory> Motion::plan_noted(pipeline::MotionSource& source, Plan
   const constraints::Constraints constraints(machine_);
   planner::TimeBound bound(constraints);
   notes.summary = {};
+  source.tell_tool();
   source.on_element = [&](const toolpath::Element& element) { bound.push(element); };
   source.on_move = [&](const gcode::Move& move) {
     pipeline::account(move, notes.summary);
-    if (notes.on_move) notes.on_move(move);
+    if (notes.on_move) notes.on_move(move, source.machined());
   };
   auto trajectory = plan_from(source, [&](const planner::Chunk& chunk) {
     planner::raise_limit_ratios(chunk, constraints, notes.summary.plan);

@@ -56,10 +56,11 @@ struct MotionOptions {
 
 using pipeline::Trajectory, pipeline::TrajectoryState;
 
-/// What plan() tells beside the motion.
+/// What plan() tells beside the motion. Events of the tool are then among those of the trajectory (MotionSource::tell_tool).
 struct PlanNotes {
-  std::function<void(const gcode::Move&)> on_move{};  ///< gets each move, in order, before it is planned; may be empty
-  pipeline::Summary summary{};                        ///< of all words; complete when plan() has succeeded
+  /// Gets each move, in order, before it is planned, and what it has to do with a surface; may be empty.
+  std::function<void(const gcode::Move&, const gcode::MachinedMove&)> on_move{};
+  pipeline::Summary summary{};  ///< of all words; complete when plan() has succeeded
 };
 
 /// Along a program, which is checked whole before it moves, or along moves as they come.

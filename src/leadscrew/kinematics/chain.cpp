@@ -84,6 +84,14 @@ Chain chain_of(const machine::Machine& machine) {
   return *Chain::of(*machine.rotary_chain);
 }
 
+std::vector<Vector> poles_of(const Chain& chain) {
+  const Vector& along = chain.turns()[0].direction;
+  std::vector<Vector> poles;
+  if (chain.cones().difference_sine == 0) poles.push_back(along);
+  if (chain.cones().sum_cosine == 0) poles.push_back({-along[0], -along[1], -along[2]});
+  return poles;
+}
+
 double most_turned(const Chain& chain) {
   return std::sqrt(1 + std::abs(numeric::dot(chain.turns()[0].direction, chain.turns()[1].direction)));
 }

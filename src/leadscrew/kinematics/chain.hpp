@@ -19,6 +19,7 @@
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/rotary_chain.hpp>
+#include <vector>
 
 namespace leadscrew::kinematics {
 
@@ -77,6 +78,9 @@ class Chain {
 
 /// Of a machine that machine::validate() finds sound, and that has a chain.
 Chain chain_of(const machine::Machine& machine);
+
+/// The directions of the tool, unit vectors, at which the first turn may be any: none, one or both along it.
+std::vector<Vector> poles_of(const Chain& chain);
 
 /// The tool's direction turns by no more than so many times the root of the sum of squares of what both axes turn by: 1 where
 /// one is across the other, and up to √2. |u₁ dθ₁ + u₂ dθ₂|² ≤ (1 + |u₁·u₂|)(dθ₁² + dθ₂²).

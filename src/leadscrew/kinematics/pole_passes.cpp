@@ -43,10 +43,7 @@ Vector PolePass::applied(double s, const Vector& direction) const {
 }
 
 PolePasses::PolePasses(const Chain& chain, double cone) : cone_(cone), cone_sine_(numeric::sin(cone)) {
-  if (!(cone > 0)) return;
-  const Vector& pole = chain.turns()[0].direction;
-  if (chain.cones().difference_sine == 0) poles_.push_back(pole);
-  if (chain.cones().sum_cosine == 0) poles_.push_back({-pole[0], -pole[1], -pole[2]});
+  if (cone > 0) poles_ = poles_of(chain);
 }
 
 std::optional<Vector> PolePasses::pole_near(const Vector& direction) const {

@@ -52,18 +52,19 @@ std::vector<std::pair<Cause, double>> ranked(const LostByCause& lost) {
 
 LostTime::LostTime(const machine::Machine& machine, Sink block) : machine_(machine), sink_(std::move(block)) {}
 
-void LostTime::observe(const gcode::Move& move) {
-  if (move.kind == gcode::Move::Kind::event) return;
+bool LostTime::observe(const gcode::Move& move) {
+  if (move.kind == gcode::Move::Kind::event) return false;
   Asked asked;
   asked.is_dwell = move.kind == gcode::Move::Kind::dwell;
   asked.length = asked.is_dwell ? 0 : toolpath::feed_length(move);
-  if (!asked.is_dwell && asked.length == 0) return;
+  if (!asked.is_dwell && asked.length == 0) return false;
   asked.block.line = move.line;
   asked.block.from = move.start;
   asked.block.to = move.end;
   asked.block.middle = move.end;
   asked.block.feed_asked = asked.is_dwell ? 0 : feed_asked(move, asked.length);
   moves_.push_back(asked);
+  return true;
 }
 
 void LostTime::observe(const base::Word& word) {

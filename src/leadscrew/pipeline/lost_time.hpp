@@ -62,8 +62,8 @@ class LostTime {
 
   /// In place of the sink that it was made with.
   void on_block(Sink sink) { sink_ = std::move(sink); }
-  /// Each move, before the first word of it.
-  void observe(const gcode::Move& move);
+  /// Each move, before the first word of it. Does it become a block? Events, and moves of no length, do not.
+  bool observe(const gcode::Move& move);
   /// Each word, from that of t = 0.
   void observe(const base::Word& word);
   /// After the last word.

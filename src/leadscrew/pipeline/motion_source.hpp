@@ -62,6 +62,9 @@ class MotionSource {
   /// The same of the tool that a move is made with (base::Event::Kind::tool_offset, tip_control).
   void tell_tool() { builder_.tell_tool(); }
 
+  /// What the move that on_move gets has to do with a surface.
+  const gcode::MachinedMove& machined() const { return reader_ ? reader_->machined() : no_surface; }
+
   /// Blocks of the program read so far.
   std::int64_t blocks() const { return reader_ ? reader_->blocks() : 0; }
   /// Was there no chunk because a probing move is under way that a real probe ends (gcode::ProbingMoves::real)? All of it
@@ -107,6 +110,8 @@ class MotionSource {
   bool settle();
   bool push(toolpath::Element element);
   std::optional<planner::Chunk> pop();
+
+  static inline const gcode::MachinedMove no_surface{};
 
   const machine::Machine& machine_;
   geometry::Point start_;

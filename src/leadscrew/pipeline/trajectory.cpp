@@ -76,11 +76,36 @@ base::Word Trajectory::word(base::Tick tick) const {
 }
 
 base::Tick Trajectory::last_tick() const {
-  auto tick = static_cast<base::Tick>(std::llround(duration() / period_.seconds()));
-  while (base::count(tick) > 0 && last_.end() <= interpolator::time_of(base::Tick{base::count(tick) - 1}, period_))
+  return first_from(last_.end());
+}
+
+/// The first tick that is not before a time ≥ 0.
+base::Tick Trajectory::first_from(DoubleDouble time) const {
+  auto tick = static_cast<base::Tick>(std::llround(time.value() / period_.seconds()));
+  while (base::count(tick) > 0 && time <= interpolator::time_of(base::Tick{base::count(tick) - 1}, period_))
     tick = base::Tick{base::count(tick) - 1};
-  while (interpolator::time_of(tick, period_) < last_.end()) tick = base::next(tick);
+  while (interpolator::time_of(tick, period_) < time) tick = base::next(tick);
   return tick;
+}
+
+void Trajectory::tell_events(const std::function<void(const base::PassedEvent&)>& sink) const {
+  base::Tick tick{};
+  for (const Part& part : parts_) {
+    interpolator::Interpolator cycle = part.cycle;
+    const DoubleDouble end = cycle.end();
+    const std::size_t count = part.chunk.events.size();
+    std::size_t told = 0;
+    const auto tell_until = [&](std::size_t passed) {
+      for (; told < passed; ++told) sink(planner::passed_at(tick, part.chunk.event(told)));
+    };
+    for (; told < count && interpolator::time_of(tick, period_) < end; tick = base::next(tick)) {
+      cycle.seek(interpolator::time_of(tick, period_));
+      cycle.next();
+      tell_until(cycle.events_passed());
+    }
+    tick = first_from(end);
+    tell_until(count);
+  }
 }
 
 }  // namespace leadscrew::pipeline

@@ -5,7 +5,9 @@
 //                                                               so that times which are ticks have its words' bits
 
 #include <deque>
+#include <functional>
 #include <leadscrew/base/axes.hpp>
+#include <leadscrew/base/event.hpp>
 #include <leadscrew/base/line.hpp>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/base/word.hpp>
@@ -51,6 +53,8 @@ class Trajectory {
   base::Word word(base::Tick tick) const;
   /// The first at rest at the end: that of the last word.
   base::Tick last_tick() const;
+  /// All events, in order, each with the word in whose period it happens.
+  void tell_events(const std::function<void(const base::PassedEvent&)>& sink) const;
 
  private:
   struct Part {
@@ -60,6 +64,7 @@ class Trajectory {
 
   interpolator::Interpolator cycle_at(numeric::DoubleDouble time) const;
   numeric::DoubleDouble exact(double t) const;
+  base::Tick first_from(numeric::DoubleDouble time) const;
 
   std::deque<Part> parts_;           ///< places in it stay where they are
   interpolator::Interpolator last_;  ///< behind the last chunk

@@ -1,0 +1,228 @@
+// The calls of leadscrew.h for surfaces: their shape, the tools that machine them, and where these gouge.
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/gouging/machined_surfaces.hpp>
+#include <leadscrew/gouging/mesh.hpp>
+#include <leadscrew/gouging/move_ways.hpp>
+#include <leadscrew/gouging/program_check.hpp>
+#include <leadscrew/host/program_reading.hpp>
+#include <leadscrew/surfaces/frame.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "handles.hpp"
+
+using namespace leadscrew;
+using namespace leadscrew::capi;
+
+namespace {
+
+constexpr std::size_t most_cells = 500'000;  // two triangles each
+
+/// Readers of one text, any number of them one after the other.
+class ProgramReadings {
+ public:
+  ProgramReadings(const machine::Machine& machine, std::string text, host::MotionOptions options)
+      : machine_(machine),
+        options_(std::move(options)),
+        texts_(std::make_shared<host::ProgramTexts>(std::move(text), options_.subprogram)) {
+    options_.allows_gouging = true;
+  }
+
+  /// The next from the beginning.
+  gcode::Reader open() {
+    return {host::asking_source(texts_->program(), options_.goes_on, share_), machine_, options_.tools,
+            host::reading_of(machine_, options_, texts_), [this](const base::Diagnostic& diagnostic) {
+              if (diagnostic.severity == base::Severity::error && !error_) error_ = diagnostic;
+            }};
+  }
+  /// Asked while a surface takes long. Once it says to end, that is the error.
+  bool is_ended() {
+    if (!error_ && options_.goes_on && !options_.goes_on(*share_)) error_ = host::interruption();
+    return error_.has_value();
+  }
+  void take(const gcode::Reader& reader) {
+    if (!error_ && reader.source_failure()) error_ = *reader.source_failure();
+  }
+  const std::optional<base::Diagnostic>& error() const { return error_; }
+  const machine::Machine& machine() const { return machine_; }
+  const machine::ToolTable& tools() const { return options_.tools; }
+
+ private:
+  const machine::Machine& machine_;
+  host::MotionOptions options_;
+  std::shared_ptr<host::ProgramTexts> texts_;
+  std::shared_ptr<double> share_ = std::make_shared<double>(0);
+  std::optional<base::Diagnostic> error_;
+};
+
+template <class Use>
+int with_program(const leadscrew_machine* machine, const char* text, size_t length, const leadscrew_options* given,
+                 double number, bool has_function, leadscrew_error* error, const Use& use) {
+  if (machine == nullptr || !is_text(text, length) || !has_function)
+    return misuse(error, "the machine, the text or the function is NULL, or the length is none that memory holds");
+  if (!(number > 0 && std::isfinite(number))) return misuse(error, "the sag or the tolerance is not more than 0");
+  return guarded(error, [&] {
+    leadscrew_options asked{};
+    host::MotionOptions options;
+    if (const int code = read_options(given, machine->machine, asked, options, error); code != LEADSCREW_OK)
+      return code;
+    ProgramReadings readings(machine->machine, std::string(text, length), std::move(options));
+    return use(readings);
+  });
+}
+
+/// The surfaces of a whole reading. False where there are too many; an error is that of the readings.
+bool read_surfaces(ProgramReadings& readings, gouging::MachinedSurfaces& found) {
+  gcode::Reader reader = readings.open();
+  std::shared_ptr<const gcode::Machined> last;
+  gcode::Move move;
+  while (!readings.error() && reader.next(move)) {
+    const auto& machined = reader.machined().surface;
+    if (!machined || machined == last) continue;
+    last = machined;
+    if (found.add(*machined, reader.frame()) == nullptr) return false;
+    if (readings.is_ended()) return true;
+  }
+  readings.take(reader);
+  return true;
+}
+
+void append(const surfaces::Vector& from, std::vector<double>& to) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+void tell_surface(const surfaces::Surface& surface, int number, double sag, leadscrew_surface_function on_surface,
+                  void* user) {
+  std::vector<gouging::Cell> cells;
+  gouging::tessellate(surface, 0, sag, std::max(most_cells, gouging::least_cells(surface)), cells);
+  std::vector<double> corners, normals;
+  for (const gouging::Cell& cell : cells) {
+    for (const surfaces::Vector& corner : cell.corners) append(corner, corners);
+    for (const auto& [u, v] : {std::pair(cell.u.from, cell.v.from), std::pair(cell.u.to, cell.v.from),
+                               std::pair(cell.u.to, cell.v.to), std::pair(cell.u.from, cell.v.to)}) {
+      const auto frame = surfaces::frame_of(surface.jet_of_second_order(u, v), 1);
+      append(frame ? frame->n : surfaces::Vector{}, normals);
+    }
+  }
+  leadscrew_surface told{};
+  told.size = sizeof told;
+  told.number = number;
+  told.cells = cells.size();
+  told.corners = corners.data();
+  told.normals = normals.data();
+  on_surface(&told, user);
+}
+
+leadscrew_gouge gouge_of(const gouging::Gouge& from) {
+  leadscrew_gouge gouge{};
+  gouge.size = sizeof gouge;
+  gouge.line = base::number(from.line);
+  gouge.file = base::file(from.line);
+  gouge.part = from.pass ? 1 + static_cast<std::int32_t>(from.of) : LEADSCREW_NO_SURFACE;
+  gouge.pass = static_cast<std::int32_t>(from.pass.value_or(0));
+  gouge.tool_part = static_cast<std::int32_t>(from.part);
+  gouge.surface = from.surface;
+  gouge.depth = from.depth;
+  gouge.u = from.u;
+  gouge.v = from.v;
+  std::copy(from.place.begin(), from.place.end(), gouge.place);
+  std::copy(from.pose.tip.begin(), from.pose.tip.end(), gouge.tip);
+  std::copy(from.pose.axis.begin(), from.pose.axis.end(), gouge.direction);
+  return gouge;
+}
+
+leadscrew_gouge gouge_of(const gouging::LocalClearance& from) {
+  leadscrew_gouge gouge{};
+  gouge.size = sizeof gouge;
+  gouge.line = base::number(from.line);
+  gouge.file = base::file(from.line);
+  gouge.part = LEADSCREW_PASS;
+  gouge.pass = static_cast<std::int32_t>(from.pass);
+  gouge.surface = from.surface;
+  gouge.clearance = from.clearance;
+  gouge.u = from.u;
+  gouge.v = from.v;
+  std::copy(from.place.begin(), from.place.end(), gouge.place);
+  std::copy(from.place.begin(), from.place.end(), gouge.tip);
+  return gouge;
+}
+
+int too_many(leadscrew_error* error) {
+  return rejected(error, base::problem("surface-count", "more surfaces, or larger ones, than are kept",
+                                       "at most 1000 surfaces that differ"));
+}
+
+int tell_gouges(ProgramReadings& readings, double tolerance, leadscrew_gouge_function on_gouge, void* user,
+                leadscrew_error* error) {
+  {
+    gcode::Reader reader = readings.open();
+    gcode::Move move;
+    while (!readings.error() && reader.next(move)) {
+    }
+    readings.take(reader);
+  }
+  if (readings.error()) return rejected(error, *readings.error());
+  const gouging::GougeVerdict verdict =
+      gouging::check_gouging([&] { return readings.open(); }, readings.machine(), readings.tools(),
+                             {tolerance, [&] { return readings.is_ended(); }});
+  if (readings.error()) return rejected(error, *readings.error());
+  if (!verdict.fits) return too_many(error);
+  const auto tell = [&](const auto& found) {
+    const leadscrew_gouge gouge = gouge_of(found);
+    on_gouge(&gouge, user);
+  };
+  for (const auto& [key, found] : verdict.gouges_of_passes) tell(found);
+  for (const auto& [line, found] : verdict.local) tell(found);
+  return LEADSCREW_OK;
+}
+
+}  // namespace
+
+int leadscrew_tools(const leadscrew_options* options, leadscrew_tool_function on_tool, void* user,
+                    leadscrew_error* error) {
+  if (options == nullptr || on_tool == nullptr) return misuse(error, "the options or the function are NULL");
+  return guarded(error, [&] {
+    leadscrew_options asked{};
+    host::MotionOptions read;
+    if (const int code = read_options(options, machine::mill3(), asked, read, error); code != LEADSCREW_OK) return code;
+    for (const machine::Tool& tool : read.tools.tools()) {
+      leadscrew_tool told{};
+      told.size = sizeof told;
+      told.number = tool.number;
+      told.diameter = tool.diameter;
+      told.corner_radius = tool.corner_radius.value_or(-1);
+      told.length = tool.length;
+      told.holder_diameter = tool.holder_diameter;
+      told.holder_length = tool.holder_length;
+      on_tool(&told, user);
+    }
+    return static_cast<int>(LEADSCREW_OK);
+  });
+}
+
+int leadscrew_program_surfaces(const leadscrew_machine* machine, const char* text, size_t length,
+                               const leadscrew_options* options, double sag, leadscrew_surface_function on_surface,
+                               void* user, leadscrew_error* error) {
+  return with_program(machine, text, length, options, sag, on_surface != nullptr, error,
+                      [&](ProgramReadings& readings) {
+                        const gouging::MovePoses poses(readings.machine());
+                        gouging::MachinedSurfaces found(poses);
+                        if (!read_surfaces(readings, found)) return too_many(error);
+                        if (readings.error()) return rejected(error, *readings.error());
+                        for (std::size_t i = 0; i < found.all().size(); ++i)
+                          tell_surface(*found.all()[i], found.number(i), sag, on_surface, user);
+                        return static_cast<int>(LEADSCREW_OK);
+                      });
+}
+
+int leadscrew_program_gouges(const leadscrew_machine* machine, const char* text, size_t length,
+                             const leadscrew_options* options, double tolerance, leadscrew_gouge_function on_gouge,
+                             void* user, leadscrew_error* error) {
+  return with_program(
+      machine, text, length, options, tolerance, on_gouge != nullptr, error,
+      [&](ProgramReadings& readings) { return tell_gouges(readings, tolerance, on_gouge, user, error); });
+}
