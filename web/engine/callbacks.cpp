@@ -6,6 +6,9 @@
 extern "C" {
 [[clang::import_module("page"), clang::import_name("diagnostic")]] void page_diagnostic(const leadscrew_error* error);
 [[clang::import_module("page"), clang::import_name("block")]] void page_block(const leadscrew_block* block);
+[[clang::import_module("page"), clang::import_name("tool")]] void page_tool(const leadscrew_tool* tool);
+[[clang::import_module("page"), clang::import_name("surface")]] void page_surface(const leadscrew_surface* surface);
+[[clang::import_module("page"), clang::import_name("gouge")]] void page_gouge(const leadscrew_gouge* gouge);
 [[clang::import_module("page"), clang::import_name("progress")]] int page_progress(double share);
 
 leadscrew_error_function leadscrew_page_on_diagnostic() {
@@ -13,6 +16,15 @@ leadscrew_error_function leadscrew_page_on_diagnostic() {
 }
 leadscrew_block_function leadscrew_page_on_block() {
   return [](const leadscrew_block* block, void*) { page_block(block); };
+}
+leadscrew_tool_function leadscrew_page_on_tool() {
+  return [](const leadscrew_tool* tool, void*) { page_tool(tool); };
+}
+leadscrew_surface_function leadscrew_page_on_surface() {
+  return [](const leadscrew_surface* surface, void*) { page_surface(surface); };
+}
+leadscrew_gouge_function leadscrew_page_on_gouge() {
+  return [](const leadscrew_gouge* gouge, void*) { page_gouge(gouge); };
 }
 leadscrew_progress_function leadscrew_page_on_progress() {
   return [](double share, void*) { return page_progress(share); };

@@ -90,7 +90,7 @@ static_assert(offsetof(leadscrew_figures, words) == 272);
 static_assert(offsetof(leadscrew_figures, blocks) == 280);
 static_assert(offsetof(leadscrew_figures, moves) == 288);
 
-static_assert(sizeof(leadscrew_block) == 168);
+static_assert(sizeof(leadscrew_block) == 176);
 static_assert(offsetof(leadscrew_block, line) == 8);
 static_assert(offsetof(leadscrew_block, file) == 16);
 static_assert(offsetof(leadscrew_block, visit) == 20);
@@ -102,6 +102,43 @@ static_assert(offsetof(leadscrew_block, feed_asked) == 56);
 static_assert(offsetof(leadscrew_block, feed_reached) == 64);
 static_assert(offsetof(leadscrew_block, middle) == 72);
 static_assert(offsetof(leadscrew_block, cause) == 144);
+static_assert(offsetof(leadscrew_block, part) == 168);
+static_assert(offsetof(leadscrew_block, pass) == 172);
+
+static_assert(sizeof(leadscrew_pose) == 96);
+static_assert(offsetof(leadscrew_pose, tip) == 8);
+static_assert(offsetof(leadscrew_pose, direction) == 32);
+static_assert(offsetof(leadscrew_pose, pole_angle) == 56);
+static_assert(offsetof(leadscrew_pose, offset) == 64);
+static_assert(offsetof(leadscrew_pose, tool) == 88);
+
+static_assert(sizeof(leadscrew_tool) == 56);
+static_assert(offsetof(leadscrew_tool, number) == 4);
+static_assert(offsetof(leadscrew_tool, diameter) == 16);
+static_assert(offsetof(leadscrew_tool, corner_radius) == 24);
+static_assert(offsetof(leadscrew_tool, length) == 32);
+static_assert(offsetof(leadscrew_tool, holder_diameter) == 40);
+static_assert(offsetof(leadscrew_tool, holder_length) == 48);
+
+static_assert(sizeof(leadscrew_surface) == 24);
+static_assert(offsetof(leadscrew_surface, number) == 4);
+static_assert(offsetof(leadscrew_surface, cells) == 12);
+static_assert(offsetof(leadscrew_surface, corners) == 16);
+static_assert(offsetof(leadscrew_surface, normals) == 20);
+
+static_assert(sizeof(leadscrew_gouge) == 144);
+static_assert(offsetof(leadscrew_gouge, line) == 8);
+static_assert(offsetof(leadscrew_gouge, part) == 20);
+static_assert(offsetof(leadscrew_gouge, pass) == 24);
+static_assert(offsetof(leadscrew_gouge, tool_part) == 28);
+static_assert(offsetof(leadscrew_gouge, surface) == 32);
+static_assert(offsetof(leadscrew_gouge, depth) == 40);
+static_assert(offsetof(leadscrew_gouge, clearance) == 48);
+static_assert(offsetof(leadscrew_gouge, u) == 56);
+static_assert(offsetof(leadscrew_gouge, v) == 64);
+static_assert(offsetof(leadscrew_gouge, place) == 72);
+static_assert(offsetof(leadscrew_gouge, tip) == 96);
+static_assert(offsetof(leadscrew_gouge, direction) == 120);
 
 static_assert(sizeof(leadscrew_state) == 344);
 static_assert(offsetof(leadscrew_state, position) == 8);

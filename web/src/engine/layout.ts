@@ -52,7 +52,7 @@ export const motionFigures = {
 } as const;
 
 export const block = {
-  size: 168,
+  size: 176,
   line: 8,
   file: 16,
   visit: 20,
@@ -64,6 +64,35 @@ export const block = {
   feedReached: 64,
   middle: 72,
   cause: 144,
+  part: 168,
+  pass: 172,
+} as const;
+
+export const pose = { size: 96, tip: 8, direction: 32, poleAngle: 56, offset: 64, tool: 88 } as const;
+export const tool = {
+  size: 56,
+  number: 4,
+  diameter: 16,
+  cornerRadius: 24,
+  length: 32,
+  holderDiameter: 40,
+  holderLength: 48,
+} as const;
+export const surface = { size: 24, number: 4, cells: 12, corners: 16, normals: 20 } as const;
+export const gouge = {
+  size: 144,
+  line: 8,
+  part: 20,
+  pass: 24,
+  toolPart: 28,
+  surface: 32,
+  depth: 40,
+  clearance: 48,
+  u: 56,
+  v: 64,
+  place: 72,
+  tip: 96,
+  direction: 120,
 } as const;
 
 export const state = {

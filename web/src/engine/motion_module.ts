@@ -19,6 +19,27 @@ interface Exports extends CommonExports {
     checked: number,
     error: number,
   ): number;
+  leadscrew_tools(options: number, onTool: number, user: number, error: number): number;
+  leadscrew_program_surfaces(
+    machine: number,
+    text: number,
+    length: number,
+    options: number,
+    sag: number,
+    onSurface: number,
+    user: number,
+    error: number,
+  ): number;
+  leadscrew_program_gouges(
+    machine: number,
+    text: number,
+    length: number,
+    options: number,
+    tolerance: number,
+    onGouge: number,
+    user: number,
+    error: number,
+  ): number;
   leadscrew_explain(machine: number, block: number, text: number, length: number): number;
   leadscrew_motion_of_program(
     machine: number,
@@ -34,9 +55,13 @@ interface Exports extends CommonExports {
   leadscrew_trajectory_figures(trajectory: number, figures: number, error: number): number;
   leadscrew_trajectory_blocks(trajectory: number, onBlock: number, user: number, error: number): number;
   leadscrew_trajectory_at(trajectory: number, time: number, state: number, error: number): number;
+  leadscrew_trajectory_pose(trajectory: number, time: number, pose: number, error: number): number;
   leadscrew_trajectory_free(trajectory: number): void;
   leadscrew_page_on_diagnostic(): number;
   leadscrew_page_on_block(): number;
+  leadscrew_page_on_tool(): number;
+  leadscrew_page_on_surface(): number;
+  leadscrew_page_on_gouge(): number;
   leadscrew_page_on_progress(): number;
 }
 
@@ -80,6 +105,11 @@ export class MotionModule extends WasmModule<Exports> {
         make(to, error) === layout.code.ok ? this.view.getUint32(to, true) : this.diagnostic(error),
       ),
     );
+  }
+
+  /** What is wrong, where the call fails. */
+  failed(call: (error: number) => number): Diagnostic | undefined {
+    return this.withError((error) => (call(error) === layout.code.ok ? undefined : this.diagnostic(error)));
   }
 
   /** The text in UTF-8, and its length in bytes. */

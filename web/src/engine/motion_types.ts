@@ -62,6 +62,9 @@ export interface Blocks {
   /** mm/s; infinite of a rapid, 0 of a dwell. */
   readonly feedAsked: Float64Array;
   readonly feedReached: Float64Array;
+  /** An entry of `parts`, and the number of the pass. */
+  readonly part: Uint8Array;
+  readonly pass: Int32Array;
   /** An entry of `causes`. */
   readonly cause: Uint8Array;
   readonly causes: readonly string[];
@@ -69,6 +72,9 @@ export interface Blocks {
 
 /** What holds motion at a sample; of several the first. */
 export const holds = ["feed", "velocity", "acceleration", "jerk", "rest", "shape"] as const;
+
+/** What a move has to do with a surface that is machined. */
+export const parts = ["none", "approach", "pass", "link", "retract"] as const;
 
 /** Motion at equal steps of time: every word, or every so many. */
 export interface Samples {
@@ -82,6 +88,13 @@ export interface Samples {
   readonly acceleration: Float32Array;
   readonly jerk: Float32Array;
   readonly feed: Float32Array;
+  /** The tip in the workpiece and the direction from it to the spindle, three numbers each. */
+  readonly tip: Float64Array;
+  readonly direction: Float32Array;
+  /** Degrees to the nearest pole of the machine; infinite where it has none. */
+  readonly poleAngle: Float32Array;
+  /** Number of the tool in the spindle; 0: none told. */
+  readonly tool: Int32Array;
   readonly line: Int32Array;
   /** An entry of Blocks. */
   readonly block: Int32Array;
@@ -92,12 +105,16 @@ export interface Samples {
 
 /** The path as lines to draw: feed moves with their samples, rapids apart. */
 export interface PathData {
-  /** Places, three numbers a vertex; X, Y and Z of the machine, mm. */
+  /** Places, three numbers a vertex; of the tip in the workpiece, mm. */
   readonly places: Float32Array;
   /** Which sample a vertex is. */
   readonly samples: Int32Array;
   /** Vertex i and the one before are the way of a rapid. */
   readonly isRapid: Uint8Array;
+  /** Nothing leads from the vertex before to this one: another length of the tool is in force. */
+  readonly isApart: Uint8Array;
+  /** An entry of `parts` a vertex. */
+  readonly part: Uint8Array;
   /** A number a vertex. */
   readonly values: Readonly<Record<Measure, Float32Array>>;
   /** An entry of `holds` a vertex. */
@@ -118,6 +135,53 @@ export interface Lost {
   readonly dearest: readonly number[];
 }
 
+/** A tool of the table, mm. */
+export interface ToolShape {
+  readonly number: number;
+  readonly diameter: number;
+  /** -1: nothing is told of its shape. */
+  readonly cornerRadius: number;
+  /** From the tip to the holder; 0: not told. */
+  readonly length: number;
+  /** 0: there is no holder. */
+  readonly holderDiameter: number;
+  readonly holderLength: number;
+}
+
+/** A surface as quadrilaterals, in the workpiece. */
+export interface SurfaceMesh {
+  /** D of the program. */
+  readonly number: number;
+  /** Twelve numbers each: four corners, mm, and the normals there. */
+  readonly corners: Float32Array;
+  readonly normals: Float32Array;
+}
+
+/** Where a tool cuts too deep into a surface. */
+export interface Gouge {
+  readonly line: number;
+  /** Entries of `parts` and of `toolParts`. */
+  readonly part: number;
+  readonly toolPart: number;
+  readonly pass: number;
+  readonly surface: number;
+  /** mm; 0: the tool bends less than the surface that it touches. */
+  readonly depth: number;
+  readonly u: number;
+  readonly v: number;
+  readonly place: readonly number[];
+  /** Of the tool. */
+  readonly tip: readonly number[];
+}
+export const toolParts = ["cutter", "shank", "holder"] as const;
+
+/** A place of the path at which the tool comes near to a pole, nearer than before and behind. */
+export interface PoleVisit {
+  readonly sample: number;
+  /** Degrees. */
+  readonly angle: number;
+}
+
 export interface Plan {
   readonly period: number;
   readonly figures: Figures;
@@ -129,6 +193,10 @@ export interface Plan {
   /** Least and greatest of feed moves. */
   readonly ranges: Readonly<Record<Measure, readonly [number, number]>>;
   readonly lost: Lost;
+  readonly tools: readonly ToolShape[];
+  /** Of those that the program machines. */
+  readonly surfaces: readonly SurfaceMesh[];
+  readonly poles: readonly PoleVisit[];
 }
 
 export interface Task {
@@ -149,6 +217,8 @@ export interface PlannerCalls {
   check(task: Task): Promise<Checked>;
   /** Of a sound program; at most so many samples. */
   plan(task: Task, most: number): Promise<Plan | Diagnostic>;
+  /** Where a program gouges the surfaces that it machines by more than its machine's tolerance. */
+  gouges(task: Task): Promise<readonly Gouge[] | Diagnostic>;
   /** All words of what was planned last, as `leadscrew run --trace` writes them. */
   trace(): Promise<Blob>;
   /** What a code or a block means; empty where nothing is known. */

@@ -1,6 +1,6 @@
 // What a page draws of a plan at once: the path as lines, the range of what it is coloured by, and where time is lost.
 
-import type { Blocks, Lost, Measure, PathData, Plan, Samples } from "./motion_types";
+import type { Blocks, Gouge, Lost, Measure, PathData, Plan, PoleVisit, Samples } from "./motion_types";
 
 const mostVertices = 200_000;
 const leastLoss = 5e-4; // s
@@ -10,8 +10,15 @@ export function isRapid(samples: Samples, blocks: Blocks, i: number): boolean {
 }
 
 function place(samples: Samples, i: number, axis: number): number {
-  const k = samples.axes.indexOf(axis);
-  return k < 0 ? 0 : (samples.position[i * samples.axes.length + k] ?? 0);
+  return samples.tip[i * 3 + axis] ?? 0;
+}
+
+/** Is the tip elsewhere than at the sample before though no axis has moved? */
+function isApart(samples: Samples, i: number): boolean {
+  const axes = samples.axes.length;
+  for (let k = 0; k < axes; ++k)
+    if (samples.position[i * axes + k] !== samples.position[(i - 1) * axes + k]) return false;
+  return !isSame(samples, i);
 }
 
 /** Does the sample stand where the one before does? */
@@ -45,17 +52,35 @@ export function pathOf(samples: Samples, blocks: Blocks): PathData {
       greatest[axis] = Math.max(greatest[axis] ?? 0, place(samples, i, axis));
     }
     const isNew = i === 0 || i === samples.count - 1 || samples.block[i] !== samples.block[i + 1];
-    if (isNew || (i % every === 0 && !isSame(samples, i))) kept.push(i);
+    if (
+      isNew ||
+      isApart(samples, i) ||
+      (i + 1 < samples.count && isApart(samples, i + 1)) ||
+      (i % every === 0 && !isSame(samples, i))
+    )
+      kept.push(i);
   }
   const places = new Float32Array(kept.length * 3);
   kept.forEach((sample, v) => {
     for (const axis of [0, 1, 2]) places[v * 3 + axis] = place(samples, sample, axis);
   });
   const rapid = Uint8Array.from(kept, (sample) => (isRapid(samples, blocks, sample) ? 1 : 0));
+  const apart = Uint8Array.from(kept, (sample) => (sample > 0 && isApart(samples, sample) ? 1 : 0));
+  const part = Uint8Array.from(kept, (sample) => blocks.part[samples.block[sample] ?? 0] ?? 0);
   const of = (measure: Measure): Float32Array => Float32Array.from(kept, (sample) => valueAt(samples, measure, sample));
   const values = { speed: of("speed"), acceleration: of("acceleration"), jerk: of("jerk"), line: of("line") };
   const hold = Uint8Array.from(kept, (sample) => samples.hold[sample] ?? 0);
-  return { places, samples: Int32Array.from(kept), isRapid: rapid, values, hold, least, greatest };
+  return {
+    places,
+    samples: Int32Array.from(kept),
+    isRapid: rapid,
+    isApart: apart,
+    part,
+    values,
+    hold,
+    least,
+    greatest,
+  };
 }
 
 function rangeOf(samples: Samples, blocks: Blocks, measure: Measure): readonly [number, number] {
@@ -104,4 +129,41 @@ export function timeOfLine(plan: Plan, line: number): number | undefined {
       next = i;
   }
   return next === undefined ? undefined : blocks.begin[next];
+}
+
+const nearPole = 5; // degrees
+const mostVisits = 100;
+
+/** Where the tool comes near to a pole of the machine: of each stay within a few degrees the nearest place. */
+export function polesOf(samples: Samples): PoleVisit[] {
+  const visits: PoleVisit[] = [];
+  let nearest: PoleVisit | undefined;
+  let [was, isMoving] = [Infinity, false];
+  const end = (): void => {
+    if (nearest !== undefined && isMoving) visits.push(nearest);
+    [nearest, isMoving] = [undefined, false];
+  };
+  for (let i = 0; i < samples.count; ++i) {
+    const angle = samples.poleAngle[i] ?? Infinity;
+    if (angle > nearPole) end();
+    else if (nearest === undefined || angle < nearest.angle) nearest = { sample: i, angle };
+    if (nearest !== undefined && was !== Infinity && angle !== was) isMoving = true;
+    was = angle;
+  }
+  end();
+  return visits.sort((a, b) => a.angle - b.angle).slice(0, mostVisits);
+}
+
+/** The sample of that line and pass whose tip is nearest. */
+export function sampleOfGouge(plan: Plan, gouge: Gouge): number {
+  const { samples, blocks } = plan;
+  let [nearest, distance] = [0, Infinity];
+  for (let i = 0; i < samples.count; ++i) {
+    const block = samples.block[i] ?? 0;
+    if (blocks.line[block] !== gouge.line || blocks.part[block] !== gouge.part || blocks.pass[block] !== gouge.pass)
+      continue;
+    const here = Math.hypot(...[0, 1, 2].map((k) => place(samples, i, k) - (gouge.tip[k] ?? 0)));
+    if (here < distance) [nearest, distance] = [i, here];
+  }
+  return nearest;
 }

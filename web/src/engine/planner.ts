@@ -2,11 +2,26 @@
 
 import * as layout from "./layout";
 import { MotionModule } from "./motion_module";
-import type { Checked, Diagnostic, Figures, Limits, Phase, Plan, PlannerCalls, Task } from "./motion_types";
-import { lostOf, pathOf, rangesOf } from "./path";
+import type {
+  Checked,
+  Diagnostic,
+  Figures,
+  Gouge,
+  Limits,
+  Phase,
+  Plan,
+  PlannerCalls,
+  SurfaceMesh,
+  Task,
+  ToolShape,
+} from "./motion_types";
+import { lostOf, pathOf, polesOf, rangesOf } from "./path";
+import { gougeAt, surfaceAt, toolAt } from "./surfaces";
 import { BlockList, samplesOf, traceOf } from "./sampling";
 
 const mostLosses = 50; // told one by one
+const shownSag = 0.02; // mm, of surfaces that are only looked at
+const leastTolerance = 1e-3; // mm, of gouges
 
 export type Told = (phase: Phase, share: number) => void;
 
@@ -20,6 +35,9 @@ interface Planned {
 export class Planner implements PlannerCalls {
   private found: Diagnostic[] = [];
   private blocks = new BlockList();
+  private tools: ToolShape[] = [];
+  private surfaces: SurfaceMesh[] = [];
+  private gouged: Gouge[] = [];
   private phase: Phase = "reading";
   private module!: MotionModule;
   private mill = 0;
@@ -32,6 +50,9 @@ export class Planner implements PlannerCalls {
     const module = await MotionModule.of(compiled, {
       diagnostic: (at) => void planner.found.push(module.diagnostic(at)),
       block: (at) => planner.blocks.take(module, at),
+      tool: (at) => void planner.tools.push(toolAt(module, at)),
+      surface: (at) => void planner.surfaces.push(surfaceAt(module, at)),
+      gouge: (at) => void planner.gouged.push(gougeAt(module, at)),
       progress: (share) => (told(planner.phase, share), 0),
     });
     planner.module = module;
@@ -86,10 +107,35 @@ export class Planner implements PlannerCalls {
     try {
       const trajectory = this.trajectoryOf(machine, task);
       if (typeof trajectory !== "number") return trajectory;
+      this.takeSurfaces(machine, task);
       return this.planOf(trajectory, task, module.calls.leadscrew_machine_period(machine), most);
     } finally {
       module.calls.leadscrew_machine_free(machine);
     }
+  }
+
+  async gouges(task: Task): Promise<readonly Gouge[] | Diagnostic> {
+    const { module } = this;
+    this.begin("reading");
+    this.gouged = [];
+    const machine = this.machineOf(task);
+    if (typeof machine !== "number") return machine;
+    const failure = module.withProgram(task, (text, length, options) =>
+      module.failed((error) =>
+        module.calls.leadscrew_program_gouges(
+          machine,
+          text,
+          length,
+          options,
+          Math.max(task.limits.tolerance, leastTolerance),
+          module.calls.leadscrew_page_on_gouge(),
+          0,
+          error,
+        ),
+      ),
+    );
+    module.calls.leadscrew_machine_free(machine);
+    return failure ?? this.gouged;
   }
 
   async trace(): Promise<Blob> {
@@ -112,6 +158,18 @@ export class Planner implements PlannerCalls {
     this.blocks = new BlockList();
     this.phase = phase;
     this.told(phase, 0);
+  }
+
+  /** Tools of the table, and the surfaces that are machined; a program of none is not read again. */
+  private takeSurfaces(machine: number, task: Task): void {
+    const { module } = this;
+    [this.tools, this.surfaces] = [[], []];
+    module.withProgram(task, (text, length, options) => {
+      module.calls.leadscrew_tools(options, module.calls.leadscrew_page_on_tool(), 0, 0);
+      if (!/G0*6\.5/i.test(task.text)) return;
+      const onSurface = module.calls.leadscrew_page_on_surface();
+      module.calls.leadscrew_program_surfaces(machine, text, length, options, shownSag, onSurface, 0, 0);
+    });
   }
 
   private trajectoryOf(machine: number, task: Task): number | Diagnostic {
@@ -148,6 +206,9 @@ export class Planner implements PlannerCalls {
       drawn: structuredClone(path),
       ranges: rangesOf(samples, blocks),
       lost: lostOf(blocks, mostLosses),
+      tools: this.tools,
+      surfaces: this.surfaces,
+      poles: polesOf(samples),
     };
   }
 }

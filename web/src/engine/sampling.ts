@@ -13,6 +13,8 @@ export class BlockList {
     number[]
   > = { begin: [], seconds: [], leastSeconds: [], length: [], feedAsked: [], feedReached: [] };
   private readonly line: number[] = [];
+  private readonly part: number[] = [];
+  private readonly pass: number[] = [];
   private readonly cause: number[] = [];
   private readonly causes: string[] = [];
 
@@ -21,6 +23,8 @@ export class BlockList {
     this.line.push(module.integer(at + of.line));
     for (const name of Object.keys(this.columns) as (keyof typeof this.columns)[])
       this.columns[name].push(module.number(at + of[name]));
+    this.part.push(module.view.getInt32(at + of.part, true));
+    this.pass.push(module.view.getInt32(at + of.pass, true));
     const cause = module.text(at + of.cause);
     let entry = this.causes.indexOf(cause);
     if (entry < 0) entry = this.causes.push(cause) - 1;
@@ -40,6 +44,8 @@ export class BlockList {
       length: Float64Array.from(length),
       feedAsked: Float64Array.from(feedAsked),
       feedReached: Float64Array.from(feedReached),
+      part: Uint8Array.from(this.part),
+      pass: Int32Array.from(this.pass),
       cause: Uint8Array.from(this.cause),
       causes: this.causes,
     };
@@ -108,13 +114,27 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
     acceleration: new Float32Array(count * axes.length),
     jerk: new Float32Array(count * axes.length),
     feed: new Float32Array(count),
+    tip: new Float64Array(count * 3),
+    direction: new Float32Array(count * 3),
+    poleAngle: new Float32Array(count),
+    tool: new Int32Array(count),
     line: new Int32Array(count),
     block: new Int32Array(count),
     hold: new Uint8Array(count),
     holdAxis: new Uint8Array(count),
   };
   let block = 0;
-  module.withSized(layout.state.size, (at) => {
+  const takePose = (i: number, time: number, at: number): void => {
+    const of = layout.pose;
+    module.calls.leadscrew_trajectory_pose(trajectory, time, at, 0);
+    for (let k = 0; k < 3; ++k) {
+      samples.tip[i * 3 + k] = module.number(at + of.tip + 8 * k);
+      samples.direction[i * 3 + k] = module.number(at + of.direction + 8 * k);
+    }
+    samples.poleAngle[i] = module.number(at + of.poleAngle);
+    samples.tool[i] = module.view.getInt32(at + of.tool, true);
+  };
+  const takeAll = (at: number, pose: number): void => {
     for (let i = 0; i < count; ++i) {
       if (i % 8192 === 0) progress(i / count);
       const tick = Math.min(i * every, of.figures.words);
@@ -136,8 +156,10 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
       const held = heldBy(module, at, axes, limits, (blocks.feedAsked[block] ?? Infinity) * of.override);
       samples.hold[i] = held.hold;
       samples.holdAxis[i] = held.axis;
+      takePose(i, time, pose);
     }
-  });
+  };
+  module.withSized(layout.state.size, (at) => module.withSized(layout.pose.size, (pose) => takeAll(at, pose)));
   return samples;
 }
 

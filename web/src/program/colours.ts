@@ -1,6 +1,6 @@
 // Colours of a path: a scale from slow to fast, and one each for what holds motion.
 
-import { holds, type PathData } from "../engine/motion_types";
+import { holds, parts, type PathData } from "../engine/motion_types";
 import type { Colouring } from "./settings";
 
 type Rgb = readonly [number, number, number];
@@ -45,6 +45,19 @@ export function holdColour(hold: number, isDark: boolean): Rgb {
   return oklch(lightness + (isDark ? 0.14 : 0), chroma, hue);
 }
 
+const partHues: Readonly<Record<(typeof parts)[number], readonly [number, number, number]>> = {
+  none: [0.6, 0, 0],
+  approach: [0.7, 0.15, 65],
+  pass: [0.55, 0.16, 255],
+  link: [0.58, 0.19, 25],
+  retract: [0.6, 0.15, 320],
+};
+
+export function partColour(part: number, isDark: boolean): Rgb {
+  const [lightness, chroma, hue] = partHues[parts[part] ?? "none"];
+  return oklch(lightness + (isDark ? 0.14 : 0), chroma, hue);
+}
+
 export function css([red, green, blue]: Rgb): string {
   return `rgb(${Math.round(red * 255)} ${Math.round(green * 255)} ${Math.round(blue * 255)})`;
 }
@@ -59,9 +72,10 @@ export interface Look {
   readonly isDark: boolean;
 }
 
-/** A colour for each shade of a scale, or for each way in which motion is held. */
+/** A colour for each shade of a scale, for each way in which motion is held, or for each part of machining a surface. */
 function tableOf({ colouring, isDark }: Look): Rgb[] {
   if (colouring === "limit") return holds.map((_, hold) => holdColour(hold, isDark));
+  if (colouring === "part") return parts.map((_, part) => partColour(part, isDark));
   return [...Array(shades).keys()].map((i) => scaleColour(i / (shades - 1), isDark));
 }
 
@@ -69,8 +83,10 @@ function tableOf({ colouring, isDark }: Look): Rgb[] {
 export function coloursOf(path: PathData, look: Look): Float32Array {
   const table = Float32Array.from(tableOf(look).flat());
   const colours = new Float32Array(path.samples.length * 3);
-  const values = look.colouring === "limit" ? path.hold : path.values[look.colouring];
-  const [least, greatest] = look.colouring === "limit" ? [0, holds.length - 1] : look.range;
+  const { colouring } = look;
+  const values = colouring === "limit" ? path.hold : colouring === "part" ? path.part : path.values[colouring];
+  const isKind = colouring === "limit" || colouring === "part";
+  const [least, greatest] = isKind ? [0, table.length / 3 - 1] : look.range;
   const scale = (table.length / 3 - 1) / (greatest - least);
   for (let v = 0; v < values.length; ++v) {
     const entry = Math.round(Math.min(Math.max((values[v] ?? 0) - least, 0), greatest - least) * scale);

@@ -11,6 +11,7 @@ import cubic from "../../../examples/10-cubic.ngc?raw";
 import blade from "../../../examples/13-blade.ngc?raw";
 import patch from "../../../examples/16-patch.ngc?raw";
 import leaning from "../../../examples/17-patch-leaning.ngc?raw";
+import saddle from "../../../examples/18-saddle.ngc?raw";
 import tools from "../../../examples/tools.tbl?raw";
 import trunnion from "../../../machines/table-table-ac.toml?raw";
 import splines from "../../../examples/11-splines.ngc?raw";
@@ -40,6 +41,13 @@ export const examples: readonly Example[] = [
     name: "17-patch-leaning",
     title: "Patch in five axes",
     text: leaning,
+    machine: trunnion.trim(),
+    tools: tools.trim(),
+  },
+  {
+    name: "18-saddle",
+    title: "Saddle in five axes",
+    text: saddle,
     machine: trunnion.trim(),
     tools: tools.trim(),
   },

@@ -2,13 +2,19 @@
 
 import type { PathData } from "../engine/motion_types";
 import { colour } from "../ui/theme";
-import { projector, type Camera } from "./camera";
+import { dot, frameOf, projector, type Camera } from "./camera";
+import { outlineOf, type StandingTool } from "./tool_picture";
+
+export type { StandingTool } from "./tool_picture";
 
 const mostMarked = 60_000; // segments; a line with more of them is not told apart
-const [toolRadius, toolHeight] = [9, 27]; // px
+const markRadius = 6; // px
 
 export class Overlay {
   readonly canvas = document.createElement("canvas");
+  /** Places, mm: where the tool cuts too deep, and where it passes a pole. */
+  gouges: readonly (readonly number[])[] = [];
+  poles: readonly (readonly number[])[] = [];
   private marked: readonly number[] = [];
 
   /** Segments that lead to these vertices stand out. */
@@ -16,7 +22,7 @@ export class Overlay {
     this.marked = vertices.length > mostMarked ? [] : vertices;
   }
 
-  draw(camera: Camera, width: number, height: number, path: PathData, tool: readonly number[] | undefined): void {
+  draw(camera: Camera, width: number, height: number, path: PathData, tool: StandingTool | undefined): void {
     const { canvas } = this;
     const ratio = devicePixelRatio || 1;
     canvas.width = Math.round(width * ratio); // and is empty
@@ -26,7 +32,9 @@ export class Overlay {
     to.scale(ratio, ratio);
     const project = projector(camera, width, height);
     this.drawMarked(to, path, project);
-    if (tool !== undefined) drawTool(to, project(tool), camera);
+    for (const place of this.poles) drawPole(to, project(place));
+    if (tool !== undefined) drawTool(to, tool, camera, project);
+    for (const place of this.gouges) drawGouge(to, project(place));
   }
 
   private drawMarked(
@@ -52,18 +60,69 @@ export class Overlay {
   }
 }
 
-/** A cone that stands on its point. */
-function drawTool(to: CanvasRenderingContext2D, [x, y]: [number, number], camera: Camera): void {
-  const elevation = (camera.elevation * Math.PI) / 180;
-  const top = y - toolHeight * Math.cos(elevation);
-  const flat = toolRadius * Math.abs(Math.sin(elevation));
-  to.globalAlpha = 0.85;
-  to.fillStyle = colour("warm");
-  to.beginPath();
-  to.moveTo(x - toolRadius, top);
-  to.lineTo(x, y);
-  to.lineTo(x + toolRadius, top);
-  to.ellipse(x, top, toolRadius, flat, 0, 0, 2 * Math.PI);
-  to.fill("nonzero");
+/** Its outline as a body that turns about its axis. */
+function drawTool(
+  to: CanvasRenderingContext2D,
+  tool: StandingTool,
+  camera: Camera,
+  project: (at: readonly number[]) => [number, number],
+): void {
+  const [right, up, out] = frameOf(camera);
+  const { direction } = tool;
+  const along = [dot(right, direction), -dot(up, direction)] as const; // of the axis on the screen, its y downwards
+  const length = Math.hypot(...along);
+  const across = length > 1e-6 ? ([-along[1] / length, along[0] / length] as const) : ([1, 0] as const);
+  const flat = Math.abs(dot(out, direction));
+  const [x, y] = project(tool.tip);
+  for (const ring of outlineOf(tool, camera.scale)) {
+    to.globalAlpha = 0.55;
+    to.fillStyle = colour(ring.isHolder ? "muted" : "warm");
+    to.beginPath();
+    for (const { height, radius } of ring.slices) {
+      const [cx, cy] = [x + along[0] * height * camera.scale, y + along[1] * height * camera.scale];
+      const reach = Math.max(radius * camera.scale, 0.5);
+      const turn = Math.atan2(across[1], across[0]);
+      to.moveTo(cx + reach * across[0], cy + reach * across[1]);
+      to.ellipse(cx, cy, reach, reach * flat, turn, 0, 2 * Math.PI);
+    }
+    for (let i = 1; i < ring.slices.length; ++i) {
+      const corner = (k: number, side: number): [number, number] => {
+        const { height, radius } = ring.slices[k] ?? { height: 0, radius: 0 };
+        const [h, r] = [height * camera.scale, side * radius * camera.scale];
+        return [x + along[0] * h + across[0] * r, y + along[1] * h + across[1] * r];
+      };
+      to.moveTo(...corner(i - 1, 1));
+      to.lineTo(...corner(i - 1, -1));
+      to.lineTo(...corner(i, -1));
+      to.lineTo(...corner(i, 1));
+      to.closePath();
+    }
+    to.fill("nonzero");
+  }
   to.globalAlpha = 1;
+  to.beginPath();
+  to.arc(x, y, 2.5, 0, 2 * Math.PI);
+  to.fillStyle = colour("ink");
+  to.fill();
+}
+
+function drawGouge(to: CanvasRenderingContext2D, [x, y]: [number, number]): void {
+  to.lineWidth = 2.5;
+  to.strokeStyle = colour("warm");
+  to.beginPath();
+  to.moveTo(x - markRadius, y - markRadius);
+  to.lineTo(x + markRadius, y + markRadius);
+  to.moveTo(x - markRadius, y + markRadius);
+  to.lineTo(x + markRadius, y - markRadius);
+  to.stroke();
+}
+
+function drawPole(to: CanvasRenderingContext2D, [x, y]: [number, number]): void {
+  to.lineWidth = 2;
+  to.strokeStyle = colour("accent");
+  to.beginPath();
+  to.arc(x, y, markRadius, 0, 2 * Math.PI);
+  to.moveTo(x - markRadius - 3, y);
+  to.lineTo(x + markRadius + 3, y);
+  to.stroke();
 }

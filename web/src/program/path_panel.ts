@@ -1,9 +1,9 @@
 // The path in space with what it is coloured by, from where it is seen, and what its colours mean.
 
-import { holds, type Plan } from "../engine/motion_types";
+import { holds, parts, type Plan } from "../engine/motion_types";
 import { fixed, html } from "../ui/dom";
 import { views, type View } from "./camera";
-import { css, holdColour, scaleColour } from "./colours";
+import { css, holdColour, partColour, scaleColour } from "./colours";
 import { colourings, type Colouring } from "./settings";
 import { PathView } from "./view";
 
@@ -12,6 +12,7 @@ const names: Readonly<Record<Colouring, string>> = {
   acceleration: "Acceleration",
   jerk: "Jerk",
   limit: "What holds it",
+  part: "Pass and link",
   line: "Line",
 };
 const units: Readonly<Record<Colouring, string>> = {
@@ -19,6 +20,7 @@ const units: Readonly<Record<Colouring, string>> = {
   acceleration: "mm/s²",
   jerk: "mm/s³",
   limit: "",
+  part: "",
   line: "",
 };
 const holdNames: Readonly<Record<(typeof holds)[number], string>> = {
@@ -30,9 +32,23 @@ const holdNames: Readonly<Record<(typeof holds)[number], string>> = {
   shape: "what comes",
 };
 
+const partNames: Readonly<Record<(typeof parts)[number], string>> = {
+  none: "no surface",
+  approach: "approach",
+  pass: "pass",
+  link: "link",
+  retract: "away",
+};
+
 export interface PathCalls {
   picked(sample: number): void;
   coloured(colouring: Colouring): void;
+}
+
+function keyOf(background: string, name: string): HTMLElement {
+  const chip = html("span", { class: "chip" });
+  chip.style.background = background;
+  return html("span", { class: "key" }, chip, name);
 }
 
 export class PathPanel {
@@ -91,12 +107,11 @@ export class PathPanel {
     const colouring = this.choice.value as Colouring;
     const isDark = getComputedStyle(document.documentElement).colorScheme === "dark";
     const rapid = html("span", { class: "key rapid" }, "rapid");
-    if (colouring === "limit") {
-      const keys = holds.map((hold, i) => {
-        const chip = html("span", { class: "chip" });
-        chip.style.background = css(holdColour(i, isDark));
-        return html("span", { class: "key" }, chip, holdNames[hold]);
-      });
+    if (colouring === "limit" || colouring === "part") {
+      const keys =
+        colouring === "limit"
+          ? holds.map((hold, i) => keyOf(css(holdColour(i, isDark)), holdNames[hold]))
+          : parts.map((part, i) => keyOf(css(partColour(i, isDark)), partNames[part]));
       this.legend.replaceChildren(...keys, rapid);
       return;
     }

@@ -40,10 +40,10 @@ export function drawPath(
     }
   };
   for (let v = 1; v < path.samples.length; ++v) {
-    if (nameOf(v) !== name) {
+    if (nameOf(v) !== name || path.isApart[v] === 1) {
       flush();
       name = nameOf(v);
-      points = at(v - 1);
+      points = path.isApart[v] === 1 ? [] : at(v - 1);
     }
     points.push(...at(v));
   }

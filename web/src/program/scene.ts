@@ -1,13 +1,18 @@
 // The path by WebGL.
 
 import {
+  AmbientLight,
   BufferAttribute,
   BufferGeometry,
   Color,
+  DirectionalLight,
+  DoubleSide,
   Group,
   LineBasicMaterial,
   LineDashedMaterial,
   LineSegments,
+  Mesh,
+  MeshLambertMaterial,
   OrthographicCamera,
   Scene as ThreeScene,
   Vector3,
@@ -16,7 +21,7 @@ import {
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
-import type { PathData } from "../engine/motion_types";
+import type { PathData, SurfaceMesh } from "../engine/motion_types";
 import { frameOf, type Camera } from "./camera";
 
 const mostWideSegments = 60_000; // more are drawn a pixel wide
@@ -26,7 +31,7 @@ function pairsOf(path: PathData, isRapid: boolean): Int32Array {
   const pairs = new Int32Array(path.samples.length * 2);
   let count = 0;
   for (let v = 1; v < path.samples.length; ++v) {
-    if ((path.isRapid[v] === 1) !== isRapid) continue;
+    if (path.isApart[v] === 1 || (path.isRapid[v] === 1) !== isRapid) continue;
     pairs[count++] = v - 1;
     pairs[count++] = v;
   }
@@ -41,11 +46,32 @@ function taken(from: Float32Array, vertices: Int32Array): Float32Array {
   return numbers;
 }
 
+/** Two triangles a quadrilateral, of corners 0 1 2 and 0 2 3. */
+function geometryOf(mesh: SurfaceMesh): BufferGeometry {
+  const corners = mesh.corners.length / 3;
+  const index = new Uint32Array((corners / 4) * 6);
+  for (let cell = 0; cell < corners / 4; ++cell)
+    [0, 1, 2, 0, 2, 3].forEach((corner, i) => (index[cell * 6 + i] = cell * 4 + corner));
+  return new BufferGeometry()
+    .setAttribute("position", new BufferAttribute(mesh.corners, 3))
+    .setAttribute("normal", new BufferAttribute(mesh.normals, 3))
+    .setIndex(new BufferAttribute(index, 1));
+}
+
 export class Scene {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new ThreeScene();
   private readonly eye = new OrthographicCamera();
   private readonly drawn = new Group();
+  private readonly surfaces = new Group();
+  private readonly lamp = new DirectionalLight(0xffffff, 2);
+  /** Behind the path that lies on it. */
+  private readonly shade = new MeshLambertMaterial({
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 8,
+  });
   private readonly wide = new LineMaterial({ vertexColors: true, linewidth: 2.5 });
   private feeds: Int32Array = new Int32Array();
   private path: PathData | undefined;
@@ -53,7 +79,7 @@ export class Scene {
 
   constructor(canvas: OffscreenCanvas) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
-    this.scene.add(this.drawn);
+    this.scene.add(this.drawn, this.surfaces, this.lamp, this.lamp.target, new AmbientLight(0xffffff, 1.2));
   }
 
   /** In pixels of the page, of which each is `ratio` of the screen. */
@@ -64,14 +90,18 @@ export class Scene {
     [this.eye.left, this.eye.right, this.eye.top, this.eye.bottom] = [-width / 2, width / 2, height / 2, -height / 2];
   }
 
-  load(path: PathData): void {
+  load(path: PathData, surfaces: readonly SurfaceMesh[]): void {
+    for (const each of this.surfaces.children) (each as Mesh).geometry.dispose();
+    this.surfaces.clear();
+    for (const mesh of surfaces) this.surfaces.add(new Mesh(geometryOf(mesh), this.shade));
     this.path = path;
     this.feeds = pairsOf(path, false);
     this.reach = Math.max(1e-3, ...[0, 1, 2].map((i) => (path.greatest[i] ?? 0) - (path.least[i] ?? 0)));
   }
 
   /** `colours` has three numbers a vertex of the path, of the sample that it ends with. */
-  paint(colours: Float32Array, rapid: string): void {
+  paint(colours: Float32Array, rapid: string, surface: string): void {
+    this.shade.color.set(new Color(surface));
     const { path, feeds } = this;
     if (path === undefined) return;
     for (const each of this.drawn.children) (each as LineSegments).geometry.dispose();
@@ -95,6 +125,8 @@ export class Scene {
       .set(out[0] ?? 0, out[1] ?? 0, out[2] ?? 0)
       .multiplyScalar(distance)
       .add(target);
+    this.lamp.position.copy(this.eye.position); // the light falls from where one looks, so that what bends is shaded
+    this.lamp.target.position.copy(target);
     this.eye.up.set(up[0] ?? 0, up[1] ?? 0, up[2] ?? 0);
     this.eye.lookAt(target);
     this.eye.zoom = camera.scale;

@@ -2,7 +2,7 @@
 
 import { startWorker } from "leadscrew:scene";
 import { buffersOf } from "../engine/buffers";
-import type { PathData } from "../engine/motion_types";
+import type { PathData, SurfaceMesh } from "../engine/motion_types";
 import { colour } from "../ui/theme";
 import type { Camera } from "./camera";
 import type { Look } from "./colours";
@@ -34,12 +34,12 @@ export class SceneClient {
   }
 
   /** The page has the path's arrays no more. */
-  load(path: PathData): void {
-    this.worker.postMessage({ path } satisfies SceneRequest, buffersOf(path));
+  load(path: PathData, surfaces: readonly SurfaceMesh[]): void {
+    this.worker.postMessage({ path, surfaces } satisfies SceneRequest, buffersOf(path));
   }
 
   paint(look: Look): void {
-    this.send({ look, rapid: colour("truth") });
+    this.send({ look, rapid: colour("truth"), surface: colour("truth") });
   }
 
   /** From there; of several asked for while one is drawn, the last. */

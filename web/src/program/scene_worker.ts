@@ -1,6 +1,6 @@
 // The path by WebGL in a worker: however long a large path takes to draw, the page stays free.
 
-import type { PathData } from "../engine/motion_types";
+import type { PathData, SurfaceMesh } from "../engine/motion_types";
 import type { Camera } from "./camera";
 import { coloursOf, type Look } from "./colours";
 import { Scene } from "./scene";
@@ -8,8 +8,8 @@ import { Scene } from "./scene";
 export type SceneRequest =
   | { readonly canvas: OffscreenCanvas }
   | { readonly width: number; readonly height: number; readonly ratio: number }
-  | { readonly path: PathData }
-  | { readonly look: Look; readonly rapid: string }
+  | { readonly path: PathData; readonly surfaces: readonly SurfaceMesh[] }
+  | { readonly look: Look; readonly rapid: string; readonly surface: string }
   | { readonly camera: Camera; readonly paper: string };
 /** A picture has been drawn. */
 export type SceneReply = "drawn";
@@ -22,9 +22,9 @@ self.onmessage = ({ data }: MessageEvent<SceneRequest>) => {
     scene = new Scene(data.canvas);
   } else if ("path" in data) {
     path = data.path;
-    scene?.load(path);
+    scene?.load(path, data.surfaces);
   } else if ("look" in data) {
-    if (path !== undefined) scene?.paint(coloursOf(path, data.look), data.rapid);
+    if (path !== undefined) scene?.paint(coloursOf(path, data.look), data.rapid, data.surface);
   } else if ("width" in data) {
     scene?.size(data.width, data.height, data.ratio);
   } else {

@@ -3,7 +3,7 @@
 import { axisLetters, type Diagnostic, type Limits } from "../engine/motion_types";
 import { exampleOf, examples } from "./examples";
 
-export const colourings = ["speed", "acceleration", "jerk", "limit", "line"] as const;
+export const colourings = ["speed", "acceleration", "jerk", "limit", "part", "line"] as const;
 export type Colouring = (typeof colourings)[number];
 
 export interface Settings {

@@ -1,11 +1,11 @@
 // The path in space: turned, moved and brought nearer by pointer and keys; a click tells which place is meant.
 
 import { CanvasPicture, SvgPicture, type Picture } from "../draw/picture";
-import type { PathData, Plan } from "../engine/motion_types";
+import type { Gouge, PathData, Plan } from "../engine/motion_types";
 import { html } from "../ui/dom";
 import { fit, pan, projector, turn, views, zoom, type Camera, type View } from "./camera";
 import { coloursOf, type Look } from "./colours";
-import { Overlay } from "./overlay";
+import { Overlay, type StandingTool } from "./overlay";
 import { drawPath } from "./path_picture";
 import { SceneClient } from "./scene_client";
 import type { Colouring } from "./settings";
@@ -27,7 +27,7 @@ export class PathView {
   private plan: Plan | undefined;
   private path: PathData | undefined;
   private colouring: Colouring = "speed";
-  private tool: readonly number[] | undefined;
+  private tool: StandingTool | undefined;
   private frame = 0;
   private isPathStale = false;
 
@@ -49,7 +49,9 @@ export class PathView {
     this.plan = plan;
     this.path = plan.path;
     this.overlay.mark([]);
-    this.scene?.load(plan.drawn);
+    this.overlay.gouges = [];
+    this.overlay.poles = plan.poles.map(({ sample }) => [...plan.samples.tip.subarray(sample * 3, sample * 3 + 3)]);
+    this.scene?.load(plan.drawn, plan.surfaces);
     this.paint(colouring);
     if (!keepCamera) this.fit();
   }
@@ -69,14 +71,24 @@ export class PathView {
   stand(sample: number): void {
     const { plan } = this;
     if (plan === undefined) return;
-    const { axes, position } = plan.samples;
-    this.tool = [0, 1, 2].map((axis) => position[sample * axes.length + axes.indexOf(axis)] ?? 0);
+    const { tip, direction, tool } = plan.samples;
+    this.tool = {
+      tip: [...tip.subarray(sample * 3, sample * 3 + 3)],
+      direction: [...direction.subarray(sample * 3, sample * 3 + 3)],
+      shape: plan.tools.find(({ number }) => number === tool[sample]),
+    };
     this.drawOver();
   }
 
   /** Where the running machine has its tool. */
-  standAt(place: readonly number[]): void {
-    this.tool = place;
+  standAt(tip: readonly number[], direction: readonly number[]): void {
+    this.tool = { tip, direction, shape: undefined };
+    this.drawOver();
+  }
+
+  /** Where the tool cuts too deep. */
+  markGouges(gouges: readonly Gouge[]): void {
+    this.overlay.gouges = gouges.map(({ place }) => place);
     this.drawOver();
   }
 
@@ -103,13 +115,13 @@ export class PathView {
 
   svgText(): string {
     const picture = new SvgPicture(this.element.clientWidth, this.element.clientHeight, "Path of the tool");
-    this.drawOn(picture, this.tool);
+    this.drawOn(picture, this.tool?.tip);
     return picture.toString();
   }
 
   async pngBlob(): Promise<Blob> {
     const canvas = document.createElement("canvas");
-    this.drawOn(new CanvasPicture(canvas, this.element.clientWidth, this.element.clientHeight), this.tool);
+    this.drawOn(new CanvasPicture(canvas, this.element.clientWidth, this.element.clientHeight), this.tool?.tip);
     return await new Promise((resolve, reject) =>
       canvas.toBlob((blob) => (blob === null ? reject(new Error("no picture")) : resolve(blob)), "image/png"),
     );
@@ -117,7 +129,8 @@ export class PathView {
 
   private lookOf(plan: Plan): Look {
     const isDark = getComputedStyle(document.documentElement).colorScheme === "dark";
-    const range = this.colouring === "limit" ? ([0, 1] as const) : plan.ranges[this.colouring];
+    const range =
+      this.colouring === "limit" || this.colouring === "part" ? ([0, 1] as const) : plan.ranges[this.colouring];
     return { colouring: this.colouring, range, isDark };
   }
 

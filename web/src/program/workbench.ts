@@ -2,7 +2,7 @@
 
 import { Cancelled, type PlannerClient } from "../engine/planner_client";
 import type { LiveMachine, LiveSample } from "../engine/live_types";
-import type { Diagnostic, Limits, Phase, Plan } from "../engine/motion_types";
+import type { Diagnostic, Gouge, Limits, Phase, Plan, Task } from "../engine/motion_types";
 import { sampleAt, timeOf, timeOfLine } from "../engine/path";
 import { download } from "../lesson/files";
 import { html } from "../ui/dom";
@@ -11,6 +11,7 @@ import { Editor } from "./editor";
 import type { Example } from "./examples";
 import { FiguresPanel, LossTable } from "./figures";
 import { limitsOf } from "./live";
+import { GougePanel } from "./gouge_panel";
 import { LivePanel } from "./live_panel";
 import { MachineForm } from "./machine_form";
 import { Playback } from "./playback";
@@ -40,6 +41,11 @@ export class Workbench implements Mode {
   private readonly playback: Playback = new Playback((time) => this.stand(time));
   private readonly figures = new FiguresPanel();
   private readonly losses = new LossTable((line, time) => this.goTo(line, time));
+  private readonly gouges = new GougePanel({
+    look: () => this.lookForGouges(),
+    found: (gouges) => this.path.view.markGouges(gouges),
+    chosen: (sample) => this.pick(sample),
+  });
   private readonly progress = new Progress(() => this.cancel());
   /** Where a machine is driven. */
   private readonly live = LivePanel.ofPage({
@@ -96,6 +102,7 @@ export class Workbench implements Mode {
         html("section", { class: "panel", "aria-label": "Over time" }, this.plotsHead(), this.plots.element),
         html("section", { class: "panel", "aria-label": "Figures" }, html("h2", {}, "Figures"), this.figures.figures),
         this.losses.element,
+        this.gouges.element,
         this.exportsPanel(),
       ),
     );
@@ -215,7 +222,7 @@ export class Workbench implements Mode {
   private follow(machine: LiveMachine, sample: LiveSample): void {
     this.playback.stop();
     const at = (letter: string): number => sample.actual[machine.axes.findIndex(({ name }) => name === letter)] ?? 0;
-    this.path.view.standAt(sample.tip ?? [at("X"), at("Y"), at("Z")]);
+    this.path.view.standAt(sample.tip ?? [at("X"), at("Y"), at("Z")], sample.direction ?? [0, 0, 1]);
     this.markLine(sample.line);
   }
 
@@ -247,6 +254,22 @@ export class Workbench implements Mode {
     this.progress.rest("Cancelled: change something, or open another program");
   }
 
+  private get task(): Task {
+    const { text, machine, limits, tools, override } = this.settings;
+    return { text, machine, limits, tools, override: override / 100 };
+  }
+
+  private async lookForGouges(): Promise<readonly Gouge[] | Diagnostic | undefined> {
+    try {
+      return await this.planner.gouges(this.task);
+    } catch (failure) {
+      if (failure instanceof Cancelled) return undefined;
+      throw failure;
+    } finally {
+      this.progress.rest("");
+    }
+  }
+
   /** Checks what is set, and plans it. */
   private async run(): Promise<void> {
     const run = ++this.runs;
@@ -254,8 +277,7 @@ export class Workbench implements Mode {
     this.tell("planning");
     this.showCommand();
     this.keepLink();
-    const { text, machine, limits, tools, override } = this.settings;
-    const task = { text, machine, limits, tools, override: override / 100 };
+    const { task } = this;
     try {
       const checked = await this.planner.check(task);
       if (run !== this.runs) return;
@@ -297,6 +319,7 @@ export class Workbench implements Mode {
       () => this.path.load(plan, this.settings.colouring, !this.isNewText),
       () => this.figures.load(plan),
       () => this.losses.load(plan),
+      () => this.gouges.load(plan),
       ...this.plots.load(plan),
     ];
     for (const panel of panels) {
