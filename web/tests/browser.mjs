@@ -1,6 +1,6 @@
 // What the tests share: the page on a server of its own or from disk, Chromium without a way out, the native command.
 
-import { execFileSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";
@@ -127,9 +127,11 @@ export async function tableOf(page) {
 
 export const command = process.env.LEADSCREW ?? join(root, "build/release/leadscrew");
 
-/** What the native command prints. */
-export function native(args) {
-  return execFileSync(command, args, { encoding: "utf8" });
+/** What the native command prints; it ends with that status. */
+export function native(args, status = 0) {
+  const { status: ended, stdout, stderr } = spawnSync(command, args, { encoding: "utf8", maxBuffer: 2 ** 30 });
+  if (ended !== status) throw new Error(`leadscrew ${args.join(" ")} ended with ${ended}: ${stderr}`);
+  return stdout;
 }
 
 /** Of `pulse --table`: {columns, rows}. */

@@ -142,6 +142,49 @@ test("a tool table is typed", async () => {
   assertSame(shown, wordsOf(surface, { "--tools": "T1 D10 R5\n" }, shown.columns));
 });
 
+test("gouges are the command's, and each leads to its line", async () => {
+  const { page } = opened;
+  const surface = "G6.4 D3 P2 Q2 I2 J2\nX0 Y0 Z0\nX20\nX0 Y20\nX20\n";
+  const text = `G21 G90\n${surface}T1 M6\nG6.5 D3 Q5 Z10 F3000\nG0 X7 Y9 Z5\nG1 Z-0.5 F500\nG1 Z5\nM2\n`;
+  await page.fill("#tools", "T1 D10 R0 L40 H50 K30");
+  await page.press("#tools", "Tab");
+  assert.equal(await write(page, text), "ready");
+  await page.click("#gouges-look");
+  await page.waitForSelector("#gouges tr");
+  const shown = await page.$$eval("#gouges tr", (rows) =>
+    rows.map((row) => [...row.children].map((cell) => cell.textContent)),
+  );
+  const [program, table] = [join(folder, "gouging.ngc"), join(folder, "gouging.tbl")];
+  writeFileSync(program, text);
+  writeFileSync(table, "T1 D10 R0 L40 H50 K30\n");
+  const { gouging } = JSON.parse(native(["check", program, "--gouge", "--json", "--tools", table], 1));
+  const { line, depth_mm, part, surface: number, u, v } = gouging.worst;
+  assert.deepEqual(
+    shown.map(([of, , ...found]) => [Number(of), found[0], found[1], ...found.slice(2).map(Number)]),
+    [[line, part, `D${number}`, depth_mm, u, v]],
+  );
+  await page.click("#gouges button");
+  assert.equal(await page.getAttribute(".program", "data-line"), shown[0][0]);
+  assert.deepEqual(await seriousFindings(page), []);
+});
+
+test("the nearest place of a pass by a pole is listed, and leads there", async () => {
+  const { page } = opened;
+  const file = join(folder, "trunnion.toml");
+  writeFileSync(file, trunnion);
+  const run = await page.getAttribute(".program", "data-run");
+  await page.setInputFiles("#machine-file", file);
+  await page.waitForFunction((before) => document.querySelector(".program").dataset.run !== before, run);
+  assert.equal(await write(page, "G21 G90 G94\nG0 A-10\nG43.4 H0\nG1 X20 A10 F2000\nG49\nM2\n"), "ready");
+  const [start, passed, ...more] = await page.$$eval("#poles li", (all) => all.map((each) => each.textContent));
+  assert.match(start, /^Line 2: 0\.000° from a pole/); // where motion begins
+  assert.match(passed, /^Line 4: 0\.0\d\d° from a pole/);
+  assert.deepEqual(more, []);
+  await page.click("#poles li:nth-child(2) button");
+  assert.ok(/^\D?0\.0\d\d$/.test(await figure(page, "A", "now")));
+  await page.click("#machine-reset");
+});
+
 test("nothing leaves the page, and nothing fails in it", () => {
   assert.deepEqual(opened.strays, []);
   assert.deepEqual(opened.failures, []);

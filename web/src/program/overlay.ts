@@ -76,7 +76,7 @@ function drawTool(
   const [x, y] = project(tool.tip);
   for (const ring of outlineOf(tool, camera.scale)) {
     to.globalAlpha = 0.55;
-    to.fillStyle = colour(ring.isHolder ? "muted" : "warm");
+    to.fillStyle = colour(ring.isHolder ? "truth" : "y");
     to.beginPath();
     for (const { height, radius } of ring.slices) {
       const [cx, cy] = [x + along[0] * height * camera.scale, y + along[1] * height * camera.scale];
