@@ -121,7 +121,19 @@ function wayOf(rows, columns) {
   return { length: sum(steps), ripple: Math.max(...windows.map((each) => Math.abs(each - mean))) / mean };
 }
 
-test("length and ripple follow from the command's rows", async () => {
+/** Of the steps of `pulse --table`: the greatest difference of this order of X or Y, over steps of 16 clocks. */
+function differenceOf(rows, columns, order) {
+  let greatest = -1;
+  for (const name of ["dx", "dy"]) {
+    const at = columns.indexOf(name);
+    let values = rows.map((_, i) => rows.slice(1, i + 1).reduce((place, row) => place + row[at], 0));
+    for (let k = 0; k < order; ++k) values = values.slice(16).map((value, i) => value - values[i]);
+    greatest = Math.max(greatest, ...values.map(Math.abs));
+  }
+  return greatest < 0 ? "" : String(greatest);
+}
+
+test("length, ripple, acceleration and jerk follow from the command's rows", async () => {
   const { page } = compare;
   for (const id of ["bits", "loads"]) {
     await chooseComparison(page, id);
@@ -133,6 +145,8 @@ test("length and ripple follow from the command's rows", async () => {
       const { length, ripple } = wayOf(table.rows, table.columns);
       assert.ok(Math.abs(Number(row.Length) - length) <= 0.005 + 1e-9, `${row.Length} ${length}`);
       assert.ok(Math.abs(parseFloat(row.Ripple) - 100 * ripple) <= 0.05 + 1e-9, `${row.Ripple} ${ripple}`);
+      assert.equal(row.Acceleration, differenceOf(table.rows, table.columns, 2));
+      assert.equal(row.Jerk, differenceOf(table.rows, table.columns, 3));
     }
   }
 });

@@ -32,6 +32,16 @@ const columns: readonly (readonly [string, string, (figures: Told) => string])[]
     `greatest departure of the way in ${rippleClocks} clocks from its mean`,
     ({ ripple }) => (Number.isNaN(ripple) ? "" : `${fixed(100 * ripple, 1)} %`),
   ],
+  [
+    "Acceleration",
+    `greatest second difference of X or Y over steps of ${rippleClocks} clocks, BLU`,
+    ({ acceleration }) => (Number.isNaN(acceleration) ? "" : String(acceleration)),
+  ],
+  [
+    "Jerk",
+    `greatest third difference of X or Y over steps of ${rippleClocks} clocks, BLU`,
+    ({ jerk }) => (Number.isNaN(jerk) ? "" : String(jerk)),
+  ],
   ["End", "where it stands, BLU", ({ end }) => `(${end.join(", ")})`.replaceAll("-", "−")],
 ];
 

@@ -15,6 +15,9 @@ export interface LaneFigures {
   readonly length: number;
   /** Greatest departure of the way made in 16 clocks from the mean of all of them, over that mean; NaN of shorter curves. */
   readonly ripple: number;
+  /** Greatest second and third difference of X or Y over steps of 16 clocks, BLU; NaN of shorter curves. */
+  readonly acceleration: number;
+  readonly jerk: number;
 }
 
 function stepLength(session: Session, clock: number): number {
@@ -34,7 +37,24 @@ export function figuresOf(session: Session, until: number): LaneFigures {
     end: [session.value(clock, "X"), session.value(clock, "Y")],
     length,
     ripple: rippleOf(session, clock, length),
+    acceleration: greatestDifference(session, clock, [1, -2, 1]),
+    jerk: greatestDifference(session, clock, [1, -3, 3, -1]),
   };
+}
+
+/** Of X or Y at clocks that are 16 apart, weighted so, the latest first. */
+function greatestDifference(session: Session, last: number, weights: readonly number[]): number {
+  let greatest = NaN;
+  for (let clock = rippleClocks * (weights.length - 1); clock <= last; ++clock) {
+    for (const axis of ["X", "Y"] as const) {
+      const difference = weights.reduce(
+        (sum, weight, i) => sum + weight * session.value(clock - rippleClocks * i, axis),
+        0,
+      );
+      greatest = Number.isNaN(greatest) ? Math.abs(difference) : Math.max(greatest, Math.abs(difference));
+    }
+  }
+  return greatest;
 }
 
 function rippleOf(session: Session, clock: number, length: number): number {
