@@ -148,11 +148,23 @@ TEST(Sweep, SaysWhatIsWrongWithItsWords) {
   EXPECT_EQ(leadscrew(folder, {"sweep", "--out", "out"}).status, 2);
   EXPECT_EQ(leadscrew(folder, {"sweep", "--programs", "a.ngc"}).status, 2);
   EXPECT_EQ(leadscrew(folder, {"sweep", "--programs", "a.ngc", "--out", "o", "--override", "0.5,3"}).status, 2);
-  EXPECT_EQ(leadscrew(folder, {"sweep", "--merge", "--out", "out"}).status, 3);
+  const Outcome nothing = leadscrew(folder, {"sweep", "--merge", "--out", "out"});
+  EXPECT_EQ(nothing.status, 3);
+  EXPECT_TRUE(contains(nothing.errors, "[sweep-tasks]")) << nothing.errors;
   std::filesystem::create_directory(folder.path() / "empty");
   const Outcome none = leadscrew(folder, {"sweep", "--programs", "empty", "--out", "out"});
   EXPECT_EQ(none.status, 3);
   EXPECT_TRUE(contains(none.errors, "[no-programs]")) << none.errors;
+}
+
+TEST(Sweep, SaysThatThereIsNoMpiWhereSeveralProcessesWereStarted) {
+  const Folder folder;
+  const std::filesystem::path copy = folder.path() / "leadscrew";
+  std::filesystem::copy(LEADSCREW_COMMAND, copy);
+  const Outcome outcome = leadscrew(folder, {"sweep", "--random", "2", "--out", "out"},
+                                    {.command = copy, .environment = {"OMPI_COMM_WORLD_SIZE=2"}});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_TRUE(contains(outcome.errors, "[sweep-mpi]")) << outcome.errors;
 }
 
 #ifdef LEADSCREW_MPIRUN

@@ -152,7 +152,7 @@ leadscrew_gouge gouge_of(const gouging::LocalClearance& from) {
 }
 
 int too_many(leadscrew_error* error) {
-  return rejected(error, base::problem("surface-count", "more surfaces, or larger ones, than are kept",
+  return rejected(error, base::problem("surface-counts", "more surfaces, or larger ones, than are kept",
                                        "at most 1000 surfaces that differ"));
 }
 

@@ -169,7 +169,7 @@ class Processes {
 };
 
 Ended failed_to_start(console::Console& console, int error) {
-  console.diagnostic(files::system_failure("io-process", "cannot start a process", {}, error));
+  console.diagnostic(files::system_failure("sweep-process", "cannot start a process", {}, error));
   return {.status = Status::input_output};
 }
 
