@@ -81,6 +81,9 @@ DoubleDouble negated(DoubleDouble x) {
 Compensated negated(Compensated x) {
   return {0 - x.sum, 0 - x.error};
 }
+double negated(double x) {
+  return 0 - x;
+}
 
 /// Turned by so many quarters.
 template <typename T>
@@ -167,8 +170,10 @@ SinePair<Compensated> sines_of_degrees(Compensated angle) {
 }
 
 SinePair<double> sines_of_degrees(double angle) {
-  const SinePair<Compensated> fine = sines_of_degrees(Compensated(angle));
-  return {fine.sine.sum, fine.cosine.sum};
+  const double quarters = nearest_whole(angle * (1.0 / 90)), degrees = angle - 90 * quarters;
+  const DoubleDouble radians = two_product(degrees, radians_of_degree.hi);
+  const Sines rest = sines({radians.hi, radians.lo + degrees * radians_of_degree.lo});
+  return turned<double>({rest.sine, rest.cosine}, quarters);
 }
 
 }  // namespace leadscrew::numeric
