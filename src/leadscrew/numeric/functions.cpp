@@ -47,7 +47,8 @@ constexpr double steps_of_tangent = 8;
 /// Arc tangents of 0, 1/8, …, 1.
 constexpr auto arc_tangents = [] {
   std::array<DoubleDouble, 9> all{};
-  for (std::size_t j = 0; j < all.size(); ++j) all[j] = arc_tangent_by_series(static_cast<double>(j) / steps_of_tangent);
+  for (std::size_t j = 0; j < all.size(); ++j)
+    all[j] = arc_tangent_by_series(static_cast<double>(j) / steps_of_tangent);
   return all;
 }();
 

@@ -83,7 +83,8 @@ Parsed<std::vector<ModelSetup>> parse_model_setups(std::string_view text) {
   }
 }
 
-base::Result<std::string> model_table(const std::string& folder, std::vector<ModelSetup> setups, std::int64_t count) {
+base::Result<std::string> model_table(const std::string& folder, const std::vector<ModelSetup>& setups,
+                                      std::int64_t count) {
   const auto measured = measured_in(folder);
   if (!measured) return base::failure(measured.error());
   std::vector<double> tasks = measured->processor;

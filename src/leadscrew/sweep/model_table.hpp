@@ -15,6 +15,7 @@ options::Parsed<std::vector<ModelSetup>> parse_model_setups(std::string_view tex
 
 /// A row for each of them, by the time of the processor that the tasks in the folder took, repeated in turn until there are
 /// `tasks` (0: as they are); and from the first task to the last, as it was. Errors: those of shards; `sweep-tasks`.
-base::Result<std::string> model_table(const std::string& folder, std::vector<ModelSetup> setups, std::int64_t tasks);
+base::Result<std::string> model_table(const std::string& folder, const std::vector<ModelSetup>& setups,
+                                      std::int64_t tasks);
 
 }  // namespace leadscrew::sweep

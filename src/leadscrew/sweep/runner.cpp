@@ -189,7 +189,6 @@ base::Result<Plan> plan_of(const Work& work, const std::string& shards) {
   const auto read = for_each_line(shards, [&](const ShardLine& line) { done.insert(line.key); });
   if (!read) return base::failure(read.error());
   Plan plan;
-  std::vector<double> costs;
   for (std::int64_t task = 0; task < work.count(); ++task) {
     const Key key = work.key(task);
     if (done.contains(key)) {
