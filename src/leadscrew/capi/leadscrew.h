@@ -320,7 +320,8 @@ typedef struct leadscrew_gouge {
       depth; /**< mm, of the deepest place of this block, part and pass; 0: the tool bends less than the surface that it
                           touches, and how deep it is beside is not told */
   double clearance;    /**< 1/mm, where the depth is 0: < 0, curvature of the tool less that of the surface */
-  double u, v;         /**< its place, parameters of the surface */
+  double u;            /**< its place, a parameter of the surface */
+  double v;            /**< the other */
   double place[3];     /**< the same in the workpiece, mm */
   double tip[3];       /**< of the tool there, mm; of depth 0 the place */
   double direction[3]; /**< the same, a unit vector; of depth 0 all 0 */

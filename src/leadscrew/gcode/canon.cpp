@@ -1,6 +1,5 @@
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <leadscrew/gcode/arc.hpp>
 #include <leadscrew/gcode/canon.hpp>
 #include <leadscrew/numeric/functions.hpp>

@@ -117,11 +117,10 @@ class Placement {
     sample.a = t.acceleration;
     sample.j = t.jerk;
     const constraints::Place place = seen.at_feed(range_.feed_factor);
-    const double feed = place.feed;
     double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
     const auto [second, third] = bends(jet, s, side, t.acceleration);
     sample.greatest = cap;
-    sample.is_by_feed = cap == feed * feed;
+    sample.is_by_feed = cap == squared(place.feed);
     const double d = from_rest(s);
     cap = std::min(cap, squared(numeric::cbrt(4.5 * t.jerk * d * d)));
     sample.cap = sample.reach = cap;
