@@ -339,6 +339,22 @@ test("a link brings text, machine, colours and time back", async () => {
   await planned(page);
 });
 
+test("of two links, one behind the other, the last is shown", async () => {
+  const { page } = opened;
+  const link = new URL(page.url()).hash;
+  await write(page, "G21 G90 F1200\nG1 X7\nM2\n");
+  await page.waitForFunction((before) => location.hash !== before, link);
+  const run = await page.getAttribute(".program", "data-run");
+  await page.evaluate((last) => {
+    location.hash = "";
+    location.hash = last;
+  }, link);
+  await page.waitForFunction((before) => document.querySelector(".program").dataset.run !== before, run);
+  assert.equal(await planned(page), "ready");
+  assert.match(await downloaded(page, "save"), /größer/);
+  assert.deepEqual(opened.failures, []);
+});
+
 test("one file runs from disk, and asks for nothing", async () => {
   const { page, strays, failures, close } = await openProgram(browser, programAddress);
   assert.equal(await choose(page, "03-arcs-in-three-planes"), "ready");

@@ -5,7 +5,17 @@ import type { Phase, PlannerCalls, PlannerMethod } from "./motion_types";
 import type { Reply, Request } from "./planner_worker";
 
 /** The call was ended before it was done. */
-export class Cancelled extends Error {}
+class Cancelled extends Error {}
+
+/** What a call gives, or nothing where it was ended before it was done. */
+export async function unlessCancelled<T>(call: Promise<T>): Promise<T | undefined> {
+  try {
+    return await call;
+  } catch (failure) {
+    if (failure instanceof Cancelled) return undefined;
+    throw failure;
+  }
+}
 
 interface Waiting {
   readonly resolve: (result: unknown) => void;

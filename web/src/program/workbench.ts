@@ -1,6 +1,6 @@
 // The program's page: a text and a machine become a plan, and the clock walks along it.
 
-import { Cancelled, type PlannerClient } from "../engine/planner_client";
+import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
 import type { LiveMachine, LiveSample } from "../engine/live_types";
 import type { Diagnostic, Gouge, Limits, Phase, Plan, Task } from "../engine/motion_types";
 import { sampleAt, timeOf, timeOfLine } from "../engine/path";
@@ -69,7 +69,7 @@ export class Workbench implements Mode {
     this.editor = new Editor(settings.text, {
       changed: (text) => this.typed(text),
       pointed: (line) => this.pointed(line),
-      explain: (code) => (planner.isBusy ? Promise.resolve("") : planner.explain(code)),
+      explain: async (code) => (planner.isBusy ? "" : ((await unlessCancelled(planner.explain(code))) ?? "")),
     });
     this.program = new ProgramPanel(this.editor, {
       open: (name, text) => this.openText(name, text),
@@ -165,7 +165,9 @@ export class Workbench implements Mode {
   }
 
   private async exportTrace(name: string): Promise<void> {
-    if (this.plan !== undefined && !this.planner.isBusy) download(name, await this.planner.trace(), "text/csv");
+    if (this.plan === undefined || this.planner.isBusy) return;
+    const trace = await unlessCancelled(this.planner.trace());
+    if (trace !== undefined) download(name, trace, "text/csv");
   }
 
   private async openExample({ name, text, machine, tools }: Example): Promise<void> {
@@ -182,12 +184,14 @@ export class Workbench implements Mode {
     await this.run();
   }
 
-  /** False where the file is wrong, which is told. */
+  /** False where the file is wrong, which is told, or something else is asked for meanwhile. */
   private async takeMachine(file: string): Promise<boolean> {
     ++this.runs;
+    clearTimeout(this.typing);
     this.planner.cancel();
     this.tell("planning");
-    const limits = await this.planner.limits(file);
+    const limits = await unlessCancelled(this.planner.limits(file));
+    if (limits === undefined) return false;
     if ("code" in limits) {
       const place = limits.line > 0 ? `line ${limits.line}: ` : "";
       this.machineForm.refuse(`${place}${limits.message}${limits.hint === "" ? "" : `: ${limits.hint}`}`);
@@ -238,8 +242,11 @@ export class Workbench implements Mode {
   }
 
   private async restore(): Promise<void> {
+    clearTimeout(this.typing);
     this.planner.cancel();
-    [this.settings, this.machine] = await fromLink(location.hash, this.planner.limits);
+    const restored = await unlessCancelled(fromLink(location.hash, this.planner.limits));
+    if (restored === undefined) return;
+    [this.settings, this.machine] = restored;
     this.isNewText = true;
     this.editor.set(this.settings.text);
     this.showSettings();
@@ -261,10 +268,7 @@ export class Workbench implements Mode {
 
   private async lookForGouges(): Promise<readonly Gouge[] | Diagnostic | undefined> {
     try {
-      return await this.planner.gouges(this.task);
-    } catch (failure) {
-      if (failure instanceof Cancelled) return undefined;
-      throw failure;
+      return await unlessCancelled(this.planner.gouges(this.task));
     } finally {
       this.progress.rest("");
     }
@@ -279,19 +283,19 @@ export class Workbench implements Mode {
     this.keepLink();
     const { task } = this;
     try {
-      const checked = await this.planner.check(task);
-      if (run !== this.runs) return;
+      const checked = await unlessCancelled(this.planner.check(task));
+      if (checked === undefined || run !== this.runs) return;
       this.showDiagnostics(checked.diagnostics);
       if (!checked.isSound) return this.refuse();
-      const plan = await this.planner.plan(task, mostSamples);
-      if (run !== this.runs) return;
+      const plan = await unlessCancelled(this.planner.plan(task, mostSamples));
+      if (plan === undefined || run !== this.runs) return;
       if ("code" in plan) {
         this.showDiagnostics([...checked.diagnostics, plan]);
         return this.refuse();
       }
       await this.load(plan);
     } catch (failure) {
-      if (failure instanceof Cancelled || run !== this.runs) return;
+      if (run !== this.runs) return;
       this.forget();
       this.tell("failed");
       this.progress.rest(`The engine failed: ${String(failure)}`);
