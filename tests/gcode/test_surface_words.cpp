@@ -90,8 +90,10 @@ TEST(SurfaceWords, LeanByAAndB) {
   const std::string control = "G43.4 H1\nG0 Z60\n";
   const Orientation leaned = machined_by("G6.5 D1 T1 Q5 S1 A3 B-2 Z20", table, control).machining.orientation;
   EXPECT_EQ(leaned.rule, Orientation::Rule::leaned);
-  EXPECT_NEAR(leaned.lead, 3 * M_PI / 180, 1e-15);
-  EXPECT_NEAR(leaned.tilt, -2 * M_PI / 180, 1e-15);
+  const double lead = 3 * M_PI / 180, tilt = -2 * M_PI / 180;
+  EXPECT_NEAR(leaned.axis[0], std::sin(lead), 1e-15);
+  EXPECT_NEAR(leaned.axis[1], -std::cos(lead) * std::sin(tilt), 1e-15);
+  EXPECT_NEAR(leaned.axis[2], std::cos(lead) * std::cos(tilt), 1e-15);
   EXPECT_EQ(machined_by("G6.5 D1 T1 Q5 A0 Z20", table, control).machining.orientation.rule, Orientation::Rule::normal);
   // Without them the tool keeps the direction that it has.
   const Orientation kept = machined_by("G6.5 D1 T1 Q5 Z40", table, "G0 A-30\n" + control).machining.orientation;

@@ -81,7 +81,7 @@ TEST(Sweep, FindsLeaningToolsFreeOfGouging) {
   const auto surface = std::make_shared<Surface>(surfaces::test::patch_a());
   const Workpiece workpiece({surface}, tolerance / 4);
   surfaces::Machining how = machining(surface, {5, 1});
-  how.orientation = {surfaces::Orientation::Rule::leaned, {}, 0.15, 0};
+  how.orientation = surfaces::Orientation::leaning(0.15, 0);
   const Found found = deepest_of(how, Tool({{5, 1}, 20, 4, 60, 20, 50}), workpiece);
   EXPECT_LT(found.depth, 1e-6);
   EXPECT_GT(found.depth, -1e-5);

@@ -134,7 +134,7 @@ TEST(Scallops, OfALeaningBullNoseAreWhatItsEdgeSweeps) {
   Target target = target_of(surface, step, height);
   target.u = {0.1, 0.9};  // what the tool leaves beside its contact, it leaves somewhat before or behind it
   Measurement measurement(target);
-  const Orientation leaned{Orientation::Rule::leaned, {}, lead, 0};
+  const Orientation leaned = Orientation::leaning(lead, 0);
   const Findings& found = test::measured(measurement, {&surface, {radius, corner}, leaned, test::even(25)});
   EXPECT_NEAR(found.ridge.height, height, 1e-6 * height);
   EXPECT_NEAR(found.cut.height, 0, 1e-9);

@@ -33,7 +33,7 @@ Machining on_patch_a(const Cutter& cutter, const Orientation& orientation, Patte
   return machining;
 }
 
-const Orientation leaned{Orientation::Rule::leaned, {}, 0.3, 0.1};
+const Orientation leaned = Orientation::leaning(0.3, 0.1);
 
 /// The least distance of many points of the surface from the tool, at many places of the link.
 double deepest(const Machining& machining, const Pass& link, const std::vector<Vector>& points) {

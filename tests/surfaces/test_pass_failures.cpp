@@ -74,7 +74,7 @@ TEST(PassFailure, NoStepIsFoundWhereTheToolFillsTheSurface) {
   EXPECT_EQ(kind_of(machining), Kind::no_step);
   machining.cutter = {5, 0};
   machining.side = -1;
-  machining.orientation = {Orientation::Rule::leaned, {}, 0, 0.2};
+  machining.orientation = Orientation::leaning(0, 0.2);
   EXPECT_EQ(kind_of(machining), Kind::no_step);  // a sharp edge towards the next pass
 }
 
@@ -146,7 +146,7 @@ TEST(PassFailure, PlanesMeetAFoldInLinesThatDoubleBack) {
 
 TEST(PassFailure, NoLinkTurnsTheToolOver) {
   Machining machining = test::ball_on(test::plane());
-  machining.orientation = {Orientation::Rule::leaned, {}, 1.5705, 0};
+  machining.orientation = Orientation::leaning(1.5705, 0);
   const Outcome outcome = outcome_of(machining);
   ASSERT_TRUE(outcome.failure);
   EXPECT_EQ(outcome.failure->kind, Kind::link);

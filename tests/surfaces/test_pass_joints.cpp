@@ -112,7 +112,7 @@ TEST(PassJoints, OfArcsInOneCircleAreNone) {
   Machining machining = test::ball_on(form, 2, 0.05);
   machining.side = -1;
   machining.along = Direction::v;
-  machining.orientation = {Orientation::Rule::leaned, {}, 0.2, 0};
+  machining.orientation = Orientation::leaning(0.2, 0);
   const Told all = told(machining);
   EXPECT_TRUE(all.is_whole);
   EXPECT_EQ(all.corners, 0u);

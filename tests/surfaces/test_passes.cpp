@@ -80,7 +80,7 @@ TEST(Passes, ByTheLinesOfADraftAreThoseMadeAlone) {
        {Pattern::zig, Pattern::zigzag, Pattern::spiral_in, Pattern::iso_scallop, Pattern::planar}) {
     Machining machining = test::ball_on(test::patch_a(), 5, 0.2);
     machining.cutter = {5, 1};
-    machining.orientation = {Orientation::Rule::leaned, {}, 0.2, 0.1};
+    machining.orientation = Orientation::leaning(0.2, 0.1);
     machining.pattern = pattern;
     const Told alone = told(machining);
     EXPECT_FALSE(alone.failure);
@@ -178,7 +178,7 @@ TEST(Passes, AreTheTipsPathToATenthOfANanometre) {
 TEST(Passes, GoOnIntoTheirLinksWithDirectionAndCurvature) {
   Machining machining = test::ball_on(test::patch_a());
   machining.cutter = {5, 1};
-  machining.orientation = {Orientation::Rule::leaned, {}, 0.1, 0.05};
+  machining.orientation = Orientation::leaning(0.1, 0.05);
   for (const Pattern pattern : {Pattern::zigzag, Pattern::zig}) {
     machining.pattern = pattern;
     Passes passes(machining);

@@ -61,10 +61,10 @@ Measured measured(Machining machining, const Effort& effort) {
   return result;
 }
 
-const Orientation forward{Orientation::Rule::leaned, {}, 0.2, 0}, aside{Orientation::Rule::leaned, {}, 0.2, 0.1};
+const Orientation forward = Orientation::leaning(0.2, 0), aside = Orientation::leaning(0.2, 0.1);
 
 void as_asked_for(const Effort& effort) {
-  const Orientation normal{Orientation::Rule::normal, {}, 0, 0};
+  const Orientation normal{Orientation::Rule::normal, {}};
   Machining plane = test::ball_on(test::plane()), outside = test::ball_on(test::cylinder(20, 50)),
             sphere = test::ball_on(test::sphere(25));
   outside.side = -1;

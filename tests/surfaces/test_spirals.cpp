@@ -34,7 +34,7 @@ double tallest_at(const Machining& machining, const std::vector<std::array<doubl
   return most;
 }
 
-const Orientation forward{Orientation::Rule::leaned, {}, 0.2, 0}, aside{Orientation::Rule::leaned, {}, 0.2, 0.1};
+const Orientation forward = Orientation::leaning(0.2, 0), aside = Orientation::leaning(0.2, 0.1);
 
 /// Tools lean as told; at the range's own corners as well, within a few steps.
 void of_legs_that_lean(const std::vector<SurfaceForm>& forms, const std::vector<Orientation>& orientations, int count,
@@ -53,7 +53,7 @@ void of_legs_that_lean(const std::vector<SurfaceForm>& forms, const std::vector<
           places.push_back({k % 2 == 0 ? u : 1 - u, k % 4 < 2 ? v : 1 - v});
         }
         const double most = tallest_at(machining, places);
-        EXPECT_LE(most, 1 + 1e-3) << "lead " << orientation.lead << ", tilt " << orientation.tilt;
+        EXPECT_LE(most, 1 + 1e-3) << "axis by f, b: " << orientation.axis[0] << ", " << orientation.axis[1];
         EXPECT_GT(most, 0.6);
       }
     }
@@ -71,7 +71,7 @@ TEST(LongSpirals, OfLegsThatLeanAreNoHigherAtTheirCornersToo) {
 
 std::vector<Orientation> leaned(const std::vector<std::array<double, 2>>& angles) {
   std::vector<Orientation> found;
-  for (const auto& [lead, tilt] : angles) found.push_back({Orientation::Rule::leaned, {}, lead, tilt});
+  for (const auto& [lead, tilt] : angles) found.push_back(Orientation::leaning(lead, tilt));
   return found;
 }
 TEST(Spirals, OfLegsThatLeanBackOrAsideAreNoHigherAtTheirCornersToo) {
@@ -99,7 +99,7 @@ TEST(Spirals, OfTiltedToolsAreNoHigherAtTheRangesCorners) {
           places.push_back({std::abs(corner_u - 0.006 * (k % 4)), std::abs(corner_v - 0.006 * (k / 4))});
       }
     }
-    EXPECT_LE(tallest_at(machining, places), 1 + 1e-3) << orientation.lead << ' ' << orientation.tilt;
+    EXPECT_LE(tallest_at(machining, places), 1 + 1e-3) << orientation.axis[0] << ' ' << orientation.axis[1];
   }
 }
 
@@ -111,7 +111,7 @@ void of_tools_that_keep_their_axis(const std::vector<SurfaceForm>& forms, int co
       for (const Vector& axis : {Vector{0.5, 0.2, 0.842614}, Vector{-0.3, 0.45, 0.841130}}) {
         Machining machining = test::ball_on(form, 5, 0.04);
         machining.cutter = cutter;
-        machining.orientation = {Orientation::Rule::fixed, axis, 0, 0};
+        machining.orientation = {Orientation::Rule::fixed, axis};
         machining.pattern = Pattern::spiral_in;
         std::vector<std::array<double, 2>> places = near_corners(count, random);
         for (int k = 0; k < count; ++k) {
@@ -140,7 +140,7 @@ TEST(Spirals, OfTiltedToolsAreNoHigherInTheirMiddle) {
   for (const SurfaceForm& form : {test::patch_a(), test::plane()}) {
     Machining machining = test::ball_on(form, 5, 0.04);
     machining.cutter = {5, 0};
-    machining.orientation = {Orientation::Rule::leaned, {}, 0.05, -0.2};
+    machining.orientation = Orientation::leaning(0.05, -0.2);
     machining.pattern = Pattern::spiral_in;
     std::vector<std::array<double, 2>> places;
     for (const double u : {0.4625, 0.4665, 0.47, 0.49, 0.5, 0.52}) {
@@ -157,7 +157,7 @@ TEST(Spirals, OfTiltedToolsAreNoHigherWhereTheyEnd) {
   std::mt19937 random(20787);
   Machining machining = test::ball_on(test::random_form(random, 1), 5, 0.04);
   machining.cutter = {5, 0};
-  machining.orientation = {Orientation::Rule::leaned, {}, 0.1, 0.2};
+  machining.orientation = Orientation::leaning(0.1, 0.2);
   machining.pattern = Pattern::spiral_in;
   std::vector<std::array<double, 2>> places;
   for (const double u : {0.485, 0.4883, 0.492}) {

@@ -44,7 +44,7 @@ TEST(Surface, HasTheStudysFigures) {
   expect_near(quarter.s, {15, 45, 3.260742}, 5e-7);
   expect_near(quarter.n, {-0.0691203, 0.21155002, 0.97491998}, 5e-8);
   expect_near(quarter.tip, {14.654398, 46.05775, 3.135342}, 5e-7);
-  const Orientation lead{Orientation::Rule::leaned, {}, 5 * degree, 0};
+  const Orientation lead = Orientation::leaning(5 * degree, 0);
   const Held bull = held(surface, 0.25, 0.75, {5, 1}, lead), bull_middle = held(surface, 0.5, 0.5, {5, 1}, lead);
   expect_near(bull.axis, {0.01808024, 0.21074501, 0.97737385}, 5e-9);
   expect_near(bull.tip, {10.913901, 45.074556, 3.316361}, 5e-7);

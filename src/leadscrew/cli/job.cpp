@@ -9,6 +9,7 @@
 #include <leadscrew/gcode/parameter_file.hpp>
 #include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/language/lint.hpp>
+#include <leadscrew/realtime/passes_ahead.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>
 #include <leadscrew/results/figures.hpp>
 #include <leadscrew/results/trace_period.hpp>
@@ -178,6 +179,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   console.begin_progress();
   gcode::ReaderOptions options = job.reader_options(file);
   options.remarks = std::move(remarks);
+  options.pass_source = realtime::passes_ahead;
   gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, std::move(options),
                        [&](const base::Diagnostic& problem) { log.add(problem); });
   std::optional<language::Lint> lint;

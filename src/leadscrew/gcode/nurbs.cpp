@@ -239,7 +239,8 @@ bool make_arc_curve(NurbsCurve& curve, Plane plane, const base::AxisVector& star
     const bool between = i % 2 == 1;
     const double turned = direction * static_cast<double>(i) * half;
     const double reach = between ? 1 / numeric::cos(half) : 1;
-    const double sine = numeric::sin(turned) * reach, cosine = numeric::cos(turned) * reach;
+    const numeric::Sines sines = numeric::sines(turned);
+    const double sine = sines.sine * reach, cosine = sines.cosine * reach;
     ControlPoint point{start, between ? numeric::cos(half) : 1};
     const double share = static_cast<double>(i) / static_cast<double>(2 * count);
     for (std::size_t k = 0; k < base::axis_count; ++k) point.position[k] += (end[k] - start[k]) * share;

@@ -18,7 +18,18 @@ surfaces::Vector axis_of_node(const surfaces::PassNode& node) {
   return {node.axis[0][0], node.axis[1][0], node.axis[2][0]};
 }
 
+/// The next of these passes, which the source hands out if there is one.
+std::optional<surfaces::Pass> next_of(surfaces::Passes& passes, const std::unique_ptr<surfaces::PassSource>& source) {
+  return source ? source->next() : passes.next();
+}
+
 }  // namespace
+
+void SurfaceMoves::take_passes(surfaces::Passes passes) {
+  source_.reset();
+  passes_ = std::move(passes);
+  if (options_.pass_source) source_ = options_.pass_source(*passes_);
+}
 
 std::string SurfaceMoves::where(double u, double v) const {
   return " of surface " + std::to_string(machined_->number) + ", u " + text(u) + ", v " + text(v);
@@ -116,7 +127,7 @@ void SurfaceMoves::begin(const Block& block) {
   if (!machined_ || reporter_.failed()) return;
   set_clearance();
   if (!choose_angles()) return;
-  std::optional<surfaces::Pass> first = passes_->next();
+  std::optional<surfaces::Pass> first = next_of(*passes_, source_);
   if (!first) {
     if (passes_->failure()) report(*passes_->failure());
     return;
@@ -129,7 +140,7 @@ void SurfaceMoves::begin(const Block& block) {
 bool SurfaceMoves::choose_angles() {
   curves_.path().stand();
   if (machined_->machining.orientation.rule == surfaces::Orientation::Rule::fixed) {
-    passes_.emplace(machined_->machining);
+    take_passes(surfaces::Passes(machined_->machining));
     return true;
   }
   const kinematics::Chain& chain = frame_.tip_control()->chain;
@@ -145,7 +156,7 @@ bool SurfaceMoves::choose_angles() {
     if (options_.surface_drafts) options_.surface_drafts->keep(key, *draft);
   }
   curves_.path().follow(chain, draft->choice.side, draft->choice.start);
-  passes_.emplace(machined_->machining, draft->lines);
+  take_passes(surfaces::Passes(machined_->machining, draft->lines));
   return true;
 }
 
@@ -155,7 +166,8 @@ std::optional<SurfaceDraft> SurfaceMoves::draft_of(const SurfaceDraftKey& key) {
   surfaces::Machining machining = key.machining;
   machining.is_draft = true;
   surfaces::Passes passes(std::move(machining));
-  while (const auto pass = passes.next()) {
+  std::unique_ptr<surfaces::PassSource> source = options_.pass_source ? options_.pass_source(passes) : nullptr;
+  while (const auto pass = next_of(passes, source)) {
     if (!lift.add(*pass)) {
       error("pose-out-of-reach", column(),
             "pass " + std::to_string(pass->number + 1) + where(lift.place()[0], lift.place()[1]) +
@@ -166,7 +178,8 @@ std::optional<SurfaceDraft> SurfaceMoves::draft_of(const SurfaceDraftKey& key) {
     }
   }
   if (passes.failure()) {
-    passes_.emplace(std::move(passes));
+    source.reset();
+    passes_ = std::move(passes);
     report(*passes_->failure());
     passes_.reset();
     return std::nullopt;
@@ -227,6 +240,7 @@ bool SurfaceMoves::plan_approach(const surfaces::PassNode& first) {
 bool SurfaceMoves::plan_retract() {
   std::vector<base::AxisVector> rise;
   is_retracting_ = true;
+  source_.reset();
   passes_.reset();
   if (!plan_rise(frame_.position, axis_, rise)) return false;
   for (std::size_t k = rise.size(); k-- > 0;) legs_.push_back({rise[k], true});
@@ -235,7 +249,7 @@ bool SurfaceMoves::plan_retract() {
 
 /// To the next pass or link, or up again.
 bool SurfaceMoves::go_on() {
-  if (std::optional<surfaces::Pass> pass = passes_->next()) return load(std::move(*pass));
+  if (std::optional<surfaces::Pass> pass = next_of(*passes_, source_)) return load(std::move(*pass));
   if (passes_->failure()) return report(*passes_->failure());
   return plan_retract();
 }
@@ -260,6 +274,7 @@ bool SurfaceMoves::stop() {
 }
 
 void SurfaceMoves::abandon() {
+  source_.reset();
   passes_.reset();
   curves_.path().clear();
   legs_.clear();

@@ -50,6 +50,7 @@ class SurfaceMoves : Part {
 
   void set_clearance();
   bool choose_angles();
+  void take_passes(surfaces::Passes passes);
   std::optional<SurfaceDraft> draft_of(const SurfaceDraftKey& key);
   bool load(surfaces::Pass pass);
   bool go_on();
@@ -77,8 +78,9 @@ class SurfaceMoves : Part {
   bool at_contact_ = false;
   std::shared_ptr<const Machined> machined_;
   std::optional<surfaces::Passes> passes_;
-  surfaces::Vector axis_{};  // of the tool, where the passes have come to
-  std::vector<Leg> legs_;    // to go before the next curve, the first of them at the end
+  std::unique_ptr<surfaces::PassSource> source_;  // of passes_; none: they are asked themselves
+  surfaces::Vector axis_{};                       // of the tool, where the passes have come to
+  std::vector<Leg> legs_;                         // to go before the next curve, the first of them at the end
   bool is_retracting_ = false;
   MachinedMove moved_;
 };

@@ -165,10 +165,12 @@ bool SurfaceWords::read_orientation(const Block& block, surfaces::Machining& mac
                  "G43.4 before it, on a machine with two rotary axes; without A and B the tool keeps its direction");
   }
   constexpr double radians = std::numbers::pi / 180;
-  orientation.lead = block.value_or('A', 0) * radians;
-  orientation.tilt = block.value_or('B', 0) * radians;
-  const bool leans = orientation.lead != 0 || orientation.tilt != 0;
-  orientation.rule = leans ? surfaces::Orientation::Rule::leaned : surfaces::Orientation::Rule::normal;
+  const double lead = block.value_or('A', 0) * radians, tilt = block.value_or('B', 0) * radians;
+  if (lead != 0 || tilt != 0) {
+    orientation = surfaces::Orientation::leaning(lead, tilt);
+  } else {
+    orientation.rule = surfaces::Orientation::Rule::normal;
+  }
   return true;
 }
 

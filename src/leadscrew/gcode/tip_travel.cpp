@@ -23,7 +23,7 @@ base::AxisVector tip_at(const TipPath& path, double t) {
   if (!path.is_arc) return place;
   const std::size_t first = base::index(first_axis(path.plane)), second = base::index(second_axis(path.plane));
   const double a = path.from[first] - path.center.first, b = path.from[second] - path.center.second;
-  const double cosine = numeric::cos(t * path.turned), sine = numeric::sin(t * path.turned);
+  const auto [sine, cosine, cosine_less_one] = numeric::sines(t * path.turned);
   place[first] = path.center.first + cosine * a - sine * b;
   place[second] = path.center.second + sine * a + cosine * b;
   return place;

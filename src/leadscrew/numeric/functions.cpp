@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <leadscrew/numeric/functions.hpp>
 #include <limits>
 
@@ -23,12 +25,15 @@ constexpr auto odd_reciprocals = [] {
   return all;
 }();
 
-/// z/3 + z²/5 + z³/7 + …
+/// z/3 + z²/5 + z³/7 + …, an even number of terms: two by two, which halves the chain of sums.
 template <std::size_t count>
 double odd_series(double z) {
+  static_assert(count % 2 == 0);
+  const double square = z * z;
   double sum = 0;
-  for (std::size_t k = count; k-- > 0;) sum = (sum + odd_reciprocals<count>[k]) * z;
-  return sum;
+  for (std::size_t k = count; k > 0; k -= 2)
+    sum = (odd_reciprocals<count>[k - 2] + z * odd_reciprocals<count>[k - 1]) + square * sum;
+  return z * sum;
 }
 
 /// atan x = Σ 2²ⁿ (n!)²/(2n + 1)! x²ⁿ⁺¹/(1 + x²)ⁿ⁺¹ (Euler), 0 ≤ x ≤ 1, to all digits.
@@ -56,16 +61,10 @@ constexpr auto arc_tangents = [] {
 DoubleDouble arc_tangent(double y, double x) {
   const double t = y / x;
   if (!(t <= 1)) return no_number;
-  const DoubleDouble product = two_product(t, x);
-  const double rest = ((y - product.hi) - product.lo) / x;  // y/x − t
-  const double steps = std::floor(t * steps_of_tangent + 0.5), c = steps / steps_of_tangent;
-  const DoubleDouble& at_node = arc_tangents[static_cast<std::size_t>(steps)];
-  const DoubleDouble along = two_product(c, t) + 1.0;
-  const double u = (t - c) / along.hi;
-  const DoubleDouble passed = two_product(u, along.hi);
-  const double u_rest = (((t - c) - passed.hi) - passed.lo - u * along.lo + rest) / along.hi;
-  const double tail = u_rest + u * odd_series<8>(-u * u);
-  return quick_two_sum(at_node.hi, u) + (tail + at_node.lo);
+  const auto node = static_cast<std::size_t>(t * steps_of_tangent + 0.5);
+  const double c = static_cast<double>(node) / steps_of_tangent;
+  const double u = (t - c) / (1 + c * t);
+  return quick_two_sum(arc_tangents[node].hi, u) + (u * odd_series<6>(-u * u) + arc_tangents[node].lo);
 }
 
 /// Squares and products of what is multiplied by it neither overflow nor lose digits.
@@ -74,11 +73,18 @@ double scale_for(double greatest) {
   return greatest > large ? 1 / scale : greatest < small ? scale : 1;
 }
 
-/// One of Newton's steps from the root of the first digits.
-double root_of(double square, double rest) {
-  const double root = std::sqrt(square);
-  const DoubleDouble again = two_product(root, root);
-  return root + (((square - again.hi) - again.lo) + rest) / (2 * root);
+struct Parts {
+  double mantissa = 0, exponent = 0;
+};
+
+/// x = mantissa · 2^exponent, ½ ≤ mantissa < 1, of a finite number above 0.
+Parts parts_of(double x) {
+  constexpr double least_normal = 0x1p-1022, scale = 0x1p54;
+  const bool is_normal = x >= least_normal;
+  const auto bits = std::bit_cast<std::uint64_t>(is_normal ? x : x * scale);
+  constexpr std::uint64_t mantissa_bits = (std::uint64_t{1} << 52) - 1, half = std::uint64_t{1022} << 52;
+  return {std::bit_cast<double>((bits & mantissa_bits) | half),
+          static_cast<double>(static_cast<int>(bits >> 52) - 1022 - (is_normal ? 0 : 54))};
 }
 
 }  // namespace
@@ -103,18 +109,12 @@ double acos(double x) {
   return atan2(std::sqrt((1 - x) * (1 + x)), x);
 }
 
-double hypot(double x, double y) {
-  return hypot(x, y, 0);
-}
-
-double hypot(double x, double y, double z) {
+double scaled_hypot(double x, double y, double z) {
   const double greatest = std::max({std::abs(x), std::abs(y), std::abs(z)});
   const double all = std::abs(x) + std::abs(y) + std::abs(z);
   if (greatest == infinity || !(all > 0)) return all;
   const double scale = scale_for(greatest), a = scale * x, b = scale * y, c = scale * z;
-  const DoubleDouble aa = two_product(a, a), bb = two_product(b, b), cc = two_product(c, c);
-  const DoubleDouble two = two_sum(aa.hi, bb.hi), sum = two_sum(two.hi, cc.hi);
-  return root_of(sum.hi, sum.lo + (two.lo + (aa.lo + bb.lo + cc.lo))) / scale;
+  return std::sqrt(a * a + b * b + c * c) / scale;
 }
 
 /// Of w 8ᵏ, 1/8 ≤ w < 1: a parabola's first digits, twice Halley's step, and Newton's from all digits of the cube.
@@ -139,13 +139,10 @@ double log(double x) {
   if (!(x > 0)) return x == 0 ? -infinity : no_number;
   if (x == infinity) return x;
   constexpr double root_of_half = 0x1.6a09e667f3bcdp-1;
-  int exponent = 0;
-  double mantissa = std::frexp(x, &exponent);
-  if (mantissa < root_of_half) {
-    mantissa *= 2;
-    --exponent;
-  }
-  const double f = mantissa - 1, s = f / (2 + f), half_square = 0.5 * f * f, k = exponent;
+  const Parts parts = parts_of(x);
+  const bool is_low = parts.mantissa < root_of_half;
+  const double f = (is_low ? 2 * parts.mantissa : parts.mantissa) - 1, k = is_low ? parts.exponent - 1 : parts.exponent;
+  const double s = f / (2 + f), half_square = 0.5 * f * f;
   const double rest = s * (half_square + 2 * odd_series<10>(s * s));
   return k * ln_2 - ((half_square - (rest + k * ln_2_rest)) - f);
 }

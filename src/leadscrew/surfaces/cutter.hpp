@@ -62,8 +62,14 @@ struct Orientation {
     leaned,  ///< O = cos α (cos β n − sin β b) + sin α f: α forward along the pass, β sideways
   };
   Rule rule = Rule::fixed;
-  Vector axis = {0, 0, 1};    ///< of fixed: a unit vector
-  double lead = 0, tilt = 0;  ///< α and β, radians, −π/2 < each < π/2
+  Vector axis = {0, 0,
+                 1};  ///< a unit vector: of fixed along X, Y, Z, of leaned along f, b, n; of normal without meaning
+
+  /// Leaned by α and β, radians, −π/2 < each < π/2.
+  static Orientation leaning(double lead, double tilt) {
+    const numeric::Sines forward = numeric::sines(lead), aside = numeric::sines(tilt);
+    return {Rule::leaned, {forward.sine, -forward.cosine * aside.sine, forward.cosine * aside.cosine}};
+  }
 
   friend bool operator==(const Orientation&, const Orientation&) = default;
 };
@@ -74,8 +80,7 @@ VectorOf<T> axis_of(const Orientation& orientation, const VectorOf<T>& n, const 
   if (orientation.rule == Orientation::Rule::normal) return n;
   if (orientation.rule == Orientation::Rule::fixed)
     return {T(orientation.axis[0]), T(orientation.axis[1]), T(orientation.axis[2])};
-  const T along = numeric::sin(orientation.lead), up = numeric::cos(orientation.lead) * numeric::cos(orientation.tilt),
-          aside = -numeric::cos(orientation.lead) * numeric::sin(orientation.tilt);
+  const T along = orientation.axis[0], aside = orientation.axis[1], up = orientation.axis[2];
   const VectorOf<T> b = {n[1] * f[2] - n[2] * f[1], n[2] * f[0] - n[0] * f[2], n[0] * f[1] - n[1] * f[0]};
   VectorOf<T> axis;
   for (std::size_t k = 0; k < 3; ++k) axis[k] = up * n[k] + aside * b[k] + along * f[k];

@@ -141,4 +141,12 @@ class Passes {
   std::unique_ptr<Maker> maker_;
 };
 
+/// Hands out passes that something else makes, perhaps ahead of who asks. They outlive it, and nothing else asks them meanwhile.
+class PassSource {
+ public:
+  virtual ~PassSource() = default;
+  /// As Passes::next(): the same passes in the same order. Once there is none, nobody uses the Passes that they come from.
+  virtual std::optional<Pass> next() = 0;
+};
+
 }  // namespace leadscrew::surfaces

@@ -48,7 +48,7 @@ class Edge {
   };
   /// X and X_φ; none where N turns too fast to be found.
   std::optional<Point> at(double angle) const {
-    const double c = numeric::cos(angle), s = numeric::sin(angle);
+    const auto [s, c, cosine_less_one] = numeric::sines(angle);
     Vector out, tangent, rate, tangent_rate;
     for (std::size_t k = 0; k < 3; ++k) {
       out[k] = c * first_[k] + s * second_[k];

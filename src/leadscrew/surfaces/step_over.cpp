@@ -76,7 +76,8 @@ class OutlineSide {
   };
   double arc_on_line(const Offset& from, const Offset& to, double wanted) const;
   Offset at(double angle) const {
-    const double sine = numeric::sin(angle), cosine = numeric::cos(angle), along = sine * across_ - cosine * up_;
+    const auto [sine, cosine, cosine_less_one] = numeric::sines(angle);
+    const double along = sine * across_ - cosine * up_;
     const double length = std::sqrt(std::max(1 - along * along, 0.0));
     const double part = length > 0 ? disc_ / length : 0;
     return {-part * along * ahead_, part * (sine - along * across_) + edge_ * sine,

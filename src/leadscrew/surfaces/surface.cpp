@@ -67,8 +67,11 @@ Surface::Surface(SurfaceForm form) : form_(std::move(form)) {
   for (std::size_t d = 0; d < 2; ++d) axes_[d] = axis_of(form_.degree[d], form_.knots[d]);
   homogeneous_.reserve(form_.net.size());
   for (const NetPoint& point : form_.net) {
-    const double w = point.weight;
-    is_rational_ = is_rational_ || w != form_.net.front().weight;
+    // Weights that are all alike count for nothing.
+    is_rational_ = is_rational_ || point.weight != form_.net.front().weight;
+  }
+  for (const NetPoint& point : form_.net) {
+    const double w = is_rational_ ? point.weight : 1;
     homogeneous_.push_back({w * point.position[0], w * point.position[1], w * point.position[2], w});
   }
 }
@@ -116,6 +119,7 @@ Vector Surface::at(double u, double v) const {
     for (std::size_t k = 0; k < axes_[0].terms; ++k) add_scaled(of_row, along.derivative[0][k], row[k]);
     add_scaled(sum, across.derivative[0][l], of_row);
   }
+  if (!is_rational_) return {sum[0], sum[1], sum[2]};
   return {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]};
 }
 
@@ -170,16 +174,7 @@ SurfaceJet Surface::jet_of(double u, double v) const {
       partials[a][b] = sum;
     }
   }
-  if (is_rational_) {
-    divide_by_weight(partials, highest);
-  } else {
-    const double w = partials[0][0][3];
-    for (std::size_t a = 0; a <= highest; ++a) {
-      for (std::size_t b = 0; a + b <= highest; ++b) {
-        for (double& h : partials[a][b]) h /= w;  // in pairs; the last of them is not asked for
-      }
-    }
-  }
+  if (is_rational_) divide_by_weight(partials, highest);
   return {position_in(partials[0][0]), position_in(partials[1][0]), position_in(partials[0][1]),
           position_in(partials[2][0]), position_in(partials[1][1]), position_in(partials[0][2]),
           position_in(partials[3][0]), position_in(partials[2][1]), position_in(partials[1][2]),

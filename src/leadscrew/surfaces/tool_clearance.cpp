@@ -22,7 +22,7 @@ double distance_from_tool(const Cutter& cutter, const ToolPose& pose, const Vect
 namespace {
 
 constexpr std::size_t fewest_places = 16, most_places = 256;  // in one direction
-constexpr std::size_t block_side = 8;
+constexpr std::size_t block_side = 8, group_side = 4 * block_side;
 constexpr int most_rounds = 16;
 
 /// Evenly spaced over the whole range, about an eighth of the radius apart on the surface.
@@ -85,28 +85,42 @@ Slope slope_at(const Cutter& cutter, const ToolPose& pose, const Vector& point) 
 }  // namespace
 
 ToolClearance::ToolClearance(const Surface& surface, const Cutter& cutter) : surface_(surface), cutter_(cutter) {
-  add_blocks({places_of(surface, Direction::u, cutter.radius), places_of(surface, Direction::v, cutter.radius)});
+  const std::array<std::vector<double>, 2> places = {places_of(surface, Direction::u, cutter.radius),
+                                                     places_of(surface, Direction::v, cutter.radius)};
+  for (std::size_t j = 0; j < places[1].size(); j += group_side) {
+    for (std::size_t i = 0; i < places[0].size(); i += group_side) add_group(places, i, j);
+  }
 }
 
-void ToolClearance::add_blocks(const std::array<std::vector<double>, 2>& places) {
-  for (std::size_t j = 0; j < places[1].size(); j += block_side) {
-    for (std::size_t i = 0; i < places[0].size(); i += block_side) {
-      Block block{{}, 0, points_.size(), 0};
-      for (std::size_t l = j; l < std::min(j + block_side, places[1].size()); ++l) {
-        for (std::size_t k = i; k < std::min(i + block_side, places[0].size()); ++k) {
+/// Of the points from the first on, to the last and without it.
+ToolClearance::Block ToolClearance::around(std::size_t first, std::size_t last) const {
+  Block block{{}, 0, first, last};
+  const double share = 1 / static_cast<double>(last - first);
+  for (std::size_t k = first; k < last; ++k) block.centre = sum(block.centre, share, points_[k].position);
+  for (std::size_t k = first; k < last; ++k)
+    block.radius = std::max(block.radius, numeric::distance(block.centre, points_[k].position));
+  return block;
+}
+
+/// Of the places from u number i and v number j on.
+void ToolClearance::add_group(const std::array<std::vector<double>, 2>& places, std::size_t i, std::size_t j) {
+  const std::size_t last_u = std::min(i + group_side, places[0].size()),
+                    last_v = std::min(j + group_side, places[1].size());
+  const std::size_t first_point = points_.size(), first_block = blocks_.size();
+  for (std::size_t v = j; v < last_v; v += block_side) {
+    for (std::size_t u = i; u < last_u; u += block_side) {
+      const std::size_t first = points_.size();
+      for (std::size_t l = v; l < std::min(v + block_side, last_v); ++l) {
+        for (std::size_t k = u; k < std::min(u + block_side, last_u); ++k) {
           points_.push_back({surface_.at(places[0][k], places[1][l]), places[0][k], places[1][l]});
         }
       }
-      block.last = points_.size();
-      const double share = 1 / static_cast<double>(block.last - block.first);
-      for (std::size_t k = block.first; k < block.last; ++k)
-        block.centre = sum(block.centre, share, points_[k].position);
-      for (std::size_t k = block.first; k < block.last; ++k) {
-        block.radius = std::max(block.radius, numeric::distance(block.centre, points_[k].position));
-      }
-      blocks_.push_back(block);
+      blocks_.push_back(around(first, points_.size()));
     }
   }
+  groups_.push_back(around(first_point, points_.size()));
+  groups_.back().first = first_block;
+  groups_.back().last = blocks_.size();
 }
 
 /// Newton's method, or down the gradient where the distance is not convex; halved where it does not get less.
@@ -151,10 +165,12 @@ ToolClearance::Place ToolClearance::least(const ToolPose& pose, const Place& nea
   Place coarse{std::numeric_limits<double>::infinity(), near.u, near.v};
   double limit = std::numeric_limits<double>::infinity(), finest = 0;
   std::vector<std::pair<double, std::size_t>> order;
-  order.reserve(blocks_.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const double at_least = distance_from_tool(cutter_, pose, blocks_[b].centre) - blocks_[b].radius;
-    if (at_least < enough) order.emplace_back(at_least, b);
+  for (const Block& group : groups_) {
+    if (!(distance_from_tool(cutter_, pose, group.centre) - group.radius < enough)) continue;
+    for (std::size_t b = group.first; b < group.last; ++b) {
+      const double at_least = distance_from_tool(cutter_, pose, blocks_[b].centre) - blocks_[b].radius;
+      if (at_least < enough) order.emplace_back(at_least, b);
+    }
   }
   std::sort(order.begin(), order.end());
   for (const auto& [at_least, b] : order) {

@@ -6,8 +6,8 @@
 //
 //     q = (ρ − (R − r), r − a)       d = |max(q, 0)| + min(max(q₁, q₂), 0) − r
 //
-// d changes by no more than a point moves. Points of the whole surface, in blocks with a sphere about each, tell about where it
-// is least; Newton's method goes on from there.
+// d changes by no more than a point moves. Points of the whole surface, in blocks with a sphere about each and blocks in groups with one more,
+// tell about where it is least; Newton's method goes on from there.
 
 #include <leadscrew/surfaces/cutter.hpp>
 #include <leadscrew/surfaces/surface.hpp>
@@ -36,6 +36,7 @@ class ToolClearance {
   Place least(const ToolPose& pose, const Place& near, double enough) const;
 
  private:
+  /// A sphere about some points, or about some blocks' points.
   struct Block {
     Vector centre{};
     double radius = 0;
@@ -45,13 +46,14 @@ class ToolClearance {
     Vector position{};
     double u = 0, v = 0;
   };
-  void add_blocks(const std::array<std::vector<double>, 2>& places);
+  void add_group(const std::array<std::vector<double>, 2>& places, std::size_t i, std::size_t j);
+  Block around(std::size_t first, std::size_t last) const;
   Place refined(const ToolPose& pose, Place place) const;
 
   const Surface& surface_;
   Cutter cutter_;
   std::vector<Point> points_;
-  std::vector<Block> blocks_;
+  std::vector<Block> blocks_, groups_;
 };
 
 }  // namespace leadscrew::surfaces

@@ -9,7 +9,7 @@ Vector<D> CorridorLeg<D>::at(double s) const {
   if (s <= 0) return from;
   if (s >= length) return to;
   if (!is_arc) return along(from, s, direction);
-  const double angle = turn * s / length, c = numeric::cos(angle), n = numeric::sin(angle);
+  const auto [n, c, cosine_less_one] = numeric::sines(turn * s / length);
   const double x = from[first] - center[first], y = from[second] - center[second];
   Vector<D> place = from;
   place[first] = center[first] + c * x - n * y;
