@@ -5,6 +5,7 @@
 #include <leadscrew/planner/tuning.hpp>
 #include <limits>
 #include <span>
+#include <type_traits>
 
 namespace leadscrew::planner {
 
@@ -41,6 +42,19 @@ bool is_told_by_ends(double x_begin, double x_middle, double x_end) {
   const double begin = std::sqrt(x_begin), middle = std::sqrt(x_middle), end = std::sqrt(x_end);
   const double by_ends = 2 / (begin + end), by_three = (1 / begin + 4 / middle + 1 / end) / 6;
   return !(std::abs(by_ends - by_three) > finest_time * by_three);
+}
+
+/// Is q′ = 0 here, or next to it by less than this distance?
+bool turns_back(const constraints::AccelerationRow& row, double distance) {
+  return std::abs(row.by_b) <= distance * std::abs(row.by_x);
+}
+
+/// ∫|q′|ds of the cubic that q′ and q″ at both knots make: by its four Bernstein coefficients, exact where they are of one sign
+/// and never less.
+double travel(const constraints::AccelerationRow& begin, const constraints::AccelerationRow& end, double length) {
+  const double third = length / 3, inner_begin = begin.by_b + third * begin.by_x,
+               inner_end = end.by_b - third * end.by_x;
+  return length / 4 * (std::abs(begin.by_b) + std::abs(inner_begin) + std::abs(inner_end) + std::abs(end.by_b));
 }
 
 }  // namespace
@@ -90,53 +104,84 @@ void TimeBound::add_straight(const geometry::Line& line, const toolpath::Piece& 
 
 void TimeBound::add_curved(const toolpath::Piece& piece, bool ends_at_rest) {
   const toolpath::AxisPath axes = piece.axes();
-  const base::AxisSet moving = axes.moving();
   const double length = axes.length();
   const std::span<const double> breaks = axes.breaks();
   auto stop_at = breaks.begin();
-  double s = 0;
-  geometry::PointJet here = axes.jets(0);
-  double step_here = finest_step(here, moving), x_here = velocity_limit(0, here, piece);
-  while (s < length) {
+  // Behind a line of the tip, which is a curve of the axes, may come a short blend that is as slow.
+  const bool is_slow = piece.transformation != nullptr;
+  Knot here = knot_at(0, piece);
+  while (here.s < length) {
     // Knots crowd towards a place where the motion comes from rest or goes to it.
-    const double longest = std::min(length / fewest_intervals, step_here);
-    // Behind a line of the tip, which is a curve of the axes, may come a short blend that is as slow.
-    const bool is_slow = piece.transformation != nullptr;
+    const double longest = std::min(length / fewest_intervals, here.step);
     const double to_rest =
-        std::min(begins_at_rest_ || is_slow ? s : infinity, ends_at_rest || is_slow ? length - s : infinity);
-    const double graded = std::max(first_interval * longest, grading * to_rest);
+        std::min(begins_at_rest_ || is_slow ? here.s : infinity, ends_at_rest || is_slow ? length - here.s : infinity);
+    const double step = std::min(longest, std::max(first_interval * longest, grading * to_rest));
     const double limit = stop_at == breaks.end() ? length : *stop_at;
-    const auto next_knot = [&](double step) { return limit - s < 1.5 * step ? limit : s + step; };
-    double s_next = next_knot(std::min(longest, graded));
-    here = axes.jets(s_next);
-    step_here = finest_step(here, moving);
-    // With shorter steps where the curve begins to turn inside the step.
-    for (int halving = 0; halving < most_halvings && step_here < (s_next - s) / 2; ++halving) {
-      s_next = s + (s_next - s) / 2;
-      here = axes.jets(s_next);
-      step_here = finest_step(here, moving);
-    }
-    double x_next = velocity_limit(s_next, here, piece);
-    geometry::PointJet middle = axes.jets((s + s_next) / 2);
-    // And where feed is counted by what changes along the curve.
-    for (int halving = 0; piece.feed_axes != toolpath::FeedAxes::none && halving < most_halvings; ++halving) {
-      const double x_middle = velocity_limit((s + s_next) / 2, middle, piece);
-      if (is_told_by_ends(x_here, x_middle, x_next)) break;
-      s_next = s + (s_next - s) / 2;
-      here = middle;
-      step_here = finest_step(here, moving);
-      x_next = x_middle;
-      middle = axes.jets((s + s_next) / 2);
-    }
+    const Knot next = next_knot(here, limit - here.s < 1.5 * step ? limit : here.s + step, piece);
     Interval& interval = waiting_.emplace_back();
-    interval.length = s_next - s;
-    interval.x_max = x_here;
-    interval.x_end_max = x_here = x_next;
-    add_rows(middle, interval);
+    interval.length = next.s - here.s;
+    interval.x_max = here.x_max;
+    interval.x_end_max = next.x_max;
+    interval.x_above = x_above(here, next, piece);
+    add_squares(here, next, interval);
     settle_first_half();
-    s = s_next;
-    if (stop_at != breaks.end() && s >= *stop_at) ++stop_at;
+    here = next;
+    if (stop_at != breaks.end() && here.s >= *stop_at) ++stop_at;
   }
+}
+
+TimeBound::Knot TimeBound::knot_at(double s, const toolpath::Piece& piece) const {
+  Knot knot;
+  knot.s = s;
+  const geometry::PointJet jet = piece.axes().jets(s);
+  const double feed = piece.greatest_speed(s, jet);
+  const double speed = constraints_.greatest_speed({jet, feed});
+  knot.step = finest_step(jet, piece.axes().moving());
+  knot.x_max = speed * speed;
+  knot.is_at_feed = speed == feed;
+  constraints_.each_row({jet, infinity}, [&](auto kind, std::size_t index, const auto& row) {
+    using Row = std::remove_cvref_t<decltype(row)>;
+    if constexpr (std::is_same_v<Row, constraints::AccelerationRow>)
+      knot.rows[constraints::RowPairs::rows_before<Row, kind> + index] = row;
+  });
+  return knot;
+}
+
+TimeBound::Knot TimeBound::next_knot(const Knot& here, double farthest, const toolpath::Piece& piece) const {
+  const auto middle_to = [&](const Knot& there) { return knot_at(here.s + (there.s - here.s) / 2, piece); };
+  Knot next = knot_at(farthest, piece);
+  // With shorter steps where the curve begins to turn inside the step,
+  for (int halving = 0; halving < most_halvings && next.step < (next.s - here.s) / 2; ++halving) next = middle_to(next);
+  // and no farther than where an axis turns back,
+  for (std::size_t row = 0; row < most_rows; ++row) {
+    const double distance = next.s - here.s;
+    if (here.rows[row].by_b * next.rows[row].by_b >= 0 || turns_back(here.rows[row], turning_place * distance))
+      continue;
+    const Knot turn = turning_back(row, here, next, piece);
+    if (turn.s - here.s > turning_place * distance) next = turn;
+  }
+  // and where feed is counted by what changes along the curve.
+  for (int halving = 0; piece.feed_axes != toolpath::FeedAxes::none && halving < most_halvings; ++halving) {
+    Knot middle = middle_to(next);
+    if (is_told_by_ends(here.x_max, middle.x_max, next.x_max)) break;
+    next = middle;
+  }
+  return next;
+}
+
+/// By Newton's steps inside the bracket; q′ of the row has unlike signs at both knots.
+TimeBound::Knot TimeBound::turning_back(std::size_t row, const Knot& begin, const Knot& end,
+                                        const toolpath::Piece& piece) const {
+  double low = begin.s, high = end.s;
+  const double first = begin.rows[row].by_b, last = end.rows[row].by_b;
+  Knot at = knot_at(low + (high - low) * first / (first - last), piece);
+  for (int step = 0; step < most_newton_steps && !turns_back(at.rows[row], turning_place * (end.s - begin.s)); ++step) {
+    const constraints::AccelerationRow& rate = at.rows[row];
+    ((rate.by_b > 0) == (first > 0) ? low : high) = at.s;
+    const double newton = at.s - rate.by_b / rate.by_x;
+    at = knot_at(newton > low && newton < high ? newton : low + (high - low) / 2, piece);
+  }
+  return at;
 }
 
 double TimeBound::velocity_limit(double s, const geometry::PointJet& jet, const toolpath::Piece& piece) const {
@@ -144,16 +189,33 @@ double TimeBound::velocity_limit(double s, const geometry::PointJet& jet, const 
   return speed * speed;
 }
 
-/// |q″(x + hb) + q′b| ≤ a, in the middle of an interval of length h.
-void TimeBound::add_rows(const geometry::PointJet& middle, Interval& interval) const {
-  for (const auto& [row, jerk] : constraints_.row_pairs({middle, infinity}).pairs) {
-    if (!row.bounds()) continue;
-    const double by_b = row.by_b + interval.length * row.by_x;
-    if (by_b == 0) {
-      interval.x_max = std::min(interval.x_max, row.limit / std::abs(row.by_x));
-    } else {
-      interval.rows[interval.row_count++] = {row.limit / std::abs(by_b), row.by_x / by_b};
-    }
+/// Where one velocity holds back at one knot and another at the other, the greatest square of speed has a peak between, like a
+/// tent, which is less than twice as high in the middle.
+double TimeBound::x_above(const Knot& begin, const Knot& end, const toolpath::Piece& piece) const {
+  if (begin.is_at_feed && end.is_at_feed) return 0;
+  const double s = begin.s + (end.s - begin.s) / 2;
+  const double x = velocity_limit(s, piece.axes().jets(s), piece);
+  return std::max(0.0, 2 * (x - (begin.x_max + end.x_max) / 2));
+}
+
+void TimeBound::add_squares(const Knot& begin, const Knot& end, Interval& interval) {
+  const double length = interval.length;
+  for (std::size_t i = 0; i < most_rows; ++i) {
+    const constraints::AccelerationRow &first = begin.rows[i], &last = end.rows[i];
+    if (!(first.limit < infinity) || !(first.bounds() || last.bounds())) continue;
+    const bool turns_first = turns_back(first, turning_place * length),
+               turns_last = turns_back(last, turning_place * length);
+    const SquareBound square = {turns_first ? 0 : first.by_b * first.by_b, turns_last ? 0 : last.by_b * last.by_b,
+                                2 * first.limit * travel(first, last, length)};
+    const auto limit = [](double& x, double by, double most) {
+      if (x * by > most) x = most / by;
+    };
+    if (turns_first) limit(interval.x_max, std::abs(first.by_x), first.limit);
+    if (turns_last) limit(interval.x_end_max, std::abs(last.by_x), last.limit);
+    // What one end alone is asked bounds no slope.
+    if (square.by_begin == 0) limit(interval.x_end_max, square.by_end, square.change);
+    if (square.by_end == 0) limit(interval.x_max, square.by_begin, square.change);
+    if (square.by_begin > 0 && square.by_end > 0) interval.squares[interval.square_count++] = square;
   }
 }
 
@@ -184,37 +246,37 @@ void TimeBound::settle(std::size_t count, double x_beyond) {
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-/// Each row bounds b from above and from below by straight lines in x, c + m·x, of one slope; so do the speeds allowed
-/// at the end. The greatest x is where the first pair of an upper and a lower line crosses.
+/// Each square bounds x_end from above and from below by straight lines in x, none of which falls. The greatest x is where the
+/// first of the lower ones crosses an upper one, or the greatest x_end.
 double TimeBound::greatest_start(const Interval& interval, double x_end) {
   const double x_end_most = std::min(x_end, interval.x_end_max);
   if (interval.is_straight()) return std::min(interval.x_max, x_end_most + 2 * interval.straight_b * interval.length);
   double x = interval.x_max;
-  // x at the most where the upper line of one meets the lower line of another.
-  const auto cross = [&x](double upper_c, double upper_m, double lower_c, double lower_m) {
-    const double closing = lower_m - upper_m, apart = upper_c - lower_c;
-    if (closing > 0 && apart < x * closing) x = apart / closing;
-  };
-  const double per_b = 1 / (2 * interval.length), c_end = x_end_most < infinity ? x_end_most * per_b : infinity;
-  for (std::size_t u = 0; u < interval.row_count; ++u) {
-    const AccelerationBound& upper = interval.rows[u];
-    for (std::size_t l = 0; l < interval.row_count; ++l) {
-      const AccelerationBound& lower = interval.rows[l];
-      cross(upper.limit, -upper.by_x, -lower.limit, -lower.by_x);
+  const auto squares = std::span(interval.squares).first(interval.square_count);
+  for (const SquareBound& lower : squares) {
+    if (const double most = lower.change + lower.by_end * x_end_most; x * lower.by_begin > most)
+      x = most / lower.by_begin;
+    for (const SquareBound& upper : squares) {
+      const double closing = lower.by_begin * upper.by_end - upper.by_begin * lower.by_end;
+      const double apart = upper.change * lower.by_end + lower.change * upper.by_end;
+      if (x * closing > apart) x = apart / closing;
     }
-    cross(upper.limit, -upper.by_x, 0, -per_b);
-    cross(c_end, -per_b, -upper.limit, -upper.by_x);
   }
-  return std::max(x, 0.0);
+  return x;
 }
 
 double TimeBound::greatest_end(const Interval& interval, double x_begin) {
-  const double up = greatest_slopes(interval, x_begin, 0).up;
-  return std::clamp(x_begin + interval.length * up, 0.0, interval.x_end_max);
+  if (interval.is_straight()) return std::min(interval.x_end_max, x_begin + 2 * interval.straight_b * interval.length);
+  double x = interval.x_end_max;
+  for (const SquareBound& square : std::span(interval.squares).first(interval.square_count)) {
+    if (const double most = square.change + square.by_begin * x_begin; x * square.by_end > most)
+      x = most / square.by_end;
+  }
+  return x;
 }
 
 /// On a straight interval speed rises to a peak below the limit, stays there, and falls. Else x rises from one knot as fast as
-/// accelerations allow, stays below the line between the greatest at both knots, and falls to the other: the lowest of three
+/// accelerations allow, stays below a line next to the greatest at both knots, and falls to the other: the lowest of three
 /// straight lines. Where feed jumps at a knot that takes next to nothing of the interval.
 double TimeBound::duration(const Interval& interval, double x_begin, double x_end) {
   if (interval.is_straight()) {
@@ -227,12 +289,13 @@ double TimeBound::duration(const Interval& interval, double x_begin, double x_en
   const double length = interval.length, chord = (x_end - x_begin) / length;
   const auto [up, down] = greatest_slopes(interval, x_begin, x_end);
   const double rise = std::max(up, chord), fall = std::max(down, -chord);
-  const double top = (interval.x_end_max - interval.x_max) / length, x_fall = x_end + fall * length;
+  const double x_top = interval.x_max + interval.x_above, x_fall = x_end + fall * length;
+  const double top = (interval.x_end_max - interval.x_max) / length;
   const auto x_at = [&](double s) {
-    return std::min({x_begin + rise * s, interval.x_max + top * s, x_end + fall * (length - s)});
+    return std::min({x_begin + rise * s, x_top + top * s, x_end + fall * (length - s)});
   };
   // Where two of the lines cross.
-  std::array<double, 5> places{0, (interval.x_max - x_begin) / (rise - top), (x_fall - interval.x_max) / (top + fall),
+  std::array<double, 5> places{0, (x_top - x_begin) / (rise - top), (x_fall - x_top) / (top + fall),
                                (x_fall - x_begin) / (rise + fall), length};
   for (double& place : places) place = std::isfinite(place) ? std::clamp(place, 0.0, length) : 0;
   std::ranges::sort(places);
@@ -245,14 +308,14 @@ double TimeBound::duration(const Interval& interval, double x_begin, double x_en
   return seconds;
 }
 
-/// Of x by s, at the first knot where it rises and at the second where it falls.
+/// Of x by s, so that all of the interval is a rise from the first knot, or a fall to the second.
 TimeBound::Slopes TimeBound::greatest_slopes(const Interval& interval, double x_begin, double x_end) {
-  if (interval.is_straight()) return {2 * interval.straight_b, 2 * interval.straight_b};
   Slopes slopes{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  for (std::size_t i = 0; i < interval.row_count; ++i) {
-    const AccelerationBound& row = interval.rows[i];
-    slopes.up = std::min(slopes.up, 2 * (row.limit - row.by_x * x_begin));
-    slopes.down = std::min(slopes.down, 2 * (row.limit + row.by_x * x_end));
+  for (const SquareBound& square : std::span(interval.squares).first(interval.square_count)) {
+    const double x_end_most = (square.change + square.by_begin * x_begin) / square.by_end;
+    const double x_begin_most = (square.change + square.by_end * x_end) / square.by_begin;
+    slopes.up = std::min(slopes.up, (x_end_most - x_begin) / interval.length);
+    slopes.down = std::min(slopes.down, (x_begin_most - x_end) / interval.length);
   }
   return slopes;
 }

@@ -7,11 +7,18 @@
 //
 //     x ≤ min(F², (v/q′)²)          |q″x + q′b| ≤ a          and whatever else is proven of speed and acceleration
 //
-//   backward  K_i = the greatest x at knot i from which knot i+1 can be reached with x ≤ K_{i+1}
-//   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x_i, at most K_{i+1}
+// Between two knots an axis' q̇² changes by 2a a unit of its travel at the most, however b runs there:
 //
-// with b constant between knots and the limits kept at both ends of each interval; time is that of the fastest way between the
-// two speeds, b as great as it may be at either knot. On lines that is exact with one interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it.
+//     |q′₁²x₁ − q′₀²x₀| ≤ 2a·∫|q′|ds
+//
+// which every motion keeps, so that what follows from it for x at knots is never below what a motion has:
+//
+//   backward  K_i = the greatest x at knot i from which knot i+1 can be reached with x ≤ K_{i+1}
+//   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x ≤ x_i, at most K_{i+1}
+//
+// Where an axis turns back, q′ = 0, only the curve asks something of it, |q″|x ≤ a (a zero-inertia point: Pfeiffer & Johanni,
+// 1987): there is a knot at each. Time is that of the fastest way between the two speeds. On lines that is exact with one
+// interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it.
 
 #include <array>
 #include <cstddef>
@@ -36,17 +43,27 @@ class TimeBound {
   double seconds() const { return seconds_; }
 
  private:
-  /// |b + by_x·x| ≤ limit.
-  struct AccelerationBound {
-    double limit = 0, by_x = 0;
+  static constexpr std::size_t most_rows =
+      constraints::RowPairs::rows_before<constraints::AccelerationRow, constraints::kind_count>;
+  /// A place of a curve, and what is asked there.
+  struct Knot {
+    double s = 0;
+    double step = 0;          ///< how far the next may be
+    double x_max = 0;         ///< by feed and velocities
+    bool is_at_feed = false;  ///< by feed
+    std::array<constraints::AccelerationRow, most_rows> rows{};
   };
-  static constexpr std::size_t most_rows = constraints::RowPairs::size;
+  /// |by_end·x_end − by_begin·x_begin| ≤ change, both > 0.
+  struct SquareBound {
+    double by_begin = 0, by_end = 0, change = 0;
+  };
   /// From one knot to the next. `x` stands for x at the first of them.
   struct Interval {
-    double length = 0;                                ///< > 0
-    double x_max = 0, x_end_max = 0;                  ///< by feed and velocities, at its two knots
-    std::array<AccelerationBound, most_rows> rows{};  ///< accelerations in its middle, in x and b
-    std::size_t row_count = 0;
+    double length = 0;                ///< > 0
+    double x_max = 0, x_end_max = 0;  ///< at its two knots
+    double x_above = 0;               ///< how far between them x may lie above their line
+    std::array<SquareBound, most_rows> squares{};
+    std::size_t square_count = 0;
     double straight_b = 0;  ///< straight: the greatest |b|, which may change its sign inside
     double reach = 0;       ///< K
 
@@ -67,7 +84,11 @@ class TimeBound {
   static Slopes greatest_slopes(const Interval& interval, double x_begin, double x_end);
   static double duration(const Interval& interval, double x_begin, double x_end);
   double velocity_limit(double s, const geometry::PointJet& jet, const toolpath::Piece& piece) const;
-  void add_rows(const geometry::PointJet& middle, Interval& interval) const;
+  Knot knot_at(double s, const toolpath::Piece& piece) const;
+  Knot next_knot(const Knot& here, double farthest, const toolpath::Piece& piece) const;
+  Knot turning_back(std::size_t row, const Knot& begin, const Knot& end, const toolpath::Piece& piece) const;
+  double x_above(const Knot& begin, const Knot& end, const toolpath::Piece& piece) const;
+  static void add_squares(const Knot& begin, const Knot& end, Interval& interval);
 
   constraints::Constraints constraints_;
   std::optional<toolpath::Piece> held_;  ///< the last piece, until it is known how it ends

@@ -192,7 +192,9 @@ inline constexpr double finest_time = 1e-5;        // of the time between knots,
 inline constexpr int fewest_intervals = 32;        // of a curve
 inline constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
 inline constexpr int most_halvings = 20;
-inline constexpr double grading = 0.1;  // h over the distance from the nearer end
+inline constexpr double grading = 0.1;         // h over the distance from the nearer end
+inline constexpr double turning_place = 1e-8;  // of a step, by which a knot may be beside where an axis turns back
+inline constexpr int most_newton_steps = 30;
 /// Of a unit tangent: less is taken as smooth, which can only lower the bound.
 inline constexpr double negligible_kink = 1e-6;
 inline constexpr double negligible_tip_kink = 1e-4;  // where kinematics stretch what tables of arc length are off by
