@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "live_program.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 namespace leadscrew::testing_support {

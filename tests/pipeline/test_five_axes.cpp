@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "five_axes.hpp"
-#include "five_axis_program.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 // Tool centre point control: the tip stays within P of its path and the rotary axes within E, at the programmed feed, and

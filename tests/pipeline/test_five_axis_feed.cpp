@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "five_axes.hpp"
-#include "five_axis_program.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 
 // Where no limit binds, the tip goes as fast as programmed.
 

@@ -4,11 +4,9 @@
 #include <string>
 
 #include "five_axes.hpp"
-#include "five_axis_program.hpp"
 #include "interventions.hpp"
 #include "live_program.hpp"
-#include "tilted_program.hpp"
-#include "vector_program.hpp"
+#include "random_programs.hpp"
 
 // Feed override, feed hold, resume and a planner that comes late, at any instant of programs of five axes.
 

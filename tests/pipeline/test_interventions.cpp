@@ -10,7 +10,7 @@
 
 #include "interventions.hpp"
 #include "live_program.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 // Feed override, feed hold, resume and a planner that comes late, at any instant: still no limit exceeded, never off

@@ -7,7 +7,7 @@
 
 #include "interventions.hpp"
 #include "live_program.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 
 // Programs that change what of the overrides is obeyed (M48 to M50, M52, M53), overridden, held and kept waiting at any
 // instant: still no limit exceeded, never off the path, at rest at the end, and what is obeyed is what the events say

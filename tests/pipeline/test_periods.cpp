@@ -9,7 +9,7 @@
 
 #include "blended.hpp"
 #include "five_axes.hpp"
-#include "five_axis_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 // Programs under G64 at servo periods up to the longest: chords between words are inside the tolerance as the path is,

@@ -7,7 +7,7 @@
 #include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
-#include "random_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 // The promises of the whole, judged by the referee: limits, geometry and end points on random programs and on the

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "live_program.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 
 // A controller gets its motion in slices of 20 ms, so that it can be changed soon. While nobody changes it, its words
 // are those of the whole motion.

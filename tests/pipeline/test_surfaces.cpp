@@ -11,7 +11,7 @@
 #include <leadscrew/referee/referee.hpp>
 
 #include "five_axes.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 namespace test_surfaces {

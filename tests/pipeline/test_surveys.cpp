@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "five_axes.hpp"
-#include "five_axis_program.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 
 // What is told of a program before it moves.
 

@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "five_axes.hpp"
-#include "random_program.hpp"
-#include "tilted_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 // Programs in a tilted working plane, on every kind of machine: the tip is where the program says, by the referee's own
@@ -24,10 +23,10 @@
 namespace test_tilted_planes {
 
 using namespace leadscrew;
+using campaign::Target;
 using machine::Vector;
 using testing_support::any;
 using testing_support::limits_of;
-using testing_support::Target;
 using testing_support::TiltedProgram;
 using testing_support::tilting_machine;
 using testing_support::two_tools;

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "five_axes.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 
 // Tool vectors in a tilted working plane (G68.2, G53.1, G43.5) are the plane's, as X Y Z are. The same program is told in the
 // workpiece here, places and vectors turned by hand, and the referee judges the words of the one by the other.

@@ -11,8 +11,7 @@
 #include <trunnion.hpp>
 
 #include "five_axes.hpp"
-#include "random_program.hpp"
-#include "vector_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 // Tool vectors (G43.5): what a program asks for is kept here as it was written, and what comes of it is judged by the
@@ -21,6 +20,7 @@
 namespace test_tool_vectors {
 
 using namespace leadscrew;
+using campaign::Programmed;
 using kinematics::angle_between;
 using kinematics::GreatCircle;
 using kinematics::Vector;
@@ -30,7 +30,6 @@ using testing_support::five_axes;
 using testing_support::judge;
 using testing_support::Judged;
 using testing_support::limits_of;
-using testing_support::Programmed;
 using testing_support::tip_of;
 using testing_support::two_tools;
 using testing_support::VectorProgram;

@@ -13,7 +13,7 @@
 #include "interventions.hpp"
 #include "live_program.hpp"
 #include "motion_with_events.hpp"
-#include "random_program.hpp"
+#include "random_programs.hpp"
 
 // Events that motion does not rest for: they cost no time and change no word, and each happens once, in order, no
 // earlier than motion is where it was programmed, and no more than a period later.

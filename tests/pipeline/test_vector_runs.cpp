@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random_numbers.hpp>
 
-#include "random_program.hpp"
+#include "random_programs.hpp"
 #include "worst_ratios.hpp"
 
 // Tool vectors, blended, about the poles of random machines: every word within P of the tip's path and within E of the

@@ -37,7 +37,7 @@ TEST(Cases, AreOfAllKinds) {
 }
 
 TEST(Cases, HaveMachinesThatAFileGivesBack) {
-  for (const std::int64_t number : {0, 3, 9, 15, 23}) {
+  for (const std::int64_t number : {0, 3, 9, 39, 43}) {
     const machine::Machine made = case_of(1, number, Size::large).machine;
     const auto read = config::read_machine(campaign::machine_text(made), "random.toml");
     ASSERT_TRUE(read) << read.error().front().message;
@@ -48,7 +48,7 @@ TEST(Cases, HaveMachinesThatAFileGivesBack) {
 }
 
 TEST(Campaign, KeepsEveryPromiseOverATurnOfKinds) {
-  for (std::int64_t number = 20; number < 20 + campaign::kinds_in_turn; ++number)
+  for (std::int64_t number = 0; number < 2 * campaign::kinds_in_turn; ++number)
     EXPECT_EQ(judge(chosen_case(1, number)).broken, "") << number;
 }
 
@@ -68,7 +68,7 @@ TEST(Campaign, LeavesOfABrokenProgramWhatBreaksIt) {
 TEST(Campaign, IsTakenUpAgainAndIsTheSameOnTwoProcessors) {
   const Folder folder;
   const auto run = [&](const std::string& out, const std::string& count, const std::string& processes) {
-    const auto outcome = cli::testing::leadscrew(folder, {"sweep", "--random", count, "--first", "20", "--seed", "5",
+    const auto outcome = cli::testing::leadscrew(folder, {"sweep", "--random", count, "--first", "40", "--seed", "5",
                                                           "--out", out, "--processes", processes, "--json"});
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return outcome.json();

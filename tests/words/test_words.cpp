@@ -16,7 +16,7 @@
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/study/named_curves.hpp>
 #include <map>
-#include <random_program.hpp>
+#include <random_programs.hpp>
 #include <regex>
 #include <span>
 #include <string>

@@ -3,67 +3,23 @@
 #include <leadscrew/campaign/cases.hpp>
 #include <leadscrew/campaign/draws.hpp>
 #include <leadscrew/campaign/five_axis_program.hpp>
+#include <leadscrew/campaign/random_machines.hpp>
 #include <leadscrew/campaign/random_program.hpp>
+#include <leadscrew/campaign/tilted_program.hpp>
+#include <leadscrew/campaign/vector_program.hpp>
 
 namespace leadscrew::campaign {
 
 namespace {
 
-constexpr double most_travel = 1e5;
-
-/// Limits over three decades; travel wide enough for every program.
-machine::Machine four_axes(Draws& draws) {
-  machine::Machine machine;
-  machine.name = "random";
-  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z, base::Axis::A}) {
-    const double velocity = draws.logarithmic(5, 500), acceleration = draws.logarithmic(30, 3e4);
-    machine.axes[base::index(axis)] =
-        machine::AxisLimits{-most_travel, most_travel, velocity, acceleration, draws.logarithmic(500, 3e6), 0.001};
-  }
-  return machine;
-}
-
-machine::Vector random_place(Draws& draws) {
-  const double x = draws.between(-80, 80), y = draws.between(-80, 80);
-  return {x, y, draws.between(-80, 80)};
-}
-
-/// A preset with its axes anywhere, or nutating; limits over three decades each.
-machine::Machine five_axes(Draws& draws) {
-  machine::Machine machine;
-  machine.name = "random five axes";
-  const auto& presets = machine::kinematics_presets;
-  const auto& preset = presets[static_cast<std::size_t>(draws.any(0, static_cast<int>(presets.size())))];
-  machine::RotaryChain chain = *machine::preset_chain(preset.name);
-  for (machine::RotaryAxis& axis : chain.axes) {
-    axis.point = random_place(draws);
-    axis.sign = draws.once_in(2) ? 1 : -1;
-  }
-  if (draws.once_in(4)) chain.axes[1].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};
-  chain.tool_zero = random_place(draws);
-  machine.kinematics = preset.name;
-  machine.rotary_chain = chain;
-  const auto give = [&](base::Axis axis) {
-    const double velocity = draws.logarithmic(10, 1e4), acceleration = draws.logarithmic(100, 1e5);
-    machine.axes[base::index(axis)] =
-        machine::AxisLimits{-most_travel, most_travel, velocity, acceleration, draws.logarithmic(2000, 2e6), 0.001};
-  };
-  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
-  for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);
-  return machine;
-}
-
-/// Two lengths; and a ball, for surfaces.
+/// Those of two lengths; and a ball, for surfaces.
 void give_tools(Case& given) {
-  machine::Tool first, second, ball;
-  first.number = 1;
-  first.offset[2] = 73.25;
-  second.number = 2;
-  second.offset = {1.5, -2, 41};
+  machine::ToolTable tools = two_tools();
+  machine::Tool ball;
   ball.number = 3;
   ball.diameter = 4;
   ball.corner_radius = 2;
-  given.tools = machine::ToolTable({first, second, ball});
+  given.tools = machine::ToolTable({*tools.find(1), *tools.find(2), ball});
   given.tools_text = "T1 Z73.25\nT2 X1.5 Y-2 Z41\nT3 D4 R2\n";
 }
 
@@ -102,6 +58,27 @@ std::vector<FeedChange> feed_changes(Draws& draws, int words) {
   return changes;
 }
 
+/// The tool's orientation by the angles of its axes, by vectors, or by the plane it stands on.
+void give_five_axes(Draws& draws, int most_blocks, Case& made) {
+  const int blocks = draws.any(1, most_blocks + 1);
+  switch (draws.any(0, 4)) {
+    case 0: {
+      made.machine = five_axes(draws);
+      VectorProgram program(draws, made.machine);
+      program.make(blocks);
+      made.text = program.text;
+      return;
+    }
+    case 1:
+      made.machine = tilting_machine(draws);
+      made.text = TiltedProgram(draws).make(blocks);
+      return;
+    default:
+      made.machine = five_axes(draws);
+      made.text = FiveAxisProgram(draws, made.machine).make(blocks);
+  }
+}
+
 base::Period period_of(Draws& draws) {
   constexpr double shortest = 10e3, longest = 20e6;  // ns
   return {std::clamp<std::int64_t>(static_cast<std::int64_t>(draws.logarithmic(shortest, longest)),
@@ -113,8 +90,10 @@ base::Period period_of(Draws& draws) {
 Kind kind_of(std::int64_t number) {
   using enum Kind;
   constexpr std::array<Kind, kinds_in_turn> turn = {
-      lines,         arcs,     corners, five_axes, interventions, nurbs,     lines,         arcs,  corners, five_axes,
-      interventions, surfaces, lines,   arcs,      corners,       five_axes, interventions, nurbs, arcs,    corners};
+      lines, arcs, corners, five_axes, interventions, arcs,  lines, corners, arcs,          nurbs,
+      lines, arcs, corners, five_axes, interventions, arcs,  lines, corners, interventions, corners,
+      lines, arcs, corners, five_axes, interventions, arcs,  lines, corners, arcs,          nurbs,
+      lines, arcs, corners, five_axes, interventions, nurbs, lines, corners, interventions, surfaces};
   return turn[static_cast<std::size_t>(number % kinds_in_turn)];
 }
 
@@ -125,9 +104,9 @@ Case case_of(std::uint64_t seed, std::int64_t number, Size size, int attempt) {
   Case made;
   made.kind = kind_of(number);
   give_tools(made);
-  made.machine = made.kind == Kind::five_axes ? five_axes(draws) : four_axes(draws);
+  if (made.kind != Kind::five_axes) made.machine = random_machine(draws);
   if (made.kind == Kind::five_axes) {
-    made.text = FiveAxisProgram(draws, made.machine).make(draws.any(1, most_blocks + 1));
+    give_five_axes(draws, most_blocks, made);
   } else if (made.kind == Kind::surfaces) {
     made.text = surface_program(draws);
   } else {

@@ -1,28 +1,14 @@
 #pragma once
 // Random programs on random machines: what the promises of the whole are held against.
 
-#include <array>
 #include <cstdint>
+#include <leadscrew/campaign/kinds.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/tool_table.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace leadscrew::campaign {
-
-/// What a program is made of.
-enum class Kind : std::uint8_t {
-  lines,          ///< G0 and G1, dwells, inverse time, stops and blends
-  arcs,           ///< G2 and G3 in all planes, helices, quarters of circles
-  nurbs,          ///< G6.2 and G5
-  corners,        ///< short lines and corners within tolerances of G64
-  five_axes,      ///< tool centre point control on chains of rotary axes
-  surfaces,       ///< G6.5
-  interventions,  ///< all but the last two, while the feed is changed and held
-};
-inline constexpr std::array<std::string_view, 7> kind_names = {"lines",     "arcs",     "nurbs",        "corners",
-                                                               "five-axes", "surfaces", "interventions"};
 
 /// Of the feed, while motion goes on.
 struct FeedChange {
@@ -44,11 +30,8 @@ struct Case {
 enum class Size : std::uint8_t { small, large };
 
 /// So many cases have all kinds in turn: of each that plans slowly fewer.
-inline constexpr std::int64_t kinds_in_turn = 20;
+inline constexpr std::int64_t kinds_in_turn = 40;
 Kind kind_of(std::int64_t number);
-inline std::string_view name(Kind kind) {
-  return kind_names[static_cast<std::size_t>(kind)];
-}
 
 /// The case of this number, of kind_of(number); the same for the same seed, size and attempt ≥ 0, of which each draws another.
 Case case_of(std::uint64_t seed, std::int64_t number, Size size, int attempt = 0);

@@ -22,6 +22,8 @@ class Draws {
   }
   /// Once in so many times.
   bool once_in(int times) { return any(0, times) == 0; }
+  /// True or false, as often.
+  bool either() { return once_in(2); }
   /// In a millionth of steps.
   double between(double least, double greatest) { return least + (greatest - least) * any(0, 1'000'001) / 1e6; }
   /// 0 < `low` to `high`, by magnitude.

@@ -1,14 +1,14 @@
 #pragma once
-// Programs of tool centre point control.
+// Programs of tool centre point control. Draws as in random_program.hpp.
 
 #include <array>
 #include <cstdio>
-#include <leadscrew/campaign/draws.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <string>
 
 namespace leadscrew::campaign {
 
+template <class Draws>
 class FiveAxisProgram {
  public:
   FiveAxisProgram(Draws& draws, const machine::Machine& machine) : draws_(draws) {

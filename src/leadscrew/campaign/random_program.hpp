@@ -1,21 +1,25 @@
 #pragma once
-// Programs of lines, arcs, curves and short lines in X, Y, Z and A.
+// Programs of lines, arcs, curves and short lines in X, Y, Z and A. Draws is the class of that name (draws.hpp) or one that has
+// its calls.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <leadscrew/campaign/cases.hpp>
-#include <leadscrew/campaign/draws.hpp>
+#include <leadscrew/campaign/kinds.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace leadscrew::campaign {
 
 /// Writes a program block by block, keeping count of where it is.
+template <class Draws>
 class RandomProgram {
  public:
-  RandomProgram(Draws& draws, Kind kind) : draws_(draws), kind_(kind) {}
+  /// Of a kind, or of anything: none.
+  RandomProgram(Draws& draws, std::optional<Kind> kind) : draws_(draws), kind_(kind) {}
 
   /// Of so many blocks at most, ≥ 1; some stand for several.
   std::string make(int most_blocks) {
@@ -29,7 +33,7 @@ class RandomProgram {
  private:
   /// Of a kind: what it is about, and a quarter of anything else.
   void block() {
-    const bool is_of_kind = !draws_.once_in(4);
+    const bool is_of_kind = kind_ && !draws_.once_in(4);
     if (kind_ == Kind::lines && is_of_kind) return line_block();
     if (kind_ == Kind::arcs && is_of_kind) return draws_.once_in(4) ? parts_of_a_circle() : arc();
     if (kind_ == Kind::nurbs && is_of_kind) return draws_.once_in(3) ? cubic() : nurbs();
@@ -150,7 +154,7 @@ class RandomProgram {
   void feed() { text_ += 'F' + std::to_string(draws_.any(30, 12000)) + '\n'; }
 
   void plane() {
-    plane_ = draws_.any<std::size_t>(0, 3);
+    plane_ = draws_.any(std::size_t{0}, std::size_t{3});
     text_ += "G" + std::to_string(17 + plane_) + '\n';
   }
 
@@ -172,7 +176,7 @@ class RandomProgram {
     const double radius = is_flat ? draws_.logarithmic(300, 9e4) : std::max(0.02, size());
     const double from = draws_.any(0, 6283) / 1000.0;
     const double i = rounded(radius * std::cos(from)), j = rounded(radius * std::sin(from));
-    const bool clockwise = draws_.once_in(2), whole = !is_flat && draws_.any(0, 5) == 0;
+    const bool clockwise = draws_.either(), whole = !is_flat && draws_.any(0, 5) == 0;
     const double sweep = is_flat ? draws_.any(300, 6000) / 100.0 / radius : draws_.any(300, 6000) / 1000.0;
     text_ += clockwise ? "G2" : "G3";
     if (!whole) {
@@ -295,7 +299,7 @@ class RandomProgram {
   }
 
   Draws& draws_;
-  Kind kind_;
+  std::optional<Kind> kind_;
   std::string text_;
   std::array<double, 4> at_{};
   std::size_t plane_ = 0;

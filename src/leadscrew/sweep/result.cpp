@@ -5,29 +5,33 @@
 
 namespace leadscrew::sweep {
 
-json::Json json_of(const JudgedRun& run) {
+std::vector<json::Json::Member> judged_figures(const JudgedRun& run) {
   const auto ratios = run.worst_ratios();
-  json::Json lost = json::Json::object();
-  for (const auto& [cause, seconds] : pipeline::ranked(run.lost)) lost[pipeline::name(cause)] = seconds;
+  return {{"moves", run.summary.moves},
+          {"words", run.summary.words},
+          {"words_hash", fmt::format("{:016x}", run.words_hash)},
+          {"velocity_ratio", ratios[0]},
+          {"acceleration_ratio", ratios[1]},
+          {"jerk_ratio", ratios[2]},
+          {"plan_ratio", run.summary.plan.greatest()},
+          {"feed_ratio", run.verdict.feed_max_ratio},
+          {"deviation_mm", run.verdict.deviation_mm},
+          {"allowed_mm", run.verdict.tolerance_mm},
+          {"end_error_mm", run.verdict.end_error_mm}};
+}
+
+json::Json json_of(const JudgedRun& run) {
   json::Json result = json::Json::object({{"status", run.kept() ? "kept" : "not-kept"},
                                           {"time_s", run.summary.time_s},
                                           {"dwell_s", run.summary.dwell_s},
                                           {"bound_s", run.summary.bound_s},
                                           {"length_mm", run.summary.length_mm},
-                                          {"blocks", run.summary.blocks},
-                                          {"moves", run.summary.moves},
-                                          {"words", run.summary.words},
-                                          {"words_hash", fmt::format("{:016x}", run.words_hash)},
-                                          {"velocity_ratio", ratios[0]},
-                                          {"acceleration_ratio", ratios[1]},
-                                          {"jerk_ratio", ratios[2]},
-                                          {"plan_ratio", run.summary.plan.greatest()},
-                                          {"feed_ratio", run.verdict.feed_max_ratio},
-                                          {"deviation_mm", run.verdict.deviation_mm},
-                                          {"allowed_mm", run.verdict.tolerance_mm},
-                                          {"end_error_mm", run.verdict.end_error_mm},
-                                          {"violations", run.verdict.violation_count},
-                                          {"lost", std::move(lost)}});
+                                          {"blocks", run.summary.blocks}});
+  for (auto& [name, value] : judged_figures(run)) result[name] = std::move(value);
+  result["violations"] = run.verdict.violation_count;
+  json::Json lost = json::Json::object();
+  for (const auto& [cause, seconds] : pipeline::ranked(run.lost)) lost[pipeline::name(cause)] = seconds;
+  result["lost"] = std::move(lost);
   if (run.verdict.objects()) {
     const referee::Violation& first = run.verdict.violations.front();
     result["first_violation"] = json::Json::object({{"what", first.what},

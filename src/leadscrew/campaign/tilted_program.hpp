@@ -1,54 +1,16 @@
 #pragma once
-// Random programs in tilted working planes (G68.2, G53.1), and where they lead.
+// Programs in tilted working planes (G68.2, G53.1), and where they lead. Draws as in random_program.hpp.
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/machine/machine.hpp>
-#include <leadscrew/machine/rotary_chain.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "five_axes.hpp"
-#include "random_program.hpp"
-
-namespace leadscrew::testing_support {
+namespace leadscrew::campaign {
 
 using machine::Vector;
-
-/// With three decimals, as it is written.
-inline double written(double least, double greatest) {
-  return std::round(between(least, greatest) * 1000) / 1000;
-}
-
-/// A preset with its axes anywhere, or nutating; limits over two decades.
-inline machine::Machine tilting_machine() {
-  machine::Machine machine;
-  machine.name = "random five axes";
-  const auto& presets = machine::kinematics_presets;
-  const auto& preset = presets[static_cast<std::size_t>(any(0, static_cast<int>(presets.size())))];
-  machine::RotaryChain chain = *machine::preset_chain(preset.name);
-  for (machine::RotaryAxis& axis : chain.axes) {
-    axis.point = random_place();
-    axis.sign = any(0, 2) == 0 ? 1 : -1;
-  }
-  const bool nutates = preset.name == "head-head-bc" || preset.name == "table-table-bc";
-  if (nutates && any(0, 2) == 0) {
-    chain.axes[preset.name == "head-head-bc" ? 1 : 0].direction = {0, std::sqrt(0.5), std::sqrt(0.5)};
-  }
-  chain.tool_zero = random_place();
-  machine.kinematics = preset.name;
-  machine.rotary_chain = chain;
-  const auto give = [&](base::Axis axis) {
-    machine.axes[base::index(axis)] =
-        machine::AxisLimits{-1e5, 1e5, logarithmic(50, 500), logarithmic(400, 1e4), logarithmic(2000, 1e6), 0.001};
-  };
-  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) give(axis);
-  for (const machine::RotaryAxis& axis : chain.axes) give(axis.axis);
-  machine.period = {1'000'000};
-  return machine;
-}
 
 inline Vector about(std::size_t axis, double degrees, Vector v) {
   const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
@@ -68,17 +30,21 @@ struct Target {
 };
 
 /// A program, and where it leads, in the workpiece.
+template <class Draws>
 class TiltedProgram {
  public:
+  explicit TiltedProgram(Draws& draws) : draws_(draws) {}
+
+  /// Of so many blocks, ≥ 1; some stand for several.
   std::string make(int blocks) {
     text_ = "G21 G90 G94 G17 F1200\n";
-    if (any(0, 3) == 0) text_ += "G61\n";
+    if (draws_.any(0, 3) == 0) text_ += "G61\n";
     offsets();
-    if (any(0, 2) == 0) tool();
+    if (draws_.any(0, 2) == 0) tool();
     plane();
-    if (any(0, 3) == 0) line("G0", 30);  // before the tool is along the normal
-    text_ += any(0, 2) == 0 ? "G53.1\n" : "G53.1 P1\n";
-    if (any(0, 3) == 0) tool();
+    if (draws_.any(0, 3) == 0) line("G0", 30);  // before the tool is along the normal
+    text_ += draws_.any(0, 2) == 0 ? "G53.1\n" : "G53.1 P1\n";
+    if (draws_.any(0, 3) == 0) tool();
     line("G0", 30);
     for (int k = 0; k < blocks; ++k) block();
     return text_ + "M2\n";
@@ -88,6 +54,8 @@ class TiltedProgram {
   const std::vector<Target>& targets() const { return targets_; }
 
  private:
+  /// With three decimals, as it is written.
+  double written(double least, double greatest) { return std::round(draws_.between(least, greatest) * 1000) / 1000; }
   void word(char letter, double value) {
     char word[40];
     std::snprintf(word, sizeof word, " %c%.3f", letter, value);
@@ -96,28 +64,28 @@ class TiltedProgram {
   void offsets() {
     text_ += "G10 L2 P1";
     for (std::size_t i = 0; i < 3; ++i) word("XYZ"[i], origin_[i] = written(-50, 50));
-    word('R', rotation_ = any(0, 2) == 0 ? 0 : written(-180, 180));
+    word('R', rotation_ = draws_.any(0, 2) == 0 ? 0 : written(-180, 180));
     text_ += "\n";
-    if (any(0, 3) > 0) return;
+    if (draws_.any(0, 3) > 0) return;
     text_ += "G52";
     for (std::size_t i = 0; i < 3; ++i) word("XYZ"[i], shift_[i] = written(-20, 20));
     text_ += "\n";
   }
   void tool() {
-    const bool second = any(0, 2) == 0;
+    const bool second = draws_.any(0, 2) == 0;
     text_ += second ? "G43 H2\n" : "G43 H1\n";
     tool_ = second ? Vector{1.5, -2, 41} : Vector{0, 0, 73.25};
   }
   void plane() {
     text_ += "G68.2";
     for (std::size_t i = 0; i < 3; ++i) word("XYZ"[i], plane_[i] = written(-50, 50));
-    by_euler_ = any(0, 2) == 0;
+    by_euler_ = draws_.any(0, 2) == 0;
     if (by_euler_) {
       degrees_ = {written(-180, 180), written(-80, 80), written(-180, 180)};
     } else {
       degrees_ = {written(-40, 40), written(-40, 40), written(-40, 40)};
       const char* const orders[] = {"123", "132", "213", "231", "312", "321"};
-      order_ = orders[any(0, 6)];
+      order_ = orders[draws_.any(0, 6)];
       text_ += std::string(" P1 Q") + order_;
     }
     for (std::size_t i = 0; i < 3; ++i) word("IJK"[i], degrees_[i]);
@@ -161,12 +129,12 @@ class TiltedProgram {
   }
   void arc() {
     const double radius = written(0.5, 8);
-    const bool whole = any(0, 3) == 0;
-    text_ += any(0, 2) == 0 ? "G2" : "G3";
+    const bool whole = draws_.any(0, 3) == 0;
+    text_ += draws_.any(0, 2) == 0 ? "G2" : "G3";
     const Vector center = {at_[0] + radius, at_[1], at_[2]};
     Vector to = at_;
     if (!whole) word('X', to[0] += 2 * radius);
-    if (any(0, 2) == 0) word('Z', to[2] += written(-3, 3));
+    if (draws_.any(0, 2) == 0) word('Z', to[2] += written(-3, 3));
     word('I', radius);
     text_ += "\n";
     ends_at(to, &center, radius);
@@ -180,7 +148,7 @@ class TiltedProgram {
     for (const double z : {9.0, top, bottom, top}) ends_at({x, y, z});
   }
   void block() {
-    switch (any(0, 8)) {
+    switch (draws_.any(0, 8)) {
       case 0:
         return line("G0", 30);
       case 1:
@@ -193,6 +161,7 @@ class TiltedProgram {
     }
   }
 
+  Draws& draws_;
   std::string text_;
   std::string order_;
   Vector origin_{}, shift_{}, plane_{}, degrees_{}, tool_{};
@@ -203,4 +172,4 @@ class TiltedProgram {
   std::vector<Target> targets_;
 };
 
-}  // namespace leadscrew::testing_support
+}  // namespace leadscrew::campaign
