@@ -16,6 +16,7 @@
 #include <leadscrew/sweep/merge.hpp>
 #include <leadscrew/sweep/model_table.hpp>
 #include <leadscrew/sweep/options.hpp>
+#include <leadscrew/sweep/results_page.hpp>
 #include <leadscrew/sweep/runner.hpp>
 #include <leadscrew/sweep/summary.hpp>
 #include <leadscrew/sweep/world_load.hpp>
@@ -183,8 +184,10 @@ Status conclude(const Asked& asked, const Plan& plan, const Ended& ended, double
   const auto& [options, output] = asked;
   Summary summary;
   Sensitivities sensitivities;
+  ResultsPage page;
   const auto merged = merge(*options.out, [&](const json::Json& row) {
     observe(row, summary);
+    page.observe(row);
     if (row.find("changed") != nullptr || options.optimises) sensitivities.observe(row);
   });
   if (!merged) return told(merged.error(), console);
@@ -198,6 +201,10 @@ Status conclude(const Asked& asked, const Plan& plan, const Ended& ended, double
       return told(drawn.error(), console);
     summary.files.push_back(path);
   }
+  const std::string page_path = *options.out + "/results.html";
+  if (auto written = write_text(page_path, page.written(summary, *options.out)); !written)
+    return told(written.error(), console);
+  summary.files.push_back(page_path);
   summary.done_before = plan.done_before;
   summary.done = ended.done;
   summary.failed = ended.failed;
