@@ -81,11 +81,9 @@ TEST(DisturbedSweep, TellsOfAFullDiskAndGoesOnWhenThereIsRoom) {
   EXPECT_EQ(archive.lines("full"), archive.tasks);
 }
 
-TEST(DisturbedSweep, TellsOfAProgramThatChangesMeanwhileAndDoesTheRest) {
-  const SweptArchive archive(60);
-  Running running(archive.folder, archive.words("out", {"--processes", "1"}));
+/// The fastest program is the last, and changes while the others are done.
+void change_the_last(const SweptArchive& archive, Running& running) {
   ASSERT_TRUE(eventually([&] { return archive.lines("out") > 0; }));
-  // The fastest is the last.
   archive.folder.write("archive/p59.ngc", with_feed(square, "4000"));
   const Outcome changed = running.wait();
   EXPECT_EQ(changed.status, 4);
@@ -95,6 +93,12 @@ TEST(DisturbedSweep, TellsOfAProgramThatChangesMeanwhileAndDoesTheRest) {
   const Outcome after = archive.run("out");
   EXPECT_EQ(after.json()["done"], 2);
   expect_whole(archive, after, "out");
+}
+
+TEST(DisturbedSweep, TellsOfAProgramThatChangesMeanwhileAndDoesTheRest) {
+  const SweptArchive archive(60);
+  Running running(archive.folder, archive.words("out", {"--processes", "1"}));
+  change_the_last(archive, running);
 }
 
 #ifdef LEADSCREW_MPIRUN
@@ -126,6 +130,12 @@ void kill_ranks_and_start_again(const SweptArchive& archive, const std::string& 
     running.wait();
   }
   expect_whole(archive, archive.ranked(out, ranks), out);
+}
+
+TEST(DisturbedSweep, TellsOfAProgramThatChangesMeanwhileAndDoesTheRestOnRanks) {
+  const SweptArchive archive(60);
+  Running running(archive.folder, archive.ranked_words("out", "2"), {.command = LEADSCREW_MPIRUN});
+  change_the_last(archive, running);
 }
 
 TEST(DisturbedSweep, LosesNothingAndDoesNothingTwiceWhenRanksAreKilled) {

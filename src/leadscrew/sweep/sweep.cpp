@@ -216,7 +216,13 @@ Status conclude(const Asked& asked, const Plan& plan, const Ended& ended, double
   return worse(status, write_output(console, text));
 }
 
-Status perform(Work& work, const Asked& asked, World* world, console::Console& console) {
+/// How a start ends: all ranks together, or this one early, for which the others would wait.
+struct Ending {
+  Status status = Status::done;
+  bool is_common = false;
+};
+
+Ending perform(Work& work, const Asked& asked, World* world, console::Console& console) {
   const auto begun = std::chrono::steady_clock::now();
   const Options& options = asked.options;
   const bool leads = world == nullptr || world->rank() == 0;
@@ -224,10 +230,10 @@ Status perform(Work& work, const Asked& asked, World* world, console::Console& c
   Plan plan;
   if (leads) {
     auto locked = lock(*options.out);
-    if (!locked) return told(locked.error(), console);
+    if (!locked) return {told(locked.error(), console)};
     held = std::move(*locked);
     auto planned = begin(work, *options.out);
-    if (!planned) return told(planned.error(), console);
+    if (!planned) return {told(planned.error(), console)};
     plan = std::move(*planned);
   }
   const std::string shards = shards_of_sweep(*options.out);
@@ -240,17 +246,22 @@ Status perform(Work& work, const Asked& asked, World* world, console::Console& c
     plan.done_before = done_before;
     ended = run_ranked(work, plan, shards, *world, console);
   }
-  if (!leads) return ended.status;
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begun;
-  return conclude(asked, plan, ended, wall.count(), console);
+  // The first tells for all.
+  Status status = Status::done;
+  if (leads) {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begun;
+    status = conclude(asked, plan, ended, wall.count(), console);
+  }
+  if (world != nullptr) world->broadcast({});
+  return {status, true};
 }
 
-Status sweep_archive(const Asked& asked, World* world, console::Console& console) {
+Ending sweep_archive(const Asked& asked, World* world, console::Console& console) {
   const Options& options = asked.options;
   const auto setup = archive_of(options, console);
-  if (!setup) return told(setup.error(), console);
+  if (!setup) return {told(setup.error(), console)};
   auto programs = survey_all(*setup, processes_of(options), world);
-  if (!programs) return told(programs.error(), console);
+  if (!programs) return {told(programs.error(), console)};
   Archive work(*setup, std::move(*programs));
   return perform(work, asked, world, console);
 }
@@ -260,7 +271,7 @@ Status print_model(const Options& options, console::Console& console) {
   return table ? write_output(console, *table) : told(table.error(), console);
 }
 
-Status sweep_cases(const Asked& asked, World* world, console::Console& console) {
+Ending sweep_cases(const Asked& asked, World* world, console::Console& console) {
   const Options& options = asked.options;
   Campaign work({options.seed, options.first, options.random, *options.out + "/counterexamples"});
   return perform(work, asked, world, console);
@@ -274,12 +285,10 @@ Status sweep(const Options& options, const Output& output, console::Console& con
   if (options.merges) return conclude(asked, {}, {}, 0, console);
   const auto world = load_world();
   if (!world) return told(world.error(), console);
-  const Status status =
+  const Ending ending =
       options.random > 0 ? sweep_cases(asked, *world, console) : sweep_archive(asked, *world, console);
-  // Ranks wait for each other: one that ends early ends all.
-  if (*world != nullptr && status != Status::done && status != Status::not_kept)
-    (*world)->abort(static_cast<int>(status));
-  return status;
+  if (*world != nullptr && !ending.is_common) (*world)->abort(static_cast<int>(ending.status));
+  return ending.status;
 }
 
 }  // namespace leadscrew::sweep
