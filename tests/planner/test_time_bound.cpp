@@ -91,6 +91,24 @@ TEST(TimeBound, IsNotAboveAMotionWhereAnAxisThatIsFarSlowerTurnsBack) {
   }
 }
 
+TEST(TimeBound, OfACircleInPartsIsThatOfTheWholeWhereAnAxisTurnsBackNextToAJoint) {
+  const double quarter = std::acos(0.0);
+  const machine::Machine machine = unlike(48, 75);
+  const double expected = bound({arc_piece({-0.1}, 0, 0, 4 * quarter, 100)}, machine);
+  for (const double beside : {1e-16, 2e-16, 1e-15, 1e-13, 1e-9, 1e-6}) {
+    for (const double share : {beside, 0.0, -beside}) {
+      geometry::Point at{-0.1};
+      std::vector<toolpath::Element> quarters;
+      for (const double sweep : {quarter + share, quarter, quarter, quarter - share}) {
+        const auto arc = arc_piece(at, 0, 0, sweep, 100);
+        at = geometry::end(arc.curve);
+        quarters.push_back(arc);
+      }
+      EXPECT_NEAR(bound(quarters, machine), expected, 1e-5 * expected) << share;
+    }
+  }
+}
+
 std::vector<toolpath::Element> path_along(const geometry::NurbsForm& form, double feed) {
   std::vector<toolpath::Element> path;
   for (const geometry::Nurbs& piece : geometry::smooth_pieces(form))

@@ -158,7 +158,7 @@ TimeBound::Knot TimeBound::next_knot(const Knot& here, double farthest, const to
     if (here.rows[row].by_b * next.rows[row].by_b >= 0 || turns_back(here.rows[row], turning_place * distance))
       continue;
     const Knot turn = turning_back(row, here, next, piece);
-    if (turn.s - here.s > turning_place * distance) next = turn;
+    if (std::min(turn.s - here.s, next.s - turn.s) > turning_place * distance) next = turn;
   }
   // and where feed is counted by what changes along the curve.
   for (int halving = 0; piece.feed_axes != toolpath::FeedAxes::none && halving < most_halvings; ++halving) {

@@ -193,7 +193,7 @@ inline constexpr int fewest_intervals = 32;        // of a curve
 inline constexpr double first_interval = 1e-3;     // of the longest, at a curve's ends
 inline constexpr int most_halvings = 20;
 inline constexpr double grading = 0.1;         // h over the distance from the nearer end
-inline constexpr double turning_place = 1e-8;  // of a step, by which a knot may be beside where an axis turns back
+inline constexpr double turning_place = 1e-6;  // of a step, by which a knot may be beside where an axis turns back
 inline constexpr int most_newton_steps = 30;
 /// Of a unit tangent: less is taken as smooth, which can only lower the bound.
 inline constexpr double negligible_kink = 1e-6;
