@@ -14,7 +14,7 @@ namespace {
 
 /// Those of two lengths; and a ball, for surfaces.
 void give_tools(Case& given) {
-  machine::ToolTable tools = two_tools();
+  const machine::ToolTable tools = two_tools();
   machine::Tool ball;
   ball.number = 3;
   ball.diameter = 4;

@@ -162,7 +162,7 @@ TimeBound::Knot TimeBound::next_knot(const Knot& here, double farthest, const to
   }
   // and where feed is counted by what changes along the curve.
   for (int halving = 0; piece.feed_axes != toolpath::FeedAxes::none && halving < most_halvings; ++halving) {
-    Knot middle = middle_to(next);
+    const Knot middle = middle_to(next);
     if (is_told_by_ends(here.x_max, middle.x_max, next.x_max)) break;
     next = middle;
   }

@@ -51,7 +51,7 @@ base::Result<std::vector<std::string>> shards_of(const std::string& folder) {
   std::vector<std::string> paths;
   std::error_code error;
   if (!std::filesystem::exists(folder, error)) return paths;
-  std::filesystem::directory_iterator entries(folder, error);
+  const std::filesystem::directory_iterator entries(folder, error);
   if (error) return base::failure(files::system_failure("io-open", "cannot open", folder, error.value()));
   for (const auto& entry : entries) {
     if (entry.path().extension() == ".jsonl") paths.push_back(entry.path().string());

@@ -210,7 +210,7 @@ Status conclude(const Asked& asked, const Plan& plan, const Ended& ended, double
   summary.failed = ended.failed;
   summary.processor_s = ended.processor_s;
   summary.wall_s = wall_s;
-  Status status = worse(ended.status, summary.not_kept > 0 ? Status::not_kept : Status::done);
+  const Status status = worse(ended.status, summary.not_kept > 0 ? Status::not_kept : Status::done);
   if (output.quiet && !output.json) return status;
   const std::string text = output.json ? json_of(summary).written() + "\n" : text_of(summary, console.output_style());
   return worse(status, write_output(console, text));
