@@ -22,7 +22,8 @@ constexpr const char* sweep_examples =
     "judged.\n"
     "What is done stays in DIR/shards; the same command again does what is left. DIR/results.jsonl, .csv and .npy have "
     "a\n"
-    "row a task, the same whoever did it. A program with errors is a row, not a failure.\n";
+    "row a task, the same whoever did it; DIR/results.html is a page of them. A program with errors is a row, not a "
+    "failure.\n";
 
 /// Numbers from `least` to `most`, with commas between them.
 auto numbers_between(double least, double most) {
