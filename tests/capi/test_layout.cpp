@@ -195,4 +195,10 @@ TEST(Layout, OfBlocks) {
   EXPECT_EQ(offsetof(leadscrew_block, pass), 172U);
 }
 
+TEST(Layout, OfHolds) {
+  EXPECT_EQ(sizeof(leadscrew_hold), 16U);
+  EXPECT_EQ(offsetof(leadscrew_hold, kind), 8U);
+  EXPECT_EQ(offsetof(leadscrew_hold, axis), 12U);
+}
+
 }  // namespace test_layout

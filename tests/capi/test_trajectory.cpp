@@ -61,6 +61,45 @@ TEST(Capi, PlansMovesBeforeTheyGo) {
   EXPECT_EQ(late, nullptr);
 }
 
+leadscrew_hold hold(const leadscrew_trajectory* trajectory, double time, double feed_asked) {
+  const leadscrew_state state = at(trajectory, time);
+  leadscrew_hold hold{};
+  hold.size = sizeof hold;
+  EXPECT_EQ(leadscrew_trajectory_hold(trajectory, &state, feed_asked, &hold, nullptr), LEADSCREW_OK);
+  return hold;
+}
+
+/// Jerk, then acceleration until 190 mm/s, then the feed; at 200 mm/s the axis' limit.
+TEST(Capi, TellsWhatHoldsMotion) {
+  const Motion motion = moves();
+  const leadscrew_move slow = line(0, 100, 0, 190), fast = line(0, 300, 0, 200);
+  ASSERT_EQ(leadscrew_motion_push(motion.get(), &slow, nullptr), LEADSCREW_OK);
+  ASSERT_EQ(leadscrew_motion_push(motion.get(), &fast, nullptr), LEADSCREW_OK);
+  const Trajectory planned = plan(motion.get());
+  const auto kind = [&](double time, double asked) { return hold(planned.get(), time, asked).kind; };
+  EXPECT_EQ(kind(0.02, 190), LEADSCREW_HELD_BY_JERK);
+  EXPECT_EQ(hold(planned.get(), 0.02, 190).axis, 1);
+  EXPECT_EQ(kind(0.1, 190), LEADSCREW_HELD_BY_ACCELERATION);
+  EXPECT_EQ(kind(0.4, 190), LEADSCREW_HELD_BY_FEED);
+  EXPECT_EQ(kind(0.4, 200), LEADSCREW_HELD_BY_WHAT_COMES);
+  EXPECT_EQ(kind(1.2, 200), LEADSCREW_HELD_BY_VELOCITY);
+  EXPECT_EQ(kind(10, inf), LEADSCREW_HELD_AT_REST);
+}
+
+TEST(Capi, TellsNoHoldOfWhatIsNoState) {
+  const Motion motion = program(plate);
+  const Trajectory planned = plan(motion.get());
+  const leadscrew_state state = at(planned.get(), 1);
+  leadscrew_hold hold{};
+  hold.size = sizeof hold;
+  leadscrew_error error = sized_error();
+  EXPECT_EQ(leadscrew_trajectory_hold(nullptr, &state, 1, &hold, &error), LEADSCREW_MISUSE);
+  EXPECT_EQ(leadscrew_trajectory_hold(planned.get(), nullptr, 1, &hold, &error), LEADSCREW_MISUSE);
+  EXPECT_EQ(leadscrew_trajectory_hold(planned.get(), &state, std::nan(""), &hold, &error), LEADSCREW_MISUSE);
+  hold.size = 3;
+  EXPECT_EQ(leadscrew_trajectory_hold(planned.get(), &state, 1, &hold, &error), LEADSCREW_MISUSE);
+}
+
 TEST(Capi, OutlivesTheMotionThatWasPlanned) {
   Motion motion = program(plate);
   const Trajectory planned = plan(motion.get());

@@ -112,6 +112,10 @@ static_assert(offsetof(leadscrew_pose, pole_angle) == 56);
 static_assert(offsetof(leadscrew_pose, offset) == 64);
 static_assert(offsetof(leadscrew_pose, tool) == 88);
 
+static_assert(sizeof(leadscrew_hold) == 12);
+static_assert(offsetof(leadscrew_hold, kind) == 4);
+static_assert(offsetof(leadscrew_hold, axis) == 8);
+
 static_assert(sizeof(leadscrew_tool) == 56);
 static_assert(offsetof(leadscrew_tool, number) == 4);
 static_assert(offsetof(leadscrew_tool, diameter) == 16);

@@ -37,6 +37,8 @@ inline constexpr std::size_t first_size<leadscrew_figures> = sizeof(leadscrew_fi
 template <>
 inline constexpr std::size_t first_size<leadscrew_pose> = sizeof(leadscrew_pose);
 template <>
+inline constexpr std::size_t first_size<leadscrew_hold> = sizeof(leadscrew_hold);
+template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_task> = offsetof(leadscrew_pulse_task, semi_axes);
 template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_conventions> = offsetof(leadscrew_pulse_conventions, scale);

@@ -7,10 +7,8 @@
 #include <cstring>
 #include <leadscrew/kinematics/chain.hpp>
 #include <leadscrew/kinematics/pose.hpp>
-#include <leadscrew/numeric/vectors.hpp>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +21,9 @@ using namespace leadscrew::capi;
 
 static_assert(LEADSCREW_AXES == base::axis_count);
 static_assert(LEADSCREW_LOSS == static_cast<int>(gcode::ProbeSearch::loss));
+static_assert(LEADSCREW_HELD_BY_FEED == static_cast<int>(pipeline::Hold::Kind::feed));
+static_assert(LEADSCREW_HELD_AT_REST == static_cast<int>(pipeline::Hold::Kind::rest));
+static_assert(LEADSCREW_HELD_BY_CHORD == static_cast<int>(pipeline::Hold::Kind::chord_error));
 
 namespace {
 
@@ -97,16 +98,6 @@ void take_tools(leadscrew_trajectory& trajectory) {
   });
 }
 
-/// Degrees to the nearest pole.
-double pole_angle(const kinematics::Chain& chain, const kinematics::Vector& direction) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const kinematics::Vector& pole : kinematics::poles_of(chain)) {
-    const double half = std::atan2(numeric::distance(direction, pole), numeric::norm(numeric::sum(direction, 1, pole)));
-    least = std::min(least, half * 360 / std::numbers::pi);
-  }
-  return least;
-}
-
 leadscrew_pose pose_of(const leadscrew_trajectory& trajectory, double time) {
   leadscrew_pose pose{};
   pose.size = sizeof pose;
@@ -123,7 +114,7 @@ leadscrew_pose pose_of(const leadscrew_trajectory& trajectory, double time) {
     std::copy_n(tip.begin(), 3, pose.tip);
     const kinematics::Vector direction = kinematics::direction_of(chain, kinematics::angles_of(chain, axes));
     std::copy(direction.begin(), direction.end(), pose.direction);
-    pose.pole_angle = pole_angle(chain, direction);
+    pose.pole_angle = kinematics::angle_to_pole(chain, direction);
   } else {
     for (std::size_t i = 0; i < 3; ++i) pose.tip[i] = axes[i] - held.offset[i];
     pose.direction[2] = 1;
@@ -348,6 +339,17 @@ int leadscrew_trajectory_pose(const leadscrew_trajectory* trajectory, double tim
   if (std::isnan(time)) return misuse(error, "the time is no number");
   if (!fill(pose, pose_of(*trajectory, time)))
     return misuse(error, "the pose is NULL, or its size is none that a version had");
+  return LEADSCREW_OK;
+}
+
+int leadscrew_trajectory_hold(const leadscrew_trajectory* trajectory, const leadscrew_state* state, double feed_asked,
+                              leadscrew_hold* hold, leadscrew_error* error) {
+  if (trajectory == nullptr) return misuse(error, "the trajectory is NULL");
+  const auto given = known(state);
+  if (!given || std::isnan(feed_asked))
+    return misuse(error, "the state is NULL, its size is none that a version had, or the feed is no number");
+  if (!fill(hold, hold_of(*given, trajectory->machine, feed_asked)))
+    return misuse(error, "the hold is NULL, or its size is none that a version had");
   return LEADSCREW_OK;
 }
 

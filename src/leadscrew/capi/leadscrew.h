@@ -275,6 +275,23 @@ typedef struct leadscrew_pose {
   int32_t reserved; /**< 0 */
 } leadscrew_pose;
 
+/** Kinds of leadscrew_hold. */
+enum {
+  LEADSCREW_HELD_BY_FEED = 0,         /**< it has the feed that is asked for */
+  LEADSCREW_HELD_BY_VELOCITY = 1,     /**< an axis is at 97 % of its limit or above */
+  LEADSCREW_HELD_BY_ACCELERATION = 2, /**< the same of acceleration, of several the first axis */
+  LEADSCREW_HELD_BY_JERK = 3,         /**< the same of jerk */
+  LEADSCREW_HELD_AT_REST = 4,         /**< it stands still */
+  LEADSCREW_HELD_BY_WHAT_COMES = 5,   /**< none of the others: it makes ready for what follows */
+  LEADSCREW_HELD_BY_CHORD = 6         /**< the chord error between words */
+};
+/** By what motion is held at an instant. */
+typedef struct leadscrew_hold {
+  size_t size;  /**< of this structure, sizeof */
+  int32_t kind; /**< LEADSCREW_HELD_... */
+  int32_t axis; /**< 0 for X ... 8 for W, of velocity, acceleration and jerk; else 0 */
+} leadscrew_hold;
+
 /** A tool of a table, as a body. */
 typedef struct leadscrew_tool {
   size_t size;      /**< of this structure, sizeof */
@@ -506,6 +523,11 @@ LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory
 /** Where the tool is at `time`, by position of the axes and the tool that is in force. */
 LEADSCREW_API int leadscrew_trajectory_pose(const leadscrew_trajectory* trajectory, double time, leadscrew_pose* pose,
                                             leadscrew_error* error);
+/** By what motion is held in a state that leadscrew_trajectory_at() has told of it, as leadscrew_trajectory_blocks() attributes
+ * lost time: acceleration before jerk, velocity and chord error. `feed_asked`: leadscrew_block.feed_asked of the block there,
+ * times the feed override; above 0, HUGE_VAL of a rapid. */
+LEADSCREW_API int leadscrew_trajectory_hold(const leadscrew_trajectory* trajectory, const leadscrew_state* state,
+                                            double feed_asked, leadscrew_hold* hold, leadscrew_error* error);
 /** It may be NULL. */
 LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
 

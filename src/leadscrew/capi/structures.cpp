@@ -81,6 +81,17 @@ leadscrew_state state_of(const host::TrajectoryState& from) {
   return state;
 }
 
+leadscrew_hold hold_of(const leadscrew_state& state, const machine::Machine& machine, double feed_asked) {
+  pipeline::Hold hold;
+  if (state.state != static_cast<std::int32_t>(base::MotionState::rest)) {
+    const auto near =
+        pipeline::near_limits(machine, axes_of(state.velocity), axes_of(state.acceleration), axes_of(state.jerk));
+    hold = pipeline::hold_of(near, state.feed, feed_asked);
+  }
+  return {sizeof(leadscrew_hold), static_cast<std::int32_t>(hold.kind),
+          static_cast<std::int32_t>(base::index(hold.axis))};
+}
+
 leadscrew_limits limits_of(const machine::Machine& from) {
   leadscrew_limits limits{};
   limits.size = sizeof limits;

@@ -12,6 +12,7 @@ namespace leadscrew::capi {
 leadscrew_event event_of(const base::PassedEvent& from);
 leadscrew_word word_of(const base::Word& from);
 leadscrew_state state_of(const host::TrajectoryState& from);
+leadscrew_hold hold_of(const leadscrew_state& state, const machine::Machine& machine, double feed_asked);
 
 leadscrew_limits limits_of(const machine::Machine& from);
 /// The machine with these limits, sound or not.

@@ -5,6 +5,8 @@
 #include <leadscrew/numeric/elementary.hpp>
 #include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/vectors.hpp>
+#include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -90,6 +92,16 @@ std::vector<Vector> poles_of(const Chain& chain) {
   if (chain.cones().difference_sine == 0) poles.push_back(along);
   if (chain.cones().sum_cosine == 0) poles.push_back({-along[0], -along[1], -along[2]});
   return poles;
+}
+
+double angle_to_pole(const Chain& chain, const Vector& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector& pole : poles_of(chain)) {
+    const double half =
+        numeric::atan2(numeric::distance(direction, pole), numeric::norm(numeric::sum(direction, 1, pole)));
+    least = std::min(least, half * 360 / std::numbers::pi);
+  }
+  return least;
 }
 
 double most_turned(const Chain& chain) {

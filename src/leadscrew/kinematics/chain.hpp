@@ -82,6 +82,9 @@ Chain chain_of(const machine::Machine& machine);
 /// The directions of the tool, unit vectors, at which the first turn may be any: none, one or both along it.
 std::vector<Vector> poles_of(const Chain& chain);
 
+/// Of a tool of this direction, a unit vector, to the nearest of them: degrees, 0 to 180; infinite where there is none.
+double angle_to_pole(const Chain& chain, const Vector& direction);
+
 /// The tool's direction turns by no more than so many times the root of the sum of squares of what both axes turn by: 1 where
 /// one is across the other, and up to √2. |u₁ dθ₁ + u₂ dθ₂|² ≤ (1 + |u₁·u₂|)(dθ₁² + dθ₂²).
 double most_turned(const Chain& chain);

@@ -8,9 +8,6 @@ namespace leadscrew::pipeline {
 
 namespace {
 
-/// A limit is at work where words come so near to it, as a ratio; of several the first in the order of held().
-constexpr double at_work = 0.97;
-
 double feed_asked(const gcode::Move& move, double length) {
   switch (move.feed.mode) {
     case gcode::Feed::Mode::units_per_second:
@@ -24,25 +21,6 @@ double feed_asked(const gcode::Move& move, double length) {
 }
 
 }  // namespace
-
-std::string name(const Cause& cause) {
-  const std::string axis = std::string(" ") + base::letter(cause.axis);
-  switch (cause.kind) {
-    case Cause::Kind::velocity:
-      return "velocity" + axis;
-    case Cause::Kind::acceleration:
-      return "acceleration" + axis;
-    case Cause::Kind::jerk:
-      return "jerk" + axis;
-    case Cause::Kind::chord_error:
-      return "chord";
-    case Cause::Kind::stop:
-      return "stop";
-    case Cause::Kind::dwell:
-      return "dwell";
-  }
-  return "";
-}
 
 std::vector<std::pair<Cause, double>> ranked(const LostByCause& lost) {
   std::vector<std::pair<Cause, double>> list(lost.begin(), lost.end());
@@ -87,15 +65,11 @@ void LostTime::finish() {
   while (!moves_.empty()) close_block();
 }
 
-/// The limit that the four words are nearest to.
-LostTime::Held LostTime::held() const {
+/// Of the four words.
+NearLimits LostTime::near_limits() const {
   const double period = machine_.period.seconds();
-  Held held;
-  double velocity = 0, acceleration = 0, jerk = 0, bend = 0;
-  base::Axis velocity_axis{}, acceleration_axis{}, jerk_axis{};
-  const auto raise = [](double& greatest, base::Axis& of, double ratio, base::Axis axis) {
-    if (ratio > greatest) greatest = ratio, of = axis;
-  };
+  NearLimits near;
+  double bend = 0;
   for (const base::Axis axis : base::all_axes) {
     if (!machine_.has(axis)) continue;
     const machine::AxisLimits& limits = machine_.limits(axis);
@@ -103,26 +77,14 @@ LostTime::Held LostTime::held() const {
     const double first = words_[1].position[i] - words_[0].position[i];
     const double middle = words_[2].position[i] - words_[1].position[i];
     const double last = words_[3].position[i] - words_[2].position[i];
-    raise(velocity, velocity_axis, std::abs(middle) / period / limits.velocity, axis);
+    near.velocity.raise(std::abs(middle) / period / limits.velocity, axis);
     const double second = std::max(std::abs(middle - first), std::abs(last - middle)) / (period * period);
-    raise(acceleration, acceleration_axis, second / limits.acceleration, axis);
-    raise(jerk, jerk_axis, std::abs(last - 2 * middle + first) / (period * period * period) / limits.jerk, axis);
+    near.acceleration.raise(second / limits.acceleration, axis);
+    near.jerk.raise(std::abs(last - 2 * middle + first) / (period * period * period) / limits.jerk, axis);
     if (!base::is_rotary(axis)) bend += (last - middle) * (last - middle);
   }
-  held.velocity_ratio = velocity;
-  const double chord = std::sqrt(bend) / 8 / machine_.chord_error;
-  const std::pair<double, Cause> limits[] = {{acceleration, {Cause::Kind::acceleration, acceleration_axis}},
-                                             {jerk, {Cause::Kind::jerk, jerk_axis}},
-                                             {velocity, {Cause::Kind::velocity, velocity_axis}},
-                                             {chord, {Cause::Kind::chord_error, base::Axis::X}}};
-  const auto* const at_limit =
-      std::find_if(std::begin(limits), std::end(limits), [](const auto& limit) { return limit.first >= at_work; });
-  held.cause = at_limit != std::end(limits)
-                   ? at_limit->second
-                   : std::max_element(std::begin(limits), std::end(limits), [](const auto& a, const auto& b) {
-                       return a.first < b.first;
-                     })->second;
-  return held;
+  near.chord = std::sqrt(bend) / 8 / machine_.chord_error;
+  return near;
 }
 
 /// Of the period between the second and the third word.
@@ -133,16 +95,17 @@ void LostTime::account() {
   const base::Word& faster = word.speed > before.speed ? word : before;
   const double feed_length = faster.speed > 0 ? length * (faster.feed / faster.speed) : length;
   Asked* const asked = moves_.empty() ? nullptr : &moves_.front();
-  Held held = this->held();
+  const NearLimits near = near_limits();
+  Cause cause = near.nearest();
   double least = 0;
   if (length == 0) {
-    held.cause = {asked != nullptr && asked->is_dwell ? Cause::Kind::dwell : Cause::Kind::stop, base::Axis::X};
+    cause = {asked != nullptr && asked->is_dwell ? Cause::Kind::dwell : Cause::Kind::stop, base::Axis::X};
   } else if (asked != nullptr && std::isfinite(asked->block.feed_asked) && asked->block.feed_asked > 0) {
     least = feed_length / asked->block.feed_asked;
   } else {
-    least = period * std::min(1.0, held.velocity_ratio);
+    least = period * std::min(1.0, near.velocity.value);
   }
-  lost_[held.cause] += period - least;
+  lost_[cause] += period - least;
   if (asked == nullptr) return;
   if (travelled_ <= asked->length / 2) asked->block.middle = before.position;
   if (asked->block.seconds == 0) asked->block.begin = base::seconds(before.tick, machine_.period);
@@ -151,7 +114,7 @@ void LostTime::account() {
   asked->block.feed_reached = std::max(asked->block.feed_reached, word.feed);
   asked->block.seconds += period;
   asked->block.least_seconds += least;
-  lost_in_block_[held.cause] += period - least;
+  lost_in_block_[cause] += period - least;
 }
 
 /// To the move that the word is of: by its line, and where several have one, by how far it is along them.

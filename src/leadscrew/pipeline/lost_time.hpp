@@ -13,24 +13,12 @@
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/gcode/move.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/pipeline/near_limits.hpp>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace leadscrew::pipeline {
-
-/// What motion waits for, or is held by.
-struct Cause {
-  enum class Kind : std::uint8_t { velocity, acceleration, jerk, chord_error, stop, dwell };
-
-  Kind kind = Kind::stop;
-  base::Axis axis = base::Axis::X;  ///< of the first three
-
-  friend auto operator<=>(const Cause&, const Cause&) = default;
-};
-/// "velocity X", "acceleration Z", "jerk X", "chord", "stop", "dwell".
-std::string name(const Cause& cause);
 
 using LostByCause = std::map<Cause, double>;  ///< s
 /// The most expensive first.
@@ -79,15 +67,10 @@ class LostTime {
     bool is_dwell = false;
     double length = 0;  ///< as programmed
   };
-  struct Held {
-    Cause cause;
-    double velocity_ratio = 0;  ///< greatest of the axes
-  };
-
   void account();
   void go_to(const base::Word& word);
   void close_block();
-  Held held() const;
+  NearLimits near_limits() const;
 
   const machine::Machine& machine_;
   Sink sink_;

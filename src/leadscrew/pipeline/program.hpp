@@ -91,6 +91,8 @@ class Program {
   void tell_tool() { source_.tell_tool(); }
   /// Called for each move before it is planned.
   void on_move(std::function<void(const gcode::Move&)> sink) { moves_ = std::move(sink); }
+  /// What that move has to do with a surface.
+  const gcode::MachinedMove& machined() const { return source_.machined(); }
   /// Before the first word: how to ask whether the program is still the one that was checked
   /// (MotionSource::unchanged).
   void watch(std::function<base::Result<void>()> unchanged) { source_.unchanged = std::move(unchanged); }

@@ -107,6 +107,7 @@ export const state = {
   line: 320,
   state: 328,
 } as const;
+export const hold = { size: 12, kind: 4, axis: 8 } as const;
 export const axes = 9;
 
 export const task = {

@@ -56,6 +56,7 @@ interface Exports extends CommonExports {
   leadscrew_trajectory_blocks(trajectory: number, onBlock: number, user: number, error: number): number;
   leadscrew_trajectory_at(trajectory: number, time: number, state: number, error: number): number;
   leadscrew_trajectory_pose(trajectory: number, time: number, pose: number, error: number): number;
+  leadscrew_trajectory_hold(trajectory: number, state: number, feedAsked: number, hold: number, error: number): number;
   leadscrew_trajectory_free(trajectory: number): void;
   leadscrew_page_on_diagnostic(): number;
   leadscrew_page_on_block(): number;

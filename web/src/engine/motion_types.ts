@@ -70,8 +70,8 @@ export interface Blocks {
   readonly causes: readonly string[];
 }
 
-/** What holds motion at a sample; of several the first. */
-export const holds = ["feed", "velocity", "acceleration", "jerk", "rest", "shape"] as const;
+/** What holds motion at a sample, in the order of leadscrew.h. */
+export const holds = ["feed", "velocity", "acceleration", "jerk", "rest", "shape", "chord"] as const;
 
 /** What a move has to do with a surface that is machined. */
 export const parts = ["none", "approach", "pass", "link", "retract"] as const;
@@ -217,6 +217,8 @@ export interface PlannerCalls {
   check(task: Task): Promise<Checked>;
   /** Of a sound program; at most so many samples. */
   plan(task: Task, most: number): Promise<Plan | Diagnostic>;
+  /** What plan() tells of tools and surfaces, without a plan. */
+  equipment(task: Task): Promise<Pick<Plan, "tools" | "surfaces">>;
   /** Where a program gouges the surfaces that it machines by more than its machine's tolerance. */
   gouges(task: Task): Promise<readonly Gouge[] | Diagnostic>;
   /** All words of what was planned last, as `leadscrew run --trace` writes them. */

@@ -114,6 +114,15 @@ export class Planner implements PlannerCalls {
     }
   }
 
+  async equipment(task: Task): Promise<Pick<Plan, "tools" | "surfaces">> {
+    this.begin("reading");
+    const machine = this.machineOf(task);
+    if (typeof machine !== "number") return { tools: [], surfaces: [] };
+    this.takeSurfaces(machine, task);
+    this.module.calls.leadscrew_machine_free(machine);
+    return { tools: this.tools, surfaces: this.surfaces };
+  }
+
   async gouges(task: Task): Promise<readonly Gouge[] | Diagnostic> {
     const { module } = this;
     this.begin("reading");

@@ -39,6 +39,7 @@ export class PlannerClient implements PlannerCalls {
   readonly limits: PlannerCalls["limits"] = (machine) => this.call("limits", [machine]);
   readonly check: PlannerCalls["check"] = (task) => this.call("check", [task]);
   readonly plan: PlannerCalls["plan"] = (task, most) => this.call("plan", [task, most]);
+  readonly equipment: PlannerCalls["equipment"] = (task) => this.call("equipment", [task]);
   readonly gouges: PlannerCalls["gouges"] = (task) => this.call("gouges", [task]);
   readonly trace: PlannerCalls["trace"] = () => this.call("trace", []);
   readonly explain: PlannerCalls["explain"] = (block) => this.call("explain", [block]);

@@ -1,10 +1,8 @@
 // A trajectory at equal steps of time, and its blocks, as arrays that a page may draw from.
 
 import * as layout from "./layout";
-import { holds, type Blocks, type Figures, type Limits, type Samples } from "./motion_types";
+import type { Blocks, Figures, Limits, Samples } from "./motion_types";
 import type { MotionModule } from "./motion_module";
-
-const atLimit = 0.97; // so near to a limit motion is held by it
 
 /** Takes blocks as they come. */
 export class BlockList {
@@ -33,8 +31,7 @@ export class BlockList {
 
   done(): Blocks {
     const { begin, seconds, leastSeconds, length, feedAsked, feedReached } = this.columns;
-    // A move that no word falls on has no time of its own: it begins where the one before ended.
-    for (let i = 1; i < begin.length; ++i) if (seconds[i] === 0) begin[i] = (begin[i - 1] ?? 0) + (seconds[i - 1] ?? 0);
+    settleBegins(begin, seconds);
     return {
       count: this.line.length,
       line: Int32Array.from(this.line),
@@ -56,39 +53,6 @@ export function axesOf(limits: Limits): number[] {
   return [...Array(layout.axes).keys()].filter((axis) => (limits.axes >> axis) & 1);
 }
 
-interface Held {
-  readonly hold: number;
-  readonly axis: number;
-}
-
-const [byFeed, byVelocity, byAcceleration, byJerk, atRest, byShape] = holds.map((_, i) => i) as [
-  number,
-  number,
-  number,
-  number,
-  number,
-  number,
-];
-
-/** What motion is held by, in the order in which the engine attributes lost time. */
-function heldBy(module: MotionModule, at: number, axes: readonly number[], limits: Limits, asked: number): Held {
-  const of = layout.state;
-  const view = module.view;
-  const feed = view.getFloat64(at + of.feed, true);
-  if (view.getInt32(at + of.state, true) === 0) return { hold: atRest, axis: 0 };
-  for (const [hold, name] of [
-    [byAcceleration, "acceleration"],
-    [byJerk, "jerk"],
-    [byVelocity, "velocity"],
-  ] as const) {
-    for (const [i, axis] of axes.entries()) {
-      const value = Math.abs(view.getFloat64(at + of[name] + 8 * axis, true));
-      if (value >= atLimit * (limits[name][axis] ?? Infinity)) return { hold, axis: i };
-    }
-  }
-  return { hold: feed >= atLimit * asked ? byFeed : byShape, axis: 0 };
-}
-
 export interface Sampled {
   readonly module: MotionModule;
   readonly trajectory: number;
@@ -97,6 +61,20 @@ export interface Sampled {
   readonly blocks: Blocks;
   readonly limits: Limits;
   readonly override: number;
+}
+
+/** The block of each time, asked for in their order: a word belongs to the way that leads to it. */
+export function blockFinder(blocks: Pick<Blocks, "count" | "begin">, period: number): (time: number) => number {
+  let block = 0;
+  return (time) => {
+    while (block + 1 < blocks.count && (blocks.begin[block + 1] ?? 0) < time - period / 2) ++block;
+    return block;
+  };
+}
+
+/** A move that no word falls on has no time of its own: it begins where the one before ended. */
+export function settleBegins(begin: number[] | Float64Array, seconds: ArrayLike<number>): void {
+  for (let i = 1; i < begin.length; ++i) if (seconds[i] === 0) begin[i] = (begin[i - 1] ?? 0) + (seconds[i - 1] ?? 0);
 }
 
 /** At most `most` of them; `progress` hears the share done. */
@@ -123,6 +101,7 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
     hold: new Uint8Array(count),
     holdAxis: new Uint8Array(count),
   };
+  const blockAt = blockFinder(blocks, of.period);
   let block = 0;
   const takePose = (i: number, time: number, at: number): void => {
     const of = layout.pose;
@@ -134,7 +113,14 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
     samples.poleAngle[i] = module.number(at + of.poleAngle);
     samples.tool[i] = module.view.getInt32(at + of.tool, true);
   };
-  const takeAll = (at: number, pose: number): void => {
+  const takeHold = (i: number, state: number, at: number): void => {
+    const asked = blocks.feedAsked[block] || Infinity; // in a dwell nothing is asked
+    module.calls.leadscrew_trajectory_hold(trajectory, state, asked * of.override, at, 0);
+    const axis = axes.indexOf(module.view.getInt32(at + layout.hold.axis, true));
+    samples.hold[i] = module.view.getInt32(at + layout.hold.kind, true);
+    samples.holdAxis[i] = Math.max(axis, 0);
+  };
+  const takeAll = (at: number, pose: number, hold: number): void => {
     for (let i = 0; i < count; ++i) {
       if (i % 8192 === 0) progress(i / count);
       const tick = Math.min(i * every, of.figures.words);
@@ -150,16 +136,15 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
       });
       samples.feed[i] = view.getFloat64(at + layout.state.feed, true);
       samples.line[i] = module.integer(at + layout.state.line);
-      // The block whose period ends here: a word belongs to the way that leads to it.
-      while (block + 1 < blocks.count && (blocks.begin[block + 1] ?? 0) < time - of.period / 2) ++block;
+      block = blockAt(time);
       samples.block[i] = block;
-      const held = heldBy(module, at, axes, limits, (blocks.feedAsked[block] ?? Infinity) * of.override);
-      samples.hold[i] = held.hold;
-      samples.holdAxis[i] = held.axis;
+      takeHold(i, at, hold);
       takePose(i, time, pose);
     }
   };
-  module.withSized(layout.state.size, (at) => module.withSized(layout.pose.size, (pose) => takeAll(at, pose)));
+  module.withSized(layout.state.size, (at) =>
+    module.withSized(layout.pose.size, (pose) => module.withSized(layout.hold.size, (hold) => takeAll(at, pose, hold))),
+  );
   return samples;
 }
 

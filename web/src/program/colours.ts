@@ -38,6 +38,7 @@ const holdHues: Readonly<Record<(typeof holds)[number], readonly [number, number
   jerk: [0.52, 0.2, 25],
   rest: [0.5, 0, 0],
   shape: [0.6, 0.15, 320],
+  chord: [0.66, 0.12, 200],
 };
 
 export function holdColour(hold: number, isDark: boolean): Rgb {

@@ -29,6 +29,12 @@ export function put(into: HTMLElement, rows: readonly (readonly [string, string]
   );
 }
 
+function heldBy(hold: (typeof holds)[number], axis: string): string {
+  if (hold === "shape") return "what comes";
+  if (hold === "chord") return "chord error";
+  return hold === "feed" || hold === "rest" ? hold : `${hold} ${axis}`;
+}
+
 export class FiguresPanel {
   readonly figures = list("figures", "Figures of the motion");
   readonly now = list("now", "Now");
@@ -69,7 +75,7 @@ export class FiguresPanel {
       ]),
       ["Feed, mm/min", fixed((samples.feed[sample] ?? 0) * 60, 0)],
       ["Asked", isRapid(samples, blocks, sample) ? "rapid" : fixed(asked * 60, 0)],
-      ["Held by", hold === "shape" ? "what comes" : hold === "feed" || hold === "rest" ? hold : `${hold} ${axis}`],
+      ["Held by", heldBy(hold, axis)],
     ]);
   }
 }

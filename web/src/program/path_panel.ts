@@ -30,6 +30,7 @@ const holdNames: Readonly<Record<(typeof holds)[number], string>> = {
   jerk: "jerk",
   rest: "rest",
   shape: "what comes",
+  chord: "chord error",
 };
 
 const partNames: Readonly<Record<(typeof parts)[number], string>> = {
